@@ -109,7 +109,9 @@
 //! # Features
 //!
 //! All are on by default: `cli`, the command line; `lsp`, the language server; `play`, what is behind
-//! a page; `draw`, pictures.
+//! a page; `draw`, pictures; `native`, native code for operations; `threads`, files, checks and loops
+//! over all elements on all cores, with results that are the same for any number of them:
+//! [`set_threads`] says how many, or the variable `HEDGEROW_THREADS` of the environment.
 //! A program that calls hedgerow needs none of them:
 //! `hedgerow = { version = "0.1", default-features = false }`.
 //!
@@ -187,6 +189,8 @@ pub mod source;
 #[doc(hidden)]
 pub mod syntax;
 
+#[cfg(feature = "threads")]
+pub use mesh::set_threads;
 pub use rewrite::{Unwatched, Watch};
 pub use run::{Argument, OpReport, Report};
 pub use session::{

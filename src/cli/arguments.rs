@@ -1,9 +1,13 @@
 //! Arguments of the command line.
 
+#[cfg(feature = "threads")]
+use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
+#[cfg(feature = "threads")]
+use crate::mesh::set_threads;
 use crate::mesh::{Encoding, Level, MshVersion};
 use crate::rewrite::Engine;
 
@@ -53,6 +57,20 @@ pub(super) enum Command {
     Learn(LearnArguments),
     /// List the standard library, print a file of it, or copy it out
     Std(StdArguments),
+}
+
+impl Command {
+    /// The number of threads, where it matters.
+    pub fn threads(&self) -> Option<&ThreadArguments> {
+        match self {
+            Self::Run(RunArguments { threads, .. })
+            | Self::Apply(ApplyArguments { threads, .. })
+            | Self::Info(InfoArguments { threads, .. })
+            | Self::View(ViewArguments { threads, .. })
+            | Self::Test(TestArguments { threads, .. }) => Some(threads),
+            _ => None,
+        }
+    }
 }
 
 /// The format of the answer.
@@ -151,6 +169,8 @@ pub(super) struct RunArguments {
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
     #[command(flatten)]
+    pub threads: ThreadArguments,
+    #[command(flatten)]
     pub repair: RepairArguments,
     #[command(flatten)]
     pub encoding: EncodingArguments,
@@ -184,6 +204,8 @@ pub(super) struct ApplyArguments {
     /// Format of the answer
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
+    #[command(flatten)]
+    pub threads: ThreadArguments,
     #[command(flatten)]
     pub repair: RepairArguments,
     #[command(flatten)]
@@ -242,7 +264,31 @@ pub(super) struct InfoArguments {
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
     #[command(flatten)]
+    pub threads: ThreadArguments,
+    #[command(flatten)]
     pub repair: RepairArguments,
+}
+
+/// The number of threads.
+#[derive(Debug, Default, Args)]
+pub(super) struct ThreadArguments {
+    /// Threads for files, checks and loops over all
+    /// elements; if not given, one for each core. The
+    /// results are the same
+    #[cfg(feature = "threads")]
+    #[arg(long, value_name = "N", env = "HEDGEROW_THREADS", hide_env_values = true)]
+    #[arg(verbatim_doc_comment)]
+    threads: Option<NonZeroUsize>,
+}
+
+impl ThreadArguments {
+    /// Sees to it that so many threads work.
+    pub fn set(&self) {
+        #[cfg(feature = "threads")]
+        if self.threads.is_some() {
+            set_threads(self.threads);
+        }
+    }
 }
 
 /// Mending of a mesh that is none.
@@ -401,6 +447,8 @@ pub(super) struct ViewArguments {
     #[arg(long, value_name = "NAME")]
     pub attribute: Option<String>,
     #[command(flatten)]
+    pub threads: ThreadArguments,
+    #[command(flatten)]
     pub repair: RepairArguments,
 }
 
@@ -434,6 +482,8 @@ pub(super) struct TestArguments {
     /// bit
     #[arg(long, value_enum, verbatim_doc_comment)]
     pub engine: Option<EngineName>,
+    #[command(flatten)]
+    pub threads: ThreadArguments,
     /// Format of the answer
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,

@@ -9,12 +9,18 @@
 //! The list is either a mesh, or refused with the first place where it is none:
 //! nothing is repaired here.
 
+use std::ops::Range;
+use std::sync::atomic::AtomicU32;
+use std::sync::atomic::Ordering::Relaxed;
+
 use glam::DVec3;
 
 use super::build_error::BuildError;
 use super::connectivity::Mesh;
 use super::id::{EdgeId, ElementKind, FaceId, HalfedgeId, ID_SPACE, VertexId};
 use super::level::is_surface_of_single_edges;
+use super::loops::Loops;
+use super::parallel;
 use super::polygon_sides::Sides;
 use super::polygons::Polygons;
 use super::records::{FaceRecord, HalfedgeRecord};
@@ -41,10 +47,10 @@ impl Mesh {
         if let Err(error) = checked.and_then(|()| check_polygons(&positions, polygons)) {
             return Err((error, positions));
         }
-        let mut builder = Builder::new(positions, polygons);
+        let mut builder = Builder::new(positions.len(), polygons);
         match builder.build() {
-            Ok(()) => Ok(builder.mesh),
-            Err(error) => Err((error, builder.mesh.positions)),
+            Ok(()) => Ok(builder.finish(positions)),
+            Err(error) => Err((error, positions)),
         }
     }
 
@@ -80,13 +86,16 @@ fn check_polygons(positions: &[DVec3], polygons: &Polygons) -> Result<(), BuildE
         return Err(BuildError::NotFinite { vertex: i as u32, position: positions[i] });
     }
     let vertices = positions.len();
-    let mut sorted = Vec::new();
-    for (polygon, corners) in polygons.iter().enumerate() {
-        if let Some(error) = BuildError::of_polygon(polygon, corners, vertices, &mut sorted) {
-            return Err(error);
-        }
-    }
-    Ok(())
+    let parts = parallel::parts(polygons.len(), LEAST);
+    let checked = parallel::map(parts, |part| {
+        let mut sorted = Vec::new();
+        let mut all = (part.start..).zip(polygons.range(part));
+        let fault = all.find_map(|(polygon, corners)| {
+            BuildError::of_polygon(polygon, corners, vertices, &mut sorted)
+        });
+        fault.map_or(Ok(()), Err)
+    });
+    checked.into_iter().collect()
 }
 
 impl BuildError {
@@ -97,6 +106,14 @@ impl BuildError {
         vertices: usize,
         sorted: &mut Vec<u32>,
     ) -> Option<Self> {
+        if let &[a, b, c] = corners
+            && a != b
+            && b != c
+            && c != a
+            && (a.max(b).max(c) as usize) < vertices
+        {
+            return None; // as most are
+        }
         if corners.len() < 3 {
             return Some(Self::TooFewCorners { polygon, corners: corners.len() });
         }
@@ -120,189 +137,337 @@ fn repeated(corners: &[u32], sorted: &mut Vec<u32>) -> Option<u32> {
     sorted.windows(2).find(|pair| pair[0] == pair[1]).map(|pair| pair[0])
 }
 
+/// The fewest elements that are worth a thread.
+const LEAST: usize = 4096;
+
+/// A mesh on its way. Halfedges are numbers here: the inner ones, one for each corner, and behind
+/// them the outer ones along the boundary. Their records are made last, when all is known.
 struct Builder<'p> {
-    mesh: Mesh,
-    polygons: &'p Polygons,
+    loops: Loops<'p>,
+    /// The twins of the inner halfedges, [`NONE`] along the boundary until it has its own.
+    twins: Vec<AtomicU32>,
+    /// The twins of the outer halfedges.
+    boundary: Vec<u32>,
+    /// A halfedge that starts at each vertex: the outer one, or the first.
+    vertices: Vec<HalfedgeId>,
+    holes: Holes,
 }
 
+/// The loops of outer halfedges.
+#[derive(Default)]
+struct Holes {
+    /// What follows each outer halfedge, what is before it, and its hole.
+    next: Vec<u32>,
+    prev: Vec<u32>,
+    hole: Vec<u32>,
+    /// An outer halfedge of each hole.
+    first: Vec<u32>,
+}
+
+const NONE: u32 = u32::MAX;
+
 impl<'p> Builder<'p> {
-    fn new(positions: Vec<DVec3>, polygons: &'p Polygons) -> Self {
-        let mesh = Mesh {
-            vertices: vec![HalfedgeId::NONE; positions.len()],
-            halfedges: Vec::with_capacity(polygons.corners().len()),
-            faces: Vec::with_capacity(polygons.len()),
-            positions,
-            ..Mesh::default()
-        };
-        Self { mesh, polygons }
-    }
-
-    fn build(&mut self) -> Result<(), BuildError> {
-        self.lay_loops();
-        self.find_twins()?;
-        self.close_holes()?;
-        self.number_edges();
-        self.check_fans()
-    }
-
-    /// One loop of halfedges per polygon: everything but twins and edges.
-    fn lay_loops(&mut self) {
-        let mut first = 0;
-        for (polygon, corners) in self.polygons.iter().enumerate() {
-            let last = first + corners.len() as u32 - 1;
-            self.mesh.faces.push(FaceRecord { halfedge: HalfedgeId(first), hole: false });
-            for (h, &v) in (first..).zip(corners) {
-                self.mesh.halfedges.push(HalfedgeRecord {
-                    next: HalfedgeId(if h == last { first } else { h + 1 }),
-                    prev: HalfedgeId(if h == first { last } else { h - 1 }),
-                    vertex: VertexId(v),
-                    face: FaceId(polygon as u32),
-                    ..HalfedgeRecord::UNSET
-                });
-            }
-            first = last + 1;
+    fn new(vertices: usize, polygons: &'p Polygons) -> Self {
+        Self {
+            loops: Loops::new(polygons.corners(), polygons.ends()),
+            twins: Vec::new(),
+            boundary: Vec::new(),
+            vertices: vec![HalfedgeId::NONE; vertices],
+            holes: Holes::default(),
         }
     }
 
-    fn ends(&self, h: HalfedgeId) -> [u32; 2] {
-        [self.mesh.vertex(h).0, self.mesh.vertex(self.mesh.next(h)).0]
+    fn build(&mut self) -> Result<(), BuildError> {
+        self.find_twins()?;
+        self.close_holes()?;
+        self.check_fans()
     }
 
-    /// Pairs the halfedges that run between the same vertices.
+    /// The number of inner halfedges.
+    fn inner(&self) -> usize {
+        self.loops.corners().len()
+    }
+
+    fn twin(&self, h: u32) -> u32 {
+        match (h as usize).checked_sub(self.inner()) {
+            None => self.twins[h as usize].load(Relaxed),
+            Some(outer) => self.boundary[outer],
+        }
+    }
+
+    /// The parts of the vertices for which threads look through all sides.
+    fn parts(&self) -> Vec<Range<usize>> {
+        let threads = if self.inner() < 4 * LEAST { 1 } else { parallel::threads() };
+        parallel::cut(self.vertices.len(), threads)
+    }
+
+    /// Pairs the halfedges that run between the same vertices, and finds the first of each vertex.
     fn find_twins(&mut self) -> Result<(), BuildError> {
-        let count = self.mesh.halfedges.len() as u32;
-        let vertices = self.mesh.vertices.len();
-        let sides = Sides::gather(count, vertices, |side| self.ends(HalfedgeId(side)));
-        sides.edges().try_for_each(|edge| self.join(edge))
+        let inner = self.inner();
+        self.twins = parallel::collect(inner, LEAST, |_| AtomicU32::new(NONE));
+        // Each part of the vertices goes through all sides for its own.
+        let firsts = parallel::map(self.parts(), |part| {
+            let sides = Sides::gather(&self.loops, part.clone());
+            sides.edges().try_for_each(|edge| self.join(edge))?;
+            let mut firsts = vec![HalfedgeId::NONE; part.len()];
+            for (h, &v) in self.loops.corners().iter().enumerate().rev() {
+                if let Some(first) = firsts.get_mut((v as usize).wrapping_sub(part.start)) {
+                    *first = HalfedgeId(h as u32);
+                }
+            }
+            Ok(firsts)
+        });
+        self.vertices = parallel::joined(firsts.into_iter().collect::<Result<_, _>>()?);
+        Ok(())
     }
 
     /// Makes twins of the halfedges that run between the same two vertices, if they are
     /// two; one alone stays without.
-    fn join(&mut self, edge: &[(u32, u32)]) -> Result<(), BuildError> {
+    fn join(&self, edge: &[(u32, u32)]) -> Result<(), BuildError> {
+        let polygon = |h: u32| self.loops.polygon(h) as usize;
         match *edge {
             [] | [_] => Ok(()),
             [(_, a), (_, b)] => {
-                let [a, b] = [a, b].map(HalfedgeId);
-                let [from, to] = self.ends(a);
-                if self.mesh.vertex(b).0 == from {
-                    let polygons = [self.polygon(a), self.polygon(b)];
+                let [from, to] = self.loops.ends(a);
+                if self.loops.corners()[b as usize] == from {
+                    let polygons = [polygon(a), polygon(b)];
                     return Err(BuildError::SameDirection { from, to, polygons });
                 }
-                self.mesh.set_twin(a, b);
-                self.mesh.set_twin(b, a);
+                self.twins[a as usize].store(b, Relaxed);
+                self.twins[b as usize].store(a, Relaxed);
                 Ok(())
             }
             [(_, a), (_, b), (_, c), ..] => Err(BuildError::EdgeUsedThrice {
-                ends: self.ends(HalfedgeId(a)),
-                polygons: [a, b, c].map(|h| self.polygon(HalfedgeId(h))),
+                ends: self.loops.ends(a),
+                polygons: [a, b, c].map(polygon),
             }),
         }
     }
 
     /// The polygon of a halfedge, or of its twin if it runs along a hole.
-    fn polygon(&self, h: HalfedgeId) -> usize {
-        let face = self.mesh.face(h).index();
-        match face < self.polygons.len() {
-            true => face,
-            false => self.mesh.face(self.mesh.twin(h)).index(),
-        }
+    fn polygon(&self, h: u32) -> usize {
+        let outer = (h as usize).checked_sub(self.inner());
+        self.loops.polygon(outer.map_or(h, |outer| self.boundary[outer])) as usize
     }
 
     /// Gives the halfedges along the boundary their twins, and closes these to holes.
     fn close_holes(&mut self) -> Result<(), BuildError> {
-        let mesh = &mut self.mesh;
-        let inner = mesh.halfedges.len();
-        for h in 0..inner {
-            if !mesh.halfedges[h].twin.is_none() {
-                continue;
+        let inner = self.inner();
+        let boundary = parallel::map(parallel::parts(inner, LEAST), |part| {
+            let alone = |h: &u32| self.twin(*h) == NONE;
+            (part.start as u32..part.end as u32).filter(alone).collect()
+        });
+        self.boundary = parallel::joined(boundary);
+        for (outer, &h) in (inner as u32..).zip(&self.boundary) {
+            *self.twins[h as usize].get_mut() = outer;
+            // Each vertex has at most one outer halfedge.
+            let [_, v] = self.loops.ends(h);
+            let other = std::mem::replace(&mut self.vertices[v as usize], HalfedgeId(outer)).0;
+            if other as usize >= inner {
+                let polygons = [self.polygon(other), self.polygon(h)];
+                return Err(BuildError::BowTie { vertex: v, polygons });
             }
-            let h = HalfedgeId(h as u32);
-            let outer = HalfedgeId(mesh.halfedges.len() as u32);
-            let v = mesh.vertex(mesh.next(h));
-            mesh.halfedges.push(HalfedgeRecord { twin: h, vertex: v, ..HalfedgeRecord::UNSET });
-            mesh.set_twin(h, outer);
-            // Each vertex has at most one outer halfedge, which it keeps as its own
-            // until the loops are closed.
-            let other = mesh.vertex_halfedge(v);
-            if !other.is_none() {
-                let polygons = [mesh.face(mesh.twin(other)).index(), mesh.face(h).index()];
-                return Err(BuildError::BowTie { vertex: v.0, polygons });
+        }
+        let count = self.boundary.len();
+        let Holes { next, prev, hole, first } = &mut self.holes;
+        let target = |&h: &u32| self.vertices[self.loops.corners()[h as usize] as usize].0;
+        *next = self.boundary.iter().map(target).collect();
+        (*prev, *hole) = (vec![NONE; count], vec![NONE; count]);
+        for (outer, &next) in (inner as u32..).zip(&*next) {
+            prev[next as usize - inner] = outer;
+        }
+        for outer in 0..count {
+            let mut at = outer;
+            while hole[at] == NONE {
+                hole[at] = first.len() as u32;
+                at = next[at] as usize - inner;
             }
-            mesh.set_vertex_halfedge(v, outer);
-        }
-        for outer in inner..mesh.halfedges.len() {
-            let outer = HalfedgeId(outer as u32);
-            let next = mesh.vertex_halfedge(mesh.target(outer));
-            mesh.set_next(outer, next);
-            mesh.set_prev(next, outer);
-        }
-        for outer in inner..mesh.halfedges.len() {
-            let outer = HalfedgeId(outer as u32);
-            if mesh.face(outer).is_none() {
-                let hole = FaceId(mesh.faces.len() as u32);
-                mesh.faces.push(FaceRecord { halfedge: outer, hole: true });
-                mesh.holes += 1;
-                let mut at = outer;
-                while mesh.face(at).is_none() {
-                    mesh.set_face(at, hole);
-                    at = mesh.next(at);
-                }
+            if at == outer && hole[outer] as usize == first.len() {
+                first.push((inner + outer) as u32);
             }
         }
         Ok(())
     }
 
-    /// Edges are numbered by the first of their halfedges.
-    fn number_edges(&mut self) {
-        let mesh = &mut self.mesh;
-        mesh.edges.reserve_exact(mesh.halfedges.len() / 2);
-        for h in 0..mesh.halfedges.len() {
-            let h = HalfedgeId(h as u32);
-            if mesh.edge(h).is_none() {
-                let edge = EdgeId(mesh.edges.len() as u32);
-                mesh.edges.push(h);
-                mesh.set_edge(h, edge);
-                mesh.set_edge(mesh.twin(h), edge);
-            }
+    /// Checks that each vertex's halfedge reaches all the others.
+    fn check_fans(&self) -> Result<(), BuildError> {
+        // A walk stays at its vertex, so the walks reach all halfedges together or miss some.
+        let reached = parallel::map(parallel::parts(self.vertices.len(), LEAST), |part| {
+            let mut reached = 0;
+            self.vertices[part].iter().for_each(|&first| self.walk(first, |_| reached += 1));
+            reached
+        });
+        match reached.into_iter().sum::<usize>() == self.inner() {
+            true => Ok(()),
+            false => Err(self.bow_tie()),
         }
     }
 
-    /// Gives every vertex a halfedge, and checks that it reaches all the others.
-    fn check_fans(&mut self) -> Result<(), BuildError> {
-        let mesh = &mut self.mesh;
-        for (h, record) in mesh.halfedges.iter().enumerate() {
-            let first = &mut mesh.vertices[record.vertex.index()];
-            if first.is_none() {
-                *first = HalfedgeId(h as u32);
+    /// Visits the inner halfedges around a vertex that are reached from its own, clockwise.
+    #[inline]
+    fn walk(&self, first: HalfedgeId, mut visit: impl FnMut(u32)) {
+        if first.is_none() {
+            return;
+        }
+        let inner = self.inner() as u32;
+        let start = match first.0 < inner {
+            true => first.0,
+            false => self.loops.next(self.twin(first.0)),
+        };
+        let mut at = start;
+        loop {
+            visit(at);
+            let twin = self.twin(at);
+            if twin >= inner {
+                return;
+            }
+            at = self.loops.next(twin);
+            if at == start {
+                return;
             }
         }
-        // A walk stays at its vertex, so the walks reach all halfedges together or
-        // miss some.
-        let mut reached = 0;
-        for &first in mesh.vertices.iter().filter(|h| !h.is_none()) {
-            let mut at = first;
-            loop {
-                reached += 1;
-                at = mesh.twin(mesh.prev(at));
-                if at == first {
-                    break;
-                }
-            }
-        }
-        if reached == mesh.halfedges.len() { Ok(()) } else { Err(self.bow_tie()) }
     }
 
     #[cold]
     fn bow_tie(&self) -> BuildError {
-        let mesh = &self.mesh;
-        let mut seen = vec![false; mesh.halfedges.len()];
-        for &first in &mesh.vertices {
-            mesh.spokes_from(first).for_each(|h| seen[h.index()] = true);
+        let mut seen = vec![false; self.inner()];
+        for &first in &self.vertices {
+            self.walk(first, |h| seen[h as usize] = true);
         }
         let missed = seen.iter().position(|seen| !seen);
-        let h = HalfedgeId(missed.expect("the walks missed a halfedge") as u32);
-        let vertex = mesh.vertex(h);
-        let polygons = [self.polygon(mesh.vertex_halfedge(vertex)), self.polygon(h)];
-        BuildError::BowTie { vertex: vertex.0, polygons }
+        let h = missed.expect("the walks missed a halfedge") as u32;
+        let vertex = self.loops.corners()[h as usize];
+        let polygons = [self.polygon(self.vertices[vertex as usize].0), self.polygon(h)];
+        BuildError::BowTie { vertex, polygons }
+    }
+
+    fn finish(self, positions: Vec<DVec3>) -> Mesh {
+        let inner = self.inner();
+        let edges = EdgeNumbers::new(inner, |h| h < self.twin(h));
+        let halfedges = match self.loops.alike() {
+            Some(3) => self.records_of_alike::<3>(&edges),
+            Some(4) => self.records_of_alike::<4>(&edges),
+            _ => parallel::collect(inner + self.boundary.len(), LEAST, |h| match h < inner {
+                true => self.record(&edges, h as u32),
+                false => self.outer_record(&edges, h as u32),
+            }),
+        };
+        let polygons = self.loops.len();
+        let faces = parallel::collect(polygons + self.holes.first.len(), LEAST, |face| {
+            let hole = face.checked_sub(polygons);
+            let first = hole.map_or_else(|| self.loops.first(face), |hole| self.holes.first[hole]);
+            FaceRecord { halfedge: HalfedgeId(first), hole: hole.is_some() }
+        });
+        Mesh {
+            positions,
+            halfedges,
+            faces,
+            edges: edges.first(),
+            vertices: self.vertices,
+            holes: self.holes.first.len(),
+            ..Mesh::default()
+        }
+    }
+}
+
+impl Builder<'_> {
+    /// The record of an inner halfedge.
+    fn record(&self, edges: &EdgeNumbers, h: u32) -> HalfedgeRecord {
+        let twin = self.twin(h);
+        HalfedgeRecord {
+            next: HalfedgeId(self.loops.next(h)),
+            prev: HalfedgeId(self.loops.prev(h)),
+            twin: HalfedgeId(twin),
+            vertex: VertexId(self.loops.corners()[h as usize]),
+            edge: EdgeId(edges.number(h.min(twin))),
+            face: FaceId(self.loops.polygon(h)),
+        }
+    }
+
+    fn outer_record(&self, edges: &EdgeNumbers, h: u32) -> HalfedgeRecord {
+        let twin = self.twin(h);
+        let outer = h as usize - self.inner();
+        HalfedgeRecord {
+            next: HalfedgeId(self.holes.next[outer]),
+            prev: HalfedgeId(self.holes.prev[outer]),
+            twin: HalfedgeId(twin),
+            vertex: VertexId(self.loops.ends(twin)[1]),
+            edge: EdgeId(edges.number(twin)),
+            face: FaceId(self.holes.hole[outer] + self.loops.len() as u32),
+        }
+    }
+
+    /// All records, of polygons with `N` corners each: as [`Self::record`], polygon by polygon.
+    fn records_of_alike<const N: usize>(&self, edges: &EdgeNumbers) -> Vec<HalfedgeRecord> {
+        let (corners, _) = self.loops.corners().as_chunks::<N>();
+        let (twins, _) = self.twins.as_chunks::<N>();
+        let room = corners.len() + self.boundary.len().div_ceil(N);
+        let all: Vec<[_; N]> = parallel::collect_with_room(room, corners.len(), LEAST, |polygon| {
+            let first = polygon as u32 * N as u32;
+            let mut edge = edges.number(first);
+            let (corners, twins) = (&corners[polygon], &twins[polygon]);
+            std::array::from_fn(|i| {
+                let h = first + i as u32;
+                let twin = twins[i].load(Relaxed);
+                let number = if h < twin { edge } else { edges.number(twin) };
+                edge += u32::from(h < twin);
+                HalfedgeRecord {
+                    next: HalfedgeId(if i + 1 == N { first } else { h + 1 }),
+                    prev: HalfedgeId(if i == 0 { h + N as u32 - 1 } else { h - 1 }),
+                    twin: HalfedgeId(twin),
+                    vertex: VertexId(corners[i]),
+                    edge: EdgeId(number),
+                    face: FaceId(polygon as u32),
+                }
+            })
+        });
+        let mut all = all.into_flattened();
+        let outer = self.inner() as u32..(self.inner() + self.boundary.len()) as u32;
+        all.extend(outer.map(|h| self.outer_record(edges, h)));
+        all
+    }
+}
+
+/// Numbers of edges: by the first of their halfedges.
+struct EdgeNumbers {
+    /// A bit for each halfedge that is the first of its edge.
+    bits: Vec<u64>,
+    /// The number of bits before each word.
+    before: Vec<u32>,
+}
+
+impl EdgeNumbers {
+    fn new(halfedges: usize, is_first: impl Fn(u32) -> bool + Sync + Send) -> Self {
+        let bits = parallel::collect(halfedges.div_ceil(64), LEAST / 64, |word| {
+            let all = word * 64..halfedges.min(word * 64 + 64);
+            all.rev().fold(0, |bits, h| bits << 1 | u64::from(is_first(h as u32)))
+        });
+        let count =
+            |all: &mut u32, bits: &u64| Some(std::mem::replace(all, *all + bits.count_ones()));
+        let before = bits.iter().scan(0, count).collect();
+        Self { bits, before }
+    }
+
+    /// The number of the edge whose first halfedge is `h`.
+    #[inline]
+    fn number(&self, h: u32) -> u32 {
+        let (word, bit) = (h as usize / 64, h % 64);
+        self.before[word] + (self.bits[word] & ((1 << bit) - 1)).count_ones()
+    }
+
+    /// The first halfedges of all edges.
+    fn first(&self) -> Vec<HalfedgeId> {
+        let parts = parallel::map(parallel::parts(self.bits.len(), LEAST / 64), |part| {
+            let mut first = Vec::new();
+            for word in part {
+                let mut bits = self.bits[word];
+                while bits != 0 {
+                    first.push(HalfedgeId(word as u32 * 64 + bits.trailing_zeros()));
+                    bits &= bits - 1;
+                }
+            }
+            first
+        });
+        parallel::joined(parts)
     }
 }

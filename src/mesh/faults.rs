@@ -70,7 +70,7 @@ impl Faults {
         let mut twins = vec![NONE; corners.len()];
         let mut at_fault = vec![false; list.positions.len()];
         let mut faulty = Vec::new();
-        for edge in list.sides(&neighbours).edges() {
+        for edge in list.sides().edges() {
             match *edge {
                 [_] => continue,
                 [(_, a), (_, b)] if ends(a)[0] != ends(b)[0] => {

@@ -10,6 +10,7 @@ use std::fmt;
 use super::connectivity::Mesh;
 use super::id::{EdgeId, ElementKind, FaceId, VertexId};
 use super::invalid::Invalid;
+use super::parallel;
 use super::validate::validate;
 
 /// The conditions on a mesh. Each level includes the ones before it.
@@ -125,28 +126,49 @@ pub fn validate_level(mesh: &Mesh, level: Level) -> Result<(), BelowLevel> {
 /// that no other joins: in one walk along each loop and one around each vertex. That edges have a
 /// face, and vertices, follows; so does that edges end elsewhere than they begin.
 pub(super) fn is_surface_of_single_edges(mesh: &Mesh) -> bool {
-    let mut seen_by = vec![u32::MAX; mesh.capacity(ElementKind::Vertex)];
-    let meets_once = |face: FaceId| {
-        let mut sides = 0;
-        mesh.face_vertices(face).all(|vertex| {
-            sides += 1;
-            std::mem::replace(&mut seen_by[vertex.index()], face.0) != face.0
-        }) && sides >= 3
-    };
-    if !mesh.faces().all(meets_once) {
+    let faces = parallel::parts(mesh.capacity(ElementKind::Face), LEAST);
+    let meet_once = parallel::map(faces, |part| {
+        let mut met = Vec::new();
+        let mut faces = part.map(|face| FaceId(face as u32)).filter(|&f| mesh.face_alive(f));
+        faces.all(|face| {
+            met.clear();
+            met.extend(mesh.face_vertices(face).map(|v| v.0));
+            met.len() >= 3 && are_distinct(&mut met)
+        })
+    });
+    if meet_once.contains(&false) {
         return false;
     }
-    seen_by.fill(u32::MAX);
-    let mut vertices = mesh.vertices().filter(|&v| !mesh.vertex_halfedge(v).is_none());
-    vertices.all(|vertex| {
-        let (mut spokes, mut holes) = (0, 0);
-        mesh.spokes(vertex).all(|h| {
-            spokes += 1;
-            holes += u32::from(mesh.is_boundary_halfedge(h));
-            std::mem::replace(&mut seen_by[mesh.target(h).index()], vertex.0) != vertex.0
-        }) && spokes >= 2
-            && holes <= 1
-    })
+    let vertices = parallel::parts(mesh.capacity(ElementKind::Vertex), LEAST);
+    let are_fans = parallel::map(vertices, |part| {
+        let mut ends = Vec::new();
+        let mut vertices = part.map(|v| VertexId(v as u32));
+        vertices.all(|vertex| {
+            let Some(first) = mesh.get_vertex_halfedge(vertex).filter(|h| !h.is_none()) else {
+                return true;
+            };
+            ends.clear();
+            let mut holes = 0;
+            for h in mesh.spokes_from(first) {
+                holes += u32::from(mesh.is_boundary_halfedge(h));
+                ends.push(mesh.target(h).0);
+            }
+            ends.len() >= 2 && holes <= 1 && are_distinct(&mut ends)
+        })
+    });
+    !are_fans.contains(&false)
+}
+
+/// The fewest elements that are worth a thread.
+const LEAST: usize = 4096;
+
+/// True if no number comes twice. Their order may change.
+fn are_distinct(numbers: &mut [u32]) -> bool {
+    if numbers.len() <= 8 {
+        return numbers.iter().enumerate().all(|(i, number)| !numbers[..i].contains(number));
+    }
+    numbers.sort_unstable();
+    numbers.is_sorted_by(|a, b| a < b)
 }
 
 /// The highest level of a mesh, or what makes it invalid.

@@ -48,6 +48,8 @@ mod build_error;
 mod dump;
 mod faults;
 mod file;
+mod loops;
+pub(crate) mod parallel;
 mod polygon_sides;
 mod polygons;
 mod repair;
@@ -80,6 +82,9 @@ pub use invalid::Invalid;
 pub use level::{BelowLevel, Level, highest_level, validate_level};
 pub use level_near::{Footprint, validate_level_near};
 pub use notes::{Bookmark, Written};
+#[cfg(feature = "threads")]
+pub use parallel::set_threads;
+pub use parallel::threads;
 pub use polygons::Polygons;
 pub use records::HalfedgeRecord;
 pub use repair::{Repair, RepairReport, Repaired};

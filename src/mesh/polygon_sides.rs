@@ -4,6 +4,10 @@
 //! one bucket per vertex, the smaller of their ends, and each small bucket by the larger end;
 //! there is no map of edges.
 
+use std::ops::Range;
+
+use super::loops::Loops;
+
 /// Sides by edges.
 pub(super) struct Sides {
     /// Each side with the larger of its ends.
@@ -13,28 +17,29 @@ pub(super) struct Sides {
 }
 
 impl Sides {
-    /// Gathers `sides` sides between `vertices` vertices; `ends` tells where a side runs.
-    pub(super) fn gather(sides: u32, vertices: usize, ends: impl Fn(u32) -> [u32; 2]) -> Self {
+    /// Gathers the sides whose smaller end is among `vertices`.
+    pub(super) fn gather(loops: &Loops, vertices: Range<usize>) -> Self {
+        let bucket = |v: u32, w: u32| (v.min(w) as usize).wrapping_sub(vertices.start);
         // A counting sort: after the second pass `bounds[v]` is the end of bucket v.
-        let mut bounds = vec![0u32; vertices + 1];
-        for side in 0..sides {
-            let [v, w] = ends(side);
-            bounds[v.min(w) as usize + 1] += 1;
-        }
+        let mut bounds = vec![0u32; vertices.len() + 1];
+        loops.each_side(|_, v, w| {
+            if let Some(bound) = bounds[1..].get_mut(bucket(v, w)) {
+                *bound += 1;
+            }
+        });
         for v in 1..bounds.len() {
             bounds[v] += bounds[v - 1];
         }
-        let mut sorted = vec![(0u32, 0u32); sides as usize];
-        for side in 0..sides {
-            let [v, w] = ends(side);
-            let place = &mut bounds[v.min(w) as usize];
-            sorted[*place as usize] = (v.max(w), side);
-            *place += 1;
-        }
-        bounds.pop();
+        let mut sorted = vec![(0u32, 0u32); bounds.pop().map_or(0, |all| all as usize)];
+        loops.each_side(|side, v, w| {
+            if let Some(place) = bounds.get_mut(bucket(v, w)) {
+                sorted[*place as usize] = (v.max(w), side);
+                *place += 1;
+            }
+        });
         let mut start = 0;
         for &end in &bounds {
-            sorted[start..end as usize].sort_unstable();
+            sort(&mut sorted[start..end as usize]);
             start = end as usize;
         }
         Self { sorted, bounds }
@@ -47,5 +52,22 @@ impl Sides {
             let bucket = &self.sorted[std::mem::replace(&mut start, end as usize)..end as usize];
             bucket.chunk_by(|a, b| a.0 == b.0)
         })
+    }
+}
+
+/// Sorts the sides of a bucket, of which most have about six.
+fn sort(sides: &mut [(u32, u32)]) {
+    if sides.len() > 16 {
+        return sides.sort_unstable();
+    }
+    let key = |(far, side): (u32, u32)| u64::from(far) << 32 | u64::from(side);
+    for i in 1..sides.len() {
+        let side = sides[i];
+        let mut at = i;
+        while at > 0 && key(sides[at - 1]) > key(side) {
+            sides[at] = sides[at - 1];
+            at -= 1;
+        }
+        sides[at] = side;
     }
 }

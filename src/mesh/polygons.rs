@@ -1,5 +1,7 @@
 //! A list of polygons, flat: all corners in one array, and where each polygon ends.
 
+use std::ops::Range;
+
 /// Polygons by the numbers of their corners, each counterclockwise.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Polygons {
@@ -78,6 +80,15 @@ impl Polygons {
     pub fn iter(&self) -> impl ExactSizeIterator<Item = &[u32]> + '_ {
         let mut start = 0;
         self.ends.iter().map(move |&end| &self.corners[std::mem::replace(&mut start, end)..end])
+    }
+}
+
+impl Polygons {
+    /// Some polygons, one after the other.
+    pub(super) fn range(&self, range: Range<usize>) -> impl Iterator<Item = &[u32]> + '_ {
+        let mut start = range.start.checked_sub(1).map_or(0, |before| self.ends[before]);
+        let ends = self.ends[range].iter();
+        ends.map(move |&end| &self.corners[std::mem::replace(&mut start, end)..end])
     }
 }
 

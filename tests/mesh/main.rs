@@ -16,4 +16,5 @@ mod memory;
 mod obj;
 mod repair;
 mod shapes;
+mod threads;
 mod walk;

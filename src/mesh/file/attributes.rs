@@ -156,9 +156,9 @@ impl MeshFile {
     /// The parts of the file that was read which are not in the mesh, in words: a line each.
     pub fn losses(&self) -> Vec<String> {
         let mut told = Vec::new();
-        let words = &self.kept.passed_over;
-        if let Some((_, line)) = words.first() {
-            let shown: Vec<_> = words.iter().map(|(word, _)| format!("`{word}`")).collect();
+        let mut words = self.kept.told_passed_over().peekable();
+        if let Some((_, line)) = words.peek().copied() {
+            let shown: Vec<_> = words.map(|(word, _)| format!("`{word}`")).collect();
             told.push(format!(
                 "what it says with {}, first in line {line}, is not in it: a mesh has vertices and \
                  faces",

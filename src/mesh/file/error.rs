@@ -109,6 +109,15 @@ impl Strays {
     pub(super) fn count(&self) -> usize {
         self.count
     }
+
+    /// Adds those of the part of a file before which there are so many lines.
+    pub(super) fn append(&mut self, part: Self, lines: u32) {
+        for (line, words) in part.first {
+            self.add(line.map(|line| line + lines), || words);
+            self.count -= 1;
+        }
+        self.count += part.count;
+    }
 }
 
 /// Places of a file that cannot be read, and can be passed over.
@@ -124,6 +133,14 @@ impl Damage {
     pub(super) fn add(&mut self, line: Option<u32>, words: impl FnOnce() -> String) {
         self.count += 1;
         self.first.get_or_insert_with(|| (line, words()));
+    }
+
+    /// Adds those of the part of a file before which there are so many lines.
+    pub(super) fn append(&mut self, part: Self, lines: u32) {
+        self.count += part.count;
+        if let (None, Some((line, words))) = (&self.first, part.first) {
+            self.first = Some((line.map(|line| line + lines), words));
+        }
     }
 }
 

@@ -49,6 +49,9 @@ impl fmt::Display for Note {
     }
 }
 
+/// The number of words of statements not kept that are told.
+const PASSED_OVER: usize = 8;
+
 /// The statements in force at a face, by their places in `names`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct State(pub(super) [u32; 4]);
@@ -65,9 +68,30 @@ impl Kept {
     pub(super) fn pass_over(&mut self, keyword: &str, line: u32) {
         let word: String = keyword.chars().take(16).collect();
         let known = &mut self.passed_over;
-        if known.len() <= 8 && !known.iter().any(|(other, _)| *other == word) {
-            // Of more than these it is said that there are others.
-            known.push((if known.len() < 8 { word } else { "…".to_owned() }, line));
+        // Told are the first of a file: these are among the first of its parts.
+        if known.len() <= 2 * PASSED_OVER && !known.iter().any(|(other, _)| *other == word) {
+            known.push((word, line));
+        }
+    }
+
+    /// The first words of statements that are not kept, with their lines.
+    pub(super) fn told_passed_over(&self) -> impl Iterator<Item = (&str, u32)> {
+        let known = self.passed_over.iter().take(PASSED_OVER + 1).enumerate();
+        // Of more than these it is said that there are others.
+        known.map(|(i, (word, line))| (if i < PASSED_OVER { word } else { "…" }, *line))
+    }
+
+    /// Adds what the part of a file notes before which there are so many lines.
+    pub(super) fn append(&mut self, passed_over: Vec<(String, u32)>, notes: Vec<Note>, lines: u32) {
+        passed_over.into_iter().for_each(|(word, line)| self.pass_over(&word, line + lines));
+        for note in notes {
+            match self.notes.iter_mut().find(|known| known.what == note.what) {
+                Some(known) => known.count += note.count,
+                None => {
+                    let line = note.line.map(|line| line + lines);
+                    self.notes.push(Note { line, ..note });
+                }
+            }
         }
     }
 

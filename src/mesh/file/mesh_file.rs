@@ -1,9 +1,9 @@
 //! A mesh with what its file said, and the numbers elements have there.
 //!
-//! The columns `file:vertex` and `file:face` hold the place of an element among those that were
-//! read, 0 for one that came later; `file:corner` holds the place of a halfedge among the
-//! corners, counted from 1. A slot given to a new element has 0 again, so no new element is taken
-//! for an old one. Names with a colon are out of reach of the language. If the polygons of the
+//! What was read has the first slots, in the order of the file. The columns `file:vertex` and
+//! `file:face` tell which slots still have what was read, and `file:corner` which halfedges are
+//! corners. A slot given to a new element has `false`, so no new element is taken for an old one.
+//! Names with a colon are out of reach of the language. If the polygons of the
 //! file were repaired, tables tell which number in the file each place had.
 
 use std::path::PathBuf;
@@ -102,31 +102,28 @@ impl MeshFile {
         self.renumbered = Some([vertices, faces]);
     }
 
-    /// A column that counts the first `count` slots from 1.
+    /// A column that is true in the first `count` slots.
     fn number(&mut self, kind: ElementKind, name: &str, count: usize) -> Option<ColumnId> {
-        let column = self.mesh.add_column(kind, name, Value::Int(0)).ok()?;
-        let values = self.mesh.values_mut::<i64>(column)?;
-        for (number, value) in (1..).zip(&mut values[..count]) {
-            *value = number;
-        }
+        let column = self.mesh.add_column(kind, name, Value::Bool(false)).ok()?;
+        self.mesh.values_mut::<bool>(column)?[..count].fill(true);
         Some(column)
     }
 
-    fn stored(&self, column: Option<ColumnId>, slot: usize) -> Option<u32> {
-        let number = *self.mesh.values::<i64>(column?)?.get(slot)?;
-        u32::try_from(number).ok().filter(|&number| number > 0)
+    /// The place in the file of what is in a slot, if it was read.
+    fn stored(&self, column: Option<ColumnId>, slot: usize) -> Option<usize> {
+        self.mesh.values::<bool>(column?)?.get(slot)?.then_some(slot)
     }
 
     /// The place of a vertex among those that were read, from 0, if it is one of them.
     fn vertex_place(&self, v: VertexId) -> Option<usize> {
         self.mesh.get_position(v)?;
-        Some(self.stored(self.vertex_numbers, v.index())? as usize - 1)
+        self.stored(self.vertex_numbers, v.index())
     }
 
     /// The place of a face among those that were read, from 0, if it is one of them.
     fn face_place(&self, f: FaceId) -> Option<usize> {
         self.mesh.get_face_halfedge(f)?;
-        Some(self.stored(self.face_numbers, f.index())? as usize - 1)
+        self.stored(self.face_numbers, f.index())
     }
 
     /// The number of a vertex in the file it came from, if it did.
@@ -181,7 +178,7 @@ impl MeshFile {
 
     /// The corner of the file that a halfedge still is: it starts at the same vertex.
     pub(super) fn corner(&self, h: HalfedgeId) -> Option<usize> {
-        let corner = self.stored(self.corners, h.index())? as usize - 1;
+        let corner = self.stored(self.corners, h.index())?;
         let vertex = *self.kept.corner_vertices.get(corner)?;
         (self.vertex_place(self.mesh.get_vertex(h)?)? == vertex as usize).then_some(corner)
     }

@@ -1,19 +1,53 @@
 //! Numbers as text, with the fewest digits that read back as the same number.
 
 use std::io::{self, Write};
+use std::ops::Range;
+
+use crate::mesh::parallel;
 
 /// A text on its way out, gathered into large pieces.
 pub(super) struct Printer<'o> {
-    output: &'o mut dyn Write,
+    /// `None` if all is gathered.
+    output: Option<&'o mut dyn Write>,
     text: Vec<u8>,
 }
 
 /// The size up to which bytes are gathered.
 const PIECE: usize = 1 << 16;
 
+/// The number of lines that a thread prints at once.
+pub(super) const PART: usize = 1 << 13;
+
 impl<'o> Printer<'o> {
     pub(super) fn new(output: &'o mut dyn Write) -> Self {
-        Self { output, text: Vec::with_capacity(PIECE + 1024) }
+        Self { output: Some(output), text: Vec::with_capacity(PIECE + 1024) }
+    }
+
+    /// A printer that gathers all.
+    pub(super) fn gathering() -> Self {
+        Self { output: None, text: Vec::new() }
+    }
+
+    /// Prints so many lines, in parts of [`PART`] lines on all cores: `print` prints those of a
+    /// range.
+    pub(super) fn in_parts(
+        &mut self,
+        lines: usize,
+        print: impl Fn(&mut Printer, Range<usize>) -> io::Result<()> + Sync,
+    ) -> io::Result<()> {
+        if parallel::threads() == 1 || lines <= PART {
+            let mut parts = (0..lines).step_by(PART);
+            return parts.try_for_each(|start| print(self, start..lines.min(start + PART)));
+        }
+        let parts = (0..lines).step_by(PART).map(|start| start..lines.min(start + PART));
+        let printed = |part| {
+            let mut printer = Printer::gathering();
+            print(&mut printer, part).map(|()| printer.text)
+        };
+        parallel::in_order(parts.collect(), printed, |text| {
+            self.text.extend_from_slice(&text?);
+            self.hand_on()
+        })
     }
 
     #[inline]
@@ -76,8 +110,10 @@ impl<'o> Printer<'o> {
     }
 
     pub(super) fn flush(&mut self) -> io::Result<()> {
-        self.output.write_all(&self.text)?;
-        self.text.clear();
+        if let Some(output) = &mut self.output {
+            output.write_all(&self.text)?;
+            self.text.clear();
+        }
         Ok(())
     }
 }

@@ -21,9 +21,9 @@ impl<'t> Scanner<'t> {
         Self { text, at: 0, line: 1, continues: false, comments_stick: false }
     }
 
-    /// A scanner of a text whose lines can be continued.
+    /// A scanner of a part of a text whose lines can be continued.
     pub(super) fn with_continued_lines(text: &'t [u8]) -> Self {
-        Self { continues: true, ..Self::new(text) }
+        Self { text, at: 0, line: 1, continues: true, comments_stick: false }
     }
 
     /// A scanner of a text in which no word has a `#`: a comment begins at each.
@@ -195,6 +195,11 @@ impl<'t> Scanner<'t> {
     /// Goes to the start of the next line, over lines that go on.
     #[inline]
     pub(super) fn end_line(&mut self) {
+        if self.peek() == Some(b'\n') {
+            self.at += 1;
+            self.line += 1;
+            return;
+        }
         // Whatever is left is a comment, or words that nobody wants.
         while self.next_word() {
             self.word();
@@ -239,7 +244,7 @@ impl<'t> Scanner<'t> {
         // A line that went on: what stood between its parts is a blank.
         let all = &self.text[start..end];
         let mut joined = Vec::new();
-        let mut parts = Scanner { line: 0, continues: true, ..Scanner::new(all) };
+        let mut parts = Scanner::with_continued_lines(all);
         while let Some(word) = parts.word() {
             if !joined.is_empty() {
                 joined.push(b' ');

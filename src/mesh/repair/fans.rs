@@ -15,7 +15,7 @@ pub(super) fn split(list: &mut PolygonList, report: &mut RepairReport) {
     let neighbours = list.neighbours();
     let mut twins = vec![NONE; list.corners.len()];
     let mut is_cut = false;
-    for edge in list.sides(&neighbours).edges() {
+    for edge in list.sides().edges() {
         match *edge {
             [_] => {}
             [(_, a), (_, b)] if list.corners[a as usize] != list.corners[b as usize] => {
@@ -92,7 +92,7 @@ impl PolygonList {
 /// where others are not joined; says whether there were any of these.
 fn isolate(list: &PolygonList, neighbours: &Neighbours, twins: &mut [u32]) -> bool {
     let mut found = false;
-    for edge in list.sides(neighbours).edges() {
+    for edge in list.sides().edges() {
         let unjoined = edge.len() > 1 && twins[edge[0].1 as usize] == NONE;
         if let &[(_, a), (_, b)] = edge
             && unjoined

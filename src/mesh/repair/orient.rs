@@ -7,11 +7,10 @@ use super::polygon_list::{NONE, PolygonList};
 /// far as that is possible: in each part that hangs together the smaller share is turned, or
 /// none if the shares are equal and the first polygon is to stay.
 pub(super) fn orient(list: &mut PolygonList, report: &mut RepairReport) {
-    let neighbours = list.neighbours();
     // For each side the other one of its edge, if there is one other.
     let mut partners = vec![NONE; list.corners.len()];
     let mut any_turned = false;
-    for edge in list.sides(&neighbours).edges() {
+    for edge in list.sides().edges() {
         if let &[(_, a), (_, b)] = edge {
             partners[a as usize] = b;
             partners[b as usize] = a;

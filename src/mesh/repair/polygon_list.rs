@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use super::RepairReport;
+use crate::mesh::loops::Loops;
 use crate::mesh::polygon_sides::Sides;
 use crate::mesh::polygons::Polygons;
 
@@ -128,11 +129,8 @@ impl PolygonList {
     }
 
     /// The sides of the polygons by edges; side `i` begins at corner `i`.
-    pub(in crate::mesh) fn sides(&self, neighbours: &Neighbours) -> Sides {
-        let vertex = |corner: u32| self.corners[corner as usize];
-        Sides::gather(self.corners.len() as u32, self.positions.len(), |side| {
-            [vertex(side), vertex(neighbours.next[side as usize])]
-        })
+    pub(in crate::mesh) fn sides(&self) -> Sides {
+        Sides::gather(&Loops::new(&self.corners, &self.ends), 0..self.positions.len())
     }
 }
 

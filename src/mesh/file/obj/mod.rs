@@ -15,8 +15,9 @@
 //! what is no statement of the format are told when the mesh is written; comments are not
 //! kept, since what they say of a file need not hold of the next.
 
+mod parts;
 mod read;
 mod write;
 
-pub(super) use read::read;
+pub(super) use parts::read;
 pub(super) use write::{vertex_columns, write};

@@ -1,5 +1,7 @@
 //! Reading a file, statement by statement.
 
+use std::borrow::Cow;
+
 use glam::DVec3;
 
 use crate::mesh::attribute::Value;
@@ -9,57 +11,83 @@ use crate::mesh::file::kept::{MISSING, State};
 use crate::mesh::file::scan::{Scanner, shown};
 use crate::mesh::id::ElementKind;
 
-/// Reads the text of a file.
-pub(in crate::mesh::file) fn read(text: &[u8]) -> Contents {
-    let mut reader = Reader {
-        scanner: Scanner::with_continued_lines(text),
-        contents: Contents::default(),
-        corners: Vec::with_capacity(text.len() / 12),
-        ends: Vec::with_capacity(text.len() / 40),
-        weights: Vec::new(),
-        colors: Vec::new(),
-        alphas: Vec::new(),
-        colored: 0,
-        highest: [Highest::default(); 3],
-    };
-    while !reader.scanner.is_at_end() {
-        if reader.scanner.next_word() {
-            let line = reader.scanner.line();
-            reader.statement(line);
-        }
-        reader.scanner.end_line();
-    }
-    reader.finish()
-}
-
 /// The fault of a statement.
 type Fault = String;
 
-struct Reader<'t> {
+/// What a part of a file says.
+pub(super) struct Reader<'t> {
     scanner: Scanner<'t>,
-    contents: Contents,
-    corners: Vec<u32>,
-    ends: Vec<usize>,
-    weights: Vec<f64>,
+    pub(super) contents: Contents,
+    /// The numbers of vertices, texture coordinates and normals before the part.
+    pub(super) before: [usize; 3],
+    /// True if an index counts back, and what is before the part is not known.
+    pub(super) counts_back: bool,
+    /// The number of its lines.
+    pub(super) lines: u32,
+    pub(super) corners: Vec<u32>,
+    pub(super) ends: Vec<usize>,
+    pub(super) weights: Vec<f64>,
     /// Three numbers for each vertex, once any has had a colour.
-    colors: Vec<f64>,
-    alphas: Vec<f64>,
-    colored: usize,
-    highest: [Highest; 3],
+    pub(super) colors: Vec<f64>,
+    pub(super) alphas: Vec<f64>,
+    pub(super) colored: usize,
+    pub(super) highest: [Highest; 3],
+    /// The statements that hold from a face on: the face, which they are, and their operands.
+    pub(super) states: Vec<(u32, usize, Cow<'t, [u8]>)>,
+    pub(super) libraries: Vec<Cow<'t, [u8]>>,
 }
 
 /// The highest index of its kind, and the line that has it.
 #[derive(Clone, Copy, Default)]
-struct Highest {
-    index: u64,
-    line: u32,
+pub(super) struct Highest {
+    pub(super) index: u64,
+    pub(super) line: u32,
 }
 
 const KINDS: [Indexed; 3] = [Indexed::Vertex, Indexed::Texture, Indexed::Normal];
 
-impl Reader<'_> {
+impl<'t> Reader<'t> {
+    /// Reads a part of a file, before which there are so many vertices, texture coordinates and
+    /// normals.
+    pub(super) fn read(text: &'t [u8], before: [usize; 3]) -> Self {
+        let mut reader = Reader {
+            scanner: Scanner::with_continued_lines(text),
+            contents: Contents::default(),
+            before,
+            counts_back: false,
+            lines: 0,
+            corners: Vec::with_capacity(text.len() / 12),
+            ends: Vec::with_capacity(text.len() / 40),
+            weights: Vec::new(),
+            colors: Vec::new(),
+            alphas: Vec::new(),
+            colored: 0,
+            highest: [Highest::default(); 3],
+            states: Vec::new(),
+            libraries: Vec::new(),
+        };
+        while !reader.scanner.is_at_end() {
+            if reader.scanner.next_word() {
+                let line = reader.scanner.line();
+                reader.statement(line);
+            }
+            reader.scanner.end_line();
+        }
+        reader.lines = reader.scanner.line() - 1;
+        reader
+    }
+
     fn statement(&mut self, line: u32) {
-        let Some(keyword) = self.scanner.word() else { return };
+        let keyword = match self.scanner.rest() {
+            [keyword @ (b'v' | b'f'), b' ', ..] => {
+                self.scanner.skip(1);
+                std::slice::from_ref(keyword)
+            }
+            _ => match self.scanner.word() {
+                Some(keyword) => keyword,
+                None => return,
+            },
+        };
         match keyword {
             b"v" => {
                 if let Err(fault) = self.vertex(line) {
@@ -82,18 +110,11 @@ impl Reader<'_> {
             }
             b"vt" => self.row(line, "vt", 1, "a number or more"),
             b"vn" => self.row(line, "vn", 3, "three numbers"),
-            b"mtllib" => {
-                let library = self.scanner.text().into_owned();
-                let libraries = &mut self.contents.kept.libraries;
-                if !libraries.contains(&library) {
-                    libraries.push(library);
-                }
-            }
+            b"mtllib" => self.libraries.push(self.scanner.text()),
             _ => match State::KEYWORDS.iter().position(|k| k.as_bytes() == keyword) {
                 Some(place) => {
                     let name = self.scanner.text();
-                    let face = self.ends.len() as u32;
-                    self.contents.kept.enter_state(face, place, &name);
+                    self.states.push((self.ends.len() as u32, place, name));
                 }
                 None => self.contents.kept.pass_over(&shown(keyword), line),
             },
@@ -175,20 +196,17 @@ impl Reader<'_> {
 
     /// Reads the corners of a face.
     fn face(&mut self, line: u32) -> Result<(), Fault> {
-        let kept = &self.contents.kept;
-        let have =
-            [self.contents.positions.len(), kept.texture.rows.len(), kept.normals.rows.len()];
         while self.scanner.next_word() {
             // Most corners are digits alone.
             if let Some(index) = self.scanner.whole_number() {
-                let place = self.resolve(i64::from(index), 0, have[0], line);
+                let place = self.resolve(i64::from(index), 0, line);
                 self.keep_corner([place, MISSING, MISSING]);
                 continue;
             }
             let start = self.scanner.position();
             let before = self.scanner.rest();
             let mut places = [MISSING; 3];
-            for i in 0..3 {
+            for (i, place) in places.iter_mut().enumerate() {
                 let negative = self.scanner.take(b'-');
                 let digits = self.scanner.digits();
                 let length = self.scanner.position() - start;
@@ -199,7 +217,7 @@ impl Reader<'_> {
                 if !is_left_out {
                     let index = digits.ok_or_else(|| malformed(before))? as i64;
                     let index = if negative { -index } else { index };
-                    places[i] = self.resolve(index, i, have[i], line);
+                    *place = self.resolve(index, i, line);
                 }
                 if i == 2 || !self.scanner.take(b'/') {
                     break;
@@ -226,22 +244,9 @@ impl Reader<'_> {
 
     /// The place, from 0, of what an index names: negative ones count back from the last.
     #[inline]
-    fn resolve(&mut self, index: i64, kind: usize, have: usize, line: u32) -> u32 {
-        if index == 0 {
-            let words = "0 is no index: they count from 1, or back from -1";
-            self.contents.strays.add(Some(line), || words.to_owned());
-            return MISSING;
-        }
-        if index < 0 {
-            let place = (have as u64).checked_sub(index.unsigned_abs());
-            return place.map_or_else(
-                || {
-                    let what = KINDS[kind];
-                    self.contents.strays.add(Some(line), || what.missing(index, have));
-                    MISSING
-                },
-                |place| place as u32,
-            );
+    fn resolve(&mut self, index: i64, kind: usize, line: u32) -> u32 {
+        if index <= 0 {
+            return self.resolve_back(index.unsigned_abs(), kind, line);
         }
         // A face may name a vertex that comes later.
         let index = index as u64;
@@ -251,10 +256,27 @@ impl Reader<'_> {
         u32::try_from(index - 1).unwrap_or(MISSING - 1)
     }
 
-    fn finish(mut self) -> Contents {
-        let vertices = self.contents.positions.len();
-        self.look_for_strays(vertices);
-        let mut contents = self.contents;
+    #[cold]
+    fn resolve_back(&mut self, back: u64, kind: usize, line: u32) -> u32 {
+        if back == 0 {
+            let words = "0 is no index: they count from 1, or back from -1";
+            self.contents.strays.add(Some(line), || words.to_owned());
+            return MISSING;
+        }
+        self.counts_back = true;
+        let have = self.have()[kind];
+        let place = (have as u64).checked_sub(back);
+        if place.is_none() {
+            let words = || KINDS[kind].missing(-(back as i64), have);
+            self.contents.strays.add(Some(line), words);
+        }
+        place.map_or(MISSING, |place| place as u32)
+    }
+
+    /// Makes columns of what vertices have besides.
+    pub(super) fn add_columns(&mut self) {
+        let contents = &mut self.contents;
+        let vertices = contents.positions.len();
         let kept = &mut contents.kept;
         for table in [&mut kept.corner_texture, &mut kept.corner_normals] {
             if !table.is_empty() {
@@ -272,24 +294,23 @@ impl Reader<'_> {
             );
         }
         let ones = [
-            ("color", Value::Vec3(DVec3::ONE), self.colors),
-            ("weight", Value::Real(1.0), self.weights),
-            ("alpha", Value::Real(1.0), self.alphas),
+            ("color", Value::Vec3(DVec3::ONE), &mut self.colors),
+            ("weight", Value::Real(1.0), &mut self.weights),
+            ("alpha", Value::Real(1.0), &mut self.alphas),
         ];
-        for (name, default, mut reals) in ones {
+        for (name, default, reals) in ones {
+            let mut reals = std::mem::take(reals);
             if !reals.is_empty() {
                 reals.resize(vertices * default.reals().len(), 1.0);
                 contents.columns.push(FileColumn::new(ElementKind::Vertex, name, default, reals));
             }
         }
-        contents.polygons = crate::mesh::Polygons::of_parts(self.corners, self.ends);
-        contents
     }
 
     /// Indices that lead out of the file: the first of each kind is the highest.
-    fn look_for_strays(&mut self, vertices: usize) {
+    pub(super) fn look_for_strays(&mut self) {
+        let have = self.have();
         let Contents { kept, strays, .. } = &mut self.contents;
-        let have = [vertices, kept.texture.rows.len(), kept.normals.rows.len()];
         let tables = [&mut self.corners, &mut kept.corner_texture, &mut kept.corner_normals];
         for (kind, table) in tables.into_iter().enumerate() {
             let Highest { index, line } = self.highest[kind];

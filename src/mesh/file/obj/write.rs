@@ -8,8 +8,8 @@ use crate::mesh::attribute::{AttributeType, ColumnId};
 use crate::mesh::file::attributes::{Corners, OfCorner};
 use crate::mesh::file::kept::State;
 use crate::mesh::file::mesh_file::{MeshFile, WrittenNumbers};
-use crate::mesh::file::print::Printer;
-use crate::mesh::id::{ElementKind, FaceId};
+use crate::mesh::file::print::{PART, Printer};
+use crate::mesh::id::{ElementKind, FaceId, VertexId};
 
 /// Writes the text of a mesh.
 pub(in crate::mesh::file) fn write(
@@ -26,21 +26,43 @@ pub(in crate::mesh::file) fn write(
     let corners = corners.map(|what| Corners::of(file, what, &numbers.face_order));
     for (keyword, corners) in ["vt", "vn"].into_iter().zip(&corners) {
         let table = corners.rows();
-        for row in &table.rows {
-            printer.word(keyword);
-            printer.reals(&row[..table.width]);
-            printer.end_line()?;
-        }
+        printer.in_parts(table.rows.len(), |printer, part| {
+            table.rows[part].iter().try_for_each(|row| {
+                printer.word(keyword);
+                printer.reals(&row[..table.width]);
+                printer.end_line()
+            })
+        })?;
     }
+    let states = states_of_parts(file, numbers);
+    printer.in_parts(numbers.face_order.len(), |printer, part| {
+        let mut current = states.get(part.start / PART).copied().unwrap_or(State::EMPTY);
+        numbers.face_order[part].iter().try_for_each(|&f| {
+            if let Some(state) = file.state_of(f) {
+                write_state(printer, file, &mut current, state);
+            }
+            write_face(printer, file, numbers, &corners, f);
+            printer.end_line()
+        })
+    })?;
+    printer.flush()
+}
+
+/// The statements that are in force where the parts of the faces begin; none if there are none.
+fn states_of_parts(file: &MeshFile, numbers: &WrittenNumbers) -> Vec<State> {
     let mut current = State::EMPTY;
-    for &f in &numbers.face_order {
-        if let Some(state) = file.state_of(f) {
+    if file.kept.states.is_empty() {
+        return Vec::new();
+    }
+    let mut parts = Vec::new();
+    for part in numbers.face_order.chunks(PART) {
+        parts.push(current);
+        let mut printer = Printer::gathering();
+        for state in part.iter().filter_map(|&f| file.state_of(f)) {
             write_state(&mut printer, file, &mut current, state);
         }
-        write_face(&mut printer, file, numbers, &corners, f);
-        printer.end_line()?;
     }
-    printer.flush()
+    parts
 }
 
 /// The columns that stand behind the coordinates: colour, alpha, weight.
@@ -64,7 +86,7 @@ fn write_vertices(
     let colors = color.and_then(|column| file.mesh.values::<DVec3>(column));
     let reals = |column: Option<ColumnId>| column.and_then(|id| file.mesh.values::<f64>(id));
     let (alphas, weights) = (reals(alpha), reals(weight));
-    for &v in &numbers.vertex_order {
+    let vertex = |printer: &mut Printer, v: VertexId| {
         printer.bytes(b"v");
         printer.reals(&file.mesh.position(v).to_array());
         if let Some(color) = colors.and_then(|colors| colors.get(v.index())) {
@@ -74,9 +96,11 @@ fn write_vertices(
         for value in last.into_iter().flatten().filter(|&&value| alphas.is_some() || value != 1.0) {
             printer.reals(&[*value]);
         }
-        printer.end_line()?;
-    }
-    Ok(())
+        printer.end_line()
+    };
+    printer.in_parts(numbers.vertex_order.len(), |printer, part| {
+        numbers.vertex_order[part].iter().try_for_each(|&v| vertex(printer, v))
+    })
 }
 
 fn write_state(printer: &mut Printer, file: &MeshFile, current: &mut State, state: State) {

@@ -1,0 +1,201 @@
+//! Work on all cores, with the results of one thread.
+//!
+//! Work is cut into parts, and what comes of them is put together in their order; so nothing shows
+//! how many parts there were, or which thread was done first. A pool of threads is made when it is
+//! first wanted. Who calls from within a pool of `rayon` keeps to that pool. Without the feature
+//! `threads` all is done by the thread that asks.
+
+use std::ops::Range;
+
+#[cfg(feature = "threads")]
+pub use pool::{set_threads, threads};
+#[cfg(feature = "threads")]
+use rayon::prelude::*;
+
+/// The number of threads that work is given to.
+#[cfg(not(feature = "threads"))]
+pub fn threads() -> usize {
+    1
+}
+
+/// Ranges that cover the numbers below `count`, some for each thread: of `least` numbers or more
+/// each, since less is not worth a thread.
+pub(crate) fn parts(count: usize, least: usize) -> Vec<Range<usize>> {
+    let threads = threads();
+    let parts = if threads == 1 { 1 } else { (threads * 4).min(count / least.max(1)).max(1) };
+    cut(count, parts)
+}
+
+/// So many ranges of about the same size that cover the numbers below `count`.
+pub(crate) fn cut(count: usize, parts: usize) -> Vec<Range<usize>> {
+    let bound = |part: usize| (count as u128 * part as u128 / parts as u128) as usize;
+    (0..parts).map(|part| bound(part)..bound(part + 1)).collect()
+}
+
+/// The answers for all items, in order.
+pub(crate) fn map<I: Send, T: Send>(items: Vec<I>, work: impl Fn(I) -> T + Sync + Send) -> Vec<T> {
+    #[cfg(feature = "threads")]
+    if items.len() > 1 && threads() > 1 {
+        return pool::within(|| items.into_par_iter().with_max_len(1).map(work).collect());
+    }
+    items.into_iter().map(work).collect()
+}
+
+/// The answers for all numbers below `count`, in order; parts have `least` numbers or more.
+pub(crate) fn collect<T: Send>(
+    count: usize,
+    least: usize,
+    work: impl Fn(usize) -> T + Sync + Send,
+) -> Vec<T> {
+    collect_with_room(count, count, least, work)
+}
+
+/// As [`collect`], in a vector with room for so many.
+pub(crate) fn collect_with_room<T: Send>(
+    room: usize,
+    count: usize,
+    least: usize,
+    work: impl Fn(usize) -> T + Sync + Send,
+) -> Vec<T> {
+    let mut all = Vec::with_capacity(room);
+    #[cfg(feature = "threads")]
+    if count >= 2 * least && threads() > 1 {
+        let numbers = (0..count).into_par_iter().with_min_len(least);
+        pool::within(|| all.par_extend(numbers.map(work)));
+        return all;
+    }
+    #[cfg(not(feature = "threads"))]
+    let _ = least; // nothing is cut
+    all.extend((0..count).map(work));
+    all
+}
+
+/// Hands the answers for all items to `take`, in order and while others are worked at. The first
+/// error ends it.
+pub(crate) fn in_order<I: Send, T: Send, E>(
+    items: Vec<I>,
+    work: impl Fn(I) -> T + Sync,
+    mut take: impl FnMut(T) -> Result<(), E>,
+) -> Result<(), E> {
+    let mut items = items.into_iter();
+    #[cfg(feature = "threads")]
+    if threads() > 1 {
+        let mut ready: Vec<T> = Vec::new();
+        loop {
+            let some: Vec<I> = items.by_ref().take(2 * threads()).collect();
+            let mut next: Vec<Option<T>> = some.iter().map(|_| None).collect();
+            pool::beside(
+                |scope| {
+                    for (item, answer) in some.into_iter().zip(&mut next) {
+                        let work = &work;
+                        scope.spawn(move |_| *answer = Some(work(item)));
+                    }
+                },
+                || ready.drain(..).try_for_each(&mut take),
+            )?;
+            if next.is_empty() {
+                return Ok(());
+            }
+            ready.extend(next.into_iter().flatten());
+        }
+    }
+    items.try_for_each(|item| take(work(item)))
+}
+
+/// What came of parts, one after the other.
+pub(crate) fn joined<T>(parts: Vec<Vec<T>>) -> Vec<T> {
+    let size: usize = parts.iter().map(Vec::len).sum();
+    let mut parts = parts.into_iter();
+    let mut all = parts.next().unwrap_or_default();
+    all.reserve_exact(size - all.len());
+    parts.for_each(|mut part| all.append(&mut part));
+    all
+}
+
+#[cfg(feature = "threads")]
+mod pool {
+    use std::num::NonZeroUsize;
+    use std::sync::{Arc, Mutex, PoisonError};
+
+    use rayon::{Scope, ThreadPool, ThreadPoolBuilder};
+
+    /// The threads of this process, and the number that was asked for.
+    struct Pool {
+        wanted: Option<NonZeroUsize>,
+        /// With the number of the process: after a fork the threads are those of another.
+        made: Option<(u32, usize, Option<Arc<ThreadPool>>)>,
+    }
+
+    static POOL: Mutex<Pool> = Mutex::new(Pool { wanted: None, made: None });
+
+    /// Says how many threads work is given to from now on; with `None`, as many as `HEDGEROW_THREADS`
+    /// says or, if it says no number, as there are cores. Work that goes on keeps its threads.
+    pub fn set_threads(count: Option<NonZeroUsize>) {
+        let mut pool = POOL.lock().unwrap_or_else(PoisonError::into_inner);
+        (pool.wanted, pool.made) = (count, None);
+    }
+
+    /// The number of threads that work is given to.
+    pub fn threads() -> usize {
+        match rayon::current_thread_index() {
+            Some(_) => rayon::current_num_threads(),
+            None => current().0,
+        }
+    }
+
+    /// Does work with the threads of the pool.
+    pub(super) fn within<T: Send>(work: impl FnOnce() -> T + Send) -> T {
+        if rayon::current_thread_index().is_some() {
+            return work();
+        }
+        match current().1 {
+            Some(pool) => pool.install(work),
+            None => work(),
+        }
+    }
+
+    /// Starts work with the threads of the pool, and does `meanwhile` here.
+    pub(super) fn beside<'s, T>(
+        start: impl FnOnce(&Scope<'s>),
+        meanwhile: impl FnOnce() -> T,
+    ) -> T {
+        let scope = |scope: &Scope<'s>| {
+            start(scope);
+            meanwhile()
+        };
+        match current().1 {
+            Some(pool) if rayon::current_thread_index().is_none() => pool.in_place_scope(scope),
+            _ => rayon::in_place_scope(scope),
+        }
+    }
+
+    /// The number of threads, and the pool if it could be made.
+    fn current() -> (usize, Option<Arc<ThreadPool>>) {
+        let mut pool = POOL.lock().unwrap_or_else(PoisonError::into_inner);
+        let process = std::process::id();
+        if let Some((of, threads, made)) = &pool.made
+            && *of == process
+        {
+            return (*threads, made.clone());
+        }
+        let wanted = pool.wanted.or_else(|| std::env::var("HEDGEROW_THREADS").ok()?.parse().ok());
+        let threads = wanted.or_else(|| std::thread::available_parallelism().ok());
+        let threads = threads.map_or(1, NonZeroUsize::get).min(MOST);
+        let made = (threads > 1).then(|| {
+            let name = |thread| format!("hedgerow {thread}");
+            ThreadPoolBuilder::new().num_threads(threads).thread_name(name).build()
+        });
+        let (threads, made) = match made {
+            Some(Ok(made)) => (threads, Some(Arc::new(made))),
+            // One can always go on alone.
+            Some(Err(_)) | None => (1, None),
+        };
+        // The threads of another process are none of this one's: nobody waits for them.
+        std::mem::forget(pool.made.take());
+        pool.made = Some((process, threads, made.clone()));
+        (threads, made)
+    }
+
+    /// The most threads that a pool has.
+    const MOST: usize = 256;
+}
