@@ -282,7 +282,7 @@ impl Names {
     pub fn for_each<T>(&mut self, repeated: bool, make: impl FnOnce(&mut Self) -> T) -> T {
         let outer = self.enter_index(repeated);
         let made = make(self);
-        self.turn_back(outer);
+        self.leave_index(outer);
         made
     }
 
@@ -294,7 +294,7 @@ impl Names {
     }
 
     /// Goes back to where this was before.
-    pub fn turn_back(&mut self, outer: bool) {
+    pub fn leave_index(&mut self, outer: bool) {
         self.is_indexed = outer;
     }
 

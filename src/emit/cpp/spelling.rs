@@ -94,7 +94,7 @@ impl Language for Printer<'_> {
                     Function::Turned => "turned",
                     Function::AllInOrderAlongLoop => "all_in_order_along_loop",
                     Function::AllInOrderAroundVertex => "all_in_order_around_vertex",
-                    Function::Foreseen(question) => {
+                    Function::OfPreview(question) => {
                         let of = texts.split_off(1).join(", ");
                         return Spelled::whole(format!("{}.{question}({of})", texts.join("")));
                     }

@@ -205,7 +205,7 @@ impl Printer {
                 return Spelled::whole(format!("{steps}.copied().collect::<Vec<_>>()"));
             }
             Function::Turned => "turned",
-            Function::Foreseen(question) => {
+            Function::OfPreview(question) => {
                 let of = args.split_off(1).join(", ");
                 return Spelled::whole(format!("{}.{question}({of})", args.join("")));
             }

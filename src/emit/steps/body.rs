@@ -270,7 +270,7 @@ impl<'s> Writer<'s> {
     fn value<'b>(&self, block: &'b Block) -> Option<&'b Expr> {
         match block.as_slice() {
             [Statement { kind: StatementKind::Return(Some(value)), .. }] => {
-                self.deed(value).is_none().then_some(value)
+                self.changing_call(value).is_none().then_some(value)
             }
             _ => None,
         }
@@ -324,7 +324,7 @@ impl<'s> Writer<'s> {
         value: &Expr,
         out: &mut Vec<routine::Statement>,
     ) -> Result<(), NotEmitted> {
-        if let Some((function, args)) = self.deed(value) {
+        if let Some((function, args)) = self.changing_call(value) {
             let call = self.function(function, args, out)?;
             let place = self.place(variable);
             out.push(routine::Statement::Action(Action::Must { call, place }));
@@ -421,8 +421,9 @@ impl<'s> Writer<'s> {
         body: &'s Block,
         span: Span,
     ) -> Result<Action, NotEmitted> {
-        let (around, element) = around(collection)
-            .ok_or_else(|| NotEmitted::new(super::super::expression::unsaid(collection), span))?;
+        let (around, element) = around(collection).ok_or_else(|| {
+            NotEmitted::new(super::super::expression::collection_words(collection), span)
+        })?;
         let element = self.term(element)?;
         let outer = self.names.mark();
         let may_go = self.known.effects.erases(body, collection.element());
@@ -445,7 +446,7 @@ impl<'s> Writer<'s> {
     ) -> Result<(), NotEmitted> {
         let value = match value {
             None => None,
-            Some(value) => Some(match self.deed(value) {
+            Some(value) => Some(match self.changing_call(value) {
                 None => self.computed(value, out)?,
                 Some((function, args)) => {
                     let call = self.function(function, args, out)?;

@@ -14,7 +14,7 @@ use super::super::selection::Selection;
 use super::super::term::Parameter;
 use super::body::{Ending, Surroundings, Writer};
 use super::effects::AllEffects;
-use super::keep::kept;
+use super::journal::journaled;
 use crate::diagram::Param;
 use crate::resolve::Body;
 use crate::source::Span;
@@ -142,7 +142,7 @@ impl Builder<'_> {
             Need::Op(op) => {
                 let (item, needs) = self.op(op)?;
                 match (item, self.conventions.undoes) {
-                    (Item::Drawn(routine), false) => (Item::Drawn(kept(routine)), needs),
+                    (Item::Drawn(routine), false) => (Item::Drawn(journaled(routine)), needs),
                     (item, _) => (item, needs),
                 }
             }
