@@ -48,7 +48,8 @@ impl Collect<'_, '_, '_, '_> {
     }
 
     fn test_result(&mut self, test: &GuardTest, collected: &Collected) {
-        let indices = test.at_each_index.then(|| self.registers.begin_turns(&mut self.output.asm));
+        let indices =
+            test.at_each_index.then(|| self.registers.begin_index_loop(&mut self.output.asm));
         let to = self.output.asm.reg();
         match test.question {
             Question::NotAdjacent(ends) => {
@@ -73,7 +74,7 @@ impl Collect<'_, '_, '_, '_> {
         let refusal = self.output.refusal(test.refusal.clone(), Phase::Guard);
         self.output.asm.emit(Inst::Expect { condition: to, refusal, otherwise: self.fail });
         if let Some(indices) = indices {
-            self.registers.end_turns(&mut self.output.asm, indices);
+            self.registers.end_index_loop(&mut self.output.asm, indices);
         }
         let claim = format!("after it, {}", test.claim);
         self.row(Cell::Test { claim, reason: test.refusal.clone() });
