@@ -60,10 +60,10 @@ impl Collect<'_, '_, '_, '_> {
             return;
         };
         self.output.asm.emit(Inst::BufferClear { buffer });
-        let indices = self.registers.begin_turns(&mut self.output.asm);
+        let indices = self.registers.begin_index_loop(&mut self.output.asm);
         let from = compute(self);
         self.output.asm.emit(Inst::BufferPush { buffer, from });
-        self.registers.end_turns(&mut self.output.asm, indices);
+        self.registers.end_index_loop(&mut self.output.asm, indices);
     }
 
     fn test(&mut self, test: &Test) {
@@ -71,7 +71,8 @@ impl Collect<'_, '_, '_, '_> {
         let otherwise = self.fail;
         self.row(Cell::Test { claim: test.claim.clone(), reason: test.refusal.clone() });
         let mark = self.output.asm.mark();
-        let indices = test.at_each_index.then(|| self.registers.begin_turns(&mut self.output.asm));
+        let indices =
+            test.at_each_index.then(|| self.registers.begin_index_loop(&mut self.output.asm));
         let inst = match &test.condition {
             Claim::Leads(source, to) => {
                 let left = self.output.asm.reg();
@@ -136,7 +137,7 @@ impl Collect<'_, '_, '_, '_> {
         };
         self.output.asm.emit(inst);
         if let Some(indices) = indices {
-            self.registers.end_turns(&mut self.output.asm, indices);
+            self.registers.end_index_loop(&mut self.output.asm, indices);
         }
         self.output.asm.release(mark);
     }
@@ -184,14 +185,15 @@ impl Collect<'_, '_, '_, '_> {
         for Condition { condition, at_each_index, refusal } in requires {
             let mark = self.output.asm.mark();
             let hoisted = self.hoisted(condition, *at_each_index);
-            let indices = at_each_index.then(|| self.registers.begin_turns(&mut self.output.asm));
+            let indices =
+                at_each_index.then(|| self.registers.begin_index_loop(&mut self.output.asm));
             let holds = self.expression(&hoisted);
             let reason = (*refusal).to_owned();
             let refusal = self.output.refusal(reason.clone(), Phase::Require);
             let otherwise = self.fail;
             self.output.asm.emit(Inst::Expect { condition: holds, refusal, otherwise });
             if let Some(indices) = indices {
-                self.registers.end_turns(&mut self.output.asm, indices);
+                self.registers.end_index_loop(&mut self.output.asm, indices);
             }
             self.output.asm.release(mark);
             let claim = self.output.words(condition.span);
@@ -211,14 +213,14 @@ impl Collect<'_, '_, '_, '_> {
             }
             let buffer = self.buffer();
             let hoisted = self.hoisted(value.value, true);
-            let indices = self.registers.begin_turns(&mut self.output.asm);
+            let indices = self.registers.begin_index_loop(&mut self.output.asm);
             let to = self.output.asm.block(width);
             self.value(value, &hoisted, to);
             for part in 0..width {
                 let from = to.part(part);
                 self.output.asm.emit(Inst::BufferPush { buffer, from });
             }
-            self.registers.end_turns(&mut self.output.asm, indices);
+            self.registers.end_index_loop(&mut self.output.asm, indices);
             Home::Member { buffer, shift: 0 }
         });
         values.collect()

@@ -95,7 +95,8 @@ impl Collect<'_, '_, '_, '_> {
     }
 
     fn test_result(&mut self, test: &GuardTest, known: Known) {
-        let indices = test.at_each_index.then(|| self.registers.begin_turns(&mut self.output.asm));
+        let indices =
+            test.at_each_index.then(|| self.registers.begin_index_loop(&mut self.output.asm));
         let condition = match known {
             Known::Answer(holds) => holds,
             Known::Along(buffer) => {
@@ -113,7 +114,7 @@ impl Collect<'_, '_, '_, '_> {
         let refusal = self.output.refusal(test.refusal.clone(), Phase::Guard);
         self.output.asm.emit(Inst::Expect { condition, refusal, otherwise: self.fail });
         if let Some(indices) = indices {
-            self.registers.end_turns(&mut self.output.asm, indices);
+            self.registers.end_index_loop(&mut self.output.asm, indices);
         }
         let claim = format!("after it, {}", test.claim);
         self.row(Cell::Test { claim, reason: test.refusal.clone() });

@@ -13,7 +13,7 @@ pub(super) struct IndexLoop {
 
 impl Registers {
     /// Begins what is done for each index. The registers taken inside are given back.
-    pub fn begin_turns(&mut self, asm: &mut Assembler) -> IndexLoop {
+    pub fn begin_index_loop(&mut self, asm: &mut Assembler) -> IndexLoop {
         let indices = IndexLoop {
             begin: asm.label(),
             end: asm.label(),
@@ -30,7 +30,7 @@ impl Registers {
     }
 
     /// Ends what is done for each index.
-    pub fn end_turns(&mut self, asm: &mut Assembler, indices: IndexLoop) {
+    pub fn end_index_loop(&mut self, asm: &mut Assembler, indices: IndexLoop) {
         asm.emit(Inst::Jump { to: indices.begin });
         asm.bind(indices.end);
         asm.release(indices.mark);

@@ -149,11 +149,11 @@ fn allocate(
             Home::Reg(to) => asm.emit(new(to)),
             Home::Member { buffer, .. } => {
                 asm.emit(Inst::BufferClear { buffer });
-                let indices = registers.begin_turns(asm);
+                let indices = registers.begin_index_loop(asm);
                 let from = asm.reg();
                 asm.emit(new(from));
                 asm.emit(Inst::BufferPush { buffer, from });
-                registers.end_turns(asm, indices);
+                registers.end_index_loop(asm, indices);
             }
         }
         let target = rule.name(name).text.clone();
@@ -173,11 +173,11 @@ fn erase(
         let Some(kind) = kind_of_element(kind) else {
             continue;
         };
-        let indices = at_each_index.then(|| registers.begin_turns(asm));
+        let indices = at_each_index.then(|| registers.begin_index_loop(asm));
         let element = registers.element(asm, name);
         asm.emit(Inst::Erase { kind, element });
         if let Some(indices) = indices {
-            registers.end_turns(asm, indices);
+            registers.end_index_loop(asm, indices);
         }
         let word = &rule.name(name).text;
         rows.push(Row { cell: Cell::Note(format!("erase {word}")), executed: true });

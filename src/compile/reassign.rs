@@ -48,10 +48,10 @@ impl Reassign<'_, '_, '_, '_> {
 
     /// Does something, at each index if that is wanted.
     pub(super) fn indexed(&mut self, at_each_index: bool, what: impl FnOnce(&mut Self)) {
-        let indices = at_each_index.then(|| self.registers.begin_turns(&mut self.output.asm));
+        let indices = at_each_index.then(|| self.registers.begin_index_loop(&mut self.output.asm));
         what(self);
         if let Some(indices) = indices {
-            self.registers.end_turns(&mut self.output.asm, indices);
+            self.registers.end_index_loop(&mut self.output.asm, indices);
         }
     }
 

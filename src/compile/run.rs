@@ -39,12 +39,12 @@ impl Collect<'_, '_, '_, '_> {
             return Run { buffer, ends: None };
         }
         let ends = self.buffer();
-        let indices = self.registers.begin_turns(&mut self.output.asm);
+        let indices = self.registers.begin_index_loop(&mut self.output.asm);
         one(self, run, buffer);
         let to = self.output.asm.reg();
         self.output.asm.emit(Inst::BufferLength { buffer, to });
         self.output.asm.emit(Inst::BufferPush { buffer: ends, from: to });
-        self.registers.end_turns(&mut self.output.asm, indices);
+        self.registers.end_index_loop(&mut self.output.asm, indices);
         Run { buffer, ends: Some(ends) }
     }
 

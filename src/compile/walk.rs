@@ -79,12 +79,12 @@ impl Collect<'_, '_, '_, '_> {
             Claim::AllDistinct(names) => Around::Distinct(self.all_of(names)),
             Claim::AroundInOrder { along_loop, halfedges } => {
                 let buffer = self.buffer();
-                let indices = self.registers.begin_turns(&mut self.output.asm);
+                let indices = self.registers.begin_index_loop(&mut self.output.asm);
                 for &half in halfedges {
                     let from = self.element(half);
                     self.output.asm.emit(Inst::BufferPush { buffer, from });
                 }
-                self.registers.end_turns(&mut self.output.asm, indices);
+                self.registers.end_index_loop(&mut self.output.asm, indices);
                 let walk = if *along_loop { Walk::Loop } else { Walk::Star };
                 let to = self.output.asm.reg();
                 self.output.asm.emit(Inst::MeetsAll { walk, to, buffer });
@@ -93,10 +93,10 @@ impl Collect<'_, '_, '_, '_> {
             Claim::NotAllEmptyAround(paths) => {
                 let all = self.output.asm.reg();
                 self.output.asm.emit(Inst::Const { to: all, bits: 1 });
-                let indices = self.registers.begin_turns(&mut self.output.asm);
+                let indices = self.registers.begin_index_loop(&mut self.output.asm);
                 let here = self.are_empty(paths);
                 self.output.asm.emit(Inst::And { to: all, left: all, right: here });
-                self.registers.end_turns(&mut self.output.asm, indices);
+                self.registers.end_index_loop(&mut self.output.asm, indices);
                 Around::Holds(self.not(all))
             }
             // The others speak of one index.

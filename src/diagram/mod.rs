@@ -4,7 +4,6 @@
 //! is a [`Ref`] with its place. Paths and fans without a name have got one of their own.
 //! Whether the drawing makes sense is the business of [`check`](crate::check).
 
-mod callee;
 mod drawing;
 mod expression;
 mod member;
@@ -14,7 +13,6 @@ mod spokes;
 mod unroll;
 mod visit;
 
-pub use callee::Callee;
 pub use drawing::{Drawing, View};
 pub use expression::{
     Access, Attribute, Binary, Builtin, Collection, Expr, ExprKind, Fold, FoldFunction, Pointer,

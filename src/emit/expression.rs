@@ -111,8 +111,9 @@ impl Expressions<'_> {
                 condition.then(self.term(then)?, self.term(otherwise)?)
             }
             ExprKind::Fold(fold) => {
-                let (around, element) = around(&fold.collection)
-                    .ok_or_else(|| NotEmitted::new(unsaid(&fold.collection), expr.span))?;
+                let (around, element) = around(&fold.collection).ok_or_else(|| {
+                    NotEmitted::new(collection_words(&fold.collection), expr.span)
+                })?;
                 let element = self.term(element)?;
                 let ty = fold.collection.element();
                 let name = self.names.declare(fold.variable, ty);
@@ -183,7 +184,7 @@ pub(super) fn around(collection: &Collection) -> Option<(Around, &Expr)> {
 }
 
 /// A collection that lies around no element, in words.
-pub(super) fn unsaid(collection: &Collection) -> &'static str {
+pub(super) fn collection_words(collection: &Collection) -> &'static str {
     match collection {
         Collection::FaceEars(_) => "`ears` of a face",
         Collection::FacePatch(_) => "the `patch` of a face",

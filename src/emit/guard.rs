@@ -47,7 +47,7 @@ pub(super) fn tests(
         | Statement::Size { name, .. } => read.contains(name),
         _ => true,
     });
-    vec![Statement::Foresee { preview: name, body }]
+    vec![Statement::Preview { preview: name, body }]
 }
 
 /// The part of a statement that a test reads.
@@ -89,7 +89,7 @@ impl Tests<'_, '_> {
         };
         let outer = self.names.enter_index(repeated);
         let breaks = self.breaks(test.question);
-        self.names.turn_back(outer);
+        self.names.leave_index(outer);
         let when = match repeated {
             true => breaks.for_some(self.names.indices()),
             false => breaks,
@@ -114,7 +114,7 @@ impl Tests<'_, '_> {
         };
         let elements: Vec<_> = elements.into_iter().map(|name| self.names.term(name)).collect();
         let args = std::iter::once(Term::name(&self.preview)).chain(elements).collect();
-        let breaks = Term::Call(Function::Foreseen(word), args).not();
+        let breaks = Term::Call(Function::OfPreview(word), args).not();
         match question {
             // An empty path would look like a loop.
             Question::OneHoleAlong(path) if self.drawing.is_empty_somewhere(path) => {

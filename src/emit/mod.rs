@@ -15,7 +15,6 @@ mod selection;
 // An operation as a routine.
 mod action;
 mod build;
-mod callee;
 mod conventions;
 mod expression;
 mod guard;
@@ -27,10 +26,10 @@ pub mod reserved;
 mod routine;
 mod steps;
 mod term;
-mod value;
 mod walks;
 
 // A routine as text.
+mod builtin;
 pub mod cpp;
 mod language;
 mod lines;

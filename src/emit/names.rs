@@ -9,7 +9,7 @@ use std::collections::BTreeSet;
 use super::cpp;
 use super::reserved::{is_reserved, plain, unreserved};
 use super::term::{Attribute, IndexLoop, Term};
-use crate::diagram::{self, Callee, Kind, NameId, Op, Role, Rule, Type};
+use crate::diagram::{self, Kind, NameId, Op, Role, Rule, Type};
 use crate::resolve::Variable;
 
 /// The name of a function of the program in code: in C++ it stands beside those that are written
@@ -75,18 +75,8 @@ impl Names {
         names
     }
 
-    /// Names for a function of the program.
-    pub fn of_function(callee: &Callee, functions: &[Option<String>], kept: &[String]) -> Self {
-        let mut names = Self::without(0, functions, kept);
-        for name in callee.variables.iter().take(callee.params.len()) {
-            let word = names.fresh(name);
-            names.params.push(word);
-        }
-        names
-    }
-
-    /// Names for steps, or for a function that does more than compute a value: parameters
-    /// first, which are known from the beginning. Some words are taken already.
+    /// Names for steps or a function: parameters first, which are known from the beginning. Some
+    /// words are taken already.
     pub fn of_body(
         variables: &[Variable],
         params: usize,
@@ -292,7 +282,7 @@ impl Names {
     pub fn for_each<T>(&mut self, repeated: bool, make: impl FnOnce(&mut Self) -> T) -> T {
         let outer = self.enter_index(repeated);
         let made = make(self);
-        self.turn_back(outer);
+        self.leave_index(outer);
         made
     }
 
@@ -304,7 +294,7 @@ impl Names {
     }
 
     /// Goes back to where this was before.
-    pub fn turn_back(&mut self, outer: bool) {
+    pub fn leave_index(&mut self, outer: bool) {
         self.is_indexed = outer;
     }
 

@@ -73,7 +73,7 @@ impl Reassign<'_, '_> {
     fn indexed<T>(&mut self, at_each_index: bool, what: impl FnOnce(&mut Self) -> T) -> T {
         let outer = self.names.enter_index(at_each_index);
         let made = what(self);
-        self.names.turn_back(outer);
+        self.names.leave_index(outer);
         made
     }
 

@@ -116,7 +116,7 @@ pub(super) enum Statement {
     /// For each halfedge of a walk.
     Walk { walk: HalfedgeWalk, body: Vec<Statement> },
     /// A preview of the mesh, and a block in which what is new, and what is set, is noted on it.
-    Foresee { preview: String, body: Vec<Statement> },
+    Preview { preview: String, body: Vec<Statement> },
     /// Allocates an element.
     New { kind: Kind, name: String },
     /// Allocates an element for each index.
@@ -180,7 +180,7 @@ impl Statement {
             | Self::IndexLoop { body, .. }
             | Self::When { body, .. }
             | Self::Walk { body, .. }
-            | Self::Foresee { body, .. } => body,
+            | Self::Preview { body, .. } => body,
             _ => &[],
         }
     }
@@ -192,7 +192,7 @@ impl Statement {
             | Self::IndexLoop { body, .. }
             | Self::When { body, .. }
             | Self::Walk { body, .. }
-            | Self::Foresee { body, .. } => vec![body],
+            | Self::Preview { body, .. } => vec![body],
             Self::Action(action) => action.bodies_mut(),
             _ => Vec::new(),
         }
@@ -261,7 +261,7 @@ impl Statement {
                 see(name);
                 value.names(see);
             }
-            Self::Foresee { body, .. } => body.iter().for_each(|statement| statement.names(see)),
+            Self::Preview { body, .. } => body.iter().for_each(|statement| statement.names(see)),
             Self::Erase { element, .. } => element.names(see),
             Self::When { condition, body } => {
                 condition.names(see);

@@ -147,7 +147,7 @@ pub(super) enum Function {
     /// The same around a vertex, counterclockwise.
     AllInOrderAroundVertex,
     /// The answer of a preview to a question of this name: of the preview and of elements.
-    Foreseen(&'static str),
+    OfPreview(&'static str),
 }
 
 /// The computations with vectors and matrices, where their type tells how it is spelled.

@@ -7,7 +7,7 @@ use std::mem::offset_of;
 
 use glam::DVec3;
 
-use super::attribute::{ColumnData, ColumnId};
+use super::attribute::{Column, ColumnData, ColumnId};
 use super::connectivity::Mesh;
 use super::id::HalfedgeId;
 use super::records::{FaceRecord, HalfedgeRecord};
@@ -70,6 +70,23 @@ impl Mesh {
             Some(ColumnData::Mat4(all)) => (all.as_mut_ptr().cast(), all.len()),
             None => (std::ptr::null_mut(), 0),
         }
+    }
+
+    /// The same for who only reads them.
+    #[inline]
+    pub(crate) fn values_to_read(&self, column: ColumnId) -> (*mut u8, usize) {
+        let (start, count) = match self.column(column).map(Column::data) {
+            Some(ColumnData::Bool(all)) => (all.as_ptr().cast(), all.len()),
+            Some(ColumnData::Int(all)) => (all.as_ptr().cast(), all.len()),
+            Some(ColumnData::Real(all)) => (all.as_ptr().cast(), all.len()),
+            Some(ColumnData::Vec2(all)) => (all.as_ptr().cast(), all.len()),
+            Some(ColumnData::Vec3(all)) => (all.as_ptr().cast(), all.len()),
+            Some(ColumnData::Vec4(all)) => (all.as_ptr().cast(), all.len()),
+            Some(ColumnData::Mat3(all)) => (all.as_ptr().cast(), all.len()),
+            Some(ColumnData::Mat4(all)) => (all.as_ptr().cast(), all.len()),
+            None => (std::ptr::null::<u8>(), 0),
+        };
+        (start.cast_mut(), count)
     }
 
     /// True if what is written is noted.

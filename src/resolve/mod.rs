@@ -12,6 +12,7 @@
 //! that use it; those do not pass it on.
 
 mod program;
+mod visit;
 
 mod file;
 mod unit;

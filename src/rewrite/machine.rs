@@ -78,6 +78,12 @@ pub struct Machine {
     pub(super) scratch: Vec<Scratch>,
     /// The time that native code has taken to compile.
     pub(super) compiling: Duration,
+    /// True if other threads read the mesh meanwhile, and nobody writes to it.
+    #[cfg_attr(not(feature = "native"), expect(dead_code, reason = "for native code"))]
+    pub(super) is_beside_others: bool,
+    /// The machines of other threads, kept to be used again.
+    #[cfg_attr(not(all(feature = "native", feature = "threads")), expect(dead_code))]
+    pub(super) crew: Vec<Machine>,
 }
 
 /// A name, the kind of the elements that it stands for, and their ids.
@@ -133,6 +139,8 @@ impl Machine {
             types: Vec::new(),
             scratch: Vec::new(),
             compiling: Duration::ZERO,
+            is_beside_others: false,
+            crew: Vec::new(),
         }
     }
 

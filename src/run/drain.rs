@@ -140,24 +140,10 @@ fn variables_read(expr: &Expr, read: &mut BTreeSet<(u32, u16)>) {
 
 /// The variables that statements set.
 fn variables_set(block: &[Statement], set: &mut BTreeSet<u32>) {
-    for statement in block {
-        match &statement.kind {
-            StatementKind::Set { variable, .. } => drop(set.insert(*variable)),
-            StatementKind::IfApply { variable, then, otherwise, .. } => {
-                set.extend(variable);
-                variables_set(then, set);
-                variables_set(otherwise, set);
-            }
-            StatementKind::If { then, otherwise, .. } => {
-                variables_set(then, set);
-                variables_set(otherwise, set);
-            }
-            StatementKind::Repeat { body, .. }
-            | StatementKind::While { body, .. }
-            | StatementKind::For { body, .. }
-            | StatementKind::Update { body, .. }
-            | StatementKind::Drain { body, .. } => variables_set(body, set),
-            _ => {}
-        }
-    }
+    let mut note = |statement: &Statement| match &statement.kind {
+        StatementKind::Set { variable, .. } => drop(set.insert(*variable)),
+        StatementKind::IfApply { variable, .. } => set.extend(variable),
+        _ => {}
+    };
+    block.iter().for_each(|statement| statement.each(&mut note));
 }

@@ -9,7 +9,7 @@
 use std::collections::BTreeSet;
 
 use crate::diagram::{Expr, ExprKind};
-use crate::resolve::{Print, Statement, StatementKind, Variable};
+use crate::resolve::{Statement, StatementKind, Variable};
 
 /// The numbers of variables that hold elements.
 pub type Live = BTreeSet<u32>;
@@ -78,9 +78,6 @@ impl Liveness<'_> {
                 let live = without(exits.next.clone(), *variable);
                 self.reading([value], live)
             }
-            StatementKind::Write { target, value, .. } => {
-                self.reading([target, value], exits.next.clone())
-            }
             StatementKind::Repeat { count, body } => {
                 self.reading([count], self.at_head(&[], body, exits))
             }
@@ -101,9 +98,6 @@ impl Liveness<'_> {
                 let live = union(live, &self.before_block(otherwise, exits));
                 self.reading([condition], live)
             }
-            StatementKind::Apply { args, .. } | StatementKind::AssertRefuses { args, .. } => {
-                self.reading(args, exits.next.clone())
-            }
             StatementKind::IfApply { args, variable, then, otherwise, .. } => {
                 let mut live = self.before_block(then, exits);
                 if let Some(variable) = variable {
@@ -112,22 +106,23 @@ impl Liveness<'_> {
                 let live = union(live, &self.before_block(otherwise, exits));
                 self.reading(args, live)
             }
-            StatementKind::Print(pieces) => {
-                let values = pieces.iter().filter_map(|piece| match piece {
-                    Print::Text(_) => None,
-                    Print::Value(value, _) => Some(value),
-                });
-                self.reading(values, exits.next.clone())
-            }
-            StatementKind::Assert { condition, .. } | StatementKind::Require { condition, .. } => {
-                self.reading([condition], exits.next.clone())
-            }
-            StatementKind::KeepMesh { .. } | StatementKind::AssertMesh { .. } => exits.next.clone(),
             StatementKind::Refused { .. } => Live::new(),
             StatementKind::Break => exits.broken.clone(),
             StatementKind::Continue => exits.continued.clone(),
             StatementKind::Return(value) => self.reading(value, Live::new()),
-            StatementKind::Call { args, .. } => self.reading(args, exits.next.clone()),
+            StatementKind::Write { .. }
+            | StatementKind::Apply { .. }
+            | StatementKind::AssertRefuses { .. }
+            | StatementKind::Call { .. }
+            | StatementKind::Print(_)
+            | StatementKind::Assert { .. }
+            | StatementKind::Require { .. }
+            | StatementKind::KeepMesh { .. }
+            | StatementKind::AssertMesh { .. } => {
+                let mut live = exits.next.clone();
+                statement.values(&mut |value| self.read(value, &mut live));
+                live
+            }
         }
     }
 
@@ -198,29 +193,18 @@ fn without(mut live: Live, variable: u32) -> Live {
 
 /// True if a statement may call an operation.
 pub(super) fn calls(statement: &Statement) -> bool {
-    match &statement.kind {
-        StatementKind::Apply { .. }
-        | StatementKind::IfApply { .. }
-        | StatementKind::AssertRefuses { .. }
-        | StatementKind::Call { .. } => true,
-        StatementKind::Set { value, .. } | StatementKind::Return(Some(value)) => {
-            matches!(value.kind, ExprKind::Invoke(..))
-        }
-        StatementKind::Repeat { body, .. }
-        | StatementKind::While { body, .. }
-        | StatementKind::For { body, .. }
-        | StatementKind::Drain { body, .. }
-        | StatementKind::Update { body, .. } => body.iter().any(calls),
-        StatementKind::If { then, otherwise, .. } => then.iter().chain(otherwise).any(calls),
-        StatementKind::Write { .. }
-        | StatementKind::Print(_)
-        | StatementKind::Assert { .. }
-        | StatementKind::Require { .. }
-        | StatementKind::KeepMesh { .. }
-        | StatementKind::Refused { .. }
-        | StatementKind::AssertMesh { .. }
-        | StatementKind::Break
-        | StatementKind::Continue
-        | StatementKind::Return(None) => false,
-    }
+    let mut calls = false;
+    statement.each(&mut |statement| {
+        calls |= match &statement.kind {
+            StatementKind::Apply { .. }
+            | StatementKind::IfApply { .. }
+            | StatementKind::AssertRefuses { .. }
+            | StatementKind::Call { .. } => true,
+            StatementKind::Set { value, .. } | StatementKind::Return(Some(value)) => {
+                matches!(value.kind, ExprKind::Invoke(..))
+            }
+            _ => false,
+        };
+    });
+    calls
 }

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::super::action::Action;
 use super::super::conventions::Conventions;
-use super::super::language::{Level, Spelled, spell};
+use super::super::language::{Level, spell};
 use super::super::lines::{Lines, comment};
 use super::super::names::invoked;
 use super::super::routine::{Helper, Routine, Statement};
@@ -470,11 +470,6 @@ impl Printer<'_> {
     pub fn support(&mut self, name: &'static str, args: Vec<String>) -> String {
         self.used.push(name);
         format!("hedgerow::{name}({})", args.join(", "))
-    }
-
-    pub fn std(&mut self, header: &'static str, name: &str, args: Vec<String>) -> Spelled {
-        self.headers.insert(header);
-        Spelled::whole(format!("std::{name}({})", args.join(", ")))
     }
 }
 

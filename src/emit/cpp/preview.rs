@@ -7,7 +7,7 @@ use crate::diagram::Kind;
 
 impl Printer<'_> {
     /// A preview, and the block in which it is looked at.
-    pub(super) fn foresee(&mut self, preview: &str, body: &[Statement]) {
+    pub(super) fn preview_block(&mut self, preview: &str, body: &[Statement]) {
         self.used.push("Preview");
         self.lines.blank();
         self.lines

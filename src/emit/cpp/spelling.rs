@@ -1,10 +1,12 @@
 //! Terms as C++.
 
+use super::super::builtin::{in_cpp, with_arguments};
 use super::super::language::{Language, Level, Spelled, number, short_number, spell};
 use super::super::matrix::is_wide;
 use super::super::names::invoked;
 use super::super::term::{Around, Attribute, Fold, Function, IndexLoop, Term};
 use super::function::Printer;
+use super::support::{called, qualified, with_pointers};
 use crate::diagram::{Binary, Builtin, FoldFunction, Pointer, Type};
 
 /// From here on a number is written as a long one.
@@ -92,7 +94,7 @@ impl Language for Printer<'_> {
                     Function::Turned => "turned",
                     Function::AllInOrderAlongLoop => "all_in_order_along_loop",
                     Function::AllInOrderAroundVertex => "all_in_order_around_vertex",
-                    Function::Foreseen(question) => {
+                    Function::OfPreview(question) => {
                         let of = texts.split_off(1).join(", ");
                         return Spelled::whole(format!("{}.{question}({of})", texts.join("")));
                     }
@@ -108,96 +110,23 @@ impl Language for Printer<'_> {
                 return Spelled::whole(self.support(name, texts));
             }
         };
-        let real = self.style.name("real").to_string();
-        let name = match builtin {
-            Builtin::DegreeVertex => "degree",
-            Builtin::DegreeFace => "sides",
-            Builtin::BoundaryVertex => "on_boundary",
-            Builtin::BoundaryEdge => "is_boundary_edge",
-            Builtin::BoundaryHalfedge => {
-                let face = self.style.chained(&texts[0], "face");
-                return Spelled::whole(self.style.boundary(&face));
-            }
-            Builtin::IsHole => return Spelled::whole(self.style.boundary(&texts[0])),
-            Builtin::Adjacent => "adjacent",
-            Builtin::LinkCondition => "link_condition",
-            Builtin::StarShaped => "star_shaped",
-            Builtin::KernelCentroid => "kernel_centroid",
-            Builtin::AngleCorner => "corner_angle",
-            Builtin::Cotangent => "cotangent",
-            Builtin::DihedralAngle => "dihedral_angle",
-            Builtin::LengthEdge => {
-                let half = self.style.chained(&texts[0], "halfedge");
-                texts = vec![self.support("edge_vector", vec![half])];
-                "length"
-            }
-            Builtin::LengthHalfedge => {
-                texts = vec![self.support("edge_vector", texts)];
-                "length"
-            }
-            Builtin::LengthVector => "length",
-            Builtin::Area => {
-                texts = vec![self.support("vector_area", texts)];
-                "length"
-            }
-            Builtin::NormalFace => {
-                texts = vec![self.support("vector_area", texts)];
-                "normalize"
-            }
-            Builtin::NormalVertex => "vertex_normal",
-            Builtin::CentroidFace => "centroid",
-            Builtin::CentroidEdge => "midpoint",
-            Builtin::MixReal => {
-                self.used.push("mix");
-                return Spelled::whole(format!("hedgerow::mix<{real}>({})", texts.join(", ")));
-            }
-            Builtin::MixVector => "mix",
-            Builtin::Dot => "dot",
-            Builtin::Cross => "cross",
-            Builtin::Normalize => "normalize",
-            Builtin::Distance => {
-                texts = vec![texts.join(" - ")];
-                "length"
-            }
-            Builtin::Angle => "angle",
-            Builtin::AbsInt => return self.std("cstdlib", "llabs", texts),
-            Builtin::AbsReal => return self.std("cmath", "fabs", texts),
-            Builtin::MinInt => return self.std("algorithm", "min<long long>", texts),
-            Builtin::MaxInt => return self.std("algorithm", "max<long long>", texts),
-            Builtin::MinReal => return self.std("cmath", "fmin", texts),
-            Builtin::MaxReal => return self.std("cmath", "fmax", texts),
-            Builtin::Sqrt => return self.std("cmath", "sqrt", texts),
-            Builtin::Sin => return self.std("cmath", "sin", texts),
-            Builtin::Cos => return self.std("cmath", "cos", texts),
-            Builtin::Tan => return self.std("cmath", "tan", texts),
-            Builtin::Asin => return self.std("cmath", "asin", texts),
-            Builtin::Acos => return self.std("cmath", "acos", texts),
-            Builtin::Atan2 => return self.std("cmath", "atan2", texts),
-            Builtin::Exp => return self.std("cmath", "exp", texts),
-            Builtin::Log => return self.std("cmath", "log", texts),
-            Builtin::Pow => return self.std("cmath", "pow", texts),
-            Builtin::Floor => return self.std("cmath", "floor", texts),
-            Builtin::Ceil => return self.std("cmath", "ceil", texts),
-            Builtin::IsNan => return self.std("cmath", "isnan", texts),
-            Builtin::IsFinite => return self.std("cmath", "isfinite", texts),
-            // These are told with the type that they are of.
-            Builtin::CrossPlane
-            | Builtin::Diagonal
-            | Builtin::UpperLeft
-            | Builtin::Outer
-            | Builtin::Transpose
-            | Builtin::Inverse
-            | Builtin::Determinant
-            | Builtin::Solve
-            // These are not emitted.
-            | Builtin::Random
-            | Builtin::RandomInt => return Spelled::whole(""),
-            Builtin::Round => {
-                let rounded = self.std("cmath", "nearbyint", texts);
-                return Spelled::whole(format!("static_cast<long long>({})", rounded.text));
-            }
-        };
-        Spelled::whole(self.support(name, texts))
+        if builtin == Builtin::MixReal {
+            let real = self.style.name("real");
+            let text = format!("hedgerow::mix<{real}>({})", texts.join(", "));
+            self.used.push("mix");
+            return Spelled::whole(text);
+        }
+        let call = in_cpp(builtin);
+        self.used.extend(called(call));
+        if let Some((_, name)) = call.split_once("std::") {
+            self.headers.insert(match name {
+                name if name.starts_with("llabs") => "cstdlib",
+                name if name.contains('<') => "algorithm",
+                _ => "cmath",
+            });
+        }
+        let call = qualified("", &with_pointers(call, self.style));
+        Spelled::whole(with_arguments(&call, &texts))
     }
 
     fn invoke(&mut self, name: &str, args: Vec<Spelled>) -> Spelled {

@@ -87,7 +87,7 @@ impl Printer<'_> {
                 self.held(&format!("if ({condition})"), body);
             }
             Statement::Walk { walk, body } => self.walk(walk, body),
-            Statement::Foresee { preview, body } => self.foresee(preview, body),
+            Statement::Preview { preview, body } => self.preview_block(preview, body),
             Statement::New { kind, name } => {
                 let ty = self.style.name(type_name(*kind));
                 let call = self.allocated(*kind);

@@ -83,6 +83,14 @@ fn calls(text: &str, name: &str) -> bool {
     })
 }
 
+/// The functions that a text calls, from the innermost call outwards.
+pub(super) fn called(text: &str) -> Vec<&'static str> {
+    let called = functions().map(|(name, _)| name).filter(|name| calls(text, name));
+    let mut called: Vec<_> = called.collect();
+    called.sort_by_key(|name| std::cmp::Reverse(text.find(&call_of(name))));
+    called
+}
+
 /// The text of a function with its pointers and types spelled.
 pub(super) fn spelled(name: &str, style: &Style) -> String {
     let lines = text(name).unwrap_or("").split_inclusive('\n');
@@ -91,8 +99,13 @@ pub(super) fn spelled(name: &str, style: &Style) -> String {
         None => Some(line),
     });
     let text: String = lines.collect();
+    qualified(name, &with_pointers(&text, style))
+}
+
+/// A text with its pointers and types spelled.
+pub(super) fn with_pointers(text: &str, style: &Style) -> String {
     let mut out = String::new();
-    let mut rest = text.as_str();
+    let mut rest = text;
     while let Some(at) = rest.find(['[', '$']) {
         out.push_str(&rest[..at]);
         if rest[at..].starts_with('$') {
@@ -131,11 +144,11 @@ pub(super) fn spelled(name: &str, style: &Style) -> String {
             }
         }
     }
-    qualified(name, &(out + rest))
+    out + rest
 }
 
 /// Calls of the other functions get their namespace, or C++ would look elsewhere too.
-fn qualified(name: &str, text: &str) -> String {
+pub(super) fn qualified(name: &str, text: &str) -> String {
     let mut text = text.to_string();
     for (other, _) in functions().filter(|(other, _)| *other != name) {
         let call = call_of(other);

@@ -27,7 +27,7 @@ pub(super) fn types(body: &[Statement], see: &mut dyn FnMut(Type)) {
             }
             Statement::When { body, .. }
             | Statement::IndexLoop { body, .. }
-            | Statement::Foresee { body, .. } => types(body, see),
+            | Statement::Preview { body, .. } => types(body, see),
             Statement::Refuse { when, .. } => variables(when, see),
             Statement::Action(action) => {
                 action.types(see);

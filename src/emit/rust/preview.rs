@@ -7,7 +7,7 @@ use super::function::Printer;
 
 impl Printer {
     /// A preview, and the block in which it is looked at.
-    pub(super) fn foresee(&mut self, preview: &str, body: &[Statement], has_result: bool) {
+    pub(super) fn preview_block(&mut self, preview: &str, body: &[Statement], has_result: bool) {
         self.used.insert("Preview");
         self.lines.line("// The guard looks at what there would be, on a preview of the mesh.");
         self.lines.open("{");

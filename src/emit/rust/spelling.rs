@@ -1,9 +1,11 @@
 //! Terms as Rust.
 
+use super::super::builtin::{in_rust, with_arguments};
 use super::super::language::{Language, Level, Spelled, field, number, spell};
 use super::super::names::invoked;
 use super::super::term::{Around, Attribute, Fold, Function, IndexLoop, Term};
 use super::function::{Printer, names, ty};
+use super::support::{calls, written_out};
 use crate::diagram::{Binary, Builtin, FoldFunction, Pointer, Type};
 
 impl Language for Printer {
@@ -64,121 +66,16 @@ impl Language for Printer {
             Function::Of(operation, ty) => return self.of_type(operation, ty, args),
             function => return self.own(function, args),
         };
-        let first =
-            |args: &[Spelled]| args.first().map_or_else(String::new, |arg| arg.text.clone());
-        let of_mesh = |name: &str, args: &[Spelled]| {
-            let args: Vec<_> = args.iter().map(|arg| arg.text.clone()).collect();
-            Spelled::whole(format!("mesh.{name}({})", args.join(", ")))
-        };
-        let count = |name: &str| {
-            let text = format!("mesh.{name}({}) as i64", first(&args));
-            Spelled::new(text, Level::Compare)
-        };
-        let name = match builtin {
-            Builtin::DegreeVertex => return count("degree"),
-            Builtin::DegreeFace => return count("face_size"),
-            Builtin::BoundaryVertex => return of_mesh("is_boundary_vertex", &args),
-            Builtin::BoundaryHalfedge => return of_mesh("is_boundary_halfedge", &args),
-            Builtin::BoundaryEdge => return of_mesh("is_boundary_edge", &args),
-            Builtin::IsHole => return of_mesh("is_hole", &args),
-            Builtin::Adjacent => return of_mesh("adjacent", &args),
-            Builtin::LinkCondition => return of_mesh("link_condition", &args),
-            Builtin::StarShaped => {
-                let text = format!("mesh.kernel_centroid({}).is_some()", first(&args));
-                return Spelled::whole(text);
-            }
-            Builtin::KernelCentroid => {
-                let found = format!("mesh.kernel_centroid({})", first(&args));
-                return Spelled::whole(format!("{found}.unwrap_or(DVec3::NAN)"));
-            }
-            Builtin::AngleCorner => return self.of_mesh_part("corner_angle", &args),
-            Builtin::Cotangent => return self.of_mesh_part("cotangent", &args),
-            Builtin::DihedralAngle => return self.of_mesh_part("dihedral_angle", &args),
-            Builtin::LengthEdge => return of_mesh("length", &args),
-            Builtin::LengthHalfedge => {
-                return Spelled::whole(format!("mesh.vector({}).length()", first(&args)));
-            }
-            Builtin::Area => return of_mesh("area", &args),
-            Builtin::NormalFace => return of_mesh("normal", &args),
-            Builtin::NormalVertex => return of_mesh("vertex_normal", &args),
-            Builtin::CentroidFace => return of_mesh("centroid", &args),
-            Builtin::CentroidEdge => {
-                let half = format!("mesh.edge_halfedge({})", first(&args));
-                return Spelled::whole(format!(
-                    "mesh.position(mesh.vertex({half})).lerp(mesh.position(mesh.target({half})), 0.5)"
-                ));
-            }
-            Builtin::MixVector => "lerp",
-            Builtin::MixReal => {
-                let [a, b, t] =
-                    [0, 1, 2].map(|at| args.get(at).cloned().unwrap_or_else(|| Spelled::whole("")));
-                let t = t.at(Level::Product);
-                let text = format!(
-                    "{} * (1.0 - {t}) + {} * {t}",
-                    a.at(Level::Product),
-                    b.at(Level::Product)
-                );
-                return Spelled::new(text, Level::Sum);
-            }
-            Builtin::LengthVector => "length",
-            Builtin::Dot => "dot",
-            Builtin::Cross => "cross",
-            Builtin::Normalize => return self.support("direction", &[first(&args)]),
-            Builtin::Distance => "distance",
-            Builtin::Angle => {
-                let (a, b) =
-                    (first(&args), args.get(1).map_or_else(String::new, |b| b.text.clone()));
-                return Spelled::whole(format!(
-                    "f64::atan2(DVec3::cross({a}, {b}).length(), DVec3::dot({a}, {b}))"
-                ));
-            }
-            Builtin::Round => {
-                let value =
-                    args.into_iter().next().map_or_else(String::new, |arg| arg.at(Level::Whole));
-                let text = format!("{value}.round_ties_even() as i64");
-                return Spelled::new(text, Level::Compare);
-            }
-            Builtin::AbsInt | Builtin::AbsReal => "abs",
-            Builtin::MinInt | Builtin::MinReal => "min",
-            Builtin::MaxInt | Builtin::MaxReal => "max",
-            Builtin::Sqrt => "sqrt",
-            Builtin::Sin => "sin",
-            Builtin::Cos => "cos",
-            Builtin::Tan => "tan",
-            Builtin::Asin => "asin",
-            Builtin::Acos => "acos",
-            Builtin::Atan2 => "atan2",
-            Builtin::Exp => "exp",
-            Builtin::Log => "ln",
-            Builtin::Pow => "powf",
-            Builtin::Floor => "floor",
-            Builtin::Ceil => "ceil",
-            Builtin::IsNan => "is_nan",
-            Builtin::IsFinite => "is_finite",
-            // These are told with the type that they are of.
-            Builtin::CrossPlane
-            | Builtin::Diagonal
-            | Builtin::UpperLeft
-            | Builtin::Outer
-            | Builtin::Transpose
-            | Builtin::Inverse
-            | Builtin::Determinant
-            | Builtin::Solve
-            // These are not emitted.
-            | Builtin::Random
-            | Builtin::RandomInt => return Spelled::whole(""),
-        };
-        let whose = match builtin {
-            Builtin::MixVector
-            | Builtin::LengthVector
-            | Builtin::Dot
-            | Builtin::Cross
-            | Builtin::Distance => "DVec3",
-            Builtin::AbsInt | Builtin::MinInt | Builtin::MaxInt => "i64",
-            _ => "f64",
-        };
+        if let (Builtin::MixReal, [a, b, t]) = (builtin, &args[..]) {
+            let [a, b, t] = [a, b, t].map(|arg| arg.clone().at(Level::Product));
+            return Spelled::new(format!("{a} * (1.0 - {t}) + {b} * {t}"), Level::Sum);
+        }
         let args: Vec<_> = args.into_iter().map(|arg| arg.text).collect();
-        Spelled::whole(format!("{whose}::{name}({})", args.join(", ")))
+        let call = in_rust(builtin);
+        self.used.extend(written_out().filter(|name| calls(call, name)));
+        // What ends with a type would go on with `<`.
+        let level = if call.ends_with("as i64") { Level::Compare } else { Level::Whole };
+        Spelled::new(with_arguments(call, &args), level)
     }
 
     fn invoke(&mut self, name: &str, args: Vec<Spelled>) -> Spelled {
@@ -264,13 +161,6 @@ impl Language for Printer {
 }
 
 impl Printer {
-    /// A function that is written out, of an element of the mesh.
-    fn of_mesh_part(&mut self, name: &'static str, args: &[Spelled]) -> Spelled {
-        let args = args.iter().map(|arg| arg.text.clone());
-        let args: Vec<_> = std::iter::once("mesh".to_string()).chain(args).collect();
-        self.support(name, &args)
-    }
-
     /// The elements around an element, one after the other.
     pub(super) fn all_around(&mut self, around: Around, element: &Term) -> String {
         let element = self.text(element);
@@ -315,7 +205,7 @@ impl Printer {
                 return Spelled::whole(format!("{steps}.copied().collect::<Vec<_>>()"));
             }
             Function::Turned => "turned",
-            Function::Foreseen(question) => {
+            Function::OfPreview(question) => {
                 let of = args.split_off(1).join(", ");
                 return Spelled::whole(format!("{}.{question}({of})", args.join("")));
             }

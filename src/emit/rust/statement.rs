@@ -139,7 +139,7 @@ impl Printer {
                 self.lines.close("}");
             }
             Statement::Walk { walk, body } => self.walk(walk, body, has_result),
-            Statement::Foresee { preview, body } => self.foresee(preview, body, has_result),
+            Statement::Preview { preview, body } => self.preview_block(preview, body, has_result),
             Statement::New { kind, name } => {
                 self.lines.line(&format!("let {name} = mesh.add_{}();", word(*kind)));
             }

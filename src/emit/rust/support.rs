@@ -33,7 +33,7 @@ pub(super) fn needed(mut used: BTreeSet<&'static str>) -> Vec<(&'static str, &'s
 }
 
 /// True if a text calls a function.
-fn calls(text: &str, name: &str) -> bool {
+pub(super) fn calls(text: &str, name: &str) -> bool {
     text.match_indices(&format!("{name}(")).any(|(at, _)| {
         let before = text[..at].chars().next_back();
         !before.is_some_and(|c| c.is_ascii_alphanumeric() || c == '_' || c == ':' || c == '.')

@@ -10,7 +10,7 @@ use super::super::names::Names;
 use super::super::routine;
 use super::super::term::{Parameter, Term};
 use super::comments::comments;
-use super::effects::{AllEffects, each, values};
+use super::effects::AllEffects;
 use crate::diagram::{Access, Collection, Expr, ExprKind, Type};
 use crate::resolve::{Block, Body, Program, Statement, StatementKind};
 use crate::source::{Sources, Span};
@@ -68,21 +68,22 @@ impl<'s> Writer<'s> {
     ) -> Self {
         let (mut set, mut changing) = (BTreeSet::new(), BTreeSet::new());
         let mut read = BTreeSet::new();
-        each(&body.block, &mut |statement| {
+        let mut note = |statement: &Statement| {
             if let StatementKind::Set { variable, .. }
             | StatementKind::IfApply { variable: Some(variable), .. } = statement.kind
                 && !set.insert(variable)
             {
                 changing.insert(variable);
             }
-            values(statement, &mut |value| {
+            statement.values(&mut |value| {
                 value.each(&mut |part| {
                     if let ExprKind::Local(variable) = part.kind {
                         read.insert(variable);
                     }
                 });
             });
-        });
+        };
+        body.block.iter().for_each(|statement| statement.each(&mut note));
         Self {
             known,
             body,
@@ -127,9 +128,10 @@ impl<'s> Writer<'s> {
     /// True if a `return` gives something.
     fn gives_back(&self) -> bool {
         let mut gives = false;
-        each(&self.body.block, &mut |statement| {
+        let mut look = |statement: &Statement| {
             gives |= matches!(statement.kind, StatementKind::Return(Some(_)));
-        });
+        };
+        self.body.block.iter().for_each(|statement| statement.each(&mut look));
         gives
     }
 
@@ -172,6 +174,19 @@ impl<'s> Writer<'s> {
             }
             StatementKind::For { variable, collection, filter, body, .. } => {
                 self.visit((*variable, collection), filter.as_ref(), body, span)?
+            }
+            StatementKind::If { condition, then, otherwise }
+                if self.ending == Ending::Value
+                    && let (Some(then), Some(other)) =
+                        (self.value(then), self.value(otherwise)) =>
+            {
+                let kind = ExprKind::If(
+                    Box::new(condition.clone()),
+                    Box::new(then.clone()),
+                    Box::new(other.clone()),
+                );
+                let chosen = Expr { ty: then.ty, span, kind };
+                return self.leave(Some(&chosen), out);
             }
             StatementKind::If { condition, then, otherwise } => Action::Choose {
                 condition: self.term(condition)?,
@@ -251,6 +266,26 @@ impl<'s> Writer<'s> {
         Ok(())
     }
 
+    /// The value of a block that does nothing but compute it.
+    fn value<'b>(&self, block: &'b Block) -> Option<&'b Expr> {
+        match block.as_slice() {
+            [Statement { kind: StatementKind::Return(Some(value)), .. }] => {
+                self.changing_call(value).is_none().then_some(value)
+            }
+            _ => None,
+        }
+    }
+
+    /// A value, behind what of it is the same each time it is computed.
+    fn computed(
+        &mut self,
+        value: &Expr,
+        out: &mut Vec<routine::Statement>,
+    ) -> Result<Term, NotEmitted> {
+        let value = Expressions { names: self.names }.once(value, false, None, out)?;
+        self.term(&value)
+    }
+
     pub(super) fn term(&mut self, value: &Expr) -> Result<Term, NotEmitted> {
         Expressions { names: self.names }.term(value)
     }
@@ -289,14 +324,14 @@ impl<'s> Writer<'s> {
         value: &Expr,
         out: &mut Vec<routine::Statement>,
     ) -> Result<(), NotEmitted> {
-        if let Some((function, args)) = self.deed(value) {
+        if let Some((function, args)) = self.changing_call(value) {
             let call = self.function(function, args, out)?;
             let place = self.place(variable);
             out.push(routine::Statement::Action(Action::Must { call, place }));
             return Ok(());
         }
         // The value knows nothing of a variable that is new.
-        let value = self.term(value)?;
+        let value = self.computed(value, out)?;
         match self.place(variable) {
             None => {}
             Some(Target { name, form: Form::Known, .. }) => {
@@ -313,7 +348,7 @@ impl<'s> Writer<'s> {
     /// what they write.
     fn written_in(&mut self, body: &Block) -> Vec<(Access, Held)> {
         let mut held: Vec<(Access, Held)> = Vec::new();
-        each(body, &mut |statement| {
+        let mut note = |statement: &Statement| {
             let StatementKind::Write { target, attribute: access, value } = &statement.kind else {
                 return;
             };
@@ -332,7 +367,8 @@ impl<'s> Writer<'s> {
                 attribute,
             };
             held.push((*access, written));
-        });
+        };
+        body.iter().for_each(|statement| statement.each(&mut note));
         held
     }
 
@@ -385,8 +421,9 @@ impl<'s> Writer<'s> {
         body: &'s Block,
         span: Span,
     ) -> Result<Action, NotEmitted> {
-        let (around, element) = around(collection)
-            .ok_or_else(|| NotEmitted::new(super::super::expression::unsaid(collection), span))?;
+        let (around, element) = around(collection).ok_or_else(|| {
+            NotEmitted::new(super::super::expression::collection_words(collection), span)
+        })?;
         let element = self.term(element)?;
         let outer = self.names.mark();
         let may_go = self.known.effects.erases(body, collection.element());
@@ -409,8 +446,8 @@ impl<'s> Writer<'s> {
     ) -> Result<(), NotEmitted> {
         let value = match value {
             None => None,
-            Some(value) => Some(match self.deed(value) {
-                None => self.term(value)?,
+            Some(value) => Some(match self.changing_call(value) {
+                None => self.computed(value, out)?,
                 Some((function, args)) => {
                     let call = self.function(function, args, out)?;
                     let name = self.names.fresh("result");

@@ -9,7 +9,7 @@ use crate::diagram::{Expr, ExprKind, Type};
 
 impl Writer<'_> {
     /// A value that is the call of a function that changes the mesh.
-    pub(super) fn deed<'e>(&self, value: &'e Expr) -> Option<(u32, &'e [Expr])> {
+    pub(super) fn changing_call<'e>(&self, value: &'e Expr) -> Option<(u32, &'e [Expr])> {
         match &value.kind {
             ExprKind::Invoke(function, args) => {
                 let effects = self.known.effects.function(*function)?;

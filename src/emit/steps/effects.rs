@@ -4,7 +4,7 @@
 use std::collections::BTreeSet;
 
 use super::super::selection::Selection;
-use crate::diagram::{Access, Collection, Expr, ExprKind, Kind, Type};
+use crate::diagram::{Access, Expr, ExprKind, Kind, Type};
 use crate::resolve::{Block, Statement, StatementKind};
 
 /// The effects of an operation or function.
@@ -119,12 +119,12 @@ impl Effects {
     /// The effects of statements by themselves.
     fn of_block(block: &Block) -> Self {
         let mut effects = Self::default();
-        each(block, &mut |statement| effects.note(statement));
+        block.iter().for_each(|one| one.each(&mut |statement| effects.note(statement)));
         effects
     }
 
     fn note(&mut self, statement: &Statement) {
-        values(statement, &mut |value| self.see(value));
+        statement.values(&mut |value| self.see(value));
         match &statement.kind {
             StatementKind::Write { attribute, .. } => {
                 self.changes = true;
@@ -151,65 +151,5 @@ impl Effects {
             ExprKind::Read(Access::Declared(number), _) => _ = self.attributes.insert(*number),
             _ => {}
         });
-    }
-}
-
-/// Shows all statements of a block, those inside of others too.
-pub(super) fn each<'b>(block: &'b Block, see: &mut dyn FnMut(&'b Statement)) {
-    for statement in block {
-        see(statement);
-        match &statement.kind {
-            StatementKind::Repeat { body, .. }
-            | StatementKind::While { body, .. }
-            | StatementKind::For { body, .. }
-            | StatementKind::Update { body, .. }
-            | StatementKind::Drain { body, .. } => each(body, see),
-            StatementKind::If { then, otherwise, .. }
-            | StatementKind::IfApply { then, otherwise, .. } => {
-                each(then, see);
-                each(otherwise, see);
-            }
-            _ => {}
-        }
-    }
-}
-
-/// Shows the values that a statement computes itself.
-pub(super) fn values<'s>(statement: &'s Statement, see: &mut dyn FnMut(&'s Expr)) {
-    let around = |collection: &'s Collection, see: &mut dyn FnMut(&'s Expr)| {
-        collection.base().into_iter().for_each(see);
-    };
-    match &statement.kind {
-        StatementKind::Set { value, .. } => see(value),
-        StatementKind::Write { target, value, .. } => {
-            see(target);
-            see(value);
-        }
-        StatementKind::Repeat { count, .. } => see(count),
-        StatementKind::While { condition, .. }
-        | StatementKind::If { condition, .. }
-        | StatementKind::Assert { condition, .. }
-        | StatementKind::Require { condition, .. } => see(condition),
-        StatementKind::For { collection, filter, .. }
-        | StatementKind::Update { collection, filter, .. } => {
-            around(collection, see);
-            filter.iter().for_each(see);
-        }
-        StatementKind::Drain { collection, key, condition, .. } => {
-            around(collection, see);
-            see(key);
-            condition.iter().for_each(see);
-        }
-        StatementKind::Apply { args, .. }
-        | StatementKind::IfApply { args, .. }
-        | StatementKind::AssertRefuses { args, .. }
-        | StatementKind::Call { args, .. } => args.iter().for_each(see),
-        StatementKind::Return(value) => value.iter().for_each(see),
-        StatementKind::Print(_)
-        | StatementKind::Refused { .. }
-        | StatementKind::KeepMesh { .. }
-        | StatementKind::AssertMesh { .. }
-        | StatementKind::Break
-        | StatementKind::Continue => {}
     }
 }

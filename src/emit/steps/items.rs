@@ -5,7 +5,6 @@ use std::collections::BTreeSet;
 use super::super::NotEmitted;
 use super::super::action::Whole;
 use super::super::build::{self, columns};
-use super::super::callee;
 use super::super::conventions::Conventions;
 use super::super::expression::{is_spelled, parameters};
 use super::super::names::{Names, invoked};
@@ -13,11 +12,10 @@ use super::super::reserved::{plain, unreserved};
 use super::super::routine::{Helper, Routine, Statement, without_unread};
 use super::super::selection::Selection;
 use super::super::term::Parameter;
-use super::super::value::callees;
 use super::body::{Ending, Surroundings, Writer};
 use super::effects::AllEffects;
-use super::keep::kept;
-use crate::diagram::{Callee, Param};
+use super::journal::journaled;
+use crate::diagram::Param;
 use crate::resolve::Body;
 use crate::source::Span;
 
@@ -47,7 +45,6 @@ pub(in crate::emit) fn items(
     conventions: Conventions<'_>,
 ) -> Result<Items, NotEmitted> {
     let effects = AllEffects::of(selection);
-    let callees = callees(selection.program);
     let (op_names, function_names) = called(selection, effects.ops.len(), conventions.kept);
     let values = effects.functions.iter().zip(&selection.program.functions);
     let values = values.zip(&function_names).map(|((effects, function), name)| {
@@ -61,7 +58,6 @@ pub(in crate::emit) fn items(
         op_names,
         function_names,
         effects,
-        callees,
         begun: BTreeSet::new(),
         done: BTreeSet::new(),
         called: Vec::new(),
@@ -113,7 +109,6 @@ struct Builder<'s> {
     selection: &'s Selection<'s>,
     conventions: Conventions<'s>,
     effects: AllEffects,
-    callees: Vec<Option<Callee>>,
     /// The functions that compute a value, by number.
     values: Vec<Option<String>>,
     op_names: Vec<String>,
@@ -147,7 +142,7 @@ impl Builder<'_> {
             Need::Op(op) => {
                 let (item, needs) = self.op(op)?;
                 match (item, self.conventions.undoes) {
-                    (Item::Drawn(routine), false) => (Item::Drawn(kept(routine)), needs),
+                    (Item::Drawn(routine), false) => (Item::Drawn(journaled(routine)), needs),
                     (item, _) => (item, needs),
                 }
             }
@@ -265,15 +260,6 @@ impl Builder<'_> {
     fn function(&self, number: u32) -> Result<(Item, Vec<Need>), NotEmitted> {
         let function = &self.selection.program.functions[number as usize];
         let effects = &self.effects.functions[number as usize];
-        if let Some(callee) = &self.callees[number as usize]
-            && !effects.changes
-            && effects.attributes.is_empty()
-        {
-            let callee = (callee, self.function_names[number as usize].as_str());
-            let (helper, calls) = callee::helper(callee, &self.values, self.conventions.kept)?;
-            let needs = calls.into_iter().map(Need::Function).collect();
-            return Ok((Item::Function(helper), needs));
-        }
         let mut types = function.params.iter().map(|param| param.ty);
         let wide = types.find(|ty| !is_spelled(*ty));
         let wide = wide.or(function.result.filter(|ty| !is_spelled(*ty)));

@@ -1,4 +1,4 @@
-//! Operations in steps, and functions that do more than compute a value, as routines.
+//! Operations in steps, and functions, as routines.
 //!
 //! Everything that is called is emitted before them. Where the mesh of a language can undo what was
 //! done to it, that is all; where it cannot, all that is called writes through a journal.
@@ -8,6 +8,6 @@ mod calls;
 mod comments;
 mod effects;
 mod items;
-mod keep;
+mod journal;
 
 pub(super) use items::{Item, Items, items};

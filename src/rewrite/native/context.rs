@@ -253,7 +253,11 @@ impl Context {
             }
             let column = machine.columns.get(at).copied().flatten();
             columns[at] = column.map_or_else(Slice::default, |column| {
-                let (start, count) = mesh.values_in_memory(column);
+                // Where others read, too, nobody may refer to the column as its own.
+                let (start, count) = match machine.is_beside_others {
+                    true => mesh.values_to_read(column),
+                    false => mesh.values_in_memory(column),
+                };
                 Slice { start: start.expose_provenance(), count }
             });
         }

@@ -7,11 +7,11 @@ use super::super::routine::{Alternative, Routine, Statement};
 use super::super::term::Term;
 
 /// A drawn operation that notes all elements that it writes to; what is new needs none.
-pub(super) fn kept(routine: Routine) -> Routine {
+pub(super) fn journaled(routine: Routine) -> Routine {
     let rules = routine.rules.into_iter().map(|rule| {
         let mut new = BTreeSet::new();
         created(&rule.body, &mut new);
-        Alternative { body: noted(rule.body, &new), ..rule }
+        Alternative { body: journaled_body(rule.body, &new), ..rule }
     });
     Routine { rules: rules.collect(), ..routine }
 }
@@ -29,7 +29,7 @@ fn created(body: &[Statement], new: &mut BTreeSet<String>) {
     }
 }
 
-fn noted(body: Vec<Statement>, new: &BTreeSet<String>) -> Vec<Statement> {
+fn journaled_body(body: Vec<Statement>, new: &BTreeSet<String>) -> Vec<Statement> {
     let mut written: Vec<Term> = Vec::new();
     for statement in &body {
         if let Some(element) = target(statement).filter(|element| is_settled(element))
@@ -58,7 +58,7 @@ fn noted(body: Vec<Statement>, new: &BTreeSet<String>) -> Vec<Statement> {
                 element: element.clone(),
             }));
         }
-        out.push(statement.with_body(|body| noted(body, new)));
+        out.push(statement.with_body(|body| journaled_body(body, new)));
     }
     out
 }

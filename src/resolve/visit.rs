@@ -1,0 +1,74 @@
+//! The parts of a statement: the blocks inside of it, and the values that it computes.
+
+use super::program::{Block, Print, Statement, StatementKind};
+use crate::diagram::Expr;
+
+impl Statement {
+    /// The blocks of a statement.
+    pub fn blocks(&self) -> impl Iterator<Item = &Block> {
+        let (one, other) = match &self.kind {
+            StatementKind::Repeat { body, .. }
+            | StatementKind::While { body, .. }
+            | StatementKind::For { body, .. }
+            | StatementKind::Update { body, .. }
+            | StatementKind::Drain { body, .. } => (Some(body), None),
+            StatementKind::If { then, otherwise, .. }
+            | StatementKind::IfApply { then, otherwise, .. } => (Some(then), Some(otherwise)),
+            StatementKind::Set { .. }
+            | StatementKind::Write { .. }
+            | StatementKind::Apply { .. }
+            | StatementKind::Print(_)
+            | StatementKind::Assert { .. }
+            | StatementKind::Require { .. }
+            | StatementKind::Refused { .. }
+            | StatementKind::KeepMesh { .. }
+            | StatementKind::AssertMesh { .. }
+            | StatementKind::AssertRefuses { .. }
+            | StatementKind::Break
+            | StatementKind::Continue
+            | StatementKind::Return(_)
+            | StatementKind::Call { .. } => (None, None),
+        };
+        one.into_iter().chain(other)
+    }
+
+    /// Shows it, and all statements inside of it.
+    pub fn each<'s>(&'s self, see: &mut dyn FnMut(&'s Statement)) {
+        see(self);
+        self.blocks().flatten().for_each(|inner| inner.each(see));
+    }
+
+    /// Shows the values that it computes itself.
+    pub fn values<'s>(&'s self, see: &mut dyn FnMut(&'s Expr)) {
+        match &self.kind {
+            StatementKind::Set { value, .. } => see(value),
+            StatementKind::Write { target, value, .. } => [target, value].into_iter().for_each(see),
+            StatementKind::Repeat { count, .. } => see(count),
+            StatementKind::While { condition, .. }
+            | StatementKind::If { condition, .. }
+            | StatementKind::Assert { condition, .. }
+            | StatementKind::Require { condition, .. } => see(condition),
+            StatementKind::For { collection, filter, .. }
+            | StatementKind::Update { collection, filter, .. } => {
+                collection.base().into_iter().chain(filter).for_each(see);
+            }
+            StatementKind::Drain { collection, key, condition, .. } => {
+                collection.base().into_iter().chain([key]).chain(condition).for_each(see);
+            }
+            StatementKind::Apply { args, .. }
+            | StatementKind::IfApply { args, .. }
+            | StatementKind::AssertRefuses { args, .. }
+            | StatementKind::Call { args, .. } => args.iter().for_each(see),
+            StatementKind::Return(value) => value.iter().for_each(see),
+            StatementKind::Print(pieces) => pieces.iter().for_each(|piece| match piece {
+                Print::Text(_) => {}
+                Print::Value(value, _) => see(value),
+            }),
+            StatementKind::Refused { .. }
+            | StatementKind::KeepMesh { .. }
+            | StatementKind::AssertMesh { .. }
+            | StatementKind::Break
+            | StatementKind::Continue => {}
+        }
+    }
+}
