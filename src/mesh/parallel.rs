@@ -7,6 +7,8 @@
 
 use std::ops::Range;
 
+#[cfg(all(feature = "threads", feature = "native"))]
+pub(crate) use pool::beside;
 #[cfg(feature = "threads")]
 pub use pool::{set_threads, threads};
 #[cfg(feature = "threads")]
@@ -16,6 +18,12 @@ use rayon::prelude::*;
 #[cfg(not(feature = "threads"))]
 pub fn threads() -> usize {
     1
+}
+
+/// True if nobody else is there to take work, or who asks is one of those who took it.
+#[cfg(all(feature = "threads", feature = "native"))]
+pub(crate) fn is_one_thread() -> bool {
+    rayon::current_thread_index().is_some() || threads() == 1
 }
 
 /// Ranges that cover the numbers below `count`, some for each thread: of `least` numbers or more
@@ -155,7 +163,7 @@ mod pool {
     }
 
     /// Starts work with the threads of the pool, and does `meanwhile` here.
-    pub(super) fn beside<'s, T>(
+    pub(crate) fn beside<'s, T>(
         start: impl FnOnce(&Scope<'s>),
         meanwhile: impl FnOnce() -> T,
     ) -> T {
@@ -183,7 +191,8 @@ mod pool {
         let threads = threads.map_or(1, NonZeroUsize::get).min(MOST);
         let made = (threads > 1).then(|| {
             let name = |thread| format!("hedgerow {thread}");
-            ThreadPoolBuilder::new().num_threads(threads).thread_name(name).build()
+            let builder = ThreadPoolBuilder::new().num_threads(threads).thread_name(name);
+            builder.stack_size(STACK).build()
         });
         let (threads, made) = match made {
             Some(Ok(made)) => (threads, Some(Arc::new(made))),
@@ -195,6 +204,9 @@ mod pool {
         pool.made = Some((process, threads, made.clone()));
         (threads, made)
     }
+
+    /// The bytes of the stack of a thread: as many as the first thread of a program usually has.
+    const STACK: usize = 8 << 20;
 
     /// The most threads that a pool has.
     const MOST: usize = 256;

@@ -10,7 +10,7 @@ use std::collections::HashMap;
 use std::fmt;
 use std::sync::Arc;
 
-use super::{Code, Inst, Label, Native, Reg, Traps};
+use super::{Code, Inst, Label, Native, Part, Reg, Traps, Turns};
 
 /// Builds a [`Code`].
 #[derive(Debug, Default)]
@@ -26,6 +26,8 @@ pub struct Assembler {
     constant_registers: HashMap<u64, Reg>,
     registers: Registers,
     buffers: u16,
+    /// The loops that several threads may take.
+    pub(super) spread: Vec<Turns>,
     too_large: bool,
 }
 
@@ -193,12 +195,20 @@ impl Assembler {
         let consts = self.constants.iter();
         let mut insts: Vec<Inst> =
             consts.map(|&(to, bits)| Inst::Const { to, bits }).chain(self.insts).collect();
-        for label in insts.iter_mut().filter_map(Inst::target_mut) {
+        let place = |label: Label| {
             let bound = self.labels.get(label.0 as usize).copied().flatten();
-            *label = Label(bound.map_or(length as u32, |at| at + shift));
+            Label(bound.map_or(length as u32, |at| at + shift))
+        };
+        for label in insts.iter_mut().filter_map(Inst::target_mut) {
+            *label = place(*label);
         }
+        let spread = self.spread.iter().map(|turns| {
+            let [again, end] = [turns.again, turns.end].map(place);
+            Turns { again, end, ..*turns }
+        });
+        let spread: Vec<Turns> = spread.collect();
         let traps = self.traps.iter().map(|&(at, place)| (at + shift, place));
-        Ok(Code {
+        let mut code = Code {
             insts,
             constants: prologue,
             registers: self.registers.most,
@@ -206,8 +216,11 @@ impl Assembler {
             traps: traps.collect(),
             texts: self.texts,
             functions: Arc::default(),
+            parts: Vec::new(),
             native: Native::default(),
-        })
+        };
+        code.parts = spread.into_iter().map(|turns| Part::of(turns, &code)).collect();
+        Ok(code)
     }
 }
 

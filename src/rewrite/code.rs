@@ -8,7 +8,7 @@
 
 use std::sync::Arc;
 
-use super::{Function, Inst, Native};
+use super::{Function, Inst, Native, Part};
 
 /// A register: a slot of the window.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -42,6 +42,8 @@ pub struct Code {
     pub texts: Vec<String>,
     /// The functions that it may call, by number.
     pub functions: Arc<[Function]>,
+    /// The loops that several threads can take, by number.
+    pub parts: Vec<Option<Part>>,
     /// The same as native code, from when it has run often.
     pub native: Native,
 }

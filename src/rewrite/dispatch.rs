@@ -703,6 +703,18 @@ impl Machine {
                     }
                     go_on_native!();
                 }
+                Spread { part, end } => {
+                    let frames = self.frames + returns.len();
+                    match self.spread(mesh, &call, (part, frames), watch) {
+                        Some(Ok(())) => at = end.0 as usize,
+                        Some(Err(trap)) => return Err(trap.through_callers(&call, &returns)),
+                        None => {}
+                    }
+                    match Window::at(&mut self.stack, call.base) {
+                        Some(window) => w = window,
+                        None => break Message::Malformed,
+                    }
+                }
                 PrintText { text } => match call.texts.get(text as usize) {
                     Some(text) => self.line.push_str(text),
                     None => break Message::Malformed,

@@ -249,6 +249,10 @@ pub enum Inst {
     Turn { depth: u16, done: Reg, total: Reg },
     /// One turn of an aggregate over the whole mesh. The watcher may interrupt.
     Tick,
+    /// All turns of the loop that follows, each thread some of them, and what they keep back is
+    /// written: see [`Part`](super::Part). Jumps behind the loop, or goes on to it if it is better
+    /// off with one thread.
+    Spread { part: u16, end: Label },
     /// Prints a constant text.
     PrintText { text: u32 },
     /// Prints the text whose number is in the register.
@@ -289,6 +293,7 @@ impl Inst {
             | Inst::JumpUnequal { to, .. }
             | Inst::JumpEqual { to, .. } => Some(to),
             Inst::JumpUnlessLiving { to, .. } => Some(to),
+            Inst::Spread { end, .. } => Some(end),
             Inst::NextLiving { otherwise, .. }
             | Inst::BufferNext { otherwise, .. }
             | Inst::NextIndex { otherwise, .. }

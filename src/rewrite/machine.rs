@@ -78,6 +78,9 @@ pub struct Machine {
     pub(super) scratch: Vec<Scratch>,
     /// The time that native code has taken to compile.
     pub(super) compiling: Duration,
+    /// The machines of other threads, kept to be used again.
+    #[cfg_attr(not(all(feature = "native", feature = "threads")), expect(dead_code))]
+    pub(super) crew: Vec<Machine>,
 }
 
 /// A name, the kind of the elements that it stands for, and their ids.
@@ -133,6 +136,7 @@ impl Machine {
             types: Vec::new(),
             scratch: Vec::new(),
             compiling: Duration::ZERO,
+            crew: Vec::new(),
         }
     }
 

@@ -10,6 +10,7 @@ mod operand;
 mod question;
 
 mod function;
+mod part;
 mod plan;
 mod steps;
 
@@ -19,6 +20,9 @@ mod engine;
 mod machine;
 #[cfg_attr(not(feature = "native"), path = "without_native.rs")]
 mod native;
+
+#[cfg(not(all(feature = "native", feature = "threads")))]
+mod one_thread;
 
 mod call;
 mod dispatch;
@@ -68,6 +72,7 @@ pub use native::Native;
 pub use operand::{
     ElementField, Elements, Foreseen, HalfedgeField, Math, Room, Span, Triangles, Walk,
 };
+pub use part::{Part, Turns};
 pub use paths::Unbounded;
 pub use plan::{Cell, Holder, Matched, Phase, Plan, Plans, Refusal, Row, Stage};
 pub use print::{ElementText, RealDigits, RealText, VectorText, WideText};

@@ -267,6 +267,7 @@ impl Drains {
             | Inst::Capacity { .. }
             | Inst::NextLiving { .. }
             | Inst::BufferLiving { .. }
+            | Inst::Spread { .. }
             | Inst::Count { .. }
             | Inst::CountHoles { .. } => self.read(Place::Whole),
             Inst::Ask { question, elements: [first, second], .. } => {

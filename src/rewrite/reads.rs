@@ -336,6 +336,7 @@ impl<'c> Reads<'c> {
             | Inst::Capacity { .. }
             | Inst::NextLiving { .. }
             | Inst::BufferLiving { .. }
+            | Inst::Spread { .. }
             | Inst::Count { .. }
             | Inst::CountHoles { .. } => return Err(Unbounded::WholeMesh),
             Inst::Random { .. } | Inst::RandomInt { .. } | Inst::BufferShuffle { .. } => {

@@ -97,6 +97,20 @@ impl Progress {
         }
     }
 
+    /// Shows how far a loop is that several threads take: so many turns of so many.
+    #[cfg_attr(not(all(feature = "native", feature = "threads")), expect(dead_code))]
+    pub(super) fn show(
+        &mut self,
+        watch: &mut dyn Watch,
+        depth: u16,
+        [done, total]: [usize; 2],
+    ) -> ControlFlow<()> {
+        if let Some(place) = self.loops.get_mut(usize::from(depth)) {
+            *place = Loop { done: done.min(total) as i64, total: total as i64 };
+        }
+        self.look(watch, depth)
+    }
+
     #[cold]
     fn look(&mut self, watch: &mut dyn Watch, depth: u16) -> ControlFlow<()> {
         for (depth, &Loop { done, total }) in (0..=depth).zip(&self.loops) {

@@ -2,6 +2,7 @@
 
 use super::call::FunctionCall;
 use super::live::{Exits, Liveness, calls};
+use super::visit::count_sets;
 use crate::compile::{Scope, attribute, copy, lower, lower_into, width};
 use crate::diagram::{Access, Expr, ExprKind, NameId, Param, Type};
 use crate::resolve::{Statement, StatementKind, Variable};
@@ -19,6 +20,9 @@ pub(super) struct Lowering<'p> {
     visited: Vec<u32>,
     /// The number of drains around the statement.
     pub(super) drains: u32,
+    /// The number of parameters, and by variable that of the statements that set it.
+    pub(super) params: usize,
+    pub(super) sets: Vec<u32>,
     /// The buffer in which the running `update` keeps its writes back.
     pub(super) held: Option<u16>,
     /// The operations that are called, each with its first call.
@@ -152,7 +156,11 @@ impl<'p> Lowering<'p> {
 
     fn with_parameters(routine: Routine<'p>, texts: &[String]) -> Self {
         let mut asm = Assembler::knowing(texts);
+        let mut sets = vec![0; routine.variables.len()];
+        count_sets(routine.block, &mut sets);
         let mut lowering = Self {
+            params: routine.params.len(),
+            sets,
             refusals: Vec::new(),
             refuses: asm.label(),
             asm,

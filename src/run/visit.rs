@@ -5,7 +5,7 @@ use super::lower::{Loop, Lowering};
 use crate::compile::{Scope, each, elements};
 use crate::diagram::{Collection, Expr, Type};
 use crate::resolve::{Statement, StatementKind};
-use crate::rewrite::{Assembler, Elements, Inst, Label, Reg};
+use crate::rewrite::{Assembler, Elements, Inst, Label, Reg, Turns};
 use crate::source::Span;
 
 impl Lowering<'_> {
@@ -61,6 +61,11 @@ impl Lowering<'_> {
 
     /// `for x in xs where c { … }`
     pub(super) fn visit(&mut self, statement: &Statement) {
+        self.visit_all(statement, false);
+    }
+
+    /// The same; if it `spreads`, its turns only read, and keep back what they write.
+    fn visit_all(&mut self, statement: &Statement, spreads: bool) {
         let (StatementKind::For { variable, collection, filter, body, .. }
         | StatementKind::Update { variable, collection, filter, body }) = &statement.kind
         else {
@@ -68,12 +73,19 @@ impl Lowering<'_> {
         };
         let span = statement.span;
         let buffer = self.asm.buffer();
+        let (again, end) = (self.asm.label(), self.asm.label());
+        let (index, total) = (self.asm.reg(), self.asm.reg());
+        if let (true, Some(of), Some(held)) = (spreads, elements(collection), self.held)
+            && self.sets_its_own(body)
+        {
+            let one = self.asm.constant_int(1);
+            let (element, depth) = (self.names.local(*variable), self.loops.len() as u16);
+            self.asm.spread(Turns { of, depth, element, index, total, one, held, again, end });
+        }
         self.list(collection, buffer, span);
         if let StatementKind::For { shuffled: true, .. } = statement.kind {
             self.asm.emit(Inst::BufferShuffle { buffer });
         }
-        let (again, end) = (self.asm.label(), self.asm.label());
-        let (index, total) = (self.asm.reg(), self.asm.reg());
         let zero = self.asm.constant_int(0);
         let element = self.names.local(*variable);
         self.asm.emit(Inst::BufferLength { buffer, to: total });
@@ -102,9 +114,17 @@ impl Lowering<'_> {
         let buffer = self.asm.buffer();
         self.asm.emit(Inst::BufferClear { buffer });
         self.held = Some(buffer);
-        self.visit(statement);
+        self.visit_all(statement, true);
         self.held = None;
         self.asm.emit(Inst::ReleaseHeld { buffer });
+    }
+
+    /// True if the body of a loop sets no variable but its own.
+    fn sets_its_own(&self, body: &[Statement]) -> bool {
+        let mut sets = vec![0; self.sets.len()];
+        count_sets(body, &mut sets);
+        let all = sets.iter().zip(&self.sets);
+        all.enumerate().all(|(at, (here, all))| *here == 0 || (at >= self.params && here == all))
     }
 
     /// Puts the elements that a loop visits into a buffer.
@@ -144,5 +164,39 @@ pub(super) fn kind(collection: &Collection) -> Elements {
         (_, Type::Halfedge) => Elements::Halfedges,
         (_, Type::Edge) => Elements::Edges,
         (_, _) => Elements::Faces,
+    }
+}
+
+/// Counts for each variable the statements that set it.
+pub(super) fn count_sets(block: &[Statement], sets: &mut [u32]) {
+    let mut count = |variable: u32| {
+        if let Some(sets) = sets.get_mut(variable as usize) {
+            *sets += 1;
+        }
+    };
+    for statement in block {
+        match &statement.kind {
+            StatementKind::Set { variable, .. }
+            | StatementKind::For { variable, .. }
+            | StatementKind::Update { variable, .. }
+            | StatementKind::Drain { variable, .. }
+            | StatementKind::IfApply { variable: Some(variable), .. } => count(*variable),
+            _ => {}
+        }
+    }
+    for statement in block {
+        match &statement.kind {
+            StatementKind::Repeat { body, .. }
+            | StatementKind::While { body, .. }
+            | StatementKind::For { body, .. }
+            | StatementKind::Update { body, .. }
+            | StatementKind::Drain { body, .. } => count_sets(body, sets),
+            StatementKind::If { then, otherwise, .. }
+            | StatementKind::IfApply { then, otherwise, .. } => {
+                count_sets(then, sets);
+                count_sets(otherwise, sets);
+            }
+            _ => {}
+        }
     }
 }

@@ -14,4 +14,5 @@ mod script;
 mod sequences;
 mod session;
 mod steps;
+mod threads;
 mod workbench;

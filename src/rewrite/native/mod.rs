@@ -35,6 +35,9 @@
 //!   both, which are not used until it returns but by the functions that it calls.
 //! * Its memory is written, then executable, never both. It is freed with the value that owns it,
 //!   which is borrowed while it runs.
+//! * Where several threads take the turns of a loop, each has a machine of its own, and the mesh
+//!   through a copy of its head, which says where the tables lie. The code that they run writes to
+//!   no table, and the mesh is borrowed until all are done: [`spread`] says more.
 //! * No panic crosses it: the functions that it calls keep one, and it goes on behind.
 //!
 //! What native code reads and writes can be watched: valgrind finds nothing in
@@ -61,6 +64,8 @@ mod liveness;
 mod memory;
 mod operands;
 mod registers;
+#[cfg(feature = "threads")]
+mod spread;
 mod stubs;
 mod translate;
 mod values;

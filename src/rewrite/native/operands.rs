@@ -374,6 +374,7 @@ impl Surroundings<'_> {
             | Inst::DrainClose
             | Inst::Refused { .. }
             | Inst::Tick
+            | Inst::Spread { .. }
             | Inst::PrintText { .. }
             | Inst::PrintEnd
             | Inst::PrintReason { .. }

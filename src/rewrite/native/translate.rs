@@ -249,6 +249,13 @@ impl<'a, 'f> Translator<'a, 'f> {
             Inst::Call { function, args, to, holds } => {
                 self.call_function(inst, function, [args, to], holds);
             }
+            // Parts read what they need in the window.
+            Inst::Spread { .. } => {
+                let used = (0..).zip(&self.variables).filter(|(_, variable)| variable.is_some());
+                let used: Vec<Reg> = used.map(|(at, _)| Reg(at)).collect();
+                used.into_iter().for_each(|reg| self.spill(reg));
+                self.step(inst);
+            }
             Inst::Apply { args: _, op: _, applied, result } => self.apply(inst, applied, result),
             Inst::Refuse => {
                 let answer = self.b.ins().iconst(I64, REFUSED);

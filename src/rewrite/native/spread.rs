@@ -1,0 +1,216 @@
+//! Loops that several threads take.
+//!
+//! Each thread has a machine of its own, and takes ranges of slots until none is left. Whoever asked
+//! waits meanwhile, tells the watcher how far they are, and stops them if it wants. What they keep
+//! back is written when all are done.
+
+use std::mem::ManuallyDrop;
+use std::ops::{ControlFlow, Range};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering::Relaxed};
+use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::sync::{Mutex, PoisonError};
+use std::time::Duration;
+
+use crate::mesh::{Mesh, parallel};
+use crate::rewrite::engine::Way;
+use crate::rewrite::memory::{Budget, HELD};
+use crate::rewrite::watch::TURNS_PER_LOOK;
+use crate::rewrite::{Call, Inst, Machine, Message, Part, Trap, Watch, attribute};
+
+/// The fewest slots that are worth it. Tests are to come there soon.
+const LEAST: usize = if cfg!(debug_assertions) { 64 } else { 10_000 };
+
+/// The time between two looks at the watcher.
+const LOOK: Duration = Duration::from_millis(20);
+
+/// What came of a range: its number, what it keeps back, and why it could not go on.
+type Done = (usize, Vec<u64>, Option<Trap>);
+
+impl Machine {
+    /// Lets several threads take the turns of a loop. `None` if one thread is to do it: the loop is
+    /// short, calls what does more than read, or threads or memory are not there.
+    pub(in super::super) fn spread(
+        &mut self,
+        mesh: &mut Mesh,
+        call: &Call<'_>,
+        (part, frames): (u16, usize),
+        watch: &mut dyn Watch,
+    ) -> Option<Result<(), Trap>> {
+        let part = call.code.parts.get(usize::from(part))?.as_ref()?;
+        let slots = mesh.capacity(part.of.kind());
+        let is_alone = self.is_dry || !self.drains.is_empty() || call.op.is_some();
+        if slots < LEAST || is_alone || call.steps.is_some() || parallel::is_one_thread() {
+            return None;
+        }
+        if !self.has_room_for(mesh, part, slots) || !part.calls_readers(call.functions) {
+            return None;
+        }
+        let threads = parallel::threads();
+        let ranges = parallel::cut(slots, (4 * threads).min(slots / (LEAST / 8)));
+        let next = AtomicUsize::new(0);
+        // The first range that has trapped: none behind it is begun.
+        let trapped = AtomicUsize::new(ranges.len());
+        let (stop, turns) = (AtomicBool::new(false), AtomicUsize::new(0));
+        let done: Mutex<Vec<Done>> = Mutex::default();
+        let mut crew = self.crew_of(mesh, call, (threads, frames));
+        let (sender, receiver) = channel::<()>();
+        let shared: &Mesh = mesh;
+        // It goes by no number: those are of the functions.
+        let inner = Call {
+            code: &part.code,
+            function: None,
+            way: Way::Function,
+            base: 0,
+            buffers: 0,
+            depth: 0,
+            ..*call
+        };
+        let take_all = |machine: &mut Machine| {
+            let mut watch = Bystander { stop: &stop, turns: &turns };
+            // SAFETY: what runs on it is the code of a part and of functions that read only.
+            let mut mesh = unsafe { head(shared) };
+            loop {
+                let range = next.fetch_add(1, Relaxed);
+                if range >= ranges.len() || range > trapped.load(Relaxed) {
+                    return;
+                }
+                let (held, trap) =
+                    machine.take_range(&mut mesh, (part, inner), &ranges[range], &mut watch);
+                if trap.is_some() {
+                    trapped.fetch_min(range, Relaxed);
+                }
+                done.lock().unwrap_or_else(PoisonError::into_inner).push((range, held, trap));
+            }
+        };
+        // When all have been dropped, all are done.
+        let senders: Vec<_> = crew.iter().map(|_| sender.clone()).collect();
+        drop(sender);
+        let take_all = &take_all;
+        parallel::beside(
+            |scope| {
+                for (machine, sender) in crew.iter_mut().zip(senders) {
+                    scope.spawn(move |_| {
+                        take_all(machine);
+                        drop(sender);
+                    });
+                }
+            },
+            || {
+                while let Err(RecvTimeoutError::Timeout) = receiver.recv_timeout(LOOK) {
+                    let count = turns.load(Relaxed);
+                    if self.progress.show(watch, part.depth, [count, slots]).is_break() {
+                        stop.store(true, Relaxed);
+                    }
+                }
+            },
+        );
+        self.compiling +=
+            crew.iter_mut().map(|machine| std::mem::take(&mut machine.compiling)).sum::<Duration>();
+        self.crew = crew;
+        let mut done = done.into_inner().unwrap_or_else(PoisonError::into_inner);
+        done.sort_unstable_by_key(|(range, ..)| *range);
+        if let Some(at) = done.iter().position(|(.., trap)| trap.is_some()) {
+            let mut trap = done.swap_remove(at).2?;
+            if let Some(site) = trap.trace.last_mut() {
+                site.function = call.function;
+            }
+            return Some(Err(trap));
+        }
+        for (_, held, _) in &mut done {
+            if attribute::release(mesh, &self.columns, held).is_err() {
+                return Some(Err(Trap::new(Message::Malformed)));
+            }
+        }
+        Some(Ok(()))
+    }
+
+    /// True if what the turns may keep back is within the limit.
+    fn has_room_for(&self, mesh: &Mesh, part: &Part, slots: usize) -> bool {
+        let keeps =
+            |inst: &&Inst| matches!(inst, Inst::HoldPosition { .. } | Inst::HoldAttribute { .. });
+        let kept = part.code.insts.iter().filter(keeps).count();
+        let budget = Budget { buffers: &self.buffers, drains: &self.drains, limit: self.memory };
+        let wanted = slots.saturating_mul(kept * HELD * size_of::<u64>() * 2);
+        mesh.bytes().saturating_add(budget.taken()).saturating_add(wanted) <= self.memory
+    }
+
+    /// Machines for so many threads, each with what the registers hold by now.
+    fn crew_of(
+        &mut self,
+        mesh: &Mesh,
+        call: &Call<'_>,
+        (threads, frames): (usize, usize),
+    ) -> Vec<Machine> {
+        let mut crew = std::mem::take(&mut self.crew);
+        crew.resize_with(threads, || Machine::new(&self.plans));
+        let registers = usize::from(call.code.registers);
+        let window = self.stack.get(call.base..call.base + registers).unwrap_or_default();
+        for machine in &mut crew {
+            machine.plans = self.plans.clone();
+            machine.columns.clone_from(&self.columns);
+            (machine.engine, machine.memory) = (self.engine, self.memory);
+            machine.start(mesh, window);
+            machine.frames = frames.max(self.depth);
+        }
+        crew
+    }
+
+    /// Takes the turns of a range.
+    fn take_range(
+        &mut self,
+        mesh: &mut Mesh,
+        (part, call): (&Part, Call<'_>),
+        range: &Range<usize>,
+        watch: &mut dyn Watch,
+    ) -> (Vec<u64>, Option<Trap>) {
+        let frames = self.frames;
+        for (reg, bound) in part.bounds.into_iter().zip([range.start, range.end]) {
+            self.stack[usize::from(reg.0)] = bound as u64;
+        }
+        let outcome = match self.run_native(mesh, call, watch) {
+            Some(outcome) => outcome,
+            None => self.execute::<false>(mesh, call, watch),
+        };
+        self.frames = frames;
+        let held = self.buffers.get_mut(usize::from(part.held)).map(std::mem::take);
+        (held.unwrap_or_default(), outcome.err())
+    }
+}
+
+/// The head of a mesh, so that code can run on it that wants the mesh for itself, and only reads.
+///
+/// # Safety
+/// What is done to it writes to no table of the mesh, and neither takes nor gives back memory of it.
+/// It is not dropped.
+unsafe fn head(mesh: &Mesh) -> ManuallyDrop<Mesh> {
+    // SAFETY: the bits are those of a mesh. It stays borrowed, so that its tables stay where they
+    // are; who reads them through the copy reads what nobody writes. Since the copy is not dropped,
+    // nothing is given back twice.
+    ManuallyDrop::new(unsafe { std::ptr::read(mesh) })
+}
+
+/// Watches a thread for whoever waits.
+struct Bystander<'s> {
+    stop: &'s AtomicBool,
+    turns: &'s AtomicUsize,
+}
+
+impl Bystander<'_> {
+    fn answer(&self) -> ControlFlow<()> {
+        match self.stop.load(Relaxed) {
+            true => ControlFlow::Break(()),
+            false => ControlFlow::Continue(()),
+        }
+    }
+}
+
+impl Watch for Bystander<'_> {
+    fn turn(&mut self, _depth: u16, _done: u64, _total: Option<u64>) -> ControlFlow<()> {
+        self.answer()
+    }
+
+    fn tick(&mut self) -> ControlFlow<()> {
+        self.turns.fetch_add(TURNS_PER_LOOK as usize, Relaxed);
+        self.answer()
+    }
+}
