@@ -1,9 +1,9 @@
 //! Proved operations as pointer code in other languages.
 //!
 //! `cpp` makes the classic four-phase function over a pointer-based halfedge mesh, `rust` a
-//! plain function over [`crate::mesh`]. Both spell the same routine, which is built from the
-//! proof and not from the machine's code: the names of the drawing stay, tests and assignments
-//! that change nothing are left out, and a guard becomes walks and tests on the mesh as it is.
+//! plain function over [`crate::mesh`]. Both spell the same routine, which is built from
+//! [`crate::lower`] and not from the machine's code: the names of the drawing stay, tests and
+//! assignments that change nothing are left out, and a guard becomes tests on a preview of the mesh.
 //!
 //! Operations in steps call others, all or nothing; `steps` makes routines of them, and of the
 //! functions that they call.

@@ -3,8 +3,7 @@
 use crate::diagram::Builtin;
 use crate::rewrite::{Assembler, ElementField, HalfedgeField, Inst, Question, Reg};
 
-use super::builtin::ask;
-use super::pointer::{first, load};
+use super::pointer::{ask, first, load};
 
 /// The angle between two vectors.
 ///

@@ -2,7 +2,7 @@
 
 use super::angle;
 use super::operator::{matrix, wide};
-use super::pointer::{first, load};
+use super::pointer::{ask, first, load};
 use crate::diagram::{Builtin, Type};
 use crate::rewrite::{
     Assembler, ElementField, HalfedgeField, Inst, Lanes, Math, Matrix, Question, Reg,
@@ -131,10 +131,6 @@ fn with_steps(asm: &mut Assembler, place: u32, builtin: Builtin, from: Reg, to: 
         _ => return false,
     }
     true
-}
-
-pub(super) fn ask(question: Question, to: Reg, element: Reg) -> Inst {
-    Inst::Ask { question, to, elements: [element; 2] }
 }
 
 fn of_one(asm: &mut Assembler, builtin: Builtin, to: Reg, from: Reg) -> Inst {

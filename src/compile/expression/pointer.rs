@@ -1,6 +1,7 @@
-//! Pointers that are followed; one of an element that is gone stops the program at its place.
+//! Pointers that are followed and questions about one element; one that is gone stops the program
+//! at its place.
 
-use crate::rewrite::{Assembler, ElementField, HalfedgeField, Inst, Reg};
+use crate::rewrite::{Assembler, ElementField, HalfedgeField, Inst, Question, Reg};
 
 /// Loads a pointer of a halfedge.
 pub(super) fn load(
@@ -16,4 +17,9 @@ pub(super) fn load(
 /// Loads the halfedge of a vertex, an edge or a face.
 pub(super) fn first(asm: &mut Assembler, place: u32, of: ElementField, [to, element]: [Reg; 2]) {
     asm.trap_at(place, Inst::LoadHalfedge { of, to, element });
+}
+
+/// A question about one element.
+pub(super) fn ask(question: Question, to: Reg, element: Reg) -> Inst {
+    Inst::Ask { question, to, elements: [element; 2] }
 }

@@ -130,6 +130,8 @@ impl<'t> Reader<'t> {
         }
         self.add_columns();
         let mut contents = self.contents;
+        // They become those of the mesh.
+        contents.positions.shrink_to_fit();
         contents.polygons = Polygons::of_parts(self.corners, self.ends);
         contents
     }
