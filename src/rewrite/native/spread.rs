@@ -98,6 +98,10 @@ impl Machine {
             || {
                 while let Err(RecvTimeoutError::Timeout) = receiver.recv_timeout(LOOK) {
                     let count = turns.load(Relaxed);
+                    // Who has said stop is not asked again.
+                    if stop.load(Relaxed) {
+                        continue;
+                    }
                     if self.progress.show(watch, part.depth, [count, slots]).is_break() {
                         stop.store(true, Relaxed);
                     }
@@ -115,6 +119,10 @@ impl Machine {
                 site.function = call.function;
             }
             return Some(Err(trap));
+        }
+        if stop.load(Relaxed) {
+            // All were done before they saw it.
+            return Some(Err(Trap::new(Message::Interrupted).through(call, usize::MAX)));
         }
         for (_, held, _) in &mut done {
             if attribute::release(mesh, &self.columns, held).is_err() {
