@@ -31,6 +31,7 @@ impl Mesh {
     }
 
     /// Whether a history is recorded.
+    #[cfg(feature = "native")]
     #[inline]
     pub(crate) fn is_recorded(&self) -> bool {
         self.journal.recorder.is_some()

@@ -111,6 +111,11 @@ impl std::error::Error for BelowLevel {}
 /// Checks that the mesh is valid and has the level; the error is the first reason found.
 pub fn validate_level(mesh: &Mesh, level: Level) -> Result<(), BelowLevel> {
     validate(mesh).map_err(BelowLevel::Invalid)?;
+    validate_level_of_valid(mesh, level)
+}
+
+/// The same for a mesh that is valid.
+pub(crate) fn validate_level_of_valid(mesh: &Mesh, level: Level) -> Result<(), BelowLevel> {
     // Most meshes are found to be what they should be sooner than what they are not.
     if level >= Level::Simple && is_surface_of_single_edges(mesh) {
         return faces_differ_in_corners(mesh);

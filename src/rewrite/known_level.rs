@@ -9,6 +9,7 @@
 use super::{Machine, Message, Plan};
 use crate::mesh::{
     BelowLevel, Bookmark, ElementKind, Footprint, Level, Mesh, validate_level, validate_level_near,
+    validate_level_of_valid,
 };
 
 /// The number of levels that an operation keeps that keeps all.
@@ -21,6 +22,8 @@ pub(super) struct KnownLevel {
     now: Level,
     /// It had this one before what is `written` was.
     was: Level,
+    /// Whether it is known to be valid, which operations keep.
+    is_valid: bool,
     written: Footprint,
     /// The number of the operation that was applied last of those that may have lowered the level,
     /// plus 1; 0 if there is none.
@@ -29,7 +32,13 @@ pub(super) struct KnownLevel {
 
 impl KnownLevel {
     pub(super) fn new(now: Level) -> Self {
-        Self { now, was: now, written: Footprint::default(), lowered: 0 }
+        let is_valid = now > Level::Map;
+        Self { now, was: now, is_valid, written: Footprint::default(), lowered: 0 }
+    }
+
+    /// The mesh is valid.
+    pub(super) fn trust_valid(&mut self) {
+        self.is_valid = true;
     }
 
     /// The level that the mesh surely has.
@@ -50,12 +59,16 @@ impl KnownLevel {
                     level
                 }
             },
+            false if self.is_valid => {
+                validate_level_of_valid(mesh, level)?;
+                level
+            }
             false => {
                 validate_level(mesh, level)?;
                 level
             }
         };
-        *self = Self::new(found);
+        *self = Self { is_valid: true, ..Self::new(found) };
         Ok(())
     }
 
@@ -138,7 +151,8 @@ impl Machine {
             // Asked before, the answer holds for later calls too.
             let _ = self.known.expect(mesh, wanted);
         }
-        let inner = KnownLevel { lowered: self.known.lowered, ..KnownLevel::new(self.known.now) };
+        let KnownLevel { lowered, is_valid, now, .. } = self.known;
+        let inner = KnownLevel { lowered, is_valid, ..KnownLevel::new(now) };
         std::mem::replace(&mut self.known, inner)
     }
 

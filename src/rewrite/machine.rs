@@ -162,6 +162,11 @@ impl Machine {
         self.known = KnownLevel::new(level);
     }
 
+    /// Says that the mesh of the next run is valid, so that it is not asked.
+    pub(crate) fn trust_valid(&mut self) {
+        self.known.trust_valid();
+    }
+
     /// Sets the seed of the random numbers of the next runs; without it, it is 0.
     pub fn seed(&mut self, seed: u64) {
         self.random = RandomNumbers::new(seed);

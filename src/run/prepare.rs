@@ -40,6 +40,8 @@ pub struct Prepared {
     /// The greatest number of bytes of mesh and lists.
     pub(super) memory: usize,
     pub(super) engine: Engine,
+    /// Whether the meshes on which it runs are known to be valid.
+    pub(super) trusts: bool,
 }
 
 /// Prepares a script of a program, by its number. The plans are those of the program's
@@ -130,6 +132,7 @@ pub(super) fn prepare_script(
         memory: usize::MAX,
         engine: Engine::default(),
         called: called.into_iter().map(|(op, _)| op).collect(),
+        trusts: false,
     })
 }
 
@@ -190,6 +193,13 @@ impl Prepared {
     /// fails with `no-room`.
     pub fn limit_memory(&mut self, bytes: usize) {
         self.memory = bytes;
+    }
+
+    /// Says that the meshes on which it runs are valid, as those are that were read from files: they
+    /// are not asked again.
+    #[cfg(feature = "cli")]
+    pub(crate) fn trust_meshes(&mut self) {
+        self.trusts = true;
     }
 
     /// Says what runs it.

@@ -68,6 +68,9 @@ pub(super) fn run_with(
     machine.limit_memory(prepared.memory);
     machine.use_engine(prepared.engine);
     machine.seed(prepared.seed);
+    if prepared.trusts {
+        machine.trust_valid();
+    }
     machine.use_columns(columns);
     machine.use_meshes(meshes);
     let outcome = machine.run(mesh, &code, &slots, watch);
