@@ -3,8 +3,10 @@
 //!     cargo bench --bench operations
 //!
 //! All run in turn, round by round, in one process; the best round of each counts, and the
-//! ratios are what to quote: the processor's speed drifts, the ratios hardly do. Then the ways to
-//! call an operation of the library beside each other: the machine alone, native code, a session,
+//! ratios are what to quote: the processor's speed drifts, the ratios hardly do. An operation is
+//! called by itself, on the machine alone and with native code, and in a loop of a script, which is
+//! native code too; what the loop takes without the operation is not counted. Then the ways to call
+//! an operation of the library beside each other: the machine alone, native code, a session,
 //! and an application that is made ready anew for each call. Then scripts of the library, on the
 //! machine and as native code.
 
@@ -30,20 +32,19 @@ fn main() {
     let count = mesh.face_count();
     println!("{count} triangles, nanoseconds per operation, best of {ROUNDS} rounds; to by hand");
     println!(
-        "{:<24}{:>9}{:>9}{:>9}{:>9}{:>9}",
-        "", "by hand", "machine", "native", "machine", "native"
+        "{:<24}{:>9}{:>9}{:>9}{:>9}   {:>9}{:>9}{:>9}",
+        "", "by hand", "machine", "native", "script", "machine", "native", "script"
     );
     // Without its guard and what it asks, a flip is drawn for maps.
     let raw = TRIANGLE.replace("guard simple", "").replace(" keeps triangles, euler, boundary", "");
     for is_random in [false, true] {
         let order =
             |name: &str| format!("{name}, {}", if is_random { "random" } else { "in order" });
-        compare(&order("flip raw"), &mesh, &plan(&raw, "flip"), flip_raw_by_hand, is_random);
-        compare(&order("flip"), &mesh, &plan(FLIP, "flip"), flip_by_hand, is_random);
-        compare(&order("std flip"), &mesh, &plan(TRIANGLE, "flip"), flip_by_hand, is_random);
-        compare(&order("split"), &mesh, &plan(SPLIT, "split"), split_by_hand, is_random);
-        let collapse = plan(TRIANGLE, "collapse");
-        compare(&order("std collapse"), &mesh, &collapse, collapse_by_hand, is_random);
+        compare(&order("flip raw"), &mesh, (&raw, "flip"), flip_raw_by_hand, is_random);
+        compare(&order("flip"), &mesh, (FLIP, "flip"), flip_by_hand, is_random);
+        compare(&order("std flip"), &mesh, (TRIANGLE, "flip"), flip_by_hand, is_random);
+        compare(&order("split"), &mesh, (SPLIT, "split"), split_by_hand, is_random);
+        compare(&order("std collapse"), &mesh, (TRIANGLE, "collapse"), collapse_by_hand, is_random);
     }
     let mesh = shape::triangle_torus(70, 71);
     println!("\n{} triangles, nanoseconds per call", mesh.face_count());
@@ -170,7 +171,7 @@ fn plan(text: &str, op: &str) -> Plan {
 fn compare(
     name: &str,
     mesh: &Mesh,
-    plan: &Plan,
+    (text, op): (&str, &str),
     by_hand: fn(&mut Mesh, EdgeId) -> bool,
     is_random: bool,
 ) {
@@ -180,29 +181,64 @@ fn compare(
         state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
         edges.swap(at, (state >> 33) as usize % (at + 1));
     }
-    let (mut hand, mut declared) = (f64::MAX, [f64::MAX; 2]);
+    let plan = plan(text, op);
+    let scripts = Scripts::new(text, op, is_random);
+    // By hand, machine, native, script.
+    let mut best = [f64::MAX; 4];
+    let mut alone = f64::MAX;
     for _ in 0..ROUNDS {
         let (by_hand, applied_by_hand) = time(mesh, &edges, by_hand);
-        hand = hand.min(by_hand);
-        for (best, engine) in declared.iter_mut().zip([Engine::Machine, Engine::Native]) {
+        best[0] = best[0].min(by_hand);
+        for (best, engine) in best[1..3].iter_mut().zip([Engine::Machine, Engine::Native]) {
             let mut machine = Machine::default();
             machine.use_engine(engine);
             let (by_plan, applied_by_plan) = time(mesh, &edges, |mesh, edge| {
                 machine.trust_level(plan.level);
-                let outcome = machine.apply(mesh, plan, &[u64::from(edge.0), 0.5_f64.to_bits()]);
+                let outcome = machine.apply(mesh, &plan, &[u64::from(edge.0), 0.5_f64.to_bits()]);
                 matches!(outcome, Ok(Outcome::Applied { .. }))
             });
             assert_eq!(applied_by_hand, applied_by_plan, "{name}: all do the same");
             assert!(applied_by_plan > 0, "something was applied");
             *best = best.min(by_plan);
         }
+        let (by_script, applied_by_script) = scripts.time(mesh, "with_op");
+        // A script has a random order of its own.
+        assert!(is_random || applied_by_hand == applied_by_script, "{name}: all do the same");
+        best[3] = best[3].min(by_script);
+        alone = alone.min(scripts.time(mesh, "alone").0);
     }
-    let [machine, native] = declared;
-    println!(
-        "{name:<24}{hand:>9.1}{machine:>9.1}{native:>9.1}{:>9.2}{:>9.2}",
-        machine / hand,
-        native / hand
-    );
+    best[3] -= alone;
+    let [hand, machine, native, script] = best;
+    print!("{name:<24}{hand:>9.1}{machine:>9.1}{native:>9.1}{script:>9.1}   ");
+    println!("{:>9.2}{:>9.2}{:>9.2}", machine / hand, native / hand, script / hand);
+}
+
+/// Loops over all edges, with an operation and without it.
+struct Scripts(Program);
+
+impl Scripts {
+    fn new(text: &str, op: &str, is_random: bool) -> Self {
+        let edges = if is_random { "shuffle(edges)" } else { "edges" };
+        let text = format!(
+            "{text}\nscript ready() {{ for e in edges {{ if can {op}(e) {{ break }} }} }}
+            script with_op() {{ for e in {edges} {{ {op}(e) }} }}
+            script alone() {{ for e in {edges} {{ }} }}"
+        );
+        Self(Program::parse("bench.hedge", &text).expect("the operation is sound"))
+    }
+
+    /// Nanoseconds for each edge, and how often an operation was applied.
+    fn time(&self, mesh: &Mesh, name: &str) -> (f64, usize) {
+        let [ready, script] = ["ready", name].map(|name| self.0.script(name).expect("is there"));
+        let mut session = Session::new(&self.0, mesh.clone());
+        // The level of the mesh is known from here on.
+        session.run(&ready, ()).expect("it comes to its end");
+        let start = Instant::now();
+        let report = session.run(&script, ()).expect("it comes to its end");
+        let nanoseconds = start.elapsed().as_nanos() as f64;
+        let applied = report.ops.iter().map(|op| op.applied as usize).sum();
+        (nanoseconds / mesh.edge_count() as f64, applied)
+    }
 }
 
 fn time(

@@ -35,7 +35,9 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
         .map_err(|errors| failed(&errors, 1))?
         .with_seed(arguments.seed);
     prepared.use_engine(engine(arguments.engine));
-    prepared.trust_meshes();
+    if !meshes::is_tables(&arguments.mesh) {
+        prepared.expect_polygons();
+    }
     prepared.limit_memory(arguments.memory.unwrap_or_else(memory::usual));
     let values =
         prepared.arguments(&settings(&arguments.set)?).map_err(|errors| failed(&errors, 2))?;

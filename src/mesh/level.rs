@@ -6,11 +6,13 @@
 //! every level.
 
 use std::fmt;
+use std::ops::Range;
 
 use super::connectivity::Mesh;
-use super::id::{EdgeId, ElementKind, FaceId, VertexId};
+use super::id::{EdgeId, ElementKind, FaceId, HalfedgeId, VertexId};
 use super::invalid::Invalid;
 use super::parallel;
+use super::records::HalfedgeRecord;
 use super::validate::validate;
 
 /// The conditions on a mesh. Each level includes the ones before it.
@@ -131,8 +133,17 @@ pub(crate) fn validate_level_of_valid(mesh: &Mesh, level: Level) -> Result<(), B
     Ok(())
 }
 
+/// The level that a mesh has, no higher than one that is wanted, if [`Mesh::from_polygons`] made it
+/// and nothing has changed it: then it is a surface, and its edges differ in their ends.
+pub(crate) fn level_of_polygons(mesh: &Mesh, wanted: Level) -> Level {
+    match wanted {
+        Level::Simple if faces_differ_in_corners(mesh).is_ok() => Level::Simple,
+        _ => wanted.min(Level::Surface),
+    }
+}
+
 /// True if a mesh, which has to be valid, is of level surface, and each edge joins two vertices
-/// that no other joins: in one walk along each loop and one around each vertex. That edges have a
+/// that no other joins: in one walk along each loop and two passes over the halfedges. That edges have a
 /// face, and vertices, follows; so does that edges end elsewhere than they begin.
 pub(super) fn is_surface_of_single_edges(mesh: &Mesh) -> bool {
     let faces = parallel::parts(mesh.capacity(ElementKind::Face), LEAST);
@@ -148,24 +159,61 @@ pub(super) fn is_surface_of_single_edges(mesh: &Mesh) -> bool {
     if meet_once.contains(&false) {
         return false;
     }
-    let vertices = parallel::parts(mesh.capacity(ElementKind::Vertex), LEAST);
-    let are_fans = parallel::map(vertices, |part| {
-        let mut ends = Vec::new();
-        let mut vertices = part.map(|v| VertexId(v as u32));
-        vertices.all(|vertex| {
-            let Some(first) = mesh.get_vertex_halfedge(vertex).filter(|h| !h.is_none()) else {
-                return true;
-            };
-            ends.clear();
-            let mut holes = 0;
-            for h in mesh.spokes_from(first) {
-                holes += u32::from(mesh.is_boundary_halfedge(h));
-                ends.push(mesh.target(h).0);
+    let is_small = mesh.capacity(ElementKind::Halfedge) < 4 * LEAST;
+    let threads = if is_small { 1 } else { parallel::threads() };
+    // Each part of the vertices goes through all halfedges for its own.
+    let parts = parallel::cut(mesh.capacity(ElementKind::Vertex), threads);
+    !parallel::map(parts, |part| has_fans_of_single_edges(mesh, part)).contains(&false)
+}
+
+/// True if each vertex of a part has no spoke, or two or more and at most one in a hole; and no two
+/// edges that have their first end among them, by number, have the same ends.
+fn has_fans_of_single_edges(mesh: &Mesh, part: Range<usize>) -> bool {
+    let place = |v: VertexId| v.index().wrapping_sub(part.start);
+    let has_holes = mesh.hole_count() > 0;
+    let mut spokes = vec![0_u8; part.len()];
+    let mut is_in_hole = vec![false; if has_holes { part.len() } else { 0 }];
+    // A counting sort by the first ends: after the second pass `bounds[v]` is the end of bucket v.
+    let mut bounds = vec![0_u32; part.len() + 1];
+    let all = || (0..).zip(&mesh.halfedges).filter(|(_, record)| record.lives());
+    // A halfedge of each edge, with the ends in order. The target stands beside it.
+    let ends = |(h, record): (u32, &HalfedgeRecord)| {
+        let is_first = HalfedgeId(h) < record.twin;
+        let [v, w] = [record.vertex, mesh.vertex(record.next)];
+        is_first.then(|| (place(v.min(w)), v.max(w)))
+    };
+    for side in all() {
+        let from = place(side.1.vertex);
+        if let Some(count) = spokes.get_mut(from) {
+            *count = count.saturating_add(1);
+            let is_hole = has_holes && mesh.is_hole(side.1.face);
+            if is_hole && std::mem::replace(&mut is_in_hole[from], true) {
+                return false;
             }
-            ends.len() >= 2 && holes <= 1 && are_distinct(&mut ends)
-        })
-    });
-    !are_fans.contains(&false)
+        }
+        if let Some((first, _)) = ends(side)
+            && let Some(bound) = bounds[1..].get_mut(first)
+        {
+            *bound += 1;
+        }
+    }
+    if spokes.contains(&1) {
+        return false;
+    }
+    for v in 1..bounds.len() {
+        bounds[v] += bounds[v - 1];
+    }
+    let mut others = vec![0_u32; bounds.pop().map_or(0, |all| all as usize)];
+    for (first, other) in all().filter_map(ends) {
+        if let Some(bound) = bounds.get_mut(first) {
+            others[*bound as usize] = other.0;
+            *bound += 1;
+        }
+    }
+    let mut start = 0;
+    bounds.iter().all(|&end| {
+        are_distinct(&mut others[std::mem::replace(&mut start, end as usize)..end as usize])
+    })
 }
 
 /// The fewest elements that are worth a thread.

@@ -80,8 +80,8 @@ pub use history::History;
 pub use id::{EdgeId, Element, ElementKind, FaceId, HalfedgeId, VertexId};
 pub use identical::{identical, identical_but_for_scratch};
 pub use invalid::Invalid;
-pub(crate) use level::validate_level_of_valid;
 pub use level::{BelowLevel, Level, highest_level, validate_level};
+pub(crate) use level::{level_of_polygons, validate_level_of_valid};
 pub use level_near::{Footprint, validate_level_near};
 pub use notes::{Bookmark, Written};
 #[cfg(feature = "threads")]

@@ -1,58 +1,63 @@
 //! Whether numbers are all different, in time that grows as they do.
 
-/// Up to so many are told apart by comparing them.
-const FEW: usize = 48;
+/// The number of slots of the table at first.
+const FEW: usize = 64;
 
-/// The number of bits by which they are told apart at first.
-const BITS: usize = 256;
-
-/// Numbers that have been seen, by one bit each: where no two have the same, none are the same. That
-/// settles it for most stars.
-#[derive(Default)]
+/// Numbers that have been seen: a table by their hashes, where what an earlier round has left is no
+/// number.
+#[derive(Debug, Default)]
 pub(super) struct Seen {
-    bits: [u64; BITS / 64],
-    alike: bool,
+    round: u32,
+    count: usize,
+    /// A number and its round.
+    slots: Vec<(u32, u32)>,
 }
 
 impl Seen {
-    #[inline]
-    pub(super) fn see(&mut self, number: u32) {
-        let bit = number.wrapping_mul(0x9E37_79B9) as usize >> 24;
-        let (word, bit) = (&mut self.bits[bit / 64], 1 << (bit % 64));
-        self.alike |= *word & bit != 0;
-        *word |= bit;
+    /// Begins a round: nothing has been seen.
+    pub(super) fn clear(&mut self) {
+        self.count = 0;
+        self.round = self.round.wrapping_add(1);
+        if self.round == 0 || self.slots.is_empty() {
+            self.slots.clear();
+            self.slots.resize(FEW, (0, 0));
+            self.round = 1;
+        }
     }
 
-    /// Whether no two of the numbers, which have all been seen, are the same.
+    /// Sees a number. True if it has not been seen in this round.
     #[inline]
-    pub(super) fn differ<I>(&self, numbers: impl Fn() -> I) -> bool
-    where
-        I: Iterator<Item = u32> + Clone,
-    {
-        !self.alike || differ(numbers())
-    }
-}
-
-/// The same for any numbers.
-#[cold]
-fn differ(numbers: impl Iterator<Item = u32> + Clone) -> bool {
-    let mut left = numbers.clone();
-    if numbers.clone().take(FEW + 1).count() <= FEW {
-        while let Some(number) = left.next() {
-            if left.clone().any(|other| other == number) {
+    pub(super) fn is_new(&mut self, number: u32) -> bool {
+        if 2 * self.count >= self.slots.len() {
+            self.grow();
+        }
+        let last = self.slots.len() - 1;
+        let mut at = (number.wrapping_mul(0x9E37_79B9) >> 8) as usize & last;
+        while self.slots[at].1 == self.round {
+            if self.slots[at].0 == number {
                 return false;
             }
+            at = (at + 1) & last;
         }
-        return true;
+        self.slots[at] = (number, self.round);
+        self.count += 1;
+        true
     }
-    let mut sorted: Vec<u32> = numbers.collect();
-    sorted.sort_unstable();
-    sorted.windows(2).all(|two| two[0] != two[1])
-}
 
-/// Whether no two numbers are the same.
-pub fn are_distinct(numbers: &[u32]) -> bool {
-    let mut seen = Seen::default();
-    numbers.iter().for_each(|&number| seen.see(number));
-    seen.differ(|| numbers.iter().copied())
+    #[cold]
+    fn grow(&mut self) {
+        let twice = vec![(0, 0); (2 * self.slots.len()).max(FEW)];
+        let before = std::mem::replace(&mut self.slots, twice);
+        let round = std::mem::replace(&mut self.round, 1);
+        self.count = 0;
+        for (number, _) in before.into_iter().filter(|slot| slot.1 == round && round > 0) {
+            self.is_new(number);
+        }
+    }
+
+    /// True if no two numbers are the same.
+    pub(super) fn are_distinct(&mut self, numbers: &[u32]) -> bool {
+        self.clear();
+        numbers.iter().all(|&number| self.is_new(number))
+    }
 }

@@ -22,6 +22,9 @@ pub(super) struct KnownLevel {
     now: Level,
     /// It had this one before what is `written` was.
     was: Level,
+    /// It had this one when nothing was written, and has it still while nothing has `lowered` it;
+    /// but what is written need not be known before an operation wants it.
+    at_start: Level,
     /// Whether it is known to be valid, which operations keep.
     is_valid: bool,
     written: Footprint,
@@ -33,12 +36,13 @@ pub(super) struct KnownLevel {
 impl KnownLevel {
     pub(super) fn new(now: Level) -> Self {
         let is_valid = now > Level::Map;
-        Self { now, was: now, is_valid, written: Footprint::default(), lowered: 0 }
+        let written = Footprint::default();
+        Self { now, was: now, at_start: now, is_valid, written, lowered: 0 }
     }
 
-    /// The mesh is valid.
-    pub(super) fn trust_valid(&mut self) {
-        self.is_valid = true;
+    /// Of a mesh that has a level before anything is written.
+    pub(super) fn at_start(level: Level) -> Self {
+        Self { at_start: level, is_valid: true, ..Self::new(Level::Map) }
     }
 
     /// The level that the mesh surely has.
@@ -52,6 +56,7 @@ impl KnownLevel {
             return Ok(());
         }
         let found = match self.was >= level {
+            _ if self.lowered == 0 && self.at_start >= level => self.at_start,
             true => match validate_level_near(mesh, self.was, &self.written) {
                 Ok(()) => self.was,
                 Err(_) => {
@@ -151,8 +156,8 @@ impl Machine {
             // Asked before, the answer holds for later calls too.
             let _ = self.known.expect(mesh, wanted);
         }
-        let KnownLevel { lowered, is_valid, now, .. } = self.known;
-        let inner = KnownLevel { lowered, is_valid, ..KnownLevel::new(now) };
+        let KnownLevel { lowered, at_start, is_valid, now, .. } = self.known;
+        let inner = KnownLevel { lowered, at_start, is_valid, ..KnownLevel::new(now) };
         std::mem::replace(&mut self.known, inner)
     }
 

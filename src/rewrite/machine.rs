@@ -162,9 +162,9 @@ impl Machine {
         self.known = KnownLevel::new(level);
     }
 
-    /// Says that the mesh of the next run is valid, so that it is not asked.
-    pub(crate) fn trust_valid(&mut self) {
-        self.known.trust_valid();
+    /// Says that the mesh of the next run has a level before anything is written to it.
+    pub(crate) fn begin_at_level(&mut self, level: Level) {
+        self.known = KnownLevel::at_start(level);
     }
 
     /// Sets the seed of the random numbers of the next runs; without it, it is 0.

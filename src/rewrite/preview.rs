@@ -10,7 +10,7 @@
 use std::cell::{Cell, RefCell};
 
 use super::access::{self, gone};
-use super::distinct::{Seen, are_distinct};
+use super::distinct::Seen;
 use super::{ElementField, Fault, Foreseen, HalfedgeField};
 use crate::mesh::{EdgeId, ElementKind, FaceId, HalfedgeId, HalfedgeRecord, Mesh, VertexId};
 
@@ -33,6 +33,8 @@ pub struct Preview {
     /// Whether their faces, and the vertices where they end, are distinct.
     faces_differ: bool,
     targets_differ: bool,
+    faces_seen: Seen,
+    targets_seen: Seen,
     corners: Vec<u32>,
     runs: Vec<(u32, u32)>,
 }
@@ -245,46 +247,50 @@ impl Preview {
         mesh.capacity(ElementKind::Halfedge) + self.new.len()
     }
 
-    /// Notes the spokes of a vertex in `walked`.
+    /// Notes the spokes of a vertex in `walked`, and whether their faces and their targets are
+    /// distinct.
     fn walk_star(&mut self, mesh: &Mesh, vertex: u32) -> Result<(), Fault> {
         if self.walked_of == Some(vertex) {
             return Ok(());
         }
         let mut walked = std::mem::take(&mut self.walked);
+        let mut faces = std::mem::take(&mut self.faces_seen);
+        let mut targets = std::mem::take(&mut self.targets_seen);
         walked.clear();
-        let differ = self.walk_spokes(mesh, vertex, &mut walked);
-        self.walked = walked;
-        (self.faces_differ, self.targets_differ) = differ?;
+        faces.clear();
+        targets.clear();
+        let done = self.each_spoke(mesh, vertex, |spoke| {
+            walked.push(spoke);
+            (faces.is_new(spoke.face), targets.is_new(spoke.next_target))
+        });
+        (self.walked, self.faces_seen, self.targets_seen) = (walked, faces, targets);
+        (self.faces_differ, self.targets_differ) = done?;
         self.walked_of = Some(vertex);
         Ok(())
     }
 
-    /// Lists the spokes of a vertex; whether their faces and their targets are distinct.
-    fn walk_spokes(
+    /// Goes through the spokes of a vertex; whether two things hold for each.
+    fn each_spoke(
         &self,
         mesh: &Mesh,
         vertex: u32,
-        walked: &mut Vec<Spoke>,
+        mut visit: impl FnMut(Spoke) -> (bool, bool),
     ) -> Result<(bool, bool), Fault> {
         let start = self.halfedge(mesh, ElementField::Vertex, vertex)?;
+        let mut holds = (true, true);
         if start == u32::MAX {
-            return Ok((true, true));
+            return Ok(holds);
         }
-        let (mut faces, mut targets) = (Seen::default(), Seen::default());
-        let (mut at, longest) = (start, self.longest(mesh));
-        while walked.len() < longest {
+        let mut at = start;
+        for _ in 0..self.longest(mesh) {
             let record = self.record(mesh, at)?;
             let before = self.record(mesh, record.prev.0)?;
             let (face, next_target) = (record.face.0, before.vertex.0);
-            faces.see(face);
-            targets.see(next_target);
-            walked.push(Spoke { halfedge: at, face, next_target });
+            let (one, other) = visit(Spoke { halfedge: at, face, next_target });
+            holds = (holds.0 && one, holds.1 && other);
             at = before.twin.0;
             if at == start {
-                let faces_differ = faces.differ(|| walked.iter().map(|spoke| spoke.face));
-                let targets_differ =
-                    targets.differ(|| walked.iter().map(|spoke| spoke.next_target));
-                return Ok((faces_differ, targets_differ));
+                return Ok(holds);
             }
         }
         Err(Fault::Endless)
@@ -371,7 +377,7 @@ impl Preview {
     fn meets_once(&mut self, mesh: &Mesh, face: u32) -> Result<bool, Fault> {
         self.corners.clear();
         self.walk_loop(mesh, face, usize::MAX)?;
-        Ok(are_distinct(&self.corners))
+        Ok(self.faces_seen.are_distinct(&self.corners))
     }
 
     fn two_spokes(&self, mesh: &Mesh, vertex: u32) -> Result<bool, Fault> {

@@ -40,8 +40,8 @@ pub struct Prepared {
     /// The greatest number of bytes of mesh and lists.
     pub(super) memory: usize,
     pub(super) engine: Engine,
-    /// Whether the meshes on which it runs are known to be valid.
-    pub(super) trusts: bool,
+    /// Whether the meshes on which it runs are those of lists of polygons.
+    pub(super) of_polygons: bool,
 }
 
 /// Prepares a script of a program, by its number. The plans are those of the program's
@@ -132,7 +132,7 @@ pub(super) fn prepare_script(
         memory: usize::MAX,
         engine: Engine::default(),
         called: called.into_iter().map(|(op, _)| op).collect(),
-        trusts: false,
+        of_polygons: false,
     })
 }
 
@@ -195,11 +195,11 @@ impl Prepared {
         self.memory = bytes;
     }
 
-    /// Says that the meshes on which it runs are valid, as those are that were read from files: they
-    /// are not asked again.
+    /// Says that the meshes on which it runs are as [`Mesh::from_polygons`] makes them, which those
+    /// are that have just been read from files: it is not asked again whether they are surfaces.
     #[cfg(feature = "cli")]
-    pub(crate) fn trust_meshes(&mut self) {
-        self.trusts = true;
+    pub(crate) fn expect_polygons(&mut self) {
+        self.of_polygons = true;
     }
 
     /// Says what runs it.

@@ -2,7 +2,7 @@
 
 use super::{Argument, Prepared};
 use crate::diagnostic::Diagnostic;
-use crate::mesh::{Level, Mesh, validate_level};
+use crate::mesh::{Level, Mesh, level_of_polygons, validate_level};
 use crate::rewrite::{Count, Machine, Message, Plan, Site, Trap, Watch};
 use crate::source::Span;
 
@@ -68,8 +68,8 @@ pub(super) fn run_with(
     machine.limit_memory(prepared.memory);
     machine.use_engine(prepared.engine);
     machine.seed(prepared.seed);
-    if prepared.trusts {
-        machine.trust_valid();
+    if prepared.of_polygons {
+        machine.begin_at_level(level_of_polygons(mesh, prepared.wanted()));
     }
     machine.use_columns(columns);
     machine.use_meshes(meshes);

@@ -41,14 +41,14 @@ pub(super) fn kind(of: ElementField) -> ElementKind {
 impl Translator<'_, '_> {
     pub(super) fn is_in_range(&mut self, kind: ElementKind, id: Value) -> Value {
         let (_, count, _) = table(kind);
-        let count = self.field(TABLES + count);
+        let count = self.table_field(count);
         self.b.ins().icmp(IntCC::UnsignedLessThan, id, count)
     }
 
     /// Whether an element in range lives and, if it is a face, is of that sort.
     pub(super) fn lives(&mut self, of: Elements, id: Value) -> Value {
         let (start, _, size) = table(of.kind());
-        let start = self.field(TABLES + start);
+        let start = self.table_field(start);
         let offset = self.b.ins().imul_imm_s(id, size as i64);
         let record = self.b.ins().iadd(start, offset);
         let lives = self.is_not_dead(of.kind(), record);
@@ -105,11 +105,11 @@ impl Translator<'_, '_> {
         let id = self.id(reg);
         let (table, count, size) = table(kind);
         if !fact.is_in_range(kind) {
-            let count = self.field(TABLES + count);
+            let count = self.table_field(count);
             let is_in_range = self.b.ins().icmp(IntCC::UnsignedLessThan, id, count);
             self.or_fault(is_in_range);
         }
-        let table = self.field(TABLES + table);
+        let table = self.table_field(table);
         let offset = self.b.ins().imul_imm_s(id, size as i64);
         let record = self.b.ins().iadd(table, offset);
         if !fact.lives(kind) {
@@ -149,14 +149,14 @@ impl Translator<'_, '_> {
         let is_in_range = self.is_in_range(kind, id);
         self.or_fault(is_in_range);
         let (table, _, size) = table(kind);
-        let table = self.field(TABLES + table);
+        let table = self.table_field(table);
         let offset = self.b.ins().imul_imm_s(id, size as i64);
         self.b.ins().iadd(table, offset)
     }
 
     /// Where the position of a vertex lies that is in range.
     pub(super) fn position_of(&mut self, id: Value) -> Value {
-        let table = self.field(TABLES + offset_of!(Tables, positions));
+        let table = self.table_field(offset_of!(Tables, positions));
         let offset = self.b.ins().imul_imm_s(id, size_of::<glam::DVec3>() as i64);
         self.b.ins().iadd(table, offset)
     }

@@ -5,7 +5,7 @@ use cranelift_codegen::ir::types::{F64, I64};
 use cranelift_codegen::ir::{InstBuilder, Value};
 use std::mem::offset_of;
 
-use super::access::{TABLES, first, kind, pointer, size_of_value};
+use super::access::{first, kind, pointer, size_of_value};
 use super::stubs;
 use super::translate::{Region, Translator};
 use crate::mesh::tables::{FACE_HOLE, Tables};
@@ -70,7 +70,7 @@ impl Translator<'_, '_> {
                 self.b.switch_to_block(on);
                 let turn = self.whole(turns);
                 let turn = self.b.ins().iadd_imm_s(turn, 1);
-                let count = self.field(TABLES + offset_of!(Tables, halfedge_count));
+                let count = self.table_field(offset_of!(Tables, halfedge_count));
                 let goes_on = self.b.ins().icmp(IntCC::SignedLessThan, turn, count);
                 self.or_fault(goes_on);
                 self.set_whole(at, next);
@@ -112,7 +112,7 @@ impl Translator<'_, '_> {
                 self.set_whole(to, count);
             }
             Inst::CountHoles { to } => {
-                let holes = self.field(TABLES + offset_of!(Tables, holes));
+                let holes = self.table_field(offset_of!(Tables, holes));
                 let flags = self.flags(Region::Holes);
                 let count = self.b.ins().load(I64, flags, holes, 0);
                 self.set_whole(to, count);

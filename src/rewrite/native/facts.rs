@@ -18,12 +18,14 @@ pub(super) struct Fact {
     lives: bool,
     /// The register holds its number and nothing above its 32 bits.
     is_clean: bool,
+    /// A register with a halfedge that starts at it.
+    spoke: Option<Reg>,
 }
 
 impl Fact {
     /// A pointer of a living element leads to it.
     fn led_to(kind: ElementKind) -> Self {
-        Self { kind: Some(kind), in_range: false, lives: true, is_clean: true }
+        Self { kind: Some(kind), in_range: false, lives: true, is_clean: true, spoke: None }
     }
 
     /// It has just been added.
@@ -46,6 +48,16 @@ impl Fact {
         self.lives && self.kind == Some(kind)
     }
 
+    /// A register with a halfedge that starts at the vertex.
+    pub(super) fn spoke(self) -> Option<Reg> {
+        self.spoke
+    }
+
+    /// The same for other registers.
+    pub(super) fn elsewhere(self) -> Self {
+        Self { spoke: None, ..self }
+    }
+
     fn meet(self, other: Self) -> Self {
         match self.kind == other.kind {
             true => Self {
@@ -53,6 +65,7 @@ impl Fact {
                 in_range: self.in_range && other.in_range,
                 lives: self.lives && other.lives,
                 is_clean: self.is_clean && other.is_clean,
+                spoke: self.spoke.filter(|_| self.spoke == other.spoke),
             },
             false => Self::default(),
         }
@@ -82,8 +95,8 @@ impl Facts {
 
     /// The element in a register has been read or written, so it is there.
     fn use_element(&mut self, reg: Reg, kind: ElementKind) {
-        let is_clean = self.of(reg).is_clean;
-        self.set(reg, Fact { is_clean, ..Fact::new(kind) });
+        let Fact { is_clean, spoke, .. } = self.of(reg);
+        self.set(reg, Fact { is_clean, spoke, ..Fact::new(kind) });
     }
 
     fn set(&mut self, reg: Reg, fact: Fact) {
@@ -109,6 +122,9 @@ impl Facts {
             _ => Fact::default(),
         };
         self.forget_written(inst, surroundings);
+        if moves_spokes(inst) {
+            self.0.iter_mut().for_each(|fact| fact.spoke = None);
+        }
         match *inst {
             Inst::Copy { to, .. } | Inst::WalkBegin { at: to, .. } => self.set(to, before),
             Inst::WalkNext { at, .. } => self.set(at, Fact::led_to(ElementKind::Halfedge)),
@@ -122,7 +138,8 @@ impl Facts {
                     HalfedgeField::Face => ElementKind::Face,
                 };
                 self.use_element(halfedge, ElementKind::Halfedge);
-                self.set(to, Fact::led_to(kind));
+                let spoke = (field == HalfedgeField::Vertex && to != halfedge).then_some(halfedge);
+                self.set(to, Fact { spoke, ..Fact::led_to(kind) });
             }
             Inst::LoadHalfedge { of, to, element } => {
                 self.use_element(element, kind(of));
@@ -166,11 +183,26 @@ impl Facts {
         surroundings.each_operand(inst, |operand| {
             if operand.used != Use::Read {
                 for reg in operand.registers() {
+                    if self.of(reg).kind == Some(ElementKind::Halfedge) {
+                        let others = self.0.iter_mut().filter(|fact| fact.spoke == Some(reg));
+                        others.for_each(|fact| fact.spoke = None);
+                    }
                     self.set(reg, Fact::default());
                 }
             }
         });
     }
+}
+
+/// Whether other halfedges may start at a vertex behind an instruction.
+fn moves_spokes(inst: &Inst) -> bool {
+    matches!(
+        inst,
+        Inst::PreviewStore { .. }
+            | Inst::PreviewStoreAll { .. }
+            | Inst::PreviewStoreSpan { .. }
+            | Inst::PreviewUndo
+    ) || inst.writes()
 }
 
 fn kind(of: ElementField) -> ElementKind {

@@ -90,7 +90,7 @@ impl<'a> Translator<'a, '_> {
         let params: Vec<(Value, bool, Fact)> = params
             .map(|reg| {
                 let variable = self.variable(reg);
-                (self.b.use_var(variable), self.is_real(reg), self.fact(reg))
+                (self.b.use_var(variable), self.is_real(reg), self.fact(reg).elsewhere())
             })
             .collect();
         let results = (0..gives).map(|part| Reg(to.0.wrapping_add(part)));

@@ -7,6 +7,7 @@ use cranelift_codegen::ir::{
     StackSlotData, StackSlotKind, Type, Value,
 };
 
+use super::access::TABLES;
 use super::translate::{Region, Translator};
 
 impl Translator<'_, '_> {
@@ -20,6 +21,15 @@ impl Translator<'_, '_> {
     pub(super) fn field(&mut self, offset: usize) -> Value {
         let flags = self.flags(Region::Context);
         self.b.ins().load(I64, flags, self.context, offset as i32)
+    }
+
+    /// Where a table begins, or its length, which stay the same in code that adds nothing.
+    pub(super) fn table_field(&mut self, offset: usize) -> Value {
+        let mut flags = self.flags(Region::Context);
+        if !self.may_add {
+            flags = flags.with_readonly().with_can_move();
+        }
+        self.b.ins().load(I64, flags, self.context, (TABLES + offset) as i32)
     }
 
     pub(super) fn set_field(&mut self, offset: usize, value: Value) {

@@ -5,6 +5,17 @@ use crate::mesh::{AttributeType, ElementKind};
 use crate::rewrite::vectors::{Lanes, Matrix};
 use crate::rewrite::{Code, Function, Inst, Plan, Question, Reg};
 
+/// Whether an instruction adds an element.
+fn adds(inst: &Inst) -> bool {
+    matches!(
+        inst,
+        Inst::NewVertex { .. }
+            | Inst::NewHalfedge { .. }
+            | Inst::NewEdge { .. }
+            | Inst::NewFace { .. }
+    )
+}
+
 /// How an instruction uses registers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Use {
@@ -60,6 +71,39 @@ impl Surroundings<'_> {
         let does_more = |inst: &Inst| may_write(inst) || matches!(inst, Inst::Try { .. });
         let called = self.functions.get(usize::from(function));
         called.is_some_and(|called| !called.code.insts.iter().any(does_more))
+    }
+
+    /// Whether a code, or what it calls, may add elements, so that tables move.
+    pub(super) fn may_add(&self, code: &Code) -> bool {
+        let mut seen = vec![false; self.functions.len()];
+        let mut open = vec![code];
+        while let Some(code) = open.pop() {
+            for inst in &code.insts {
+                match *inst {
+                    Inst::Call { function, .. } => {
+                        let function = usize::from(function);
+                        if let (Some(seen), Some(called)) =
+                            (seen.get_mut(function), self.functions.get(function))
+                            && !std::mem::replace(seen, true)
+                        {
+                            open.push(&called.code);
+                        }
+                    }
+                    Inst::Apply { op, .. } if self.op_may_add(op) => return true,
+                    _ if adds(inst) => return true,
+                    _ => {}
+                }
+            }
+        }
+        false
+    }
+
+    fn op_may_add(&self, op: u16) -> bool {
+        let Some(Some(plan)) = self.plans.get(usize::from(op)) else {
+            return true;
+        };
+        let any_adds = |code: &&Code| code.insts.iter().any(adds);
+        plan.steps.is_some() || plan.code.with_called().iter().any(any_adds)
     }
 
     /// The kind of the elements that have an attribute.

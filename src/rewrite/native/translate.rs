@@ -77,6 +77,8 @@ pub(super) struct Translator<'a, 'f> {
     pub(super) is_real: Vec<bool>,
     pub(super) blocks: Vec<Option<Block>>,
     pub(super) known: Walk,
+    /// Whether tables may move while it runs.
+    pub(super) may_add: bool,
     /// The instruction that is spelled.
     pub(super) at: usize,
     /// The number of those behind it that have been spelled with it.
@@ -134,6 +136,7 @@ impl<'a, 'f> Translator<'a, 'f> {
             is_real: reals(insts, registers, &text.surroundings),
             blocks,
             known: Walk::new(registers),
+            may_add: text.surroundings.may_add(text.code),
             at: 0,
             skip: 0,
             fault: None,

@@ -7,7 +7,7 @@ use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::types::I64;
 use cranelift_codegen::ir::{Block, InstBuilder, Value};
 
-use super::access::{TABLES, first, pointer, table};
+use super::access::{first, pointer, table};
 use super::stubs;
 use super::translate::{Region, Translator};
 use crate::mesh::ElementKind;
@@ -75,7 +75,7 @@ impl Translator<'_, '_> {
 
     fn rows(&mut self, kind: ElementKind) -> Rows {
         let (start, count, size) = table(kind);
-        let [start, count] = [start, count].map(|place| self.field(TABLES + place));
+        let [start, count] = [start, count].map(|place| self.table_field(place));
         Rows { start, count, size }
     }
 
@@ -98,11 +98,14 @@ impl Translator<'_, '_> {
         self.number(region, record, offset)
     }
 
-    /// The halfedge of an element that lives.
+    /// A halfedge of an element that lives; of a vertex one that has been looked at, if there is one.
     fn first_of(&mut self, of: ElementField, element: Reg) -> Value {
+        if let Some(spoke) = self.fact(element).spoke() {
+            return self.id(spoke);
+        }
         let (kind, id) = (of.kind(), self.id(element));
         let (start, _, size) = table(kind);
-        let start = self.field(TABLES + start);
+        let start = self.table_field(start);
         let offset = self.b.ins().imul_imm_s(id, size as i64);
         let record = self.b.ins().iadd(start, offset);
         let (region, offset) = first(of);
@@ -130,12 +133,7 @@ impl Translator<'_, '_> {
         self.b.switch_to_block(head);
         let here = self.b.use_var(at);
         let next = match of {
-            ElementField::Vertex => {
-                let record = self.row(halfedges, here, slow);
-                let before = self.leads(record, HalfedgeField::Prev);
-                let before = self.row(halfedges, before, slow);
-                self.leads(before, HalfedgeField::Twin)
-            }
+            ElementField::Vertex => self.turn_around(walk, here).1,
             _ => {
                 let record = self.row(halfedges, here, slow);
                 self.leads(record, HalfedgeField::Next)
@@ -182,9 +180,7 @@ impl Translator<'_, '_> {
         let hole = self.is_in_hole(faces, record, slow);
         self.b.ins().brif(hole, done, &[], step, &[]);
         self.b.switch_to_block(step);
-        let before = self.leads(record, HalfedgeField::Prev);
-        let before = self.row(halfedges, before, slow);
-        let spoke = self.leads(before, HalfedgeField::Twin);
+        let (_, spoke) = self.turn_around(walk, here);
         self.b.def_var(at, spoke);
         let is_back = self.b.ins().icmp(IntCC::Equal, spoke, start);
         self.b.ins().brif(is_back, done, &[], next, &[]);
@@ -200,7 +196,6 @@ impl Translator<'_, '_> {
 
     /// Walks around both vertices in step, so that the smaller number of neighbors counts.
     fn adjacent(&mut self, walk: Walk, vertices: [Reg; 2]) -> Value {
-        let Walk { halfedges, slow } = walk;
         let starts = vertices.map(|vertex| self.first_of(ElementField::Vertex, vertex));
         let goals = [vertices[1], vertices[0]].map(|vertex| self.id(vertex));
         let at = starts.map(|start| {
@@ -215,34 +210,38 @@ impl Translator<'_, '_> {
         let [head, apart, next, done] = [(); 4].map(|()| self.b.create_block());
         self.b.ins().jump(head, &[]);
         self.b.switch_to_block(head);
-        let mut is_back = Vec::new();
-        for side in 0..2 {
+        let is_back = [0, 1].map(|side| {
             let here = self.b.use_var(at[side]);
-            let record = self.row(halfedges, here, slow);
-            let before = self.leads(record, HalfedgeField::Prev);
-            let before = self.row(halfedges, before, slow);
-            // Where the spoke ends that follows.
-            let neighbor = self.leads(before, HalfedgeField::Vertex);
+            let (neighbor, spoke) = self.turn_around(walk, here);
             let meets = self.b.ins().icmp(IntCC::Equal, neighbor, goals[side]);
             let goes_on = self.b.create_block();
             self.b.ins().brif(meets, done, &[], goes_on, &[]);
             self.b.switch_to_block(goes_on);
-            let spoke = self.leads(before, HalfedgeField::Twin);
             self.b.def_var(at[side], spoke);
-            is_back.push(self.b.ins().icmp(IntCC::Equal, spoke, starts[side]));
-        }
+            self.b.ins().icmp(IntCC::Equal, spoke, starts[side])
+        });
         let either = self.b.ins().bor(is_back[0], is_back[1]);
         self.b.ins().brif(either, apart, &[], next, &[]);
         self.b.switch_to_block(next);
         let walked = self.b.use_var(count);
         let walked = self.b.ins().iadd_imm_s(walked, 1);
         self.b.def_var(count, walked);
-        let goes_on = self.b.ins().icmp(IntCC::UnsignedLessThan, walked, halfedges.count);
-        self.b.ins().brif(goes_on, head, &[], slow, &[]);
+        let goes_on = self.b.ins().icmp(IntCC::UnsignedLessThan, walked, walk.halfedges.count);
+        self.b.ins().brif(goes_on, head, &[], walk.slow, &[]);
         self.b.switch_to_block(apart);
         self.b.def_var(answer, zero);
         self.b.ins().jump(done, &[]);
         self.b.switch_to_block(done);
         self.b.use_var(answer)
+    }
+
+    /// The spoke after one, and the vertex where it ends.
+    fn turn_around(&mut self, walk: Walk, spoke: Value) -> (Value, Value) {
+        let Walk { halfedges, slow } = walk;
+        let record = self.row(halfedges, spoke, slow);
+        let before = self.leads(record, HalfedgeField::Prev);
+        let before = self.row(halfedges, before, slow);
+        let neighbor = self.leads(before, HalfedgeField::Vertex);
+        (neighbor, self.leads(before, HalfedgeField::Twin))
     }
 }

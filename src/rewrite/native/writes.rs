@@ -10,7 +10,7 @@ use cranelift_codegen::ir::types::{F64, I8, I32, I64};
 use cranelift_codegen::ir::{Block, InstBuilder, Value};
 
 use super::Variant;
-use super::access::{TABLES, first, kind, pointer, size_of_value};
+use super::access::{first, kind, pointer, size_of_value};
 use super::context::Context;
 use super::stubs::{self, drains};
 use super::translate::{Region, Translator};
@@ -58,7 +58,7 @@ impl Translator<'_, '_> {
                 let before = self.byte(flags, record, FACE_HOLE);
                 let now = self.b.ins().iconst(I8, i64::from(hole));
                 self.b.ins().store(flags, now, record, FACE_HOLE as i32);
-                let holes = self.field(TABLES + offset_of!(Tables, holes));
+                let holes = self.table_field(offset_of!(Tables, holes));
                 let flags = self.flags(Region::Holes);
                 let count = self.b.ins().load(I64, flags, holes, 0);
                 let others = self.b.ins().isub(count, before);
