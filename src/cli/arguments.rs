@@ -165,6 +165,11 @@ pub(super) struct RunArguments {
     /// bit
     #[arg(long, value_enum, verbatim_doc_comment)]
     pub engine: Option<EngineName>,
+    /// Renumber elements so that neighbors stand near each other
+    /// in memory: faster where the file of a large mesh has them
+    /// far apart. What is written keeps the order of the file
+    #[arg(long, verbatim_doc_comment)]
+    pub reorder: bool,
     /// Format of the answer
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,

@@ -12,7 +12,7 @@ use super::output::{complain, is_standard, pour};
 use super::program::is_mesh;
 use crate::mesh::{
     Dump, FileError, FileFormat, FileReason, Mesh, MeshFile, Places, Repair, WrittenNumbers,
-    expect_writable, read_dump, read_mesh, write_mesh, write_mesh_to,
+    expect_writable, read_dump, read_mesh, read_mesh_reordered, write_mesh, write_mesh_to,
 };
 
 /// True if a file holds tables of halfedges, by its name.
@@ -23,7 +23,23 @@ pub(super) fn is_tables(path: &Path) -> bool {
 /// Reads a mesh, repairing it if that is asked for. A file without a vertex is taken for
 /// something else.
 pub(super) fn read(path: &Path, arguments: &RepairArguments) -> Result<MeshFile, Failure> {
-    let file = read_mesh(path, arguments.repair()).map_err(|error| match error.is_mendable() {
+    expect_read(path, read_mesh(path, arguments.repair()))
+}
+
+/// The same with neighbors near each other in memory.
+pub(super) fn read_reordered(
+    path: &Path,
+    arguments: &RepairArguments,
+) -> Result<MeshFile, Failure> {
+    if is_tables(path) {
+        let message = "`--reorder` is for files of polygons; tables of halfedges have their order";
+        return Err(Failure::usage(message));
+    }
+    expect_read(path, read_mesh_reordered(path, arguments.repair()))
+}
+
+fn expect_read(path: &Path, read: Result<MeshFile, FileError>) -> Result<MeshFile, Failure> {
+    let file = read.map_err(|error| match error.is_mendable() {
         true => {
             let help = "`--repair` cuts, turns and drops what it must, and says what it did";
             let gap = if error.to_string().contains('\n') { "\n  " } else { "; " };

@@ -50,7 +50,10 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
     }
 
     let started = Instant::now();
-    let mut obj = meshes::read(&arguments.mesh, &arguments.repair)?;
+    let mut obj = match arguments.reorder {
+        true => meshes::read_reordered(&arguments.mesh, &arguments.repair)?,
+        false => meshes::read(&arguments.mesh, &arguments.repair)?,
+    };
     let load = started.elapsed().as_secs_f64();
     for attribute in prepared.attributes() {
         obj.bring(attribute);

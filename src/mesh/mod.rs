@@ -17,6 +17,7 @@ mod id;
 mod journal;
 mod memory;
 mod notes;
+mod order;
 mod pointers;
 mod records;
 #[cfg(feature = "native")]
@@ -74,7 +75,7 @@ pub use faults::{FaultKind, Faults};
 pub use file::{
     Encoding, FileError, FileFaultKind, FileFaults, FileFormat, FileReason, Material, MeshFile,
     MshVersion, WantedAttribute, WrittenNumbers, expect_writable, read_mesh, read_mesh_from,
-    replace_file, write_mesh, write_mesh_to,
+    read_mesh_reordered, replace_file, write_mesh, write_mesh_to,
 };
 pub use history::History;
 pub use id::{EdgeId, Element, ElementKind, FaceId, HalfedgeId, VertexId};

@@ -6,7 +6,7 @@ const FEW: usize = 64;
 /// Numbers that have been seen: a table by their hashes, where what an earlier round has left is no
 /// number.
 #[derive(Debug, Default)]
-pub(super) struct Seen {
+pub struct Seen {
     round: u32,
     count: usize,
     /// A number and its round.
@@ -56,7 +56,7 @@ impl Seen {
     }
 
     /// True if no two numbers are the same.
-    pub(super) fn are_distinct(&mut self, numbers: &[u32]) -> bool {
+    pub fn are_distinct(&mut self, numbers: &[u32]) -> bool {
         self.clear();
         numbers.iter().all(|&number| self.is_new(number))
     }

@@ -21,7 +21,7 @@ fn write(format: FileFormat, file: &MeshFile) -> Vec<u8> {
 const ENCODINGS: [Encoding; 3] = [Encoding::Ascii, Encoding::LittleEndian, Encoding::BigEndian];
 
 /// A mesh with an attribute of every type on every kind of element.
-fn attributed(mut mesh: Mesh) -> Mesh {
+pub(super) fn attributed(mut mesh: Mesh) -> Mesh {
     let defaults = [
         ("flag", Value::Bool(true)),
         ("part", Value::Int(-7)),

@@ -14,6 +14,7 @@ mod link;
 mod measure;
 mod memory;
 mod obj;
+mod order;
 mod repair;
 mod shapes;
 mod threads;

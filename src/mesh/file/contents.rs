@@ -83,13 +83,18 @@ pub(super) fn width(ty: AttributeType) -> usize {
 }
 
 impl Contents {
-    /// Makes the mesh; `repair` says what is mended.
-    pub(super) fn build(mut self, repair: Option<Repair>) -> Result<MeshFile, Failure> {
+    /// Makes the mesh; `repair` says what is mended, and `reorder` whether neighbors are to stand
+    /// near each other.
+    pub(super) fn build(
+        mut self,
+        repair: Option<Repair>,
+        reorder: bool,
+    ) -> Result<MeshFile, Failure> {
         let Damage { count: damaged_places, first: damage } = std::mem::take(&mut self.damage);
         if let (None, Some((line, words))) = (repair, damage.clone()) {
             return Err((line, FileReason::Damaged(words)));
         }
-        let mut file = self.build_undamaged(repair)?;
+        let mut file = self.build_undamaged(repair, reorder)?;
         if let Some(report) = &mut file.repaired {
             report.damaged_places = damaged_places;
         }
@@ -97,10 +102,23 @@ impl Contents {
         Ok(file)
     }
 
-    fn build_undamaged(mut self, repair: Option<Repair>) -> Result<MeshFile, Failure> {
+    fn build_undamaged(
+        mut self,
+        repair: Option<Repair>,
+        reorder: bool,
+    ) -> Result<MeshFile, Failure> {
         let positions = std::mem::take(&mut self.positions);
         let merge = repair.and_then(|repair| repair.merge);
         let is_sound = self.strays.count() == 0 && merge.is_none();
+        if reorder
+            && is_sound
+            && let Some(reordered) = Repaired::in_order(&positions, &self.polygons)
+        {
+            let corners = std::mem::take(&mut self.polygons).into_corners();
+            let mut file = self.finish_repaired(reordered, positions.len(), &corners);
+            file.repaired = repair.map(|_| RepairReport::default());
+            return Ok(file);
+        }
         let positions = match is_sound {
             false => positions,
             true => match Mesh::build(positions, &self.polygons) {
@@ -133,6 +151,7 @@ impl Contents {
             };
             (None, FileReason::TooLarge { kind })
         })?;
+        let repaired = if reorder { repaired.reordered() } else { repaired };
         Ok(self.finish_repaired(repaired, count, &corners))
     }
 

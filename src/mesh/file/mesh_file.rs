@@ -26,7 +26,7 @@ pub struct MeshFile {
     /// True if elements go by their ids: they come from tables, not from a list of polygons.
     by_ids: bool,
     /// The places in the file of what was read, if these are not the same: vertices, faces.
-    renumbered: Option<[Vec<u32>; 2]>,
+    renumbered: Option<[Renumbered; 2]>,
     /// The folder of the file, to find what it names.
     pub(super) folder: Option<PathBuf>,
     /// The report on mending when the file was read, if that was asked for.
@@ -37,6 +37,40 @@ pub struct MeshFile {
     pub encoding: Encoding,
     /// The version that a Gmsh file is written in: that of the file, if it was one.
     pub msh_version: MshVersion,
+}
+
+/// Slots, each with its place in the file.
+#[derive(Clone, Debug)]
+struct Renumbered {
+    places: Vec<u32>,
+    /// The slots in the order of their places, if that is another one.
+    in_order: Option<Vec<u32>>,
+}
+
+impl Renumbered {
+    fn new(places: Vec<u32>) -> Self {
+        let in_order = (!places.is_sorted()).then(|| {
+            let keys = (0_u64..).zip(&places).map(|(slot, &place)| u64::from(place) << 32 | slot);
+            let mut keys: Vec<u64> = keys.collect();
+            keys.sort_unstable();
+            keys.into_iter().map(|key| key as u32).collect()
+        });
+        Self { places, in_order }
+    }
+
+    /// The number in the file of what is in a slot.
+    fn number(&self, slot: usize) -> Option<u32> {
+        self.places.get(slot).map(|place| place + 1)
+    }
+
+    /// The first slot with a place, or with one behind it where none has that.
+    fn slot(&self, place: u32) -> Option<u32> {
+        let Some(slots) = &self.in_order else {
+            return Some(self.places.partition_point(|&other| other < place) as u32);
+        };
+        let first = slots.partition_point(|&slot| self.places[slot as usize] < place);
+        slots.get(first).copied()
+    }
 }
 
 /// The number of every vertex and face in the file as it would be written now.
@@ -99,7 +133,7 @@ impl MeshFile {
 
     /// Says which vertices of the file the first ones are, and which faces all were part of.
     pub(super) fn renumber(&mut self, vertices: Vec<u32>, faces: Vec<u32>) {
-        self.renumbered = Some([vertices, faces]);
+        self.renumbered = Some([vertices, faces].map(Renumbered::new));
     }
 
     /// A column that is true in the first `count` slots.
@@ -130,7 +164,7 @@ impl MeshFile {
     pub fn vertex_number(&self, v: VertexId) -> Option<u32> {
         let place = self.vertex_place(v)?;
         match &self.renumbered {
-            Some([vertices, _]) => vertices.get(place).map(|place| place + 1),
+            Some([vertices, _]) => vertices.number(place),
             None => Some(place as u32 + 1),
         }
     }
@@ -139,7 +173,7 @@ impl MeshFile {
     pub fn face_number(&self, f: FaceId) -> Option<u32> {
         let place = self.face_place(f)?;
         match &self.renumbered {
-            Some([_, faces]) => faces.get(place).map(|place| place + 1),
+            Some([_, faces]) => faces.number(place),
             None => Some(place as u32 + 1),
         }
     }
@@ -152,7 +186,7 @@ impl MeshFile {
         }
         let place = number.checked_sub(1)?;
         let v = VertexId(match &self.renumbered {
-            Some([vertices, _]) => vertices.binary_search(&place).ok()? as u32,
+            Some([vertices, _]) => vertices.slot(place)?,
             None => place,
         });
         (self.vertex_number(v)? == number).then_some(v)
@@ -170,7 +204,7 @@ impl MeshFile {
         }
         let place = number.checked_sub(1)?;
         let f = FaceId(match &self.renumbered {
-            Some([_, faces]) => faces.partition_point(|&other| other < place) as u32,
+            Some([_, faces]) => faces.slot(place)?,
             None => place,
         });
         (self.face_number(f)? == number).then_some(f)
@@ -220,11 +254,17 @@ impl MeshFile {
     /// The numbers in the file as it would be written now: what came from a file first,
     /// in its old order, then what is new. Holes have none.
     pub fn written_numbers(&self) -> WrittenNumbers {
-        let (old, new): (Vec<_>, Vec<_>) =
+        let (mut old, new): (Vec<_>, Vec<_>) =
             self.mesh.vertices().partition(|&v| self.vertex_place(v).is_some());
+        if let Some([Renumbered { in_order: Some(_), .. }, _]) = self.renumbered {
+            old.sort_by_cached_key(|&v| self.vertex_number(v).unwrap_or(MISSING));
+        }
         let vertex_order: Vec<VertexId> = old.into_iter().chain(new).collect();
         let faces = self.mesh.faces().filter(|&f| !self.mesh.is_hole(f));
-        let (old, new): (Vec<_>, Vec<_>) = faces.partition(|&f| self.face_place(f).is_some());
+        let (mut old, new): (Vec<_>, Vec<_>) = faces.partition(|&f| self.face_place(f).is_some());
+        if let Some([_, Renumbered { in_order: Some(_), .. }]) = self.renumbered {
+            old.sort_by_cached_key(|&f| self.face_number(f).unwrap_or(MISSING));
+        }
         let face_order: Vec<FaceId> = old.into_iter().chain(new).collect();
         let mut vertices = vec![MISSING; self.mesh.capacity(ElementKind::Vertex)];
         for (number, v) in (1..).zip(&vertex_order) {

@@ -41,6 +41,6 @@ pub use error::{FileError, FileFaultKind, FileFaults, FileReason};
 pub use format::{Encoding, FileFormat, MshVersion};
 pub use materials::Material;
 pub use mesh_file::{MeshFile, WrittenNumbers};
-pub use read::{read_mesh, read_mesh_from};
+pub use read::{read_mesh, read_mesh_from, read_mesh_reordered};
 pub use replace::{expect_writable, replace_file};
 pub use write::{write_mesh, write_mesh_to};

@@ -16,11 +16,26 @@ use crate::mesh::validate::validate;
 /// # Errors
 /// Where the file cannot be read, is not of its format, or is no mesh.
 pub fn read_mesh(path: &Path, repair: Option<Repair>) -> Result<MeshFile, FileError> {
+    read_path(path, repair, false)
+}
+
+/// As [`read_mesh`], with the elements of the mesh in an order in which neighbors stand near each
+/// other in memory: long work on a large mesh takes less time, up to half of it where the file has
+/// no such order. Vertices follow a Hilbert curve. They and the faces are written in the order of the
+/// file, and have its numbers in [`MeshFile::vertex_number`]. A file of tables keeps its order.
+///
+/// # Errors
+/// As [`read_mesh`].
+pub fn read_mesh_reordered(path: &Path, repair: Option<Repair>) -> Result<MeshFile, FileError> {
+    read_path(path, repair, true)
+}
+
+fn read_path(path: &Path, repair: Option<Repair>, reorder: bool) -> Result<MeshFile, FileError> {
     let name = path.display().to_string();
     let failed = |reason| FileError { file: name.clone(), line: None, reason };
     let format = FileFormat::of(path).map_err(failed)?;
     let text = std::fs::read(path).map_err(|error| failed(FileReason::Io(error)))?;
-    let mut file = read_mesh_from(&name, format, &text, repair)?;
+    let mut file = read_text(&name, (format, &text), repair, reorder)?;
     file.folder = path.parent().map(Path::to_owned);
     Ok(file)
 }
@@ -35,6 +50,15 @@ pub fn read_mesh_from(
     text: &[u8],
     repair: Option<Repair>,
 ) -> Result<MeshFile, FileError> {
+    read_text(name, (format, text), repair, false)
+}
+
+fn read_text(
+    name: &str,
+    (format, text): (FileFormat, &[u8]),
+    repair: Option<Repair>,
+    reorder: bool,
+) -> Result<MeshFile, FileError> {
     let decoded = decode(format, text);
     let text = decoded.as_deref().unwrap_or(text);
     let read = match format {
@@ -45,7 +69,8 @@ pub fn read_mesh_from(
         FileFormat::Msh => msh::read(text),
         FileFormat::Halfedges => return read_tables(text).map_err(|reason| error(name, reason)),
     };
-    read.and_then(|contents| contents.build(repair)).map_err(|failure| error(name, failure))
+    read.and_then(|contents| contents.build(repair, reorder))
+        .map_err(|failure| error(name, failure))
 }
 
 /// A text of 16 bits a letter in UTF-8, if it is one: some programs write such files.
