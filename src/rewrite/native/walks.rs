@@ -14,6 +14,10 @@ use crate::mesh::ElementKind;
 use crate::mesh::tables::FACE_HOLE;
 use crate::rewrite::{ElementField, HalfedgeField, Question, Reg};
 
+/// The steps, each way, after which a stub looks whether two vertices are adjacent: it begins at
+/// their own halfedges, near which what was written last is more often found.
+const FEW_STEPS: i64 = 8;
+
 /// Where a table begins, its length, and the bytes of a record.
 #[derive(Clone, Copy)]
 struct Rows {
@@ -133,7 +137,7 @@ impl Translator<'_, '_> {
         self.b.switch_to_block(head);
         let here = self.b.use_var(at);
         let next = match of {
-            ElementField::Vertex => self.turn_around(walk, here).1,
+            ElementField::Vertex => self.turn_on(walk, here).1,
             _ => {
                 let record = self.row(halfedges, here, slow);
                 self.leads(record, HalfedgeField::Next)
@@ -180,7 +184,7 @@ impl Translator<'_, '_> {
         let hole = self.is_in_hole(faces, record, slow);
         self.b.ins().brif(hole, done, &[], step, &[]);
         self.b.switch_to_block(step);
-        let (_, spoke) = self.turn_around(walk, here);
+        let (_, spoke) = self.turn_on(walk, here);
         self.b.def_var(at, spoke);
         let is_back = self.b.ins().icmp(IntCC::Equal, spoke, start);
         self.b.ins().brif(is_back, done, &[], next, &[]);
@@ -194,14 +198,17 @@ impl Translator<'_, '_> {
         hole
     }
 
-    /// Walks around both vertices in step, so that the smaller number of neighbors counts.
+    /// Walks around both vertices in step, each both ways: so the smaller number of neighbors counts,
+    /// and four walks wait for memory together. Where both have many, a stub goes on.
     fn adjacent(&mut self, walk: Walk, vertices: [Reg; 2]) -> Value {
         let starts = vertices.map(|vertex| self.first_of(ElementField::Vertex, vertex));
         let goals = [vertices[1], vertices[0]].map(|vertex| self.id(vertex));
         let at = starts.map(|start| {
-            let at = self.b.declare_var(I64);
-            self.b.def_var(at, start);
-            at
+            [(); 2].map(|()| {
+                let at = self.b.declare_var(I64);
+                self.b.def_var(at, start);
+                at
+            })
         });
         let (count, answer) = (self.b.declare_var(I64), self.b.declare_var(I64));
         let (zero, one) = (self.b.ins().iconst(I64, 0), self.b.ins().iconst(I64, 1));
@@ -210,24 +217,29 @@ impl Translator<'_, '_> {
         let [head, apart, next, done] = [(); 4].map(|()| self.b.create_block());
         self.b.ins().jump(head, &[]);
         self.b.switch_to_block(head);
-        let is_back = [0, 1].map(|side| {
-            let here = self.b.use_var(at[side]);
-            let (neighbor, spoke) = self.turn_around(walk, here);
-            let meets = self.b.ins().icmp(IntCC::Equal, neighbor, goals[side]);
+        let have_met = [0, 1].map(|side| {
+            let [ahead, behind] = at[side].map(|at| self.b.use_var(at));
+            let (neighbor, onward) = self.turn_on(walk, ahead);
+            let (other, back) = self.turn_back(walk, behind);
+            let goal = goals[side];
+            let is_goal = [neighbor, other].map(|one| self.b.ins().icmp(IntCC::Equal, one, goal));
+            let is_goal = self.b.ins().bor(is_goal[0], is_goal[1]);
             let goes_on = self.b.create_block();
-            self.b.ins().brif(meets, done, &[], goes_on, &[]);
+            self.b.ins().brif(is_goal, done, &[], goes_on, &[]);
             self.b.switch_to_block(goes_on);
-            self.b.def_var(at[side], spoke);
-            self.b.ins().icmp(IntCC::Equal, spoke, starts[side])
+            self.b.def_var(at[side][0], onward);
+            self.b.def_var(at[side][1], back);
+            let have_met = [behind, back].map(|one| self.b.ins().icmp(IntCC::Equal, onward, one));
+            self.b.ins().bor(have_met[0], have_met[1])
         });
-        let either = self.b.ins().bor(is_back[0], is_back[1]);
+        let either = self.b.ins().bor(have_met[0], have_met[1]);
         self.b.ins().brif(either, apart, &[], next, &[]);
         self.b.switch_to_block(next);
         let walked = self.b.use_var(count);
         let walked = self.b.ins().iadd_imm_s(walked, 1);
         self.b.def_var(count, walked);
-        let goes_on = self.b.ins().icmp(IntCC::UnsignedLessThan, walked, walk.halfedges.count);
-        self.b.ins().brif(goes_on, head, &[], walk.slow, &[]);
+        let few = self.b.ins().icmp_imm_u(IntCC::UnsignedLessThan, walked, FEW_STEPS);
+        self.b.ins().brif(few, head, &[], walk.slow, &[]);
         self.b.switch_to_block(apart);
         self.b.def_var(answer, zero);
         self.b.ins().jump(done, &[]);
@@ -235,13 +247,23 @@ impl Translator<'_, '_> {
         self.b.use_var(answer)
     }
 
-    /// The spoke after one, and the vertex where it ends.
-    fn turn_around(&mut self, walk: Walk, spoke: Value) -> (Value, Value) {
+    /// The vertex where the spoke after one ends, and that spoke.
+    fn turn_on(&mut self, walk: Walk, spoke: Value) -> (Value, Value) {
         let Walk { halfedges, slow } = walk;
         let record = self.row(halfedges, spoke, slow);
         let before = self.leads(record, HalfedgeField::Prev);
         let before = self.row(halfedges, before, slow);
         let neighbor = self.leads(before, HalfedgeField::Vertex);
         (neighbor, self.leads(before, HalfedgeField::Twin))
+    }
+
+    /// The vertex where a spoke ends, and the spoke before it.
+    fn turn_back(&mut self, walk: Walk, spoke: Value) -> (Value, Value) {
+        let Walk { halfedges, slow } = walk;
+        let record = self.row(halfedges, spoke, slow);
+        let twin = self.leads(record, HalfedgeField::Twin);
+        let twin = self.row(halfedges, twin, slow);
+        let neighbor = self.leads(twin, HalfedgeField::Vertex);
+        (neighbor, self.leads(twin, HalfedgeField::Next))
     }
 }
