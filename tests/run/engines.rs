@@ -360,6 +360,75 @@ fn calls_do_the_same_on_both() {
     assert!(ended > 10 && failed > 10, "{ended} {failed}");
 }
 
+/// Whether vertices are adjacent is found by walks from halfedges at hand, also where both have many
+/// neighbors.
+#[test]
+fn adjacency_is_the_same_on_both() {
+    let text = "script main() {
+          for h in halfedges {
+            for k in halfedges {
+              if adjacent(h.vertex, k.target) { print h, k, degree(k.target) }
+            }
+          }
+          for v in vertices { print count(adjacent(v, w) for w in vertices) }
+        }";
+    let analysis = analyse("adjacent.hedge", text);
+    assert!(analysis.is_sound(), "{:#?}", analysis.diagnostics);
+    let script = analysis.script("main").expect("it is there");
+    let prepared = prepare(&analysis.program, script, &analysis.plans).expect("it is small");
+    let hubs = [shape::fan(40), shape::pillow(40), two_hubs(25), two_hubs(3)];
+    for original in meshes().into_iter().chain(hubs) {
+        let mut mesh = original.clone();
+        let (report, lines) = run_on_both(&prepared, &mut mesh, &[], Engine::NativeAtOnce);
+        report.expect("it comes to its end");
+        let found = lines.iter().filter(|line| line.contains(' ')).count();
+        let expected = |h| {
+            let of = |k| mesh.adjacent(mesh.vertex(h), mesh.target(k));
+            mesh.halfedges().filter(|&k| of(k)).count()
+        };
+        assert_eq!(found, mesh.halfedges().map(expected).sum::<usize>());
+    }
+}
+
+/// Two vertices that are not adjacent, with so many neighbors, which are the same.
+fn two_hubs(neighbors: u32) -> Mesh {
+    let around = (0..neighbors).map(|i| [2 + i, 2 + (i + 1) % neighbors]);
+    let faces = around.flat_map(|[v, w]| [[0, v, w], [1, w, v]]);
+    let at = |i: u32| [f64::from(i).sin(), f64::from(i).cos(), f64::from(i % 3)];
+    let positions: Vec<[f64; 3]> = (0..neighbors + 2).map(at).collect();
+    Mesh::from_triangles(&positions, &faces.collect::<Vec<_>>()).expect("it is a mesh")
+}
+
+/// To ask whether an operation in steps would apply takes the steps, and undoes them: the tables may
+/// have moved behind it.
+#[test]
+fn tables_move_where_steps_are_only_asked_for() {
+    let text = "use \"std/triangle.hedge\"
+        op twice(e: edge) -> vertex {
+          guard simple
+          steps { let m = must split(e) return must split(m.halfedge.edge) }
+        }
+        script main() {
+          var sum = 0.0
+          var many = 0
+          for v in vertices {
+            sum = sum + v.position.x
+            if can twice(v.halfedge.edge) { many = many + 1 }
+            sum = sum + v.halfedge.target.position.y + v.halfedge.prev.vertex.position.z
+          }
+          print sum, many
+        }";
+    let analysis = analyse("asked.hedge", text);
+    assert!(analysis.is_sound(), "{:#?}", analysis.diagnostics);
+    let script = analysis.script("main").expect("it is there");
+    let prepared = prepare(&analysis.program, script, &analysis.plans).expect("it is small");
+    // Tables that the system gives back when they move.
+    let mut mesh = shape::triangle_torus(80, 80);
+    let (report, lines) = run_on_both(&prepared, &mut mesh, &[], Engine::NativeAtOnce);
+    report.expect("it comes to its end");
+    assert!(lines[0].ends_with("6400"), "{lines:?}");
+}
+
 /// What functions write is noted, also where they were compiled when nobody wanted to know.
 #[test]
 fn writes_are_noted_whatever_was_compiled_before() {

@@ -14,7 +14,9 @@
 //!   tested in this call; tables do not become shorter while code runs that uses such a number.
 //!   Nothing depends on a proof or on the mesh being valid.
 //! * What native code is not given, the machine does, in safe code. After each such call the
-//!   addresses of window and tables are taken anew, since they may have moved.
+//!   addresses of window and tables are taken anew, since they may have moved. Those of tables are
+//!   kept in code that adds no element, nor calls or asks what does ([`operands::Surroundings::may_add`]):
+//!   nothing else moves them.
 //! * A place in a buffer is tested against its length before it is read. The slots of a buffer are
 //!   looked for anew after each instruction that may have changed it; others than those of the code
 //!   that names it leave it alone.

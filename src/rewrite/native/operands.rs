@@ -90,6 +90,8 @@ impl Surroundings<'_> {
                         }
                     }
                     Inst::Apply { op, .. } if self.op_may_add(op) => return true,
+                    // One in steps is taken, and undone.
+                    Inst::Try { op, .. } if self.is_in_steps(op) => return true,
                     _ if adds(inst) => return true,
                     _ => {}
                 }
@@ -99,11 +101,17 @@ impl Surroundings<'_> {
     }
 
     fn op_may_add(&self, op: u16) -> bool {
-        let Some(Some(plan)) = self.plans.get(usize::from(op)) else {
-            return true;
-        };
-        let any_adds = |code: &&Code| code.insts.iter().any(adds);
-        plan.steps.is_some() || plan.code.with_called().iter().any(any_adds)
+        let may_add =
+            |inst: &Inst| adds(inst) || matches!(inst, Inst::Apply { .. } | Inst::Try { .. });
+        let any_adds = |code: &&Code| code.insts.iter().any(may_add);
+        let plan = self.plans.get(usize::from(op)).and_then(Option::as_ref);
+        self.is_in_steps(op)
+            || plan.is_some_and(|plan| plan.code.with_called().iter().any(any_adds))
+    }
+
+    fn is_in_steps(&self, op: u16) -> bool {
+        let plan = self.plans.get(usize::from(op)).and_then(Option::as_ref);
+        plan.is_none_or(|plan| plan.steps.is_some())
     }
 
     /// The kind of the elements that have an attribute.
