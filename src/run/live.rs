@@ -82,8 +82,7 @@ impl Liveness<'_> {
                 self.reading([count], self.at_head(&[], body, exits))
             }
             StatementKind::While { condition, body } => self.at_head(&[condition], body, exits),
-            StatementKind::For { variable, collection, filter, body, .. }
-            | StatementKind::Update { variable, collection, filter, body } => {
+            StatementKind::For { variable, collection, filter, body, .. } => {
                 let filter: Vec<&Expr> = filter.iter().collect();
                 let live = self.at_head(&filter, body, exits);
                 self.reading(collection.base(), without(live, *variable))
@@ -98,7 +97,7 @@ impl Liveness<'_> {
                 let live = union(live, &self.before_block(otherwise, exits));
                 self.reading([condition], live)
             }
-            StatementKind::IfApply { args, variable, then, otherwise, .. } => {
+            StatementKind::Apply { args, variable, then, otherwise, .. } => {
                 let mut live = self.before_block(then, exits);
                 if let Some(variable) = variable {
                     live.remove(variable);
@@ -111,7 +110,6 @@ impl Liveness<'_> {
             StatementKind::Continue => exits.continued.clone(),
             StatementKind::Return(value) => self.reading(value, Live::new()),
             StatementKind::Write { .. }
-            | StatementKind::Apply { .. }
             | StatementKind::AssertRefuses { .. }
             | StatementKind::Call { .. }
             | StatementKind::Print(_)
@@ -197,7 +195,6 @@ pub(super) fn calls(statement: &Statement) -> bool {
     statement.each(&mut |statement| {
         calls |= match &statement.kind {
             StatementKind::Apply { .. }
-            | StatementKind::IfApply { .. }
             | StatementKind::AssertRefuses { .. }
             | StatementKind::Call { .. } => true,
             StatementKind::Set { value, .. } | StatementKind::Return(Some(value)) => {

@@ -10,9 +10,9 @@ use super::super::names::Names;
 use super::super::routine;
 use super::super::term::{Parameter, Term};
 use super::comments::comments;
-use super::effects::AllEffects;
 use crate::diagram::{Access, Collection, Expr, ExprKind, Type};
-use crate::resolve::{Block, Body, Program, Statement, StatementKind};
+use crate::lower::{AllEffects, Variables};
+use crate::resolve::{Block, Body, Program, Statement, StatementKind, Visit};
 use crate::source::{Sources, Span};
 
 /// The block that the statements stand in.
@@ -45,10 +45,9 @@ pub(super) struct Writer<'s> {
     body: &'s Body,
     pub(super) names: &'s mut Names,
     ending: Ending,
-    /// The variables that there are so far, those that change, and those that are read.
+    /// The variables that there are so far.
     bound: BTreeSet<u32>,
-    changing: BTreeSet<u32>,
-    read: BTreeSet<u32>,
+    variables: Variables,
     /// The assignments that an `update` puts off.
     held: Vec<(Access, Held)>,
     /// The operations that are called.
@@ -66,32 +65,13 @@ impl<'s> Writer<'s> {
         ending: Ending,
         names: &'s mut Names,
     ) -> Self {
-        let (mut set, mut changing) = (BTreeSet::new(), BTreeSet::new());
-        let mut read = BTreeSet::new();
-        let mut note = |statement: &Statement| {
-            if let StatementKind::Set { variable, .. }
-            | StatementKind::IfApply { variable: Some(variable), .. } = statement.kind
-                && !set.insert(variable)
-            {
-                changing.insert(variable);
-            }
-            statement.values(&mut |value| {
-                value.each(&mut |part| {
-                    if let ExprKind::Local(variable) = part.kind {
-                        read.insert(variable);
-                    }
-                });
-            });
-        };
-        body.block.iter().for_each(|statement| statement.each(&mut note));
         Self {
             known,
             body,
             names,
             ending,
             bound: (0..params as u32).collect(),
-            changing,
-            read,
+            variables: Variables::of(&body.block),
             held: Vec::new(),
             ops: BTreeSet::new(),
             functions: BTreeSet::new(),
@@ -169,11 +149,23 @@ impl<'s> Writer<'s> {
             StatementKind::While { condition, body } => {
                 Action::While { condition: self.term(condition)?, body: self.block(body)? }
             }
-            StatementKind::For { shuffled: true, .. } => {
+            StatementKind::For { visit: Visit::Shuffled, .. } => {
                 return Err(NotEmitted::new("a random order", span));
             }
-            StatementKind::For { variable, collection, filter, body, .. } => {
-                self.visit((*variable, collection), filter.as_ref(), body, span)?
+            StatementKind::For { variable, collection, filter, body, visit } => {
+                let outer = self.names.mark();
+                if *visit == Visit::Update {
+                    self.held = self.written_in(body);
+                }
+                let action = self.visit((*variable, collection), filter.as_ref(), body, span)?;
+                let held = std::mem::take(&mut self.held).into_iter().map(|(_, held)| held);
+                self.names.back_to(outer);
+                match visit {
+                    Visit::Update => {
+                        Action::Update { visit: Box::new(action), held: held.collect() }
+                    }
+                    _ => action,
+                }
             }
             StatementKind::If { condition, then, otherwise }
                 if self.ending == Ending::Value
@@ -193,29 +185,26 @@ impl<'s> Writer<'s> {
                 then: self.block(then)?,
                 otherwise: self.block(otherwise)?,
             },
-            StatementKind::Apply { op, args, must } => {
+            StatementKind::Apply { op, args, variable, then, otherwise } => {
                 let call = self.operation(*op, args, out)?;
-                match must {
-                    true => Action::Must { call, place: None },
-                    false => Action::May { call },
-                }
-            }
-            StatementKind::IfApply { op, args, variable, then, otherwise } => {
-                let call = self.operation(*op, args, out)?;
-                if let [only] = otherwise.as_slice()
-                    && matches!(only.kind, StatementKind::Refused { .. })
-                    && then.is_empty()
-                {
-                    let place = variable.and_then(|variable| self.place(variable));
-                    Action::Must { call, place }
-                } else {
-                    let outer = self.names.mark();
-                    let place = variable
-                        .filter(|variable| self.read.contains(variable))
-                        .map(|variable| self.bind(variable));
-                    let then = self.block(then)?;
-                    self.names.back_to(outer);
-                    Action::Apply { call, place, then, otherwise: self.block(otherwise)? }
+                match (then.as_slice(), otherwise.as_slice()) {
+                    ([], []) => Action::May { call },
+                    (_, [Statement { kind: StatementKind::Refused { .. }, .. }]) => {
+                        let place = variable.and_then(|variable| self.place(variable));
+                        out.push(routine::Statement::Action(Action::Must { call, place }));
+                        return then
+                            .iter()
+                            .try_for_each(|statement| self.statement(statement, out));
+                    }
+                    _ => {
+                        let outer = self.names.mark();
+                        let place = variable
+                            .filter(|&variable| self.variables.reads(variable))
+                            .map(|variable| self.bind(variable));
+                        let then = self.block(then)?;
+                        self.names.back_to(outer);
+                        Action::Apply { call, place, then, otherwise: self.block(otherwise)? }
+                    }
                 }
             }
             StatementKind::Require { condition, reason } => {
@@ -241,16 +230,6 @@ impl<'s> Writer<'s> {
                 }
                 let call = self.function(*function, args, out)?;
                 Action::Must { call, place: None }
-            }
-            StatementKind::Update { variable, collection, filter, body } => {
-                let outer = self.names.mark();
-                self.held = self.written_in(body);
-                let held: Vec<_> = self.held.iter().map(|(_, held)| held.clone()).collect();
-                let visit = self.visit((*variable, collection), filter.as_ref(), body, span)?;
-                self.held.clear();
-                self.names.back_to(outer);
-                let visit = Box::new(visit);
-                Action::Update { visit, held }
             }
             StatementKind::Drain { .. } => return Err(NotEmitted::new("a `drain`", span)),
             StatementKind::Print(_) => return Err(NotEmitted::new("a `print`", span)),
@@ -301,7 +280,7 @@ impl<'s> Writer<'s> {
 
     /// The target of the value of a variable; none for one that nobody reads.
     fn place(&mut self, variable: u32) -> Option<Target> {
-        if !self.read.contains(&variable) {
+        if !self.variables.reads(variable) {
             return None;
         }
         if self.bound.contains(&variable) {
@@ -311,9 +290,9 @@ impl<'s> Writer<'s> {
             return Some(Target { name, ty, form });
         }
         let Parameter { name, ty, .. } = self.bind(variable);
-        let form = match self.changing.contains(&variable) {
-            true => Form::Changing,
-            false => Form::Fixed,
+        let form = match self.variables.sets(variable) {
+            0 | 1 => Form::Fixed,
+            _ => Form::Changing,
         };
         Some(Target { name, ty, form })
     }

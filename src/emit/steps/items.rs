@@ -13,9 +13,9 @@ use super::super::routine::{Helper, Routine, Statement, without_unread};
 use super::super::selection::Selection;
 use super::super::term::Parameter;
 use super::body::{Ending, Surroundings, Writer};
-use super::effects::AllEffects;
 use super::journal::journaled;
 use crate::diagram::Param;
+use crate::lower::AllEffects;
 use crate::resolve::Body;
 use crate::source::Span;
 
@@ -44,7 +44,7 @@ pub(in crate::emit) fn items(
     selection: &Selection<'_>,
     conventions: Conventions<'_>,
 ) -> Result<Items, NotEmitted> {
-    let effects = AllEffects::of(selection);
+    let effects = AllEffects::of(selection.program, selection.proved);
     let (op_names, function_names) = called(selection, effects.ops.len(), conventions.kept);
     let values = effects.functions.iter().zip(&selection.program.functions);
     let values = values.zip(&function_names).map(|((effects, function), name)| {
