@@ -19,7 +19,7 @@ mod effects;
 mod variables;
 
 pub use effects::{AllEffects, Effects};
-pub use guard::{Guard, GuardCondition, GuardTest, PreviewReads, Question, StarWalk};
+pub use guard::{Guard, GuardTest, PreviewReads, Question, StarWalk};
 pub use hoist::{Hoisted, hoist};
 pub use matching::{Begin, EmptyPath, Matching, Step, Test, Tries, Walk, WalkTest};
 pub use operation::{Condition, Element, Operation, Value};

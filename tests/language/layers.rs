@@ -17,7 +17,7 @@ const LAYERS: &[(&str, &[&str])] = &[
     ("rewrite", &["mesh", "source"]),
     ("syntax", &["source", "diagnostic"]),
     ("check", &["source", "diagnostic", "diagram", "mesh"]),
-    ("lower", &["source", "diagram", "check", "resolve"]),
+    ("lower", &["source", "mesh", "diagram", "check", "resolve"]),
     ("compile", &["source", "mesh", "diagram", "check", "lower", "rewrite"]),
     ("draw", &["source", "diagram", "mesh"]),
     ("emit", &["source", "diagnostic", "diagram", "check", "lower", "resolve"]),
