@@ -2,7 +2,7 @@
 //! each element of an aggregate. They are computed before, and get names; else `centroid(f)`
 //! would go around the face at each of its corners.
 
-use crate::diagram::{Binary, Builtin, Expr, ExprKind, FoldFunction, Rule};
+use crate::diagram::{Binary, Expr, ExprKind, FoldFunction, Rule};
 
 /// A value that is taken apart.
 #[derive(Clone, Debug)]
@@ -100,11 +100,10 @@ impl<'e> Finder<'e> {
             ExprKind::Element(name) => self.rule.is_some_and(|rule| rule.is_member(*name)),
             ExprKind::Local(variable) => self.bound.contains(variable),
             ExprKind::Invoke(..) => self.random_calls,
-            ExprKind::Member(..)
-            | ExprKind::Let(..)
-            | ExprKind::Try(..)
-            | ExprKind::Text(_)
-            | ExprKind::Call(Builtin::Random | Builtin::RandomInt, _) => true,
+            ExprKind::Member(..) | ExprKind::Let(..) | ExprKind::Try(..) | ExprKind::Text(_) => {
+                true
+            }
+            ExprKind::Call(builtin, _) => builtin.is_random(),
             _ => false,
         }
     }

@@ -5,7 +5,7 @@ use super::fold::fold;
 use super::operator::{binary, unary};
 use super::pointer::{first, load};
 use super::{Scope, width};
-use crate::diagram::{Access, Builtin, Expr, ExprKind, Pointer, Type};
+use crate::diagram::{Access, Expr, ExprKind, Pointer, Type};
 use crate::rewrite::{Assembler, ElementField, HalfedgeField, Inst, Reg};
 
 /// Appends the code of an expression; its value is in the register, or the three from it
@@ -78,12 +78,6 @@ pub fn lower_into(asm: &mut Assembler, scope: &mut dyn Scope, expr: &Expr, to: R
         }
         ExprKind::Binary(operator, left, right) => {
             binary(asm, scope, expr.span, *operator, [left, right], to);
-        }
-        ExprKind::Call(Builtin::Random, _) => asm.emit(Inst::Random { to }),
-        ExprKind::Call(Builtin::RandomInt, args) if let [below] = args.as_slice() => {
-            let below = lower(asm, scope, below);
-            let place = scope.place(expr.span);
-            asm.trap_at(place, Inst::RandomInt { to, below });
         }
         ExprKind::Call(builtin, args) => {
             let of = args.first().map_or(expr.ty, |first| first.ty);
