@@ -3,7 +3,6 @@
 use std::collections::BTreeSet;
 
 use super::NotEmitted;
-use super::action::Action;
 use super::conventions::Conventions;
 use super::expression::{Expressions, is_spelled, is_surely_finite, parameters};
 use super::guard;
@@ -70,7 +69,7 @@ pub(super) fn routine(
 pub(super) fn columns(names: &Names, seen: BTreeSet<u32>) -> Vec<Statement> {
     let used = names.used_attributes().cloned().map(Statement::Column);
     let seen = seen.into_iter().filter_map(|it| names.unused_attribute(it));
-    let asked = seen.map(|attribute| Statement::Action(Action::Ask(attribute.clone())));
+    let asked = seen.map(|attribute| Statement::Ask(attribute.clone()));
     used.chain(asked).collect()
 }
 

@@ -2,7 +2,6 @@
 
 use std::collections::BTreeSet;
 
-use super::super::action::Action;
 use super::super::conventions::Conventions;
 use super::super::language::{Level, spell};
 use super::super::lines::{Lines, comment};
@@ -13,7 +12,6 @@ use super::super::term::{Attribute, Parameter, Term};
 use super::super::{NotEmitted, Selection};
 use super::style::Style;
 use super::support;
-use super::types::types;
 use crate::diagram::Type;
 use crate::source::Span;
 
@@ -196,7 +194,7 @@ impl Printer<'_> {
         let (result, name) = (result.unwrap_or("void".into()), invoked(&helper.name));
         self.lines.open(&format!("inline {result} {name}({params}) {{"));
         match helper.body.split_last() {
-            Some((Statement::Action(Action::Leave), others)) => self.block(others),
+            Some((Statement::Leave, others)) => self.block(others),
             _ => self.block(&helper.body),
         }
         self.lines.close("}");
@@ -251,7 +249,7 @@ impl Printer<'_> {
         let several = routine.result.filter(|_| routine.rules.len() > 1);
         let mut seen: Vec<_> = several.into_iter().collect();
         for rule in &routine.rules {
-            types(&rule.body, &mut |ty| seen.push(ty));
+            rule.body.iter().for_each(|statement| statement.types(&mut |ty| seen.push(ty)));
         }
         self.head(
             Head {

@@ -223,7 +223,7 @@ impl Printer {
             Some((Statement::Return { result }, rest)) => (Some(result), rest),
             _ => (None, body),
         };
-        self.block(rest, routine.result.is_some());
+        self.block(rest);
         match result {
             Some(Some(result)) => {
                 let result = self.text(result);

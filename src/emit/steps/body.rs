@@ -3,12 +3,12 @@
 use std::collections::BTreeSet;
 
 use super::super::NotEmitted;
-use super::super::action::{Action, Form, Held, Target};
 use super::super::conventions::Conventions;
 use super::super::expression::{Expressions, around, is_spelled, is_surely_finite};
 use super::super::names::Names;
 use super::super::routine;
 use super::super::term::{Parameter, Term};
+use super::super::whole::{Form, Held, Target};
 use super::comments::comments;
 use crate::diagram::{Access, Collection, Expr, ExprKind, Type};
 use crate::lower::{AllEffects, Variables};
@@ -93,7 +93,7 @@ impl<'s> Writer<'s> {
                 written.push(routine::Statement::Return { result: None });
             }
             Ending::Nothing if !leaves => {
-                written.push(routine::Statement::Action(Action::Leave));
+                written.push(routine::Statement::Leave);
             }
             _ => {}
         }
@@ -144,11 +144,12 @@ impl<'s> Writer<'s> {
                 let index = self.names.fresh("i");
                 let body = self.block(body)?;
                 self.names.back_to(outer);
-                Action::Repeat { index, count, body }
+                routine::Statement::Repeat { index, count, body }
             }
-            StatementKind::While { condition, body } => {
-                Action::While { condition: self.term(condition)?, body: self.block(body)? }
-            }
+            StatementKind::While { condition, body } => routine::Statement::While {
+                condition: self.term(condition)?,
+                body: self.block(body)?,
+            },
             StatementKind::For { visit: Visit::Shuffled, .. } => {
                 return Err(NotEmitted::new("a random order", span));
             }
@@ -162,7 +163,7 @@ impl<'s> Writer<'s> {
                 self.names.back_to(outer);
                 match visit {
                     Visit::Update => {
-                        Action::Update { visit: Box::new(action), held: held.collect() }
+                        routine::Statement::Update { visit: Box::new(action), held: held.collect() }
                     }
                     _ => action,
                 }
@@ -180,7 +181,7 @@ impl<'s> Writer<'s> {
                 let chosen = Expr { ty: then.ty, span, kind };
                 return self.leave(Some(&chosen), out);
             }
-            StatementKind::If { condition, then, otherwise } => Action::Choose {
+            StatementKind::If { condition, then, otherwise } => routine::Statement::Choose {
                 condition: self.term(condition)?,
                 then: self.block(then)?,
                 otherwise: self.block(otherwise)?,
@@ -188,10 +189,10 @@ impl<'s> Writer<'s> {
             StatementKind::Apply { op, args, variable, then, otherwise } => {
                 let call = self.operation(*op, args, out)?;
                 match (then.as_slice(), otherwise.as_slice()) {
-                    ([], []) => Action::May { call },
+                    ([], []) => routine::Statement::May { call },
                     (_, [Statement { kind: StatementKind::Refused { .. }, .. }]) => {
                         let place = variable.and_then(|variable| self.place(variable));
-                        out.push(routine::Statement::Action(Action::Must { call, place }));
+                        out.push(routine::Statement::Must { call, place });
                         return then
                             .iter()
                             .try_for_each(|statement| self.statement(statement, out));
@@ -203,7 +204,12 @@ impl<'s> Writer<'s> {
                             .map(|variable| self.bind(variable));
                         let then = self.block(then)?;
                         self.names.back_to(outer);
-                        Action::Apply { call, place, then, otherwise: self.block(otherwise)? }
+                        routine::Statement::Apply {
+                            call,
+                            place,
+                            then,
+                            otherwise: self.block(otherwise)?,
+                        }
                     }
                 }
             }
@@ -214,8 +220,8 @@ impl<'s> Writer<'s> {
                 });
                 return Ok(());
             }
-            StatementKind::Break => Action::Break,
-            StatementKind::Continue => Action::Continue,
+            StatementKind::Break => routine::Statement::Break,
+            StatementKind::Continue => routine::Statement::Continue,
             StatementKind::Return(value) => return self.leave(value.as_ref(), out),
             StatementKind::Call { function, .. }
                 if *function as usize >= self.known.program.functions.len() =>
@@ -229,7 +235,7 @@ impl<'s> Writer<'s> {
                     return Ok(());
                 }
                 let call = self.function(*function, args, out)?;
-                Action::Must { call, place: None }
+                routine::Statement::Must { call, place: None }
             }
             StatementKind::Drain { .. } => return Err(NotEmitted::new("a `drain`", span)),
             StatementKind::Print(_) => return Err(NotEmitted::new("a `print`", span)),
@@ -241,7 +247,7 @@ impl<'s> Writer<'s> {
                 return Err(NotEmitted::new("a statement of a test", span));
             }
         };
-        out.push(routine::Statement::Action(action));
+        out.push(action);
         Ok(())
     }
 
@@ -306,7 +312,7 @@ impl<'s> Writer<'s> {
         if let Some((function, args)) = self.changing_call(value) {
             let call = self.function(function, args, out)?;
             let place = self.place(variable);
-            out.push(routine::Statement::Action(Action::Must { call, place }));
+            out.push(routine::Statement::Must { call, place });
             return Ok(());
         }
         // The value knows nothing of a variable that is new.
@@ -317,7 +323,7 @@ impl<'s> Writer<'s> {
                 out.push(routine::Statement::Change { name, value })
             }
             Some(place) => {
-                out.push(routine::Statement::Action(Action::Variable { place, value }));
+                out.push(routine::Statement::Variable { place, value });
             }
         }
         Ok(())
@@ -364,15 +370,13 @@ impl<'s> Writer<'s> {
         let value = self.term(value)?;
         if let Some((_, held)) = self.held.iter().find(|(of, _)| *of == attribute) {
             let list = held.list.clone();
-            out.push(routine::Statement::Action(Action::Hold { list, element, value }));
+            out.push(routine::Statement::Hold { list, element, value });
             return Ok(());
         }
         match attribute {
-            Access::Position => out.push(routine::Statement::Action(Action::Move {
-                vertex: element,
-                value,
-                is_finite,
-            })),
+            Access::Position => {
+                out.push(routine::Statement::Move { vertex: element, value, is_finite })
+            }
             Access::Declared(number) => {
                 let attribute = self.names.attribute(number);
                 let attribute = attribute.ok_or_else(|| NotEmitted::new("an attribute", span))?;
@@ -382,10 +386,10 @@ impl<'s> Writer<'s> {
                 let value = self.settled(value, ty, &name, out);
                 self.names.back_to(outer);
                 if !self.known.conventions.undoes {
-                    out.push(routine::Statement::Action(Action::KeepAttribute {
+                    out.push(routine::Statement::KeepAttribute {
                         attribute: attribute.clone(),
                         element: element.clone(),
-                    }));
+                    });
                 }
                 out.push(routine::Statement::SetAttribute { attribute, element, value });
             }
@@ -399,14 +403,14 @@ impl<'s> Writer<'s> {
         filter: Option<&'s Expr>,
         body: &'s Block,
         span: Span,
-    ) -> Result<Action, NotEmitted> {
+    ) -> Result<routine::Statement, NotEmitted> {
         let (around, element) = around(collection).ok_or_else(|| {
             NotEmitted::new(super::super::expression::collection_words(collection), span)
         })?;
         let element = self.term(element)?;
         let outer = self.names.mark();
         let may_go = self.known.effects.erases(body, collection.element());
-        let action = Action::For {
+        let action = routine::Statement::For {
             variable: self.bind(variable),
             around,
             element,
@@ -432,7 +436,7 @@ impl<'s> Writer<'s> {
                     let name = self.names.fresh("result");
                     let given = Term::name(&name);
                     let place = Some(Target { name, ty: value.ty, form: Form::Fixed });
-                    out.push(routine::Statement::Action(Action::Must { call, place }));
+                    out.push(routine::Statement::Must { call, place });
                     given
                 }
             }),
@@ -440,7 +444,7 @@ impl<'s> Writer<'s> {
         out.push(match (self.ending, value) {
             (Ending::Steps, result) => routine::Statement::Return { result },
             (_, Some(value)) => routine::Statement::Give(value),
-            (_, None) => routine::Statement::Action(Action::Leave),
+            (_, None) => routine::Statement::Leave,
         });
         Ok(())
     }

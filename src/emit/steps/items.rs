@@ -3,7 +3,6 @@
 use std::collections::BTreeSet;
 
 use super::super::NotEmitted;
-use super::super::action::Whole;
 use super::super::build::{self, columns};
 use super::super::conventions::Conventions;
 use super::super::expression::{is_spelled, parameters};
@@ -12,6 +11,7 @@ use super::super::reserved::{plain, unreserved};
 use super::super::routine::{Helper, Routine, Statement, without_unread};
 use super::super::selection::Selection;
 use super::super::term::Parameter;
+use super::super::whole::Whole;
 use super::body::{Ending, Surroundings, Writer};
 use super::journal::journaled;
 use crate::diagram::Param;
