@@ -104,33 +104,38 @@ impl Expr {
         let mut open = vec![self];
         while let Some(expr) = open.pop() {
             look(expr);
-            match &expr.kind {
-                ExprKind::Follow(_, inner)
-                | ExprKind::Read(_, inner)
-                | ExprKind::Component(_, inner)
-                | ExprKind::Unary(_, inner) => open.push(inner),
-                ExprKind::Vector(parts) => open.extend(parts.iter()),
-                ExprKind::Binary(_, left, right) | ExprKind::Let(_, left, right) => {
-                    open.extend([&**left, &**right]);
-                }
-                ExprKind::Call(_, args) | ExprKind::Invoke(_, args) | ExprKind::Try(_, args) => {
-                    open.extend(args);
-                }
-                ExprKind::If(condition, then, otherwise) => {
-                    open.extend([&**condition, &**then, &**otherwise]);
-                }
-                ExprKind::Fold(fold) => {
-                    open.extend(fold.filter.iter().chain([&fold.body]));
-                    open.extend(fold.collection.base());
-                }
-                ExprKind::Bool(_)
-                | ExprKind::Int(_)
-                | ExprKind::Real(_)
-                | ExprKind::Text(_)
-                | ExprKind::Element(_)
-                | ExprKind::Member(..)
-                | ExprKind::Local(_) => {}
+            expr.parts(&mut |part| open.push(part));
+        }
+    }
+
+    /// Shows the parts of the expression, of an aggregate the collection last.
+    pub fn parts<'e>(&'e self, look: &mut dyn FnMut(&'e Expr)) {
+        match &self.kind {
+            ExprKind::Follow(_, inner)
+            | ExprKind::Read(_, inner)
+            | ExprKind::Component(_, inner)
+            | ExprKind::Unary(_, inner) => look(inner),
+            ExprKind::Binary(_, left, right) | ExprKind::Let(_, left, right) => {
+                [left, right].into_iter().for_each(|part| look(part));
             }
+            ExprKind::Vector(parts)
+            | ExprKind::Call(_, parts)
+            | ExprKind::Invoke(_, parts)
+            | ExprKind::Try(_, parts) => parts.iter().for_each(look),
+            ExprKind::If(condition, then, otherwise) => {
+                [condition, then, otherwise].into_iter().for_each(|part| look(part));
+            }
+            ExprKind::Fold(fold) => {
+                let parts = fold.filter.iter().chain([&fold.body]);
+                parts.chain(fold.collection.base()).for_each(look);
+            }
+            ExprKind::Bool(_)
+            | ExprKind::Int(_)
+            | ExprKind::Real(_)
+            | ExprKind::Text(_)
+            | ExprKind::Element(_)
+            | ExprKind::Member(..)
+            | ExprKind::Local(_) => {}
         }
     }
 }

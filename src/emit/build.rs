@@ -9,7 +9,7 @@ use super::guard;
 use super::matching::Matching;
 use super::names::Names;
 use super::reassign;
-use super::routine::{Alternative, Routine, Statement, without_unread};
+use super::routine::{Alternative, Routine, Signature, Statement, without_unread};
 use super::term::{Function, Parameter, Term};
 use crate::check::{Proof, Proved};
 use crate::diagram::{Access, Binary, Drawing, Rule, Type};
@@ -52,16 +52,15 @@ pub(super) fn routine(
         param.ty.is_element() && !op.rules.iter().any(erased)
     };
     let given = params.iter().enumerate().find(outlives).map(|(_, param)| param.clone());
-    let routine = Routine {
+    let signature = Signature {
         name: op.name.clone(),
         declared: op.name.clone(),
         given,
         docs: op.docs.clone(),
         params,
         result: op.result,
-        rules,
     };
-    Ok((routine, all_calls))
+    Ok((Routine { signature, rules }, all_calls))
 }
 
 /// Finds the columns of the attributes that are used, and makes sure of those that the functions

@@ -9,9 +9,9 @@ use super::term::{Around, Attribute, IndexLoop, Parameter, Term};
 use super::whole::{Call, Form, Held, Target};
 use crate::diagram::{Kind, Pointer, Type};
 
-/// An operation as a routine.
+/// The signature of an operation.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Routine {
+pub(super) struct Signature {
     /// Its name.
     pub name: String,
     /// Its name in the program.
@@ -24,6 +24,22 @@ pub(super) struct Routine {
     pub result: Option<Type>,
     /// The first parameter that is an element and surely outlives it.
     pub given: Option<Parameter>,
+}
+
+impl Signature {
+    /// Makes the element that was given the result, if there is none, of these bodies.
+    pub fn give_back<'b>(&mut self, bodies: impl Iterator<Item = &'b mut Vec<Statement>>) {
+        if let (None, Some(given)) = (self.result, &self.given) {
+            self.result = Some(given.ty);
+            bodies.for_each(|body| give_back(body, &given.name));
+        }
+    }
+}
+
+/// An operation as a routine.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Routine {
+    pub signature: Signature,
     /// The alternatives, tried in order.
     pub rules: Vec<Alternative>,
 }
@@ -56,21 +72,8 @@ pub(super) struct Alternative {
     pub body: Vec<Statement>,
 }
 
-impl Routine {
-    /// The routine with the element that it was given as its result, if it has none.
-    pub fn giving_back(mut self) -> Self {
-        if let (None, Some(given)) = (self.result, self.given.clone()) {
-            self.result = Some(given.ty);
-            for rule in &mut self.rules {
-                give_back(&mut rule.body, &given.name);
-            }
-        }
-        self
-    }
-}
-
 /// Makes every end of statements give a name.
-pub(super) fn give_back(body: &mut [Statement], name: &str) {
+fn give_back(body: &mut [Statement], name: &str) {
     for statement in body {
         if let Statement::Return { result: result @ None } = statement {
             *result = Some(Term::name(name));

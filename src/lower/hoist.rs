@@ -54,13 +54,6 @@ impl<'e> Finder<'e> {
             return;
         }
         match &expr.kind {
-            ExprKind::Follow(_, of)
-            | ExprKind::Read(_, of)
-            | ExprKind::Component(_, of)
-            | ExprKind::Unary(_, of) => self.look(of, repeated, surely),
-            ExprKind::Vector(parts) | ExprKind::Call(_, parts) | ExprKind::Invoke(_, parts) => {
-                parts.iter().for_each(|part| self.look(part, repeated, surely));
-            }
             ExprKind::Binary(operator, left, right) => {
                 self.look(left, repeated, surely);
                 let always = !matches!(operator, Binary::And | Binary::Or);
@@ -82,15 +75,8 @@ impl<'e> Finder<'e> {
                 self.bound.pop();
             }
             // What a block binds is known inside of it only.
-            ExprKind::Let(..)
-            | ExprKind::Try(..)
-            | ExprKind::Bool(_)
-            | ExprKind::Int(_)
-            | ExprKind::Real(_)
-            | ExprKind::Text(_)
-            | ExprKind::Element(_)
-            | ExprKind::Member(..)
-            | ExprKind::Local(_) => {}
+            ExprKind::Let(..) | ExprKind::Try(..) => {}
+            _ => expr.parts(&mut |part| self.look(part, repeated, surely)),
         }
     }
 

@@ -139,23 +139,6 @@ impl Liveness<'_> {
                     live.insert(*variable);
                 }
             }
-            ExprKind::Follow(_, base)
-            | ExprKind::Read(_, base)
-            | ExprKind::Component(_, base)
-            | ExprKind::Unary(_, base) => self.read(base, live),
-            ExprKind::Vector(parts) => parts.iter().for_each(|part| self.read(part, live)),
-            ExprKind::Binary(_, left, right) => {
-                self.read(left, live);
-                self.read(right, live);
-            }
-            ExprKind::Call(_, args) | ExprKind::Invoke(_, args) | ExprKind::Try(_, args) => {
-                args.iter().for_each(|arg| self.read(arg, live))
-            }
-            ExprKind::If(condition, then, otherwise) => {
-                self.read(condition, live);
-                self.read(then, live);
-                self.read(otherwise, live);
-            }
             ExprKind::Fold(fold) => {
                 // Its own variable means nothing outside.
                 let inner = self.reading(fold.filter.iter().chain([&fold.body]), Live::new());
@@ -169,12 +152,7 @@ impl Liveness<'_> {
                 live.extend(without(inner, *variable));
                 self.read(value, live);
             }
-            ExprKind::Bool(_)
-            | ExprKind::Int(_)
-            | ExprKind::Real(_)
-            | ExprKind::Text(_)
-            | ExprKind::Element(_)
-            | ExprKind::Member(..) => {}
+            _ => value.parts(&mut |part| self.read(part, live)),
         }
     }
 }

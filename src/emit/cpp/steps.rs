@@ -6,7 +6,7 @@ use super::super::names::invoked;
 use super::super::routine::Statement;
 use super::super::term::{Attribute, Parameter, Term};
 use super::super::whole::{Call, Called, Form, Held, Target, Whole};
-use super::function::{Head, Printer};
+use super::function::Printer;
 use crate::diagram;
 
 /// The greatest length of a line.
@@ -15,26 +15,16 @@ const WIDTH: usize = 92;
 impl Printer<'_> {
     /// Writes an operation in steps: through a journal, which undoes them.
     pub(super) fn whole(&mut self, whole: &Whole, alone: bool) {
-        self.docs(&whole.docs);
-        self.docs_of_defaults(&whole.params);
+        self.docs(&whole.signature.docs);
+        self.docs_of_defaults(&whole.signature.params);
         let mut used = BTreeSet::from(["mesh".to_string()]);
-        let mut seen: Vec<_> = whole.result.into_iter().collect();
+        let mut seen: Vec<_> = whole.signature.result.into_iter().collect();
         for statement in whole.asks.iter().chain(&whole.body) {
             statement.names(&mut |name| _ = used.insert(name.to_string()));
             statement.types(&mut |ty| seen.push(ty));
         }
-        self.head(
-            Head {
-                name: &whole.name,
-                declared: &whole.declared,
-                params: &whole.params,
-                result: whole.result,
-                alone,
-            },
-            &used,
-            &seen,
-        );
-        self.refusal = match whole.result {
+        self.head(&whole.signature, alone, &used, &seen);
+        self.refusal = match whole.signature.result {
             Some(_) => "return std::nullopt;",
             None => "return false;",
         };
@@ -49,7 +39,7 @@ impl Printer<'_> {
             diagram::Level::Surface => "surface",
             diagram::Level::Simple => "simple",
         };
-        let result = match whole.result {
+        let result = match whole.signature.result {
             Some(ty) => format!("std::optional<{}>", self.ty(ty)),
             None => "bool".into(),
         };

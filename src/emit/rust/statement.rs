@@ -4,7 +4,7 @@ use super::super::language::{field, skipped};
 use super::super::lines::comment;
 use super::super::routine::{HalfedgeWalk, Statement, Step};
 use super::super::term::{IndexLoop, Parameter, Term};
-use super::function::{Printer, ty};
+use super::function::{Printer, kind, ty};
 use super::steps::{always, bare};
 use crate::diagram::{Kind, Type};
 
@@ -42,12 +42,7 @@ impl Printer {
             Statement::Blank => self.lines.blank(),
             Statement::Column(attribute) => {
                 let (declared, column) = (&attribute.declared, &attribute.column);
-                let kind = match attribute.element {
-                    Type::Vertex => "Vertex",
-                    Type::Halfedge => "Halfedge",
-                    Type::Edge => "Edge",
-                    _ => "Face",
-                };
+                let kind = kind(attribute.element);
                 let ty = ty(attribute.ty);
                 let found = format!("mesh.find_column(ElementKind::{kind}, \"{declared}\")");
                 if self.is_asked {

@@ -4,22 +4,22 @@ use super::super::names::invoked;
 use super::super::routine::Statement;
 use super::super::term::{Attribute, Parameter, Term};
 use super::super::whole::{Call, Called, Form, Held, Target, Whole};
-use super::function::{Printer, ty};
+use super::function::{Printer, kind, ty};
 use crate::diagram::{self, Type};
 
 impl Printer {
     /// Writes an operation in steps: the mesh's own journal undoes them.
     pub(super) fn whole(&mut self, whole: &Whole, visible: &str) {
-        self.docs(&whole.docs, &whole.name, &whole.params);
-        self.allow(&whole.body, &whole.params);
-        let params = whole.params.iter();
+        self.docs(&whole.signature.docs, &whole.signature.name, &whole.signature.params);
+        self.allow(&whole.body, &whole.signature.params);
+        let params = whole.signature.params.iter();
         let params = params.map(|param| format!(", {}: {}", param.name, ty(param.ty)));
         let params = params.collect::<String>();
-        let result = whole.result.map(ty);
+        let result = whole.signature.result.map(ty);
         let result = result.map_or("bool".into(), |result| format!("Option<{result}>"));
-        let name = &whole.name;
+        let name = &whole.signature.name;
         self.lines.open(&format!("{visible} {name}(mesh: &mut Mesh{params}) -> {result} {{"));
-        self.refusal = match whole.result {
+        self.refusal = match whole.signature.result {
             Some(_) => "return None;",
             None => "return false;",
         };
@@ -43,7 +43,7 @@ impl Printer {
             self.lines.line(&format!("Some({result})"));
         }
         self.applied = "true";
-        self.lines.close(match whole.result {
+        self.lines.close(match whole.signature.result {
             Some(_) => "})",
             None => "}).is_some()",
         });
@@ -94,13 +94,7 @@ impl Printer {
 
     /// Refuses a mesh without an attribute.
     pub(super) fn ask(&mut self, attribute: &Attribute) {
-        let declared = &attribute.declared;
-        let kind = match attribute.element {
-            Type::Vertex => "Vertex",
-            Type::Halfedge => "Halfedge",
-            Type::Edge => "Edge",
-            _ => "Face",
-        };
+        let (declared, kind) = (&attribute.declared, kind(attribute.element));
         let of = ty(attribute.ty);
         self.lines.open(&format!(
             "if mesh.find_column(ElementKind::{kind}, \"{declared}\")\
