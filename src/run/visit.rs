@@ -117,7 +117,8 @@ impl Lowering<'_> {
         let push = &mut |asm: &mut Assembler, _: &mut dyn Scope, from: Reg, _: Label| {
             asm.emit(Inst::BufferPush { buffer, from });
         };
-        each(&mut self.asm, &mut self.names, collection, span, push);
+        let base = collection.base().map(|base| self.value(base));
+        each(&mut self.asm, &mut self.names, (collection, base), span, push);
         self.asm.release(mark);
     }
 
