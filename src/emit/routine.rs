@@ -212,6 +212,26 @@ pub(super) enum Step {
     Clockwise,
 }
 
+/// The statements inside of one; `$of` is the method that tells them.
+macro_rules! bodies {
+    ($statement:expr, $of:ident) => {
+        match $statement {
+            Self::Attempt { body, .. }
+            | Self::IndexLoop { body, .. }
+            | Self::Walk { body, .. }
+            | Self::Preview { body, .. }
+            | Self::Repeat { body, .. }
+            | Self::While { body, .. }
+            | Self::For { body, .. } => vec![body],
+            Self::Apply { then, otherwise, .. } | Self::Choose { then, otherwise, .. } => {
+                vec![then, otherwise]
+            }
+            Self::Update { visit, .. } => visit.$of(),
+            _ => Vec::new(),
+        }
+    };
+}
+
 impl Statement {
     /// The statement that does something only where a condition holds.
     pub fn when(condition: Term, then: Vec<Self>) -> Self {
@@ -220,38 +240,12 @@ impl Statement {
 
     /// The statements inside of it.
     pub fn bodies(&self) -> Vec<&[Self]> {
-        match self {
-            Self::Attempt { body, .. }
-            | Self::IndexLoop { body, .. }
-            | Self::Walk { body, .. }
-            | Self::Preview { body, .. }
-            | Self::Repeat { body, .. }
-            | Self::While { body, .. }
-            | Self::For { body, .. } => vec![body],
-            Self::Apply { then, otherwise, .. } | Self::Choose { then, otherwise, .. } => {
-                vec![then, otherwise]
-            }
-            Self::Update { visit, .. } => visit.bodies(),
-            _ => Vec::new(),
-        }
+        bodies!(self, bodies)
     }
 
     /// The statements inside of it, to be changed.
     pub fn bodies_mut(&mut self) -> Vec<&mut Vec<Self>> {
-        match self {
-            Self::Attempt { body, .. }
-            | Self::IndexLoop { body, .. }
-            | Self::Walk { body, .. }
-            | Self::Preview { body, .. }
-            | Self::Repeat { body, .. }
-            | Self::While { body, .. }
-            | Self::For { body, .. } => vec![body],
-            Self::Apply { then, otherwise, .. } | Self::Choose { then, otherwise, .. } => {
-                vec![then, otherwise]
-            }
-            Self::Update { visit, .. } => visit.bodies_mut(),
-            _ => Vec::new(),
-        }
+        bodies!(self, bodies_mut)
     }
 
     /// True if it, or one inside of it, adds to a list.
