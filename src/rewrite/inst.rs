@@ -318,3 +318,27 @@ impl Inst {
         }
     }
 }
+
+/// The pattern of the instructions that make a value that is no element of values in registers, or
+/// jump, and do nothing else.
+#[rustfmt::skip]
+macro_rules! computation {
+    () => {
+        Inst::CopyVec { .. } | Inst::CopyWide { .. } | Inst::Not { .. } | Inst::And { .. }
+        | Inst::Or { .. } | Inst::Equal { .. } | Inst::AddInt { .. } | Inst::SubInt { .. }
+        | Inst::MulInt { .. } | Inst::DivInt { .. } | Inst::ModInt { .. } | Inst::NegInt { .. }
+        | Inst::AbsInt { .. } | Inst::MinInt { .. } | Inst::MaxInt { .. } | Inst::LessInt { .. }
+        | Inst::LessEqualInt { .. } | Inst::IntToReal { .. } | Inst::RoundReal { .. }
+        | Inst::AddReal { .. } | Inst::SubReal { .. } | Inst::MulReal { .. }
+        | Inst::DivReal { .. } | Inst::MinReal { .. } | Inst::MaxReal { .. }
+        | Inst::PowReal { .. } | Inst::Atan2Real { .. } | Inst::LessReal { .. }
+        | Inst::LessEqualReal { .. } | Inst::EqualReal { .. } | Inst::MathReal { .. }
+        | Inst::AddVec { .. } | Inst::SubVec { .. } | Inst::MulVec { .. } | Inst::NegVec { .. }
+        | Inst::ScaleVec { .. } | Inst::DivVec { .. } | Inst::MixVec { .. }
+        | Inst::EqualVec { .. } | Inst::Dot { .. } | Inst::Cross { .. } | Inst::LengthVec { .. }
+        | Inst::Normalize { .. } | Inst::Wide { .. } | Inst::Matrix { .. } | Inst::Jump { .. }
+        | Inst::JumpIf { .. } | Inst::JumpUnless { .. } | Inst::JumpUnequal { .. }
+        | Inst::JumpEqual { .. }
+    };
+}
+pub(super) use computation;
