@@ -133,10 +133,10 @@
 //! 6  cli          lsp       play         the command line; the language server; behind a page
 //! 5  session      lessons                as a library; texts with a gap, and their judge
 //! 4  analysis                            a text taken all the way; plain data out
-//! 3  format  resolve  run                tree to text; tree to program; a program on a mesh
-//!    emit                               pointer code in other languages
-//! 2  syntax  check  compile  draw       text to tree; the proof; a plan; a picture
-//!            lower                      what a proved op does, decided for all that spell it
+//! 3  format  emit     run                tree to text; code in other languages; a program on a mesh
+//!            compile                     a plan
+//!            lower                       what a program does, decided for all that spell it
+//! 2  syntax  resolve  check    draw      text to tree; tree to program; the proof; a picture
 //! 1  diagnostic   diagram    rewrite     what is wrong; what is drawn; plans and the machine
 //! 0  source       mesh        library    texts and places; the halfedge mesh and OBJ files; std
 //! ```

@@ -1,5 +1,6 @@
 //! The words of the language, each explained in a sentence.
 
+use crate::diagram;
 use crate::resolve::{function_words, signatures, type_with_article};
 
 /// A word of the language.
@@ -11,7 +12,8 @@ pub struct Word {
     pub meaning: &'static str,
 }
 
-/// The meaning of each keyword, kind, property and pointer.
+/// The meaning of each keyword, kind, property, pointer and aggregate; the functions have theirs in
+/// their table.
 pub const MEANINGS: &[(&str, &str)] = &[
     ("use", "takes in what another file declares"),
     ("steps", "what an operation calls in place of a drawing, all or nothing: `steps { … }`"),
@@ -34,10 +36,6 @@ pub const MEANINGS: &[(&str, &str)] = &[
     (
         "face",
         "a cycle of `next` around an interior face, counterclockwise: `face f0: v0 -a-> v1 -b-> v2 -c-> v0`",
-    ),
-    (
-        "hole",
-        "a boundary loop: a cycle of `next` with nothing in it; as a function: whether a face is one",
     ),
     ("loop", "a cycle of `next`: a face or a hole"),
     ("edge", "a pair of twins: `edge e: a | d`"),
@@ -148,10 +146,6 @@ pub const MEANINGS: &[(&str, &str)] = &[
     ("triangles", "every face stays a triangle, if all were"),
     ("quads", "every face stays a quad, if all were"),
     ("euler", "V - E + F stays what it is, with holes among the faces"),
-    (
-        "boundary",
-        "as a property: the holes keep their number and their vertices; as a function: whether an element lies on a hole",
-    ),
     ("constant_time", "the time does not grow with the mesh"),
     ("bool", "true or false"),
     ("int", "a whole number of 64 bits"),
@@ -164,66 +158,9 @@ pub const MEANINGS: &[(&str, &str)] = &[
     ("text", "letters in quotes"),
     ("pi", "half the circumference of the unit circle"),
     ("infinity", "more than any number"),
-    ("degree", "how many spokes a vertex has, or corners a face"),
-    ("adjacent", "whether an edge joins two vertices"),
-    (
-        "link_condition",
-        "whether the ends of an edge have no common neighbours but those opposite to it: then it can be collapsed",
-    ),
-    (
-        "star_shaped",
-        "whether the border of the faces at both ends of an edge has a kernel, from which all of it is seen",
-    ),
-    (
-        "kernel_centroid",
-        "the centroid of that kernel, where one vertex for both ends turns no triangle over",
-    ),
-    ("length", "the length of an edge, a halfedge or a vector"),
-    ("area", "the area of a face"),
-    ("normal", "the unit normal of a face, or at a vertex"),
-    ("centroid", "the mean of the corners of a face, or of the ends of an edge"),
-    ("midpoint", "the middle of an edge"),
-    ("mix", "from the first towards the second, by the third, from 0 to 1"),
-    ("dot", "the scalar product"),
-    ("cross", "the vector product"),
-    ("normalize", "the same direction, with length 1"),
-    ("distance", "how far two points are apart"),
-    (
-        "angle",
-        "the angle between two directions, or of the corner where a halfedge starts, in radians",
-    ),
-    ("cotangent", "the cotangent of the angle opposite to a halfedge in its triangle"),
-    ("dihedral_angle", "the angle between the normals at an edge, positive where it stands out"),
-    ("outer", "a column times a row: a matrix"),
-    ("transpose", "the matrix whose columns are the rows"),
-    ("determinant", "the determinant of a matrix"),
-    ("inverse", "the inverse of a matrix; of a singular one it is not a number"),
-    ("solve", "the vector that a matrix takes to another; of a singular one it is not a number"),
-    ("is_nan", "whether a component is not a number"),
-    ("is_finite", "whether all components are finite"),
-    ("abs", "the size without the sign"),
-    ("sqrt", "the square root"),
-    ("sin", "the sine of an angle in radians"),
-    ("cos", "the cosine of an angle in radians"),
-    ("tan", "the tangent of an angle in radians"),
-    ("asin", "the angle with this sine"),
-    ("acos", "the angle with this cosine"),
-    ("atan2", "the angle of the direction with this y and this x"),
-    ("exp", "e to the power of a number"),
-    ("log", "the natural logarithm"),
-    ("pow", "the first to the power of the second"),
-    ("floor", "the whole number below, as a real"),
-    ("ceil", "the whole number above, as a real"),
-    ("round", "the nearest int, of two the even one"),
-    (
-        "random",
-        "a random number: `random()` a real from 0 up to 1, `random(n)` an int from 0 up to n; `--seed` says which",
-    ),
     ("shuffle", "visits a sequence in a random order: `for e in shuffle(edges) { flip(e) }`"),
     ("mean", "the mean of a value over a sequence: `mean(length(e) for e in edges)`"),
     ("sum", "the sum of a value over a sequence"),
-    ("min", "the smaller of two, or the least over a sequence"),
-    ("max", "the larger of two, or the greatest over a sequence"),
     ("argmin", "the element with the least value: `argmin(length(e) for e in edges)`"),
     ("argmax", "the element with the greatest value"),
     ("count", "how many there are: `count(faces)`"),
@@ -233,10 +170,7 @@ pub const MEANINGS: &[(&str, &str)] = &[
 
 /// The functions of the language, in the order in which they are explained.
 pub fn functions() -> Vec<&'static str> {
-    let place = |word: &&str| MEANINGS.iter().position(|(known, _)| known == word);
-    let mut words: Vec<_> = function_words().collect();
-    words.sort_by_key(place);
-    words
+    function_words().collect()
 }
 
 /// The explanation of a word of the language.
@@ -251,8 +185,8 @@ pub fn word(text: &str) -> Option<Word> {
 
 /// The meaning of a word, in a sentence.
 pub fn meaning(text: &str) -> Option<&'static str> {
-    let found = MEANINGS.iter().find(|(word, _)| *word == text);
-    found.map(|(_, meaning)| *meaning)
+    let mut known = MEANINGS.iter().copied().chain(diagram::functions());
+    known.find(|(word, _)| *word == text).map(|(_, meaning)| meaning)
 }
 
 /// The ways to call a function of the language.
@@ -268,6 +202,6 @@ fn forms(text: &str) -> Vec<String> {
 }
 
 /// The type in words, with its article, for what the cursor is on.
-pub fn a_type(ty: crate::diagram::Type) -> &'static str {
+pub fn a_type(ty: diagram::Type) -> &'static str {
     type_with_article(ty)
 }

@@ -8,7 +8,7 @@
 use super::guard::Obligation;
 use super::matching::{Claim, Step};
 use crate::diagram::{
-    Builtin, Collection, Drawing, Expr, ExprKind, Kind, LoopItem, NameId, Spoke, Type,
+    Builtin, Collection, Drawing, Expr, ExprKind, Extent, Kind, LoopItem, NameId, Spoke, Type,
 };
 
 /// The quantities that the time grows with; nothing if it is constant.
@@ -86,20 +86,13 @@ impl Cost<'_> {
 
     fn of_call(&self, builtin: Builtin, args: &[Expr]) -> Option<String> {
         let of = args.first()?;
-        match builtin {
-            Builtin::DegreeVertex
-            | Builtin::DegreeFace
-            | Builtin::BoundaryVertex
-            | Builtin::Adjacent
-            | Builtin::Area
-            | Builtin::NormalFace
-            | Builtin::NormalVertex
-            | Builtin::CentroidFace => self.around(of),
-            Builtin::LinkCondition | Builtin::StarShaped | Builtin::KernelCentroid => {
+        match builtin.extent() {
+            Extent::Bounded => None,
+            Extent::Orbit => self.around(of),
+            Extent::Ends => {
                 let edge = self.words(of, "an edge");
                 Some(format!("the degrees of the ends of {edge}"))
             }
-            _ => None,
         }
     }
 

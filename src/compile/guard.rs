@@ -9,8 +9,9 @@ use super::reassign::Reassign;
 use super::registers::Home;
 use super::write_target::WriteTarget;
 use crate::diagram::NameId;
-use crate::lower::{GuardCondition, GuardTest, Operation, PreviewReads, Question};
-use crate::rewrite::{Cell, Foreseen, Inst, Phase, Question as Query, Reg};
+use crate::lower::{GuardTest, Operation, PreviewReads, Question};
+use crate::mesh::OrbitCondition;
+use crate::rewrite::{Cell, Inst, Phase, Question as Query, Reg};
 
 /// What is known of a test before the preview.
 enum Known {
@@ -19,7 +20,7 @@ enum Known {
     /// The buffer of the halfedges along which the preview is asked.
     Along(u16),
     /// What the preview is asked.
-    Nothing { condition: GuardCondition, of: NameId, at: Option<NameId> },
+    Nothing { condition: OrbitCondition, of: NameId, at: Option<NameId> },
 }
 
 impl Collect<'_, '_, '_, '_> {
@@ -100,13 +101,13 @@ impl Collect<'_, '_, '_, '_> {
         let condition = match known {
             Known::Answer(holds) => holds,
             Known::Along(buffer) => {
-                let (condition, to) = (Foreseen::OneHole, self.output.asm.reg());
+                let (condition, to) = (OrbitCondition::OneHole, self.output.asm.reg());
                 self.output.asm.emit(Inst::ForeseeAlong { condition, to, buffer });
                 to
             }
             Known::Nothing { condition, of, at } => {
                 let [element, at] = [of, at.unwrap_or(of)].map(|name| self.element(name));
-                let (condition, to) = (foreseen(condition), self.output.asm.reg());
+                let to = self.output.asm.reg();
                 self.output.asm.emit(Inst::Foresee { condition, to, element, at });
                 to
             }
@@ -118,21 +119,5 @@ impl Collect<'_, '_, '_, '_> {
         }
         let claim = format!("after it, {}", test.claim);
         self.row(Cell::Test { claim, reason: test.refusal.clone() });
-    }
-}
-
-/// The question of the machine for a condition.
-fn foreseen(condition: GuardCondition) -> Foreseen {
-    match condition {
-        GuardCondition::ThreeSides => Foreseen::ThreeSides,
-        GuardCondition::MeetsOnce => Foreseen::MeetsOnce,
-        GuardCondition::CornerOnce => Foreseen::CornerOnce,
-        GuardCondition::TwoSpokes => Foreseen::TwoSpokes,
-        GuardCondition::OneHole => Foreseen::OneHole,
-        GuardCondition::FacesDiffer => Foreseen::FacesDiffer,
-        GuardCondition::NeighborsDiffer => Foreseen::NeighborsDiffer,
-        GuardCondition::SingleEdge => Foreseen::SingleEdge,
-        GuardCondition::CornersDiffer => Foreseen::CornersDiffer,
-        GuardCondition::CornersOwn => Foreseen::CornersOwn,
     }
 }

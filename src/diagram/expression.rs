@@ -3,7 +3,7 @@
 //! An int stands where a real is wanted only through an explicit [`Unary::ToReal`], so
 //! that lowering an expression never guesses.
 
-use super::NameId;
+use super::{Builtin, NameId};
 use crate::source::Span;
 
 /// The type of a value.
@@ -104,33 +104,38 @@ impl Expr {
         let mut open = vec![self];
         while let Some(expr) = open.pop() {
             look(expr);
-            match &expr.kind {
-                ExprKind::Follow(_, inner)
-                | ExprKind::Read(_, inner)
-                | ExprKind::Component(_, inner)
-                | ExprKind::Unary(_, inner) => open.push(inner),
-                ExprKind::Vector(parts) => open.extend(parts.iter()),
-                ExprKind::Binary(_, left, right) | ExprKind::Let(_, left, right) => {
-                    open.extend([&**left, &**right]);
-                }
-                ExprKind::Call(_, args) | ExprKind::Invoke(_, args) | ExprKind::Try(_, args) => {
-                    open.extend(args);
-                }
-                ExprKind::If(condition, then, otherwise) => {
-                    open.extend([&**condition, &**then, &**otherwise]);
-                }
-                ExprKind::Fold(fold) => {
-                    open.extend(fold.filter.iter().chain([&fold.body]));
-                    open.extend(fold.collection.base());
-                }
-                ExprKind::Bool(_)
-                | ExprKind::Int(_)
-                | ExprKind::Real(_)
-                | ExprKind::Text(_)
-                | ExprKind::Element(_)
-                | ExprKind::Member(..)
-                | ExprKind::Local(_) => {}
+            expr.parts(&mut |part| open.push(part));
+        }
+    }
+
+    /// Shows the parts of the expression, of an aggregate the collection last.
+    pub fn parts<'e>(&'e self, look: &mut dyn FnMut(&'e Expr)) {
+        match &self.kind {
+            ExprKind::Follow(_, inner)
+            | ExprKind::Read(_, inner)
+            | ExprKind::Component(_, inner)
+            | ExprKind::Unary(_, inner) => look(inner),
+            ExprKind::Binary(_, left, right) | ExprKind::Let(_, left, right) => {
+                [left, right].into_iter().for_each(|part| look(part));
             }
+            ExprKind::Vector(parts)
+            | ExprKind::Call(_, parts)
+            | ExprKind::Invoke(_, parts)
+            | ExprKind::Try(_, parts) => parts.iter().for_each(look),
+            ExprKind::If(condition, then, otherwise) => {
+                [condition, then, otherwise].into_iter().for_each(|part| look(part));
+            }
+            ExprKind::Fold(fold) => {
+                let parts = fold.filter.iter().chain([&fold.body]);
+                parts.chain(fold.collection.base()).for_each(look);
+            }
+            ExprKind::Bool(_)
+            | ExprKind::Int(_)
+            | ExprKind::Real(_)
+            | ExprKind::Text(_)
+            | ExprKind::Element(_)
+            | ExprKind::Member(..)
+            | ExprKind::Local(_) => {}
         }
     }
 }
@@ -297,101 +302,6 @@ pub enum Binary {
     LessEqualReal,
     And,
     Or,
-}
-
-/// A function that is part of the language. Types in, type out:
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Builtin {
-    /// vertex -> int: its spokes. Of a face: its corners.
-    DegreeVertex,
-    DegreeFace,
-    /// -> bool: does it lie on a hole?
-    BoundaryVertex,
-    BoundaryHalfedge,
-    BoundaryEdge,
-    /// face -> bool: is it a hole?
-    IsHole,
-    /// vertex, vertex -> bool: does an edge join them?
-    Adjacent,
-    /// edge -> bool
-    LinkCondition,
-    /// edge -> bool: has the polygon around its ends a kernel?
-    StarShaped,
-    /// edge -> vec3: the centroid of that kernel
-    KernelCentroid,
-    /// edge -> real; halfedge -> real
-    LengthEdge,
-    LengthHalfedge,
-    /// vector -> real
-    LengthVector,
-    /// face -> real
-    Area,
-    /// -> vec3
-    NormalFace,
-    NormalVertex,
-    CentroidFace,
-    /// edge -> vec3: its midpoint.
-    CentroidEdge,
-    /// real, real, real -> real; vector, vector, real -> vector
-    MixReal,
-    MixVector,
-    /// vector, vector -> real
-    Dot,
-    /// vec3, vec3 -> vec3; vec2, vec2 -> real: the third component
-    Cross,
-    CrossPlane,
-    /// vector -> vector; the zero vector stays zero.
-    Normalize,
-    /// vec3, vec3 -> real
-    Distance,
-    /// vec3, vec3 -> real: the angle between two vectors in radians.
-    Angle,
-    /// halfedge -> real: the angle of the corner where it starts, in its face
-    AngleCorner,
-    /// halfedge -> real: the cotangent of the angle opposite to it, in its triangle
-    Cotangent,
-    /// edge -> real: by how much the surface turns there; zero on the boundary
-    DihedralAngle,
-    AbsInt,
-    AbsReal,
-    MinInt,
-    MaxInt,
-    MinReal,
-    MaxReal,
-    Sqrt,
-    Sin,
-    Cos,
-    Tan,
-    Asin,
-    Acos,
-    /// real, real -> real: the angle of the point (second, first).
-    Atan2,
-    Exp,
-    Log,
-    Pow,
-    Floor,
-    Ceil,
-    /// real -> int: half to even.
-    Round,
-    /// -> real: random, from 0 up to 1; int -> int: from 0 up to the int
-    Random,
-    RandomInt,
-    /// real -> matrix: the real on the diagonal, zero elsewhere.
-    Diagonal,
-    /// mat4 -> mat3: its first three rows and columns.
-    UpperLeft,
-    /// vector, vector -> matrix: the column times the row.
-    Outer,
-    /// matrix -> matrix
-    Transpose,
-    Inverse,
-    /// matrix -> real
-    Determinant,
-    /// matrix, vector -> vector: what the matrix takes to the vector.
-    Solve,
-    /// real -> bool; vector -> bool: of all components
-    IsNan,
-    IsFinite,
 }
 
 /// The elements a loop or an aggregate runs over.

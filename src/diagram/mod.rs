@@ -4,6 +4,7 @@
 //! is a [`Ref`] with its place. Paths and fans without a name have got one of their own.
 //! Whether the drawing makes sense is the business of [`check`](crate::check).
 
+mod builtin;
 mod drawing;
 mod expression;
 mod member;
@@ -13,10 +14,10 @@ mod spokes;
 mod unroll;
 mod visit;
 
+pub use builtin::{Builtin, Extent, Overload, Wanted, functions, overloads};
 pub use drawing::{Drawing, View};
 pub use expression::{
-    Access, Attribute, Binary, Builtin, Collection, Expr, ExprKind, Fold, FoldFunction, Pointer,
-    Type, Unary,
+    Access, Attribute, Binary, Collection, Expr, ExprKind, Fold, FoldFunction, Pointer, Type, Unary,
 };
 pub use op::{
     Alias, Assignment, Cycle, Edge, Example, Kind, Loop, LoopItem, LoopKind, Name, NameId, Op,

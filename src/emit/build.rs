@@ -3,14 +3,13 @@
 use std::collections::BTreeSet;
 
 use super::NotEmitted;
-use super::action::Action;
 use super::conventions::Conventions;
 use super::expression::{Expressions, is_spelled, is_surely_finite, parameters};
 use super::guard;
 use super::matching::Matching;
 use super::names::Names;
 use super::reassign;
-use super::routine::{Alternative, Routine, Statement, without_unread};
+use super::routine::{Alternative, Routine, Signature, Statement, without_unread};
 use super::term::{Function, Parameter, Term};
 use crate::check::{Proof, Proved};
 use crate::diagram::{Access, Binary, Drawing, Rule, Type};
@@ -53,16 +52,15 @@ pub(super) fn routine(
         param.ty.is_element() && !op.rules.iter().any(erased)
     };
     let given = params.iter().enumerate().find(outlives).map(|(_, param)| param.clone());
-    let routine = Routine {
+    let signature = Signature {
         name: op.name.clone(),
         declared: op.name.clone(),
         given,
         docs: op.docs.clone(),
         params,
         result: op.result,
-        rules,
     };
-    Ok((routine, all_calls))
+    Ok((Routine { signature, rules }, all_calls))
 }
 
 /// Finds the columns of the attributes that are used, and makes sure of those that the functions
@@ -70,7 +68,7 @@ pub(super) fn routine(
 pub(super) fn columns(names: &Names, seen: BTreeSet<u32>) -> Vec<Statement> {
     let used = names.used_attributes().cloned().map(Statement::Column);
     let seen = seen.into_iter().filter_map(|it| names.unused_attribute(it));
-    let asked = seen.map(|attribute| Statement::Action(Action::Ask(attribute.clone())));
+    let asked = seen.map(|attribute| Statement::Ask(attribute.clone()));
     used.chain(asked).collect()
 }
 

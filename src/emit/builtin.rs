@@ -5,90 +5,79 @@
 
 use crate::diagram::Builtin;
 
-/// A function, and its call in Rust and in C++.
-struct Row(Builtin, &'static str, &'static str);
-
-/// Those that are called in both languages; `mix` of reals is spelled with operators in one, and
-/// what has no row is told with the type that it is of, or not emitted.
-const TABLE: &[Row] = &[
-    Row(Builtin::DegreeVertex, "mesh.degree({0}) as i64", "degree({0})"),
-    Row(Builtin::DegreeFace, "mesh.face_size({0}) as i64", "sides({0})"),
-    Row(Builtin::BoundaryVertex, "mesh.is_boundary_vertex({0})", "on_boundary({0})"),
-    Row(Builtin::BoundaryHalfedge, "mesh.is_boundary_halfedge({0})", "[{0}.face.boundary]"),
-    Row(Builtin::BoundaryEdge, "mesh.is_boundary_edge({0})", "is_boundary_edge({0})"),
-    Row(Builtin::IsHole, "mesh.is_hole({0})", "[{0}.boundary]"),
-    Row(Builtin::Adjacent, "mesh.adjacent({0}, {1})", "adjacent({0}, {1})"),
-    Row(Builtin::LinkCondition, "mesh.link_condition({0})", "link_condition({0})"),
-    Row(Builtin::StarShaped, "mesh.kernel_centroid({0}).is_some()", "star_shaped({0})"),
-    Row(
-        Builtin::KernelCentroid,
-        "mesh.kernel_centroid({0}).unwrap_or(DVec3::NAN)",
-        "kernel_centroid({0})",
-    ),
-    Row(Builtin::AngleCorner, "corner_angle(mesh, {0})", "corner_angle({0})"),
-    Row(Builtin::Cotangent, "cotangent(mesh, {0})", "cotangent({0})"),
-    Row(Builtin::DihedralAngle, "dihedral_angle(mesh, {0})", "dihedral_angle({0})"),
-    Row(Builtin::LengthEdge, "mesh.length({0})", "length(edge_vector([{0}.halfedge]))"),
-    Row(Builtin::LengthHalfedge, "mesh.vector({0}).length()", "length(edge_vector({0}))"),
-    Row(Builtin::LengthVector, "DVec3::length({0})", "length({0})"),
-    Row(Builtin::Area, "mesh.area({0})", "length(vector_area({0}))"),
-    Row(Builtin::NormalFace, "mesh.normal({0})", "normalize(vector_area({0}))"),
-    Row(Builtin::NormalVertex, "mesh.vertex_normal({0})", "vertex_normal({0})"),
-    Row(Builtin::CentroidFace, "mesh.centroid({0})", "centroid({0})"),
-    Row(
-        Builtin::CentroidEdge,
-        "mesh.position(mesh.vertex(mesh.edge_halfedge({0}))).lerp(mesh.position(mesh.target(mesh.edge_halfedge({0}))), 0.5)",
-        "midpoint({0})",
-    ),
-    Row(Builtin::MixVector, "DVec3::lerp({0}, {1}, {2})", "mix({0}, {1}, {2})"),
-    Row(Builtin::Dot, "DVec3::dot({0}, {1})", "dot({0}, {1})"),
-    Row(Builtin::Cross, "DVec3::cross({0}, {1})", "cross({0}, {1})"),
-    Row(Builtin::Normalize, "direction({0})", "normalize({0})"),
-    Row(Builtin::Distance, "DVec3::distance({0}, {1})", "length({0} - {1})"),
-    Row(
-        Builtin::Angle,
-        "f64::atan2(DVec3::cross({0}, {1}).length(), DVec3::dot({0}, {1}))",
-        "angle({0}, {1})",
-    ),
-    Row(Builtin::AbsInt, "i64::abs({0})", "std::llabs({0})"),
-    Row(Builtin::AbsReal, "f64::abs({0})", "std::fabs({0})"),
-    Row(Builtin::MinInt, "i64::min({0}, {1})", "std::min<long long>({0}, {1})"),
-    Row(Builtin::MaxInt, "i64::max({0}, {1})", "std::max<long long>({0}, {1})"),
-    Row(Builtin::MinReal, "f64::min({0}, {1})", "std::fmin({0}, {1})"),
-    Row(Builtin::MaxReal, "f64::max({0}, {1})", "std::fmax({0}, {1})"),
-    Row(Builtin::Sqrt, "f64::sqrt({0})", "std::sqrt({0})"),
-    Row(Builtin::Sin, "f64::sin({0})", "std::sin({0})"),
-    Row(Builtin::Cos, "f64::cos({0})", "std::cos({0})"),
-    Row(Builtin::Tan, "f64::tan({0})", "std::tan({0})"),
-    Row(Builtin::Asin, "f64::asin({0})", "std::asin({0})"),
-    Row(Builtin::Acos, "f64::acos({0})", "std::acos({0})"),
-    Row(Builtin::Atan2, "f64::atan2({0}, {1})", "std::atan2({0}, {1})"),
-    Row(Builtin::Exp, "f64::exp({0})", "std::exp({0})"),
-    Row(Builtin::Log, "f64::ln({0})", "std::log({0})"),
-    Row(Builtin::Pow, "f64::powf({0}, {1})", "std::pow({0}, {1})"),
-    Row(Builtin::Floor, "f64::floor({0})", "std::floor({0})"),
-    Row(Builtin::Ceil, "f64::ceil({0})", "std::ceil({0})"),
-    Row(
-        Builtin::Round,
-        "f64::round_ties_even({0}) as i64",
-        "static_cast<long long>(std::nearbyint({0}))",
-    ),
-    Row(Builtin::IsNan, "f64::is_nan({0})", "std::isnan({0})"),
-    Row(Builtin::IsFinite, "f64::is_finite({0})", "std::isfinite({0})"),
-];
-
-fn row(builtin: Builtin) -> Option<&'static Row> {
-    TABLE.iter().find(|row| row.0 == builtin)
-}
-
-/// The call in Rust.
-pub(super) fn in_rust(builtin: Builtin) -> &'static str {
-    row(builtin).map_or("", |row| row.1)
-}
-
-/// The call in C++.
-pub(super) fn in_cpp(builtin: Builtin) -> &'static str {
-    row(builtin).map_or("", |row| row.2)
+/// The call of a function in Rust and in C++; nothing for those that are told with the type that they
+/// are of, or with the type of reals, or not emitted.
+pub(super) fn spelled(builtin: Builtin) -> [&'static str; 2] {
+    match builtin {
+        Builtin::DegreeVertex => ["mesh.degree({0}) as i64", "degree({0})"],
+        Builtin::DegreeFace => ["mesh.face_size({0}) as i64", "sides({0})"],
+        Builtin::BoundaryVertex => ["mesh.is_boundary_vertex({0})", "on_boundary({0})"],
+        Builtin::BoundaryHalfedge => ["mesh.is_boundary_halfedge({0})", "[{0}.face.boundary]"],
+        Builtin::BoundaryEdge => ["mesh.is_boundary_edge({0})", "is_boundary_edge({0})"],
+        Builtin::IsHole => ["mesh.is_hole({0})", "[{0}.boundary]"],
+        Builtin::Adjacent => ["mesh.adjacent({0}, {1})", "adjacent({0}, {1})"],
+        Builtin::LinkCondition => ["mesh.link_condition({0})", "link_condition({0})"],
+        Builtin::StarShaped => ["mesh.kernel_centroid({0}).is_some()", "star_shaped({0})"],
+        Builtin::KernelCentroid => {
+            ["mesh.kernel_centroid({0}).unwrap_or(DVec3::NAN)", "kernel_centroid({0})"]
+        }
+        Builtin::AngleCorner => ["corner_angle(mesh, {0})", "corner_angle({0})"],
+        Builtin::Cotangent => ["cotangent(mesh, {0})", "cotangent({0})"],
+        Builtin::DihedralAngle => ["dihedral_angle(mesh, {0})", "dihedral_angle({0})"],
+        Builtin::LengthEdge => ["mesh.length({0})", "length(edge_vector([{0}.halfedge]))"],
+        Builtin::LengthHalfedge => ["mesh.vector({0}).length()", "length(edge_vector({0}))"],
+        Builtin::LengthVector => ["DVec3::length({0})", "length({0})"],
+        Builtin::Area => ["mesh.area({0})", "length(vector_area({0}))"],
+        Builtin::NormalFace => ["mesh.normal({0})", "normalize(vector_area({0}))"],
+        Builtin::NormalVertex => ["mesh.vertex_normal({0})", "vertex_normal({0})"],
+        Builtin::CentroidFace => ["mesh.centroid({0})", "centroid({0})"],
+        Builtin::CentroidEdge => [
+            "mesh.position(mesh.vertex(mesh.edge_halfedge({0}))).lerp(mesh.position(mesh.target(mesh.edge_halfedge({0}))), 0.5)",
+            "midpoint({0})",
+        ],
+        Builtin::MixVector => ["DVec3::lerp({0}, {1}, {2})", "mix({0}, {1}, {2})"],
+        Builtin::Dot => ["DVec3::dot({0}, {1})", "dot({0}, {1})"],
+        Builtin::Cross => ["DVec3::cross({0}, {1})", "cross({0}, {1})"],
+        Builtin::Normalize => ["direction({0})", "normalize({0})"],
+        Builtin::Distance => ["DVec3::distance({0}, {1})", "length({0} - {1})"],
+        Builtin::Angle => {
+            ["f64::atan2(DVec3::cross({0}, {1}).length(), DVec3::dot({0}, {1}))", "angle({0}, {1})"]
+        }
+        Builtin::AbsInt => ["i64::abs({0})", "std::llabs({0})"],
+        Builtin::AbsReal => ["f64::abs({0})", "std::fabs({0})"],
+        Builtin::MinInt => ["i64::min({0}, {1})", "std::min<long long>({0}, {1})"],
+        Builtin::MaxInt => ["i64::max({0}, {1})", "std::max<long long>({0}, {1})"],
+        Builtin::MinReal => ["f64::min({0}, {1})", "std::fmin({0}, {1})"],
+        Builtin::MaxReal => ["f64::max({0}, {1})", "std::fmax({0}, {1})"],
+        Builtin::Sqrt => ["f64::sqrt({0})", "std::sqrt({0})"],
+        Builtin::Sin => ["f64::sin({0})", "std::sin({0})"],
+        Builtin::Cos => ["f64::cos({0})", "std::cos({0})"],
+        Builtin::Tan => ["f64::tan({0})", "std::tan({0})"],
+        Builtin::Asin => ["f64::asin({0})", "std::asin({0})"],
+        Builtin::Acos => ["f64::acos({0})", "std::acos({0})"],
+        Builtin::Atan2 => ["f64::atan2({0}, {1})", "std::atan2({0}, {1})"],
+        Builtin::Exp => ["f64::exp({0})", "std::exp({0})"],
+        Builtin::Log => ["f64::ln({0})", "std::log({0})"],
+        Builtin::Pow => ["f64::powf({0}, {1})", "std::pow({0}, {1})"],
+        Builtin::Floor => ["f64::floor({0})", "std::floor({0})"],
+        Builtin::Ceil => ["f64::ceil({0})", "std::ceil({0})"],
+        Builtin::Round => {
+            ["f64::round_ties_even({0}) as i64", "static_cast<long long>(std::nearbyint({0}))"]
+        }
+        Builtin::IsNan => ["f64::is_nan({0})", "std::isnan({0})"],
+        Builtin::IsFinite => ["f64::is_finite({0})", "std::isfinite({0})"],
+        Builtin::MixReal
+        | Builtin::CrossPlane
+        | Builtin::Diagonal
+        | Builtin::UpperLeft
+        | Builtin::Outer
+        | Builtin::Transpose
+        | Builtin::Inverse
+        | Builtin::Determinant
+        | Builtin::Solve
+        | Builtin::Random
+        | Builtin::RandomInt => [""; 2],
+    }
 }
 
 /// A call with its arguments in their places.

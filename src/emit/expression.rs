@@ -95,7 +95,7 @@ impl Expressions<'_> {
             {
                 Term::Call(Function::IsFinite, vec![self.term(&args[0])?])
             }
-            ExprKind::Call(Builtin::Random | Builtin::RandomInt, _) => {
+            ExprKind::Call(builtin, _) if builtin.is_random() => {
                 return Err(NotEmitted::new("a random number", expr.span));
             }
             ExprKind::Call(builtin, args) => {

@@ -67,7 +67,7 @@ fn noted(statement: Statement, reads: PreviewReads) -> Option<Statement> {
         Statement::IndexLoop { indices, body } => {
             Statement::IndexLoop { indices, body: noted_of(body)? }
         }
-        Statement::When { condition, body } => Statement::When { condition, body: noted_of(body)? },
+        Statement::Choose { condition, then, .. } => Statement::when(condition, noted_of(then)?),
         Statement::Walk { walk, body } => Statement::Walk { walk, body: noted_of(body)? },
         statement => statement,
     })

@@ -65,6 +65,17 @@ pub(super) trait Language {
     fn some(&mut self, indices: &IndexLoop, condition: &Term) -> Spelled;
 }
 
+/// The conditions under which an element has no turn: it is gone, or a filter leaves it out.
+pub(super) fn skipped(
+    language: &mut impl Language,
+    gone: Option<String>,
+    filter: Option<&Term>,
+) -> Vec<String> {
+    let level = if gone.is_some() { Level::Or } else { Level::Choice };
+    let others = filter.map(|filter| spell(language, &filter.clone().not()).at(level));
+    gone.into_iter().chain(others).collect()
+}
+
 /// The name of a pointer where elements of all kinds have their pointers side by side.
 pub(super) fn field(pointer: Pointer) -> &'static str {
     match pointer {

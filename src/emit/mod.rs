@@ -13,7 +13,6 @@
 mod selection;
 
 // An operation as a routine.
-mod action;
 mod build;
 mod conventions;
 mod expression;
@@ -27,6 +26,7 @@ mod routine;
 mod steps;
 mod term;
 mod walks;
+mod whole;
 
 // A routine as text.
 mod builtin;

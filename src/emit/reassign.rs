@@ -187,7 +187,7 @@ impl Reassign<'_, '_> {
         self.indexed(true, |this| {
             let condition = this.names.empty(path).not();
             let body = vec![Statement::Set { pointer, of, value: this.names.term(path) }];
-            this.other(pointer, Statement::When { condition, body });
+            this.other(pointer, Statement::when(condition, body));
         });
     }
 
@@ -202,11 +202,11 @@ impl Reassign<'_, '_> {
             });
         }
         let body = self.indexed(true, |this| {
-            let pushed = period.iter().map(|&path| Statement::When {
-                condition: this.names.empty(path).not(),
-                body: [(&firsts, this.names.term(path)), (&lasts, this.names.last(path))]
-                    .map(|(list, item)| Statement::Push { list: list.clone(), item })
-                    .to_vec(),
+            let pushed = period.iter().map(|&path| {
+                let ends = [(&firsts, this.names.term(path)), (&lasts, this.names.last(path))];
+                let push =
+                    |(list, item): (&String, _)| Statement::Push { list: list.clone(), item };
+                Statement::when(this.names.empty(path).not(), ends.map(push).to_vec())
             });
             pushed.collect()
         });

@@ -5,13 +5,13 @@
 //! vertices, and what is done for each index of a family. [`build`](super::build) writes it; a
 //! printer per language spells it.
 
-use super::action::Action;
-use super::term::{Attribute, IndexLoop, Parameter, Term};
+use super::term::{Around, Attribute, IndexLoop, Parameter, Term};
+use super::whole::{Call, Form, Held, Target};
 use crate::diagram::{Kind, Pointer, Type};
 
-/// An operation as a routine.
+/// The signature of an operation.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Routine {
+pub(super) struct Signature {
     /// Its name.
     pub name: String,
     /// Its name in the program.
@@ -24,6 +24,22 @@ pub(super) struct Routine {
     pub result: Option<Type>,
     /// The first parameter that is an element and surely outlives it.
     pub given: Option<Parameter>,
+}
+
+impl Signature {
+    /// Makes the element that was given the result, if there is none, of these bodies.
+    pub fn give_back<'b>(&mut self, bodies: impl Iterator<Item = &'b mut Vec<Statement>>) {
+        if let (None, Some(given)) = (self.result, &self.given) {
+            self.result = Some(given.ty);
+            bodies.for_each(|body| give_back(body, &given.name));
+        }
+    }
+}
+
+/// An operation as a routine.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Routine {
+    pub signature: Signature,
     /// The alternatives, tried in order.
     pub rules: Vec<Alternative>,
 }
@@ -56,21 +72,8 @@ pub(super) struct Alternative {
     pub body: Vec<Statement>,
 }
 
-impl Routine {
-    /// The routine with the element that it was given as its result, if it has none.
-    pub fn giving_back(mut self) -> Self {
-        if let (None, Some(given)) = (self.result, self.given.clone()) {
-            self.result = Some(given.ty);
-            for rule in &mut self.rules {
-                give_back(&mut rule.body, &given.name);
-            }
-        }
-        self
-    }
-}
-
 /// Makes every end of statements give a name.
-pub(super) fn give_back(body: &mut [Statement], name: &str) {
+fn give_back(body: &mut [Statement], name: &str) {
     for statement in body {
         if let Statement::Return { result: result @ None } = statement {
             *result = Some(Term::name(name));
@@ -111,8 +114,6 @@ pub(super) enum Statement {
     IndexLoop { indices: IndexLoop, body: Vec<Statement> },
     /// Gives it another value.
     Change { name: String, value: Term },
-    /// Only where something holds.
-    When { condition: Term, body: Vec<Statement> },
     /// For each halfedge of a walk.
     Walk { walk: HalfedgeWalk, body: Vec<Statement> },
     /// A preview of the mesh, and a block in which what is new, and what is set, is noted on it.
@@ -135,8 +136,55 @@ pub(super) enum Statement {
     Give(Term),
     /// Done.
     Return { result: Option<Term> },
-    /// An action, which only steps and functions have.
-    Action(Action),
+
+    // Only steps and functions have those that follow.
+    /// A variable, with its first value.
+    Variable { place: Target, value: Term },
+    /// Calls what changes the mesh, and must do it.
+    Must { call: Call, place: Option<Target> },
+    /// Calls an operation, which may refuse.
+    May { call: Call },
+    /// Calls an operation, and goes on as it applied or refused.
+    Apply { call: Call, place: Option<Parameter>, then: Vec<Self>, otherwise: Vec<Self> },
+    /// Goes on as a condition holds or does not.
+    Choose { condition: Term, then: Vec<Self>, otherwise: Vec<Self> },
+    /// So many times.
+    Repeat { index: String, count: Term, body: Vec<Self> },
+    /// As long as a condition holds.
+    While { condition: Term, body: Vec<Self> },
+    /// For the elements around one that are there when the loop begins.
+    For {
+        variable: Parameter,
+        around: Around,
+        element: Term,
+        /// True if the body may erase some of them; those have no turn.
+        may_go: bool,
+        filter: Option<Term>,
+        body: Vec<Self>,
+    },
+    /// A loop whose writes are put off to its end.
+    Update { visit: Box<Self>, held: Vec<Held> },
+    /// Puts a write off.
+    Hold { list: String, element: Term, value: Term },
+    /// `break`
+    Break,
+    /// `continue`
+    Continue,
+    /// `vertex.position = value`, which has to be finite.
+    Move {
+        vertex: Term,
+        value: Term,
+        /// True if it surely is.
+        is_finite: bool,
+    },
+    /// Refuses a mesh without an attribute.
+    Ask(Attribute),
+    /// Notes the elements that will be written to.
+    Keep(Vec<Term>),
+    /// Notes the value of an attribute that will be written to.
+    KeepAttribute { attribute: Attribute, element: Term },
+    /// Leaves a function that has no value.
+    Leave,
 }
 
 /// A walk over halfedges. Nothing that it follows is written while it goes on, but the
@@ -164,57 +212,57 @@ pub(super) enum Step {
     Clockwise,
 }
 
-impl HalfedgeWalk {
-    /// Asks about every name that it begins or ends with.
-    pub fn names(&self, see: &mut dyn FnMut(&str)) {
-        self.from.names(see);
-        self.until.names(see);
-    }
+/// The statements inside of one; `$of` is the method that tells them.
+macro_rules! bodies {
+    ($statement:expr, $of:ident) => {
+        match $statement {
+            Self::Attempt { body, .. }
+            | Self::IndexLoop { body, .. }
+            | Self::Walk { body, .. }
+            | Self::Preview { body, .. }
+            | Self::Repeat { body, .. }
+            | Self::While { body, .. }
+            | Self::For { body, .. } => vec![body],
+            Self::Apply { then, otherwise, .. } | Self::Choose { then, otherwise, .. } => {
+                vec![then, otherwise]
+            }
+            Self::Update { visit, .. } => visit.$of(),
+            _ => Vec::new(),
+        }
+    };
 }
 
 impl Statement {
-    /// The statements inside of it, but for those of steps and functions.
-    fn body(&self) -> &[Self] {
-        match self {
-            Self::Attempt { body, .. }
-            | Self::IndexLoop { body, .. }
-            | Self::When { body, .. }
-            | Self::Walk { body, .. }
-            | Self::Preview { body, .. } => body,
-            _ => &[],
-        }
+    /// The statement that does something only where a condition holds.
+    pub fn when(condition: Term, then: Vec<Self>) -> Self {
+        Self::Choose { condition, then, otherwise: Vec::new() }
+    }
+
+    /// The statements inside of it.
+    pub fn bodies(&self) -> Vec<&[Self]> {
+        bodies!(self, bodies)
     }
 
     /// The statements inside of it, to be changed.
-    fn bodies_mut(&mut self) -> Vec<&mut Vec<Self>> {
-        match self {
-            Self::Attempt { body, .. }
-            | Self::IndexLoop { body, .. }
-            | Self::When { body, .. }
-            | Self::Walk { body, .. }
-            | Self::Preview { body, .. } => vec![body],
-            Self::Action(action) => action.bodies_mut(),
-            _ => Vec::new(),
-        }
+    pub fn bodies_mut(&mut self) -> Vec<&mut Vec<Self>> {
+        bodies!(self, bodies_mut)
     }
 
     /// True if it, or one inside of it, adds to a list.
     pub fn adds_to(&self, name: &str) -> bool {
         match self {
             Self::Push { list, .. } => list == name,
-            statement => statement.body().iter().any(|inner| inner.adds_to(name)),
+            statement => statement.bodies().into_iter().flatten().any(|inner| inner.adds_to(name)),
         }
     }
 
-    /// The statement with another body in the place of its own, if it has one that is carried
-    /// out on the mesh: what is foreseen is not.
-    pub fn with_body(mut self, made: impl FnOnce(Vec<Self>) -> Vec<Self>) -> Self {
-        if let Self::Attempt { body, .. }
-        | Self::IndexLoop { body, .. }
-        | Self::When { body, .. }
-        | Self::Walk { body, .. } = &mut self
-        {
-            *body = made(std::mem::take(body));
+    /// The statement with other bodies in the place of its own, if they are carried out on the mesh:
+    /// what is foreseen is not.
+    pub fn with_bodies(mut self, mut made: impl FnMut(Vec<Self>) -> Vec<Self>) -> Self {
+        if !matches!(self, Self::Preview { .. }) {
+            for body in self.bodies_mut() {
+                *body = made(std::mem::take(body));
+            }
         }
         self
     }
@@ -223,70 +271,105 @@ impl Statement {
     pub fn changes_the_lists(&self) -> bool {
         match self {
             Self::New { .. } | Self::NewEach { .. } | Self::Erase { .. } => true,
-            Self::Attempt { body, .. } | Self::IndexLoop { body, .. } => {
-                body.iter().any(Self::changes_the_lists)
-            }
-            _ => false,
+            Self::Preview { .. } => false,
+            statement => statement.bodies().into_iter().flatten().any(Self::changes_the_lists),
         }
     }
 
-    /// Asks about every name that the statement reads, bodies included.
-    pub fn names(&self, see: &mut dyn FnMut(&str)) {
+    /// Tells the types of everything that is named, bodies included.
+    pub fn types(&self, see: &mut dyn FnMut(Type)) {
+        self.terms(&mut |term| term.folds(&mut |fold| see(fold.variable.ty)));
         match self {
-            Self::Comment(_) | Self::Blank | Self::Column(_) | Self::New { .. } => {}
-            Self::Bind { value, .. } | Self::BindList { value, .. } => {
-                value.names(see);
+            Self::Bind { ty, .. }
+            | Self::List { ty, .. }
+            | Self::BindList { ty, .. }
+            | Self::Gather { ty, .. } => see(*ty),
+            Self::Attempt { .. } | Self::Walk { .. } => see(Type::Halfedge),
+            Self::New { kind, .. } | Self::NewEach { kind, .. } => see(match kind {
+                Kind::Vertex => Type::Vertex,
+                Kind::Halfedge => Type::Halfedge,
+                Kind::Edge => Type::Edge,
+                _ => Type::Face,
+            }),
+            Self::Variable { place, .. } | Self::Must { place: Some(place), .. } => see(place.ty),
+            Self::Apply { place: Some(variable), .. } | Self::For { variable, .. } => {
+                see(variable.ty);
             }
-            Self::Size { list, .. } => see(list),
-            Self::Gather { indices, item, .. } => {
-                indices.names(see);
-                item.names(see);
+            Self::Update { visit, held } => {
+                visit.types(see);
+                held.iter().for_each(|held| see(held.element));
             }
-            Self::NewEach { indices, .. } => indices.names(see),
-            Self::IndexLoop { indices, body } => {
-                indices.names(see);
-                body.iter().for_each(|statement| statement.names(see));
+            _ => {}
+        }
+        self.bodies().into_iter().flatten().for_each(|inner| inner.types(see));
+    }
+
+    /// Asks about every name that it reads, bodies included.
+    pub fn names(&self, see: &mut dyn FnMut(&str)) {
+        self.terms(&mut |term| term.names(see));
+        match self {
+            Self::Size { list: name, .. }
+            | Self::Push { list: name, .. }
+            | Self::Attempt { element: name, .. }
+            | Self::Change { name, .. }
+            | Self::Must { place: Some(Target { name, form: Form::Known, .. }), .. } => see(name),
+            Self::Gather { indices, .. }
+            | Self::NewEach { indices, .. }
+            | Self::IndexLoop { indices, .. } => indices.names(see),
+            _ => {}
+        }
+        self.bodies().into_iter().flatten().for_each(|inner| inner.names(see));
+    }
+
+    /// Shows its own terms, without those of its bodies.
+    fn terms(&self, see: &mut dyn FnMut(&Term)) {
+        match self {
+            Self::Bind { value: term, .. }
+            | Self::BindList { value: term, .. }
+            | Self::Gather { item: term, .. }
+            | Self::Refuse { when: term, .. }
+            | Self::Push { item: term, .. }
+            | Self::Change { value: term, .. }
+            | Self::Erase { element: term, .. }
+            | Self::SetHole { face: term, .. }
+            | Self::Give(term)
+            | Self::Return { result: Some(term) }
+            | Self::Variable { value: term, .. }
+            | Self::Choose { condition: term, .. }
+            | Self::While { condition: term, .. }
+            | Self::Repeat { count: term, .. }
+            | Self::KeepAttribute { element: term, .. } => see(term),
+            Self::Walk { walk: HalfedgeWalk { from: one, until: other, .. }, .. }
+            | Self::Set { of: one, value: other, .. }
+            | Self::SetPosition { vertex: one, value: other }
+            | Self::SetAttribute { element: one, value: other, .. }
+            | Self::Move { vertex: one, value: other, .. }
+            | Self::Hold { element: one, value: other, .. } => {
+                [one, other].into_iter().for_each(see)
             }
-            Self::Attempt { element, body, .. } => {
+            Self::List { items: terms, .. } | Self::Keep(terms) => terms.iter().for_each(see),
+            Self::Must { call, .. } | Self::May { call } | Self::Apply { call, .. } => {
+                call.args.iter().for_each(see);
+            }
+            Self::For { element, filter, .. } => {
                 see(element);
-                body.iter().for_each(|statement| statement.names(see));
+                filter.iter().for_each(see);
             }
-            Self::Refuse { when, .. } => when.names(see),
-            Self::List { items, .. } => items.iter().for_each(|item| item.names(see)),
-            Self::Push { list, item } => {
-                see(list);
-                item.names(see);
-            }
-            Self::Change { name, value } => {
-                see(name);
-                value.names(see);
-            }
-            Self::Preview { body, .. } => body.iter().for_each(|statement| statement.names(see)),
-            Self::Erase { element, .. } => element.names(see),
-            Self::When { condition, body } => {
-                condition.names(see);
-                body.iter().for_each(|statement| statement.names(see));
-            }
-            Self::Walk { walk, body } => {
-                walk.names(see);
-                body.iter().for_each(|statement| statement.names(see));
-            }
-            Self::Set { of, value, .. } => {
-                of.names(see);
-                value.names(see);
-            }
-            Self::SetHole { face, .. } => face.names(see),
-            Self::SetPosition { vertex, value } => {
-                vertex.names(see);
-                value.names(see);
-            }
-            Self::SetAttribute { element, value, .. } => {
-                element.names(see);
-                value.names(see);
-            }
-            Self::Give(value) => value.names(see),
-            Self::Return { result } => result.iter().for_each(|result| result.names(see)),
-            Self::Action(action) => action.names(see),
+            Self::Update { visit, .. } => visit.terms(see),
+            Self::Comment(_)
+            | Self::Blank
+            | Self::Column(_)
+            | Self::Attempt { .. }
+            | Self::Size { .. }
+            | Self::IndexLoop { .. }
+            | Self::Preview { .. }
+            | Self::New { .. }
+            | Self::NewEach { .. }
+            | Self::Return { result: None }
+            | Self::Break
+            | Self::Continue
+            | Self::Ask(_)
+            | Self::Leave => {}
         }
     }
 }
@@ -305,7 +388,7 @@ pub(super) fn without_unread(body: Vec<Statement>) -> Vec<Statement> {
             {
                 continue;
             }
-            statement @ Statement::Attempt { .. } => statement.with_body(without_unread),
+            statement @ Statement::Attempt { .. } => statement.with_bodies(without_unread),
             statement => statement,
         };
         statement.names(&mut |name| {

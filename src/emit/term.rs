@@ -220,8 +220,8 @@ impl Term {
         Self::Some(indices, Box::new(self))
     }
 
-    /// Shows every aggregate in it.
-    pub fn folds(&self, see: &mut dyn FnMut(&Fold)) {
+    /// Shows its parts.
+    fn parts<'t>(&'t self, see: &mut dyn FnMut(&'t Term)) {
         match self {
             Self::Name(_) | Self::Bool(_) | Self::Int(_) | Self::Real(_) | Self::Member { .. } => {}
             Self::Some(_, of)
@@ -230,27 +230,25 @@ impl Term {
             | Self::Attribute(_, of)
             | Self::Hole(of)
             | Self::Component(_, of)
-            | Self::Unary(_, of) => of.folds(see),
-            Self::Vector(parts) => parts.iter().for_each(|part| part.folds(see)),
-            Self::Binary(_, left, right) => {
-                left.folds(see);
-                right.folds(see);
-            }
-            Self::Call(_, args) | Self::Invoke(_, args) => {
-                args.iter().for_each(|arg| arg.folds(see));
-            }
+            | Self::Unary(_, of) => see(of),
+            Self::Vector(parts) => parts.iter().for_each(see),
+            Self::Binary(_, left, right) => [left, right].into_iter().for_each(|part| see(part)),
+            Self::Call(_, args) | Self::Invoke(_, args) => args.iter().for_each(see),
             Self::If(condition, then, otherwise) => {
-                condition.folds(see);
-                then.folds(see);
-                otherwise.folds(see);
+                [condition, then, otherwise].into_iter().for_each(|part| see(part));
             }
             Self::Fold(fold) => {
-                see(fold);
-                fold.element.folds(see);
-                fold.filter.iter().for_each(|filter| filter.folds(see));
-                fold.body.folds(see);
+                [&fold.element].into_iter().chain(&fold.filter).chain([&fold.body]).for_each(see);
             }
         }
+    }
+
+    /// Shows every aggregate in it.
+    pub fn folds(&self, see: &mut dyn FnMut(&Fold)) {
+        if let Self::Fold(fold) = self {
+            see(fold);
+        }
+        self.parts(&mut |part| part.folds(see));
     }
 
     /// Asks about every name in it.
@@ -264,36 +262,10 @@ impl Term {
                     see(size);
                 }
             }
-            Self::Some(indices, of) => {
-                indices.names(see);
-                of.names(see);
-            }
-            Self::Bool(_) | Self::Int(_) | Self::Real(_) => {}
-            Self::Follow(_, of)
-            | Self::Position(of)
-            | Self::Attribute(_, of)
-            | Self::Hole(of)
-            | Self::Component(_, of)
-            | Self::Unary(_, of) => of.names(see),
-            Self::Vector(parts) => parts.iter().for_each(|part| part.names(see)),
-            Self::Binary(_, left, right) => {
-                left.names(see);
-                right.names(see);
-            }
-            Self::Call(_, args) | Self::Invoke(_, args) => {
-                args.iter().for_each(|arg| arg.names(see));
-            }
-            Self::If(condition, then, otherwise) => {
-                condition.names(see);
-                then.names(see);
-                otherwise.names(see);
-            }
-            Self::Fold(fold) => {
-                fold.element.names(see);
-                fold.filter.iter().for_each(|filter| filter.names(see));
-                fold.body.names(see);
-            }
+            Self::Some(indices, _) => indices.names(see),
+            _ => {}
         }
+        self.parts(&mut |part| part.names(see));
     }
 }
 

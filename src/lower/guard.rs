@@ -6,6 +6,7 @@
 
 use crate::check::guard::{Obligation, Statement};
 use crate::diagram::{Drawing, Kind, NameId, Pointer};
+use crate::mesh::OrbitCondition;
 
 /// The tests of a guard.
 #[derive(Clone, Debug)]
@@ -33,68 +34,9 @@ pub enum Question {
     /// No edge of the mesh as it is joins two vertices.
     NotAdjacent([NameId; 2]),
     /// A condition holds for an element of the preview, or for two.
-    Holds { condition: GuardCondition, of: NameId, at: Option<NameId> },
+    Holds { condition: OrbitCondition, of: NameId, at: Option<NameId> },
     /// At each vertex along a path at most one corner lies in a hole of the preview.
     OneHoleAlong(NameId),
-}
-
-/// A condition of a level on one orbit.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum GuardCondition {
-    /// A loop has three sides or more.
-    ThreeSides,
-    /// A loop meets no vertex twice.
-    MeetsOnce,
-    /// A loop has no more than one corner at a vertex.
-    CornerOnce,
-    /// A vertex has two spokes or more, or none at all.
-    TwoSpokes,
-    /// At most one corner of a vertex lies in a hole.
-    OneHole,
-    /// No loop lies around a vertex twice.
-    FacesDiffer,
-    /// No two edges join a vertex to the same neighbor.
-    NeighborsDiffer,
-    /// No other edge has the ends of that of a halfedge.
-    SingleEdge,
-    /// No two faces around a vertex have the same set of corners.
-    CornersDiffer,
-    /// No other face around a vertex of a face has the same set of corners.
-    CornersOwn,
-}
-
-impl GuardCondition {
-    /// The name of the function that asks it, in emitted code.
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::ThreeSides => "three_sides",
-            Self::MeetsOnce => "meets_once",
-            Self::CornerOnce => "corner_once",
-            Self::TwoSpokes => "two_spokes",
-            Self::OneHole => "one_hole",
-            Self::FacesDiffer => "faces_differ",
-            Self::NeighborsDiffer => "neighbors_differ",
-            Self::SingleEdge => "single_edge",
-            Self::CornersDiffer => "corners_differ",
-            Self::CornersOwn => "corners_own",
-        }
-    }
-
-    fn reads(self) -> PreviewReads {
-        let none = PreviewReads::default();
-        match self {
-            Self::ThreeSides => PreviewReads { loops: true, ..none },
-            Self::MeetsOnce => PreviewReads { loops: true, origins: true, ..none },
-            Self::TwoSpokes => PreviewReads { stars: true, ..none },
-            Self::CornerOnce | Self::FacesDiffer | Self::OneHole => {
-                PreviewReads { stars: true, faces: true, ..none }
-            }
-            Self::NeighborsDiffer | Self::SingleEdge => {
-                PreviewReads { stars: true, origins: true, ..none }
-            }
-            Self::CornersDiffer | Self::CornersOwn => PreviewReads::ALL,
-        }
-    }
 }
 
 /// The pointers of a preview that tests read. None reads edges.
@@ -121,6 +63,23 @@ pub enum StarWalk {
 
 impl PreviewReads {
     const ALL: Self = Self { stars: true, loops: true, origins: true, faces: true };
+
+    /// The pointers that a condition reads.
+    fn of(condition: OrbitCondition) -> Self {
+        let none = Self::default();
+        match condition {
+            OrbitCondition::ThreeSides => Self { loops: true, ..none },
+            OrbitCondition::MeetsOnce => Self { loops: true, origins: true, ..none },
+            OrbitCondition::TwoSpokes => Self { stars: true, ..none },
+            OrbitCondition::CornerOnce | OrbitCondition::FacesDiffer | OrbitCondition::OneHole => {
+                Self { stars: true, faces: true, ..none }
+            }
+            OrbitCondition::NeighborsDiffer | OrbitCondition::SingleEdge => {
+                Self { stars: true, origins: true, ..none }
+            }
+            OrbitCondition::CornersDiffer | OrbitCondition::CornersOwn => Self::ALL,
+        }
+    }
 
     fn and(self, other: Self) -> Self {
         Self {
@@ -168,7 +127,7 @@ impl Guard {
         let tests: Vec<_> = open.map(test).collect();
         let reads = tests.iter().filter_map(|test| match test.question {
             Question::NotAdjacent(_) => None,
-            Question::Holds { condition, .. } => Some(condition.reads()),
+            Question::Holds { condition, .. } => Some(PreviewReads::of(condition)),
             Question::OneHoleAlong(_) => Some(PreviewReads::ALL),
         });
         Self { reads: reads.reduce(PreviewReads::and), tests }
@@ -178,21 +137,21 @@ impl Guard {
 fn question(drawing: &Drawing, statement: &Statement) -> Question {
     let (condition, of, at) = match *statement {
         Statement::OneHoleAlong(path) => return Question::OneHoleAlong(path),
-        Statement::ThreeSides(face) => (GuardCondition::ThreeSides, face, None),
-        Statement::MeetsOnce(face) => (GuardCondition::MeetsOnce, face, None),
-        Statement::CornerOnce { face, vertex } => (GuardCondition::CornerOnce, face, Some(vertex)),
-        Statement::FacesDiffer { vertex, .. } => (GuardCondition::FacesDiffer, vertex, None),
-        Statement::TwoSpokes(vertex) => (GuardCondition::TwoSpokes, vertex, None),
-        Statement::OneHole { vertex, .. } => (GuardCondition::OneHole, vertex, None),
+        Statement::ThreeSides(face) => (OrbitCondition::ThreeSides, face, None),
+        Statement::MeetsOnce(face) => (OrbitCondition::MeetsOnce, face, None),
+        Statement::CornerOnce { face, vertex } => (OrbitCondition::CornerOnce, face, Some(vertex)),
+        Statement::FacesDiffer { vertex, .. } => (OrbitCondition::FacesDiffer, vertex, None),
+        Statement::TwoSpokes(vertex) => (OrbitCondition::TwoSpokes, vertex, None),
+        Statement::OneHole { vertex, .. } => (OrbitCondition::OneHole, vertex, None),
         Statement::NeighborsDiffer { vertex, .. } => {
-            (GuardCondition::NeighborsDiffer, vertex, None)
+            (OrbitCondition::NeighborsDiffer, vertex, None)
         }
         Statement::SingleEdge { halfedge, .. } => match ends_without_edge(drawing, halfedge) {
             Some(ends) => return Question::NotAdjacent(ends),
-            None => (GuardCondition::SingleEdge, halfedge, None),
+            None => (OrbitCondition::SingleEdge, halfedge, None),
         },
-        Statement::CornersDiffer(vertex) => (GuardCondition::CornersDiffer, vertex, None),
-        Statement::CornersOwn { face, vertex } => (GuardCondition::CornersOwn, face, Some(vertex)),
+        Statement::CornersDiffer(vertex) => (OrbitCondition::CornersDiffer, vertex, None),
+        Statement::CornersOwn { face, vertex } => (OrbitCondition::CornersOwn, face, Some(vertex)),
     };
     Question::Holds { condition, of, at }
 }

@@ -2,7 +2,7 @@
 //! each element of an aggregate. They are computed before, and get names; else `centroid(f)`
 //! would go around the face at each of its corners.
 
-use crate::diagram::{Binary, Builtin, Expr, ExprKind, FoldFunction, Rule};
+use crate::diagram::{Binary, Expr, ExprKind, FoldFunction, Rule};
 
 /// A value that is taken apart.
 #[derive(Clone, Debug)]
@@ -54,13 +54,6 @@ impl<'e> Finder<'e> {
             return;
         }
         match &expr.kind {
-            ExprKind::Follow(_, of)
-            | ExprKind::Read(_, of)
-            | ExprKind::Component(_, of)
-            | ExprKind::Unary(_, of) => self.look(of, repeated, surely),
-            ExprKind::Vector(parts) | ExprKind::Call(_, parts) | ExprKind::Invoke(_, parts) => {
-                parts.iter().for_each(|part| self.look(part, repeated, surely));
-            }
             ExprKind::Binary(operator, left, right) => {
                 self.look(left, repeated, surely);
                 let always = !matches!(operator, Binary::And | Binary::Or);
@@ -82,15 +75,8 @@ impl<'e> Finder<'e> {
                 self.bound.pop();
             }
             // What a block binds is known inside of it only.
-            ExprKind::Let(..)
-            | ExprKind::Try(..)
-            | ExprKind::Bool(_)
-            | ExprKind::Int(_)
-            | ExprKind::Real(_)
-            | ExprKind::Text(_)
-            | ExprKind::Element(_)
-            | ExprKind::Member(..)
-            | ExprKind::Local(_) => {}
+            ExprKind::Let(..) | ExprKind::Try(..) => {}
+            _ => expr.parts(&mut |part| self.look(part, repeated, surely)),
         }
     }
 
@@ -100,11 +86,10 @@ impl<'e> Finder<'e> {
             ExprKind::Element(name) => self.rule.is_some_and(|rule| rule.is_member(*name)),
             ExprKind::Local(variable) => self.bound.contains(variable),
             ExprKind::Invoke(..) => self.random_calls,
-            ExprKind::Member(..)
-            | ExprKind::Let(..)
-            | ExprKind::Try(..)
-            | ExprKind::Text(_)
-            | ExprKind::Call(Builtin::Random | Builtin::RandomInt, _) => true,
+            ExprKind::Member(..) | ExprKind::Let(..) | ExprKind::Try(..) | ExprKind::Text(_) => {
+                true
+            }
+            ExprKind::Call(builtin, _) => builtin.is_random(),
             _ => false,
         }
     }

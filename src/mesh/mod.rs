@@ -38,6 +38,7 @@ mod kernel;
 mod level;
 mod level_near;
 mod link;
+mod orbit_condition;
 mod summary;
 pub mod validate;
 mod walk;
@@ -85,6 +86,7 @@ pub use level::{BelowLevel, Level, highest_level, validate_level};
 pub(crate) use level::{level_of_polygons, validate_level_of_valid};
 pub use level_near::{Footprint, validate_level_near};
 pub use notes::{Bookmark, Written};
+pub use orbit_condition::OrbitCondition;
 #[cfg(feature = "threads")]
 pub use parallel::set_threads;
 pub use parallel::threads;

@@ -1,13 +1,11 @@
 //! Fields: the pointers of an element, its attributes, the components of a vector.
 
 use crate::diagnostic::{Diagnostic, Edit, Fix};
-use crate::diagram::{Expr, ExprKind, Type};
+use crate::diagram::{Expr, ExprKind, Type, Wanted, overloads};
 use crate::source::Span;
 use crate::syntax::tree::{self, Ident};
 
-use super::builtin::{Wanted, overloads};
 use super::fields::{Field, fields_of, is_taken};
-
 use super::foreign_words::{self, Here};
 use super::sequence_names::sequences_of;
 use super::typed::typed;

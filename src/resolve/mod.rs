@@ -73,7 +73,7 @@ pub use crate::syntax::tree::Digits;
 pub use file::{Resolved, resolve, resolve_all};
 pub use program::{
     Block, Body, Function, Op as ResolvedOp, Print, Program, Script, Statement, StatementKind,
-    Steps, Test, TestMesh, Variable,
+    Steps, Test, TestMesh, Variable, Visit,
 };
 pub use suggestion::closest;
 pub use unit::Unit;

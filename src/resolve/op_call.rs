@@ -31,26 +31,27 @@ impl Applied {
     /// refusal.
     pub(super) fn into_variable(self, variable: u32, then: Block) -> StatementKind {
         let refused = Statement { kind: StatementKind::Refused { op: self.op }, span: self.span };
-        StatementKind::IfApply {
-            op: self.op,
-            args: self.args,
-            variable: Some(variable),
-            then,
-            otherwise: vec![refused],
-        }
+        let asked = Asked { op: self.op, args: self.args, variable: Some(variable) };
+        asked.choosing([then, vec![refused]])
     }
 }
 
-/// `let m = split(e)` behind `if`.
-struct Asked {
+/// `split(e)`, or `let m = split(e)` behind `if`.
+pub(super) struct Asked {
     op: usize,
     args: Vec<Expr>,
     variable: Option<u32>,
 }
 
+impl From<(usize, Vec<Expr>)> for Asked {
+    fn from((op, args): (usize, Vec<Expr>)) -> Self {
+        Self { op, args, variable: None }
+    }
+}
+
 impl Asked {
-    fn choosing(self, [then, otherwise]: [Block; 2]) -> StatementKind {
-        StatementKind::IfApply {
+    pub(super) fn choosing(self, [then, otherwise]: [Block; 2]) -> StatementKind {
+        StatementKind::Apply {
             op: self.op,
             args: self.args,
             variable: self.variable,

@@ -1,11 +1,11 @@
 //! Calls of functions: choosing an overload by the types of the arguments.
 
 use crate::diagnostic::Diagnostic;
-use crate::diagram::{Access, Expr, ExprKind, Type};
+use crate::diagram::{Access, Expr, ExprKind, Overload, Type, Wanted, overloads};
 use crate::source::Span;
 use crate::syntax::tree::{self, Ident};
 
-use super::builtin::{Overload, SHUFFLE, Wanted, function_names, overloads};
+use super::builtin::{SHUFFLE, function_names};
 use super::constructors::constructed;
 use super::foreign_words;
 use super::sequence::is_sequence;
@@ -79,7 +79,7 @@ impl Typing<'_> {
             return None;
         }
         let known = overloads(word);
-        if word == "random" && !matches!(self.place, Place::Script) {
+        if known.iter().any(|way| way.builtin.is_random()) && !matches!(self.place, Place::Script) {
             let message = "an op or a default does the same each time, so nothing is random here";
             let error = Diagnostic::error("misplaced-random", message, span);
             self.report.add(error.note("give the number to it as an argument"));

@@ -176,30 +176,20 @@ pub enum StatementKind {
     Repeat { count: Expr, body: Block },
     /// `while c { … }`
     While { condition: Expr, body: Block },
-    /// `for x in xs where c { … }`: elements that exist when the loop starts and still
-    /// exist when their turn comes.
-    For {
-        variable: u32,
-        collection: Collection,
-        filter: Option<Expr>,
-        body: Block,
-        /// True if they are visited in random order.
-        shuffled: bool,
-    },
-    /// `update x in xs where c { … }`: a `Write` in its body is kept back to the end.
-    Update { variable: u32, collection: Collection, filter: Option<Expr>, body: Block },
+    /// `for x in xs where c { … }`, `update x in xs where c { … }`: elements that exist when the
+    /// loop starts and still exist when their turn comes.
+    For { variable: u32, collection: Collection, filter: Option<Expr>, body: Block, visit: Visit },
     /// `drain x in xs by key while c { … }`: the element with the least key first, and keys
     /// kept current. The condition, too, may name the element.
     Drain { variable: u32, collection: Collection, key: Expr, condition: Option<Expr>, body: Block },
     /// `if c { … } else { … }`
     If { condition: Expr, then: Block, otherwise: Block },
-    /// An op call as a statement: refusals are counted. `must` stops at a refusal. There
-    /// is an argument for each parameter; defaults are filled in.
-    Apply { op: usize, args: Vec<Expr>, must: bool },
-    /// `if let m = split(e) { … } else { … }`; without a variable, `if split(e) { … }`.
-    /// The variable is set before `then` and keeps its value after the statement, so
-    /// `let m = must split(e)` is this with an empty `then` and a failing `otherwise`.
-    IfApply { op: usize, args: Vec<Expr>, variable: Option<u32>, then: Block, otherwise: Block },
+    /// The call of an op, with an argument for each parameter; defaults are filled in, and
+    /// refusals are counted. `if let m = split(e) { … } else { … }`; without a variable,
+    /// `if split(e) { … }`. The variable is set before `then` and keeps its value after the
+    /// statement, so `let m = must split(e)` is this with an empty `then` and, as `otherwise`,
+    /// [`StatementKind::Refused`]. Of `split(e)` as a statement both are empty.
+    Apply { op: usize, args: Vec<Expr>, variable: Option<u32>, then: Block, otherwise: Block },
     /// `print a, b`
     Print(Vec<Print>),
     /// `assert c else "…"`
@@ -223,6 +213,18 @@ pub enum StatementKind {
     /// The call of a function as a statement, with an argument for each parameter. Its value,
     /// of this type, is dropped.
     Call { function: u32, args: Vec<Expr>, result: Option<Type> },
+}
+
+/// The way in which a loop visits elements.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Visit {
+    /// `for x in xs`
+    InOrder,
+    /// `for x in shuffle(xs)`
+    Shuffled,
+    /// `update x in xs`: a `Write` in the body is kept back to the end. The body only computes,
+    /// writes and chooses.
+    Update,
 }
 
 /// A piece of what `print` prints, one behind the other.

@@ -186,7 +186,7 @@ pub(super) fn ends(block: &[Statement]) -> bool {
             condition.kind == ExprKind::Bool(true) && !breaks(body)
         }
         StatementKind::If { then, otherwise, .. }
-        | StatementKind::IfApply { then, otherwise, .. } => ends(then) && ends(otherwise),
+        | StatementKind::Apply { then, otherwise, .. } => ends(then) && ends(otherwise),
         _ => false,
     })
 }
@@ -196,7 +196,7 @@ fn breaks(block: &[Statement]) -> bool {
     block.iter().any(|statement| match &statement.kind {
         StatementKind::Break => true,
         StatementKind::If { then, otherwise, .. }
-        | StatementKind::IfApply { then, otherwise, .. } => breaks(then) || breaks(otherwise),
+        | StatementKind::Apply { then, otherwise, .. } => breaks(then) || breaks(otherwise),
         _ => false,
     })
 }

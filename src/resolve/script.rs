@@ -1,7 +1,7 @@
 //! A script: its parameters, its variables, its blocks and loops.
 
 use crate::diagnostic::Diagnostic;
-use crate::diagram::{Collection, Expr, Type};
+use crate::diagram::{Collection, Type};
 use crate::source::Span;
 use crate::syntax::tree::{self, Action, ActionKind, Ident};
 
@@ -9,7 +9,7 @@ use super::builtin::SHUFFLE;
 use super::declared::Declared;
 use super::depth::shallow_block;
 use super::parameter::{Owner, local, parameters};
-use super::program::{Block, Script, Statement, StatementKind};
+use super::program::{Block, Script, Statement, StatementKind, Visit};
 use super::report::Report;
 use super::return_value::Returns;
 use super::scopes::{Binding, Local, Scopes};
@@ -37,19 +37,11 @@ pub(super) struct Scripting<'a> {
 }
 
 /// The head of `for` or `update`, and what it repeats.
-struct Visit<'a> {
+struct Loop<'a> {
     variable: &'a Ident,
     sequence: &'a tree::Expr,
     filter: Option<&'a tree::Expr>,
     body: &'a tree::Block,
-}
-
-/// A resolved [`Visit`].
-struct Visited {
-    variable: u32,
-    collection: Collection,
-    filter: Option<Expr>,
-    body: Block,
 }
 
 /// Resolves a script; `None` if the report has an error.
@@ -171,10 +163,10 @@ impl Scripting<'_> {
             ActionKind::Repeat { count, body } => self.repeat(count, body),
             ActionKind::While { condition, body } => self.repeat_while(condition, body),
             ActionKind::For { variable, sequence, filter, body } => {
-                self.visit_each(Visit { variable, sequence, filter: filter.as_ref(), body })
+                self.visit_each(Loop { variable, sequence, filter: filter.as_ref(), body })
             }
             ActionKind::Update { variable, sequence, filter, body } => {
-                self.update_each(Visit { variable, sequence, filter: filter.as_ref(), body })
+                self.update_each(Loop { variable, sequence, filter: filter.as_ref(), body })
             }
             ActionKind::Drain { variable, sequence, key, condition, body } => {
                 self.drain(variable, sequence, (key, condition.as_ref()), body)
@@ -226,36 +218,22 @@ impl Scripting<'_> {
     }
 
     /// `for x in xs where c { … }`
-    fn visit_each(&mut self, visit: Visit) -> Option<StatementKind> {
-        let (sequence, shuffled) = match &visit.sequence.kind {
+    fn visit_each(&mut self, visited: Loop) -> Option<StatementKind> {
+        match &visited.sequence.kind {
             tree::ExprKind::Call { function, args } if function.text == SHUFFLE => {
-                self.typing.right_count(function, 1, args.len(), visit.sequence.span)?;
-                (args.first()?, true)
+                self.typing.right_count(function, 1, args.len(), visited.sequence.span)?;
+                self.visit(Loop { sequence: args.first()?, ..visited }, Visit::Shuffled)
             }
-            _ => (visit.sequence, false),
-        };
-        let visited = self.visit(Visit { sequence, ..visit })?;
-        Some(StatementKind::For {
-            shuffled,
-            variable: visited.variable,
-            collection: visited.collection,
-            filter: visited.filter,
-            body: visited.body,
-        })
+            _ => self.visit(visited, Visit::InOrder),
+        }
     }
 
     /// `update x in xs where c { … }`
-    fn update_each(&mut self, visit: Visit) -> Option<StatementKind> {
+    fn update_each(&mut self, visited: Loop) -> Option<StatementKind> {
         self.updating = true;
-        let visited = self.visit(visit);
+        let update = self.visit(visited, Visit::Update);
         self.updating = false;
-        let visited = visited?;
-        Some(StatementKind::Update {
-            variable: visited.variable,
-            collection: visited.collection,
-            filter: visited.filter,
-            body: visited.body,
-        })
+        update
     }
 
     /// `assert c else "…"`
@@ -323,23 +301,23 @@ impl Scripting<'_> {
         Some(StatementKind::Drain { variable, collection: collection?, key: key?, condition, body })
     }
 
-    fn visit(&mut self, visit: Visit) -> Option<Visited> {
-        let collection = self.typing.sequence(visit.sequence);
+    fn visit(&mut self, visited: Loop, visit: Visit) -> Option<StatementKind> {
+        let collection = self.typing.sequence(visited.sequence);
         self.typing.scopes.enter();
         let variable = self.typing.scopes.declare(Local {
-            name: visit.variable.text.clone(),
-            span: visit.variable.span,
+            name: visited.variable.text.clone(),
+            span: visited.variable.span,
             ty: collection.as_ref().map(Collection::element),
             binding: Binding::Head,
         });
         let filter =
-            visit.filter.map(|filter| self.typing.expression_as(filter, Type::Bool, "`where`"));
-        let body = self.repeated(visit.body);
+            visited.filter.map(|filter| self.typing.expression_as(filter, Type::Bool, "`where`"));
+        let body = self.repeated(visited.body);
         self.typing.scopes.leave();
         let filter = match filter {
             Some(filter) => Some(filter?),
             None => None,
         };
-        Some(Visited { variable, collection: collection?, filter, body })
+        Some(StatementKind::For { variable, collection: collection?, filter, body, visit })
     }
 }

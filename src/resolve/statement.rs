@@ -7,7 +7,8 @@ use crate::syntax::tree::{self, Action, ActionKind, Digits, Ident, Piece, Shown}
 
 use super::declared::duplicate;
 use super::foreign_words;
-use super::program::{Print, StatementKind};
+use super::op_call::Asked;
+use super::program::{Print, Statement, StatementKind};
 use super::scopes::{Binding, Local};
 use super::script::Scripting;
 use super::suggestion::suggest;
@@ -318,16 +319,18 @@ impl Scripting<'_> {
                 if !self.typing.declared.is_called(&function.text)
                     || self.typing.declared.op(&function.text).is_some() =>
             {
-                let (op, args) = self.application(function, args, expr.span)?;
-                Some(StatementKind::Apply { op, args, must: false })
+                let asked = self.application(function, args, expr.span)?;
+                Some(Asked::from(asked).choosing([Vec::new(), Vec::new()]))
             }
             tree::ExprKind::Must(inner) => {
                 let tree::ExprKind::Call { function, args } = &inner.kind else {
                     self.typing.misplaced_must(inner, expr.span);
                     return None;
                 };
-                let (op, args) = self.application(function, args, inner.span)?;
-                Some(StatementKind::Apply { op, args, must: true })
+                let asked = self.application(function, args, inner.span)?;
+                let refused = StatementKind::Refused { op: asked.0 };
+                let otherwise = vec![Statement { kind: refused, span: expr.span }];
+                Some(Asked::from(asked).choosing([Vec::new(), otherwise]))
             }
             _ => {
                 let value: Expr = self.typing.expression(expr)?;

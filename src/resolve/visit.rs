@@ -10,13 +10,11 @@ impl Statement {
             StatementKind::Repeat { body, .. }
             | StatementKind::While { body, .. }
             | StatementKind::For { body, .. }
-            | StatementKind::Update { body, .. }
             | StatementKind::Drain { body, .. } => (Some(body), None),
             StatementKind::If { then, otherwise, .. }
-            | StatementKind::IfApply { then, otherwise, .. } => (Some(then), Some(otherwise)),
+            | StatementKind::Apply { then, otherwise, .. } => (Some(then), Some(otherwise)),
             StatementKind::Set { .. }
             | StatementKind::Write { .. }
-            | StatementKind::Apply { .. }
             | StatementKind::Print(_)
             | StatementKind::Assert { .. }
             | StatementKind::Require { .. }
@@ -48,15 +46,13 @@ impl Statement {
             | StatementKind::If { condition, .. }
             | StatementKind::Assert { condition, .. }
             | StatementKind::Require { condition, .. } => see(condition),
-            StatementKind::For { collection, filter, .. }
-            | StatementKind::Update { collection, filter, .. } => {
+            StatementKind::For { collection, filter, .. } => {
                 collection.base().into_iter().chain(filter).for_each(see);
             }
             StatementKind::Drain { collection, key, condition, .. } => {
                 collection.base().into_iter().chain([key]).chain(condition).for_each(see);
             }
             StatementKind::Apply { args, .. }
-            | StatementKind::IfApply { args, .. }
             | StatementKind::AssertRefuses { args, .. }
             | StatementKind::Call { args, .. } => args.iter().for_each(see),
             StatementKind::Return(value) => value.iter().for_each(see),

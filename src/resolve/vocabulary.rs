@@ -1,8 +1,8 @@
 //! The words of the language that are no keywords, for completion and explanations.
 
-use crate::diagram::Type;
+use crate::diagram::{Type, Wanted, overloads};
 
-use super::builtin::{SHUFFLE, Wanted, function_names, overloads};
+use super::builtin::{SHUFFLE, function_names};
 use super::field::{Entry, entries_of};
 use super::lookup::CONSTANTS;
 use super::sequence_names::{WHOLE_MESH, fold_names, sequences_of};

@@ -70,6 +70,15 @@ impl Machine {
         let Some(mut w) = Window::at(&mut self.stack, call.base) else {
             return Err(Trap::new(Message::Malformed));
         };
+        // The stack may have moved.
+        macro_rules! look_again {
+            () => {
+                match Window::at(&mut self.stack, call.base) {
+                    Some(window) => w = window,
+                    None => break Message::Malformed,
+                }
+            };
+        }
         macro_rules! buffer {
             ($buffer:expr) => {
                 match self.buffers.get_mut(call.buffers + usize::from($buffer)) {
@@ -119,10 +128,7 @@ impl Machine {
                 self.holding -= u32::from(back.holds);
                 back.give_back(&mut call);
                 (insts, at) = (call.code.insts.as_slice(), back.at);
-                match Window::at(&mut self.stack, call.base) {
-                    Some(window) => w = window,
-                    None => break Message::Malformed,
-                }
+                look_again!();
             };
         }
         // Where a loop has run long enough, native code takes the rest of what runs.
@@ -135,10 +141,7 @@ impl Machine {
                     self.frames -= returns.len();
                     match done {
                         // It is the machine's all the same.
-                        None => match Window::at(&mut self.stack, call.base) {
-                            Some(window) => w = window,
-                            None => break Message::Malformed,
-                        },
+                        None => look_again!(),
                         Some(Err(trap)) => return Err(trap.through_callers(&call, &returns)),
                         Some(Ok(Outcome::Applied { .. })) if !returns.is_empty() => {
                             come_back!();
@@ -253,10 +256,7 @@ impl Machine {
                 RandomInt { to, below } => {
                     let bound = w.int(below);
                     let chosen = or_trap!(self.chosen_below(bound));
-                    match Window::at(&mut self.stack, call.base) {
-                        Some(window) => w = window,
-                        None => break Message::Malformed,
-                    }
+                    look_again!();
                     w.set_int(to, chosen);
                 }
                 BufferShuffle { buffer } => {
@@ -643,10 +643,7 @@ impl Machine {
                             Ok(refused) => return Ok(refused),
                             Err(trap) => return Err(trap.through_callers(&call, &returns)),
                         }
-                        match Window::at(&mut self.stack, call.base) {
-                            Some(window) => w = window,
-                            None => break Message::Malformed,
-                        }
+                        look_again!();
                         continue;
                     }
                     if self.progress.tick(watch).is_break() {
@@ -659,10 +656,7 @@ impl Machine {
                     self.clear_buffers(&call);
                     self.holding += u32::from(holds);
                     (insts, at) = (called.code.insts.as_slice(), 0);
-                    match Window::at(&mut self.stack, call.base) {
-                        Some(window) => w = window,
-                        None => break Message::Malformed,
-                    }
+                    look_again!();
                 }
                 Give { from, width } => {
                     self.given = (call.base, from, width);
@@ -675,10 +669,7 @@ impl Machine {
                         Ok(outcome) => outcome,
                         Err(trap) => return Err(trap.through_all(&call, at - 1, &returns)),
                     };
-                    match Window::at(&mut self.stack, call.base) {
-                        Some(window) => w = window,
-                        None => break Message::Malformed,
-                    }
+                    look_again!();
                     match outcome {
                         Outcome::Applied { result: made } => {
                             w.set_truth(applied, true);
@@ -696,10 +687,7 @@ impl Machine {
                     };
                     let reason = why.then(|| self.reason_of(op, outcome).to_owned());
                     let text = reason.map(|reason| self.said.number(call.texts, &reason));
-                    match Window::at(&mut self.stack, call.base) {
-                        Some(window) => w = window,
-                        None => break Message::Malformed,
-                    }
+                    look_again!();
                     match text {
                         Some(text) => w.set_id(to, text),
                         None => w.set_truth(to, matches!(outcome, Outcome::Applied { .. })),
@@ -735,10 +723,7 @@ impl Machine {
                         Some(Err(trap)) => return Err(trap.through_callers(&call, &returns)),
                         None => {}
                     }
-                    match Window::at(&mut self.stack, call.base) {
-                        Some(window) => w = window,
-                        None => break Message::Malformed,
-                    }
+                    look_again!();
                 }
                 PrintText { text } => match call.texts.get(text as usize) {
                     Some(text) => self.line.push_str(text),
@@ -773,19 +758,13 @@ impl Machine {
                 PrintReason { op } => {
                     let reason = self.last_reason(op).unwrap_or_default().to_owned();
                     self.line.push_str(&reason);
-                    match Window::at(&mut self.stack, call.base) {
-                        Some(window) => w = window,
-                        None => break Message::Malformed,
-                    }
+                    look_again!();
                 }
                 RefusedFor { op, text, to } => {
                     let reason = self.last_reason(op);
                     let wanted = call.texts.get(text as usize).map(String::as_str);
                     let same = reason.is_some() && reason == wanted;
-                    match Window::at(&mut self.stack, call.base) {
-                        Some(window) => w = window,
-                        None => break Message::Malformed,
-                    }
+                    look_again!();
                     w.set_truth(to, same);
                 }
                 MeshKeep { mesh: number } => match self.meshes.get_mut(usize::from(number)) {

@@ -3,10 +3,9 @@
 use super::print::RealDigits;
 use super::vectors::{Lanes, Matrix};
 use super::{
-    ElementField, Elements, Foreseen, HalfedgeField, Label, Math, Question, Reg, Room, Span,
-    Triangles, Walk,
+    ElementField, Elements, HalfedgeField, Label, Math, Question, Reg, Room, Span, Triangles, Walk,
 };
-use crate::mesh::ElementKind;
+use crate::mesh::{ElementKind, OrbitCondition};
 
 /// One instruction. `to` is written; everything else is read.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -152,9 +151,9 @@ pub enum Inst {
     PreviewStoreAll { field: HalfedgeField, buffer: u16, value: Reg },
     /// True if a condition would hold for an element: a face, vertex or halfedge; `at` is the
     /// vertex, where it speaks of a face and a vertex.
-    Foresee { condition: Foreseen, to: Reg, element: Reg, at: Reg },
+    Foresee { condition: OrbitCondition, to: Reg, element: Reg, at: Reg },
     /// True if a condition of vertices would hold where the halfedges of a buffer start.
-    ForeseeAlong { condition: Foreseen, to: Reg, buffer: u16 },
+    ForeseeAlong { condition: OrbitCondition, to: Reg, buffer: u16 },
     PreviewStoreSpan { field: HalfedgeField, span: Span, index: Reg, value: Reg },
     /// Puts back what was there.
     PreviewUndo,
@@ -319,3 +318,27 @@ impl Inst {
         }
     }
 }
+
+/// The pattern of the instructions that make a value that is no element of values in registers, or
+/// jump, and do nothing else.
+#[rustfmt::skip]
+macro_rules! computation {
+    () => {
+        Inst::CopyVec { .. } | Inst::CopyWide { .. } | Inst::Not { .. } | Inst::And { .. }
+        | Inst::Or { .. } | Inst::Equal { .. } | Inst::AddInt { .. } | Inst::SubInt { .. }
+        | Inst::MulInt { .. } | Inst::DivInt { .. } | Inst::ModInt { .. } | Inst::NegInt { .. }
+        | Inst::AbsInt { .. } | Inst::MinInt { .. } | Inst::MaxInt { .. } | Inst::LessInt { .. }
+        | Inst::LessEqualInt { .. } | Inst::IntToReal { .. } | Inst::RoundReal { .. }
+        | Inst::AddReal { .. } | Inst::SubReal { .. } | Inst::MulReal { .. }
+        | Inst::DivReal { .. } | Inst::MinReal { .. } | Inst::MaxReal { .. }
+        | Inst::PowReal { .. } | Inst::Atan2Real { .. } | Inst::LessReal { .. }
+        | Inst::LessEqualReal { .. } | Inst::EqualReal { .. } | Inst::MathReal { .. }
+        | Inst::AddVec { .. } | Inst::SubVec { .. } | Inst::MulVec { .. } | Inst::NegVec { .. }
+        | Inst::ScaleVec { .. } | Inst::DivVec { .. } | Inst::MixVec { .. }
+        | Inst::EqualVec { .. } | Inst::Dot { .. } | Inst::Cross { .. } | Inst::LengthVec { .. }
+        | Inst::Normalize { .. } | Inst::Wide { .. } | Inst::Matrix { .. } | Inst::Jump { .. }
+        | Inst::JumpIf { .. } | Inst::JumpUnless { .. } | Inst::JumpUnequal { .. }
+        | Inst::JumpEqual { .. }
+    };
+}
+pub(super) use computation;

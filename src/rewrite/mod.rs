@@ -67,9 +67,7 @@ pub use inst::Inst;
 pub use key_paths::drains;
 pub use machine::{Count, Machine, NamedElements};
 pub use native::Native;
-pub use operand::{
-    ElementField, Elements, Foreseen, HalfedgeField, Math, Room, Span, Triangles, Walk,
-};
+pub use operand::{ElementField, Elements, HalfedgeField, Math, Room, Span, Triangles, Walk};
 pub use part::{Part, Turns};
 pub use paths::Unbounded;
 pub use plan::{Cell, Holder, Matched, Phase, Plan, Plans, Refusal, Row, Stage};

@@ -9,6 +9,7 @@ use super::access::{load, load_halfedge};
 use super::attribute::{self, Held};
 use super::drain::{Drains, attributes_place, place};
 use super::families;
+use super::inst::computation;
 use super::paths::Fields;
 use super::preview::Looked;
 use super::readers::Place;
@@ -296,51 +297,33 @@ impl Drains {
             Inst::Foresee { .. } | Inst::ForeseeAlong { .. } => {}
             // Registers, buffers and output alone; writes, and what only ops do.
             #[rustfmt::skip]
-            Inst::Const { .. } | Inst::Copy { .. } | Inst::CopyVec { .. } | Inst::CopyWide { .. }
-            | Inst::Select { .. } | Inst::Not { .. } | Inst::And { .. } | Inst::Or { .. }
-            | Inst::Equal { .. } | Inst::AddInt { .. } | Inst::SubInt { .. } | Inst::MulInt { .. }
-            | Inst::DivInt { .. } | Inst::ModInt { .. } | Inst::NegInt { .. }
-            | Inst::AbsInt { .. } | Inst::MinInt { .. } | Inst::MaxInt { .. }
-            | Inst::LessInt { .. } | Inst::LessEqualInt { .. } | Inst::IntToReal { .. }
-            | Inst::RoundReal { .. } | Inst::AddReal { .. } | Inst::SubReal { .. }
-            | Inst::MulReal { .. } | Inst::DivReal { .. } | Inst::MinReal { .. }
-            | Inst::MaxReal { .. } | Inst::PowReal { .. } | Inst::Atan2Real { .. }
-            | Inst::LessReal { .. } | Inst::LessEqualReal { .. } | Inst::EqualReal { .. }
-            | Inst::MathReal { .. } | Inst::AddVec { .. } | Inst::SubVec { .. }
-            | Inst::MulVec { .. } | Inst::NegVec { .. } | Inst::ScaleVec { .. }
-            | Inst::DivVec { .. } | Inst::MixVec { .. } | Inst::EqualVec { .. } | Inst::Dot { .. }
-            | Inst::Cross { .. } | Inst::LengthVec { .. } | Inst::Normalize { .. }
-            | Inst::Wide { .. } | Inst::Matrix { .. }
-            | Inst::Jump { .. } | Inst::JumpIf { .. } | Inst::JumpUnless { .. }
-            | Inst::JumpUnequal { .. } | Inst::JumpEqual { .. } | Inst::ExpectEqual { .. }
-            | Inst::ExpectDistinct { .. } | Inst::Expect { .. } | Inst::ExpectFinite { .. }
-            | Inst::ExpectRoom { .. } | Inst::PreviewClear | Inst::PreviewUndo | Inst::PreviewNew { .. }
-            | Inst::PreviewStore { .. } | Inst::PreviewStoreHalfedge { .. }
-            | Inst::PreviewStoreHole { .. } | Inst::PreviewStoreAll { .. }
-            | Inst::Refuse
-            | Inst::Return { .. } | Inst::BufferClear { .. } | Inst::BufferPush { .. }
-            | Inst::BufferLength { .. } | Inst::BufferGet { .. } | Inst::BufferNext { .. }
-            | Inst::NewVertex { .. } | Inst::NewHalfedge { .. } | Inst::NewEdge { .. }
-            | Inst::NewFace { .. } | Inst::Store { .. } | Inst::StoreHalfedge { .. }
-            | Inst::StoreHole { .. } | Inst::StorePosition { .. } | Inst::HoldPosition { .. }
-            | Inst::StoreAttribute { .. } | Inst::HoldAttribute { .. }
-            | Inst::ReleaseHeld { .. } | Inst::StoreAll { .. } | Inst::Erase { .. }
-            | Inst::Recycle | Inst::Apply { .. } | Inst::Try { .. } | Inst::Random { .. }
-            | Inst::RandomInt { .. } | Inst::BufferShuffle { .. } | Inst::Refused { .. } | Inst::Turn { .. }
-            | Inst::Tick | Inst::PrintText { .. } | Inst::PrintTextOf { .. }
-            | Inst::PrintBool { .. } | Inst::PrintInt { .. } | Inst::PrintReal { .. }
-            | Inst::PrintVec { .. } | Inst::PrintWide { .. } | Inst::PrintElement { .. }
-            | Inst::ExpectAlive { .. } | Inst::PrintDifference { .. }
+            computation!() | Inst::Const { .. } | Inst::Copy { .. } | Inst::Select { .. }
+            | Inst::ExpectEqual { .. } | Inst::ExpectDistinct { .. } | Inst::Expect { .. }
+            | Inst::ExpectFinite { .. } | Inst::ExpectRoom { .. } | Inst::PreviewClear
+            | Inst::PreviewUndo | Inst::PreviewNew { .. } | Inst::PreviewStore { .. }
+            | Inst::PreviewStoreHalfedge { .. } | Inst::PreviewStoreHole { .. }
+            | Inst::PreviewStoreAll { .. } | Inst::Refuse | Inst::Return { .. }
+            | Inst::BufferClear { .. } | Inst::BufferPush { .. } | Inst::BufferLength { .. }
+            | Inst::BufferGet { .. } | Inst::BufferNext { .. } | Inst::NewVertex { .. }
+            | Inst::NewHalfedge { .. } | Inst::NewEdge { .. } | Inst::NewFace { .. }
+            | Inst::Store { .. } | Inst::StoreHalfedge { .. } | Inst::StoreHole { .. }
+            | Inst::StorePosition { .. } | Inst::HoldPosition { .. } | Inst::StoreAttribute { .. }
+            | Inst::HoldAttribute { .. } | Inst::ReleaseHeld { .. } | Inst::StoreAll { .. }
+            | Inst::Erase { .. } | Inst::Recycle | Inst::Apply { .. } | Inst::Try { .. }
+            | Inst::Random { .. } | Inst::RandomInt { .. } | Inst::BufferShuffle { .. }
+            | Inst::Refused { .. } | Inst::Turn { .. } | Inst::Tick | Inst::PrintText { .. }
+            | Inst::PrintTextOf { .. } | Inst::PrintBool { .. } | Inst::PrintInt { .. }
+            | Inst::PrintReal { .. } | Inst::PrintVec { .. } | Inst::PrintWide { .. }
+            | Inst::PrintElement { .. } | Inst::ExpectAlive { .. } | Inst::PrintDifference { .. }
             | Inst::PrintEnd | Inst::PrintReason { .. } | Inst::RefusedFor { .. }
-            | Inst::MeshKeep { .. } | Inst::MeshSame { .. }
-            | Inst::Fail { .. } | Inst::FailShowing { .. }
-            | Inst::DrainOpen { .. } | Inst::DrainAllStale | Inst::DrainStale { .. }
-            | Inst::DrainKey { .. } | Inst::DrainLeast { .. } | Inst::DrainTake
-            | Inst::DrainClose | Inst::Call { .. } | Inst::Give { .. }
+            | Inst::MeshKeep { .. } | Inst::MeshSame { .. } | Inst::Fail { .. }
+            | Inst::FailShowing { .. } | Inst::DrainOpen { .. } | Inst::DrainAllStale
+            | Inst::DrainStale { .. } | Inst::DrainKey { .. } | Inst::DrainLeast { .. }
+            | Inst::DrainTake | Inst::DrainClose | Inst::Call { .. } | Inst::Give { .. }
             | Inst::PreviewStoreSpan { .. } | Inst::NextIndex { .. } | Inst::Member { .. }
             | Inst::BufferGetWide { .. } | Inst::BufferAppend { .. } | Inst::BufferDeal { .. }
-            | Inst::ExpectAllDistinct { .. } | Inst::ExpectRoomFor { .. }
-            | Inst::StoreSpan { .. } | Inst::WalkNext { .. } => {}
+            | Inst::ExpectAllDistinct { .. } | Inst::ExpectRoomFor { .. } | Inst::StoreSpan { .. }
+            | Inst::WalkNext { .. } => {}
         }
     }
 

@@ -82,49 +82,6 @@ pub enum Triangles {
     LeastBend,
 }
 
-/// The questions about the result before it is written: the conditions of the levels, for one orbit
-/// each.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Foreseen {
-    /// A loop has three sides or more.
-    ThreeSides,
-    /// A loop meets no vertex twice.
-    MeetsOnce,
-    /// A loop has no more than one corner at a vertex.
-    CornerOnce,
-    /// A vertex has two spokes or more, or none at all.
-    TwoSpokes,
-    /// At most one corner of a vertex lies in a hole.
-    OneHole,
-    /// No loop lies around a vertex twice.
-    FacesDiffer,
-    /// No two edges join a vertex to the same neighbor.
-    NeighborsDiffer,
-    /// No other edge has the ends of that of a halfedge.
-    SingleEdge,
-    /// No two faces around a vertex have the same set of corners.
-    CornersDiffer,
-    /// No other face around a vertex of a face has the same set of corners.
-    CornersOwn,
-}
-
-impl Foreseen {
-    /// All of them, in the order in which they are declared.
-    #[cfg(feature = "native")]
-    pub(super) const ALL: [Self; 10] = [
-        Self::ThreeSides,
-        Self::MeetsOnce,
-        Self::CornerOnce,
-        Self::TwoSpokes,
-        Self::OneHole,
-        Self::FacesDiffer,
-        Self::NeighborsDiffer,
-        Self::SingleEdge,
-        Self::CornersDiffer,
-        Self::CornersOwn,
-    ];
-}
-
 /// A function of reals: `f64 -> f64`, or with two or three operands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Math {

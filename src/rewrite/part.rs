@@ -5,6 +5,7 @@
 //! before the loop, and leaves nothing in them. What the parts keep back is written in their order,
 //! and of several traps the first counts; so the result is that of one thread.
 
+use super::inst::computation;
 use super::{Assembler, Code, Elements, Function, Inst, Label, Reg, Traps};
 
 /// The loop of a code, by itself, over the elements in a range of slots.
@@ -145,33 +146,17 @@ impl Inst {
         #[rustfmt::skip]
         let is = matches!(
             self,
-            Inst::Const { .. } | Inst::Copy { .. } | Inst::CopyVec { .. } | Inst::CopyWide { .. }
-            | Inst::Select { .. } | Inst::Not { .. } | Inst::And { .. } | Inst::Or { .. }
-            | Inst::Equal { .. } | Inst::AddInt { .. } | Inst::SubInt { .. } | Inst::MulInt { .. }
-            | Inst::DivInt { .. } | Inst::ModInt { .. } | Inst::NegInt { .. }
-            | Inst::AbsInt { .. } | Inst::MinInt { .. } | Inst::MaxInt { .. }
-            | Inst::LessInt { .. } | Inst::LessEqualInt { .. } | Inst::IntToReal { .. }
-            | Inst::RoundReal { .. } | Inst::AddReal { .. } | Inst::SubReal { .. }
-            | Inst::MulReal { .. } | Inst::DivReal { .. } | Inst::MinReal { .. }
-            | Inst::MaxReal { .. } | Inst::PowReal { .. } | Inst::Atan2Real { .. }
-            | Inst::LessReal { .. } | Inst::LessEqualReal { .. } | Inst::EqualReal { .. }
-            | Inst::MathReal { .. } | Inst::AddVec { .. } | Inst::SubVec { .. }
-            | Inst::MulVec { .. } | Inst::NegVec { .. } | Inst::ScaleVec { .. }
-            | Inst::DivVec { .. } | Inst::MixVec { .. } | Inst::EqualVec { .. } | Inst::Dot { .. }
-            | Inst::Cross { .. } | Inst::LengthVec { .. } | Inst::Normalize { .. }
-            | Inst::Wide { .. } | Inst::Matrix { .. }
+            computation!() | Inst::Const { .. } | Inst::Copy { .. } | Inst::Select { .. }
             | Inst::Load { .. } | Inst::LoadHalfedge { .. } | Inst::LoadHole { .. }
             | Inst::LoadPosition { .. } | Inst::LoadAttribute { .. } | Inst::Capacity { .. }
             | Inst::NextLiving { .. } | Inst::JumpUnlessLiving { .. } | Inst::Alive { .. }
             | Inst::Ask { .. } | Inst::Count { .. } | Inst::CountHoles { .. }
-            | Inst::Jump { .. } | Inst::JumpIf { .. } | Inst::JumpUnless { .. }
-            | Inst::JumpUnequal { .. } | Inst::JumpEqual { .. }
-            | Inst::WalkBegin { .. } | Inst::WalkNext { .. } | Inst::Collect { .. } | Inst::CollectEars { .. } | Inst::Meets { .. }
-            | Inst::MeetsAll { .. } | Inst::NextIndex { .. } | Inst::Member { .. }
-            | Inst::BufferClear { .. } | Inst::BufferPush { .. } | Inst::BufferLength { .. }
-            | Inst::BufferGet { .. } | Inst::BufferGetWide { .. } | Inst::BufferNext { .. }
-            | Inst::BufferLiving { .. } | Inst::BufferAppend { .. }
-            | Inst::HoldPosition { .. } | Inst::HoldAttribute { .. }
+            | Inst::WalkBegin { .. } | Inst::WalkNext { .. } | Inst::Collect { .. }
+            | Inst::CollectEars { .. } | Inst::Meets { .. } | Inst::MeetsAll { .. }
+            | Inst::NextIndex { .. } | Inst::Member { .. } | Inst::BufferClear { .. }
+            | Inst::BufferPush { .. } | Inst::BufferLength { .. } | Inst::BufferGet { .. }
+            | Inst::BufferGetWide { .. } | Inst::BufferNext { .. } | Inst::BufferLiving { .. }
+            | Inst::BufferAppend { .. } | Inst::HoldPosition { .. } | Inst::HoldAttribute { .. }
             | Inst::Call { .. } | Inst::Give { .. } | Inst::Turn { .. } | Inst::Tick
             | Inst::Fail { .. }
         );

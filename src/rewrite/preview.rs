@@ -11,8 +11,10 @@ use std::cell::{Cell, RefCell};
 
 use super::access::{self, gone};
 use super::distinct::Seen;
-use super::{ElementField, Fault, Foreseen, HalfedgeField};
-use crate::mesh::{EdgeId, ElementKind, FaceId, HalfedgeId, HalfedgeRecord, Mesh, VertexId};
+use super::{ElementField, Fault, HalfedgeField};
+use crate::mesh::{
+    EdgeId, ElementKind, FaceId, HalfedgeId, HalfedgeRecord, Mesh, OrbitCondition, VertexId,
+};
 
 /// The number of the first new element; that of the next one is one less. Those above say that
 /// there is no element, or an erased one.
@@ -329,27 +331,27 @@ impl Preview {
     pub fn foresees(
         &mut self,
         mesh: &Mesh,
-        condition: Foreseen,
+        condition: OrbitCondition,
         element: u32,
         at: u32,
     ) -> Result<bool, Fault> {
         match condition {
-            Foreseen::ThreeSides => self.three_sides(mesh, element),
-            Foreseen::MeetsOnce => self.meets_once(mesh, element),
-            Foreseen::CornerOnce => self.corner_once(mesh, element, at),
-            Foreseen::TwoSpokes => self.two_spokes(mesh, element),
-            Foreseen::OneHole => self.one_hole(mesh, element),
-            Foreseen::FacesDiffer => {
+            OrbitCondition::ThreeSides => self.three_sides(mesh, element),
+            OrbitCondition::MeetsOnce => self.meets_once(mesh, element),
+            OrbitCondition::CornerOnce => self.corner_once(mesh, element, at),
+            OrbitCondition::TwoSpokes => self.two_spokes(mesh, element),
+            OrbitCondition::OneHole => self.one_hole(mesh, element),
+            OrbitCondition::FacesDiffer => {
                 self.walk_star(mesh, element)?;
                 Ok(self.faces_differ)
             }
-            Foreseen::NeighborsDiffer => {
+            OrbitCondition::NeighborsDiffer => {
                 self.walk_star(mesh, element)?;
                 Ok(self.targets_differ)
             }
-            Foreseen::SingleEdge => self.single_edge(mesh, element),
-            Foreseen::CornersDiffer => self.corners_differ(mesh, element),
-            Foreseen::CornersOwn => self.corners_own(mesh, element, at),
+            OrbitCondition::SingleEdge => self.single_edge(mesh, element),
+            OrbitCondition::CornersDiffer => self.corners_differ(mesh, element),
+            OrbitCondition::CornersOwn => self.corners_own(mesh, element, at),
         }
     }
 
@@ -357,7 +359,7 @@ impl Preview {
     pub fn foresees_along(
         &mut self,
         mesh: &Mesh,
-        condition: Foreseen,
+        condition: OrbitCondition,
         halfedges: &[u64],
     ) -> Result<bool, Fault> {
         for &halfedge in halfedges {

@@ -9,6 +9,7 @@
 
 use std::collections::BTreeMap;
 
+use super::inst::computation;
 use super::paths::{Fields, Node, Paths, START, Unbounded};
 use super::{Code, Elements, Function, Inst, Plan, Reg};
 use crate::mesh::ElementKind;
@@ -362,30 +363,13 @@ impl<'c> Reads<'c> {
             | Inst::ForeseeAlong { .. } => self.look_ahead(inst, state)?,
             // Values that are no elements; tests of them; a line that is not printed.
             #[rustfmt::skip]
-            Inst::CopyVec { .. } | Inst::CopyWide { .. } | Inst::Not { .. }
-            | Inst::And { .. } | Inst::Or { .. } | Inst::Equal { .. } | Inst::AddInt { .. }
-            | Inst::SubInt { .. } | Inst::MulInt { .. } | Inst::DivInt { .. }
-            | Inst::ModInt { .. } | Inst::NegInt { .. } | Inst::AbsInt { .. }
-            | Inst::MinInt { .. } | Inst::MaxInt { .. } | Inst::LessInt { .. }
-            | Inst::LessEqualInt { .. } | Inst::IntToReal { .. } | Inst::RoundReal { .. }
-            | Inst::AddReal { .. } | Inst::SubReal { .. } | Inst::MulReal { .. }
-            | Inst::DivReal { .. } | Inst::MinReal { .. } | Inst::MaxReal { .. }
-            | Inst::PowReal { .. } | Inst::Atan2Real { .. } | Inst::LessReal { .. }
-            | Inst::LessEqualReal { .. } | Inst::EqualReal { .. } | Inst::MathReal { .. }
-            | Inst::AddVec { .. } | Inst::SubVec { .. } | Inst::MulVec { .. }
-            | Inst::NegVec { .. } | Inst::ScaleVec { .. } | Inst::DivVec { .. }
-            | Inst::MixVec { .. } | Inst::EqualVec { .. } | Inst::Dot { .. }
-            | Inst::Cross { .. } | Inst::LengthVec { .. } | Inst::Normalize { .. }
-            | Inst::Wide { .. } | Inst::Matrix { .. } | Inst::Jump { .. } | Inst::JumpIf { .. }
-            | Inst::JumpUnless { .. } | Inst::JumpUnequal { .. } | Inst::JumpEqual { .. }
-            | Inst::NextIndex { .. } | Inst::BufferLength { .. } | Inst::Turn { .. }
-            | Inst::ExpectEqual { .. } | Inst::ExpectDistinct { .. } | Inst::Expect { .. }
-            | Inst::ExpectFinite { .. } | Inst::ExpectRoom { .. }
-            | Inst::ExpectAllDistinct { .. } | Inst::ExpectRoomFor { .. }
-            | Inst::Tick | Inst::PrintText { .. } | Inst::PrintTextOf { .. }
-            | Inst::PrintBool { .. } | Inst::PrintInt { .. } | Inst::PrintReal { .. }
-            | Inst::PrintVec { .. } | Inst::PrintWide { .. }
-            | Inst::PrintElement { .. } => {}
+            computation!() | Inst::NextIndex { .. } | Inst::BufferLength { .. }
+            | Inst::Turn { .. } | Inst::ExpectEqual { .. } | Inst::ExpectDistinct { .. }
+            | Inst::Expect { .. } | Inst::ExpectFinite { .. } | Inst::ExpectRoom { .. }
+            | Inst::ExpectAllDistinct { .. } | Inst::ExpectRoomFor { .. } | Inst::Tick
+            | Inst::PrintText { .. } | Inst::PrintTextOf { .. } | Inst::PrintBool { .. }
+            | Inst::PrintInt { .. } | Inst::PrintReal { .. } | Inst::PrintVec { .. }
+            | Inst::PrintWide { .. } | Inst::PrintElement { .. } => {}
             // Whoever drains still needs ids, so nothing is freed.
             Inst::Recycle => {}
             // What neither a key nor an operation that is asked has business with.

@@ -7,7 +7,8 @@
 
 use super::paths::{Fields, Node, Unbounded};
 use super::reads::{Nodes, Reads, State, unite};
-use super::{ElementField, Foreseen, HalfedgeField, Inst, Walk};
+use super::{ElementField, HalfedgeField, Inst, Walk};
+use crate::mesh::OrbitCondition;
 use HalfedgeField::{Face, Next, Prev, Twin, Vertex};
 
 /// The number of a pointer of a halfedge, and of the `halfedge` of another element.
@@ -54,39 +55,41 @@ impl Reads<'_> {
     fn foresee(
         &mut self,
         state: &State,
-        condition: Foreseen,
+        condition: OrbitCondition,
         element: &[Node],
         at: &[Node],
     ) -> Result<(), Unbounded> {
         match condition {
-            Foreseen::ThreeSides | Foreseen::MeetsOnce => drop(self.loop_ahead(state, element)?),
-            Foreseen::CornerOnce => drop(self.star_ahead(state, at)?),
-            Foreseen::FacesDiffer | Foreseen::NeighborsDiffer => {
+            OrbitCondition::ThreeSides | OrbitCondition::MeetsOnce => {
+                drop(self.loop_ahead(state, element)?)
+            }
+            OrbitCondition::CornerOnce => drop(self.star_ahead(state, at)?),
+            OrbitCondition::FacesDiffer | OrbitCondition::NeighborsDiffer => {
                 self.star_ahead(state, element)?;
             }
-            Foreseen::TwoSpokes => {
+            OrbitCondition::TwoSpokes => {
                 let start = self.first_ahead(state, element, ElementField::Vertex)?;
                 let before = self.load_ahead(state, &start, Prev)?;
                 self.load_ahead(state, &before, Twin)?;
             }
-            Foreseen::OneHole => {
+            OrbitCondition::OneHole => {
                 let (_, faces) = self.star_ahead(state, element)?;
                 self.read(&faces, Fields::HOLE);
             }
-            Foreseen::SingleEdge => {
+            OrbitCondition::SingleEdge => {
                 let twin = self.load_ahead(state, element, Twin)?;
                 self.load_ahead(state, &twin, Vertex)?;
                 let from = self.load_ahead(state, element, Vertex)?;
                 self.star_ahead(state, &from)?;
             }
-            Foreseen::CornersDiffer => {
+            OrbitCondition::CornersDiffer => {
                 let (spokes, faces) = self.star_ahead(state, element)?;
                 self.read(&faces, Fields::HOLE);
                 let next = self.load_ahead(state, &spokes, Next)?;
                 self.load_ahead(state, &next, Next)?;
                 self.loop_ahead(state, &faces)?;
             }
-            Foreseen::CornersOwn => {
+            OrbitCondition::CornersOwn => {
                 let (_, mut faces) = self.star_ahead(state, at)?;
                 unite(&mut faces, element);
                 self.read(&faces, Fields::HOLE);

@@ -17,7 +17,6 @@ pub(super) struct FunctionCall<'e> {
 impl Lowering<'_> {
     /// A call; gives the registers of whether it was applied, and of its result.
     pub(super) fn apply(&mut self, op: usize, args: &[Expr], span: Span) -> (Reg, Reg) {
-        self.note_op(op, span);
         let (applied, result) = (self.asm.reg(), self.asm.reg());
         let mark = self.asm.mark();
         let slots = self.arguments(args);
@@ -28,7 +27,6 @@ impl Lowering<'_> {
     }
 
     fn arguments(&mut self, args: &[Expr]) -> Reg {
-        args.iter().for_each(|arg| self.note_functions(arg));
         arguments(&mut self.asm, &mut self.names, args)
     }
 
@@ -36,7 +34,6 @@ impl Lowering<'_> {
     /// needed that somebody else has.
     pub(super) fn call(&mut self, call: FunctionCall, span: Span) {
         let mark = self.asm.mark();
-        self.note_function(call.function);
         let args = self.arguments(call.args);
         let inst = Inst::Call {
             function: function_number(call.function),
@@ -46,14 +43,6 @@ impl Lowering<'_> {
         };
         self.trap_at(span, inst);
         self.asm.release(mark);
-    }
-
-    /// The script ends here if the operation just called has refused.
-    pub(super) fn insist(&mut self, op: usize, applied: Reg, span: Span) {
-        let to = self.asm.label();
-        self.asm.emit(Inst::JumpIf { condition: applied, to });
-        self.stop_refused(op, span);
-        self.asm.bind(to);
     }
 
     /// Ends the script: the operation just called has refused, and must not.

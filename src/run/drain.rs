@@ -16,6 +16,7 @@ use super::lower::{Loop, Lowering};
 use super::visit::kind;
 use crate::compile::{Scope, elements, width};
 use crate::diagram::{Expr, ExprKind};
+use crate::lower::Variables;
 use crate::resolve::{Statement, StatementKind};
 use crate::rewrite::{Inst, Reg};
 
@@ -92,16 +93,19 @@ impl Lowering<'_> {
     /// The slots of the variables that the key reads and the body sets, each with one that
     /// keeps what it was.
     fn changing(&mut self, key: &Expr, body: &[Statement]) -> Vec<(Reg, Reg)> {
-        let (mut read, mut set) = (BTreeSet::new(), BTreeSet::new());
-        variables_read(key, &mut read);
-        variables_set(body, &mut set);
+        let set = Variables::of(body);
+        let mut read = BTreeSet::new();
+        key.each(&mut |part| {
+            if let ExprKind::Local(variable) = part.kind {
+                read.insert((variable, width(part.ty)));
+            }
+        });
+        read.retain(|&(variable, _)| set.sets(variable) > 0);
         let mut slots = Vec::new();
         for (variable, width) in read {
-            if set.contains(&variable) {
-                let now = self.names.local(variable);
-                let before = self.asm.block(width);
-                slots.extend((0..width).map(|part| (now.part(part), before.part(part))));
-            }
+            let now = self.names.local(variable);
+            let before = self.asm.block(width);
+            slots.extend((0..width).map(|part| (now.part(part), before.part(part))));
         }
         slots
     }
@@ -127,23 +131,4 @@ impl Lowering<'_> {
         self.asm.emit(Inst::DrainAllStale);
         self.asm.bind(same);
     }
-}
-
-/// The variables that an expression reads, with their widths.
-fn variables_read(expr: &Expr, read: &mut BTreeSet<(u32, u16)>) {
-    expr.each(&mut |part| {
-        if let ExprKind::Local(variable) = part.kind {
-            read.insert((variable, width(part.ty)));
-        }
-    });
-}
-
-/// The variables that statements set.
-fn variables_set(block: &[Statement], set: &mut BTreeSet<u32>) {
-    let mut note = |statement: &Statement| match &statement.kind {
-        StatementKind::Set { variable, .. } => drop(set.insert(*variable)),
-        StatementKind::IfApply { variable, .. } => set.extend(variable),
-        _ => {}
-    };
-    block.iter().for_each(|statement| statement.each(&mut note));
 }

@@ -82,8 +82,7 @@ impl Liveness<'_> {
                 self.reading([count], self.at_head(&[], body, exits))
             }
             StatementKind::While { condition, body } => self.at_head(&[condition], body, exits),
-            StatementKind::For { variable, collection, filter, body, .. }
-            | StatementKind::Update { variable, collection, filter, body } => {
+            StatementKind::For { variable, collection, filter, body, .. } => {
                 let filter: Vec<&Expr> = filter.iter().collect();
                 let live = self.at_head(&filter, body, exits);
                 self.reading(collection.base(), without(live, *variable))
@@ -98,7 +97,7 @@ impl Liveness<'_> {
                 let live = union(live, &self.before_block(otherwise, exits));
                 self.reading([condition], live)
             }
-            StatementKind::IfApply { args, variable, then, otherwise, .. } => {
+            StatementKind::Apply { args, variable, then, otherwise, .. } => {
                 let mut live = self.before_block(then, exits);
                 if let Some(variable) = variable {
                     live.remove(variable);
@@ -111,7 +110,6 @@ impl Liveness<'_> {
             StatementKind::Continue => exits.continued.clone(),
             StatementKind::Return(value) => self.reading(value, Live::new()),
             StatementKind::Write { .. }
-            | StatementKind::Apply { .. }
             | StatementKind::AssertRefuses { .. }
             | StatementKind::Call { .. }
             | StatementKind::Print(_)
@@ -141,23 +139,6 @@ impl Liveness<'_> {
                     live.insert(*variable);
                 }
             }
-            ExprKind::Follow(_, base)
-            | ExprKind::Read(_, base)
-            | ExprKind::Component(_, base)
-            | ExprKind::Unary(_, base) => self.read(base, live),
-            ExprKind::Vector(parts) => parts.iter().for_each(|part| self.read(part, live)),
-            ExprKind::Binary(_, left, right) => {
-                self.read(left, live);
-                self.read(right, live);
-            }
-            ExprKind::Call(_, args) | ExprKind::Invoke(_, args) | ExprKind::Try(_, args) => {
-                args.iter().for_each(|arg| self.read(arg, live))
-            }
-            ExprKind::If(condition, then, otherwise) => {
-                self.read(condition, live);
-                self.read(then, live);
-                self.read(otherwise, live);
-            }
             ExprKind::Fold(fold) => {
                 // Its own variable means nothing outside.
                 let inner = self.reading(fold.filter.iter().chain([&fold.body]), Live::new());
@@ -171,12 +152,7 @@ impl Liveness<'_> {
                 live.extend(without(inner, *variable));
                 self.read(value, live);
             }
-            ExprKind::Bool(_)
-            | ExprKind::Int(_)
-            | ExprKind::Real(_)
-            | ExprKind::Text(_)
-            | ExprKind::Element(_)
-            | ExprKind::Member(..) => {}
+            _ => value.parts(&mut |part| self.read(part, live)),
         }
     }
 }
@@ -197,7 +173,6 @@ pub(super) fn calls(statement: &Statement) -> bool {
     statement.each(&mut |statement| {
         calls |= match &statement.kind {
             StatementKind::Apply { .. }
-            | StatementKind::IfApply { .. }
             | StatementKind::AssertRefuses { .. }
             | StatementKind::Call { .. } => true,
             StatementKind::Set { value, .. } | StatementKind::Return(Some(value)) => {

@@ -2,9 +2,9 @@
 
 use super::call::FunctionCall;
 use super::live::{Exits, Liveness, calls};
-use super::visit::count_sets;
 use crate::compile::{Scope, attribute, copy, lower, lower_into, width};
 use crate::diagram::{Access, Expr, ExprKind, NameId, Param, Type};
+use crate::lower::{Effects, Variables};
 use crate::resolve::{Statement, StatementKind, Variable};
 use crate::rewrite::{Assembler, Inst, Label, Phase, Refusal, Reg};
 use crate::source::Span;
@@ -20,12 +20,12 @@ pub(super) struct Lowering<'p> {
     visited: Vec<u32>,
     /// The number of drains around the statement.
     pub(super) drains: u32,
-    /// The number of parameters, and by variable that of the statements that set it.
+    /// The number of parameters, which are the first variables.
     pub(super) params: usize,
-    pub(super) sets: Vec<u32>,
+    pub(super) variables: Variables,
     /// The buffer in which the running `update` keeps its writes back.
     pub(super) held: Option<u16>,
-    /// The operations that are called, each with its first call.
+    /// The operations that are called or asked, each with the first place.
     pub(super) called: Vec<(usize, Span)>,
     /// The functions that are called.
     pub(super) functions: Vec<usize>,
@@ -99,7 +99,10 @@ impl<'p> Lowering<'p> {
     /// Begins the code of a script: the parameters first, then for each of them a bool that
     /// says whether it is given, then the other variables.
     pub(super) fn of_script(routine: Routine<'p>, texts: &[String]) -> Self {
-        let mut lowering = Self::with_parameters(routine, texts);
+        let mut effects = Effects::of_block(routine.block);
+        let defaults = routine.params.iter().filter_map(|param| param.default.as_ref());
+        defaults.for_each(|default| effects.see(default));
+        let mut lowering = Self::with_parameters(routine, effects, texts);
         let given = routine.params.iter().map(|_| lowering.asm.reg());
         let given: Vec<Reg> = given.collect();
         lowering.other_variables(routine);
@@ -122,7 +125,8 @@ impl<'p> Lowering<'p> {
 
     /// Begins the code of a function: the parameters first, then the other variables.
     pub(super) fn of_function(routine: Routine<'p>, texts: &[String]) -> Self {
-        let mut lowering = Self::with_parameters(routine, texts);
+        let effects = Effects::of_block(routine.block);
+        let mut lowering = Self::with_parameters(routine, effects, texts);
         lowering.other_variables(routine);
         lowering.ending = Ending::Function;
         lowering
@@ -130,8 +134,8 @@ impl<'p> Lowering<'p> {
 
     /// Begins the code of an operation in steps: the parameters first, then the other
     /// variables.
-    pub(super) fn of_steps(routine: Routine<'p>, texts: &[String]) -> Self {
-        let mut lowering = Self::with_parameters(routine, texts);
+    pub(super) fn of_steps(routine: Routine<'p>, effects: Effects, texts: &[String]) -> Self {
+        let mut lowering = Self::with_parameters(routine, effects, texts);
         lowering.other_variables(routine);
         lowering.ending = Ending::Steps;
         lowering
@@ -154,13 +158,11 @@ impl<'p> Lowering<'p> {
         self.asm.emit(Inst::Refuse);
     }
 
-    fn with_parameters(routine: Routine<'p>, texts: &[String]) -> Self {
+    fn with_parameters(routine: Routine<'p>, effects: Effects, texts: &[String]) -> Self {
         let mut asm = Assembler::knowing(texts);
-        let mut sets = vec![0; routine.variables.len()];
-        count_sets(routine.block, &mut sets);
         let mut lowering = Self {
             params: routine.params.len(),
-            sets,
+            variables: Variables::of(routine.block),
             refusals: Vec::new(),
             refuses: asm.label(),
             asm,
@@ -169,8 +171,8 @@ impl<'p> Lowering<'p> {
             loops: Vec::new(),
             drains: 0,
             held: None,
-            called: Vec::new(),
-            functions: Vec::new(),
+            called: effects.ops.into_iter().collect(),
+            functions: effects.functions.into_iter().map(|number| number as usize).collect(),
             assertions: Vec::new(),
             visited: Vec::new(),
             ending: Ending::Script,
@@ -221,9 +223,8 @@ impl<'p> Lowering<'p> {
 
     fn statement(&mut self, statement: &Statement, exits: Option<&Exits>) {
         let outside = self.visited.len();
-        if let StatementKind::For { variable, .. }
-        | StatementKind::Update { variable, .. }
-        | StatementKind::Drain { variable, .. } = &statement.kind
+        if let StatementKind::For { variable, .. } | StatementKind::Drain { variable, .. } =
+            &statement.kind
         {
             self.visited.push(*variable);
         }
@@ -256,19 +257,12 @@ impl<'p> Lowering<'p> {
                 self.repeat_while(condition, body, span, exits);
             }
             StatementKind::For { .. } => self.visit(statement),
-            StatementKind::Update { .. } => self.update(statement),
             StatementKind::Drain { .. } => self.drain(statement, exits),
             StatementKind::If { condition, then, otherwise } => {
                 let condition = self.value(condition);
                 self.choose(condition, [then, otherwise], exits);
             }
-            StatementKind::Apply { op, args, must } => {
-                let (applied, _) = self.apply(*op, args, span);
-                if *must {
-                    self.insist(*op, applied, span);
-                }
-            }
-            StatementKind::IfApply { op, args, variable, then, otherwise } => {
+            StatementKind::Apply { op, args, variable, then, otherwise } => {
                 let (applied, from) = self.apply(*op, args, span);
                 if let Some(variable) = variable {
                     // Where the op refused, nobody reads it.
@@ -361,9 +355,6 @@ impl<'p> Lowering<'p> {
             }
             _ => (self.value(value), width(value.ty)),
         });
-        if let Some(buffer) = self.held {
-            self.asm.emit(Inst::ReleaseHeld { buffer });
-        }
         self.close_drains();
         let (from, width) = given.unwrap_or((Reg(0), 0));
         self.asm.emit(match self.ending {
@@ -373,39 +364,11 @@ impl<'p> Lowering<'p> {
         });
     }
 
-    /// Notes the functions that an expression calls.
-    pub(super) fn note_functions(&mut self, value: &Expr) {
-        let (mut found, mut asked) = (Vec::new(), Vec::new());
-        value.each(&mut |part| match part.kind {
-            ExprKind::Invoke(function, _) => found.push(function),
-            ExprKind::Try(op, _) => asked.push((op as usize, part.span)),
-            _ => {}
-        });
-        found.into_iter().for_each(|function| self.note_function(function));
-        asked.into_iter().for_each(|(op, span)| self.note_op(op, span));
-    }
-
-    /// Notes an operation that is called or asked.
-    pub(super) fn note_op(&mut self, op: usize, span: Span) {
-        if !self.called.iter().any(|&(known, _)| known == op) {
-            self.called.push((op, span));
-        }
-    }
-
-    pub(super) fn note_function(&mut self, function: u32) {
-        let function = function as usize;
-        if !self.functions.contains(&function) {
-            self.functions.push(function);
-        }
-    }
-
     pub(super) fn value(&mut self, value: &Expr) -> Reg {
-        self.note_functions(value);
         lower(&mut self.asm, &mut self.names, value)
     }
 
     pub(super) fn value_into(&mut self, value: &Expr, to: Reg) {
-        self.note_functions(value);
         lower_into(&mut self.asm, &mut self.names, value, to);
     }
 
@@ -441,15 +404,26 @@ impl<'p> Lowering<'p> {
     }
 
     fn choose(&mut self, condition: Reg, blocks: [&[Statement]; 2], exits: Option<&Exits>) {
-        let (second, end) = (self.asm.label(), self.asm.label());
-        let [then, otherwise] = blocks;
-        self.asm.emit(Inst::JumpUnless { condition, to: second });
-        self.block(then, exits);
-        if !otherwise.is_empty() {
-            self.asm.emit(Inst::Jump { to: end });
+        let end = self.asm.label();
+        match blocks {
+            [[], []] => {}
+            [[], otherwise] => {
+                self.asm.emit(Inst::JumpIf { condition, to: end });
+                self.block(otherwise, exits);
+            }
+            [then, []] => {
+                self.asm.emit(Inst::JumpUnless { condition, to: end });
+                self.block(then, exits);
+            }
+            [then, otherwise] => {
+                let second = self.asm.label();
+                self.asm.emit(Inst::JumpUnless { condition, to: second });
+                self.block(then, exits);
+                self.asm.emit(Inst::Jump { to: end });
+                self.asm.bind(second);
+                self.block(otherwise, exits);
+            }
         }
-        self.asm.bind(second);
-        self.block(otherwise, exits);
         self.asm.bind(end);
     }
 

@@ -11,6 +11,7 @@ use super::live::Exits;
 use super::lower::{Lowering, Routine};
 use crate::compile::{element_kind, width};
 use crate::diagnostic::Diagnostic;
+use crate::lower::Effects;
 use crate::mesh::Level;
 use crate::resolve::{Program, ResolvedOp, Steps};
 use crate::rewrite::{self, BELOW, Code, Phase, Plan, Refusal, TooLarge};
@@ -122,7 +123,7 @@ struct Lowered<'p> {
 fn lowered<'p>(op: &'p ResolvedOp, steps: &'p Steps, functions: &Functions) -> Lowered<'p> {
     let routine =
         Routine { params: &op.params, variables: &steps.body.variables, block: &steps.body.block };
-    let mut lowering = Lowering::of_steps(routine, functions.texts());
+    let mut lowering = Lowering::of_steps(routine, Effects::of_steps(steps), functions.texts());
     for require in &steps.requires {
         let mark = lowering.asm.mark();
         let condition = lowering.value(&require.condition);

@@ -4,7 +4,7 @@ use super::live::Exits;
 use super::lower::{Loop, Lowering};
 use crate::compile::{Scope, each, elements};
 use crate::diagram::{Collection, Expr, Type};
-use crate::resolve::{Statement, StatementKind};
+use crate::resolve::{Statement, StatementKind, Visit};
 use crate::rewrite::{Assembler, Elements, Inst, Label, Reg, Turns};
 use crate::source::Span;
 
@@ -59,31 +59,30 @@ impl Lowering<'_> {
         self.asm.bind(end);
     }
 
-    /// `for x in xs where c { … }`
+    /// `for x in xs where c { … }`, `update`; the writes of an `update` are kept back.
     pub(super) fn visit(&mut self, statement: &Statement) {
-        self.visit_all(statement, false);
-    }
-
-    /// The same; if it `spreads`, its turns only read, and keep back what they write.
-    fn visit_all(&mut self, statement: &Statement, spreads: bool) {
-        let (StatementKind::For { variable, collection, filter, body, .. }
-        | StatementKind::Update { variable, collection, filter, body }) = &statement.kind
+        let StatementKind::For { variable, collection, filter, body, visit } = &statement.kind
         else {
             return;
         };
         let span = statement.span;
+        if *visit == Visit::Update {
+            let buffer = self.asm.buffer();
+            self.asm.emit(Inst::BufferClear { buffer });
+            self.held = Some(buffer);
+        }
         let buffer = self.asm.buffer();
         let (again, end) = (self.asm.label(), self.asm.label());
         let (index, total) = (self.asm.reg(), self.asm.reg());
-        if let (true, Some(of), Some(held)) = (spreads, elements(collection), self.held)
-            && self.sets_its_own(body)
+        if let (Some(of), Some(held)) = (elements(collection), self.held)
+            && self.variables.stay_within(body, self.params)
         {
             let one = self.asm.constant_int(1);
             let (element, depth) = (self.names.local(*variable), self.loops.len() as u16);
             self.asm.spread(Turns { of, depth, element, index, total, one, held, again, end });
         }
         self.list(collection, buffer, span);
-        if let StatementKind::For { shuffled: true, .. } = statement.kind {
+        if *visit == Visit::Shuffled {
             self.asm.emit(Inst::BufferShuffle { buffer });
         }
         let zero = self.asm.constant_int(0);
@@ -103,28 +102,9 @@ impl Lowering<'_> {
         self.turns(Loop { again, end }, body, None);
         self.asm.emit(Inst::Jump { to: again });
         self.asm.bind(end);
-    }
-
-    /// `update`: a loop whose writes are kept back. One inside of another keeps them back
-    /// to the end of the outer one.
-    pub(super) fn update(&mut self, statement: &Statement) {
-        if self.held.is_some() {
-            return self.visit(statement);
+        if let Some(buffer) = self.held.take() {
+            self.asm.emit(Inst::ReleaseHeld { buffer });
         }
-        let buffer = self.asm.buffer();
-        self.asm.emit(Inst::BufferClear { buffer });
-        self.held = Some(buffer);
-        self.visit_all(statement, true);
-        self.held = None;
-        self.asm.emit(Inst::ReleaseHeld { buffer });
-    }
-
-    /// True if the body of a loop sets no variable but its own.
-    fn sets_its_own(&self, body: &[Statement]) -> bool {
-        let mut sets = vec![0; self.sets.len()];
-        count_sets(body, &mut sets);
-        let all = sets.iter().zip(&self.sets);
-        all.enumerate().all(|(at, (here, all))| *here == 0 || (at >= self.params && here == all))
     }
 
     /// Puts the elements that a loop visits into a buffer.
@@ -133,14 +113,12 @@ impl Lowering<'_> {
         if let Some(of) = elements(collection) {
             return self.asm.emit(Inst::BufferLiving { of, buffer });
         }
-        if let Some(base) = collection.base() {
-            self.note_functions(base);
-        }
         let mark = self.asm.mark();
         let push = &mut |asm: &mut Assembler, _: &mut dyn Scope, from: Reg, _: Label| {
             asm.emit(Inst::BufferPush { buffer, from });
         };
-        each(&mut self.asm, &mut self.names, collection, span, push);
+        let base = collection.base().map(|base| self.value(base));
+        each(&mut self.asm, &mut self.names, (collection, base), span, push);
         self.asm.release(mark);
     }
 
@@ -164,39 +142,5 @@ pub(super) fn kind(collection: &Collection) -> Elements {
         (_, Type::Halfedge) => Elements::Halfedges,
         (_, Type::Edge) => Elements::Edges,
         (_, _) => Elements::Faces,
-    }
-}
-
-/// Counts for each variable the statements that set it.
-pub(super) fn count_sets(block: &[Statement], sets: &mut [u32]) {
-    let mut count = |variable: u32| {
-        if let Some(sets) = sets.get_mut(variable as usize) {
-            *sets += 1;
-        }
-    };
-    for statement in block {
-        match &statement.kind {
-            StatementKind::Set { variable, .. }
-            | StatementKind::For { variable, .. }
-            | StatementKind::Update { variable, .. }
-            | StatementKind::Drain { variable, .. }
-            | StatementKind::IfApply { variable: Some(variable), .. } => count(*variable),
-            _ => {}
-        }
-    }
-    for statement in block {
-        match &statement.kind {
-            StatementKind::Repeat { body, .. }
-            | StatementKind::While { body, .. }
-            | StatementKind::For { body, .. }
-            | StatementKind::Update { body, .. }
-            | StatementKind::Drain { body, .. } => count_sets(body, sets),
-            StatementKind::If { then, otherwise, .. }
-            | StatementKind::IfApply { then, otherwise, .. } => {
-                count_sets(then, sets);
-                count_sets(otherwise, sets);
-            }
-            _ => {}
-        }
     }
 }

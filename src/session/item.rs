@@ -54,26 +54,53 @@ fn parameters<'p>(program: &'p Program, params: &'p [Param]) -> Vec<Parameter<'p
     params.iter().map(parameter).collect()
 }
 
+/// What operations, scripts and functions have in common.
+macro_rules! item {
+    ($item:ident, $resolved:ty, $list:ident) => {
+        impl $item {
+            pub(super) fn new(program: &Program, index: usize) -> Self {
+                Self { program: program.clone(), index }
+            }
+
+            fn item(&self) -> &$resolved {
+                &self.program.0.analysis.program.$list[self.index]
+            }
+
+            /// The program.
+            pub fn program(&self) -> &Program {
+                &self.program
+            }
+
+            /// Its name.
+            pub fn name(&self) -> &str {
+                &self.item().name
+            }
+
+            /// Its parameters, in order.
+            pub fn parameters(&self) -> Vec<Parameter<'_>> {
+                parameters(&self.program, &self.item().params)
+            }
+        }
+
+        impl fmt::Debug for $item {
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.debug_tuple(stringify!($item)).field(&self.name()).finish()
+            }
+        }
+    };
+}
+
+item!(Op, resolve::ResolvedOp, ops);
+item!(Script, resolve::Script, scripts);
+item!(Function, resolve::Function, functions);
+
 impl Op {
-    pub(super) fn new(program: &Program, index: usize) -> Self {
-        Self { program: program.clone(), index }
-    }
-
-    fn item(&self) -> &resolve::ResolvedOp {
-        &self.program.0.analysis.program.ops[self.index]
-    }
-
     pub(super) fn application(&self) -> Result<&Application, Error> {
         let parts = &self.program.0;
         let made = parts.applications[self.index].get_or_init(|| {
             Application::new(&parts.analysis.program, self.index, &parts.analysis.plans)
         });
         made.as_ref().map_err(|diagnostic| Error::one(diagnostic.clone(), &parts.sources))
-    }
-
-    /// Its name.
-    pub fn name(&self) -> &str {
-        &self.item().name
     }
 
     /// Its doc comment, line by line.
@@ -83,16 +110,6 @@ impl Op {
             (None, Some(steps)) => &steps.docs,
             (None, None) => &[],
         }
-    }
-
-    /// Its parameters, in order.
-    pub fn parameters(&self) -> Vec<Parameter<'_>> {
-        parameters(&self.program, &self.item().params)
-    }
-
-    /// The program.
-    pub fn program(&self) -> &Program {
-        &self.program
     }
 
     /// True if both are the same operation of the same program.
@@ -134,19 +151,6 @@ impl Op {
 }
 
 impl Script {
-    pub(super) fn new(program: &Program, index: usize) -> Self {
-        Self { program: program.clone(), index }
-    }
-
-    fn item(&self) -> &resolve::Script {
-        &self.program.0.analysis.program.scripts[self.index]
-    }
-
-    /// The program.
-    pub fn program(&self) -> &Program {
-        &self.program
-    }
-
     pub(super) fn prepared(&self) -> Result<&Prepared, Error> {
         let parts = &self.program.0;
         let made = parts.scripts[self.index]
@@ -162,36 +166,13 @@ impl Script {
         }
     }
 
-    /// Its name.
-    pub fn name(&self) -> &str {
-        &self.item().name
-    }
-
     /// Its doc comment, line by line.
     pub fn docs(&self) -> &[String] {
         &self.item().docs
     }
-
-    /// Its parameters, in order.
-    pub fn parameters(&self) -> Vec<Parameter<'_>> {
-        parameters(&self.program, &self.item().params)
-    }
 }
 
 impl Function {
-    pub(super) fn new(program: &Program, index: usize) -> Self {
-        Self { program: program.clone(), index }
-    }
-
-    fn item(&self) -> &resolve::Function {
-        &self.program.0.analysis.program.functions[self.index]
-    }
-
-    /// The program.
-    pub fn program(&self) -> &Program {
-        &self.program
-    }
-
     pub(super) fn prepared(&self) -> Result<&Prepared, Error> {
         let parts = &self.program.0;
         let made = parts.functions[self.index].get_or_init(|| {
@@ -200,19 +181,9 @@ impl Function {
         made.as_ref().map_err(|errors| Error::new(errors.clone(), &parts.sources))
     }
 
-    /// Its name.
-    pub fn name(&self) -> &str {
-        &self.item().name
-    }
-
     /// Its doc comment, line by line.
     pub fn docs(&self) -> &[String] {
         &self.item().docs
-    }
-
-    /// Its parameters, in order.
-    pub fn parameters(&self) -> Vec<Parameter<'_>> {
-        parameters(&self.program, &self.item().params)
     }
 
     /// The type of its value as the language writes it, if it gives one.
@@ -230,23 +201,5 @@ impl Function {
     /// It calls an operation that is not proved.
     pub fn changes(&self) -> Result<bool, Error> {
         Ok(self.prepared()?.changes())
-    }
-}
-
-impl fmt::Debug for Function {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_tuple("Function").field(&self.name()).finish()
-    }
-}
-
-impl fmt::Debug for Op {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_tuple("Op").field(&self.name()).finish()
-    }
-}
-
-impl fmt::Debug for Script {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_tuple("Script").field(&self.name()).finish()
     }
 }

@@ -17,13 +17,13 @@ const LAYERS: &[(&str, &[&str])] = &[
     ("rewrite", &["mesh", "source"]),
     ("syntax", &["source", "diagnostic"]),
     ("check", &["source", "diagnostic", "diagram", "mesh"]),
-    ("lower", &["diagram", "check"]),
+    ("lower", &["source", "mesh", "diagram", "check", "resolve"]),
     ("compile", &["source", "mesh", "diagram", "check", "lower", "rewrite"]),
     ("draw", &["source", "diagram", "mesh"]),
     ("emit", &["source", "diagnostic", "diagram", "check", "lower", "resolve"]),
     ("format", &["source", "diagnostic", "syntax"]),
     ("resolve", &["source", "diagnostic", "syntax", "diagram"]),
-    ("run", &["source", "mesh", "diagnostic", "diagram", "rewrite", "compile", "resolve"]),
+    ("run", &["source", "mesh", "diagnostic", "diagram", "rewrite", "compile", "lower", "resolve"]),
     (
         "analysis",
         &[

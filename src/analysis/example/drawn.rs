@@ -100,7 +100,7 @@ fn returned(steps: &Steps, block: &Block) -> Option<String> {
             _ => None,
         },
         StatementKind::If { then, otherwise, .. }
-        | StatementKind::IfApply { then, otherwise, .. } => {
+        | StatementKind::Apply { then, otherwise, .. } => {
             returned(steps, otherwise).or_else(|| returned(steps, then))
         }
         _ => None,

@@ -6,8 +6,7 @@
 
 use super::Scope;
 use super::pointer::{first, load};
-use super::value::lower;
-use crate::diagram::{Collection, Expr};
+use crate::diagram::Collection;
 use crate::rewrite::{
     Assembler, ElementField, Elements, HalfedgeField, Inst, Label, Reg, Triangles, Walk,
 };
@@ -30,17 +29,20 @@ pub fn elements(collection: &Collection) -> Option<Elements> {
     }
 }
 
-/// Appends a loop over a collection. `turn` is lowered once.
+/// Appends a loop over a collection, around the element in the register. `turn` is lowered once.
 pub fn each(
     asm: &mut Assembler,
     scope: &mut dyn Scope,
-    collection: &Collection,
+    (collection, base): (&Collection, Option<Reg>),
     span: Span,
     turn: &mut LoopBody,
 ) {
-    match elements(collection) {
-        Some(of) => each_of_mesh(asm, scope, of, span, turn),
-        None => each_around(asm, scope, collection, span, turn),
+    let place = scope.place(span);
+    match (elements(collection), base) {
+        (Some(of), _) => each_of_mesh(asm, scope, of, place, turn),
+        (None, Some(base)) => each_around(asm, scope, (collection, base), place, turn),
+        // There is none without an element.
+        (None, None) => {}
     }
 }
 
@@ -48,13 +50,12 @@ fn each_of_mesh(
     asm: &mut Assembler,
     scope: &mut dyn Scope,
     of: Elements,
-    span: Span,
+    place: u32,
     turn: &mut LoopBody,
 ) {
     let (head, next, done) = (asm.label(), asm.label(), asm.label());
     let (zero, one) = (asm.constant_int(0), asm.constant_int(1));
     let element = asm.reg();
-    let place = scope.place(span);
     asm.emit(Inst::Copy { to: element, from: zero });
     asm.bind(head);
     asm.emit(Inst::NextLiving { of, element, otherwise: done });
@@ -79,27 +80,23 @@ enum Wanted {
 fn each_around(
     asm: &mut Assembler,
     scope: &mut dyn Scope,
-    collection: &Collection,
-    span: Span,
+    (collection, base): (&Collection, Reg),
+    place: u32,
     turn: &mut LoopBody,
 ) {
     use ElementField::{Face, Vertex};
-    let (of, base, wanted): (_, &Expr, _) = match collection {
-        Collection::VertexHalfedges(v) => (Vertex, v, Wanted::Itself),
-        Collection::VertexEdges(v) => (Vertex, v, Wanted::Pointer(HalfedgeField::Edge)),
-        Collection::VertexFaces(v) => (Vertex, v, Wanted::Face),
-        Collection::VertexNeighbors(v) => (Vertex, v, Wanted::Target),
-        Collection::FaceHalfedges(f) => (Face, f, Wanted::Itself),
-        Collection::FaceVertices(f) => (Face, f, Wanted::Pointer(HalfedgeField::Vertex)),
-        Collection::FaceEdges(f) => (Face, f, Wanted::Pointer(HalfedgeField::Edge)),
-        _ => return each_of_list(asm, scope, collection, span, turn),
+    let (of, wanted) = match collection {
+        Collection::VertexHalfedges(_) => (Vertex, Wanted::Itself),
+        Collection::VertexEdges(_) => (Vertex, Wanted::Pointer(HalfedgeField::Edge)),
+        Collection::VertexFaces(_) => (Vertex, Wanted::Face),
+        Collection::VertexNeighbors(_) => (Vertex, Wanted::Target),
+        Collection::FaceHalfedges(_) => (Face, Wanted::Itself),
+        Collection::FaceVertices(_) => (Face, Wanted::Pointer(HalfedgeField::Vertex)),
+        Collection::FaceEdges(_) => (Face, Wanted::Pointer(HalfedgeField::Edge)),
+        _ => return each_of_list(asm, scope, (collection, base), place, turn),
     };
-    let place = scope.place(span);
     let (from, at, turns) = (asm.reg(), asm.reg(), asm.reg());
-    let mark = asm.mark();
-    let element = lower(asm, scope, base);
-    first(asm, place, of, [from, element]);
-    asm.release(mark);
+    first(asm, place, of, [from, base]);
     let (head, next, done) = (asm.label(), asm.label(), asm.label());
     let walk = match of {
         Vertex => Walk::Star,
@@ -126,14 +123,13 @@ fn each_around(
 fn each_of_list(
     asm: &mut Assembler,
     scope: &mut dyn Scope,
-    collection: &Collection,
-    span: Span,
+    (collection, base): (&Collection, Reg),
+    place: u32,
     turn: &mut LoopBody,
 ) {
-    let place = scope.place(span);
     let buffer = asm.buffer();
     asm.emit(Inst::BufferClear { buffer });
-    let Some(wanted) = list(asm, scope, collection, place, buffer) else {
+    let Some(wanted) = list(asm, (collection, base), place, buffer) else {
         return;
     };
     let (head, done) = (asm.label(), asm.label());
@@ -152,26 +148,23 @@ fn each_of_list(
 /// edge. `None` for other collections.
 fn list(
     asm: &mut Assembler,
-    scope: &mut dyn Scope,
-    collection: &Collection,
+    (collection, base): (&Collection, Reg),
     place: u32,
     buffer: u16,
 ) -> Option<Wanted> {
     let mark = asm.mark();
     let wanted = match collection {
-        Collection::FaceEars(f) | Collection::FacePatch(f) => {
+        Collection::FaceEars(_) | Collection::FacePatch(_) => {
             let triangles = match collection {
                 Collection::FacePatch(_) => Triangles::LeastBend,
                 _ => Triangles::BestShape,
             };
-            let face = lower(asm, scope, f);
-            asm.trap_at(place, Inst::CollectEars { triangles, buffer, face });
+            asm.trap_at(place, Inst::CollectEars { triangles, buffer, face: base });
             Wanted::Itself
         }
-        Collection::EdgeVertices(e) | Collection::EdgeFaces(e) => {
-            let edge = lower(asm, scope, e);
+        Collection::EdgeVertices(_) | Collection::EdgeFaces(_) => {
             let from = asm.reg();
-            first(asm, place, ElementField::Edge, [from, edge]);
+            first(asm, place, ElementField::Edge, [from, base]);
             asm.emit(Inst::BufferPush { buffer, from });
             load(asm, place, HalfedgeField::Twin, [from, from]);
             asm.emit(Inst::BufferPush { buffer, from });

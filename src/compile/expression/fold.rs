@@ -1,68 +1,13 @@
-//! Aggregates: `mean(length(e) for e in edges where boundary(e))`.
+//! What an aggregate makes of its values: `mean(length(e) for e in edges where boundary(e))`.
 
-use super::collection::{each, elements};
+use super::collection::elements;
 use super::operator::wide;
-use super::value::{copy, lower};
-use super::{Scope, width};
-use crate::diagram::{Expr, ExprKind, Fold, FoldFunction, Type};
+use super::{copy, width};
+use crate::diagram::{ExprKind, Fold, FoldFunction, Type};
 use crate::rewrite::{Assembler, Elements, Inst, Label, Lanes, Reg};
 
-/// Appends a loop that puts the aggregate into `to`.
-pub(super) fn fold(asm: &mut Assembler, scope: &mut dyn Scope, fold: &Fold, of: &Expr, to: Reg) {
-    if let Some(inst) = known_count(fold, to) {
-        return asm.emit(inst);
-    }
-    let done = asm.label();
-    let (seen, best) = (asm.reg(), asm.reg());
-    let sum = Sum { ty: of.ty, to, seen, best };
-    sum.start(asm, fold.function);
-    let turn = &mut |asm: &mut Assembler, scope: &mut dyn Scope, element: Reg, next: Label| {
-        let mark = asm.mark();
-        scope.declare(fold.variable, element);
-        if let Some(filter) = &fold.filter {
-            skip_unless(asm, scope, filter, next);
-        }
-        match fold.function {
-            FoldFunction::Count => {
-                skip_unless(asm, scope, &fold.body, next);
-                sum.add_one(asm, to);
-            }
-            FoldFunction::Any => {
-                skip_unless(asm, scope, &fold.body, next);
-                settle(asm, to, true, done);
-            }
-            FoldFunction::All => {
-                let condition = lower(asm, scope, &fold.body);
-                asm.emit(Inst::JumpIf { condition, to: next });
-                settle(asm, to, false, done);
-            }
-            FoldFunction::Sum | FoldFunction::Mean => {
-                let value = sum.value(asm, scope, &fold.body);
-                let place = scope.place(fold.body.span);
-                asm.trap_at(place, sum.add(value));
-                if fold.function == FoldFunction::Mean {
-                    sum.add_one(asm, seen);
-                }
-            }
-            FoldFunction::ArgMin | FoldFunction::ArgMax => {
-                let value = lower(asm, scope, &fold.body);
-                sum.take_element(asm, fold.function, (value, element), next);
-            }
-            FoldFunction::Min | FoldFunction::Max => {
-                let value = sum.value(asm, scope, &fold.body);
-                sum.take_better(asm, fold.function, value, next);
-            }
-        }
-        asm.release(mark);
-    };
-    each(asm, scope, &fold.collection, of.span, turn);
-    asm.bind(done);
-    let place = scope.place(of.span);
-    sum.end(asm, place, fold.function);
-}
-
 /// The number of elements of a sort, which the mesh knows without looking at them.
-fn known_count(fold: &Fold, to: Reg) -> Option<Inst> {
+pub(super) fn known_count(fold: &Fold, to: Reg) -> Option<Inst> {
     let all = fold.filter.is_none() && fold.body.kind == ExprKind::Bool(true);
     let counts = fold.function == FoldFunction::Count && all;
     let of = elements(&fold.collection).filter(|_| counts)?;
@@ -72,15 +17,8 @@ fn known_count(fold: &Fold, to: Reg) -> Option<Inst> {
     })
 }
 
-fn skip_unless(asm: &mut Assembler, scope: &mut dyn Scope, condition: &Expr, next: Label) {
-    if condition.kind != ExprKind::Bool(true) {
-        let condition = lower(asm, scope, condition);
-        asm.emit(Inst::JumpUnless { condition, to: next });
-    }
-}
-
 /// The answer is known before the end.
-fn settle(asm: &mut Assembler, to: Reg, answer: bool, done: Label) {
+pub(super) fn settle(asm: &mut Assembler, to: Reg, answer: bool, done: Label) {
     let from = asm.constant_bool(answer);
     asm.emit(Inst::Copy { to, from });
     asm.emit(Inst::Jump { to: done });
@@ -89,15 +27,15 @@ fn settle(asm: &mut Assembler, to: Reg, answer: bool, done: Label) {
 /// The value that has been made of the values so far: in `to`, of type `ty`; in `seen` how many
 /// there were, where that matters; and in `best` the value of the element in `to`, if it is one.
 #[derive(Clone, Copy)]
-struct Sum {
-    ty: Type,
-    to: Reg,
-    seen: Reg,
-    best: Reg,
+pub(super) struct Sum {
+    pub(super) ty: Type,
+    pub(super) to: Reg,
+    pub(super) seen: Reg,
+    pub(super) best: Reg,
 }
 
 impl Sum {
-    fn start(self, asm: &mut Assembler, function: FoldFunction) {
+    pub(super) fn start(self, asm: &mut Assembler, function: FoldFunction) {
         // The bits of zero are the same for an int, a real and a bool.
         let start = asm.constant_bits(u64::from(function == FoldFunction::All));
         for part in 0..width(self.ty) {
@@ -107,10 +45,9 @@ impl Sum {
         asm.emit(Inst::Copy { to: self.seen, from });
     }
 
-    /// The body, as a value of the aggregate's type.
-    fn value(self, asm: &mut Assembler, scope: &mut dyn Scope, body: &Expr) -> Reg {
-        let from = lower(asm, scope, body);
-        if body.ty == Type::Int && self.ty == Type::Real {
+    /// A value of the body, as one of the aggregate's type.
+    pub(super) fn value(self, asm: &mut Assembler, ty: Type, from: Reg) -> Reg {
+        if ty == Type::Int && self.ty == Type::Real {
             let to = asm.reg();
             asm.emit(Inst::IntToReal { to, from });
             return to;
@@ -118,7 +55,7 @@ impl Sum {
         from
     }
 
-    fn add(self, right: Reg) -> Inst {
+    pub(super) fn add(self, right: Reg) -> Inst {
         let (to, left) = (self.to, self.to);
         match self.ty {
             Type::Vec3 => Inst::AddVec { to, left, right },
@@ -128,13 +65,19 @@ impl Sum {
         }
     }
 
-    fn add_one(self, asm: &mut Assembler, to: Reg) {
+    pub(super) fn add_one(self, asm: &mut Assembler, to: Reg) {
         let (left, right) = (to, asm.constant_int(1));
         asm.emit(Inst::AddInt { to, left, right });
     }
 
     /// Keeps the better of two; the first is taken as it is.
-    fn take_better(self, asm: &mut Assembler, function: FoldFunction, right: Reg, next: Label) {
+    pub(super) fn take_better(
+        self,
+        asm: &mut Assembler,
+        function: FoldFunction,
+        right: Reg,
+        next: Label,
+    ) {
         let compare = asm.label();
         let (to, left) = (self.to, self.to);
         asm.emit(Inst::JumpIf { condition: self.seen, to: compare });
@@ -152,7 +95,7 @@ impl Sum {
 
     /// Keeps the element with the better value; of equal values, the first. What is not a
     /// number is worse than any number, as it is for the least and the greatest value.
-    fn take_element(
+    pub(super) fn take_element(
         self,
         asm: &mut Assembler,
         function: FoldFunction,
@@ -187,7 +130,7 @@ impl Sum {
         asm.emit(Inst::Copy { to, from });
     }
 
-    fn end(self, asm: &mut Assembler, place: u32, function: FoldFunction) {
+    pub(super) fn end(self, asm: &mut Assembler, place: u32, function: FoldFunction) {
         let text = match function {
             FoldFunction::Mean => "the mean of nothing",
             FoldFunction::Min | FoldFunction::ArgMin => "the least of nothing",

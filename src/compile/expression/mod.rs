@@ -17,6 +17,6 @@ mod scope;
 mod value;
 
 pub use collection::{each, elements};
-pub use scope::{Scope, element_kind, width};
+pub use scope::{Scope, copy, element_kind, width};
 pub(super) use value::halfedge_field;
-pub use value::{arguments, attribute, copy, function_number, lower, lower_into};
+pub use value::{arguments, attribute, function_number, lower, lower_into};

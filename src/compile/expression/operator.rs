@@ -1,10 +1,8 @@
-//! Operators: one instruction each, but for the two that may skip their right side.
+//! Operators: one instruction each.
 
-use super::value::{lower, lower_into};
-use super::{Scope, width};
-use crate::diagram::{Binary, Expr, Type, Unary};
+use super::width;
+use crate::diagram::{Binary, Type, Unary};
 use crate::rewrite::{Assembler, Inst, Lanes, Math, Matrix, Reg};
-use crate::source::Span;
 
 /// An operator with one operand.
 pub(super) fn unary(
@@ -28,37 +26,13 @@ pub(super) fn unary(
     }
 }
 
-/// An operator with two operands.
-pub(super) fn binary(
-    asm: &mut Assembler,
-    scope: &mut dyn Scope,
-    span: Span,
-    operator: Binary,
-    [left, right]: [&Expr; 2],
-    to: Reg,
-) {
-    if matches!(operator, Binary::And | Binary::Or) {
-        let end = asm.label();
-        lower_into(asm, scope, left, to);
-        let condition = to;
-        asm.emit(match operator {
-            Binary::And => Inst::JumpUnless { condition, to: end },
-            _ => Inst::JumpIf { condition, to: end },
-        });
-        lower_into(asm, scope, right, to);
-        asm.bind(end);
-        return;
-    }
-    let ty = left.ty;
-    let left = lower(asm, scope, left);
-    let right = lower(asm, scope, right);
-    let place = scope.place(span);
-    let inst = match ty {
+/// An operator with two operands, of which the left one is of this type.
+pub(super) fn binary(operator: Binary, ty: Type, [to, left, right]: [Reg; 3]) -> Inst {
+    match ty {
         Type::Vec3 => operation(operator, to, left, right),
         _ if ty.is_vector() || ty.is_matrix() => wide_operation(operator, ty, [to, left, right]),
         _ => operation(operator, to, left, right),
-    };
-    asm.trap_at(place, inst);
+    }
 }
 
 /// A computation of a value of any width: that of `ty`.
@@ -125,7 +99,7 @@ fn operation(operator: Binary, to: Reg, left: Reg, right: Reg) -> Inst {
         // Of matrices alone, which `wide_operation` knows.
         Binary::MultiplyMatrices => matrix(Matrix::Multiply, Type::Mat4, [to, left, right]),
         Binary::Transform => matrix(Matrix::Transform, Type::Mat4, [to, left, right]),
-        // Lowered with jumps above; the meaning is the same.
+        // Lowered with jumps; the meaning is the same.
         Binary::And => Inst::And { to, left, right },
         Binary::Or => Inst::Or { to, left, right },
     }

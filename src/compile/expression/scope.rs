@@ -2,7 +2,7 @@
 
 use crate::diagram::{NameId, Type};
 use crate::mesh::ElementKind;
-use crate::rewrite::Reg;
+use crate::rewrite::{Assembler, Inst, Reg};
 use crate::source::Span;
 
 /// The scope in which an expression finds what it names.
@@ -38,4 +38,14 @@ pub fn element_kind(ty: Type) -> Option<ElementKind> {
         Type::Face => Some(ElementKind::Face),
         _ => None,
     }
+}
+
+/// Copies a value of a type.
+pub fn copy(asm: &mut Assembler, ty: Type, to: Reg, from: Reg) {
+    asm.emit(match width(ty) {
+        1 => Inst::Copy { to, from },
+        3 => Inst::CopyVec { to, from },
+        // No value is as wide as 256.
+        width => Inst::CopyWide { to, from, width: width as u8 },
+    });
 }

@@ -1,12 +1,13 @@
 //! The value of an expression in a register.
 
 use super::builtin::{Made, call};
-use super::fold::fold;
+use super::collection::each;
+use super::fold::{Sum, known_count, settle};
 use super::operator::{binary, unary};
 use super::pointer::{first, load};
-use super::{Scope, width};
-use crate::diagram::{Access, Builtin, Expr, ExprKind, Pointer, Type};
-use crate::rewrite::{Assembler, ElementField, HalfedgeField, Inst, Reg};
+use super::{Scope, copy, width};
+use crate::diagram::{Access, Binary, Expr, ExprKind, Fold, FoldFunction, Pointer, Type};
+use crate::rewrite::{Assembler, ElementField, HalfedgeField, Inst, Label, Reg};
 
 /// Appends the code of an expression; its value is in the register, or the three from it
 /// on, until that is released. The register may be that of a variable: it is not to be
@@ -76,14 +77,21 @@ pub fn lower_into(asm: &mut Assembler, scope: &mut dyn Scope, expr: &Expr, to: R
             let place = scope.place(expr.span);
             unary(asm, place, (*operator, expr.ty), to, from);
         }
-        ExprKind::Binary(operator, left, right) => {
-            binary(asm, scope, expr.span, *operator, [left, right], to);
+        ExprKind::Binary(operator @ (Binary::And | Binary::Or), left, right) => {
+            let (end, condition) = (asm.label(), to);
+            lower_into(asm, scope, left, to);
+            asm.emit(match operator {
+                Binary::And => Inst::JumpUnless { condition, to: end },
+                _ => Inst::JumpIf { condition, to: end },
+            });
+            lower_into(asm, scope, right, to);
+            asm.bind(end);
         }
-        ExprKind::Call(Builtin::Random, _) => asm.emit(Inst::Random { to }),
-        ExprKind::Call(Builtin::RandomInt, args) if let [below] = args.as_slice() => {
-            let below = lower(asm, scope, below);
+        ExprKind::Binary(operator, left, right) => {
+            let ty = left.ty;
+            let (left, right) = (lower(asm, scope, left), lower(asm, scope, right));
             let place = scope.place(expr.span);
-            asm.trap_at(place, Inst::RandomInt { to, below });
+            asm.trap_at(place, binary(*operator, ty, [to, left, right]));
         }
         ExprKind::Call(builtin, args) => {
             let of = args.first().map_or(expr.ty, |first| first.ty);
@@ -127,6 +135,72 @@ pub fn lower_into(asm: &mut Assembler, scope: &mut dyn Scope, expr: &Expr, to: R
     asm.release(mark);
 }
 
+/// Appends a loop that puts the aggregate into `to`.
+fn fold(asm: &mut Assembler, scope: &mut dyn Scope, fold: &Fold, of: &Expr, to: Reg) {
+    if let Some(inst) = known_count(fold, to) {
+        return asm.emit(inst);
+    }
+    let done = asm.label();
+    let (seen, best) = (asm.reg(), asm.reg());
+    let sum = Sum { ty: of.ty, to, seen, best };
+    sum.start(asm, fold.function);
+    let turn = &mut |asm: &mut Assembler, scope: &mut dyn Scope, element: Reg, next: Label| {
+        let mark = asm.mark();
+        scope.declare(fold.variable, element);
+        if let Some(filter) = &fold.filter {
+            skip_unless(asm, scope, filter, next);
+        }
+        match fold.function {
+            FoldFunction::Count => {
+                skip_unless(asm, scope, &fold.body, next);
+                sum.add_one(asm, to);
+            }
+            FoldFunction::Any => {
+                skip_unless(asm, scope, &fold.body, next);
+                settle(asm, to, true, done);
+            }
+            FoldFunction::All => {
+                let condition = lower(asm, scope, &fold.body);
+                asm.emit(Inst::JumpIf { condition, to: next });
+                settle(asm, to, false, done);
+            }
+            FoldFunction::Sum | FoldFunction::Mean => {
+                let value = lower(asm, scope, &fold.body);
+                let value = sum.value(asm, fold.body.ty, value);
+                let place = scope.place(fold.body.span);
+                asm.trap_at(place, sum.add(value));
+                if fold.function == FoldFunction::Mean {
+                    sum.add_one(asm, seen);
+                }
+            }
+            FoldFunction::ArgMin | FoldFunction::ArgMax => {
+                let value = lower(asm, scope, &fold.body);
+                sum.take_element(asm, fold.function, (value, element), next);
+            }
+            FoldFunction::Min | FoldFunction::Max => {
+                let value = lower(asm, scope, &fold.body);
+                let value = sum.value(asm, fold.body.ty, value);
+                sum.take_better(asm, fold.function, value, next);
+            }
+        }
+        asm.release(mark);
+    };
+    let mark = asm.mark();
+    let base = fold.collection.base().map(|base| lower(asm, scope, base));
+    each(asm, scope, (&fold.collection, base), of.span, turn);
+    asm.release(mark);
+    asm.bind(done);
+    let place = scope.place(of.span);
+    sum.end(asm, place, fold.function);
+}
+
+fn skip_unless(asm: &mut Assembler, scope: &mut dyn Scope, condition: &Expr, next: Label) {
+    if condition.kind != ExprKind::Bool(true) {
+        let condition = lower(asm, scope, condition);
+        asm.emit(Inst::JumpUnless { condition, to: next });
+    }
+}
+
 /// Appends the code of arguments; their values stand in consecutive slots from a register on.
 pub fn arguments(asm: &mut Assembler, scope: &mut dyn Scope, args: &[Expr]) -> Reg {
     let widths = args.iter().map(|arg| width(arg.ty));
@@ -145,16 +219,6 @@ pub fn arguments(asm: &mut Assembler, scope: &mut dyn Scope, args: &[Expr]) -> R
 /// The number by which code calls a function. One too large names none, and traps.
 pub fn function_number(function: u32) -> u16 {
     u16::try_from(function).unwrap_or(u16::MAX)
-}
-
-/// Copies a value of a type.
-pub fn copy(asm: &mut Assembler, ty: Type, to: Reg, from: Reg) {
-    asm.emit(match width(ty) {
-        1 => Inst::Copy { to, from },
-        3 => Inst::CopyVec { to, from },
-        // No value is as wide as 256.
-        width => Inst::CopyWide { to, from, width: width as u8 },
-    });
 }
 
 /// The number by which code names an attribute. One too large names none, and traps.

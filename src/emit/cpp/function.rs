@@ -2,18 +2,16 @@
 
 use std::collections::BTreeSet;
 
-use super::super::action::Action;
 use super::super::conventions::Conventions;
 use super::super::language::{Level, spell};
 use super::super::lines::{Lines, comment};
 use super::super::names::invoked;
-use super::super::routine::{Helper, Routine, Statement};
+use super::super::routine::{Helper, Routine, Signature, Statement};
 use super::super::steps::{Item, Items, items};
 use super::super::term::{Attribute, Parameter, Term};
 use super::super::{NotEmitted, Selection};
 use super::style::Style;
 use super::support;
-use super::types::types;
 use crate::diagram::Type;
 use crate::source::Span;
 
@@ -32,7 +30,7 @@ pub fn cpp(selection: &Selection<'_>, style: &Style) -> Result<String, NotEmitte
         exhaustive: selection.exhaustive,
         kept: &style.kept(),
     };
-    let Items { called, ops } = items(selection, conventions)?;
+    let Items { called, mut ops } = items(selection, conventions)?;
     let mut printer = Printer {
         style,
         lines: Lines::new(2),
@@ -46,21 +44,26 @@ pub fn cpp(selection: &Selection<'_>, style: &Style) -> Result<String, NotEmitte
     };
     let outside = called.iter().map(|(home, item)| printer.called(home, item));
     let outside: Vec<_> = outside.collect();
-    for (at, op) in ops.iter().enumerate() {
+    let alone = ops.len() == 1;
+    for (at, op) in ops.iter_mut().enumerate() {
         if at > 0 {
             printer.lines.line("");
         }
-        let alone = ops.len() == 1;
         match op {
             Item::Function(_) => {}
-            Item::Drawn(routine) if style.gives_back() => {
-                printer.routine(&routine.clone().giving_back(), alone);
+            Item::Drawn(routine) => {
+                if style.gives_back() {
+                    let bodies = routine.rules.iter_mut().map(|rule| &mut rule.body);
+                    routine.signature.give_back(bodies);
+                }
+                printer.routine(routine, alone);
             }
-            Item::Drawn(routine) => printer.routine(routine, alone),
-            Item::Steps(whole) if style.gives_back() => {
-                printer.whole(&whole.clone().giving_back(), alone);
+            Item::Steps(whole) => {
+                if style.gives_back() {
+                    whole.signature.give_back(std::iter::once(&mut whole.body));
+                }
+                printer.whole(whole, alone);
             }
-            Item::Steps(whole) => printer.whole(whole, alone),
         }
     }
     if let Some(why) = printer.is_blind(&outside) {
@@ -167,12 +170,12 @@ impl Printer<'_> {
             Item::Drawn(routine) => {
                 self.is_noted = true;
                 self.routine(routine, false);
-                &routine.name
+                &routine.signature.name
             }
             Item::Steps(whole) => {
                 self.is_noted = true;
                 self.whole(whole, false);
-                &whole.name
+                &whole.signature.name
             }
         };
         self.is_noted = false;
@@ -196,7 +199,7 @@ impl Printer<'_> {
         let (result, name) = (result.unwrap_or("void".into()), invoked(&helper.name));
         self.lines.open(&format!("inline {result} {name}({params}) {{"));
         match helper.body.split_last() {
-            Some((Statement::Action(Action::Leave), others)) => self.block(others),
+            Some((Statement::Leave, others)) => self.block(others),
             _ => self.block(&helper.body),
         }
         self.lines.close("}");
@@ -235,8 +238,8 @@ impl Printer<'_> {
     }
 
     fn routine(&mut self, routine: &Routine, alone: bool) {
-        self.docs(&routine.docs);
-        self.docs_of_defaults(&routine.params);
+        self.docs(&routine.signature.docs);
+        self.docs_of_defaults(&routine.signature.params);
         // Without a name what is not used; C++ compilers warn of it.
         let (mut used, mut allocates) = (BTreeSet::new(), false);
         for statement in routine.rules.iter().flat_map(|rule| &rule.body) {
@@ -248,26 +251,16 @@ impl Printer<'_> {
         if allocates {
             used.insert("mesh".to_string());
         }
-        let several = routine.result.filter(|_| routine.rules.len() > 1);
+        let several = routine.signature.result.filter(|_| routine.rules.len() > 1);
         let mut seen: Vec<_> = several.into_iter().collect();
         for rule in &routine.rules {
-            types(&rule.body, &mut |ty| seen.push(ty));
+            rule.body.iter().for_each(|statement| statement.types(&mut |ty| seen.push(ty)));
         }
-        self.head(
-            Head {
-                name: &routine.name,
-                declared: &routine.declared,
-                params: &routine.params,
-                result: routine.result,
-                alone,
-            },
-            &used,
-            &seen,
-        );
+        self.head(&routine.signature, alone, &used, &seen);
         match routine.rules.as_slice() {
             [rule] => self.alternative(&rule.body, routine),
             rules => {
-                let inner = match routine.result {
+                let inner = match routine.signature.result {
                     Some(ty) => format!("std::optional<{}>", self.ty(ty)),
                     None => "bool".into(),
                 };
@@ -279,7 +272,7 @@ impl Printer<'_> {
                         |label| format!("rule_{label}"),
                     );
                     let mut name = name.replace('\'', "_");
-                    while routine.params.iter().any(|param| param.name == name) {
+                    while routine.signature.params.iter().any(|param| param.name == name) {
                         name.push('_');
                     }
                     self.lines.blank();
@@ -291,7 +284,7 @@ impl Printer<'_> {
                 self.lines.blank();
                 if let Some((last, others)) = names.split_last() {
                     for name in others {
-                        self.lines.line(&match routine.result {
+                        self.lines.line(&match routine.signature.result {
                             Some(_) => format!("if (auto result = {name}()) return result;"),
                             None => format!("if ({name}()) return true;"),
                         });
@@ -341,20 +334,26 @@ impl Printer<'_> {
 
     /// The first lines of an operation: its signature, and short names for the types that it
     /// speaks of.
-    pub(super) fn head(&mut self, head: Head<'_>, used: &BTreeSet<String>, seen: &[Type]) {
+    pub(super) fn head(
+        &mut self,
+        head: &Signature,
+        alone: bool,
+        used: &BTreeSet<String>,
+        seen: &[Type],
+    ) {
         let mesh = self.style.name("mesh").to_string();
         let result = match head.result {
             Some(ty) => format!("std::optional<{}>", self.outer_type(ty)),
             None => "bool".into(),
         };
         let other = self.style.name("function");
-        let name = match self.style.function(head.declared) {
+        let name = match self.style.function(&head.declared) {
             Some(name) if !self.is_noted => name.to_string(),
-            _ if head.alone && !other.is_empty() => other.to_string(),
+            _ if alone && !other.is_empty() => other.to_string(),
             _ => head.name.to_string(),
         };
         let member = self.style.is_member() && !self.is_noted;
-        let first = self.first_default(head.params);
+        let first = self.first_default(&head.params);
         let (taken, fixed): (Vec<_>, Vec<_>) =
             head.params.iter().partition(|param| !self.is_fixed(param));
         let mut params = Vec::new();
@@ -438,7 +437,7 @@ impl Printer<'_> {
     }
 
     fn alternative(&mut self, body: &[Statement], routine: &Routine) {
-        self.refusal = match routine.result {
+        self.refusal = match routine.signature.result {
             Some(_) => "return std::nullopt;",
             None => "return false;",
         };
@@ -480,15 +479,4 @@ fn once(name: &str, text: &str) -> String {
     // Names that differ in their capitals are two.
     let guard = format!("HEDGEROW_{}", words.join("_"));
     format!("\n#ifndef {guard}\n#define {guard}\n{text}\n#endif\n")
-}
-
-/// The signature of an operation.
-pub(super) struct Head<'h> {
-    pub name: &'h str,
-    /// Its name in the program.
-    pub declared: &'h str,
-    pub params: &'h [Parameter],
-    pub result: Option<Type>,
-    /// True if no other operation is emitted.
-    pub alone: bool,
 }

@@ -10,7 +10,6 @@ mod statement;
 mod steps;
 mod style;
 mod support;
-mod types;
 
 pub use function::cpp;
 pub use pattern::StyleError;

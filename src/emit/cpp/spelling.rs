@@ -1,6 +1,6 @@
 //! Terms as C++.
 
-use super::super::builtin::{in_cpp, with_arguments};
+use super::super::builtin::{spelled, with_arguments};
 use super::super::language::{Language, Level, Spelled, number, short_number, spell};
 use super::super::matrix::is_wide;
 use super::super::names::invoked;
@@ -116,7 +116,7 @@ impl Language for Printer<'_> {
             self.used.push("mix");
             return Spelled::whole(text);
         }
-        let call = in_cpp(builtin);
+        let [_, call] = spelled(builtin);
         self.used.extend(called(call));
         if let Some((_, name)) = call.split_once("std::") {
             self.headers.insert(match name {

@@ -2,9 +2,10 @@
 
 use std::collections::BTreeSet;
 
+use super::super::language::skipped;
 use super::super::lines::{Lines, comment};
 use super::super::routine::{HalfedgeWalk, Statement, Step};
-use super::super::term::{IndexLoop, Term};
+use super::super::term::{IndexLoop, Parameter, Term};
 use super::function::Printer;
 use crate::diagram::{Kind, Pointer, Type};
 
@@ -15,7 +16,7 @@ impl Printer<'_> {
         }
     }
 
-    fn statement(&mut self, statement: &Statement) {
+    pub(super) fn statement(&mut self, statement: &Statement) {
         if let Some(preview) = self.preview.clone()
             && self.note(&preview, statement)
         {
@@ -25,7 +26,7 @@ impl Printer<'_> {
             Statement::Comment(text) => self.lines.comment("//", text),
             Statement::Blank => self.lines.blank(),
             // Attributes are fields.
-            Statement::Column(_) => {}
+            Statement::Column(_) | Statement::Ask(_) => {}
             Statement::Bind { ty, name, value } => {
                 let value = self.text(value);
                 let ty = self.ty(*ty);
@@ -82,10 +83,37 @@ impl Printer<'_> {
                 let value = self.text(value);
                 self.lines.line(&format!("{name} = {value};"));
             }
-            Statement::When { condition, body } => {
+            Statement::Choose { condition, then, otherwise } => {
                 let condition = self.text(condition);
-                self.held(&format!("if ({condition})"), body);
+                match otherwise.as_slice() {
+                    [] => self.held(&format!("if ({condition})"), then),
+                    _ => self.branches(&condition, [then, otherwise]),
+                }
             }
+            Statement::Repeat { index, count, body } => {
+                let count = self.text(count);
+                let head = format!("for (long long {index} = {count}; {index} > 0; --{index})");
+                self.held(&head, body);
+            }
+            Statement::While { condition, body } => {
+                let condition = self.text(condition);
+                self.held(&format!("while ({condition})"), body);
+            }
+            Statement::For { variable, around, element, may_go, filter, body } => {
+                let all = self.all_around(*around, element);
+                let Parameter { name, ty, .. } = variable;
+                let gone = may_go.then(|| format!("!journal.lives({name})"));
+                let skipped = skipped(self, gone, filter.as_ref());
+                let head = format!("for ({} {name} : {all})", self.ty(*ty));
+                self.visit(&head, &skipped, body);
+            }
+            Statement::Update { visit, held } => self.update(visit, held),
+            Statement::Hold { list, element, value } => {
+                let (element, value) = (self.text(element), self.text(value));
+                self.lines.line(&format!("{list}.emplace_back({element}, {value});"));
+            }
+            Statement::Break => self.lines.line("break;"),
+            Statement::Continue => self.lines.line("continue;"),
             Statement::Walk { walk, body } => self.walk(walk, body),
             Statement::Preview { preview, body } => self.preview_block(preview, body),
             Statement::New { kind, name } => {
@@ -136,7 +164,27 @@ impl Printer<'_> {
                 let result = result.as_ref().map_or("true".into(), |result| self.text(result));
                 self.lines.line(&format!("return {result};"));
             }
-            Statement::Action(action) => self.action(action),
+            Statement::Leave => self.lines.line("return;"),
+            Statement::Variable { place, value } => {
+                let value = self.text(value);
+                self.put(place, &value);
+            }
+            Statement::Must { call, place } => self.must(call, place.as_ref()),
+            Statement::May { call } => {
+                let text = self.call_of(call);
+                self.lines.line(&format!("{text};"));
+            }
+            Statement::Apply { call, place, then, otherwise } => {
+                self.apply(call, place.as_ref(), [then, otherwise]);
+            }
+            Statement::Move { vertex, value, .. } => {
+                let (vertex, value) = (self.text(vertex), self.text(value));
+                self.lines.line(&format!("journal.set_position({vertex}, {value});"));
+            }
+            Statement::Keep(elements) => self.keep(elements),
+            Statement::KeepAttribute { attribute, element } => {
+                self.keep_attribute(attribute, element);
+            }
         }
     }
 

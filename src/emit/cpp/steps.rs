@@ -2,13 +2,11 @@
 
 use std::collections::BTreeSet;
 
-use super::super::action::{Action, Call, Called, Form, Held, Target, Whole};
-use super::super::language::{Level, spell};
 use super::super::names::invoked;
 use super::super::routine::Statement;
 use super::super::term::{Attribute, Parameter, Term};
-use super::function::{Head, Printer};
-use super::types::types;
+use super::super::whole::{Call, Called, Form, Held, Target, Whole};
+use super::function::Printer;
 use crate::diagram;
 
 /// The greatest length of a line.
@@ -17,27 +15,16 @@ const WIDTH: usize = 92;
 impl Printer<'_> {
     /// Writes an operation in steps: through a journal, which undoes them.
     pub(super) fn whole(&mut self, whole: &Whole, alone: bool) {
-        self.docs(&whole.docs);
-        self.docs_of_defaults(&whole.params);
+        self.docs(&whole.signature.docs);
+        self.docs_of_defaults(&whole.signature.params);
         let mut used = BTreeSet::from(["mesh".to_string()]);
-        let mut seen: Vec<_> = whole.result.into_iter().collect();
+        let mut seen: Vec<_> = whole.signature.result.into_iter().collect();
         for statement in whole.asks.iter().chain(&whole.body) {
             statement.names(&mut |name| _ = used.insert(name.to_string()));
+            statement.types(&mut |ty| seen.push(ty));
         }
-        types(&whole.asks, &mut |ty| seen.push(ty));
-        types(&whole.body, &mut |ty| seen.push(ty));
-        self.head(
-            Head {
-                name: &whole.name,
-                declared: &whole.declared,
-                params: &whole.params,
-                result: whole.result,
-                alone,
-            },
-            &used,
-            &seen,
-        );
-        self.refusal = match whole.result {
+        self.head(&whole.signature, alone, &used, &seen);
+        self.refusal = match whole.signature.result {
             Some(_) => "return std::nullopt;",
             None => "return false;",
         };
@@ -52,7 +39,7 @@ impl Printer<'_> {
             diagram::Level::Surface => "surface",
             diagram::Level::Simple => "simple",
         };
-        let result = match whole.result {
+        let result = match whole.signature.result {
             Some(ty) => format!("std::optional<{}>", self.ty(ty)),
             None => "bool".into(),
         };
@@ -65,97 +52,38 @@ impl Printer<'_> {
         self.lines.close("}");
     }
 
-    pub(super) fn action(&mut self, action: &Action) {
-        match action {
-            Action::Variable { place, value } => {
-                let value = self.text(value);
-                self.put(place, &value);
-            }
-            Action::Must { call, place } => {
-                let mut text = self.call_of(call);
-                if matches!(call.of, Called::Operation | Called::Plain) {
-                    text = self.support("must", vec![text]);
-                }
-                match place {
-                    Some(place) => self.put(place, &text),
-                    None => self.lines.line(&format!("{text};")),
-                }
-            }
-            Action::May { call } => {
-                let text = self.call_of(call);
-                self.lines.line(&format!("{text};"));
-            }
-            Action::Apply { call, place, then, otherwise } => {
-                self.apply(call, place.as_ref(), [then, otherwise])
-            }
-            Action::Choose { condition, then, otherwise } => {
-                let condition = self.text(condition);
-                match otherwise.as_slice() {
-                    [] => self.held(&format!("if ({condition})"), then),
-                    _ => self.branches(&condition, [then, otherwise]),
-                }
-            }
-            Action::Repeat { index, count, body } => {
-                let count = self.text(count);
-                let head = format!("for (long long {index} = {count}; {index} > 0; --{index})");
-                self.held(&head, body);
-            }
-            Action::While { condition, body } => {
-                let condition = self.text(condition);
-                self.held(&format!("while ({condition})"), body);
-            }
-            Action::For {
-                variable: Parameter { name, ty, .. },
-                around,
-                element,
-                may_go,
-                filter,
-                body,
-            } => {
-                let all = self.all_around(*around, element);
-                let gone = may_go.then(|| format!("!journal.lives({name})"));
-                let others = filter.as_ref().map(|filter| {
-                    let others = spell(self, &filter.clone().not());
-                    others.at(if *may_go { Level::Or } else { Level::Choice })
-                });
-                let skipped: Vec<_> = gone.into_iter().chain(others).collect();
-                let ty = self.ty(*ty);
-                let head = format!("for ({ty} {name} : {all})");
-                if skipped.is_empty() {
-                    return self.held(&head, body);
-                }
-                self.lines.open(&format!("{head} {{"));
-                self.lines.line(&format!("if ({}) continue;", skipped.join(" || ")));
-                self.block(body);
-                self.lines.close("}");
-            }
-            Action::Update { visit, held } => {
-                self.headers.extend(["utility", "vector"]);
-                for Held { list, element, ty, .. } in held {
-                    let (element, ty) = (self.ty(*element), self.ty(*ty));
-                    self.lines.line(&format!("std::vector<std::pair<{element}, {ty}>> {list};"));
-                }
-                self.action(visit);
-                held.iter().for_each(|held| self.release(held));
-            }
-            Action::Hold { list, element, value } => {
-                let (element, value) = (self.text(element), self.text(value));
-                self.lines.line(&format!("{list}.emplace_back({element}, {value});"));
-            }
-            Action::Break => self.lines.line("break;"),
-            Action::Continue => self.lines.line("continue;"),
-            Action::Move { vertex, value, .. } => {
-                let (vertex, value) = (self.text(vertex), self.text(value));
-                self.lines.line(&format!("journal.set_position({vertex}, {value});"));
-            }
-            Action::Keep(elements) => self.keep(elements),
-            Action::KeepAttribute { attribute, element } => {
-                self.keep_attribute(attribute, element);
-            }
-            // Attributes are fields.
-            Action::Ask(_) => {}
-            Action::Leave => self.lines.line("return;"),
+    /// Calls what must do it.
+    pub(super) fn must(&mut self, call: &Call, place: Option<&Target>) {
+        let mut text = self.call_of(call);
+        if matches!(call.of, Called::Operation | Called::Plain) {
+            text = self.support("must", vec![text]);
         }
+        match place {
+            Some(place) => self.put(place, &text),
+            None => self.lines.line(&format!("{text};")),
+        }
+    }
+
+    /// A loop over elements, of which some have no turn.
+    pub(super) fn visit(&mut self, head: &str, skipped: &[String], body: &[Statement]) {
+        if skipped.is_empty() {
+            return self.held(head, body);
+        }
+        self.lines.open(&format!("{head} {{"));
+        self.lines.line(&format!("if ({}) continue;", skipped.join(" || ")));
+        self.block(body);
+        self.lines.close("}");
+    }
+
+    /// A loop whose writes are put off.
+    pub(super) fn update(&mut self, visit: &Statement, held: &[Held]) {
+        self.headers.extend(["utility", "vector"]);
+        for Held { list, element, ty, .. } in held {
+            let (element, ty) = (self.ty(*element), self.ty(*ty));
+            self.lines.line(&format!("std::vector<std::pair<{element}, {ty}>> {list};"));
+        }
+        self.statement(visit);
+        held.iter().for_each(|held| self.release(held));
     }
 
     /// Writes what was put off.
@@ -173,7 +101,7 @@ impl Printer<'_> {
         self.lines.close("}");
     }
 
-    fn apply(
+    pub(super) fn apply(
         &mut self,
         call: &Call,
         place: Option<&Parameter>,
@@ -196,7 +124,7 @@ impl Printer<'_> {
     }
 
     /// Notes elements in the journal; as many lines as it takes.
-    fn keep(&mut self, elements: &[Term]) {
+    pub(super) fn keep(&mut self, elements: &[Term]) {
         let texts: Vec<_> = elements.iter().map(|term| self.text(term)).collect();
         let mut line = String::new();
         for text in texts {
@@ -212,7 +140,7 @@ impl Printer<'_> {
         self.lines.line(&format!("journal.keep({line});"));
     }
 
-    fn keep_attribute(&mut self, attribute: &Attribute, element: &Term) {
+    pub(super) fn keep_attribute(&mut self, attribute: &Attribute, element: &Term) {
         let of = self.spelled_whole(element);
         let was = self.style.attribute(&of, &attribute.name);
         let (capture, name) = match element {
@@ -224,7 +152,7 @@ impl Printer<'_> {
             .line(&format!("journal.undone_by([{capture}, was = {was}] {{ {back} = was; }});"));
     }
 
-    fn put(&mut self, place: &Target, value: &str) {
+    pub(super) fn put(&mut self, place: &Target, value: &str) {
         let Target { name, ty, form } = place;
         self.lines.line(&match form {
             Form::Known => format!("{name} = {value};"),
@@ -233,14 +161,14 @@ impl Printer<'_> {
     }
 
     /// The call of an operation, or of a function that changes the mesh.
-    fn call_of(&mut self, call: &Call) -> String {
+    pub(super) fn call_of(&mut self, call: &Call) -> String {
         let args = call.args.iter().map(|arg| format!(", {}", self.text(arg)));
         let args = args.collect::<String>();
         self.used.push("Journal");
         format!("hedgerow::{}(journal{args})", invoked(&call.name))
     }
 
-    fn branches(&mut self, condition: &str, [then, otherwise]: [&[Statement]; 2]) {
+    pub(super) fn branches(&mut self, condition: &str, [then, otherwise]: [&[Statement]; 2]) {
         self.lines.open(&format!("if ({condition}) {{"));
         self.block(then);
         self.otherwise(otherwise);
@@ -251,15 +179,13 @@ impl Printer<'_> {
     fn otherwise(&mut self, otherwise: &[Statement]) {
         match otherwise {
             [] => {}
-            [Statement::Action(Action::Choose { condition, then, otherwise })] => {
+            [Statement::Choose { condition, then, otherwise }] => {
                 let condition = self.text(condition);
                 self.lines.reopen(&format!("}} else if ({condition}) {{"));
                 self.block(then);
                 self.otherwise(otherwise);
             }
-            [Statement::Action(Action::Apply { call, place: None, then, otherwise })]
-                if !then.is_empty() =>
-            {
+            [Statement::Apply { call, place: None, then, otherwise }] if !then.is_empty() => {
                 let text = self.call_of(call);
                 self.lines.reopen(&format!("}} else if ({text}) {{"));
                 self.block(then);

@@ -1,6 +1,5 @@
 //! Functions of the program as Rust.
 
-use super::super::action::Action;
 use super::super::lines::{Lines, comment};
 use super::super::names::invoked;
 use super::super::routine::{Helper, Statement};
@@ -14,7 +13,7 @@ impl Printer {
         (self.refusal, self.gives_option) = ("return None;", helper.refuses);
         self.is_asked = true;
         if let Some((last, others)) = helper.body.split_last() {
-            self.block(others, true);
+            self.block(others);
             match last {
                 Statement::Give(value) => {
                     let value = self.text(value);
@@ -23,12 +22,12 @@ impl Printer {
                         false => bare(&value).to_string(),
                     });
                 }
-                Statement::Action(Action::Leave) => {
+                Statement::Leave => {
                     if helper.refuses {
                         self.lines.line("Some(())");
                     }
                 }
-                last => self.block(std::slice::from_ref(last), true),
+                last => self.block(std::slice::from_ref(last)),
             }
         }
         let body = std::mem::replace(&mut self.lines, outer).finish();

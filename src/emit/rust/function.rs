@@ -118,6 +118,16 @@ pub(super) fn ty(ty: Type) -> &'static str {
     }
 }
 
+/// The kind of elements of a type.
+pub(super) fn kind(ty: Type) -> &'static str {
+    match ty {
+        Type::Vertex => "Vertex",
+        Type::Halfedge => "Halfedge",
+        Type::Edge => "Edge",
+        _ => "Face",
+    }
+}
+
 impl Printer {
     /// A doc comment, which tells the defaults, too: Rust has none.
     pub fn docs(&mut self, docs: &[String], name: &str, params: &[Parameter]) {
@@ -141,21 +151,25 @@ impl Printer {
     }
 
     fn routine(&mut self, routine: &Routine, visible: &str) {
-        self.docs(&routine.docs, &routine.name, &routine.params);
-        let result = match routine.result {
+        self.docs(&routine.signature.docs, &routine.signature.name, &routine.signature.params);
+        let result = match routine.signature.result {
             Some(result) => format!("Option<{}>", ty(result)),
             None => "bool".to_string(),
         };
         let params = |used: &BTreeSet<String>| {
-            let params = routine.params.iter().filter(|param| used.contains(&param.name));
+            let params = routine.signature.params.iter().filter(|param| used.contains(&param.name));
             let params = params.map(|param| format!(", {}: {}", param.name, ty(param.ty)));
             params.collect::<String>()
         };
-        let all: BTreeSet<_> = routine.params.iter().map(|param| param.name.clone()).collect();
-        let head =
-            format!("{visible} {}(mesh: &mut Mesh{}) -> {result} {{", routine.name, params(&all));
+        let all: BTreeSet<_> =
+            routine.signature.params.iter().map(|param| param.name.clone()).collect();
+        let head = format!(
+            "{visible} {}(mesh: &mut Mesh{}) -> {result} {{",
+            routine.signature.name,
+            params(&all)
+        );
         if let [rule] = routine.rules.as_slice() {
-            self.allow(&rule.body, &routine.params);
+            self.allow(&rule.body, &routine.signature.params);
             self.lines.open(&head);
             self.alternative(&rule.body, routine);
             self.lines.close("}");
@@ -175,20 +189,20 @@ impl Printer {
                     used.insert(name.to_string());
                 });
             });
-            let args = routine.params.iter().filter(|param| used.contains(&param.name));
+            let args = routine.signature.params.iter().filter(|param| used.contains(&param.name));
             let args: String = args.map(|param| format!(", {}", param.name)).collect();
             calls.push(format!("{name}(mesh{args})"));
             bodies.push((name, params(&used), rule));
         }
         self.lines.open(&head);
         for (name, params, rule) in bodies {
-            self.allow(&rule.body, &routine.params);
+            self.allow(&rule.body, &routine.signature.params);
             self.lines.open(&format!("fn {name}(mesh: &mut Mesh{params}) -> {result} {{"));
             self.alternative(&rule.body, routine);
             self.lines.close("}");
             self.lines.line("");
         }
-        let chain = match routine.result {
+        let chain = match routine.signature.result {
             Some(_) => {
                 let mut calls = calls.into_iter();
                 let first = calls.next().unwrap_or_default();
@@ -213,7 +227,7 @@ impl Printer {
     }
 
     fn alternative(&mut self, body: &[Statement], routine: &Routine) {
-        let (refused, last) = match routine.result {
+        let (refused, last) = match routine.signature.result {
             Some(_) => ("return None;", "None"),
             None => ("return false;", "false"),
         };
@@ -223,7 +237,7 @@ impl Printer {
             Some((Statement::Return { result }, rest)) => (Some(result), rest),
             _ => (None, body),
         };
-        self.block(rest, routine.result.is_some());
+        self.block(rest);
         match result {
             Some(Some(result)) => {
                 let result = self.text(result);

@@ -7,13 +7,13 @@ use super::function::Printer;
 
 impl Printer {
     /// A preview, and the block in which it is looked at.
-    pub(super) fn preview_block(&mut self, preview: &str, body: &[Statement], has_result: bool) {
+    pub(super) fn preview_block(&mut self, preview: &str, body: &[Statement]) {
         self.used.insert("Preview");
         self.lines.line("// The guard looks at what there would be, on a preview of the mesh.");
         self.lines.open("{");
         self.lines.line(&format!("let mut {preview} = Preview::new(mesh);"));
         let outer = self.preview.replace(preview.to_string());
-        self.block(body, has_result);
+        self.block(body);
         self.preview = outer;
         self.lines.close("}");
     }

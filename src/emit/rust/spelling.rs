@@ -1,6 +1,6 @@
 //! Terms as Rust.
 
-use super::super::builtin::{in_rust, with_arguments};
+use super::super::builtin::{spelled, with_arguments};
 use super::super::language::{Language, Level, Spelled, field, number, spell};
 use super::super::names::invoked;
 use super::super::term::{Around, Attribute, Fold, Function, IndexLoop, Term};
@@ -71,7 +71,7 @@ impl Language for Printer {
             return Spelled::new(format!("{a} * (1.0 - {t}) + {b} * {t}"), Level::Sum);
         }
         let args: Vec<_> = args.into_iter().map(|arg| arg.text).collect();
-        let call = in_rust(builtin);
+        let [call, _] = spelled(builtin);
         self.used.extend(written_out().filter(|name| calls(call, name)));
         // What ends with a type would go on with `<`.
         let level = if call.ends_with("as i64") { Level::Compare } else { Level::Whole };

@@ -1,22 +1,22 @@
 //! Statements as Rust.
 
-use super::super::language::field;
+use super::super::language::{field, skipped};
 use super::super::lines::comment;
 use super::super::routine::{HalfedgeWalk, Statement, Step};
-use super::super::term::{IndexLoop, Term};
-use super::function::{Printer, ty};
+use super::super::term::{IndexLoop, Parameter, Term};
+use super::function::{Printer, kind, ty};
 use super::steps::{always, bare};
 use crate::diagram::{Kind, Type};
 
 impl Printer {
-    pub fn block(&mut self, body: &[Statement], has_result: bool) {
+    pub fn block(&mut self, body: &[Statement]) {
         for (at, statement) in body.iter().enumerate() {
             match statement {
                 Statement::List { ty, name, items } => {
                     let grows = body[at..].iter().any(|later| later.adds_to(name));
                     self.list(*ty, if grows { "let mut" } else { "let" }, name, items);
                 }
-                statement => self.statement(statement, has_result),
+                statement => self.statement(statement),
             }
         }
     }
@@ -31,7 +31,7 @@ impl Printer {
         self.lines.line(&format!("{bind} {name}: Vec<{ty}> = {value};"));
     }
 
-    fn statement(&mut self, statement: &Statement, has_result: bool) {
+    pub(super) fn statement(&mut self, statement: &Statement) {
         if let Some(preview) = self.preview.clone()
             && self.note(&preview, statement)
         {
@@ -42,12 +42,7 @@ impl Printer {
             Statement::Blank => self.lines.blank(),
             Statement::Column(attribute) => {
                 let (declared, column) = (&attribute.declared, &attribute.column);
-                let kind = match attribute.element {
-                    Type::Vertex => "Vertex",
-                    Type::Halfedge => "Halfedge",
-                    Type::Edge => "Edge",
-                    _ => "Face",
-                };
+                let kind = kind(attribute.element);
                 let ty = ty(attribute.ty);
                 let found = format!("mesh.find_column(ElementKind::{kind}, \"{declared}\")");
                 if self.is_asked {
@@ -83,7 +78,7 @@ impl Printer {
                 });
                 let outer = std::mem::replace(&mut self.refusal, "continue;");
                 self.lines.open(&format!("for {halfedge} in {all} {{"));
-                self.block(body, has_result);
+                self.block(body);
                 self.lines.close("}");
                 self.refusal = outer;
             }
@@ -125,21 +120,42 @@ impl Printer {
             Statement::IndexLoop { indices, body } => {
                 let IndexLoop { index, size } = indices;
                 self.lines.open(&format!("for {index} in 0..{size} {{"));
-                self.block(body, has_result);
+                self.block(body);
                 self.lines.close("}");
             }
             Statement::Change { name, value } => {
                 let value = self.text(value);
                 self.lines.line(&format!("{name} = {};", bare(&value)));
             }
-            Statement::When { condition, body } => {
+            Statement::Choose { condition, then, otherwise } => {
                 let condition = self.text(condition);
-                self.lines.open(&format!("if {condition} {{"));
-                self.block(body, has_result);
-                self.lines.close("}");
+                self.branches(&condition, [then, otherwise]);
             }
-            Statement::Walk { walk, body } => self.walk(walk, body, has_result),
-            Statement::Preview { preview, body } => self.preview_block(preview, body, has_result),
+            Statement::Repeat { count, body, .. } => {
+                let count = self.text(count);
+                self.held(&format!("for _ in 0..{count} {{"), body);
+            }
+            Statement::While { condition, body } => {
+                let condition = self.text(condition);
+                self.held(&format!("while {condition} {{"), body);
+            }
+            Statement::For { variable, around, element, may_go, filter, body } => {
+                let all = self.all_around(*around, element);
+                let Parameter { name, ty: of, .. } = variable;
+                let gone = may_go.then(|| format!("!mesh.{}_alive({name})", of.word()));
+                let skipped = skipped(self, gone, filter.as_ref());
+                self.visit(&format!("for {name} in {all}.collect::<Vec<_>>() {{"), &skipped, body);
+            }
+            Statement::Update { visit, held } => self.update(visit, held),
+            Statement::Hold { list, element, value } => {
+                let (element, value) = (self.text(element), self.text(value));
+                let value = bare(&value);
+                self.lines.line(&format!("{list}.push(({element}, {value}));"));
+            }
+            Statement::Break => self.lines.line("break;"),
+            Statement::Continue => self.lines.line("continue;"),
+            Statement::Walk { walk, body } => self.walk(walk, body),
+            Statement::Preview { preview, body } => self.preview_block(preview, body),
             Statement::New { kind, name } => {
                 self.lines.line(&format!("let {name} = mesh.add_{}();", word(*kind)));
             }
@@ -179,11 +195,37 @@ impl Printer {
                 };
                 self.lines.line(&format!("return {result};"));
             }
-            Statement::Action(action) => self.action(action, has_result),
+            Statement::Leave => self.lines.line(match self.gives_option {
+                true => "return Some(());",
+                false => "return;",
+            }),
+            Statement::Variable { place, value } => {
+                let value = self.text(value);
+                self.put(place, &value);
+            }
+            Statement::Must { call, place } => self.must(call, place.as_ref()),
+            Statement::May { call } => {
+                let call = self.called(call);
+                self.lines.line(&format!("{call};"));
+            }
+            Statement::Apply { call, place, then, otherwise } => {
+                self.apply(call, place.as_ref(), [then, otherwise]);
+            }
+            Statement::Move { vertex, value, is_finite } => {
+                let (vertex, mut value) = (self.text(vertex), self.text(value));
+                if !is_finite {
+                    self.used.insert("finite");
+                    value = format!("finite({value})?");
+                }
+                self.lines.line(&format!("mesh.set_position({vertex}, {value});"));
+            }
+            Statement::Ask(attribute) => self.ask(attribute),
+            // The mesh notes what is written by itself.
+            Statement::Keep(_) | Statement::KeepAttribute { .. } => {}
         }
     }
 
-    fn walk(&mut self, walk: &HalfedgeWalk, body: &[Statement], has_result: bool) {
+    fn walk(&mut self, walk: &HalfedgeWalk, body: &[Statement]) {
         let h = &walk.halfedge;
         let from = self.text(&walk.from);
         if walk.around {
@@ -192,12 +234,12 @@ impl Printer {
                 Step::Clockwise => format!("mesh.spokes_from({from})"),
             };
             self.lines.open(&format!("for {h} in {all}.collect::<Vec<_>>() {{"));
-            self.block(body, has_result);
+            self.block(body);
         } else {
             let until = self.text(&walk.until);
             self.lines.line(&format!("let mut {h} = {from};"));
             self.lines.open(&format!("while {h} != {until} {{"));
-            self.block(body, has_result);
+            self.block(body);
             self.lines.line(&match walk.step {
                 Step::Next => format!("{h} = mesh.next({h});"),
                 Step::Clockwise => format!("{h} = mesh.next(mesh.twin({h}));"),

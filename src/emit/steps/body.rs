@@ -3,16 +3,16 @@
 use std::collections::BTreeSet;
 
 use super::super::NotEmitted;
-use super::super::action::{Action, Form, Held, Target};
 use super::super::conventions::Conventions;
 use super::super::expression::{Expressions, around, is_spelled, is_surely_finite};
 use super::super::names::Names;
 use super::super::routine;
 use super::super::term::{Parameter, Term};
+use super::super::whole::{Form, Held, Target};
 use super::comments::comments;
-use super::effects::AllEffects;
 use crate::diagram::{Access, Collection, Expr, ExprKind, Type};
-use crate::resolve::{Block, Body, Program, Statement, StatementKind};
+use crate::lower::{AllEffects, Variables};
+use crate::resolve::{Block, Body, Program, Statement, StatementKind, Visit};
 use crate::source::{Sources, Span};
 
 /// The block that the statements stand in.
@@ -45,10 +45,9 @@ pub(super) struct Writer<'s> {
     body: &'s Body,
     pub(super) names: &'s mut Names,
     ending: Ending,
-    /// The variables that there are so far, those that change, and those that are read.
+    /// The variables that there are so far.
     bound: BTreeSet<u32>,
-    changing: BTreeSet<u32>,
-    read: BTreeSet<u32>,
+    variables: Variables,
     /// The assignments that an `update` puts off.
     held: Vec<(Access, Held)>,
     /// The operations that are called.
@@ -66,32 +65,13 @@ impl<'s> Writer<'s> {
         ending: Ending,
         names: &'s mut Names,
     ) -> Self {
-        let (mut set, mut changing) = (BTreeSet::new(), BTreeSet::new());
-        let mut read = BTreeSet::new();
-        let mut note = |statement: &Statement| {
-            if let StatementKind::Set { variable, .. }
-            | StatementKind::IfApply { variable: Some(variable), .. } = statement.kind
-                && !set.insert(variable)
-            {
-                changing.insert(variable);
-            }
-            statement.values(&mut |value| {
-                value.each(&mut |part| {
-                    if let ExprKind::Local(variable) = part.kind {
-                        read.insert(variable);
-                    }
-                });
-            });
-        };
-        body.block.iter().for_each(|statement| statement.each(&mut note));
         Self {
             known,
             body,
             names,
             ending,
             bound: (0..params as u32).collect(),
-            changing,
-            read,
+            variables: Variables::of(&body.block),
             held: Vec::new(),
             ops: BTreeSet::new(),
             functions: BTreeSet::new(),
@@ -113,7 +93,7 @@ impl<'s> Writer<'s> {
                 written.push(routine::Statement::Return { result: None });
             }
             Ending::Nothing if !leaves => {
-                written.push(routine::Statement::Action(Action::Leave));
+                written.push(routine::Statement::Leave);
             }
             _ => {}
         }
@@ -164,16 +144,29 @@ impl<'s> Writer<'s> {
                 let index = self.names.fresh("i");
                 let body = self.block(body)?;
                 self.names.back_to(outer);
-                Action::Repeat { index, count, body }
+                routine::Statement::Repeat { index, count, body }
             }
-            StatementKind::While { condition, body } => {
-                Action::While { condition: self.term(condition)?, body: self.block(body)? }
-            }
-            StatementKind::For { shuffled: true, .. } => {
+            StatementKind::While { condition, body } => routine::Statement::While {
+                condition: self.term(condition)?,
+                body: self.block(body)?,
+            },
+            StatementKind::For { visit: Visit::Shuffled, .. } => {
                 return Err(NotEmitted::new("a random order", span));
             }
-            StatementKind::For { variable, collection, filter, body, .. } => {
-                self.visit((*variable, collection), filter.as_ref(), body, span)?
+            StatementKind::For { variable, collection, filter, body, visit } => {
+                let outer = self.names.mark();
+                if *visit == Visit::Update {
+                    self.held = self.written_in(body);
+                }
+                let action = self.visit((*variable, collection), filter.as_ref(), body, span)?;
+                let held = std::mem::take(&mut self.held).into_iter().map(|(_, held)| held);
+                self.names.back_to(outer);
+                match visit {
+                    Visit::Update => {
+                        routine::Statement::Update { visit: Box::new(action), held: held.collect() }
+                    }
+                    _ => action,
+                }
             }
             StatementKind::If { condition, then, otherwise }
                 if self.ending == Ending::Value
@@ -188,34 +181,36 @@ impl<'s> Writer<'s> {
                 let chosen = Expr { ty: then.ty, span, kind };
                 return self.leave(Some(&chosen), out);
             }
-            StatementKind::If { condition, then, otherwise } => Action::Choose {
+            StatementKind::If { condition, then, otherwise } => routine::Statement::Choose {
                 condition: self.term(condition)?,
                 then: self.block(then)?,
                 otherwise: self.block(otherwise)?,
             },
-            StatementKind::Apply { op, args, must } => {
+            StatementKind::Apply { op, args, variable, then, otherwise } => {
                 let call = self.operation(*op, args, out)?;
-                match must {
-                    true => Action::Must { call, place: None },
-                    false => Action::May { call },
-                }
-            }
-            StatementKind::IfApply { op, args, variable, then, otherwise } => {
-                let call = self.operation(*op, args, out)?;
-                if let [only] = otherwise.as_slice()
-                    && matches!(only.kind, StatementKind::Refused { .. })
-                    && then.is_empty()
-                {
-                    let place = variable.and_then(|variable| self.place(variable));
-                    Action::Must { call, place }
-                } else {
-                    let outer = self.names.mark();
-                    let place = variable
-                        .filter(|variable| self.read.contains(variable))
-                        .map(|variable| self.bind(variable));
-                    let then = self.block(then)?;
-                    self.names.back_to(outer);
-                    Action::Apply { call, place, then, otherwise: self.block(otherwise)? }
+                match (then.as_slice(), otherwise.as_slice()) {
+                    ([], []) => routine::Statement::May { call },
+                    (_, [Statement { kind: StatementKind::Refused { .. }, .. }]) => {
+                        let place = variable.and_then(|variable| self.place(variable));
+                        out.push(routine::Statement::Must { call, place });
+                        return then
+                            .iter()
+                            .try_for_each(|statement| self.statement(statement, out));
+                    }
+                    _ => {
+                        let outer = self.names.mark();
+                        let place = variable
+                            .filter(|&variable| self.variables.reads(variable))
+                            .map(|variable| self.bind(variable));
+                        let then = self.block(then)?;
+                        self.names.back_to(outer);
+                        routine::Statement::Apply {
+                            call,
+                            place,
+                            then,
+                            otherwise: self.block(otherwise)?,
+                        }
+                    }
                 }
             }
             StatementKind::Require { condition, reason } => {
@@ -225,8 +220,8 @@ impl<'s> Writer<'s> {
                 });
                 return Ok(());
             }
-            StatementKind::Break => Action::Break,
-            StatementKind::Continue => Action::Continue,
+            StatementKind::Break => routine::Statement::Break,
+            StatementKind::Continue => routine::Statement::Continue,
             StatementKind::Return(value) => return self.leave(value.as_ref(), out),
             StatementKind::Call { function, .. }
                 if *function as usize >= self.known.program.functions.len() =>
@@ -240,17 +235,7 @@ impl<'s> Writer<'s> {
                     return Ok(());
                 }
                 let call = self.function(*function, args, out)?;
-                Action::Must { call, place: None }
-            }
-            StatementKind::Update { variable, collection, filter, body } => {
-                let outer = self.names.mark();
-                self.held = self.written_in(body);
-                let held: Vec<_> = self.held.iter().map(|(_, held)| held.clone()).collect();
-                let visit = self.visit((*variable, collection), filter.as_ref(), body, span)?;
-                self.held.clear();
-                self.names.back_to(outer);
-                let visit = Box::new(visit);
-                Action::Update { visit, held }
+                routine::Statement::Must { call, place: None }
             }
             StatementKind::Drain { .. } => return Err(NotEmitted::new("a `drain`", span)),
             StatementKind::Print(_) => return Err(NotEmitted::new("a `print`", span)),
@@ -262,7 +247,7 @@ impl<'s> Writer<'s> {
                 return Err(NotEmitted::new("a statement of a test", span));
             }
         };
-        out.push(routine::Statement::Action(action));
+        out.push(action);
         Ok(())
     }
 
@@ -301,7 +286,7 @@ impl<'s> Writer<'s> {
 
     /// The target of the value of a variable; none for one that nobody reads.
     fn place(&mut self, variable: u32) -> Option<Target> {
-        if !self.read.contains(&variable) {
+        if !self.variables.reads(variable) {
             return None;
         }
         if self.bound.contains(&variable) {
@@ -311,9 +296,9 @@ impl<'s> Writer<'s> {
             return Some(Target { name, ty, form });
         }
         let Parameter { name, ty, .. } = self.bind(variable);
-        let form = match self.changing.contains(&variable) {
-            true => Form::Changing,
-            false => Form::Fixed,
+        let form = match self.variables.sets(variable) {
+            0 | 1 => Form::Fixed,
+            _ => Form::Changing,
         };
         Some(Target { name, ty, form })
     }
@@ -327,7 +312,7 @@ impl<'s> Writer<'s> {
         if let Some((function, args)) = self.changing_call(value) {
             let call = self.function(function, args, out)?;
             let place = self.place(variable);
-            out.push(routine::Statement::Action(Action::Must { call, place }));
+            out.push(routine::Statement::Must { call, place });
             return Ok(());
         }
         // The value knows nothing of a variable that is new.
@@ -338,7 +323,7 @@ impl<'s> Writer<'s> {
                 out.push(routine::Statement::Change { name, value })
             }
             Some(place) => {
-                out.push(routine::Statement::Action(Action::Variable { place, value }));
+                out.push(routine::Statement::Variable { place, value });
             }
         }
         Ok(())
@@ -385,15 +370,13 @@ impl<'s> Writer<'s> {
         let value = self.term(value)?;
         if let Some((_, held)) = self.held.iter().find(|(of, _)| *of == attribute) {
             let list = held.list.clone();
-            out.push(routine::Statement::Action(Action::Hold { list, element, value }));
+            out.push(routine::Statement::Hold { list, element, value });
             return Ok(());
         }
         match attribute {
-            Access::Position => out.push(routine::Statement::Action(Action::Move {
-                vertex: element,
-                value,
-                is_finite,
-            })),
+            Access::Position => {
+                out.push(routine::Statement::Move { vertex: element, value, is_finite })
+            }
             Access::Declared(number) => {
                 let attribute = self.names.attribute(number);
                 let attribute = attribute.ok_or_else(|| NotEmitted::new("an attribute", span))?;
@@ -403,10 +386,10 @@ impl<'s> Writer<'s> {
                 let value = self.settled(value, ty, &name, out);
                 self.names.back_to(outer);
                 if !self.known.conventions.undoes {
-                    out.push(routine::Statement::Action(Action::KeepAttribute {
+                    out.push(routine::Statement::KeepAttribute {
                         attribute: attribute.clone(),
                         element: element.clone(),
-                    }));
+                    });
                 }
                 out.push(routine::Statement::SetAttribute { attribute, element, value });
             }
@@ -420,14 +403,14 @@ impl<'s> Writer<'s> {
         filter: Option<&'s Expr>,
         body: &'s Block,
         span: Span,
-    ) -> Result<Action, NotEmitted> {
+    ) -> Result<routine::Statement, NotEmitted> {
         let (around, element) = around(collection).ok_or_else(|| {
             NotEmitted::new(super::super::expression::collection_words(collection), span)
         })?;
         let element = self.term(element)?;
         let outer = self.names.mark();
         let may_go = self.known.effects.erases(body, collection.element());
-        let action = Action::For {
+        let action = routine::Statement::For {
             variable: self.bind(variable),
             around,
             element,
@@ -453,7 +436,7 @@ impl<'s> Writer<'s> {
                     let name = self.names.fresh("result");
                     let given = Term::name(&name);
                     let place = Some(Target { name, ty: value.ty, form: Form::Fixed });
-                    out.push(routine::Statement::Action(Action::Must { call, place }));
+                    out.push(routine::Statement::Must { call, place });
                     given
                 }
             }),
@@ -461,7 +444,7 @@ impl<'s> Writer<'s> {
         out.push(match (self.ending, value) {
             (Ending::Steps, result) => routine::Statement::Return { result },
             (_, Some(value)) => routine::Statement::Give(value),
-            (_, None) => routine::Statement::Action(Action::Leave),
+            (_, None) => routine::Statement::Leave,
         });
         Ok(())
     }

@@ -1,9 +1,9 @@
 //! Calls in steps: of operations, and of functions that change the mesh.
 
 use super::super::NotEmitted;
-use super::super::action::{Call, Called};
 use super::super::routine;
 use super::super::term::Term;
+use super::super::whole::{Call, Called};
 use super::body::Writer;
 use crate::diagram::{Expr, ExprKind, Type};
 

@@ -3,19 +3,19 @@
 use std::collections::BTreeSet;
 
 use super::super::NotEmitted;
-use super::super::action::Whole;
 use super::super::build::{self, columns};
 use super::super::conventions::Conventions;
 use super::super::expression::{is_spelled, parameters};
 use super::super::names::{Names, invoked};
 use super::super::reserved::{plain, unreserved};
-use super::super::routine::{Helper, Routine, Statement, without_unread};
+use super::super::routine::{Helper, Routine, Signature, Statement, without_unread};
 use super::super::selection::Selection;
 use super::super::term::Parameter;
+use super::super::whole::Whole;
 use super::body::{Ending, Surroundings, Writer};
-use super::effects::AllEffects;
 use super::journal::journaled;
 use crate::diagram::Param;
+use crate::lower::AllEffects;
 use crate::resolve::Body;
 use crate::source::Span;
 
@@ -44,7 +44,7 @@ pub(in crate::emit) fn items(
     selection: &Selection<'_>,
     conventions: Conventions<'_>,
 ) -> Result<Items, NotEmitted> {
-    let effects = AllEffects::of(selection);
+    let effects = AllEffects::of(selection.program, selection.proved);
     let (op_names, function_names) = called(selection, effects.ops.len(), conventions.kept);
     let values = effects.functions.iter().zip(&selection.program.functions);
     let values = values.zip(&function_names).map(|((effects, function), name)| {
@@ -178,7 +178,7 @@ impl Builder<'_> {
             effects.map_or_else(BTreeSet::new, |effects| effects.attributes.clone())
         };
         let (mut routine, calls) = build::routine(proved, &self.values, self.conventions, &looks)?;
-        routine.name = self.op_names[op].clone();
+        routine.signature.name = self.op_names[op].clone();
         let needs = calls.into_iter().map(Need::Function).collect();
         Ok((Item::Drawn(routine), needs))
     }
@@ -243,17 +243,15 @@ impl Builder<'_> {
         }
         let erases = |param: &Parameter| self.effects.ops[op].erases.contains(param.ty.word());
         let outlives = |param: &&Parameter| param.ty.is_element() && !erases(param);
-        let whole = Whole {
+        let signature = Signature {
             name: self.op_names[op].clone(),
             declared: resolved.name.clone(),
             given: params.iter().find(outlives).cloned(),
             docs: all_or_nothing(&steps.docs),
             params,
             result: resolved.result,
-            asks,
-            level: steps.level,
-            body: without_unread(body),
         };
+        let whole = Whole { signature, asks, level: steps.level, body: without_unread(body) };
         Ok((Item::Steps(whole), needs))
     }
 

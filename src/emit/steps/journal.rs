@@ -2,7 +2,6 @@
 
 use std::collections::BTreeSet;
 
-use super::super::action::Action;
 use super::super::routine::{Alternative, Routine, Statement};
 use super::super::term::Term;
 
@@ -44,21 +43,21 @@ fn journaled_body(body: Vec<Statement>, new: &BTreeSet<String>) -> Vec<Statement
         if let Some(element) = target(&statement) {
             // All of a block are noted at once, but those that are only found on the way.
             if !written.is_empty() {
-                out.push(Statement::Action(Action::Keep(std::mem::take(&mut written))));
+                out.push(Statement::Keep(std::mem::take(&mut written)));
             }
             if !is_settled(element) && !is_new(element, new) {
-                out.push(Statement::Action(Action::Keep(vec![element.clone()])));
+                out.push(Statement::Keep(vec![element.clone()]));
             }
         }
         if let Statement::SetAttribute { attribute, element, .. } = &statement
             && !is_new(element, new)
         {
-            out.push(Statement::Action(Action::KeepAttribute {
+            out.push(Statement::KeepAttribute {
                 attribute: attribute.clone(),
                 element: element.clone(),
-            }));
+            });
         }
-        out.push(statement.with_body(|body| journaled_body(body, new)));
+        out.push(statement.with_bodies(|body| journaled_body(body, new)));
     }
     out
 }

@@ -6,7 +6,6 @@
 mod body;
 mod calls;
 mod comments;
-mod effects;
 mod items;
 mod journal;
 

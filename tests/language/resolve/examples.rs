@@ -180,7 +180,7 @@ fn must_gives_a_value_or_stops() {
     let StatementKind::For { body, .. } = &script.body[0].kind else {
         panic!("the script is a loop");
     };
-    let StatementKind::IfApply { variable, otherwise, .. } = &body[0].kind else {
+    let StatementKind::Apply { variable, otherwise, .. } = &body[0].kind else {
         panic!("the op is asked");
     };
     assert_eq!(script.variables[variable.unwrap() as usize].name, "w");

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use hedgerow::mesh::{ElementKind, FaceId, shape};
+use hedgerow::mesh::{ElementKind, FaceId, OrbitCondition, shape};
 use support::dice::Dice;
 
 use super::*;
@@ -34,7 +34,7 @@ fn joining(field: HalfedgeField) -> Plan {
         for (halfedge, value) in pairs {
             asm.emit(Inst::PreviewStore { field, halfedge, value });
         }
-        let condition = Foreseen::OneHole;
+        let condition = OrbitCondition::OneHole;
         asm.emit(Inst::Foresee { condition, to: one, element: vertex, at: vertex });
         asm.emit(Inst::PreviewUndo);
         asm.emit(Inst::Expect { condition: one, refusal: 0, otherwise: refused });

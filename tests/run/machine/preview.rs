@@ -1,6 +1,8 @@
 //! The mesh as an operation would leave it.
 
-use hedgerow::mesh::{ElementKind, HalfedgeId, VertexId, identical, shape, validate};
+use hedgerow::mesh::{
+    ElementKind, HalfedgeId, OrbitCondition, VertexId, identical, shape, validate,
+};
 use hedgerow::rewrite::preview::Preview;
 use support::dice::Dice;
 
@@ -12,9 +14,9 @@ fn where_nothing_is_set_the_mesh_is_asked() {
     let mut preview = Preview::default();
     preview.clear();
     let mut ask = |condition| preview.foresees(&mesh, condition, 0, 0).unwrap();
-    assert!(ask(Foreseen::ThreeSides) && ask(Foreseen::MeetsOnce));
-    assert!(ask(Foreseen::NeighborsDiffer) && ask(Foreseen::TwoSpokes));
-    assert!(!ask(Foreseen::CornersDiffer) && !ask(Foreseen::CornersOwn));
+    assert!(ask(OrbitCondition::ThreeSides) && ask(OrbitCondition::MeetsOnce));
+    assert!(ask(OrbitCondition::NeighborsDiffer) && ask(OrbitCondition::TwoSpokes));
+    assert!(!ask(OrbitCondition::CornersDiffer) && !ask(OrbitCondition::CornersOwn));
 }
 
 #[test]
@@ -28,7 +30,7 @@ fn what_is_set_counts_until_it_is_put_back() {
     let other = mesh.vertex(HalfedgeId(mesh.prev(spoke).0)).0;
     preview.store(&mut mesh, HalfedgeField::Vertex, twin, other).unwrap();
     let neighbors = |preview: &mut Preview, mesh: &Mesh| {
-        preview.foresees(mesh, Foreseen::NeighborsDiffer, 0, 0).unwrap()
+        preview.foresees(mesh, OrbitCondition::NeighborsDiffer, 0, 0).unwrap()
     };
     assert!(!neighbors(&mut preview, &mesh), "two spokes lead to {other}");
     preview.undo(&mut mesh);

@@ -1,9 +1,10 @@
 //! Looking ahead: what an operation would write is set on the mesh, asked about, and put back.
 
 use super::{LEAVE, failed, within, within_guarded};
+use crate::mesh::OrbitCondition;
 use crate::rewrite::native::context::{Context, Run};
 use crate::rewrite::window::Window;
-use crate::rewrite::{Fault, Foreseen, Inst, Machine};
+use crate::rewrite::{Fault, Inst, Machine};
 
 /// Takes instructions that set what is looked at: from that on which the lower half of `span` says,
 /// up to that which its upper half says.
@@ -97,7 +98,7 @@ pub(in super::super) unsafe extern "C" fn foresee(
     at: i64,
 ) -> i64 {
     let foresee = |_: &mut Context, run: &mut Run<'_>| {
-        let Some(&condition) = Foreseen::ALL.get(condition as usize) else {
+        let Some(&condition) = OrbitCondition::ALL.get(condition as usize) else {
             return Ok(LEAVE);
         };
         let holds = run.machine.preview.foresees(run.mesh, condition, element as u32, at as u32);

@@ -1,15 +1,16 @@
 //! Effects of the operations and functions of a program on the mesh, by themselves or through
 //! others.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
-use super::super::selection::Selection;
+use crate::check::Proved;
 use crate::diagram::{Access, Expr, ExprKind, Kind, Type};
-use crate::resolve::{Block, Statement, StatementKind};
+use crate::resolve::{Program, Statement, StatementKind, Steps};
+use crate::source::Span;
 
 /// The effects of an operation or function.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(super) struct Effects {
+pub struct Effects {
     /// True if it writes to the mesh.
     pub changes: bool,
     /// True if it may stop before its end, and what was done is to be undone.
@@ -18,34 +19,30 @@ pub(super) struct Effects {
     pub erases: BTreeSet<&'static str>,
     /// The attributes that it reads or writes.
     pub attributes: BTreeSet<u32>,
-    /// The operations that it calls.
-    pub ops: BTreeSet<usize>,
+    /// The operations that it calls or asks, each with the first place.
+    pub ops: BTreeMap<usize, Span>,
+    /// Those that it calls.
+    pub calls: BTreeSet<usize>,
     /// The functions that it calls.
     pub functions: BTreeSet<u32>,
 }
 
-/// The effects of all operations and functions of a program.
+/// The effects of all operations and functions of a program, with those of what they call.
 #[derive(Debug, Default)]
-pub(super) struct AllEffects {
+pub struct AllEffects {
     pub ops: Vec<Effects>,
     pub functions: Vec<Effects>,
 }
 
 impl AllEffects {
-    /// Finds out what everything does.
-    pub fn of(selection: &Selection<'_>) -> Self {
-        let program = selection.program;
+    /// The drawn operations are those with a proof, by number.
+    pub fn of(program: &Program, proved: &[Option<Proved>]) -> Self {
         let mut all = Self::default();
-        let count = program.ops.len().max(selection.proved.len());
-        for op in 0..count {
-            all.ops.push(match selection.steps(op) {
-                Some(steps) => {
-                    let mut effects = Effects::of_block(&steps.body.block);
-                    let asked = steps.requires.iter().map(|require| &require.condition);
-                    asked.for_each(|condition| effects.see(condition));
-                    effects
-                }
-                None => selection.drawn(op).map_or_else(Effects::default, |proved| {
+        for op in 0..program.ops.len().max(proved.len()) {
+            let steps = program.ops.get(op).and_then(|op| op.steps.as_ref());
+            all.ops.push(match steps {
+                Some(steps) => Effects::of_steps(steps),
+                None => proved[op].as_ref().map_or_else(Effects::default, |proved| {
                     let rules = proved.op().rules.iter();
                     let erased = rules.flat_map(|rule| {
                         let erased = rule.erased.iter();
@@ -60,8 +57,8 @@ impl AllEffects {
             });
         }
         for function in &program.functions {
-            let block = function.body.as_ref().map(|body| &body.block);
-            all.functions.push(block.map_or_else(Effects::default, Effects::of_block));
+            let body = function.body.as_ref();
+            all.functions.push(body.map(|body| Effects::of_block(&body.block)).unwrap_or_default());
         }
         while all.spread() {}
         all
@@ -76,13 +73,13 @@ impl AllEffects {
                 Some(at) => self.functions[at].clone(),
                 None => self.ops[at].clone(),
             };
-            for &op in &effects.ops.clone() {
+            for op in effects.calls.clone() {
                 if let Some(called) = self.ops.get(op) {
                     effects.changes = true;
                     effects.erases.extend(&called.erases);
                 }
             }
-            for &function in &effects.functions.clone() {
+            for function in effects.functions.clone() {
                 if let Some(called) = self.functions.get(function as usize) {
                     effects.changes |= called.changes;
                     effects.refuses |= called.refuses;
@@ -106,9 +103,9 @@ impl AllEffects {
     }
 
     /// True if statements may erase elements of a type.
-    pub fn erases(&self, block: &Block, ty: Type) -> bool {
+    pub fn erases(&self, block: &[Statement], ty: Type) -> bool {
         let effects = Effects::of_block(block);
-        let ops = effects.ops.iter().filter_map(|&op| self.ops.get(op));
+        let ops = effects.calls.iter().filter_map(|&op| self.ops.get(op));
         let functions = effects.functions.iter();
         let functions = functions.filter_map(|&function| self.function(function));
         ops.chain(functions).any(|called| called.erases.contains(ty.word()))
@@ -117,14 +114,20 @@ impl AllEffects {
 
 impl Effects {
     /// The effects of statements by themselves.
-    fn of_block(block: &Block) -> Self {
+    pub fn of_block(block: &[Statement]) -> Self {
         let mut effects = Self::default();
         block.iter().for_each(|one| one.each(&mut |statement| effects.note(statement)));
         effects
     }
 
+    /// The effects of an operation in steps by itself.
+    pub fn of_steps(steps: &Steps) -> Self {
+        let mut effects = Self::of_block(&steps.body.block);
+        steps.requires.iter().for_each(|require| effects.see(&require.condition));
+        effects
+    }
+
     fn note(&mut self, statement: &Statement) {
-        statement.values(&mut |value| self.see(value));
         match &statement.kind {
             StatementKind::Write { attribute, .. } => {
                 self.changes = true;
@@ -134,19 +137,21 @@ impl Effects {
                     Access::Declared(number) => _ = self.attributes.insert(*number),
                 }
             }
-            StatementKind::Apply { op, must, .. } => {
-                self.ops.insert(*op);
-                self.refuses |= must;
+            StatementKind::Apply { op, .. } | StatementKind::AssertRefuses { op, .. } => {
+                self.ops.entry(*op).or_insert(statement.span);
+                self.calls.insert(*op);
             }
-            StatementKind::IfApply { op, .. } => _ = self.ops.insert(*op),
             StatementKind::Call { function, .. } => _ = self.functions.insert(*function),
             StatementKind::Refused { .. } | StatementKind::Require { .. } => self.refuses = true,
             _ => {}
         }
+        statement.values(&mut |value| self.see(value));
     }
 
-    fn see(&mut self, value: &Expr) {
+    /// Adds what a value does.
+    pub fn see(&mut self, value: &Expr) {
         value.each(&mut |part| match &part.kind {
+            ExprKind::Try(op, _) => _ = self.ops.entry(*op as usize).or_insert(part.span),
             ExprKind::Invoke(function, _) => _ = self.functions.insert(*function),
             ExprKind::Read(Access::Declared(number), _) => _ = self.attributes.insert(*number),
             _ => {}

@@ -1,0 +1,371 @@
+//! The functions of the language: their words, what they mean, take, give, and look at.
+//!
+//! Each row of the table is a word. Register code and emitted code find what they spell by the
+//! [`Builtin`] of a call.
+
+use super::Type;
+
+/// A function, by the types that it is called with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Builtin {
+    DegreeVertex,
+    DegreeFace,
+    BoundaryVertex,
+    BoundaryHalfedge,
+    BoundaryEdge,
+    IsHole,
+    Adjacent,
+    LinkCondition,
+    StarShaped,
+    KernelCentroid,
+    LengthEdge,
+    LengthHalfedge,
+    LengthVector,
+    Area,
+    NormalFace,
+    NormalVertex,
+    CentroidFace,
+    CentroidEdge,
+    MixReal,
+    MixVector,
+    Dot,
+    Cross,
+    /// The third component of the vector product, in the plane.
+    CrossPlane,
+    /// The zero vector stays zero.
+    Normalize,
+    Distance,
+    Angle,
+    AngleCorner,
+    Cotangent,
+    /// By how much the surface turns at an edge; zero on the boundary.
+    DihedralAngle,
+    AbsInt,
+    AbsReal,
+    MinInt,
+    MaxInt,
+    MinReal,
+    MaxReal,
+    Sqrt,
+    Sin,
+    Cos,
+    Tan,
+    Asin,
+    Acos,
+    /// The angle of the point (second, first).
+    Atan2,
+    Exp,
+    Log,
+    Pow,
+    Floor,
+    Ceil,
+    /// Half to even.
+    Round,
+    Random,
+    RandomInt,
+    /// A matrix with a real on the diagonal, zero elsewhere: `mat3(1)`.
+    Diagonal,
+    /// The first three rows and columns of a matrix of four: `mat3(m)`.
+    UpperLeft,
+    Outer,
+    Transpose,
+    Inverse,
+    Determinant,
+    /// What the matrix takes to the vector.
+    Solve,
+    IsNan,
+    IsFinite,
+}
+
+/// The type that a function wants at one place.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Wanted {
+    /// A value of one type.
+    Is(Type),
+    /// A vector, or a vertex for its position.
+    Point,
+}
+
+/// The part of the mesh that a function goes around.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Extent {
+    /// Not more than a few elements.
+    Bounded,
+    /// The orbit of the first argument, a vertex or a face.
+    Orbit,
+    /// The orbits of the ends of an edge.
+    Ends,
+}
+
+/// One way to call a function.
+#[derive(Clone, Copy, Debug)]
+pub struct Overload {
+    /// The types it takes.
+    pub wanted: &'static [Wanted],
+    /// The type it gives.
+    pub result: Type,
+    /// The function.
+    pub builtin: Builtin,
+    extent: Extent,
+}
+
+impl Builtin {
+    /// The part of the mesh that it goes around.
+    pub fn extent(self) -> Extent {
+        let mut ways = FUNCTIONS.iter().flat_map(|(_, _, ways)| *ways);
+        ways.find(|way| way.builtin == self).map_or(Extent::Bounded, |way| way.extent)
+    }
+
+    /// True if it draws random numbers.
+    pub fn is_random(self) -> bool {
+        matches!(self, Self::Random | Self::RandomInt)
+    }
+}
+
+/// The ways to call a function; none if there is no such function.
+pub fn overloads(name: &str) -> &'static [Overload] {
+    let found = FUNCTIONS.iter().find(|(known, ..)| *known == name);
+    found.map_or(&[], |(.., overloads)| overloads)
+}
+
+/// The functions, each with its meaning.
+pub fn functions() -> impl Iterator<Item = (&'static str, &'static str)> {
+    FUNCTIONS.iter().map(|(name, meaning, _)| (*name, *meaning))
+}
+
+const BOOL: Type = Type::Bool;
+const INT: Type = Type::Int;
+const REAL: Type = Type::Real;
+const VEC2: Type = Type::Vec2;
+const VEC3: Type = Type::Vec3;
+const VEC4: Type = Type::Vec4;
+const MAT3: Type = Type::Mat3;
+const MAT4: Type = Type::Mat4;
+
+const I: Wanted = Wanted::Is(Type::Int);
+const R: Wanted = Wanted::Is(Type::Real);
+const X: Wanted = Wanted::Is(Type::Vec3);
+const X2: Wanted = Wanted::Is(Type::Vec2);
+const X4: Wanted = Wanted::Is(Type::Vec4);
+const M3: Wanted = Wanted::Is(Type::Mat3);
+const M4: Wanted = Wanted::Is(Type::Mat4);
+const V: Wanted = Wanted::Is(Type::Vertex);
+const H: Wanted = Wanted::Is(Type::Halfedge);
+const E: Wanted = Wanted::Is(Type::Edge);
+const F: Wanted = Wanted::Is(Type::Face);
+const P: Wanted = Wanted::Point;
+
+const fn of(wanted: &'static [Wanted], result: Type, builtin: Builtin) -> Overload {
+    Overload { wanted, result, builtin, extent: Extent::Bounded }
+}
+
+const fn around(wanted: &'static [Wanted], result: Type, builtin: Builtin) -> Overload {
+    Overload { extent: Extent::Orbit, ..of(wanted, result, builtin) }
+}
+
+const fn at_ends(wanted: &'static [Wanted], result: Type, builtin: Builtin) -> Overload {
+    Overload { extent: Extent::Ends, ..of(wanted, result, builtin) }
+}
+
+/// The functions by name, each with its meaning and its overloads. The constructors and the
+/// aggregates stand apart.
+const FUNCTIONS: &[(&str, &str, &[Overload])] = &[
+    (
+        "degree",
+        "how many spokes a vertex has, or corners a face",
+        &[around(&[V], INT, Builtin::DegreeVertex), around(&[F], INT, Builtin::DegreeFace)],
+    ),
+    (
+        "boundary",
+        "as a property: the holes keep their number and their vertices; as a function: whether an element lies on a hole",
+        &[
+            around(&[V], BOOL, Builtin::BoundaryVertex),
+            of(&[H], BOOL, Builtin::BoundaryHalfedge),
+            of(&[E], BOOL, Builtin::BoundaryEdge),
+            of(&[F], BOOL, Builtin::IsHole),
+        ],
+    ),
+    (
+        "hole",
+        "a boundary loop: a cycle of `next` with nothing in it; as a function: whether a face is one",
+        &[of(&[F], BOOL, Builtin::IsHole)],
+    ),
+    ("adjacent", "whether an edge joins two vertices", &[around(&[V, V], BOOL, Builtin::Adjacent)]),
+    (
+        "link_condition",
+        "whether the ends of an edge have no common neighbours but those opposite to it: then it can be collapsed",
+        &[at_ends(&[E], BOOL, Builtin::LinkCondition)],
+    ),
+    (
+        "star_shaped",
+        "whether the border of the faces at both ends of an edge has a kernel, from which all of it is seen",
+        &[at_ends(&[E], BOOL, Builtin::StarShaped)],
+    ),
+    (
+        "kernel_centroid",
+        "the centroid of that kernel, where one vertex for both ends turns no triangle over",
+        &[at_ends(&[E], VEC3, Builtin::KernelCentroid)],
+    ),
+    (
+        "length",
+        "the length of an edge, a halfedge or a vector",
+        &[
+            of(&[E], REAL, Builtin::LengthEdge),
+            of(&[H], REAL, Builtin::LengthHalfedge),
+            of(&[X], REAL, Builtin::LengthVector),
+            of(&[X2], REAL, Builtin::LengthVector),
+            of(&[X4], REAL, Builtin::LengthVector),
+        ],
+    ),
+    ("area", "the area of a face", &[around(&[F], REAL, Builtin::Area)]),
+    (
+        "normal",
+        "the unit normal of a face, or at a vertex",
+        &[around(&[F], VEC3, Builtin::NormalFace), around(&[V], VEC3, Builtin::NormalVertex)],
+    ),
+    (
+        "centroid",
+        "the mean of the corners of a face, or of the ends of an edge",
+        &[around(&[F], VEC3, Builtin::CentroidFace), of(&[E], VEC3, Builtin::CentroidEdge)],
+    ),
+    ("midpoint", "the middle of an edge", &[of(&[E], VEC3, Builtin::CentroidEdge)]),
+    (
+        "mix",
+        "from the first towards the second, by the third, from 0 to 1",
+        &[
+            of(&[R, R, R], REAL, Builtin::MixReal),
+            of(&[X, X, R], VEC3, Builtin::MixVector),
+            of(&[X2, X2, R], VEC2, Builtin::MixVector),
+            of(&[X4, X4, R], VEC4, Builtin::MixVector),
+        ],
+    ),
+    (
+        "dot",
+        "the scalar product",
+        &[
+            of(&[X, X], REAL, Builtin::Dot),
+            of(&[X2, X2], REAL, Builtin::Dot),
+            of(&[X4, X4], REAL, Builtin::Dot),
+        ],
+    ),
+    (
+        "cross",
+        "the vector product",
+        &[of(&[X, X], VEC3, Builtin::Cross), of(&[X2, X2], REAL, Builtin::CrossPlane)],
+    ),
+    (
+        "normalize",
+        "the same direction, with length 1",
+        &[
+            of(&[X], VEC3, Builtin::Normalize),
+            of(&[X2], VEC2, Builtin::Normalize),
+            of(&[X4], VEC4, Builtin::Normalize),
+        ],
+    ),
+    (
+        "distance",
+        "how far two points are apart",
+        &[of(&[P, P], REAL, Builtin::Distance), of(&[X2, X2], REAL, Builtin::Distance)],
+    ),
+    (
+        "outer",
+        "a column times a row: a matrix",
+        &[of(&[X, X], MAT3, Builtin::Outer), of(&[X4, X4], MAT4, Builtin::Outer)],
+    ),
+    (
+        "transpose",
+        "the matrix whose columns are the rows",
+        &[of(&[M3], MAT3, Builtin::Transpose), of(&[M4], MAT4, Builtin::Transpose)],
+    ),
+    (
+        "determinant",
+        "the determinant of a matrix",
+        &[of(&[M3], REAL, Builtin::Determinant), of(&[M4], REAL, Builtin::Determinant)],
+    ),
+    (
+        "inverse",
+        "the inverse of a matrix; of a singular one it is not a number",
+        &[of(&[M3], MAT3, Builtin::Inverse), of(&[M4], MAT4, Builtin::Inverse)],
+    ),
+    (
+        "solve",
+        "the vector that a matrix takes to another; of a singular one it is not a number",
+        &[of(&[M3, X], VEC3, Builtin::Solve), of(&[M4, X4], VEC4, Builtin::Solve)],
+    ),
+    (
+        "is_nan",
+        "whether a component is not a number",
+        &[
+            of(&[R], BOOL, Builtin::IsNan),
+            of(&[X2], BOOL, Builtin::IsNan),
+            of(&[X], BOOL, Builtin::IsNan),
+            of(&[X4], BOOL, Builtin::IsNan),
+            of(&[M3], BOOL, Builtin::IsNan),
+            of(&[M4], BOOL, Builtin::IsNan),
+        ],
+    ),
+    (
+        "is_finite",
+        "whether all components are finite",
+        &[
+            of(&[R], BOOL, Builtin::IsFinite),
+            of(&[X2], BOOL, Builtin::IsFinite),
+            of(&[X], BOOL, Builtin::IsFinite),
+            of(&[X4], BOOL, Builtin::IsFinite),
+            of(&[M3], BOOL, Builtin::IsFinite),
+            of(&[M4], BOOL, Builtin::IsFinite),
+        ],
+    ),
+    (
+        "angle",
+        "the angle between two directions, or of the corner where a halfedge starts, in radians",
+        &[of(&[X, X], REAL, Builtin::Angle), of(&[H], REAL, Builtin::AngleCorner)],
+    ),
+    (
+        "cotangent",
+        "the cotangent of the angle opposite to a halfedge in its triangle",
+        &[of(&[H], REAL, Builtin::Cotangent)],
+    ),
+    (
+        "dihedral_angle",
+        "the angle between the normals at an edge, positive where it stands out",
+        &[of(&[E], REAL, Builtin::DihedralAngle)],
+    ),
+    (
+        "abs",
+        "the size without the sign",
+        &[of(&[I], INT, Builtin::AbsInt), of(&[R], REAL, Builtin::AbsReal)],
+    ),
+    (
+        "min",
+        "the smaller of two, or the least over a sequence",
+        &[of(&[I, I], INT, Builtin::MinInt), of(&[R, R], REAL, Builtin::MinReal)],
+    ),
+    (
+        "max",
+        "the larger of two, or the greatest over a sequence",
+        &[of(&[I, I], INT, Builtin::MaxInt), of(&[R, R], REAL, Builtin::MaxReal)],
+    ),
+    ("sqrt", "the square root", &[of(&[R], REAL, Builtin::Sqrt)]),
+    ("sin", "the sine of an angle in radians", &[of(&[R], REAL, Builtin::Sin)]),
+    ("cos", "the cosine of an angle in radians", &[of(&[R], REAL, Builtin::Cos)]),
+    ("tan", "the tangent of an angle in radians", &[of(&[R], REAL, Builtin::Tan)]),
+    ("asin", "the angle with this sine", &[of(&[R], REAL, Builtin::Asin)]),
+    ("acos", "the angle with this cosine", &[of(&[R], REAL, Builtin::Acos)]),
+    (
+        "atan2",
+        "the angle of the direction with this y and this x",
+        &[of(&[R, R], REAL, Builtin::Atan2)],
+    ),
+    ("exp", "e to the power of a number", &[of(&[R], REAL, Builtin::Exp)]),
+    ("log", "the natural logarithm", &[of(&[R], REAL, Builtin::Log)]),
+    ("pow", "the first to the power of the second", &[of(&[R, R], REAL, Builtin::Pow)]),
+    ("floor", "the whole number below, as a real", &[of(&[R], REAL, Builtin::Floor)]),
+    ("ceil", "the whole number above, as a real", &[of(&[R], REAL, Builtin::Ceil)]),
+    ("round", "the nearest int, of two the even one", &[of(&[R], INT, Builtin::Round)]),
+    (
+        "random",
+        "a random number: `random()` a real from 0 up to 1, `random(n)` an int from 0 up to n; `--seed` says which",
+        &[of(&[], REAL, Builtin::Random), of(&[I], INT, Builtin::RandomInt)],
+    ),
+];
