@@ -31,6 +31,7 @@
 
 use std::fmt;
 
+use super::distinct::Seen;
 use super::{ElementField, HalfedgeField, Reg, Walk};
 use crate::mesh::{EdgeId, ElementKind, FaceId, HalfedgeId, Mesh, VertexId};
 
@@ -301,32 +302,11 @@ pub(super) struct WalkBack {
     seen: Seen,
 }
 
-/// Elements that have been seen, to leave each once in a list.
-#[derive(Debug, Default)]
-struct Seen {
-    /// By kind and number the list in which it was seen last.
-    by_kind: [Vec<u32>; 4],
-    list: u32,
-}
-
-impl Seen {
-    /// Leaves each element of a kind once in a list.
-    fn leave_once(&mut self, kind: ElementKind, list: &mut Vec<u32>) {
-        if list.len() < 2 {
-            return;
-        }
-        self.list = self.list.wrapping_add(1);
-        if self.list == 0 {
-            *self = Self { list: 1, ..Self::default() };
-        }
-        let seen = &mut self.by_kind[kind as usize];
-        list.retain(|&id| {
-            let index = id as usize;
-            if seen.len() <= index {
-                seen.resize(index + 1, 0);
-            }
-            std::mem::replace(&mut seen[index], self.list) != self.list
-        });
+/// Leaves each element once in a list.
+fn leave_once(seen: &mut Seen, list: &mut Vec<u32>) {
+    if list.len() > 1 {
+        seen.clear();
+        list.retain(|&id| seen.is_new(id));
     }
 }
 
@@ -371,8 +351,8 @@ impl WalkBack {
                 continue;
             }
             let to = &mut before[usize::from(place.parent)];
-            if let Some(kind) = place.kind {
-                self.seen.leave_once(kind, from);
+            if place.kind.is_some() {
+                leave_once(&mut self.seen, from);
             }
             step_back(mesh, place.step, from, to, (&mut self.orbits, &mut self.seen));
         }
@@ -434,11 +414,11 @@ fn step_back(
             }));
             match walk {
                 Walk::Star => {
-                    seen.leave_once(ElementKind::Vertex, orbits);
+                    leave_once(seen, orbits);
                     vertices(orbits, to);
                 }
                 Walk::Loop => {
-                    seen.leave_once(ElementKind::Face, orbits);
+                    leave_once(seen, orbits);
                     faces(orbits, to);
                 }
             }

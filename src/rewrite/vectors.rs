@@ -195,8 +195,13 @@ pub fn eliminate<const N: usize, const M: usize>(
     let largest = a.as_flattened().iter().fold(0.0, |most: f64, x| most.max(x.abs()));
     let least = N as f64 * f64::EPSILON * largest;
     for k in 0..N {
-        let smaller = |&i: &usize, &j: &usize| a[k][i].abs().total_cmp(&a[k][j].abs());
-        let pivot = (k..N).max_by(smaller).unwrap_or(k);
+        let mut pivot = k;
+        for row in k + 1..N {
+            // Of equal ones the last; what is not a number ends it below.
+            if a[k][row].abs() >= a[k][pivot].abs() || a[k][row].is_nan() {
+                pivot = row;
+            }
+        }
         if !(a[k][pivot].abs() > least && a[k][pivot].is_finite()) {
             return [[f64::NAN; N]; M];
         }

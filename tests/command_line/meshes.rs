@@ -165,3 +165,40 @@ fn every_line_of_an_obj_file_is_kept_or_told() {
         assert!(said.err.contains(told), "{}", said.err);
     }
 }
+
+#[test]
+fn elements_are_reordered_and_written_as_they_were() {
+    let bench = Bench::new();
+    let bunny = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/meshes/bunny.obj");
+    bench.write("none.hedge", "script none() { print count(vertices) }");
+    bench.write("first.hedge", "script first() { for v in vertices { print v.position break } }");
+    let printed = ["none.obj", "reordered.obj"].map(|out| {
+        let more: &[&str] = if out == "none.obj" { &[] } else { &["--reorder"] };
+        bench.succeeds(&[&["run", "none.hedge", bunny, "-o", out], more].concat());
+        bench.succeeds(&[&["run", "first.hedge", bunny], more].concat())
+    });
+    assert_eq!(bench.read("none.obj"), bench.read("reordered.obj"));
+    let first = printed.map(|lines| lines.lines().next().map(str::to_owned));
+    assert_ne!(first[0], first[1], "they have another order");
+    bench.succeeds(&["run", "none.hedge", bunny, "-o", "m.halfedges"]);
+    let words = "`--reorder` is for files of polygons";
+    bench.fails(2, &["run", "none.hedge", "m.halfedges", "--reorder"], words);
+}
+
+/// What was read is known to be a surface, and not asked again: two triangles back to back are one,
+/// but not a simple one; tables may be less.
+#[test]
+fn the_level_of_what_was_read_is_known() {
+    let bench = Bench::new();
+    bench.write("pillow.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 3 2 1\n");
+    bench.write(
+        "map.hedge",
+        "use \"std/map.hedge\" script main() { for e in edges { contract(e) } }",
+    );
+    let flip = "use \"std/triangle.hedge\" script main() { for e in edges { flip(e) } }";
+    bench.write("flip.hedge", flip);
+    let words = "face 0 and face 1 have the same corners";
+    bench.fails(1, &["run", "flip.hedge", "pillow.obj"], words);
+    bench.succeeds(&["run", "map.hedge", "pillow.obj", "-o", "less.halfedges"]);
+    bench.fails(1, &["run", "flip.hedge", "less.halfedges"], "is for meshes of level simple");
+}
