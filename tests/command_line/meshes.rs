@@ -175,7 +175,7 @@ fn elements_are_reordered_and_written_as_they_were() {
     let printed = ["none.obj", "reordered.obj"].map(|out| {
         let more: &[&str] = if out == "none.obj" { &[] } else { &["--reorder"] };
         bench.succeeds(&[&["run", "none.hedge", bunny, "-o", out], more].concat());
-        bench.succeeds(&[&["run", "first.hedge", bunny], more].concat())
+        bench.succeeds(&[&["run", "first.hedge", bunny, "-o", "m.obj"], more].concat())
     });
     assert_eq!(bench.read("none.obj"), bench.read("reordered.obj"));
     let first = printed.map(|lines| lines.lines().next().map(str::to_owned));
