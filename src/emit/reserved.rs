@@ -75,11 +75,11 @@ pub fn unreserved(word: &str, kept: &[String]) -> String {
     }
 }
 
-/// A name of a program as one word: primes and what compilers keep to themselves are no part of
-/// it.
+/// A name of a program as one word: primes, spaces (of a result without a name) and what compilers
+/// keep to themselves are no part of it.
 pub fn plain(name: &str) -> String {
     let primes = name.chars().rev().take_while(|c| *c == '\'').count();
-    let stem = name.trim_end_matches('\'').replace('\'', "_");
+    let stem = name.trim_end_matches('\'').replace(['\'', ' '], "_");
     let mut word = match primes {
         0 => stem,
         1 => format!("{stem}_"),

@@ -23,19 +23,31 @@ pub(super) fn along_path(
     })
 }
 
+/// The walk along a path that sets its face.
 pub(super) fn path_walk(drawing: &Drawing, names: &mut Names, path: NameId) -> Option<Statement> {
     let face = drawing.after.face(path)?;
+    let walk = |names: &Names, halfedge| along_path(drawing, names, path, halfedge);
+    setting(names, Pointer::Face, face, walk)
+}
+
+/// The walk over a fan that sets its vertex.
+pub(super) fn fan_walk(drawing: &Drawing, names: &mut Names, fan: NameId) -> Option<Statement> {
+    let vertex = drawing.after.star_of_spoke(fan)?;
+    let walk = |names: &Names, halfedge| along_fan(drawing, names, fan, halfedge);
+    setting(names, Pointer::Vertex, vertex, walk)
+}
+
+fn setting(
+    names: &mut Names,
+    pointer: Pointer,
+    value: NameId,
+    walk: impl Fn(&Names, String) -> Option<HalfedgeWalk>,
+) -> Option<Statement> {
     let halfedge = names.fresh("h");
     names.release(&halfedge);
-    let walk = along_path(drawing, names, path, halfedge.clone())?;
-    Some(Statement::Walk {
-        walk,
-        body: vec![Statement::Set {
-            pointer: Pointer::Face,
-            of: Term::name(halfedge),
-            value: names.term(face),
-        }],
-    })
+    let walk = walk(names, halfedge.clone())?;
+    let set = Statement::Set { pointer, of: Term::name(halfedge), value: names.term(value) };
+    Some(Statement::Walk { walk, body: vec![set] })
 }
 
 /// The walk over the spokes of a fan, clockwise: from behind the spoke that follows it to the
@@ -86,19 +98,4 @@ pub(super) fn along_spokes(
             HalfedgeWalk { halfedge, step, from: first.clone(), until: first, around: true }
         }
     }
-}
-
-pub(super) fn fan_walk(drawing: &Drawing, names: &mut Names, fan: NameId) -> Option<Statement> {
-    let vertex = drawing.after.star_of_spoke(fan)?;
-    let halfedge = names.fresh("h");
-    names.release(&halfedge);
-    let walk = along_fan(drawing, names, fan, halfedge.clone())?;
-    Some(Statement::Walk {
-        walk,
-        body: vec![Statement::Set {
-            pointer: Pointer::Vertex,
-            of: Term::name(halfedge),
-            value: names.term(vertex),
-        }],
-    })
 }

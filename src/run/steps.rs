@@ -13,7 +13,7 @@ use crate::compile::{element_kind, width};
 use crate::diagnostic::Diagnostic;
 use crate::lower::Effects;
 use crate::mesh::Level;
-use crate::resolve::{Program, ResolvedOp, Steps};
+use crate::resolve::{Program, ResolvedOp};
 use crate::rewrite::{self, BELOW, Code, Phase, Plan, Refusal, TooLarge};
 
 /// The greatest number of reasons to refuse an operation in steps can have, with those of all that
@@ -32,14 +32,11 @@ pub fn plan_steps(
     plans: &mut [Option<Plan>],
 ) -> Vec<Diagnostic> {
     let mut diagnostics = Vec::new();
-    let ops = program.ops.iter().enumerate();
-    let mut left: BTreeMap<usize, Lowered> = ops
-        .filter_map(|(number, op)| Some((number, lowered(op, op.steps.as_ref()?, functions))))
-        .collect();
+    let mut left = calls_of_steps(program, functions);
     for number in called_first(&left) {
-        let Some(mut lowered) = left.remove(&number) else { continue };
+        let Some(calls) = left.remove(&number) else { continue };
         let op = &program.ops[number];
-        match lowered.plan(op, functions, plans) {
+        match plan(op, &calls, functions, plans) {
             Ok(plan) => plans[number] = plan,
             Err(TooLarge) => diagnostics.push(too_large(op)),
         }
@@ -49,12 +46,12 @@ pub fn plan_steps(
 }
 
 /// Those whose steps do not lead back to them, each behind all that it calls.
-fn called_first(all: &BTreeMap<usize, Lowered>) -> Vec<usize> {
+fn called_first(all: &BTreeMap<usize, BTreeSet<usize>>) -> Vec<usize> {
     let mut waits: BTreeMap<usize, usize> = BTreeMap::new();
     let mut callers: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
     let mut order = Vec::new();
-    for (&number, lowered) in all {
-        let calls = lowered.calls.iter().filter(|called| all.contains_key(called));
+    for (&number, calls) in all {
+        let calls = calls.iter().filter(|called| all.contains_key(called));
         let mut count = 0;
         for &called in calls {
             callers.entry(called).or_default().push(number);
@@ -88,8 +85,13 @@ pub fn calls_of_steps(
 ) -> BTreeMap<usize, BTreeSet<usize>> {
     let ops = program.ops.iter().enumerate();
     let steps = ops.filter_map(|(number, op)| {
-        let lowered = lowered(op, op.steps.as_ref()?, functions);
-        Some((number, lowered.calls))
+        let effects = Effects::of_steps(op.steps.as_ref()?);
+        let mut calls: BTreeSet<usize> = effects.ops.keys().copied().collect();
+        let called: Vec<_> = effects.functions.iter().map(|&number| number as usize).collect();
+        for function in functions.reached(&called) {
+            calls.extend(functions.applies[function].iter().map(|&(op, _)| op));
+        }
+        Some((number, calls))
     });
     steps.collect()
 }
@@ -111,16 +113,16 @@ pub(super) fn with_steps<'p>(
     all
 }
 
-/// Steps in code, before it is known how what they call may refuse.
-struct Lowered<'p> {
-    lowering: Option<Lowering<'p>>,
-    /// The operations that are called, also by functions.
-    calls: BTreeSet<usize>,
-    refusals: Vec<Refusal>,
-    level: Level,
-}
-
-fn lowered<'p>(op: &'p ResolvedOp, steps: &'p Steps, functions: &Functions) -> Lowered<'p> {
+/// The plan of an operation in steps; none if an operation that is called has none.
+fn plan(
+    op: &ResolvedOp,
+    calls: &BTreeSet<usize>,
+    functions: &Functions,
+    plans: &[Option<Plan>],
+) -> Result<Option<Plan>, TooLarge> {
+    let Some(steps) = &op.steps else {
+        return Ok(None);
+    };
     let routine =
         Routine { params: &op.params, variables: &steps.body.variables, block: &steps.body.block };
     let mut lowering = Lowering::of_steps(routine, Effects::of_steps(steps), functions.texts());
@@ -132,61 +134,37 @@ fn lowered<'p>(op: &'p ResolvedOp, steps: &'p Steps, functions: &Functions) -> L
     }
     lowering.block(&steps.body.block, Some(&Exits::default()));
     lowering.end_of_steps();
-    let mut calls: BTreeSet<usize> = lowering.called.iter().map(|&(op, _)| op).collect();
-    for function in functions.reached(&lowering.functions) {
-        calls.extend(functions.applies[function].iter().map(|&(op, _)| op));
-    }
-    Lowered {
-        calls,
-        refusals: std::mem::take(&mut lowering.refusals),
-        lowering: Some(lowering),
-        level: steps.level,
-    }
-}
-
-impl Lowered<'_> {
-    /// The plan; none if an operation that is called has none.
-    fn plan(
-        &mut self,
-        op: &ResolvedOp,
-        functions: &Functions,
-        plans: &[Option<Plan>],
-    ) -> Result<Option<Plan>, TooLarge> {
-        let Some(lowering) = self.lowering.take() else {
+    let mut refusals = lowering.refusals;
+    let number = |place: usize| u16::try_from(place).map_err(|_| TooLarge);
+    let mut first = Vec::new();
+    for &called in calls {
+        let Some(plan) = plans.get(called).and_then(Option::as_ref) else {
             return Ok(None);
         };
-        let mut refusals = std::mem::take(&mut self.refusals);
-        let number = |place: usize| u16::try_from(place).map_err(|_| TooLarge);
-        let mut calls = Vec::new();
-        for &called in &self.calls {
-            let Some(plan) = plans.get(called).and_then(Option::as_ref) else {
-                return Ok(None);
-            };
-            calls.push((number(called)?, number(refusals.len())?));
-            refusals.extend(plan.refusals.iter().map(|refusal| within(plan, refusal)));
-            if refusals.len() > MOST_REFUSALS {
-                return Err(TooLarge);
-            }
+        first.push((number(called)?, number(refusals.len())?));
+        refusals.extend(plan.refusals.iter().map(|refusal| within(plan, refusal)));
+        if refusals.len() > MOST_REFUSALS {
+            return Err(TooLarge);
         }
-        let below = number(refusals.len())?;
-        refusals
-            .extend(BELOW.map(|reason| Refusal { reason: reason.to_owned(), phase: Phase::Guard }));
-        number(refusals.len())?;
-        let keeps = [Level::Surface, Level::Simple];
-        Ok(Some(Plan {
-            matched: Vec::new(),
-            name: op.name.clone(),
-            params: op.params.iter().map(|param| width(param.ty)).collect(),
-            result: op.result.and_then(element_kind),
-            level: self.level,
-            keeps: keeps.into_iter().filter(|&kept| kept <= self.level).collect(),
-            code: Code { functions: Arc::clone(&functions.code), ..lowering.asm.finish()? },
-            places: lowering.names.places,
-            refusals,
-            stages: Vec::new(),
-            steps: Some(rewrite::Steps { calls, below }),
-        }))
     }
+    let below = number(refusals.len())?;
+    let guard = |reason: &str| Refusal { reason: reason.to_owned(), phase: Phase::Guard };
+    refusals.extend(BELOW.map(guard));
+    number(refusals.len())?;
+    let keeps = [Level::Surface, Level::Simple];
+    Ok(Some(Plan {
+        matched: Vec::new(),
+        name: op.name.clone(),
+        params: op.params.iter().map(|param| width(param.ty)).collect(),
+        result: op.result.and_then(element_kind),
+        level: steps.level,
+        keeps: keeps.into_iter().filter(|&kept| kept <= steps.level).collect(),
+        code: Code { functions: Arc::clone(&functions.code), ..lowering.asm.finish()? },
+        places: lowering.names.places,
+        refusals,
+        stages: Vec::new(),
+        steps: Some(rewrite::Steps { calls: first, below }),
+    }))
 }
 
 /// The refusal of a step as one of the whole. What it says of its own drawing is understood

@@ -5,7 +5,7 @@ use super::super::routine;
 use super::super::term::Term;
 use super::super::whole::{Call, Called};
 use super::body::Writer;
-use crate::diagram::{Expr, ExprKind, Type};
+use crate::diagram::{Expr, ExprKind, Param, Type};
 
 impl Writer<'_> {
     /// A value that is the call of a function that changes the mesh.
@@ -37,17 +37,17 @@ impl Writer<'_> {
         bound
     }
 
-    fn arguments<'n>(
+    fn arguments(
         &mut self,
         args: &[Expr],
-        wanted: impl Iterator<Item = &'n str>,
+        params: &[Param],
         out: &mut Vec<routine::Statement>,
     ) -> Result<Vec<Term>, NotEmitted> {
         let outer = self.names.mark();
         let mut terms = Vec::new();
-        for (arg, wanted) in args.iter().zip(wanted) {
+        for (arg, param) in args.iter().zip(params) {
             let term = self.term(arg)?;
-            terms.push(self.settled(term, arg.ty, wanted, out));
+            terms.push(self.settled(term, arg.ty, &param.name, out));
         }
         self.names.back_to(outer);
         Ok(terms)
@@ -61,15 +61,9 @@ impl Writer<'_> {
     ) -> Result<Call, NotEmitted> {
         self.ops.insert(op);
         let called = &self.known.program.ops[op];
-        let wanted = called.params.iter().map(|param| param.name.as_str());
-        Ok(Call {
-            name: self.known.op_names[op].clone(),
-            args: self.arguments(args, wanted, out)?,
-            of: match called.result {
-                Some(_) => Called::Operation,
-                None => Called::Plain,
-            },
-        })
+        let name = self.known.op_names[op].clone();
+        let of = if called.result.is_some() { Called::Operation } else { Called::Plain };
+        Ok(Call { name, args: self.arguments(args, &called.params, out)?, of })
     }
 
     pub(super) fn function(
@@ -80,16 +74,10 @@ impl Writer<'_> {
     ) -> Result<Call, NotEmitted> {
         self.functions.insert(function);
         let called = &self.known.program.functions[function as usize];
-        let wanted = called.params.iter().map(|param| param.name.as_str());
-        let effects = self.known.effects.function(function);
-        Ok(Call {
-            name: self.known.function_names[function as usize].clone(),
-            args: self.arguments(args, wanted, out)?,
-            of: match effects.is_some_and(|effects| effects.refuses) {
-                true => Called::Refusing,
-                false => Called::Sure,
-            },
-        })
+        let name = self.known.function_names[function as usize].clone();
+        let refuses = self.known.effects.function(function).is_some_and(|of| of.refuses);
+        let of = if refuses { Called::Refusing } else { Called::Sure };
+        Ok(Call { name, args: self.arguments(args, &called.params, out)?, of })
     }
 }
 
