@@ -9,7 +9,6 @@
 //! The list is either a mesh, or refused with the first place where it is none:
 //! nothing is repaired here.
 
-use std::ops::Range;
 use std::sync::atomic::AtomicU32;
 use std::sync::atomic::Ordering::Relaxed;
 
@@ -195,18 +194,12 @@ impl<'p> Builder<'p> {
         }
     }
 
-    /// The parts of the vertices for which threads look through all sides.
-    fn parts(&self) -> Vec<Range<usize>> {
-        let threads = if self.inner() < 4 * LEAST { 1 } else { parallel::threads() };
-        parallel::cut(self.vertices.len(), threads)
-    }
-
     /// Pairs the halfedges that run between the same vertices, and finds the first of each vertex.
     fn find_twins(&mut self) -> Result<(), BuildError> {
         let inner = self.inner();
         self.twins = parallel::collect(inner, LEAST, |_| AtomicU32::new(NONE));
         // Each part of the vertices goes through all sides for its own.
-        let firsts = parallel::map(self.parts(), |part| {
+        let firsts = parallel::map(Sides::parts(self.vertices.len(), inner), |part| {
             let sides = Sides::gather(&self.loops, part.clone());
             sides.edges().try_for_each(|edge| self.join(edge))?;
             let mut firsts = vec![HalfedgeId::NONE; part.len()];

@@ -6,13 +6,12 @@
 //! every level.
 
 use std::fmt;
-use std::ops::Range;
 
 use super::connectivity::Mesh;
 use super::id::{EdgeId, ElementKind, FaceId, HalfedgeId, VertexId};
 use super::invalid::Invalid;
 use super::parallel;
-use super::records::HalfedgeRecord;
+use super::polygon_sides::{EachSide, Sides};
 use super::validate::validate;
 
 /// The conditions on a mesh. Each level includes the ones before it.
@@ -159,61 +158,31 @@ pub(super) fn is_surface_of_single_edges(mesh: &Mesh) -> bool {
     if meet_once.contains(&false) {
         return false;
     }
-    let is_small = mesh.capacity(ElementKind::Halfedge) < 4 * LEAST;
-    let threads = if is_small { 1 } else { parallel::threads() };
-    // Each part of the vertices goes through all halfedges for its own.
-    let parts = parallel::cut(mesh.capacity(ElementKind::Vertex), threads);
-    !parallel::map(parts, |part| has_fans_of_single_edges(mesh, part)).contains(&false)
-}
-
-/// True if each vertex of a part has no spoke, or two or more and at most one in a hole; and no two
-/// edges that have their first end among them, by number, have the same ends.
-fn has_fans_of_single_edges(mesh: &Mesh, part: Range<usize>) -> bool {
-    let place = |v: VertexId| v.index().wrapping_sub(part.start);
-    let has_holes = mesh.hole_count() > 0;
-    let mut spokes = vec![0_u8; part.len()];
-    let mut is_in_hole = vec![false; if has_holes { part.len() } else { 0 }];
-    // A counting sort by the first ends: after the second pass `bounds[v]` is the end of bucket v.
-    let mut bounds = vec![0_u32; part.len() + 1];
-    let all = || (0..).zip(&mesh.halfedges).filter(|(_, record)| record.lives());
-    // A halfedge of each edge, with the ends in order. The target stands beside it.
-    let ends = |(h, record): (u32, &HalfedgeRecord)| {
-        let is_first = HalfedgeId(h) < record.twin;
-        let [v, w] = [record.vertex, mesh.vertex(record.next)];
-        is_first.then(|| (place(v.min(w)), v.max(w)))
-    };
-    for side in all() {
-        let from = place(side.1.vertex);
-        if let Some(count) = spokes.get_mut(from) {
-            *count = count.saturating_add(1);
-            let is_hole = has_holes && mesh.is_hole(side.1.face);
-            if is_hole && std::mem::replace(&mut is_in_hole[from], true) {
-                return false;
-            }
-        }
-        if let Some((first, _)) = ends(side)
-            && let Some(bound) = bounds[1..].get_mut(first)
-        {
-            *bound += 1;
-        }
-    }
-    if spokes.contains(&1) {
+    let mut is_in_hole = vec![false; mesh.capacity(ElementKind::Vertex)];
+    let mut in_holes = mesh.holes().flat_map(|hole| mesh.face_vertices(hole));
+    if in_holes.any(|v| std::mem::replace(&mut is_in_hole[v.index()], true)) {
         return false;
     }
-    for v in 1..bounds.len() {
-        bounds[v] += bounds[v - 1];
-    }
-    let mut others = vec![0_u32; bounds.pop().map_or(0, |all| all as usize)];
-    for (first, other) in all().filter_map(ends) {
-        if let Some(bound) = bounds.get_mut(first) {
-            others[*bound as usize] = other.0;
-            *bound += 1;
+    let sides = mesh.capacity(ElementKind::Halfedge);
+    let are_single = parallel::map(Sides::parts(is_in_hole.len(), sides), |part| {
+        Sides::gather(&Edges(mesh), part).edges().all(|edge| edge.len() == 1)
+    });
+    !are_single.contains(&false)
+}
+
+/// The edges of a mesh, each as one of its halfedges.
+struct Edges<'m>(&'m Mesh);
+
+impl EachSide for Edges<'_> {
+    #[inline]
+    fn each_side(&self, mut see: impl FnMut(u32, u32, u32)) {
+        for (h, record) in (0..).zip(&self.0.halfedges) {
+            if record.lives() && HalfedgeId(h) < record.twin {
+                // The target stands beside it.
+                see(h, record.vertex.0, self.0.vertex(record.next).0);
+            }
         }
     }
-    let mut start = 0;
-    bounds.iter().all(|&end| {
-        are_distinct(&mut others[std::mem::replace(&mut start, end as usize)..end as usize])
-    })
 }
 
 /// The fewest elements that are worth a thread.

@@ -1,5 +1,7 @@
 //! The loops of a list of polygons: what follows each of their corners.
 
+use super::polygon_sides::EachSide;
+
 /// Polygons whose corners are asked for their neighbours.
 pub(super) struct Loops<'p> {
     /// The vertices of the corners, and where the polygons end.
@@ -110,10 +112,11 @@ impl<'p> Loops<'p> {
     pub(super) fn ends(&self, corner: u32) -> [u32; 2] {
         [corner, self.next(corner)].map(|corner| self.corners()[corner as usize])
     }
+}
 
-    /// Shows each side with the vertices that it runs between, in order.
+impl EachSide for Loops<'_> {
     #[inline]
-    pub(super) fn each_side(&self, mut see: impl FnMut(u32, u32, u32)) {
+    fn each_side(&self, mut see: impl FnMut(u32, u32, u32)) {
         if let Shape::Triangles = self.shape {
             let (triangles, _) = self.corners.as_chunks::<3>();
             for (h, &[a, b, c]) in (0..).step_by(3).zip(triangles) {

@@ -6,7 +6,16 @@
 
 use std::ops::Range;
 
-use super::loops::Loops;
+use super::parallel;
+
+/// Sides that can be gone through more than once.
+pub(super) trait EachSide {
+    /// Shows each side with the vertices that it runs between, in order.
+    fn each_side(&self, see: impl FnMut(u32, u32, u32));
+}
+
+/// The fewest sides that are worth a thread.
+const LEAST: usize = 1 << 14;
 
 /// Sides by edges.
 pub(super) struct Sides {
@@ -17,12 +26,17 @@ pub(super) struct Sides {
 }
 
 impl Sides {
+    /// The parts of so many vertices for which threads look through all of so many sides.
+    pub(super) fn parts(vertices: usize, sides: usize) -> Vec<Range<usize>> {
+        parallel::cut(vertices, if sides < LEAST { 1 } else { parallel::threads() })
+    }
+
     /// Gathers the sides whose smaller end is among `vertices`.
-    pub(super) fn gather(loops: &Loops, vertices: Range<usize>) -> Self {
+    pub(super) fn gather(all: &impl EachSide, vertices: Range<usize>) -> Self {
         let bucket = |v: u32, w: u32| (v.min(w) as usize).wrapping_sub(vertices.start);
         // A counting sort: after the second pass `bounds[v]` is the end of bucket v.
         let mut bounds = vec![0u32; vertices.len() + 1];
-        loops.each_side(|_, v, w| {
+        all.each_side(|_, v, w| {
             if let Some(bound) = bounds[1..].get_mut(bucket(v, w)) {
                 *bound += 1;
             }
@@ -31,7 +45,7 @@ impl Sides {
             bounds[v] += bounds[v - 1];
         }
         let mut sorted = vec![(0u32, 0u32); bounds.pop().map_or(0, |all| all as usize)];
-        loops.each_side(|side, v, w| {
+        all.each_side(|side, v, w| {
             if let Some(place) = bounds.get_mut(bucket(v, w)) {
                 sorted[*place as usize] = (v.max(w), side);
                 *place += 1;
