@@ -112,7 +112,7 @@ impl Contents {
         let is_sound = self.strays.count() == 0 && merge.is_none();
         if reorder
             && is_sound
-            && let Some(reordered) = Repaired::in_order(&positions, &self.polygons)
+            && let Some(reordered) = Repaired::in_order(&positions, &self.polygons, positions.len())
         {
             let corners = std::mem::take(&mut self.polygons).into_corners();
             let mut file = self.finish_repaired(reordered, positions.len(), &corners);

@@ -256,13 +256,13 @@ impl MeshFile {
     pub fn written_numbers(&self) -> WrittenNumbers {
         let (mut old, new): (Vec<_>, Vec<_>) =
             self.mesh.vertices().partition(|&v| self.vertex_place(v).is_some());
-        if let Some([Renumbered { in_order: Some(_), .. }, _]) = self.renumbered {
+        if self.renumbered.is_some() {
             old.sort_by_cached_key(|&v| self.vertex_number(v).unwrap_or(MISSING));
         }
         let vertex_order: Vec<VertexId> = old.into_iter().chain(new).collect();
         let faces = self.mesh.faces().filter(|&f| !self.mesh.is_hole(f));
         let (mut old, new): (Vec<_>, Vec<_>) = faces.partition(|&f| self.face_place(f).is_some());
-        if let Some([_, Renumbered { in_order: Some(_), .. }]) = self.renumbered {
+        if self.renumbered.is_some() {
             old.sort_by_cached_key(|&f| self.face_number(f).unwrap_or(MISSING));
         }
         let face_order: Vec<FaceId> = old.into_iter().chain(new).collect();

@@ -122,32 +122,34 @@ impl RepairReport {
 }
 
 impl Repaired {
-    /// Polygons that are a mesh, in an order in which neighbors stand near each other; `None` if they
-    /// are none.
-    pub(super) fn in_order(positions: &[DVec3], polygons: &Polygons) -> Option<Self> {
-        let order = Order::of(positions, polygons, positions.len());
+    /// Polygons that are a mesh, in an order in which neighbors stand near each other, but for the
+    /// vertices behind the first `kept_vertices`; `None` if they are none.
+    pub(super) fn in_order(
+        positions: &[DVec3],
+        polygons: &Polygons,
+        kept_vertices: usize,
+    ) -> Option<Self> {
+        let order = Order::of(positions, polygons, kept_vertices);
         let (positions, polygons) = order.applied(positions, polygons);
         let mesh = Mesh::from_owned_polygons(positions, &polygons).ok()?;
         let Order { vertices, faces, corners, .. } = order;
-        let (kept_vertices, report) = (vertices.len(), RepairReport::default());
+        let report = RepairReport::default();
         Some(Self { mesh, vertices, kept_vertices, faces, corners, report })
     }
 
-    /// The same in such an order. The vertices that stayed come first in it, too.
+    /// The same in such an order.
     pub(super) fn reordered(self) -> Self {
         let (positions, polygons) = self.mesh.to_polygons();
-        let order = Order::of(&positions, &polygons, self.kept_vertices);
-        let (positions, polygons) = order.applied(&positions, &polygons);
-        let Ok(mesh) = Mesh::from_owned_polygons(positions, &polygons) else {
-            return self; // Never: it was one.
+        let Some(order) = Self::in_order(&positions, &polygons, self.kept_vertices) else {
+            return self; // Never: it was a mesh.
         };
         let at = |of: &[u32], order: &[u32]| order.iter().map(|&at| of[at as usize]).collect();
         Self {
-            mesh,
             vertices: at(&self.vertices, &order.vertices),
             faces: at(&self.faces, &order.faces),
             corners: at(&self.corners, &order.corners),
-            ..self
+            report: self.report,
+            ..order
         }
     }
 
