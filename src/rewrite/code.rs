@@ -62,8 +62,14 @@ impl Code {
 
     /// The code itself, and that of the functions that it calls, directly or through others.
     pub fn with_called(&self) -> Vec<&Code> {
+        self.with_called_of(&self.functions)
+    }
+
+    /// The same where it calls these functions, by their numbers, which a function's code itself does
+    /// not know.
+    pub(super) fn with_called_of<'c>(&'c self, functions: &'c [Function]) -> Vec<&'c Code> {
         let mut found = vec![self];
-        let mut seen = vec![false; self.functions.len()];
+        let mut seen = vec![false; functions.len()];
         let mut looked_at = 0;
         while let Some(code) = found.get(looked_at).copied() {
             looked_at += 1;
@@ -72,7 +78,7 @@ impl Code {
                     && let Some(seen) = seen.get_mut(usize::from(*function))
                     && !std::mem::replace(seen, true)
                 {
-                    found.push(&self.functions[usize::from(*function)].code);
+                    found.push(&functions[usize::from(*function)].code);
                 }
             }
         }

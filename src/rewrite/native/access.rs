@@ -30,14 +30,6 @@ pub(super) fn pointer(field: HalfedgeField) -> (usize, Region, ElementKind) {
     }
 }
 
-pub(super) fn kind(of: ElementField) -> ElementKind {
-    match of {
-        ElementField::Vertex => ElementKind::Vertex,
-        ElementField::Edge => ElementKind::Edge,
-        ElementField::Face => ElementKind::Face,
-    }
-}
-
 impl Translator<'_, '_> {
     pub(super) fn is_in_range(&mut self, kind: ElementKind, id: Value) -> Value {
         let (_, count, _) = table(kind);

@@ -176,36 +176,22 @@ impl Expected {
     /// What is expected of what is there now.
     pub(super) fn of(code: &Code, surroundings: &Surroundings<'_>) -> Self {
         let mut expected = Self::default();
-        let mut seen = vec![false; surroundings.functions.len()];
-        let mut open = vec![code];
-        while let Some(code) = open.pop() {
+        for code in code.with_called_of(surroundings.functions) {
             let used = attributes_in(code);
             expected.types.extend(used.map(|used| (used, surroundings.column(used))));
             for inst in &code.insts {
-                match *inst {
-                    Inst::Apply { op, .. } | Inst::Try { op, .. } => {
-                        expected.params.push((op, surroundings.params_of_op(op)));
-                        expected.plans = Some(surroundings.plans.as_ptr().addr());
-                        // Native code of it finds its attributes there.
-                        let plan = surroundings.plans.get(usize::from(op));
-                        if let Some(Some(plan)) = plan
-                            && plan.steps.is_none()
-                        {
-                            let used = plan.code.with_called().into_iter().flat_map(attributes_in);
-                            let types = used.map(|used| (used, surroundings.column(used)));
-                            expected.types.extend(types);
-                        }
-                    }
-                    Inst::Call { function, .. } => {
-                        let function = usize::from(function);
-                        if let (Some(seen), Some(called)) =
-                            (seen.get_mut(function), surroundings.functions.get(function))
-                            && !std::mem::replace(seen, true)
-                        {
-                            open.push(&called.code);
-                        }
-                    }
-                    _ => {}
+                let (Inst::Apply { op, .. } | Inst::Try { op, .. }) = *inst else {
+                    continue;
+                };
+                expected.params.push((op, surroundings.params_of_op(op)));
+                expected.plans = Some(surroundings.plans.as_ptr().addr());
+                // Native code of it finds its attributes there.
+                let plan = surroundings.plans.get(usize::from(op));
+                if let Some(Some(plan)) = plan
+                    && plan.steps.is_none()
+                {
+                    let used = plan.code.with_called().into_iter().flat_map(attributes_in);
+                    expected.types.extend(used.map(|used| (used, surroundings.column(used))));
                 }
             }
         }

@@ -5,7 +5,7 @@ use cranelift_codegen::ir::types::{F64, I64};
 use cranelift_codegen::ir::{InstBuilder, Value};
 use std::mem::offset_of;
 
-use super::access::{first, kind, pointer, size_of_value};
+use super::access::{first, pointer, size_of_value};
 use super::stubs;
 use super::translate::{Region, Translator};
 use crate::mesh::tables::{FACE_HOLE, Tables};
@@ -23,7 +23,7 @@ impl Translator<'_, '_> {
                 self.set_whole(to, value);
             }
             Inst::LoadHalfedge { of, to, element } => {
-                let record = self.living(kind(of), element);
+                let record = self.living(of.kind(), element);
                 let (region, offset) = first(of);
                 let value = self.number(region, record, offset);
                 self.set_whole(to, value);

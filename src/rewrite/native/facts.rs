@@ -8,7 +8,7 @@
 use super::compile::entries;
 use super::operands::{Surroundings, Use};
 use crate::mesh::ElementKind;
-use crate::rewrite::{Code, ElementField, HalfedgeField, Inst, Question, Reg};
+use crate::rewrite::{Code, HalfedgeField, Inst, Question, Reg};
 
 /// What is known of the element in a register.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -142,7 +142,7 @@ impl Facts {
                 self.set(to, Fact { spoke, ..Fact::led_to(kind) });
             }
             Inst::LoadHalfedge { of, to, element } => {
-                self.use_element(element, kind(of));
+                self.use_element(element, of.kind());
                 self.set(to, Fact::led_to(ElementKind::Halfedge));
             }
             Inst::LoadHole { face, .. } => self.use_element(face, ElementKind::Face),
@@ -150,7 +150,7 @@ impl Facts {
                 self.use_element(vertex, ElementKind::Vertex);
             }
             Inst::Store { halfedge, .. } => self.use_element(halfedge, ElementKind::Halfedge),
-            Inst::StoreHalfedge { of, element, .. } => self.use_element(element, kind(of)),
+            Inst::StoreHalfedge { of, element, .. } => self.use_element(element, of.kind()),
             Inst::StoreHole { face, .. } => self.use_element(face, ElementKind::Face),
             Inst::NextLiving { of, element, .. } | Inst::JumpUnlessLiving { of, element, .. } => {
                 self.use_element(element, of.kind());
@@ -203,14 +203,6 @@ fn moves_spokes(inst: &Inst) -> bool {
             | Inst::PreviewStoreSpan { .. }
             | Inst::PreviewUndo
     ) || inst.writes()
-}
-
-fn kind(of: ElementField) -> ElementKind {
-    match of {
-        ElementField::Vertex => ElementKind::Vertex,
-        ElementField::Edge => ElementKind::Edge,
-        ElementField::Face => ElementKind::Face,
-    }
 }
 
 /// For each instruction that is jumped to, what is known there on every way.

@@ -75,29 +75,13 @@ impl Surroundings<'_> {
 
     /// Whether a code, or what it calls, may add elements, so that tables move.
     pub(super) fn may_add(&self, code: &Code) -> bool {
-        let mut seen = vec![false; self.functions.len()];
-        let mut open = vec![code];
-        while let Some(code) = open.pop() {
-            for inst in &code.insts {
-                match *inst {
-                    Inst::Call { function, .. } => {
-                        let function = usize::from(function);
-                        if let (Some(seen), Some(called)) =
-                            (seen.get_mut(function), self.functions.get(function))
-                            && !std::mem::replace(seen, true)
-                        {
-                            open.push(&called.code);
-                        }
-                    }
-                    Inst::Apply { op, .. } if self.op_may_add(op) => return true,
-                    // One in steps is taken, and undone.
-                    Inst::Try { op, .. } if self.is_in_steps(op) => return true,
-                    _ if adds(inst) => return true,
-                    _ => {}
-                }
-            }
-        }
-        false
+        let may_add = |inst: &Inst| match *inst {
+            Inst::Apply { op, .. } => self.op_may_add(op),
+            // One in steps is taken, and undone.
+            Inst::Try { op, .. } => self.is_in_steps(op),
+            _ => adds(inst),
+        };
+        code.with_called_of(self.functions).iter().any(|code| code.insts.iter().any(may_add))
     }
 
     fn op_may_add(&self, op: u16) -> bool {

@@ -10,7 +10,7 @@ use cranelift_codegen::ir::types::{F64, I8, I32, I64};
 use cranelift_codegen::ir::{Block, InstBuilder, Value};
 
 use super::Variant;
-use super::access::{first, kind, pointer, size_of_value};
+use super::access::{first, pointer, size_of_value};
 use super::context::Context;
 use super::stubs::{self, drains};
 use super::translate::{Region, Translator};
@@ -38,14 +38,14 @@ impl Translator<'_, '_> {
                 self.b.ins().store(flags, value, record, offset as i32);
             }
             Inst::StoreHalfedge { of, element, value } => {
-                let record = self.living(kind(of), element);
+                let record = self.living(of.kind(), element);
                 let value = self.target(ElementKind::Halfedge, value);
                 let args = |this: &mut Self| {
                     let number = this.b.ins().iconst(I64, of as i64);
                     [number, this.id(element), this.b.ins().uextend(I64, value)]
                 };
                 let stub = stubs::writes::first as *const () as usize;
-                self.tell(kind(of), Fields::FIRST, stub, args);
+                self.tell(of.kind(), Fields::FIRST, stub, args);
                 let (region, offset) = first(of);
                 let flags = self.flags(region);
                 self.b.ins().store(flags, value, record, offset as i32);
