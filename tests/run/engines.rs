@@ -8,7 +8,7 @@ use hedgerow::diagram::Type;
 use hedgerow::library;
 use hedgerow::mesh::{ElementKind, Mesh, identical, shape};
 use hedgerow::rewrite::{Engine, Unwatched, Watch};
-use hedgerow::run::{Application, Argument, Conditions, prepare, run, test};
+use hedgerow::run::{Application, Argument, Conditions, Prepared, prepare, run, test};
 use hedgerow::source::Sources;
 use support::dice::Dice;
 use support::engines::run_on_both;
@@ -31,6 +31,14 @@ fn analyse(name: &str, text: &str) -> Analysis {
     let mut sources = Sources::new();
     let file = sources.add(name, text);
     Analysis::with(&mut sources, file, &mut Nowhere)
+}
+
+/// The script `main` of a program that is sound.
+fn script(name: &str, text: &str) -> Prepared {
+    let analysis = analyse(name, text);
+    assert!(analysis.is_sound(), "{:#?}", analysis.diagnostics);
+    let script = analysis.script("main").expect("it is there");
+    prepare(&analysis.program, script, &analysis.plans).expect("it is small")
 }
 
 fn meshes() -> Vec<Mesh> {
@@ -166,10 +174,7 @@ fn scripts_do_the_same_on_a_larger_mesh() {
     let text = "use \"std/remesh.hedge\"\nuse \"std/simplify.hedge\"\nuse \"std/subdivide.hedge\"
         use \"std/smooth.hedge\"
         script main() { loop_subdivide() laplacian(1) simplify(-1, 1, 0.5) remesh(0, 1) }";
-    let analysis = analyse("larger.hedge", text);
-    assert!(analysis.is_sound(), "{:#?}", analysis.diagnostics);
-    let script = analysis.script("main").expect("it is there");
-    let prepared = prepare(&analysis.program, script, &analysis.plans).expect("it is small");
+    let prepared = script("larger.hedge", text);
     for engine in [Engine::Native, Engine::NativeAtOnce] {
         let mut mesh = shape::triangle_torus(20, 15);
         let (report, _) = run_on_both(&prepared, &mut mesh, &[], engine);
@@ -229,11 +234,7 @@ fn endless_scripts_are_stopped_on_all_engines() {
             fn raise(v: vertex) {{ v.mark = degree(v) + v.mark }}
             script main() {{ {body} }}"
         );
-        let analysis = analyse("endless.hedge", &text);
-        assert!(analysis.is_sound(), "{:#?}", analysis.diagnostics);
-        let script = analysis.script("main").expect("it is there");
-        let mut prepared =
-            prepare(&analysis.program, script, &analysis.plans).expect("it is small");
+        let mut prepared = script("endless.hedge", &text);
         for engine in [Engine::Machine, Engine::Native, Engine::NativeAtOnce] {
             prepared.use_engine(engine);
             for looks in [1, 2, 40] {
@@ -272,10 +273,7 @@ fn a_function_refuses_for_steps_on_both() {
           drain e in edges by length(e) while true { shrink(e, 1) }
           print sum(v.mark for v in vertices), count(vertices)
         }";
-    let analysis = analyse("refuses.hedge", text);
-    assert!(analysis.is_sound(), "{:#?}", analysis.diagnostics);
-    let script = analysis.script("main").expect("it is there");
-    let prepared = prepare(&analysis.program, script, &analysis.plans).expect("it is small");
+    let prepared = script("refuses.hedge", text);
     let mut undone = 0;
     for original in meshes() {
         let mut mesh = original.clone();
@@ -340,10 +338,7 @@ fn calls_do_the_same_on_both() {
           print sum(count_down(v, 70) for v in vertices), count(edges)
           print sum(beyond(v, limit) for v in vertices)
         }";
-    let analysis = analyse("calls.hedge", text);
-    assert!(analysis.is_sound(), "{:#?}", analysis.diagnostics);
-    let script = analysis.script("main").expect("it is there");
-    let prepared = prepare(&analysis.program, script, &analysis.plans).expect("it is small");
+    let prepared = script("calls.hedge", text);
     let (mut ended, mut failed) = (0, 0);
     for original in meshes().into_iter().chain([shape::icosphere(2)]) {
         for engine in [Engine::Native, Engine::NativeAtOnce] {
@@ -372,10 +367,7 @@ fn adjacency_is_the_same_on_both() {
           }
           for v in vertices { print count(adjacent(v, w) for w in vertices) }
         }";
-    let analysis = analyse("adjacent.hedge", text);
-    assert!(analysis.is_sound(), "{:#?}", analysis.diagnostics);
-    let script = analysis.script("main").expect("it is there");
-    let prepared = prepare(&analysis.program, script, &analysis.plans).expect("it is small");
+    let prepared = script("adjacent.hedge", text);
     let hubs = [shape::fan(40), shape::pillow(40), two_hubs(25), two_hubs(3)];
     for original in meshes().into_iter().chain(hubs) {
         let mut mesh = original.clone();
@@ -418,10 +410,7 @@ fn tables_move_where_steps_are_only_asked_for() {
           }
           print sum, many
         }";
-    let analysis = analyse("asked.hedge", text);
-    assert!(analysis.is_sound(), "{:#?}", analysis.diagnostics);
-    let script = analysis.script("main").expect("it is there");
-    let prepared = prepare(&analysis.program, script, &analysis.plans).expect("it is small");
+    let prepared = script("asked.hedge", text);
     // Tables that the system gives back when they move.
     let mut mesh = shape::triangle_torus(80, 80);
     let (report, lines) = run_on_both(&prepared, &mut mesh, &[], Engine::NativeAtOnce);
@@ -436,10 +425,7 @@ fn writes_are_noted_whatever_was_compiled_before() {
         fn raise(v: vertex) { v.mark = v.mark + 1 v.position = 2 * v.position }
         fn raise_all() { for v in vertices { raise(v) } }
         script main() { repeat 3 { raise_all() } for v in vertices { raise(v) } }";
-    let analysis = analyse("writes.hedge", text);
-    assert!(analysis.is_sound(), "{:#?}", analysis.diagnostics);
-    let script = analysis.script("main").expect("it is there");
-    let mut prepared = prepare(&analysis.program, script, &analysis.plans).expect("it is small");
+    let mut prepared = script("writes.hedge", text);
     for engine in [Engine::Native, Engine::NativeAtOnce] {
         prepared.use_engine(engine);
         let original = shape::icosphere(2);
