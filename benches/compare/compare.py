@@ -10,14 +10,14 @@ import argparse
 import os
 import time
 
-for threads in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"):
+for threads in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "HEDGEROW_THREADS"):
     os.environ.setdefault(threads, "1")
 
 import numpy as np  # noqa: E402
 
 import hedgerow  # noqa: E402
 
-RUNS = 3
+RUNS = 7
 
 
 def found(name):
