@@ -29,25 +29,25 @@ pub struct Preview {
     /// Whether what is read of the mesh is wanted, and that.
     listens: Cell<bool>,
     looked: RefCell<Vec<Looked>>,
-    /// The vertex whose spokes were walked last, if nothing has been set since.
-    walked_of: Option<u32>,
-    walked: Vec<Spoke>,
-    /// Whether their faces, and the vertices where they end, are distinct.
-    faces_differ: bool,
-    targets_differ: bool,
-    faces_seen: Seen,
-    targets_seen: Seen,
+    /// The vertex whose star was walked last, if nothing has been set since.
+    star_of: Option<u32>,
+    star: Star,
+    seen: Seen,
     corners: Vec<u32>,
     runs: Vec<(u32, u32)>,
 }
 
-/// A halfedge that starts at a vertex, and its face.
-#[derive(Clone, Copy, Debug)]
-struct Spoke {
-    halfedge: u32,
-    face: u32,
-    /// Where the halfedge before it starts: where the spoke after it ends.
-    next_target: u32,
+/// The spokes of a vertex: the halfedges that start there, counterclockwise.
+#[derive(Debug, Default)]
+struct Star {
+    /// The faces in which they lie.
+    faces: Vec<u32>,
+    /// By spoke where the one after it ends.
+    targets: Vec<u32>,
+    faces_differ: bool,
+    targets_differ: bool,
+    /// Whether no spoke ends where it starts, and all lie in triangles.
+    has_triangles: bool,
 }
 
 /// What stood somewhere in the mesh.
@@ -87,7 +87,7 @@ const NOTHING: HalfedgeRecord = HalfedgeRecord {
 impl Preview {
     /// Begins: nothing is set.
     pub fn clear(&mut self) {
-        self.walked_of = None;
+        self.star_of = None;
         self.before.clear();
         self.new.clear();
         self.looked.get_mut().clear();
@@ -96,7 +96,7 @@ impl Preview {
 
     /// Puts everything back on the mesh.
     pub fn undo(&mut self, mesh: &mut Mesh) {
-        self.walked_of = None;
+        self.star_of = None;
         for before in self.before.drain(..).rev() {
             // It was there a moment ago.
             match before {
@@ -136,7 +136,7 @@ impl Preview {
         id: u32,
         value: u32,
     ) -> Result<(), Fault> {
-        self.walked_of = None;
+        self.star_of = None;
         if let Some(new) = self.place(id) {
             let record = &mut self.new[new].record;
             match field {
@@ -175,7 +175,7 @@ impl Preview {
         id: u32,
         value: u32,
     ) -> Result<(), Fault> {
-        self.walked_of = None;
+        self.star_of = None;
         if let Some(new) = self.place(id) {
             self.new[new].halfedge = value;
             return Ok(());
@@ -249,50 +249,52 @@ impl Preview {
         mesh.capacity(ElementKind::Halfedge) + self.new.len()
     }
 
-    /// Notes the spokes of a vertex in `walked`, and whether their faces and their targets are
-    /// distinct.
-    fn walk_star(&mut self, mesh: &Mesh, vertex: u32) -> Result<(), Fault> {
-        if self.walked_of == Some(vertex) {
-            return Ok(());
+    /// Walks the star of a vertex.
+    fn walk_star(&mut self, mesh: &Mesh, vertex: u32) -> Result<&Star, Fault> {
+        if self.star_of != Some(vertex) {
+            let mut star = std::mem::take(&mut self.star);
+            let walked = match self.new.is_empty() && !self.listens.get() {
+                true => self.walk_spokes(mesh, vertex, &mut star, |id| {
+                    mesh.get_halfedge(HalfedgeId(id)).ok_or_else(|| gone(ElementKind::Halfedge, id))
+                }),
+                false => self.walk_spokes(mesh, vertex, &mut star, |id| self.record(mesh, id)),
+            };
+            star.faces_differ = self.seen.are_distinct(&star.faces);
+            star.targets_differ = self.seen.are_distinct(&star.targets);
+            self.star = star;
+            walked?;
+            self.star_of = Some(vertex);
         }
-        let mut walked = std::mem::take(&mut self.walked);
-        let mut faces = std::mem::take(&mut self.faces_seen);
-        let mut targets = std::mem::take(&mut self.targets_seen);
-        walked.clear();
-        faces.clear();
-        targets.clear();
-        let done = self.each_spoke(mesh, vertex, |spoke| {
-            walked.push(spoke);
-            (faces.is_new(spoke.face), targets.is_new(spoke.next_target))
-        });
-        (self.walked, self.faces_seen, self.targets_seen) = (walked, faces, targets);
-        (self.faces_differ, self.targets_differ) = done?;
-        self.walked_of = Some(vertex);
-        Ok(())
+        Ok(&self.star)
     }
 
-    /// Goes through the spokes of a vertex; whether two things hold for each.
-    fn each_spoke(
-        &self,
-        mesh: &Mesh,
+    /// Notes the spokes of a vertex; `record` reads a halfedge.
+    #[inline]
+    fn walk_spokes<'a>(
+        &'a self,
+        mesh: &'a Mesh,
         vertex: u32,
-        mut visit: impl FnMut(Spoke) -> (bool, bool),
-    ) -> Result<(bool, bool), Fault> {
+        star: &mut Star,
+        record: impl Fn(u32) -> Result<&'a HalfedgeRecord, Fault>,
+    ) -> Result<(), Fault> {
+        star.faces.clear();
+        star.targets.clear();
+        star.has_triangles = true;
         let start = self.halfedge(mesh, ElementField::Vertex, vertex)?;
-        let mut holds = (true, true);
         if start == u32::MAX {
-            return Ok(holds);
+            return Ok(());
         }
         let mut at = start;
         for _ in 0..self.longest(mesh) {
-            let record = self.record(mesh, at)?;
-            let before = self.record(mesh, record.prev.0)?;
-            let (face, next_target) = (record.face.0, before.vertex.0);
-            let (one, other) = visit(Spoke { halfedge: at, face, next_target });
-            holds = (holds.0 && one, holds.1 && other);
+            let spoke = record(at)?;
+            let before = record(spoke.prev.0)?;
+            star.faces.push(spoke.face.0);
+            star.targets.push(before.vertex.0);
+            // The halfedges behind the spoke and before that which ends at the vertex are one.
+            star.has_triangles &= spoke.next == before.prev && before.vertex.0 != vertex;
             at = before.twin.0;
             if at == start {
-                return Ok(holds);
+                return Ok(());
             }
         }
         Err(Fault::Endless)
@@ -341,14 +343,8 @@ impl Preview {
             OrbitCondition::CornerOnce => self.corner_once(mesh, element, at),
             OrbitCondition::TwoSpokes => self.two_spokes(mesh, element),
             OrbitCondition::OneHole => self.one_hole(mesh, element),
-            OrbitCondition::FacesDiffer => {
-                self.walk_star(mesh, element)?;
-                Ok(self.faces_differ)
-            }
-            OrbitCondition::NeighborsDiffer => {
-                self.walk_star(mesh, element)?;
-                Ok(self.targets_differ)
-            }
+            OrbitCondition::FacesDiffer => Ok(self.walk_star(mesh, element)?.faces_differ),
+            OrbitCondition::NeighborsDiffer => Ok(self.walk_star(mesh, element)?.targets_differ),
             OrbitCondition::SingleEdge => self.single_edge(mesh, element),
             OrbitCondition::CornersDiffer => self.corners_differ(mesh, element),
             OrbitCondition::CornersOwn => self.corners_own(mesh, element, at),
@@ -379,7 +375,7 @@ impl Preview {
     fn meets_once(&mut self, mesh: &Mesh, face: u32) -> Result<bool, Fault> {
         self.corners.clear();
         self.walk_loop(mesh, face, usize::MAX)?;
-        Ok(self.faces_seen.are_distinct(&self.corners))
+        Ok(self.seen.are_distinct(&self.corners))
     }
 
     fn two_spokes(&self, mesh: &Mesh, vertex: u32) -> Result<bool, Fault> {
@@ -392,35 +388,38 @@ impl Preview {
     }
 
     fn corner_once(&mut self, mesh: &Mesh, face: u32, vertex: u32) -> Result<bool, Fault> {
-        self.walk_star(mesh, vertex)?;
-        Ok(self.walked.iter().filter(|spoke| spoke.face == face).count() <= 1)
+        let star = self.walk_star(mesh, vertex)?;
+        Ok(star.faces.iter().filter(|&&other| other == face).count() <= 1)
     }
 
     fn one_hole(&mut self, mesh: &Mesh, vertex: u32) -> Result<bool, Fault> {
         self.walk_star(mesh, vertex)?;
         let mut holes = 0;
-        for spoke in &self.walked {
-            holes += usize::from(self.is_hole(mesh, spoke.face)?);
+        for &face in &self.star.faces {
+            holes += usize::from(self.is_hole(mesh, face)?);
         }
         Ok(holes <= 1)
     }
 
     fn single_edge(&mut self, mesh: &Mesh, halfedge: u32) -> Result<bool, Fault> {
         let ends = (self.record(mesh, halfedge)?.vertex.0, self.target(mesh, halfedge)?);
-        self.walk_star(mesh, ends.0)?;
-        Ok(self.walked.iter().filter(|spoke| spoke.next_target == ends.1).count() <= 1)
+        let star = self.walk_star(mesh, ends.0)?;
+        Ok(star.targets.iter().filter(|&&target| target == ends.1).count() <= 1)
     }
 
     /// Whether no two faces around a vertex have the same set of corners.
     fn corners_differ(&mut self, mesh: &Mesh, vertex: u32) -> Result<bool, Fault> {
-        self.walk_star(mesh, vertex)?;
-        if self.is_star_of_triangles(mesh, vertex)? {
+        let star = self.walk_star(mesh, vertex)?;
+        // Triangles with a neighbor between one and the next, at least three, all different: two
+        // that follow each other as two others do are the same two.
+        let are_different = star.targets_differ && star.faces_differ;
+        if star.has_triangles && are_different && star.faces.len() >= 3 {
             return Ok(true);
         }
         self.corners.clear();
         self.runs.clear();
-        for at in 0..self.walked.len() {
-            let face = self.walked[at].face;
+        for at in 0..self.star.faces.len() {
+            let face = self.star.faces[at];
             if self.is_hole(mesh, face)? {
                 continue;
             }
@@ -436,29 +435,6 @@ impl Preview {
         Ok(self.runs.windows(2).all(|two| run(&two[0]) != run(&two[1])))
     }
 
-    /// Whether the faces around a vertex, whose spokes are walked, are triangles with a neighbor
-    /// of the vertex between one and the next, at least three, all different: then two that
-    /// follow each other as two others do are the same two.
-    fn is_star_of_triangles(&self, mesh: &Mesh, vertex: u32) -> Result<bool, Fault> {
-        if self.walked.len() < 3
-            || !self.targets_differ
-            || !self.faces_differ
-            || self.walked.iter().any(|spoke| spoke.next_target == vertex)
-        {
-            return Ok(false);
-        }
-        for spoke in &self.walked {
-            if self.is_hole(mesh, spoke.face)? {
-                continue;
-            }
-            let record = self.record(mesh, spoke.halfedge)?;
-            if self.record(mesh, record.next.0)?.next != record.prev {
-                return Ok(false);
-            }
-        }
-        Ok(true)
-    }
-
     /// Whether no other face around a vertex of a face has the same set of corners.
     fn corners_own(&mut self, mesh: &Mesh, face: u32, vertex: u32) -> Result<bool, Fault> {
         if self.is_hole(mesh, face)? {
@@ -468,8 +444,8 @@ impl Preview {
         self.corners.clear();
         let size = self.walk_loop(mesh, face, usize::MAX)?;
         self.corners.sort_unstable();
-        for at in 0..self.walked.len() {
-            let other = self.walked[at].face;
+        for at in 0..self.star.faces.len() {
+            let other = self.star.faces[at];
             if other == face || self.is_hole(mesh, other)? {
                 continue;
             }
