@@ -78,34 +78,32 @@ pub(crate) fn collect_with_room<T: Send>(
     all
 }
 
-/// Hands the answers for all items to `take`, in order and while others are worked at. The first
-/// error ends it.
+/// Hands the answers for all items to `take`, in order, and takes the next items while others are
+/// worked at. The first error ends it.
 pub(crate) fn in_order<I: Send, T: Send, E>(
-    items: Vec<I>,
+    items: impl IntoIterator<Item = I>,
     work: impl Fn(I) -> T + Sync,
     mut take: impl FnMut(T) -> Result<(), E>,
 ) -> Result<(), E> {
     let mut items = items.into_iter();
     #[cfg(feature = "threads")]
     if threads() > 1 {
-        let mut ready: Vec<T> = Vec::new();
-        loop {
-            let some: Vec<I> = items.by_ref().take(2 * threads()).collect();
-            let mut next: Vec<Option<T>> = some.iter().map(|_| None).collect();
-            pool::beside(
+        let mut some = || -> Vec<I> { items.by_ref().take(4 * threads()).collect() };
+        let (mut now, mut ready): (_, Vec<T>) = (some(), Vec::new());
+        while !now.is_empty() || !ready.is_empty() {
+            let mut answers: Vec<Option<T>> = now.iter().map(|_| None).collect();
+            now = pool::beside(
                 |scope| {
-                    for (item, answer) in some.into_iter().zip(&mut next) {
+                    for (item, answer) in now.into_iter().zip(&mut answers) {
                         let work = &work;
                         scope.spawn(move |_| *answer = Some(work(item)));
                     }
                 },
-                || ready.drain(..).try_for_each(&mut take),
+                || ready.drain(..).try_for_each(&mut take).map(|()| some()),
             )?;
-            if next.is_empty() {
-                return Ok(());
-            }
-            ready.extend(next.into_iter().flatten());
+            ready.extend(answers.into_iter().flatten());
         }
+        return Ok(());
     }
     items.try_for_each(|item| take(work(item)))
 }

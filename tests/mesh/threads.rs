@@ -5,7 +5,7 @@ use std::num::NonZeroUsize;
 use std::sync::{Mutex, PoisonError};
 
 use hedgerow::mesh::{
-    BuildError, FileFormat, Mesh, MeshFile, Polygons, Repair, identical, read_mesh_from,
+    BuildError, FileFormat, Mesh, MeshFile, Polygons, Repair, identical, read_mesh, read_mesh_from,
     set_threads, shape, validate, write_mesh_to,
 };
 
@@ -174,10 +174,36 @@ fn any_lines_in_any_order_are_read_alike() {
         for repair in [None, Some(Repair::default())] {
             let file = alike(|| read(text.as_bytes(), FileFormat::Obj, repair), same);
             sound += usize::from(file.is_ok());
+            if !has_faults {
+                assert_eq!(file.as_ref().map_or(0, |file| file.mesh.vertex_count()), vertices);
+            }
             assert_eq!(file.is_ok(), !has_faults || repair.is_some(), "{:?}", file.err());
         }
     }
     assert!(sound > 15);
+}
+
+#[test]
+fn lines_longer_than_a_block_are_read() {
+    let count = 200_000;
+    let mut text = format!("# {}\n", "long ".repeat(count));
+    (0..count).for_each(|i| writeln!(text, "v {i} {} 0", i % 2).unwrap());
+    text += "f";
+    (0..count).for_each(|i| write!(text, " {}", i + 1).unwrap());
+    let whole = text.clone() + "\n";
+    let file = alike(|| read(whole.as_bytes(), FileFormat::Obj, None), same).unwrap();
+    assert_eq!((file.mesh.vertex_count(), file.mesh.face_count()), (count, 1));
+    // A file on the disk is the same, also if its last line has no end.
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("t.obj");
+    std::fs::write(&path, &text).unwrap();
+    let from_disk = alike(|| read_mesh(&path, None).unwrap(), |a, b| identical(&a.mesh, &b.mesh));
+    assert!(identical(&from_disk.mesh, &file.mesh));
+    // Nor where each line goes on in the next.
+    let continued = whole.replace(" 0\n", " \\\n0\n").replace(" 1 ", " \\\r\n 1 ");
+    std::fs::write(&path, &continued).unwrap();
+    let from_disk = alike(|| read_mesh(&path, None).unwrap(), |a, b| identical(&a.mesh, &b.mesh));
+    assert!(identical(&from_disk.mesh, &file.mesh));
 }
 
 #[test]

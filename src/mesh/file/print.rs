@@ -44,7 +44,7 @@ impl<'o> Printer<'o> {
             let mut printer = Printer::gathering();
             print(&mut printer, part).map(|()| printer.text)
         };
-        parallel::in_order(parts.collect(), printed, |text| {
+        parallel::in_order(parts, printed, |text| {
             self.text.extend_from_slice(&text?);
             self.hand_on()
         })

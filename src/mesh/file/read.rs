@@ -1,7 +1,10 @@
 //! Reading a file of any format.
 
+use std::fs::File;
+use std::io::{self, Read};
 use std::path::Path;
 
+use super::contents::Contents;
 use super::error::{Failure, FileError, FileReason};
 use super::format::FileFormat;
 use super::mesh_file::MeshFile;
@@ -34,10 +37,41 @@ fn read_path(path: &Path, repair: Option<Repair>, reorder: bool) -> Result<MeshF
     let name = path.display().to_string();
     let failed = |reason| FileError { file: name.clone(), line: None, reason };
     let format = FileFormat::of(path).map_err(failed)?;
-    let text = std::fs::read(path).map_err(|error| failed(FileReason::Io(error)))?;
-    let mut file = read_text(&name, (format, &text), repair, reorder)?;
+    let mut file = read_source(&name, (format, path), repair, reorder)
+        .map_err(|error| failed(FileReason::Io(error)))??;
     file.folder = path.parent().map(Path::to_owned);
     Ok(file)
+}
+
+/// Reads a file. The text of an OBJ file is not in memory as a whole, unless it has 16 bits a letter.
+fn read_source(
+    name: &str,
+    (format, path): (FileFormat, &Path),
+    repair: Option<Repair>,
+    reorder: bool,
+) -> io::Result<Result<MeshFile, FileError>> {
+    let mut source = File::open(path)?;
+    let mut text = Vec::new();
+    if format == FileFormat::Obj {
+        let bytes = source.metadata()?.len();
+        source.by_ref().take(2).read_to_end(&mut text)?;
+        if is_big_endian(format, &text).is_none() {
+            let contents = obj::read(text.as_slice().chain(source), bytes as usize)?;
+            return Ok(build(name, Ok(contents), repair, reorder));
+        }
+    }
+    source.read_to_end(&mut text)?;
+    Ok(read_text(name, (format, &text), repair, reorder))
+}
+
+fn build(
+    name: &str,
+    contents: Result<Contents, Failure>,
+    repair: Option<Repair>,
+    reorder: bool,
+) -> Result<MeshFile, FileError> {
+    let built = contents.and_then(|contents| contents.build(repair, reorder));
+    built.map_err(|failure| error(name, failure))
 }
 
 /// Reads a file that is in memory; messages call it `name`.
@@ -61,25 +95,22 @@ fn read_text(
 ) -> Result<MeshFile, FileError> {
     let decoded = decode(format, text);
     let text = decoded.as_deref().unwrap_or(text);
-    let read = match format {
-        FileFormat::Obj => Ok(obj::read(text)),
+    let contents = match format {
+        FileFormat::Obj => {
+            obj::read(text, text.len()).map_err(|error| (None, FileReason::Io(error)))
+        }
         FileFormat::Ply => ply::read(text),
         FileFormat::Stl => stl::read(text),
         FileFormat::Off => off::read(text),
         FileFormat::Msh => msh::read(text),
         FileFormat::Halfedges => return read_tables(text).map_err(|reason| error(name, reason)),
     };
-    read.and_then(|contents| contents.build(repair, reorder))
-        .map_err(|failure| error(name, failure))
+    build(name, contents, repair, reorder)
 }
 
 /// A text of 16 bits a letter in UTF-8, if it is one: some programs write such files.
 fn decode(format: FileFormat, text: &[u8]) -> Option<Vec<u8>> {
-    let is_big = match (format, text) {
-        (FileFormat::Obj | FileFormat::Off | FileFormat::Ply, [0xfe, 0xff, ..]) => true,
-        (FileFormat::Obj | FileFormat::Off | FileFormat::Ply, [0xff, 0xfe, ..]) => false,
-        _ => return None,
-    };
+    let is_big = is_big_endian(format, text)?;
     let (letters, _) = text[2..].as_chunks::<2>();
     let letters = letters.iter().map(|&letter| match is_big {
         true => u16::from_be_bytes(letter),
@@ -89,6 +120,15 @@ fn decode(format: FileFormat, text: &[u8]) -> Option<Vec<u8>> {
         .map(|letter| letter.unwrap_or(char::REPLACEMENT_CHARACTER))
         .collect();
     Some(text.into_bytes())
+}
+
+/// Whether the higher byte of a letter comes first, in a text of 16 bits a letter.
+fn is_big_endian(format: FileFormat, text: &[u8]) -> Option<bool> {
+    match (format, text) {
+        (FileFormat::Obj | FileFormat::Off | FileFormat::Ply, [0xfe, 0xff, ..]) => Some(true),
+        (FileFormat::Obj | FileFormat::Off | FileFormat::Ply, [0xff, 0xfe, ..]) => Some(false),
+        _ => None,
+    }
 }
 
 fn error(name: &str, (line, reason): Failure) -> FileError {

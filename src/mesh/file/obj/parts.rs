@@ -1,61 +1,84 @@
-//! Reading a file in parts, on all cores.
+//! Reading a file in blocks of lines, on all cores.
 //!
-//! A text is cut at ends of lines. Each part is read by itself, as if nothing were before it, and
-//! what the parts say is put together in order: numbers of lines and places of faces move by what
-//! was before. An index that counts back may lead out of its part; such a part is read again when
-//! it is known what was before it.
+//! A block is read while it is in the cache, and forgotten, so that the text of a file is nowhere as
+//! a whole. Where there are several threads, each block is read by itself, as if nothing were before
+//! it, and what the blocks say is put together in order: numbers of lines and places of faces move
+//! by what was before. An index that counts back may lead out of its block; such a block is read
+//! again when it is known what was before it.
 
-use std::borrow::Cow;
+use std::io::{self, Read};
 
 use super::read::Reader;
 use crate::mesh::Polygons;
 use crate::mesh::file::contents::Contents;
 use crate::mesh::parallel;
 
+/// The bytes of a block, of whose last line some may be missing: as many as stay in the cache.
+const MOST: usize = 1 << 18;
+
 /// The bytes that are worth a thread.
 const LEAST: usize = 1 << 16;
 
-/// Reads the text of a file.
-pub(in crate::mesh::file) fn read(text: &[u8]) -> Contents {
-    let text = text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text);
-    let parts = cut(text);
-    let first = [0; 3];
-    let read = parallel::map(parts.clone(), |part| Reader::read(part, first));
-    let mut whole: Option<Reader> = None;
-    for (text, part) in parts.into_iter().zip(read) {
-        whole = Some(match whole {
-            None => part,
-            Some(mut whole) => {
-                let part = match part.counts_back {
-                    true => Reader::read(text, whole.have()),
-                    false => part,
-                };
-                whole.append(part);
-                whole
-            }
+/// Reads a file of about so many bytes.
+pub(in crate::mesh::file) fn read(source: impl Read, bytes: usize) -> io::Result<Contents> {
+    let threads = parallel::threads();
+    let size = (bytes / (4 * threads)).clamp(LEAST, MOST);
+    let blocks = Blocks { source, size, begun: Vec::new(), is_first: true };
+    let mut whole = Reader::new(bytes);
+    let alone = |block: io::Result<Vec<u8>>| {
+        let block = block?;
+        let part = (threads > 1).then(|| {
+            let mut part = Reader::new(block.len());
+            part.read(&block);
+            part
         });
-    }
-    whole.unwrap_or_else(|| Reader::read(b"", first)).finish()
+        Ok((block, part))
+    };
+    parallel::in_order(blocks, alone, |read: io::Result<_>| {
+        match read? {
+            (_, Some(part)) if !part.counts_back => whole.append(part),
+            (block, _) => whole.read(&block),
+        }
+        Ok::<_, io::Error>(())
+    })?;
+    Ok(whole.finish())
 }
 
-/// Cuts a text behind ends of lines that do not go on.
-fn cut(text: &[u8]) -> Vec<&[u8]> {
-    let mut parts = Vec::new();
-    let mut start = 0;
-    for part in parallel::parts(text.len(), LEAST) {
-        if part.end <= start {
-            continue;
-        }
-        let mut end = part.end;
-        while end < text.len() && !is_cut(&text[..end]) {
-            let next = text[end..].iter().position(|&byte| byte == b'\n');
-            end = next.map_or(text.len(), |next| end + next + 1);
-        }
-        parts.push(&text[start..end]);
-        start = end;
-    }
-    parts
+/// The blocks of a file: each ends behind a line that does not go on.
+struct Blocks<S> {
+    source: S,
+    size: usize,
+    /// The start of the next block.
+    begun: Vec<u8>,
+    is_first: bool,
 }
+
+impl<S: Read> Iterator for Blocks<S> {
+    type Item = io::Result<Vec<u8>>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        let mut block = std::mem::take(&mut self.begun);
+        loop {
+            let before = block.len();
+            block.reserve(self.size);
+            match self.source.by_ref().take(self.size as u64).read_to_end(&mut block) {
+                Err(error) => return Some(Err(error)),
+                Ok(0) => return (!block.is_empty()).then_some(Ok(block)),
+                Ok(_) => {}
+            }
+            if std::mem::take(&mut self.is_first) && block.starts_with(BYTE_ORDER_MARK) {
+                block.drain(..BYTE_ORDER_MARK.len());
+            }
+            let ends = (before..block.len()).rev().filter(|&at| block[at] == b'\n');
+            if let Some(end) = ends.map(|at| at + 1).find(|&end| is_cut(&block[..end])) {
+                self.begun = block.split_off(end);
+                return Some(Ok(block));
+            }
+        }
+    }
+}
+
+const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
 
 /// True if a text ends with a line that does not go on.
 fn is_cut(text: &[u8]) -> bool {
@@ -64,14 +87,7 @@ fn is_cut(text: &[u8]) -> bool {
     last.is_none_or(|last| line[last] != b'\\')
 }
 
-impl<'t> Reader<'t> {
-    /// The numbers of vertices, texture coordinates and normals, with those before the part.
-    pub(super) fn have(&self) -> [usize; 3] {
-        let kept = &self.contents.kept;
-        let own = [self.contents.positions.len(), kept.texture.rows.len(), kept.normals.rows.len()];
-        std::array::from_fn(|kind| self.before[kind] + own[kind])
-    }
-
+impl Reader {
     /// Adds what the next part of the file says.
     fn append(&mut self, part: Self) {
         let lines = self.lines;
@@ -122,7 +138,7 @@ impl<'t> Reader<'t> {
         for (face, place, name) in std::mem::take(&mut self.states) {
             self.contents.kept.enter_state(face, place, &name);
         }
-        for library in self.libraries.drain(..).map(Cow::into_owned) {
+        for library in std::mem::take(&mut self.libraries) {
             let libraries = &mut self.contents.kept.libraries;
             if !libraries.contains(&library) {
                 libraries.push(library);

@@ -1,7 +1,5 @@
 //! Reading a file, statement by statement.
 
-use std::borrow::Cow;
-
 use glam::DVec3;
 
 use crate::mesh::attribute::Value;
@@ -14,15 +12,13 @@ use crate::mesh::id::ElementKind;
 /// The fault of a statement.
 type Fault = String;
 
-/// What a part of a file says.
-pub(super) struct Reader<'t> {
-    scanner: Scanner<'t>,
+/// What a file says, or a part of it.
+#[derive(Default)]
+pub(super) struct Reader {
     pub(super) contents: Contents,
-    /// The numbers of vertices, texture coordinates and normals before the part.
-    pub(super) before: [usize; 3],
-    /// True if an index counts back, and what is before the part is not known.
+    /// True if an index counts back, perhaps beyond the part.
     pub(super) counts_back: bool,
-    /// The number of its lines.
+    /// The number of lines that have been read.
     pub(super) lines: u32,
     pub(super) corners: Vec<u32>,
     pub(super) ends: Vec<usize>,
@@ -33,8 +29,8 @@ pub(super) struct Reader<'t> {
     pub(super) colored: usize,
     pub(super) highest: [Highest; 3],
     /// The statements that hold from a face on: the face, which they are, and their operands.
-    pub(super) states: Vec<(u32, usize, Cow<'t, [u8]>)>,
-    pub(super) libraries: Vec<Cow<'t, [u8]>>,
+    pub(super) states: Vec<(u32, usize, Vec<u8>)>,
+    pub(super) libraries: Vec<Vec<u8>>,
 }
 
 /// The highest index of its kind, and the line that has it.
@@ -46,51 +42,49 @@ pub(super) struct Highest {
 
 const KINDS: [Indexed; 3] = [Indexed::Vertex, Indexed::Texture, Indexed::Normal];
 
-impl<'t> Reader<'t> {
-    /// Reads a part of a file, before which there are so many vertices, texture coordinates and
-    /// normals.
-    pub(super) fn read(text: &'t [u8], before: [usize; 3]) -> Self {
-        let mut reader = Reader {
-            scanner: Scanner::with_continued_lines(text),
-            contents: Contents::default(),
-            before,
-            counts_back: false,
-            lines: 0,
-            corners: Vec::with_capacity(text.len() / 12),
-            ends: Vec::with_capacity(text.len() / 40),
-            weights: Vec::new(),
-            colors: Vec::new(),
-            alphas: Vec::new(),
-            colored: 0,
-            highest: [Highest::default(); 3],
-            states: Vec::new(),
-            libraries: Vec::new(),
-        };
-        while !reader.scanner.is_at_end() {
-            if reader.scanner.next_word() {
-                let line = reader.scanner.line();
-                reader.statement(line);
-            }
-            reader.scanner.end_line();
+impl Reader {
+    /// A reader of a text of so many bytes.
+    pub(super) fn new(bytes: usize) -> Self {
+        Self {
+            corners: Vec::with_capacity(bytes / 12),
+            ends: Vec::with_capacity(bytes / 40),
+            ..Self::default()
         }
-        reader.lines = reader.scanner.line() - 1;
-        reader
     }
 
-    fn statement(&mut self, line: u32) {
-        let keyword = match self.scanner.rest() {
+    /// Reads some lines, behind those that it has read before.
+    pub(super) fn read(&mut self, text: &[u8]) {
+        let mut scanner = Scanner::with_continued_lines(text);
+        while !scanner.is_at_end() {
+            if scanner.next_word() {
+                let line = self.lines + scanner.line();
+                self.statement(&mut scanner, line);
+            }
+            scanner.end_line();
+        }
+        self.lines += scanner.line() - 1;
+    }
+
+    /// The numbers of vertices, texture coordinates and normals.
+    fn have(&self) -> [usize; 3] {
+        let Contents { positions, kept, .. } = &self.contents;
+        [positions.len(), kept.texture.rows.len(), kept.normals.rows.len()]
+    }
+
+    fn statement(&mut self, scanner: &mut Scanner<'_>, line: u32) {
+        let keyword = match scanner.rest() {
             [keyword @ (b'v' | b'f'), b' ', ..] => {
-                self.scanner.skip(1);
+                scanner.skip(1);
                 std::slice::from_ref(keyword)
             }
-            _ => match self.scanner.word() {
+            _ => match scanner.word() {
                 Some(keyword) => keyword,
                 None => return,
             },
         };
         match keyword {
             b"v" => {
-                if let Err(fault) = self.vertex(line) {
+                if let Err(fault) = self.vertex(scanner, line) {
                     self.contents.damage.add(Some(line), || fault);
                     // Others keep their numbers.
                     self.contents.positions.push(DVec3::NAN);
@@ -99,7 +93,7 @@ impl<'t> Reader<'t> {
             }
             b"f" | b"fo" => {
                 let corners = self.corners.len();
-                if let Err(fault) = self.face(line) {
+                if let Err(fault) = self.face(scanner, line) {
                     self.contents.damage.add(Some(line), || fault);
                     self.corners.truncate(corners);
                     self.contents.kept.corner_texture.truncate(corners);
@@ -108,12 +102,12 @@ impl<'t> Reader<'t> {
                 self.ends.push(self.corners.len());
                 self.contents.face_lines.push(line);
             }
-            b"vt" => self.row(line, "vt", 1, "a number or more"),
-            b"vn" => self.row(line, "vn", 3, "three numbers"),
-            b"mtllib" => self.libraries.push(self.scanner.text()),
+            b"vt" => self.row(scanner, line, ("vt", 1, "a number or more")),
+            b"vn" => self.row(scanner, line, ("vn", 3, "three numbers")),
+            b"mtllib" => self.libraries.push(scanner.text().into_owned()),
             _ => match State::KEYWORDS.iter().position(|k| k.as_bytes() == keyword) {
                 Some(place) => {
-                    let name = self.scanner.text();
+                    let name = scanner.text().into_owned();
                     self.states.push((self.ends.len() as u32, place, name));
                 }
                 None => self.contents.kept.pass_over(&shown(keyword), line),
@@ -121,11 +115,11 @@ impl<'t> Reader<'t> {
         }
     }
 
-    fn vertex(&mut self, line: u32) -> Result<(), Fault> {
+    fn vertex(&mut self, scanner: &mut Scanner<'_>, line: u32) -> Result<(), Fault> {
         let mut numbers = [0.0; 7];
         let mut count = 0;
         while count < numbers.len() {
-            match self.scanner.number() {
+            match scanner.number() {
                 Some(Ok(number)) => numbers[count] = number,
                 None => break,
                 Some(Err(_)) if count < 3 => break,
@@ -143,7 +137,7 @@ impl<'t> Reader<'t> {
         if count < 3 {
             return Err("`v` needs three numbers".into());
         }
-        if count == 5 || (count == 7 && self.scanner.next_word()) {
+        if count == 5 || (count == 7 && scanner.next_word()) {
             let what = [
                 "vertex with 5 numbers, or more than 7",
                 "vertices with 5 numbers, or more than 7",
@@ -169,12 +163,17 @@ impl<'t> Reader<'t> {
         Ok(())
     }
 
-    fn row(&mut self, line: u32, statement: &str, least: usize, needs: &str) {
+    fn row(
+        &mut self,
+        scanner: &mut Scanner<'_>,
+        line: u32,
+        (statement, least, needs): (&str, usize, &str),
+    ) {
         let mut row = [0.0; 3];
         let mut width = 0;
         let mut is_number = true;
         while width < 3 && is_number {
-            match self.scanner.number() {
+            match scanner.number() {
                 Some(Ok(number)) => row[width] = number,
                 Some(Err(_)) => is_number = false,
                 None => break,
@@ -186,7 +185,7 @@ impl<'t> Reader<'t> {
             (row, width) = ([0.0; 3], least);
         }
         let kept = &mut self.contents.kept;
-        if width == 3 && self.scanner.next_word() {
+        if width == 3 && scanner.next_word() {
             kept.note([&format!("`{statement}` with more than three numbers"); 2], line);
         }
         let rows = if statement == "vt" { &mut kept.texture } else { &mut kept.normals };
@@ -195,21 +194,21 @@ impl<'t> Reader<'t> {
     }
 
     /// Reads the corners of a face.
-    fn face(&mut self, line: u32) -> Result<(), Fault> {
-        while self.scanner.next_word() {
+    fn face(&mut self, scanner: &mut Scanner<'_>, line: u32) -> Result<(), Fault> {
+        while scanner.next_word() {
             // Most corners are digits alone.
-            if let Some(index) = self.scanner.whole_number() {
+            if let Some(index) = scanner.whole_number() {
                 let place = self.resolve(i64::from(index), 0, line);
                 self.keep_corner([place, MISSING, MISSING]);
                 continue;
             }
-            let start = self.scanner.position();
-            let before = self.scanner.rest();
+            let start = scanner.position();
+            let before = scanner.rest();
             let mut places = [MISSING; 3];
             for (i, place) in places.iter_mut().enumerate() {
-                let negative = self.scanner.take(b'-');
-                let digits = self.scanner.digits();
-                let length = self.scanner.position() - start;
+                let negative = scanner.take(b'-');
+                let digits = scanner.digits();
+                let length = scanner.position() - start;
                 let is_left_out = i > 0
                     && digits.is_none()
                     && !negative
@@ -219,11 +218,11 @@ impl<'t> Reader<'t> {
                     let index = if negative { -index } else { index };
                     *place = self.resolve(index, i, line);
                 }
-                if i == 2 || !self.scanner.take(b'/') {
+                if i == 2 || !scanner.take(b'/') {
                     break;
                 }
             }
-            let length = self.scanner.position() - start;
+            let length = scanner.position() - start;
             let ends = before.get(length).is_none_or(|b| b.is_ascii_whitespace() || *b == b'\\');
             if !ends {
                 return Err(malformed(before));
