@@ -1,4 +1,5 @@
-//! Declared operations beside the same operations written by hand on the same mesh core.
+//! Declared operations beside the same operations written by hand on the same mesh core, on bare
+//! arrays, and in the crate `alum`.
 //!
 //!     cargo bench --bench operations
 //!
@@ -10,41 +11,61 @@
 //! and an application that is made ready anew for each call. Then scripts of the library, on the
 //! machine and as native code.
 
+mod alum;
+mod by_hand;
+mod lean;
+
 use std::hint::black_box;
 use std::path::Path;
 use std::time::Instant;
 
 use hedgerow::analysis::{Analysis, Nowhere};
-use hedgerow::mesh::{EdgeId, ElementKind, HalfedgeId, Mesh, identical, read_mesh, shape};
+use hedgerow::mesh::{EdgeId, Mesh, identical, read_mesh, shape};
 use hedgerow::rewrite::{Engine, Machine, Outcome, Plan, Unwatched};
 use hedgerow::run::{Application, Argument};
 use hedgerow::source::Sources;
 use hedgerow::{Program, Session};
 
+use alum::Alum;
+use lean::Lean;
+
 const ROUNDS: usize = 9;
 
-const FLIP: &str = include_str!("../examples/flip.hedge");
-const SPLIT: &str = include_str!("../examples/split.hedge");
-const TRIANGLE: &str = include_str!("../src/library/std/triangle.hedge");
+const FLIP: &str = include_str!("../../examples/flip.hedge");
+const SPLIT: &str = include_str!("../../examples/split.hedge");
+const TRIANGLE: &str = include_str!("../../src/library/std/triangle.hedge");
 
 fn main() {
     let mesh = shape::triangle_torus(200, 205);
     let count = mesh.face_count();
     println!("{count} triangles, nanoseconds per operation, best of {ROUNDS} rounds; to by hand");
     println!(
-        "{:<24}{:>9}{:>9}{:>9}{:>9}   {:>9}{:>9}{:>9}",
-        "", "by hand", "machine", "native", "script", "machine", "native", "script"
+        "{:<24}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}   {:>9}{:>9}{:>9}",
+        "",
+        "arrays",
+        "alum",
+        "by hand",
+        "machine",
+        "native",
+        "script",
+        "machine",
+        "native",
+        "script"
     );
     // Without its guard and what it asks, a flip is drawn for maps.
     let raw = TRIANGLE.replace("guard simple", "").replace(" keeps triangles, euler, boundary", "");
     for is_random in [false, true] {
         let order =
             |name: &str| format!("{name}, {}", if is_random { "random" } else { "in order" });
-        compare(&order("flip raw"), &mesh, (&raw, "flip"), flip_raw_by_hand, is_random);
-        compare(&order("flip"), &mesh, (FLIP, "flip"), flip_by_hand, is_random);
-        compare(&order("std flip"), &mesh, (TRIANGLE, "flip"), flip_by_hand, is_random);
-        compare(&order("split"), &mesh, (SPLIT, "split"), split_by_hand, is_random);
-        compare(&order("std collapse"), &mesh, (TRIANGLE, "collapse"), collapse_by_hand, is_random);
+        let flip = (Lean::flip as ByLean, Alum::flip as ByAlum, by_hand::flip as ByHand);
+        let flip_raw = (Lean::flip_raw as ByLean, Alum::flip_raw as ByAlum, by_hand::flip_raw as _);
+        let split = (Lean::split as ByLean, Alum::split as ByAlum, by_hand::split as _);
+        let collapse = (Lean::collapse as ByLean, Alum::collapse as ByAlum, by_hand::collapse as _);
+        compare(&order("flip raw"), &mesh, (&raw, "flip"), flip_raw, is_random);
+        compare(&order("flip"), &mesh, (FLIP, "flip"), flip, is_random);
+        compare(&order("std flip"), &mesh, (TRIANGLE, "flip"), flip, is_random);
+        compare(&order("split"), &mesh, (SPLIT, "split"), split, is_random);
+        compare(&order("std collapse"), &mesh, (TRIANGLE, "collapse"), collapse, is_random);
     }
     let mesh = shape::triangle_torus(70, 71);
     println!("\n{} triangles, nanoseconds per call", mesh.face_count());
@@ -167,12 +188,16 @@ fn plan(text: &str, op: &str) -> Plan {
     analysis.plans[index].clone().expect("the example's op is proved")
 }
 
+type ByLean = fn(&mut Lean, u32) -> bool;
+type ByAlum = fn(&mut Alum, u32) -> bool;
+type ByHand = fn(&mut Mesh, EdgeId) -> bool;
+
 /// Applies all to every edge of a fresh copy of the mesh that is still there, in order or not.
 fn compare(
     name: &str,
     mesh: &Mesh,
     (text, op): (&str, &str),
-    by_hand: fn(&mut Mesh, EdgeId) -> bool,
+    (by_lean, by_alum, by_hand): (ByLean, ByAlum, ByHand),
     is_random: bool,
 ) {
     let mut edges: Vec<EdgeId> = mesh.edges().collect();
@@ -183,16 +208,36 @@ fn compare(
     }
     let plan = plan(text, op);
     let scripts = Scripts::new(text, op, is_random);
-    // By hand, machine, native, script.
-    let mut best = [f64::MAX; 4];
+    let lean = Lean::new(mesh);
+    let living = |mesh: &mut Mesh, edge: EdgeId| mesh.edge_alive(edge);
+    // Arrays, alum, by hand, machine, native, script.
+    let mut best = [f64::MAX; 6];
     let mut alone = f64::MAX;
     for _ in 0..ROUNDS {
-        let (by_hand, applied_by_hand) = time(mesh, &edges, by_hand);
-        best[0] = best[0].min(by_hand);
-        for (best, engine) in best[1..3].iter_mut().zip([Engine::Machine, Engine::Native]) {
+        let (on_arrays, applied_on_arrays) =
+            time(lean.clone(), &edges, |lean, edge| by_lean(lean, edge.0));
+        best[0] = best[0].min(on_arrays);
+        let (in_alum, applied_in_alum) =
+            time(Alum::new(mesh), &edges, |mesh, edge| by_alum(mesh, edge.0));
+        best[1] = best[1].min(in_alum);
+        let (by_hand, applied_by_hand) =
+            time(mesh.clone(), &edges, |mesh, edge| living(mesh, edge) && by_hand(mesh, edge));
+        best[2] = best[2].min(by_hand);
+        // Which edges are left of a collapse, each decides for itself; and alum, which degenerate
+        // triangles are flipped.
+        if op != "collapse" {
+            assert_eq!(applied_on_arrays, applied_by_hand, "{name}: all do the same");
+        }
+        if op != "collapse" && !name.contains("raw") {
+            assert_eq!(applied_in_alum, applied_by_hand, "{name}: all do the same");
+        }
+        for (best, engine) in best[3..5].iter_mut().zip([Engine::Machine, Engine::Native]) {
             let mut machine = Machine::default();
             machine.use_engine(engine);
-            let (by_plan, applied_by_plan) = time(mesh, &edges, |mesh, edge| {
+            let (by_plan, applied_by_plan) = time(mesh.clone(), &edges, |mesh, edge| {
+                if !living(mesh, edge) {
+                    return false;
+                }
                 machine.trust_level(plan.level);
                 let outcome = machine.apply(mesh, &plan, &[u64::from(edge.0), 0.5_f64.to_bits()]);
                 matches!(outcome, Ok(Outcome::Applied { .. }))
@@ -204,13 +249,14 @@ fn compare(
         let (by_script, applied_by_script) = scripts.time(mesh, "with_op");
         // A script has a random order of its own.
         assert!(is_random || applied_by_hand == applied_by_script, "{name}: all do the same");
-        best[3] = best[3].min(by_script);
+        best[5] = best[5].min(by_script);
         alone = alone.min(scripts.time(mesh, "alone").0);
     }
-    best[3] -= alone;
-    let [hand, machine, native, script] = best;
-    print!("{name:<24}{hand:>9.1}{machine:>9.1}{native:>9.1}{script:>9.1}   ");
-    println!("{:>9.2}{:>9.2}{:>9.2}", machine / hand, native / hand, script / hand);
+    best[5] -= alone;
+    print!("{name:<24}");
+    best.iter().for_each(|best| print!("{best:>9.1}"));
+    let [_, _, hand, machine, native, script] = best;
+    println!("   {:>9.2}{:>9.2}{:>9.2}", machine / hand, native / hand, script / hand);
 }
 
 /// Loops over all edges, with an operation and without it.
@@ -241,147 +287,15 @@ impl Scripts {
     }
 }
 
-fn time(
-    mesh: &Mesh,
+/// Nanoseconds for each edge, and how often an operation was applied.
+fn time<M>(
+    mut mesh: M,
     edges: &[EdgeId],
-    mut apply: impl FnMut(&mut Mesh, EdgeId) -> bool,
+    mut apply: impl FnMut(&mut M, EdgeId) -> bool,
 ) -> (f64, usize) {
-    let mut mesh = mesh.clone();
     let start = Instant::now();
-    let there = |mesh: &Mesh, edge: EdgeId| mesh.edge_alive(edge);
-    let applied =
-        edges.iter().filter(|&&edge| there(&mesh, edge) && apply(&mut mesh, edge)).count();
+    let applied = edges.iter().filter(|&&edge| apply(&mut mesh, edge)).count();
     let nanoseconds = start.elapsed().as_nanos() as f64;
-    black_box(mesh.count(ElementKind::Edge));
+    black_box(mesh);
     (nanoseconds / edges.len() as f64, applied)
-}
-
-/// The halfedges of the triangle at `a`, or `None`.
-fn triangle(mesh: &Mesh, a: HalfedgeId) -> Option<[HalfedgeId; 3]> {
-    let b = mesh.next(a);
-    let c = mesh.next(b);
-    (!mesh.is_hole(mesh.face(a)) && mesh.next(c) == a).then_some([a, b, c])
-}
-
-fn link(mesh: &mut Mesh, from: HalfedgeId, to: HalfedgeId) {
-    mesh.set_next(from, to);
-    mesh.set_prev(to, from);
-}
-
-fn flip_by_hand(mesh: &mut Mesh, edge: EdgeId) -> bool {
-    flip(mesh, edge, true)
-}
-
-fn flip_raw_by_hand(mesh: &mut Mesh, edge: EdgeId) -> bool {
-    flip(mesh, edge, false)
-}
-
-#[inline(always)]
-fn flip(mesh: &mut Mesh, edge: EdgeId, stays_simple: bool) -> bool {
-    let a = mesh.edge_halfedge(edge);
-    let (Some([a, b, c]), Some([d, g, h])) = (triangle(mesh, a), triangle(mesh, mesh.twin(a)))
-    else {
-        return false;
-    };
-    let [v0, v1, v2, v3] = [a, b, c, h].map(|half| mesh.vertex(half));
-    let distinct = v0 != v1 && v0 != v2 && v0 != v3 && v1 != v2 && v1 != v3 && v2 != v3;
-    if !distinct || stays_simple && mesh.adjacent(v2, v3) {
-        return false;
-    }
-    let (f0, f1) = (mesh.face(a), mesh.face(d));
-    for (from, to) in [(a, c), (c, g), (g, a), (d, h), (h, b), (b, d)] {
-        link(mesh, from, to);
-    }
-    mesh.set_vertex(a, v3);
-    mesh.set_vertex(d, v2);
-    mesh.set_face(g, f0);
-    mesh.set_face(b, f1);
-    mesh.set_face_halfedge(f0, a);
-    mesh.set_face_halfedge(f1, d);
-    mesh.set_vertex_halfedge(v0, g);
-    mesh.set_vertex_halfedge(v1, b);
-    true
-}
-
-fn split_by_hand(mesh: &mut Mesh, edge: EdgeId) -> bool {
-    let a = mesh.edge_halfedge(edge);
-    let (Some([a, b, c]), Some([d, g, h])) = (triangle(mesh, a), triangle(mesh, mesh.twin(a)))
-    else {
-        return false;
-    };
-    let [v0, v1, v2, v3] = [a, b, c, h].map(|half| mesh.vertex(half));
-    if v0 == v1 || v0 == v2 || v0 == v3 || v1 == v2 || v1 == v3 || v2 == v3 {
-        return false;
-    }
-    let (f0, f1) = (mesh.face(a), mesh.face(d));
-    let middle = (mesh.position(v0) + mesh.position(v1)) / 2.0;
-    let m = mesh.add_vertex();
-    let [p, q, r, s, t, u] = [(); 6].map(|()| mesh.add_halfedge());
-    let [f2, f3] = [(); 2].map(|()| mesh.add_face());
-    let [e1, e2, e3] = [(); 3].map(|()| mesh.add_edge());
-    for [x, y, z] in [[a, p, c], [q, b, r], [d, s, h], [t, g, u]] {
-        link(mesh, x, y);
-        link(mesh, y, z);
-        link(mesh, z, x);
-    }
-    for (half, vertex, face) in
-        [(p, m, f0), (q, m, f2), (r, v2, f2), (s, m, f1), (t, m, f3), (u, v3, f3)]
-    {
-        mesh.set_vertex(half, vertex);
-        mesh.set_face(half, face);
-    }
-    mesh.set_face(b, f2);
-    mesh.set_face(g, f3);
-    for (e, x, y) in [(edge, a, t), (e1, q, d), (e2, p, r), (e3, s, u)] {
-        mesh.set_twin(x, y);
-        mesh.set_twin(y, x);
-        mesh.set_edge(x, e);
-        mesh.set_edge(y, e);
-        mesh.set_edge_halfedge(e, x);
-    }
-    for (face, half) in [(f0, a), (f1, d), (f2, q), (f3, t)] {
-        mesh.set_face_halfedge(face, half);
-    }
-    mesh.set_vertex_halfedge(m, p);
-    mesh.set_position(m, middle);
-    true
-}
-
-/// Where no boundary is near.
-fn collapse_by_hand(mesh: &mut Mesh, edge: EdgeId) -> bool {
-    let a = mesh.edge_halfedge(edge);
-    let (Some([a, b, c]), Some([d, g, h])) = (triangle(mesh, a), triangle(mesh, mesh.twin(a)))
-    else {
-        return false;
-    };
-    if !mesh.link_condition(edge) {
-        return false;
-    }
-    let [v0, v1, v2, v3] = [a, b, c, h].map(|half| mesh.vertex(half));
-    let [b2, c2, g2, h2] = [b, c, g, h].map(|half| mesh.twin(half));
-    let [eb, ec, eg, eh] = [b, c, g, h].map(|half| mesh.edge(half));
-    let (f0, f1) = (mesh.face(a), mesh.face(d));
-    let middle = (mesh.position(v0) + mesh.position(v1)) / 2.0;
-    let mut spoke = h2;
-    while spoke != b {
-        mesh.set_vertex(spoke, v0);
-        spoke = mesh.twin(mesh.prev(spoke));
-    }
-    for (x, y, e) in [(b2, c2, eb), (g2, h2, eg)] {
-        mesh.set_twin(x, y);
-        mesh.set_twin(y, x);
-        mesh.set_edge(x, e);
-        mesh.set_edge(y, e);
-        mesh.set_edge_halfedge(e, x);
-    }
-    mesh.set_vertex_halfedge(v0, h2);
-    mesh.set_vertex_halfedge(v2, b2);
-    mesh.set_vertex_halfedge(v3, g2);
-    mesh.set_position(v0, middle);
-    mesh.erase_vertex(v1);
-    [edge, ec, eh].into_iter().for_each(|e| mesh.erase_edge(e));
-    [a, b, c, d, g, h].into_iter().for_each(|half| mesh.erase_halfedge(half));
-    mesh.erase_face(f0);
-    mesh.erase_face(f1);
-    true
 }
