@@ -152,7 +152,7 @@ impl Machine {
             };
         }
         let message = loop {
-            let Some(&inst) = insts.get(at) else {
+            let Some(inst) = insts.get(at) else {
                 if returns.is_empty() {
                     return Ok(Outcome::Applied { result: None });
                 }
@@ -171,12 +171,12 @@ impl Machine {
                     buffers: self.buffers.get(call.buffers..).unwrap_or_default(),
                     columns: &self.columns,
                 };
-                self.drains.observe_write(&inst, &scene);
+                self.drains.observe_write(inst, &scene);
                 if self.drains.is_reading() {
-                    self.drains.observe_read(&inst, &scene);
+                    self.drains.observe_read(inst, &scene);
                 }
             }
-            match inst {
+            match *inst {
                 // Values.
                 Const { to, bits } => w.set_bits(to, bits),
                 Copy { to, from } => w.set_bits(to, w.bits(from)),
