@@ -153,7 +153,7 @@ impl Scripting<'_> {
     }
 
     /// A statement; `None` if the report has the reason.
-    fn action(&mut self, action: &Action) -> Option<StatementKind> {
+    pub(super) fn action(&mut self, action: &Action) -> Option<StatementKind> {
         if self.updating && !self.may_update(action) {
             return None;
         }

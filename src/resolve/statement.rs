@@ -1,6 +1,6 @@
 //! Statements of a script that are no loops: variables, attributes, choices, output.
 
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Edit, Fix};
 use crate::diagram::{Expr, ExprKind, Type};
 use crate::source::Span;
 use crate::syntax::tree::{self, Action, ActionKind, Digits, Ident, Piece, Shown};
@@ -107,6 +107,9 @@ impl Scripting<'_> {
             touches
         });
         let beside = beside.count();
+        if let ActionKind::Print(_) = &action.kind {
+            return self.values_without_commas(action, &rest[..beside]);
+        }
         let ActionKind::Expr(first) = &action.kind else {
             return None;
         };
@@ -126,6 +129,27 @@ impl Scripting<'_> {
         }
         self.typing.unknown_name(&word.text, word.span);
         Some(beside)
+    }
+
+    /// `print n " of " m`
+    fn values_without_commas(&mut self, print: &Action, beside: &[Action]) -> Option<usize> {
+        let ActionKind::Expr(next) = &beside.first()?.kind else {
+            return None;
+        };
+        // A call may be a statement of its own.
+        if matches!(next.kind, tree::ExprKind::Call { .. } | tree::ExprKind::Must(_)) {
+            return None;
+        }
+        let values = beside.iter().take_while(|one| matches!(one.kind, ActionKind::Expr(_)));
+        let count = values.count();
+        let before = std::iter::once(print).chain(&beside[..count - 1]);
+        let edits = before.map(|one| Edit { span: one.span.after(), text: ",".into() });
+        let message = "commas stand between values that are printed";
+        let mut error = Diagnostic::error("unused-value", message, next.span);
+        error.fixes.push(Fix { title: "write `,`".into(), edits: edits.collect() });
+        self.typing.report.add(error);
+        self.action(print);
+        Some(count)
     }
 
     /// Declares what was taken for a variable, so that it is told once only that it is none.
