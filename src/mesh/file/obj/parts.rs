@@ -21,6 +21,8 @@ const LEAST: usize = 1 << 16;
 
 /// Reads a file of about so many bytes.
 pub(in crate::mesh::file) fn read(source: impl Read, bytes: usize) -> io::Result<Contents> {
+    // What has no room in memory as a text has none as a mesh.
+    Vec::<u8>::new().try_reserve_exact(bytes)?;
     let threads = parallel::threads();
     let size = (bytes / (4 * threads)).clamp(LEAST, MOST);
     let blocks = Blocks { source, size, begun: Vec::new(), is_first: true };
@@ -53,28 +55,32 @@ struct Blocks<S> {
     is_first: bool,
 }
 
-impl<S: Read> Iterator for Blocks<S> {
-    type Item = io::Result<Vec<u8>>;
-
-    fn next(&mut self) -> Option<Self::Item> {
+impl<S: Read> Blocks<S> {
+    /// The next block; it is empty at the end of the file.
+    fn block(&mut self) -> io::Result<Vec<u8>> {
         let mut block = std::mem::take(&mut self.begun);
         loop {
             let before = block.len();
-            block.reserve(self.size);
-            match self.source.by_ref().take(self.size as u64).read_to_end(&mut block) {
-                Err(error) => return Some(Err(error)),
-                Ok(0) => return (!block.is_empty()).then_some(Ok(block)),
-                Ok(_) => {}
-            }
+            block.try_reserve(self.size)?;
+            let read = self.source.by_ref().take(self.size as u64).read_to_end(&mut block)?;
             if std::mem::take(&mut self.is_first) && block.starts_with(BYTE_ORDER_MARK) {
                 block.drain(..BYTE_ORDER_MARK.len());
             }
             let ends = (before..block.len()).rev().filter(|&at| block[at] == b'\n');
-            if let Some(end) = ends.map(|at| at + 1).find(|&end| is_cut(&block[..end])) {
+            let end = ends.map(|at| at + 1).find(|&end| is_cut(&block[..end]));
+            if let Some(end) = end.or((read == 0).then_some(block.len())) {
                 self.begun = block.split_off(end);
-                return Some(Ok(block));
+                return Ok(block);
             }
         }
+    }
+}
+
+impl<S: Read> Iterator for Blocks<S> {
+    type Item = io::Result<Vec<u8>>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        self.block().map(|block| (!block.is_empty()).then_some(block)).transpose()
     }
 }
 

@@ -43,13 +43,13 @@ pub(super) struct Highest {
 const KINDS: [Indexed; 3] = [Indexed::Vertex, Indexed::Texture, Indexed::Normal];
 
 impl Reader {
-    /// A reader of a text of so many bytes.
+    /// A reader of a text of so many bytes, or fewer.
     pub(super) fn new(bytes: usize) -> Self {
-        Self {
-            corners: Vec::with_capacity(bytes / 12),
-            ends: Vec::with_capacity(bytes / 40),
-            ..Self::default()
-        }
+        let mut reader = Self::default();
+        // Where there is no such room, the lists grow as they are filled.
+        let _ = reader.corners.try_reserve(bytes / 12);
+        let _ = reader.ends.try_reserve(bytes / 40);
+        reader
     }
 
     /// Reads some lines, behind those that it has read before.
