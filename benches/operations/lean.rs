@@ -16,6 +16,8 @@ pub struct Lean {
     vertex_halfedge: Vec<u32>,
     face_halfedge: Vec<u32>,
     positions: Vec<DVec3>,
+    /// By vertex the edge whose collapse has met it last.
+    met: Vec<u32>,
 }
 
 impl Lean {
@@ -35,6 +37,7 @@ impl Lean {
             vertex_halfedge: vec![NONE; mesh.vertex_count()],
             face_halfedge: vec![NONE; mesh.face_count()],
             positions: mesh.vertices().map(|v| mesh.position(v)).collect(),
+            met: vec![NONE; mesh.vertex_count()],
         };
         for h in mesh.halfedges() {
             let at = number[h.index()];
@@ -169,13 +172,10 @@ impl Lean {
         }
         let (b, c, g, h) = (self.next(a), self.prev(a), self.next(d), self.prev(d));
         let [v0, v1, v2, v3] = [a, b, c, h].map(|half| self.vertex(half));
-        let mut around = [NONE; 64];
-        let mut degree = 0;
-        for v in self.neighbors(a).take(64) {
-            around[degree] = v;
-            degree += 1;
-        }
-        let common = self.neighbors(b).filter(|v| around[..degree].contains(v)).count();
+        let mut met = std::mem::take(&mut self.met);
+        self.neighbors(a).for_each(|v| met[v as usize] = e);
+        let common = self.neighbors(b).filter(|&v| met[v as usize] == e).count();
+        self.met = met;
         let keeps_three = |half: u32| self.neighbors(half).nth(3).is_some();
         if common != 2 || v2 == v3 || !keeps_three(c) || !keeps_three(h) {
             return false;
