@@ -53,10 +53,12 @@ fn read_source(
     let mut source = File::open(path)?;
     let mut text = Vec::new();
     if format == FileFormat::Obj {
-        let bytes = source.metadata()?.len();
+        let bytes = source.metadata()?.len() as usize;
+        // What has no room in memory as a text has none as a mesh.
+        Vec::<u8>::new().try_reserve_exact(bytes)?;
         source.by_ref().take(2).read_to_end(&mut text)?;
         if is_big_endian(format, &text).is_none() {
-            let contents = obj::read(text.as_slice().chain(source), bytes as usize)?;
+            let contents = obj::read(text.as_slice().chain(source), bytes)?;
             return Ok(build(name, Ok(contents), repair, reorder));
         }
     }

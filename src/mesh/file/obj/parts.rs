@@ -21,8 +21,6 @@ const LEAST: usize = 1 << 16;
 
 /// Reads a file of about so many bytes.
 pub(in crate::mesh::file) fn read(source: impl Read, bytes: usize) -> io::Result<Contents> {
-    // What has no room in memory as a text has none as a mesh.
-    Vec::<u8>::new().try_reserve_exact(bytes)?;
     let threads = parallel::threads();
     let size = (bytes / (4 * threads)).clamp(LEAST, MOST);
     let blocks = Blocks { source, size, begun: Vec::new(), is_first: true };
