@@ -46,7 +46,8 @@ struct Star {
     targets: Vec<u32>,
     faces_differ: bool,
     targets_differ: bool,
-    /// Whether no spoke ends where it starts, and all lie in triangles.
+    /// Whether no spoke ends where it starts, and all lie in triangles. This reads `next`, which is
+    /// that of the result only where a test walks around loops.
     has_triangles: bool,
 }
 
