@@ -44,8 +44,8 @@ struct Star {
     faces: Vec<u32>,
     /// By spoke where the one after it ends.
     targets: Vec<u32>,
-    faces_differ: bool,
-    targets_differ: bool,
+    /// Whether all ends differ, if that has been asked.
+    targets_differ: Option<bool>,
     /// Whether no spoke ends where it starts, and all lie in triangles. This reads `next`, which is
     /// that of the result only where a test walks around loops.
     has_triangles: bool,
@@ -245,6 +245,11 @@ impl Preview {
         mesh.get_is_hole(FaceId(face)).ok_or_else(|| gone(ElementKind::Face, face))
     }
 
+    /// True if there is nothing new, and nobody wants to know what is read.
+    fn is_plain(&self) -> bool {
+        self.new.is_empty() && !self.listens.get()
+    }
+
     /// No walk that ends is longer.
     fn longest(&self, mesh: &Mesh) -> usize {
         mesh.capacity(ElementKind::Halfedge) + self.new.len()
@@ -254,14 +259,12 @@ impl Preview {
     fn walk_star(&mut self, mesh: &Mesh, vertex: u32) -> Result<&Star, Fault> {
         if self.star_of != Some(vertex) {
             let mut star = std::mem::take(&mut self.star);
-            let walked = match self.new.is_empty() && !self.listens.get() {
+            let walked = match self.is_plain() {
                 true => self.walk_spokes(mesh, vertex, &mut star, |id| {
                     mesh.get_halfedge(HalfedgeId(id)).ok_or_else(|| gone(ElementKind::Halfedge, id))
                 }),
                 false => self.walk_spokes(mesh, vertex, &mut star, |id| self.record(mesh, id)),
             };
-            star.faces_differ = self.seen.are_distinct(&star.faces);
-            star.targets_differ = self.seen.are_distinct(&star.targets);
             self.star = star;
             walked?;
             self.star_of = Some(vertex);
@@ -280,6 +283,7 @@ impl Preview {
     ) -> Result<(), Fault> {
         star.faces.clear();
         star.targets.clear();
+        star.targets_differ = None;
         star.has_triangles = true;
         let start = self.halfedge(mesh, ElementField::Vertex, vertex)?;
         if start == u32::MAX {
@@ -344,8 +348,8 @@ impl Preview {
             OrbitCondition::CornerOnce => self.corner_once(mesh, element, at),
             OrbitCondition::TwoSpokes => self.two_spokes(mesh, element),
             OrbitCondition::OneHole => self.one_hole(mesh, element),
-            OrbitCondition::FacesDiffer => Ok(self.walk_star(mesh, element)?.faces_differ),
-            OrbitCondition::NeighborsDiffer => Ok(self.walk_star(mesh, element)?.targets_differ),
+            OrbitCondition::FacesDiffer => self.faces_differ(mesh, element),
+            OrbitCondition::NeighborsDiffer => self.neighbors_differ(mesh, element),
             OrbitCondition::SingleEdge => self.single_edge(mesh, element),
             OrbitCondition::CornersDiffer => self.corners_differ(mesh, element),
             OrbitCondition::CornersOwn => self.corners_own(mesh, element, at),
@@ -393,11 +397,26 @@ impl Preview {
         Ok(star.faces.iter().filter(|&&other| other == face).count() <= 1)
     }
 
+    fn faces_differ(&mut self, mesh: &Mesh, vertex: u32) -> Result<bool, Fault> {
+        self.walk_star(mesh, vertex)?;
+        Ok(self.seen.are_distinct(&self.star.faces))
+    }
+
+    fn neighbors_differ(&mut self, mesh: &Mesh, vertex: u32) -> Result<bool, Fault> {
+        self.walk_star(mesh, vertex)?;
+        let Self { star, seen, .. } = self;
+        Ok(*star.targets_differ.get_or_insert_with(|| seen.are_distinct(&star.targets)))
+    }
+
     fn one_hole(&mut self, mesh: &Mesh, vertex: u32) -> Result<bool, Fault> {
         self.walk_star(mesh, vertex)?;
-        let mut holes = 0;
+        let (is_plain, mut holes) = (self.is_plain(), 0);
         for &face in &self.star.faces {
-            holes += usize::from(self.is_hole(mesh, face)?);
+            let is_hole = match is_plain {
+                true => mesh.get_is_hole(FaceId(face)),
+                false => Some(self.is_hole(mesh, face)?),
+            };
+            holes += u32::from(is_hole.ok_or_else(|| gone(ElementKind::Face, face))?);
         }
         Ok(holes <= 1)
     }
@@ -410,11 +429,11 @@ impl Preview {
 
     /// Whether no two faces around a vertex have the same set of corners.
     fn corners_differ(&mut self, mesh: &Mesh, vertex: u32) -> Result<bool, Fault> {
-        let star = self.walk_star(mesh, vertex)?;
         // Triangles with a neighbor between one and the next, at least three, all different: two
         // that follow each other as two others do are the same two.
-        let are_different = star.targets_differ && star.faces_differ;
-        if star.has_triangles && are_different && star.faces.len() >= 3 {
+        let star = self.walk_star(mesh, vertex)?;
+        let are_triangles = star.has_triangles && star.faces.len() >= 3;
+        if are_triangles && self.neighbors_differ(mesh, vertex)? {
             return Ok(true);
         }
         self.corners.clear();
