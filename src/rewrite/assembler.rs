@@ -28,6 +28,8 @@ pub struct Assembler {
     buffers: u16,
     /// The loops that several threads may take.
     pub(super) spread: Vec<Turns>,
+    /// Whether a turn is written that keeps values.
+    pub(super) is_in_values: bool,
     too_large: bool,
 }
 
@@ -203,8 +205,8 @@ impl Assembler {
             *label = place(*label);
         }
         let spread = self.spread.iter().map(|turns| {
-            let [again, end] = [turns.again, turns.end].map(place);
-            Turns { again, end, ..*turns }
+            let [again, first, end] = [turns.again, turns.first, turns.end].map(place);
+            Turns { again, first, end, ..*turns }
         });
         let spread: Vec<Turns> = spread.collect();
         let traps = self.traps.iter().map(|&(at, place)| (at + shift, place));

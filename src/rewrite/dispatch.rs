@@ -725,6 +725,13 @@ impl Machine {
                     }
                     look_again!();
                 }
+                Keep { from } => {
+                    // There is room for all.
+                    if self.kept.len() == self.kept.capacity() {
+                        break Message::NoMemory(self.memory);
+                    }
+                    self.kept.push(w.bits(from));
+                }
                 PrintText { text } => match call.texts.get(text as usize) {
                     Some(text) => self.line.push_str(text),
                     None => break Message::Malformed,

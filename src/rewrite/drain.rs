@@ -314,6 +314,33 @@ impl Drains {
         None
     }
 
+    /// True if the innermost is the only one, and its keys can be computed without noting what is
+    /// read.
+    #[cfg_attr(not(all(feature = "native", feature = "threads")), expect(dead_code))]
+    pub(super) fn takes_keys(&self) -> bool {
+        matches!(self.all.as_slice(), [drain] if !drain.is_noted())
+    }
+
+    /// Sets the keys of elements of the innermost, each behind its element. They stay stale.
+    #[cfg_attr(not(all(feature = "native", feature = "threads")), expect(dead_code))]
+    pub(super) fn set_keys(&mut self, all: &[u64]) -> Result<(), Message> {
+        for pair in all.as_chunks::<2>().0 {
+            if let Some(drain) = self.all.last_mut() {
+                drain.reading = Some(pair[0] as u32);
+            }
+            self.set_key(f64::from_bits(pair[1]))?;
+        }
+        Ok(())
+    }
+
+    /// No element of the innermost is stale.
+    #[cfg_attr(not(all(feature = "native", feature = "threads")), expect(dead_code))]
+    pub(super) fn make_none_stale(&mut self) {
+        if let Some(drain) = self.all.last_mut() {
+            drain.stale = Stale::default();
+        }
+    }
+
     /// Sets the key of that element.
     pub(super) fn set_key(&mut self, key: f64) -> Result<(), Message> {
         let Some(drain) = self.all.last_mut() else {

@@ -260,6 +260,8 @@ pub enum Inst {
     /// written: see [`Part`](super::Part). Jumps behind the loop, or goes on to it if it is better
     /// off with one thread.
     Spread { part: u16, end: Label },
+    /// Keeps a slot, for who has spread the loop.
+    Keep { from: Reg },
     /// Prints a constant text.
     PrintText { text: u32 },
     /// Prints the text whose number is in the register.

@@ -33,6 +33,8 @@ pub struct Machine {
     pub(super) columns: Vec<Option<ColumnId>>,
     pub(super) stack: Vec<u64>,
     pub(super) buffers: Vec<Vec<u64>>,
+    /// What the part of a loop has kept; there is room for all that it will keep.
+    pub(super) kept: Vec<u64>,
     /// The preview that guards look at.
     pub(super) preview: Preview,
     pub(super) drains: Drains,
@@ -116,6 +118,7 @@ impl Machine {
             columns: Vec::new(),
             stack: Vec::new(),
             buffers: Vec::new(),
+            kept: Vec::new(),
             preview: Preview::default(),
             drains: Drains::default(),
             paths: KeyPaths::default(),

@@ -4,6 +4,10 @@
 //! can be cut: its code, by itself, goes over a range of slots. It may use what was in the registers
 //! before the loop, and leaves nothing in them. What the parts keep back is written in their order,
 //! and of several traps the first counts; so the result is that of one thread.
+//!
+//! The values of an aggregate and the keys of a drain are computed so, too. Their turn is code of
+//! its own, which one thread never comes to: it only keeps values, and what the aggregate or the
+//! drain makes of them is made of them in their order. If a turn traps, one thread begins again.
 
 use super::inst::computation;
 use super::{Assembler, Code, Elements, Function, Inst, Label, Reg, Traps};
@@ -17,10 +21,22 @@ pub struct Part {
     pub depth: u16,
     /// The register of the first slot, and that of the one behind the last.
     pub bounds: [Reg; 2],
-    /// The buffer in which it keeps back what it writes.
+    pub kept: Kept,
+    /// The buffer of the writes that it keeps, and of the values that all have kept.
     pub held: u16,
     /// Its instructions, as those of a function.
     pub code: Code,
+}
+
+/// What the parts of a loop keep, and what is done with it when all are done.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kept {
+    /// Writes, which are written.
+    Writes,
+    /// Values, which are put into a buffer.
+    Values,
+    /// Elements of the innermost drain and their keys, which are set.
+    Keys,
 }
 
 /// The registers and labels of a loop over all elements.
@@ -35,9 +51,12 @@ pub struct Turns {
     pub total: Reg,
     /// A register that holds 1.
     pub one: Reg,
+    pub kept: Kept,
     pub held: u16,
-    /// The first instruction of a turn, which gets the element, and the one behind the loop.
+    /// Where a turn is over, the first instruction of a turn that has its element, and the one
+    /// behind the last.
     pub again: Label,
+    pub first: Label,
     pub end: Label,
 }
 
@@ -50,6 +69,43 @@ impl Assembler {
             self.spread.push(turns);
         }
     }
+
+    /// Lets several threads compute values for all elements, in a turn that is to be written; one
+    /// thread goes on behind this. `None` within such a turn.
+    pub fn spread_values(&mut self, of: Elements, element: Reg, kept: Kept) -> Option<Turns> {
+        if self.is_in_values {
+            return None;
+        }
+        let turns = Turns {
+            of,
+            depth: 0,
+            element,
+            index: self.reg(),
+            total: self.reg(),
+            one: self.constant_int(1),
+            kept,
+            held: self.buffer(),
+            again: self.label(),
+            first: self.label(),
+            end: self.label(),
+        };
+        self.spread(turns);
+        Some(turns)
+    }
+
+    /// Begins a turn that keeps values.
+    pub fn begin_values(&mut self, turns: Turns) {
+        self.is_in_values = true;
+        self.bind(turns.first);
+    }
+
+    /// Ends it. What follows is done when all threads are done.
+    pub fn end_values(&mut self, turns: Turns) {
+        self.is_in_values = false;
+        self.bind(turns.again);
+        self.emit(Inst::Jump { to: turns.again });
+        self.bind(turns.end);
+    }
 }
 
 /// The instructions before those of a turn.
@@ -59,10 +115,9 @@ impl Part {
     /// The loop by itself; `None` if it does more than read and keep back. Its labels are the
     /// places of instructions in the code.
     pub(super) fn of(turns: Turns, code: &Code) -> Option<Self> {
-        let Turns { of, depth, element, index, total, one, held, again, end } = turns;
+        let Turns { of, depth, element, index, total, one, kept, held, again, first, end } = turns;
         let constants = code.constants as u32;
-        // The turn itself, behind what gets its element and shows how far the loop is.
-        let (first, behind) = (again.0 + 2, end.0);
+        let (first, behind) = (first.0, end.0);
         let turn = code.insts.get(first as usize..behind as usize)?;
         let start = constants + HEAD;
         let last = Label(start + (behind - first));
@@ -97,6 +152,7 @@ impl Part {
             insts.push(inst);
         }
         insts.push(Inst::Give { from: Reg(0), width: 0 });
+        // Before the turn the watcher is told of it.
         let in_turn = |&&(at, _): &&(u32, u32)| (first - 1..behind).contains(&at);
         let traps: Traps =
             code.traps.iter().filter(in_turn).map(|&(at, why)| (at + start - first, why)).collect();
@@ -108,34 +164,17 @@ impl Part {
             traps,
             ..Code::default()
         };
-        Some(Self { of, depth, bounds: [element, total], held, code })
+        Some(Self { of, depth, bounds: [element, total], kept, held, code })
     }
 
-    /// True if the functions that it calls read only, too.
-    #[cfg_attr(not(all(feature = "native", feature = "threads")), expect(dead_code))]
-    pub(super) fn calls_readers(&self, functions: &[Function]) -> bool {
-        let mut seen = vec![false; functions.len()];
-        let mut open = vec![&self.code];
-        while let Some(code) = open.pop() {
-            for inst in &code.insts {
-                let is_kept =
-                    matches!(inst, Inst::HoldPosition { .. } | Inst::HoldAttribute { .. });
-                if !inst.is_for_parts() || (is_kept && !std::ptr::eq(code, &self.code)) {
-                    return false;
-                }
-                let Inst::Call { function, .. } = inst else { continue };
-                match (functions.get(usize::from(*function)), seen.get_mut(usize::from(*function)))
-                {
-                    (Some(called), Some(seen)) => {
-                        if !std::mem::replace(seen, true) {
-                            open.push(&called.code);
-                        }
-                    }
-                    _ => return false,
-                }
-            }
-        }
-        true
+    /// True if the functions that it may call, which are these, read only, too.
+    pub fn reads_only(&self, functions: &[Function]) -> bool {
+        self.code.with_called_of(functions).into_iter().all(|code| {
+            code.insts.iter().all(|inst| {
+                let keeps = matches!(inst, Inst::HoldPosition { .. } | Inst::HoldAttribute { .. });
+                inst.is_for_parts() && (!keeps || std::ptr::eq(code, &self.code))
+            })
+        })
     }
 }
 
@@ -159,6 +198,8 @@ impl Inst {
             | Inst::BufferAppend { .. } | Inst::HoldPosition { .. } | Inst::HoldAttribute { .. }
             | Inst::Call { .. } | Inst::Give { .. } | Inst::Turn { .. } | Inst::Tick
             | Inst::Fail { .. }
+            // Who takes a part takes all turns of the loops in it, and holds all ids.
+            | Inst::Spread { .. } | Inst::Keep { .. } | Inst::Recycle
         );
         is
     }

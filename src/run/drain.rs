@@ -1,7 +1,7 @@
 //! The loop `drain` in the code of a script.
 //!
 //! ```text
-//! open          all elements are stale
+//! open          all elements are stale, until several threads have computed their keys
 //! again:        for each stale element: its key
 //!               the element with the least key, or to the end
 //!               the condition, or to the end
@@ -18,7 +18,7 @@ use crate::compile::{Scope, elements, width};
 use crate::diagram::{Expr, ExprKind};
 use crate::lower::Variables;
 use crate::resolve::{Statement, StatementKind};
-use crate::rewrite::{Inst, Reg};
+use crate::rewrite::{Elements, Inst, Kept, Reg};
 
 impl Lowering<'_> {
     /// `drain x in xs by key while c { … }`
@@ -42,6 +42,9 @@ impl Lowering<'_> {
         let changing = self.changing(key, body);
         self.copy_slots(&changing);
         self.trap_at(span, Inst::DrainOpen { of, members });
+        if members.is_none() {
+            self.spread_keys((of, element), key);
+        }
 
         let asked: Vec<&Expr> = condition.iter().chain([key]).collect();
         let exits = self.exits_of_body(&asked, body, exits).map(|mut exits| {
@@ -81,6 +84,21 @@ impl Lowering<'_> {
         self.asm.emit(Inst::Jump { to: again });
         self.asm.bind(end);
         self.asm.emit(Inst::DrainClose);
+    }
+
+    /// Lets several threads compute the keys of all elements.
+    fn spread_keys(&mut self, (of, element): (Elements, Reg), key: &Expr) {
+        let mark = self.asm.mark();
+        if let Some(turns) = self.asm.spread_values(of, element, Kept::Keys) {
+            self.asm.emit(Inst::Jump { to: turns.end });
+            self.asm.begin_values(turns);
+            let value = self.value(key);
+            for from in [element, value] {
+                self.asm.emit(Inst::Keep { from });
+            }
+            self.asm.end_values(turns);
+        }
+        self.asm.release(mark);
     }
 
     /// Ends the drains that run, where their routine is left.

@@ -93,6 +93,10 @@ impl Scope for Names {
         self.places.push(span);
         self.places.len() as u32 - 1
     }
+
+    fn is_of_statements(&self) -> bool {
+        true
+    }
 }
 
 impl<'p> Lowering<'p> {

@@ -5,7 +5,7 @@ use super::lower::{Loop, Lowering};
 use crate::compile::{Scope, each, elements};
 use crate::diagram::{Collection, Expr, Type};
 use crate::resolve::{Statement, StatementKind, Visit};
-use crate::rewrite::{Assembler, Elements, Inst, Label, Reg, Turns};
+use crate::rewrite::{Assembler, Elements, Inst, Kept, Label, Reg, Turns};
 use crate::source::Span;
 
 impl Lowering<'_> {
@@ -72,14 +72,17 @@ impl Lowering<'_> {
             self.held = Some(buffer);
         }
         let buffer = self.asm.buffer();
-        let (again, end) = (self.asm.label(), self.asm.label());
+        let [again, first, end] = [(); 3].map(|()| self.asm.label());
         let (index, total) = (self.asm.reg(), self.asm.reg());
         if let (Some(of), Some(held)) = (elements(collection), self.held)
             && self.variables.stay_within(body, self.params)
         {
             let one = self.asm.constant_int(1);
             let (element, depth) = (self.names.local(*variable), self.loops.len() as u16);
-            self.asm.spread(Turns { of, depth, element, index, total, one, held, again, end });
+            let kept = Kept::Writes;
+            let turns =
+                Turns { of, depth, element, index, total, one, kept, held, again, first, end };
+            self.asm.spread(turns);
         }
         self.list(collection, buffer, span);
         if *visit == Visit::Shuffled {
@@ -92,6 +95,7 @@ impl Lowering<'_> {
         self.asm.bind(again);
         self.asm.emit(Inst::BufferNext { buffer, index, to: element, otherwise: end });
         self.turn(span, index, total);
+        self.asm.bind(first);
         self.asm.emit(Inst::JumpUnlessLiving { of: kind(collection), element, to: again });
         if let Some(filter) = filter {
             let mark = self.asm.mark();

@@ -1,10 +1,12 @@
 //! Loops that several threads take: the results are those of one.
 
+use std::collections::BTreeSet;
 use std::num::NonZeroUsize;
 use std::ops::ControlFlow;
 use std::sync::{Mutex, PoisonError};
 
 use hedgerow::analysis::{Analysis, Nowhere};
+use hedgerow::library;
 use hedgerow::mesh::{Mesh, identical, shape};
 use hedgerow::rewrite::{Engine, Unwatched, Watch};
 use hedgerow::run::{prepare, run};
@@ -90,6 +92,95 @@ fn updates_do_what_one_thread_does() {
         assert_eq!(done, Ok(()), "{body}");
         assert!(!identical(&after, &mesh), "{body}");
     }
+}
+
+#[test]
+fn aggregates_and_keys_are_those_of_one_thread() {
+    let bodies = [
+        "for v in vertices { v.heat = 1 / 3 * v.position.x }
+         let all = sum(v.heat for v in vertices where is_near(v))
+         for v in vertices { v.heat = all + mean(w.heat for w in vertices) }",
+        "let n = count(length(e) > 0.3 for e in edges where not boundary(e)) + count(faces)
+         for v in vertices { v.heat = n }",
+        "let n = count(is_near(v) for v in vertices)
+         for v in vertices { v.heat = n }",
+        "let here = mean(v.position for v in vertices where v.position.x > 0.1)
+         let q = sum(outer(normal(f), centroid(f)) for f in faces)
+         for v in vertices { v.position = q * v.position + here }",
+        "for v in vertices { v.heat = min(degree(v) for v in vertices) + max(w.position.z for w in vertices) }
+         for f in faces { f.level = max(degree(f) for f in faces) }",
+        "let v = argmax(round(4 * v.position.y) for v in vertices)
+         let w = argmin(abs(w.position.x) for w in vertices where w != v)
+         v.heat = 1 w.heat = w.heat + 2",
+        "let fixed = 2.5
+         for v in vertices { v.heat = sum(fixed for f in faces) + sum(degree(f) for f in faces) }",
+        "var round = 0.0
+         while sum(v.heat for v in vertices) < 5000 and round < 30 {
+           for v in vertices { v.heat = v.heat + round }
+           round = round + 1
+         }",
+        "var rank = 0.0
+         drain v in vertices by dot(v.position, vec3(1, 2, 3)) + warmth(v) while rank < 300 {
+           v.heat = rank
+           rank = rank + 1
+         }",
+        "var rank = 0
+         drain f in faces by round(2 * centroid(f).x) { f.level = rank rank = rank + 1 }",
+        "var far = 0.0
+         drain e in edges by if e.sharp { infinity } else { length(e) + far } while far < 2 {
+           e.sharp = true
+           e.halfedge.vertex.position = e.halfedge.vertex.position * 1.25
+           far = far + 0.125
+         }",
+    ];
+    for body in bodies {
+        let mesh = shape::icosphere(3);
+        let (after, done) = run_with_all(body, &mesh);
+        assert_eq!(done, Ok(()), "{body}");
+        assert!(!identical(&after, &mesh), "{body}");
+    }
+}
+
+#[test]
+fn what_fails_in_an_aggregate_or_a_key_is_that_of_one_thread() {
+    let bodies = [
+        "let n = sum(100 div (f.level - 1) for f in faces)",
+        "let x = min(v.position.x for v in vertices where v.position.x > 9)",
+        "let x = argmax(v.heat for v in vertices where v.heat > 9)",
+        "let n = sum(9223372036854775807 for f in faces)",
+        "let n = sum(depth(100000) for f in faces where normal(f).z > 0.5)",
+        "drain v in vertices by 0 / (v.position.x - v.position.x) { v.heat = 1 }",
+        "drain v in vertices by max(w.heat for w in v.neighbors where w.position.z > 0.9) { v.heat = 1 }",
+    ];
+    for body in bodies {
+        let mesh = shape::icosphere(3);
+        let (after, done) = run_with_all(body, &mesh);
+        assert!(done.is_err(), "{body}");
+        assert_eq!(after.to_polygons().0, mesh.to_polygons().0, "{body}");
+    }
+}
+
+#[test]
+fn loops_of_the_library_are_for_several_threads() {
+    let (mut loops, mut others) = (0, BTreeSet::new());
+    for file in library::files() {
+        let mut sources = Sources::new();
+        let id = sources.add(file.name, file.text);
+        let analysis = Analysis::with(&mut sources, id, &mut Nowhere);
+        for script in 0..analysis.program.scripts.len() {
+            let prepared = prepare(&analysis.program, script, &analysis.plans).unwrap();
+            let functions = &prepared.code().functions;
+            for part in prepared.code().with_called().into_iter().flat_map(|code| &code.parts) {
+                match part {
+                    Some(part) if part.reads_only(functions) => loops += 1,
+                    _ => drop(others.insert(file.name)),
+                }
+            }
+        }
+    }
+    assert!(loops > 15, "{loops}");
+    // Its keys ask operations.
+    assert_eq!(others.into_iter().collect::<Vec<_>>(), ["std/planar_cleanup.hedge"]);
 }
 
 #[test]

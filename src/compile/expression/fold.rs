@@ -55,7 +55,31 @@ impl Sum {
         from
     }
 
-    pub(super) fn add(self, right: Reg) -> Inst {
+    /// Takes the value of an element, of all functions that need all values.
+    pub(super) fn take(
+        self,
+        asm: &mut Assembler,
+        (function, place): (FoldFunction, u32),
+        [value, element]: [Reg; 2],
+        next: Label,
+    ) {
+        match function {
+            FoldFunction::ArgMin | FoldFunction::ArgMax => {
+                self.take_element(asm, function, (value, element), next);
+            }
+            FoldFunction::Min | FoldFunction::Max => {
+                self.take_better(asm, function, value, next);
+            }
+            _ => {
+                asm.trap_at(place, self.add(value));
+                if function == FoldFunction::Mean {
+                    self.add_one(asm, self.seen);
+                }
+            }
+        }
+    }
+
+    fn add(self, right: Reg) -> Inst {
         let (to, left) = (self.to, self.to);
         match self.ty {
             Type::Vec3 => Inst::AddVec { to, left, right },
@@ -71,13 +95,7 @@ impl Sum {
     }
 
     /// Keeps the better of two; the first is taken as it is.
-    pub(super) fn take_better(
-        self,
-        asm: &mut Assembler,
-        function: FoldFunction,
-        right: Reg,
-        next: Label,
-    ) {
+    fn take_better(self, asm: &mut Assembler, function: FoldFunction, right: Reg, next: Label) {
         let compare = asm.label();
         let (to, left) = (self.to, self.to);
         asm.emit(Inst::JumpIf { condition: self.seen, to: compare });
@@ -95,7 +113,7 @@ impl Sum {
 
     /// Keeps the element with the better value; of equal values, the first. What is not a
     /// number is worse than any number, as it is for the least and the greatest value.
-    pub(super) fn take_element(
+    fn take_element(
         self,
         asm: &mut Assembler,
         function: FoldFunction,

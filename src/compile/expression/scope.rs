@@ -15,6 +15,10 @@ pub trait Scope {
     fn declare(&mut self, variable: u32, reg: Reg);
     /// A number for a place in the source, for what may trap there.
     fn place(&mut self, span: Span) -> u32;
+    /// True in statements: what they compute for all elements, several threads may compute.
+    fn is_of_statements(&self) -> bool {
+        false
+    }
 }
 
 /// The number of registers of a value.

@@ -1,13 +1,13 @@
 //! The value of an expression in a register.
 
 use super::builtin::{Made, call};
-use super::collection::each;
+use super::collection::{each, elements};
 use super::fold::{Sum, known_count, settle};
 use super::operator::{binary, unary};
 use super::pointer::{first, load};
 use super::{Scope, copy, width};
 use crate::diagram::{Access, Binary, Expr, ExprKind, Fold, FoldFunction, Pointer, Type};
-use crate::rewrite::{Assembler, ElementField, HalfedgeField, Inst, Label, Reg};
+use crate::rewrite::{Assembler, ElementField, HalfedgeField, Inst, Kept, Label, Reg, Turns};
 
 /// Appends the code of an expression; its value is in the register, or the three from it
 /// on, until that is released. The register may be that of a variable: it is not to be
@@ -144,6 +144,8 @@ fn fold(asm: &mut Assembler, scope: &mut dyn Scope, fold: &Fold, of: &Expr, to: 
     let (seen, best) = (asm.reg(), asm.reg());
     let sum = Sum { ty: of.ty, to, seen, best };
     sum.start(asm, fold.function);
+    let mark = asm.mark();
+    let values = spread(asm, scope, fold);
     let turn = &mut |asm: &mut Assembler, scope: &mut dyn Scope, element: Reg, next: Label| {
         let mark = asm.mark();
         scope.declare(fold.variable, element);
@@ -164,34 +166,78 @@ fn fold(asm: &mut Assembler, scope: &mut dyn Scope, fold: &Fold, of: &Expr, to: 
                 asm.emit(Inst::JumpIf { condition, to: next });
                 settle(asm, to, false, done);
             }
-            FoldFunction::Sum | FoldFunction::Mean => {
+            function => {
                 let value = lower(asm, scope, &fold.body);
                 let value = sum.value(asm, fold.body.ty, value);
                 let place = scope.place(fold.body.span);
-                asm.trap_at(place, sum.add(value));
-                if fold.function == FoldFunction::Mean {
-                    sum.add_one(asm, seen);
-                }
-            }
-            FoldFunction::ArgMin | FoldFunction::ArgMax => {
-                let value = lower(asm, scope, &fold.body);
-                sum.take_element(asm, fold.function, (value, element), next);
-            }
-            FoldFunction::Min | FoldFunction::Max => {
-                let value = lower(asm, scope, &fold.body);
-                let value = sum.value(asm, fold.body.ty, value);
-                sum.take_better(asm, fold.function, value, next);
+                sum.take(asm, (function, place), [value, element], next);
             }
         }
         asm.release(mark);
     };
-    let mark = asm.mark();
     let base = fold.collection.base().map(|base| lower(asm, scope, base));
     each(asm, scope, (&fold.collection, base), of.span, turn);
+    if let Some(turns) = values {
+        asm.emit(Inst::Jump { to: done });
+        fold_of_threads(asm, scope, fold, (sum, turns, done));
+    }
     asm.release(mark);
     asm.bind(done);
     let place = scope.place(of.span);
     sum.end(asm, place, fold.function);
+}
+
+/// Lets several threads compute the values of an aggregate, if it is one over all elements that needs
+/// them all, and they take little memory.
+fn spread(asm: &mut Assembler, scope: &dyn Scope, fold: &Fold) -> Option<Turns> {
+    let needs_all = !matches!(fold.function, FoldFunction::Any | FoldFunction::All);
+    let fits = needs_all && width(fold.body.ty) <= 4 && scope.is_of_statements();
+    let of = elements(&fold.collection).filter(|_| fits)?;
+    let element = asm.reg();
+    asm.spread_values(of, element, Kept::Values)
+}
+
+/// Appends the turn of threads, and what puts the aggregate of what they keep into `to`.
+fn fold_of_threads(
+    asm: &mut Assembler,
+    scope: &mut dyn Scope,
+    fold: &Fold,
+    (sum, turns, done): (Sum, Turns, Label),
+) {
+    let Turns { element, held: buffer, again, .. } = turns;
+    let keeps_element = matches!(fold.function, FoldFunction::ArgMin | FoldFunction::ArgMax);
+    asm.begin_values(turns);
+    scope.declare(fold.variable, element);
+    if let Some(filter) = &fold.filter {
+        skip_unless(asm, scope, filter, again);
+    }
+    if fold.function == FoldFunction::Count {
+        skip_unless(asm, scope, &fold.body, again);
+        asm.emit(Inst::Keep { from: element });
+        asm.end_values(turns);
+        return asm.emit(Inst::BufferLength { buffer, to: sum.to });
+    }
+    let from = lower(asm, scope, &fold.body);
+    let from = sum.value(asm, fold.body.ty, from);
+    // Not that of a variable, since it is set below.
+    let value = asm.block(width(fold.body.ty));
+    copy(asm, fold.body.ty, value, from);
+    let parts = (0..width(fold.body.ty)).map(|part| value.part(part));
+    let kept: Vec<Reg> = parts.chain(keeps_element.then_some(element)).collect();
+    for &from in &kept {
+        asm.emit(Inst::Keep { from });
+    }
+    asm.end_values(turns);
+    let (index, from, head) = (asm.reg(), asm.constant_int(0), asm.label());
+    asm.emit(Inst::Copy { to: index, from });
+    asm.bind(head);
+    for to in kept {
+        asm.emit(Inst::BufferNext { buffer, index, to, otherwise: done });
+    }
+    let place = scope.place(fold.body.span);
+    asm.trap_at(place, Inst::Tick);
+    sum.take(asm, (fold.function, place), [value, element], head);
+    asm.emit(Inst::Jump { to: head });
 }
 
 fn skip_unless(asm: &mut Assembler, scope: &mut dyn Scope, condition: &Expr, next: Label) {

@@ -44,6 +44,10 @@ pub(super) struct Context {
     /// The state of the known level; [`NOT_DIRECTLY`] where native code is not to call operations
     /// itself.
     pub(super) level: u64,
+    /// Where the part of a loop keeps slots, how many it has kept, and for how many there is room.
+    pub(super) kept: *mut u64,
+    pub(super) kept_count: u64,
+    pub(super) kept_room: u64,
     /// By kind the fields whose writes somebody is told of, as bits of [`Fields`].
     pub(super) listens: [u32; 4],
     /// The machine's [`Run`].
@@ -111,6 +115,8 @@ impl Context {
     /// are those that there are.
     pub(super) fn new(run: &mut Run<'_>, noted: u32) -> Self {
         let Call { base, function, .. } = run.call;
+        let kept = run.machine.kept.spare_capacity_mut();
+        let (kept, kept_room) = (kept.as_mut_ptr().cast(), kept.len() as u64);
         let mut context = Self {
             tables: run.mesh.tables(),
             columns: std::ptr::null(),
@@ -127,6 +133,9 @@ impl Context {
             counts: run.machine.counts.as_mut_ptr(),
             lowered: &raw mut run.machine.known.lowered,
             level: run.level(),
+            kept,
+            kept_count: 0,
+            kept_room,
             listens: run.listens(),
             run: (&raw mut *run).cast(),
             result: NOTHING,

@@ -192,7 +192,13 @@ impl Machine {
         }
         machine.given = (call.base, Reg(0), context.given as u16);
         match (context.outcome(answer), trap, refused) {
-            (Some(outcome), _, _) => Ok(outcome),
+            (Some(outcome), _, _) => {
+                let kept = machine.kept.len() + context.kept_count as usize;
+                // SAFETY: native code has written so many slots behind those that there were, below
+                // the capacity; nobody else has touched the list meanwhile.
+                unsafe { machine.kept.set_len(kept) };
+                Ok(outcome)
+            }
             (None, Some(trap), _) => Err(trap),
             (None, None, Some(reason)) => Ok(Outcome::Refused { reason }),
             (None, None, None) => Err(Trap::new(Message::Malformed)),

@@ -43,6 +43,20 @@ impl Translator<'_, '_> {
                 let done = self.call_stub(lists::push as *const () as usize, &[number, bits]);
                 self.or_fault_if_negative(done);
             }
+            Inst::Keep { from } => {
+                let [count, room] =
+                    [offset_of!(Context, kept_count), offset_of!(Context, kept_room)]
+                        .map(|offset| self.field(offset));
+                let has_room = self.b.ins().icmp(IntCC::UnsignedLessThan, count, room);
+                self.or_fault(has_room);
+                let start = self.field(offset_of!(Context, kept));
+                let place = self.b.ins().ishl_imm_u(count, 3);
+                let place = self.b.ins().iadd(start, place);
+                let (flags, bits) = (self.flags(Region::Slots), self.whole(from));
+                self.b.ins().store(flags, bits, place, 0);
+                let count = self.b.ins().iadd_imm_s(count, 1);
+                self.set_field(offset_of!(Context, kept_count), count);
+            }
             Inst::BufferLength { buffer, to } => {
                 let (_, count) = self.slots(buffer);
                 self.set_whole(to, count);

@@ -361,7 +361,7 @@ impl Surroundings<'_> {
             },
             Inst::ExpectRoomFor { count, .. } => operands! { Read Whole count, 1; },
             Inst::Return { result: Some(result) } => operands! { Read Whole result, 1; },
-            Inst::BufferPush { from, .. } => operands! { Read Any from, 1; },
+            Inst::BufferPush { from, .. } | Inst::Keep { from } => operands! { Read Any from, 1; },
             Inst::BufferNext { index, to, .. } => operands! {
                 Change Whole index, 1; Change Any to, 1;
             },

@@ -2,7 +2,7 @@
 //!
 //! Each thread has a machine of its own, and takes ranges of slots until none is left. Whoever asked
 //! waits meanwhile, tells the watcher how far they are, and stops them if it wants. What they keep
-//! back is written when all are done.
+//! is put together when all are done.
 
 use std::mem::ManuallyDrop;
 use std::ops::{ControlFlow, Range};
@@ -15,7 +15,7 @@ use crate::mesh::{Mesh, parallel};
 use crate::rewrite::engine::Way;
 use crate::rewrite::memory::{Budget, HELD};
 use crate::rewrite::watch::TURNS_PER_LOOK;
-use crate::rewrite::{Call, Inst, Machine, Message, Part, Trap, Watch, attribute};
+use crate::rewrite::{Call, Inst, Kept, Machine, Message, Part, Trap, Watch, attribute};
 
 /// The fewest slots that are worth it. Tests are to come there soon.
 const LEAST: usize = if cfg!(debug_assertions) { 64 } else { 10_000 };
@@ -23,7 +23,7 @@ const LEAST: usize = if cfg!(debug_assertions) { 64 } else { 10_000 };
 /// The time between two looks at the watcher.
 const LOOK: Duration = Duration::from_millis(20);
 
-/// What came of a range: its number, what it keeps back, and why it could not go on.
+/// What came of a range: its number, what it keeps, and why it could not go on.
 type Done = (usize, Vec<u64>, Option<Trap>);
 
 impl Machine {
@@ -38,11 +38,15 @@ impl Machine {
     ) -> Option<Result<(), Trap>> {
         let part = call.code.parts.get(usize::from(part))?.as_ref()?;
         let slots = mesh.capacity(part.of.kind());
-        let is_alone = self.is_dry || !self.drains.is_empty() || call.op.is_some();
-        if slots < LEAST || is_alone || call.steps.is_some() || parallel::is_one_thread() {
+        let is_noted = match part.kept {
+            Kept::Keys => !self.drains.takes_keys(),
+            Kept::Writes | Kept::Values => !self.drains.is_empty(),
+        };
+        let is_alone = self.is_dry || is_noted || call.op.is_some() || call.steps.is_some();
+        if slots < LEAST || is_alone || parallel::is_one_thread() {
             return None;
         }
-        if !self.has_room_for(mesh, part, slots) || !part.calls_readers(call.functions) {
+        if !self.has_room_for(mesh, part, slots) || !part.reads_only(call.functions) {
             return None;
         }
         let threads = parallel::threads();
@@ -102,7 +106,11 @@ impl Machine {
                     if stop.load(Relaxed) {
                         continue;
                     }
-                    if self.progress.show(watch, part.depth, [count, slots]).is_break() {
+                    let answer = match part.kept {
+                        Kept::Writes => self.progress.show(watch, part.depth, [count, slots]),
+                        Kept::Values | Kept::Keys => watch.tick(),
+                    };
+                    if answer.is_break() {
                         stop.store(true, Relaxed);
                     }
                 }
@@ -114,6 +122,9 @@ impl Machine {
         let mut done = done.into_inner().unwrap_or_else(PoisonError::into_inner);
         done.sort_unstable_by_key(|(range, ..)| *range);
         if let Some(at) = done.iter().position(|(.., trap)| trap.is_some()) {
+            if part.kept != Kept::Writes && !stop.load(Relaxed) {
+                return None;
+            }
             let mut trap = done.swap_remove(at).2?;
             if let Some(site) = trap.trace.last_mut() {
                 site.function = call.function;
@@ -124,22 +135,52 @@ impl Machine {
             // All were done before they saw it.
             return Some(Err(Trap::new(Message::Interrupted).through(call, usize::MAX)));
         }
-        for (_, held, _) in &mut done {
-            if attribute::release(mesh, &self.columns, held).is_err() {
-                return Some(Err(Trap::new(Message::Malformed)));
-            }
-        }
-        Some(Ok(()))
+        let kept = done.into_iter().map(|(_, held, _)| held);
+        self.put_together(mesh, (part, call), kept)
     }
 
-    /// True if what the turns may keep back is within the limit.
+    /// Makes of what the ranges keep, in their order, what one thread would have made of it.
+    fn put_together(
+        &mut self,
+        mesh: &mut Mesh,
+        (part, call): (&Part, &Call<'_>),
+        mut kept: impl Iterator<Item = Vec<u64>>,
+    ) -> Option<Result<(), Trap>> {
+        match part.kept {
+            Kept::Writes => {
+                let write = |mut held| attribute::release(mesh, &self.columns, &mut held);
+                Some(kept.try_for_each(write).map_err(|_| Trap::new(Message::Malformed)))
+            }
+            Kept::Values => {
+                let list = self.buffers.get_mut(call.buffers + usize::from(part.held))?;
+                *list = parallel::joined(kept.collect());
+                Some(Ok(()))
+            }
+            // What is no key, or takes too much memory, traps where one thread computes it.
+            Kept::Keys => {
+                self.drains.set_keys(&parallel::joined(kept.collect())).ok()?;
+                if self.budget().is_passed(mesh) {
+                    return None;
+                }
+                self.drains.make_none_stale();
+                Some(Ok(()))
+            }
+        }
+    }
+
+    fn budget(&self) -> Budget<'_> {
+        Budget { buffers: &self.buffers, drains: &self.drains, limit: self.memory }
+    }
+
+    /// True if what the turns may keep is within the limit.
     fn has_room_for(&self, mesh: &Mesh, part: &Part, slots: usize) -> bool {
-        let keeps =
-            |inst: &&Inst| matches!(inst, Inst::HoldPosition { .. } | Inst::HoldAttribute { .. });
-        let kept = part.code.insts.iter().filter(keeps).count();
-        let budget = Budget { buffers: &self.buffers, drains: &self.drains, limit: self.memory };
-        let wanted = slots.saturating_mul(kept * HELD * size_of::<u64>() * 2);
-        mesh.bytes().saturating_add(budget.taken()).saturating_add(wanted) <= self.memory
+        let kept = part.code.insts.iter().map(|inst| match inst {
+            Inst::HoldPosition { .. } | Inst::HoldAttribute { .. } => HELD,
+            Inst::Keep { .. } => 1,
+            _ => 0,
+        });
+        let wanted = slots.saturating_mul(kept.sum::<usize>() * size_of::<u64>() * 2);
+        mesh.bytes().saturating_add(self.budget().taken()).saturating_add(wanted) <= self.memory
     }
 
     /// Machines for so many threads, each with what the registers hold by now.
@@ -159,6 +200,8 @@ impl Machine {
             machine.is_beside_others = true;
             (machine.engine, machine.memory) = (self.engine, self.memory);
             machine.start(mesh, window);
+            // No id is given out again meanwhile.
+            machine.holding = 1;
             machine.frames = frames.max(self.depth);
         }
         crew
@@ -176,13 +219,20 @@ impl Machine {
         for (reg, bound) in part.bounds.into_iter().zip([range.start, range.end]) {
             self.stack[usize::from(reg.0)] = bound as u64;
         }
+        let keeps = part.code.insts.iter().filter(|inst| matches!(inst, Inst::Keep { .. })).count();
+        self.kept.clear();
+        // Where there is no room, the first that is to be kept traps.
+        let _ = self.kept.try_reserve_exact(keeps * range.len());
         let outcome = match self.run_native(mesh, call, watch) {
             Some(outcome) => outcome,
             None => self.execute::<false>(mesh, call, watch),
         };
         self.frames = frames;
-        let held = self.buffers.get_mut(usize::from(part.held)).map(std::mem::take);
-        (held.unwrap_or_default(), outcome.err())
+        let kept = match part.kept {
+            Kept::Writes => self.buffers.get_mut(usize::from(part.held)).map(std::mem::take),
+            Kept::Values | Kept::Keys => Some(std::mem::take(&mut self.kept)),
+        };
+        (kept.unwrap_or_default(), outcome.err())
     }
 }
 
