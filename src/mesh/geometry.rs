@@ -40,9 +40,12 @@ impl Mesh {
         let a = self.get_halfedge(first)?;
         let b = self.get_halfedge(a.next)?;
         let c = self.get_halfedge(b.next)?;
-        let is_triangle = c.next == first && ![a.next, b.next].contains(&first);
-        let [a, b, c] = [a, b, c].map(|halfedge| self.get_position(halfedge.vertex));
-        is_triangle.then_some([a?, b?, c?])
+        if c.next != first || a.next == first || b.next == first {
+            return None;
+        }
+        // One by one: an array of what may not be there goes through memory.
+        let (a, b) = (self.get_position(a.vertex)?, self.get_position(b.vertex)?);
+        Some([a, b, self.get_position(c.vertex)?])
     }
 
     fn vector_area_of_any(&self, f: FaceId) -> DVec3 {
