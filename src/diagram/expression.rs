@@ -407,3 +407,10 @@ pub enum FoldFunction {
     Any,
     All,
 }
+
+impl FoldFunction {
+    /// True if one body may tell the result, so that others are not looked at.
+    pub fn ends_early(self) -> bool {
+        matches!(self, Self::Any | Self::All)
+    }
+}

@@ -502,6 +502,7 @@ impl Machine {
 
                 // Buffers.
                 BufferClear { buffer } => buffer!(buffer).clear(),
+                BufferFree { buffer } => *buffer!(buffer) = Vec::new(),
                 BufferPush { buffer, from } => {
                     make_room!(buffer, 1);
                     buffer!(buffer).push(w.bits(from));
@@ -589,7 +590,7 @@ impl Machine {
                     or_trap!(access::erase(mesh, kind, w.id(element)));
                 }
                 Recycle => {
-                    if self.holding == 0 {
+                    if self.holding == 0 && !self.is_beside_others {
                         mesh.recycle();
                     }
                 }

@@ -184,6 +184,8 @@ pub enum Inst {
 
     // Buffers: growing lists of slots, empty at the start of a call.
     BufferClear { buffer: u16 },
+    /// Empties a buffer, and gives its memory back.
+    BufferFree { buffer: u16 },
     BufferPush { buffer: u16, from: Reg },
     BufferLength { buffer: u16, to: Reg },
     /// Traps out of range.

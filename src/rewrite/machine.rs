@@ -81,7 +81,6 @@ pub struct Machine {
     /// The time that native code has taken to compile.
     pub(super) compiling: Duration,
     /// True if other threads read the mesh meanwhile, and nobody writes to it.
-    #[cfg_attr(not(feature = "native"), expect(dead_code, reason = "for native code"))]
     pub(super) is_beside_others: bool,
     /// The machines of other threads, kept to be used again.
     #[cfg_attr(not(all(feature = "native", feature = "threads")), expect(dead_code))]

@@ -68,7 +68,7 @@ pub use key_paths::drains;
 pub use machine::{Count, Machine, NamedElements};
 pub use native::Native;
 pub use operand::{ElementField, Elements, HalfedgeField, Math, Room, Span, Triangles, Walk};
-pub use part::{Kept, Part, Turns};
+pub use part::{Part, Task, Turns};
 pub use paths::Unbounded;
 pub use plan::{Cell, Holder, Matched, Phase, Plan, Plans, Refusal, Row, Stage};
 pub use print::{ElementText, RealDigits, RealText, VectorText, WideText};

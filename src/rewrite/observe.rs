@@ -304,7 +304,7 @@ impl Drains {
             | Inst::PreviewStoreHalfedge { .. } | Inst::PreviewStoreHole { .. }
             | Inst::PreviewStoreAll { .. } | Inst::Refuse | Inst::Return { .. }
             | Inst::BufferClear { .. } | Inst::BufferPush { .. } | Inst::BufferLength { .. }
-            | Inst::Keep { .. }
+            | Inst::BufferFree { .. } | Inst::Keep { .. }
             | Inst::BufferGet { .. } | Inst::BufferNext { .. } | Inst::NewVertex { .. }
             | Inst::NewHalfedge { .. } | Inst::NewEdge { .. } | Inst::NewFace { .. }
             | Inst::Store { .. } | Inst::StoreHalfedge { .. } | Inst::StoreHole { .. }

@@ -10,6 +10,7 @@
 //! drain makes of them is made of them in their order. If a turn traps, one thread begins again.
 
 use super::inst::computation;
+use super::memory::HELD;
 use super::{Assembler, Code, Elements, Function, Inst, Label, Reg, Traps};
 
 /// The loop of a code, by itself, over the elements in a range of slots.
@@ -21,21 +22,21 @@ pub struct Part {
     pub depth: u16,
     /// The register of the first slot, and that of the one behind the last.
     pub bounds: [Reg; 2],
-    pub kept: Kept,
-    /// The buffer of the writes that it keeps, and of the values that all have kept.
+    pub task: Task,
+    /// The buffer of the writes that it keeps back, or of the values that all have kept.
     pub held: u16,
     /// Its instructions, as those of a function.
     pub code: Code,
 }
 
-/// What the parts of a loop keep, and what is done with it when all are done.
+/// What the parts of a loop do.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kept {
-    /// Writes, which are written.
-    Writes,
-    /// Values, which are put into a buffer.
-    Values,
-    /// Elements of the innermost drain and their keys, which are set.
+pub enum Task {
+    /// They keep back what an `update` writes; it is written when all are done.
+    Update,
+    /// They keep the values of an aggregate, which are put into a buffer when all are done.
+    Aggregate,
+    /// They keep elements of the innermost drain and their keys, which are set when all are done.
     Keys,
 }
 
@@ -51,7 +52,7 @@ pub struct Turns {
     pub total: Reg,
     /// A register that holds 1.
     pub one: Reg,
-    pub kept: Kept,
+    pub task: Task,
     pub held: u16,
     /// Where a turn is over, the first instruction of a turn that has its element, and the one
     /// behind the last.
@@ -71,9 +72,9 @@ impl Assembler {
     }
 
     /// Lets several threads compute values for all elements, in a turn that is to be written; one
-    /// thread goes on behind this. `None` within such a turn.
-    pub fn spread_values(&mut self, of: Elements, element: Reg, kept: Kept) -> Option<Turns> {
-        if self.is_in_values {
+    /// thread goes on behind this. `None` within such a turn, and where there are no threads.
+    pub fn spread_values(&mut self, of: Elements, element: Reg, task: Task) -> Option<Turns> {
+        if self.is_in_values || cfg!(not(all(feature = "native", feature = "threads"))) {
             return None;
         }
         let turns = Turns {
@@ -83,7 +84,7 @@ impl Assembler {
             index: self.reg(),
             total: self.reg(),
             one: self.constant_int(1),
-            kept,
+            task,
             held: self.buffer(),
             again: self.label(),
             first: self.label(),
@@ -115,7 +116,7 @@ impl Part {
     /// The loop by itself; `None` if it does more than read and keep back. Its labels are the
     /// places of instructions in the code.
     pub(super) fn of(turns: Turns, code: &Code) -> Option<Self> {
-        let Turns { of, depth, element, index, total, one, kept, held, again, first, end } = turns;
+        let Turns { of, depth, element, index, total, one, task, held, again, first, end } = turns;
         let constants = code.constants as u32;
         let (first, behind) = (first.0, end.0);
         let turn = code.insts.get(first as usize..behind as usize)?;
@@ -126,9 +127,9 @@ impl Part {
         insts.extend([
             Inst::Jump { to: Label(constants + 2) },
             Inst::AddInt { to: element, left: element, right: one },
-            Inst::NextLiving { of, element, otherwise: last },
             Inst::LessInt { to: index, left: element, right: total },
             Inst::JumpUnless { condition: index, to: last },
+            Inst::JumpUnlessLiving { of, element, to: again_here },
             Inst::Tick,
         ]);
         for inst in turn {
@@ -164,7 +165,30 @@ impl Part {
             traps,
             ..Code::default()
         };
-        Some(Self { of, depth, bounds: [element, total], kept, held, code })
+        Some(Self { of, depth, bounds: [element, total], task, held, code })
+    }
+
+    /// The most slots that a turn keeps.
+    #[cfg_attr(not(all(feature = "native", feature = "threads")), expect(dead_code))]
+    pub(super) fn keeps(&self) -> usize {
+        let slots = self.code.insts.iter().map(|inst| match (self.task, inst) {
+            (Task::Update, Inst::HoldPosition { .. } | Inst::HoldAttribute { .. }) => HELD,
+            (Task::Aggregate | Task::Keys, Inst::Keep { .. }) => 1,
+            _ => 0,
+        });
+        slots.sum()
+    }
+
+    /// True if a turn takes longer than to put a value together with others.
+    #[cfg_attr(not(all(feature = "native", feature = "threads")), expect(dead_code))]
+    pub(super) fn is_costly(&self) -> bool {
+        let is_costly = |inst: &Inst| {
+            matches!(
+                inst,
+                Inst::Ask { .. } | Inst::Call { .. } | Inst::WalkBegin { .. } | Inst::Matrix { .. }
+            )
+        };
+        self.task != Task::Aggregate || self.code.insts.iter().any(is_costly)
     }
 
     /// True if the functions that it may call, which are these, read only, too.
@@ -198,8 +222,9 @@ impl Inst {
             | Inst::BufferAppend { .. } | Inst::HoldPosition { .. } | Inst::HoldAttribute { .. }
             | Inst::Call { .. } | Inst::Give { .. } | Inst::Turn { .. } | Inst::Tick
             | Inst::Fail { .. }
-            // Who takes a part takes all turns of the loops in it, and holds all ids.
-            | Inst::Spread { .. } | Inst::Keep { .. } | Inst::Recycle
+            | Inst::BufferFree { .. } | Inst::Keep { .. }
+            // These do nothing there: a loop in a part is not spread again, and the mesh keeps its ids.
+            | Inst::Spread { .. } | Inst::Recycle
         );
         is
     }

@@ -369,7 +369,8 @@ impl<'c> Reads<'c> {
             | Inst::ExpectAllDistinct { .. } | Inst::ExpectRoomFor { .. } | Inst::Tick
             | Inst::PrintText { .. } | Inst::PrintTextOf { .. } | Inst::PrintBool { .. }
             | Inst::PrintInt { .. } | Inst::PrintReal { .. } | Inst::PrintVec { .. }
-            | Inst::PrintWide { .. } | Inst::PrintElement { .. } | Inst::Keep { .. } => {}
+            | Inst::PrintWide { .. } | Inst::PrintElement { .. } | Inst::BufferFree { .. }
+            | Inst::Keep { .. } => {}
             // Whoever drains still needs ids, so nothing is freed.
             Inst::Recycle => {}
             // What neither a key nor an operation that is asked has business with.

@@ -18,7 +18,8 @@ use crate::compile::{Scope, elements, width};
 use crate::diagram::{Expr, ExprKind};
 use crate::lower::Variables;
 use crate::resolve::{Statement, StatementKind};
-use crate::rewrite::{Elements, Inst, Kept, Reg};
+use crate::rewrite::{Elements, Inst, Reg, Task};
+use crate::source::Span;
 
 impl Lowering<'_> {
     /// `drain x in xs by key while c { … }`
@@ -43,7 +44,7 @@ impl Lowering<'_> {
         self.copy_slots(&changing);
         self.trap_at(span, Inst::DrainOpen { of, members });
         if members.is_none() {
-            self.spread_keys((of, element), key);
+            self.spread_keys((of, element), key, span);
         }
 
         let asked: Vec<&Expr> = condition.iter().chain([key]).collect();
@@ -87,10 +88,10 @@ impl Lowering<'_> {
     }
 
     /// Lets several threads compute the keys of all elements.
-    fn spread_keys(&mut self, (of, element): (Elements, Reg), key: &Expr) {
+    fn spread_keys(&mut self, (of, element): (Elements, Reg), key: &Expr, span: Span) {
         let mark = self.asm.mark();
-        if let Some(turns) = self.asm.spread_values(of, element, Kept::Keys) {
-            self.asm.emit(Inst::Jump { to: turns.end });
+        if let Some(turns) = self.asm.spread_values(of, element, Task::Keys) {
+            self.trap_at(span, Inst::Jump { to: turns.end });
             self.asm.begin_values(turns);
             let value = self.value(key);
             for from in [element, value] {

@@ -303,11 +303,14 @@ impl<'p> Lowering<'p> {
     /// the elements that it reads; each with its name and its type.
     pub(super) fn whereabouts(&self, condition: &Expr) -> Vec<(u32, &'p str, Type)> {
         let mut numbers = self.visited.clone();
-        condition.each(&mut |part| {
-            if let ExprKind::Local(number) = part.kind {
-                numbers.push(number);
-            }
+        let mut passed = Vec::new();
+        condition.each(&mut |part| match &part.kind {
+            ExprKind::Local(number) => numbers.push(*number),
+            // Others have been at all elements by then.
+            ExprKind::Fold(fold) if !fold.function.ends_early() => passed.push(fold.variable),
+            _ => {}
         });
+        numbers.retain(|number| !passed.contains(number));
         let mut known: Vec<(u32, &str, Type)> = Vec::new();
         for number in numbers {
             let variable = self.liveness.variables.get(number as usize);

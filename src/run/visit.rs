@@ -5,7 +5,7 @@ use super::lower::{Loop, Lowering};
 use crate::compile::{Scope, each, elements};
 use crate::diagram::{Collection, Expr, Type};
 use crate::resolve::{Statement, StatementKind, Visit};
-use crate::rewrite::{Assembler, Elements, Inst, Kept, Label, Reg, Turns};
+use crate::rewrite::{Assembler, Elements, Inst, Label, Reg, Task, Turns};
 use crate::source::Span;
 
 impl Lowering<'_> {
@@ -79,9 +79,9 @@ impl Lowering<'_> {
         {
             let one = self.asm.constant_int(1);
             let (element, depth) = (self.names.local(*variable), self.loops.len() as u16);
-            let kept = Kept::Writes;
+            let task = Task::Update;
             let turns =
-                Turns { of, depth, element, index, total, one, kept, held, again, first, end };
+                Turns { of, depth, element, index, total, one, task, held, again, first, end };
             self.asm.spread(turns);
         }
         self.list(collection, buffer, span);

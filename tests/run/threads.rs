@@ -15,10 +15,11 @@ use hedgerow::source::Sources;
 use support::dice::Dice;
 
 const PROGRAM: &str = "
-attr heat: vertex real
+use \"std/triangle.hedge\"
+attr heat: vertex real = 0
 attr level: face int = 1
-attr sharp: edge bool
-attr way: halfedge vec3
+attr sharp: edge bool = false
+attr way: halfedge vec3 = vec3(0)
 
 fn warmth(v: vertex) -> real { mean(w.heat + length(w.position - v.position) for w in v.neighbors) }
 fn is_near(v: vertex) -> bool { v.position.z > -0.2 and degree(v) > 0 }
@@ -124,6 +125,12 @@ fn aggregates_and_keys_are_those_of_one_thread() {
            v.heat = rank
            rank = rank + 1
          }",
+        "for e in edges where e.halfedge.vertex.position.x > 0.2 { collapse(e) }
+         for f in faces where normal(f).z > 0.9 { f.level = 7 }
+         let here = mean(centroid(f) for f in faces) * sum(degree(h) for h in holes)
+         let n = count(degree(v) > 6 for v in vertices)
+         drain e in edges by length(e) while count(edges) > 60 + n { collapse(e) }
+         for v in vertices { v.position = v.position + here + vec3(n, 0, 0) }",
         "var rank = 0
          drain f in faces by round(2 * centroid(f).x) { f.level = rank rank = rank + 1 }",
         "var far = 0.0
@@ -147,6 +154,9 @@ fn what_fails_in_an_aggregate_or_a_key_is_that_of_one_thread() {
         "let n = sum(100 div (f.level - 1) for f in faces)",
         "let x = min(v.position.x for v in vertices where v.position.x > 9)",
         "let x = argmax(v.heat for v in vertices where v.heat > 9)",
+        "let a = sum(length(e) for e in edges)
+         assert a + (a + (a + sum(length(e) for e in edges))) < 0",
+        "assert sum(length(e) for e in edges) < 0 or all(length(e) < 0.1 for e in edges)",
         "let n = sum(9223372036854775807 for f in faces)",
         "let n = sum(depth(100000) for f in faces where normal(f).z > 0.5)",
         "drain v in vertices by 0 / (v.position.x - v.position.x) { v.heat = 1 }",
@@ -257,8 +267,19 @@ impl Watch for Impatient {
 
 #[test]
 fn all_threads_are_interrupted() {
-    // It would take hours.
-    let body = "update v in vertices { v.heat = sum(sum(sum(length(e) for e in edges) for f in faces) for w in vertices) }";
+    // Each would take hours.
+    let bodies = [
+        "update v in vertices { v.heat = sum(sum(sum(length(e) for e in edges) for f in faces) for w in vertices) }",
+        "let x = sum(sum(sum(length(e) for e in edges) for f in faces) for w in vertices)",
+        "drain w in vertices by sum(sum(length(e) for e in edges) for f in faces) { w.heat = 1 }",
+        "var n = 0 while true { n = n + count(length(e) > 0.1 for e in edges) }",
+    ];
+    for body in bodies {
+        is_interrupted(body);
+    }
+}
+
+fn is_interrupted(body: &str) {
     let analysis = analyse(body);
     let script = analysis.script("main").unwrap();
     let mut prepared = prepare(&analysis.program, script, &analysis.plans).unwrap();
@@ -266,7 +287,7 @@ fn all_threads_are_interrupted() {
     let mut mesh = shape::icosphere(4);
     let before = mesh.clone();
     let stopped = run(&prepared, &mut mesh, &[], &mut Impatient(3));
-    assert_eq!(stopped.unwrap_err().diagnostic.code, "interrupted");
+    assert_eq!(stopped.unwrap_err().diagnostic.code, "interrupted", "{body}");
     let heat = |mesh: &Mesh| {
         let column = mesh.find_column(hedgerow::mesh::ElementKind::Vertex, "heat");
         column.map(|column| mesh.values::<f64>(column).unwrap().iter().sum::<f64>())

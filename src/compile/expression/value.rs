@@ -7,7 +7,7 @@ use super::operator::{binary, unary};
 use super::pointer::{first, load};
 use super::{Scope, copy, width};
 use crate::diagram::{Access, Binary, Expr, ExprKind, Fold, FoldFunction, Pointer, Type};
-use crate::rewrite::{Assembler, ElementField, HalfedgeField, Inst, Kept, Label, Reg, Turns};
+use crate::rewrite::{Assembler, ElementField, HalfedgeField, Inst, Label, Reg, Task, Turns};
 
 /// Appends the code of an expression; its value is in the register, or the three from it
 /// on, until that is released. The register may be that of a variable: it is not to be
@@ -145,7 +145,7 @@ fn fold(asm: &mut Assembler, scope: &mut dyn Scope, fold: &Fold, of: &Expr, to: 
     let sum = Sum { ty: of.ty, to, seen, best };
     sum.start(asm, fold.function);
     let mark = asm.mark();
-    let values = spread(asm, scope, fold);
+    let turns = spread(asm, scope, fold);
     let turn = &mut |asm: &mut Assembler, scope: &mut dyn Scope, element: Reg, next: Label| {
         let mark = asm.mark();
         scope.declare(fold.variable, element);
@@ -177,9 +177,10 @@ fn fold(asm: &mut Assembler, scope: &mut dyn Scope, fold: &Fold, of: &Expr, to: 
     };
     let base = fold.collection.base().map(|base| lower(asm, scope, base));
     each(asm, scope, (&fold.collection, base), of.span, turn);
-    if let Some(turns) = values {
-        asm.emit(Inst::Jump { to: done });
-        fold_of_threads(asm, scope, fold, (sum, turns, done));
+    if let Some(turns) = turns {
+        let place = scope.place(of.span);
+        asm.trap_at(place, Inst::Jump { to: done });
+        fold_of_threads(asm, scope, fold, (sum, turns, place));
     }
     asm.release(mark);
     asm.bind(done);
@@ -190,21 +191,20 @@ fn fold(asm: &mut Assembler, scope: &mut dyn Scope, fold: &Fold, of: &Expr, to: 
 /// Lets several threads compute the values of an aggregate, if it is one over all elements that needs
 /// them all, and they take little memory.
 fn spread(asm: &mut Assembler, scope: &dyn Scope, fold: &Fold) -> Option<Turns> {
-    let needs_all = !matches!(fold.function, FoldFunction::Any | FoldFunction::All);
-    let fits = needs_all && width(fold.body.ty) <= 4 && scope.is_of_statements();
+    let fits = !fold.function.ends_early() && width(fold.body.ty) <= 4 && scope.is_of_statements();
     let of = elements(&fold.collection).filter(|_| fits)?;
     let element = asm.reg();
-    asm.spread_values(of, element, Kept::Values)
+    asm.spread_values(of, element, Task::Aggregate)
 }
 
-/// Appends the turn of threads, and what puts the aggregate of what they keep into `to`.
+/// Appends the turn of threads, and what makes the aggregate of what they keep.
 fn fold_of_threads(
     asm: &mut Assembler,
     scope: &mut dyn Scope,
     fold: &Fold,
-    (sum, turns, done): (Sum, Turns, Label),
+    (sum, turns, place): (Sum, Turns, u32),
 ) {
-    let Turns { element, held: buffer, again, .. } = turns;
+    let Turns { element, index, held: buffer, again, .. } = turns;
     let keeps_element = matches!(fold.function, FoldFunction::ArgMin | FoldFunction::ArgMax);
     asm.begin_values(turns);
     scope.declare(fold.variable, element);
@@ -215,7 +215,8 @@ fn fold_of_threads(
         skip_unless(asm, scope, &fold.body, again);
         asm.emit(Inst::Keep { from: element });
         asm.end_values(turns);
-        return asm.emit(Inst::BufferLength { buffer, to: sum.to });
+        asm.emit(Inst::BufferLength { buffer, to: sum.to });
+        return asm.emit(Inst::BufferFree { buffer });
     }
     let from = lower(asm, scope, &fold.body);
     let from = sum.value(asm, fold.body.ty, from);
@@ -228,16 +229,18 @@ fn fold_of_threads(
         asm.emit(Inst::Keep { from });
     }
     asm.end_values(turns);
-    let (index, from, head) = (asm.reg(), asm.constant_int(0), asm.label());
+    let (from, head, over) = (asm.constant_int(0), asm.label(), asm.label());
     asm.emit(Inst::Copy { to: index, from });
     asm.bind(head);
     for to in kept {
-        asm.emit(Inst::BufferNext { buffer, index, to, otherwise: done });
+        asm.emit(Inst::BufferNext { buffer, index, to, otherwise: over });
     }
-    let place = scope.place(fold.body.span);
     asm.trap_at(place, Inst::Tick);
+    let place = scope.place(fold.body.span);
     sum.take(asm, (fold.function, place), [value, element], head);
     asm.emit(Inst::Jump { to: head });
+    asm.bind(over);
+    asm.emit(Inst::BufferFree { buffer });
 }
 
 fn skip_unless(asm: &mut Assembler, scope: &mut dyn Scope, condition: &Expr, next: Label) {

@@ -115,8 +115,9 @@ impl Context {
     /// are those that there are.
     pub(super) fn new(run: &mut Run<'_>, noted: u32) -> Self {
         let Call { base, function, .. } = run.call;
-        let kept = run.machine.kept.spare_capacity_mut();
-        let (kept, kept_room) = (kept.as_mut_ptr().cast(), kept.len() as u64);
+        let kept = &mut run.machine.kept;
+        let kept_room = (kept.capacity() - kept.len()) as u64;
+        let kept = kept.as_mut_ptr().wrapping_add(kept.len());
         let mut context = Self {
             tables: run.mesh.tables(),
             columns: std::ptr::null(),

@@ -17,6 +17,8 @@
 //!   addresses of window and tables are taken anew, since they may have moved. Those of tables are
 //!   kept in code that adds no element, nor calls or asks what does ([`operands::Surroundings::may_add`]):
 //!   nothing else moves them.
+//! * The part of a loop keeps slots behind those of the machine's list, as long as there is room for
+//!   them, and the machine adds their number to its length when native code has been left.
 //! * A place in a buffer is tested against its length before it is read. The slots of a buffer are
 //!   looked for anew after each instruction that may have changed it; others than those of the code
 //!   that names it leave it alone.

@@ -424,6 +424,7 @@ impl Surroundings<'_> {
             | Inst::DrainClose
             | Inst::Refused { .. }
             | Inst::Tick
+            | Inst::BufferFree { .. }
             | Inst::Spread { .. }
             | Inst::PrintText { .. }
             | Inst::PrintEnd

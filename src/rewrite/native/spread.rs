@@ -13,12 +13,13 @@ use std::time::Duration;
 
 use crate::mesh::{Mesh, parallel};
 use crate::rewrite::engine::Way;
-use crate::rewrite::memory::{Budget, HELD};
+use crate::rewrite::memory::Budget;
 use crate::rewrite::watch::TURNS_PER_LOOK;
-use crate::rewrite::{Call, Inst, Kept, Machine, Message, Part, Trap, Watch, attribute};
+use crate::rewrite::{Call, Machine, Message, Part, Task, Trap, Watch, attribute};
 
-/// The fewest slots that are worth it. Tests are to come there soon.
-const LEAST: usize = if cfg!(debug_assertions) { 64 } else { 10_000 };
+/// The fewest slots that are worth it, of an `update` and of other tasks. Tests are to come there
+/// soon.
+const LEAST: [usize; 2] = if cfg!(debug_assertions) { [64, 64] } else { [10_000, 40_000] };
 
 /// The time between two looks at the watcher.
 const LOOK: Duration = Duration::from_millis(20);
@@ -38,19 +39,20 @@ impl Machine {
     ) -> Option<Result<(), Trap>> {
         let part = call.code.parts.get(usize::from(part))?.as_ref()?;
         let slots = mesh.capacity(part.of.kind());
-        let is_noted = match part.kept {
-            Kept::Keys => !self.drains.takes_keys(),
-            Kept::Writes | Kept::Values => !self.drains.is_empty(),
+        let is_noted = match part.task {
+            Task::Keys => !self.drains.takes_keys(),
+            Task::Update | Task::Aggregate => !self.drains.is_empty(),
         };
         let is_alone = self.is_dry || is_noted || call.op.is_some() || call.steps.is_some();
-        if slots < LEAST || is_alone || parallel::is_one_thread() {
+        let least = LEAST[usize::from(part.task != Task::Update)];
+        if slots < least || is_alone || !part.is_costly() || parallel::is_one_thread() {
             return None;
         }
         if !self.has_room_for(mesh, part, slots) || !part.reads_only(call.functions) {
             return None;
         }
         let threads = parallel::threads();
-        let ranges = parallel::cut(slots, (4 * threads).min(slots / (LEAST / 8)));
+        let ranges = parallel::cut(slots, (4 * threads).min(slots / (least / 8)));
         let next = AtomicUsize::new(0);
         // The first range that has trapped: none behind it is begun.
         let trapped = AtomicUsize::new(ranges.len());
@@ -106,9 +108,9 @@ impl Machine {
                     if stop.load(Relaxed) {
                         continue;
                     }
-                    let answer = match part.kept {
-                        Kept::Writes => self.progress.show(watch, part.depth, [count, slots]),
-                        Kept::Values | Kept::Keys => watch.tick(),
+                    let answer = match part.task {
+                        Task::Update => self.progress.show(watch, part.depth, [count, slots]),
+                        Task::Aggregate | Task::Keys => watch.tick(),
                     };
                     if answer.is_break() {
                         stop.store(true, Relaxed);
@@ -121,19 +123,22 @@ impl Machine {
         self.crew = crew;
         let mut done = done.into_inner().unwrap_or_else(PoisonError::into_inner);
         done.sort_unstable_by_key(|(range, ..)| *range);
-        if let Some(at) = done.iter().position(|(.., trap)| trap.is_some()) {
-            if part.kept != Kept::Writes && !stop.load(Relaxed) {
-                return None;
-            }
+        // One thread finds out why a value or a key cannot be computed.
+        let counts =
+            |trap: &Trap| part.task == Task::Update || matches!(trap.message, Message::Interrupted);
+        if let Some(at) = done.iter().position(|(.., trap)| trap.as_ref().is_some_and(counts)) {
             let mut trap = done.swap_remove(at).2?;
             if let Some(site) = trap.trace.last_mut() {
                 site.function = call.function;
             }
             return Some(Err(trap));
         }
-        if stop.load(Relaxed) {
+        if stop.load(Relaxed) || part.task != Task::Update && watch.tick().is_break() {
             // All were done before they saw it.
             return Some(Err(Trap::new(Message::Interrupted).through(call, usize::MAX)));
+        }
+        if done.iter().any(|(.., trap)| trap.is_some()) {
+            return None;
         }
         let kept = done.into_iter().map(|(_, held, _)| held);
         self.put_together(mesh, (part, call), kept)
@@ -146,18 +151,18 @@ impl Machine {
         (part, call): (&Part, &Call<'_>),
         mut kept: impl Iterator<Item = Vec<u64>>,
     ) -> Option<Result<(), Trap>> {
-        match part.kept {
-            Kept::Writes => {
+        match part.task {
+            Task::Update => {
                 let write = |mut held| attribute::release(mesh, &self.columns, &mut held);
                 Some(kept.try_for_each(write).map_err(|_| Trap::new(Message::Malformed)))
             }
-            Kept::Values => {
+            Task::Aggregate => {
                 let list = self.buffers.get_mut(call.buffers + usize::from(part.held))?;
                 *list = parallel::joined(kept.collect());
                 Some(Ok(()))
             }
             // What is no key, or takes too much memory, traps where one thread computes it.
-            Kept::Keys => {
+            Task::Keys => {
                 self.drains.set_keys(&parallel::joined(kept.collect())).ok()?;
                 if self.budget().is_passed(mesh) {
                     return None;
@@ -174,12 +179,7 @@ impl Machine {
 
     /// True if what the turns may keep is within the limit.
     fn has_room_for(&self, mesh: &Mesh, part: &Part, slots: usize) -> bool {
-        let kept = part.code.insts.iter().map(|inst| match inst {
-            Inst::HoldPosition { .. } | Inst::HoldAttribute { .. } => HELD,
-            Inst::Keep { .. } => 1,
-            _ => 0,
-        });
-        let wanted = slots.saturating_mul(kept.sum::<usize>() * size_of::<u64>() * 2);
+        let wanted = slots.saturating_mul(part.keeps() * size_of::<u64>() * 2);
         mesh.bytes().saturating_add(self.budget().taken()).saturating_add(wanted) <= self.memory
     }
 
@@ -200,8 +200,6 @@ impl Machine {
             machine.is_beside_others = true;
             (machine.engine, machine.memory) = (self.engine, self.memory);
             machine.start(mesh, window);
-            // No id is given out again meanwhile.
-            machine.holding = 1;
             machine.frames = frames.max(self.depth);
         }
         crew
@@ -219,18 +217,19 @@ impl Machine {
         for (reg, bound) in part.bounds.into_iter().zip([range.start, range.end]) {
             self.stack[usize::from(reg.0)] = bound as u64;
         }
-        let keeps = part.code.insts.iter().filter(|inst| matches!(inst, Inst::Keep { .. })).count();
         self.kept.clear();
-        // Where there is no room, the first that is to be kept traps.
-        let _ = self.kept.try_reserve_exact(keeps * range.len());
+        if part.task != Task::Update {
+            // Where there is no room, the first that is to be kept traps.
+            let _ = self.kept.try_reserve_exact(part.keeps() * range.len());
+        }
         let outcome = match self.run_native(mesh, call, watch) {
             Some(outcome) => outcome,
             None => self.execute::<false>(mesh, call, watch),
         };
         self.frames = frames;
-        let kept = match part.kept {
-            Kept::Writes => self.buffers.get_mut(usize::from(part.held)).map(std::mem::take),
-            Kept::Values | Kept::Keys => Some(std::mem::take(&mut self.kept)),
+        let kept = match part.task {
+            Task::Update => self.buffers.get_mut(usize::from(part.held)).map(std::mem::take),
+            Task::Aggregate | Task::Keys => Some(std::mem::take(&mut self.kept)),
         };
         (kept.unwrap_or_default(), outcome.err())
     }

@@ -18,7 +18,7 @@ use super::facts::{Facts, KnownAt, Walk, ends, targets};
 use super::guards::{Guard, Set};
 use super::inline::{Back, Inlined};
 use super::liveness::Liveness;
-use super::operands::Surroundings;
+use super::operands::{Surroundings, Use};
 use super::registers::reals;
 use super::{Variant, stubs};
 use crate::rewrite::engine::Way;
@@ -289,11 +289,26 @@ impl<'a, 'f> Translator<'a, 'f> {
             Inst::Call { function, args, to, holds } => {
                 self.call_function(inst, function, [args, to], holds);
             }
-            // Parts read what they need in the window.
-            Inst::Spread { .. } => {
-                let used = (0..).zip(&self.variables).filter(|(_, variable)| variable.is_some());
-                let used: Vec<Reg> = used.map(|(at, _)| Reg(at)).collect();
-                used.into_iter().for_each(|reg| self.spill(reg));
+            Inst::Spread { part, .. } => {
+                let Text { code, surroundings, .. } = self.text;
+                let Some(Some(part)) = code.parts.get(usize::from(part)) else {
+                    return true;
+                };
+                // A part reads what it needs in the window.
+                let mut read = vec![false; self.variables.len()];
+                for inst in &part.code.insts {
+                    surroundings.each_operand(inst, |operand| {
+                        for reg in operand.registers().filter(|_| operand.used != Use::Write) {
+                            if let Some(read) = read.get_mut(usize::from(reg.0)) {
+                                *read = true;
+                            }
+                        }
+                    });
+                }
+                let read = (0..).zip(read).filter(|&(_, read)| read).map(|(at, _)| Reg(at));
+                let known = |reg: &Reg| self.variables[usize::from(reg.0)].is_some();
+                let read: Vec<Reg> = read.filter(known).collect();
+                read.into_iter().for_each(|reg| self.spill(reg));
                 self.step(inst);
             }
             Inst::Apply { op, args, applied, result } => {
