@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::arguments::{ApplyArguments, Format, engine};
+use super::arguments::{ApplyArguments, Format};
 use super::check::depends;
 use super::counts::Counts;
 use super::failure::Failure;
@@ -47,7 +47,7 @@ pub(super) fn apply(arguments: &ApplyArguments) -> Result<(), Failure> {
     };
     let application = Application::new(&program.analysis.program, op, &program.analysis.plans);
     let mut application = application.map_err(failed)?;
-    application.use_engine(engine(arguments.engine));
+    application.use_engine(arguments.engine.get());
     let applied = application.apply(&mut obj.mesh, &values, &mut Unwatched);
     let applied = applied.map_err(|failure| failed(failure.diagnostic))?;
     match applied {

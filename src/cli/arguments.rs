@@ -63,11 +63,11 @@ impl Command {
     /// The number of threads, where it matters.
     pub fn threads(&self) -> Option<&ThreadArguments> {
         match self {
-            Self::Run(RunArguments { threads, .. })
-            | Self::Apply(ApplyArguments { threads, .. })
-            | Self::Info(InfoArguments { threads, .. })
-            | Self::View(ViewArguments { threads, .. })
-            | Self::Test(TestArguments { threads, .. }) => Some(threads),
+            Self::Run(RunArguments { engine, .. })
+            | Self::Apply(ApplyArguments { engine, .. })
+            | Self::Test(TestArguments { engine, .. }) => Some(&engine.threads),
+            Self::Info(InfoArguments { threads, .. })
+            | Self::View(ViewArguments { threads, .. }) => Some(threads),
             _ => None,
         }
     }
@@ -89,16 +89,6 @@ pub(super) enum EngineName {
     Machine,
     #[cfg(feature = "native")]
     Native,
-}
-
-/// The engine of that name, or the usual one.
-pub(super) fn engine(name: Option<EngineName>) -> Engine {
-    match name {
-        None => Engine::default(),
-        Some(EngineName::Machine) => Engine::Machine,
-        #[cfg(feature = "native")]
-        Some(EngineName::Native) => Engine::NativeAtOnce,
-    }
 }
 
 #[derive(Debug, Args)]
@@ -160,11 +150,6 @@ pub(super) struct RunArguments {
     /// and how long native code took to compile
     #[arg(short, long, verbatim_doc_comment)]
     pub verbose: bool,
-    /// What runs the script: native code where it pays if
-    /// not given, with results that are the same bit for
-    /// bit
-    #[arg(long, value_enum, verbatim_doc_comment)]
-    pub engine: Option<EngineName>,
     /// Renumber elements so that neighbors stand near each other
     /// in memory: faster where the file of a large mesh has them
     /// far apart. What is written keeps the order of the file
@@ -174,7 +159,7 @@ pub(super) struct RunArguments {
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
     #[command(flatten)]
-    pub threads: ThreadArguments,
+    pub engine: EngineArguments,
     #[command(flatten)]
     pub repair: RepairArguments,
     #[command(flatten)]
@@ -201,16 +186,11 @@ pub(super) struct ApplyArguments {
     /// File for the result, in one of these formats
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
-    /// What runs the script: native code where it pays if
-    /// not given, with results that are the same bit for
-    /// bit
-    #[arg(long, value_enum, verbatim_doc_comment)]
-    pub engine: Option<EngineName>,
     /// Format of the answer
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
     #[command(flatten)]
-    pub threads: ThreadArguments,
+    pub engine: EngineArguments,
     #[command(flatten)]
     pub repair: RepairArguments,
     #[command(flatten)]
@@ -272,6 +252,30 @@ pub(super) struct InfoArguments {
     pub threads: ThreadArguments,
     #[command(flatten)]
     pub repair: RepairArguments,
+}
+
+/// What runs a program, and with how many threads.
+#[derive(Debug, Args)]
+pub(super) struct EngineArguments {
+    /// What runs the program: native code where it pays if
+    /// not given, with results that are the same bit for
+    /// bit
+    #[arg(long, value_enum, verbatim_doc_comment)]
+    engine: Option<EngineName>,
+    #[command(flatten)]
+    pub threads: ThreadArguments,
+}
+
+impl EngineArguments {
+    /// The engine of that name, or the usual one.
+    pub fn get(&self) -> Engine {
+        match self.engine {
+            None => Engine::default(),
+            Some(EngineName::Machine) => Engine::Machine,
+            #[cfg(feature = "native")]
+            Some(EngineName::Native) => Engine::NativeAtOnce,
+        }
+    }
 }
 
 /// The number of threads.
@@ -482,13 +486,8 @@ pub(super) struct TestArguments {
     /// if not given, three quarters of what there is
     #[arg(long, value_name = "SIZE", value_parser = super::memory::read, verbatim_doc_comment)]
     pub memory: Option<usize>,
-    /// What runs the script: native code where it pays if
-    /// not given, with results that are the same bit for
-    /// bit
-    #[arg(long, value_enum, verbatim_doc_comment)]
-    pub engine: Option<EngineName>,
     #[command(flatten)]
-    pub threads: ThreadArguments,
+    pub engine: EngineArguments,
     /// Format of the answer
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,

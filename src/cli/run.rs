@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use serde::Serialize;
 
-use super::arguments::{Format, RunArguments, engine};
+use super::arguments::{Format, RunArguments};
 use super::counts::Counts;
 use super::draw::{expect_picture, write_picture};
 use super::failure::Failure;
@@ -34,7 +34,7 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
     let mut prepared = prepare(&program.analysis.program, script, &program.analysis.plans)
         .map_err(|errors| failed(&errors, 1))?
         .with_seed(arguments.seed);
-    prepared.use_engine(engine(arguments.engine));
+    prepared.use_engine(arguments.engine.get());
     if !meshes::is_tables(&arguments.mesh) {
         prepared.expect_polygons();
     }

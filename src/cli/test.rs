@@ -5,7 +5,7 @@ use std::path::Path;
 
 use serde::Serialize;
 
-use super::arguments::{Format, RepairArguments, TestArguments, engine};
+use super::arguments::{Format, RepairArguments, TestArguments};
 use super::check::{DiagnosticReport, report};
 use super::failure::Failure;
 use super::interrupt;
@@ -70,7 +70,7 @@ fn run_file(program: &Program, path: &Path, arguments: &TestArguments) -> FileRe
     let is_human = arguments.format == Format::Human;
     let analysis = &program.analysis;
     let memory = arguments.memory.unwrap_or_else(memory::usual);
-    let conditions = Conditions { seed: arguments.seed, memory, engine: engine(arguments.engine) };
+    let conditions = Conditions { seed: arguments.seed, memory, engine: arguments.engine.get() };
     let mut tests = Vec::new();
     let shown = path.display().to_string();
     if is_human {

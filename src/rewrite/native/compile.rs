@@ -213,7 +213,7 @@ impl Expected {
 fn isa() -> Option<OwnedTargetIsa> {
     static ISA: OnceLock<Option<OwnedTargetIsa>> = OnceLock::new();
     let find = || {
-        if !cfg!(target_pointer_width = "64") || cfg!(target_endian = "big") {
+        if !cfg!(any(target_arch = "x86_64", target_arch = "aarch64")) {
             return None;
         }
         let mut flags = settings::builder();

@@ -54,6 +54,18 @@
 //! ```
 //!
 //! and the same for `std/remesh.hedge`, `std/subdivide.hedge::loop_subdivide`, `std/smooth.hedge`.
+//!
+//! # Processors
+//!
+//! It is made for x86-64 and 64-bit ARM; elsewhere the machine runs all. The tests run on the second
+//! by emulation, too (Debian: `gcc-aarch64-linux-gnu`, `qemu-user-static`, which starts the programs
+//! of that processor, and `rustup target add aarch64-unknown-linux-gnu`):
+//!
+//! ```text
+//! export QEMU_LD_PREFIX=/usr/aarch64-linux-gnu CC_aarch64_unknown_linux_gnu=aarch64-linux-gnu-gcc
+//! CARGO_TARGET_AARCH64_UNKNOWN_LINUX_GNU_LINKER=aarch64-linux-gnu-gcc \
+//!   cargo test --target aarch64-unknown-linux-gnu
+//! ```
 
 #![allow(unsafe_code)]
 
