@@ -14,6 +14,7 @@ use super::observe::Scene;
 use super::print::{ElementText, RealText, VectorText, WideText, append};
 use super::question::ask;
 use super::vectors;
+use super::watch::LONG_LIST;
 use super::window::{Window, reserve};
 use super::{
     Engine, Fault, Inst, Machine, Message, Outcome, Phase, Reg, Room, Trap, Triangles, Watch,
@@ -528,6 +529,9 @@ impl Machine {
                 BufferLiving { of, buffer } => {
                     make_room!(buffer, mesh.count(of.kind()));
                     access::collect_living(mesh, of, buffer!(buffer));
+                    if mesh.capacity(of.kind()) >= LONG_LIST && watch.tick().is_break() {
+                        break Message::Interrupted;
+                    }
                 }
 
                 // Writes.

@@ -6,6 +6,9 @@ use std::time::Duration;
 /// The number of turns of loops between two looks.
 pub(super) const TURNS_PER_LOOK: u32 = 256;
 
+/// The fewest slots for which to list their elements takes as long as the turns between two looks.
+pub(super) const LONG_LIST: usize = 10_000;
+
 /// The number of nested loops that a look shows.
 pub(super) const DEPTHS: usize = 8;
 

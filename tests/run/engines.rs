@@ -418,6 +418,100 @@ fn tables_move_where_steps_are_only_asked_for() {
     assert!(lines[0].ends_with("6400"), "{lines:?}");
 }
 
+/// To ask whether an operation would apply makes room for what it would create, so the tables may
+/// move behind each question.
+#[test]
+fn tables_move_where_operations_are_only_asked_for() {
+    let mut asked = 0;
+    for (name, mut text) in programs() {
+        let analysis = analyse(&name, &text);
+        if !analysis.is_sound() {
+            continue; // it uses files that stand elsewhere
+        }
+        let ops = analysis.program.ops.iter().filter(|op| op.span.file.0 == 0);
+        let questions = ops.filter_map(|op| {
+            let types: Vec<_> = op.params.iter().map(|param| param.ty).collect();
+            questions(&op.name, &types)
+        });
+        let ops: Vec<_> = questions.collect();
+        for (number, question) in ops.iter().enumerate() {
+            text += &format!("\nscript asks_{number}() {question}\n");
+        }
+        let analysis = analyse(&name, &text);
+        assert!(analysis.is_sound(), "{name}: {:#?}", analysis.diagnostics);
+        for number in 0..ops.len() {
+            let script = analysis.script(&format!("asks_{number}")).expect("it is there");
+            let prepared = prepare(&analysis.program, script, &analysis.plans).expect("small");
+            // Full tables, so large that the system takes them back when they move.
+            for mut mesh in [shape::triangle_torus(60, 60), shape::grid(60, 60)] {
+                let (report, lines) = run_on_both(&prepared, &mut mesh, &[], Engine::NativeAtOnce);
+                report.unwrap_or_else(|error| panic!("{name}: {}: {error:?}", ops[number]));
+                asked += usize::from(lines.iter().any(|line| !line.starts_with("0 ")));
+            }
+        }
+    }
+    assert!(asked > 60, "{asked}");
+}
+
+/// Statements that ask an operation about elements, and read the mesh behind each question.
+fn questions(op: &str, params: &[Type]) -> Option<String> {
+    let (first, others) = params.split_first()?;
+    let (all, around) = match first {
+        Type::Vertex => ("vertices", "x.neighbors"),
+        Type::Halfedge => ("halfedges", "x.vertex.neighbors"),
+        Type::Edge => ("edges", "x.halfedge.vertex.neighbors"),
+        Type::Face => ("faces", "x.vertices"),
+        _ => return None,
+    };
+    let others = others.iter().map(|ty| match ty {
+        Type::Real => Some(", 0.5"),
+        Type::Int => Some(", 2"),
+        Type::Bool => Some(", true"),
+        Type::Vec3 => Some(", vec3(0.1, 0.2, 0.3)"),
+        _ => None,
+    });
+    let call = format!("{op}(x{})", others.collect::<Option<String>>()?);
+    Some(format!(
+        "{{
+          var turn = 0
+          for x in {all} {{
+            turn = turn + 1
+            if turn > 9 {{ break }}
+            print count(can {call} and z.halfedge.twin.vertex.position.x > 0 for z in {around}),
+              sum(z.halfedge.prev.vertex.position.y for z in {around} where can {call})
+          }}
+        }}"
+    ))
+}
+
+/// Breaks where it is asked, and counts the lines that were printed before.
+#[derive(Default)]
+struct Impatient {
+    lines: usize,
+}
+
+impl Watch for Impatient {
+    fn tick(&mut self) -> ControlFlow<()> {
+        ControlFlow::Break(())
+    }
+
+    fn print(&mut self, _line: &str) {
+        self.lines += 1;
+    }
+}
+
+#[test]
+fn long_lists_are_interrupted() {
+    let text = "script main() { repeat 200 { print 1 for h in shuffle(halfedges) { break } } }";
+    let mut prepared = script("shuffled.hedge", text);
+    for engine in [Engine::Machine, Engine::NativeAtOnce] {
+        prepared.use_engine(engine);
+        let mut watch = Impatient::default();
+        let done = run(&prepared, &mut shape::triangle_torus(60, 60), &[], &mut watch);
+        assert!(done.is_err() && watch.lines == 1, "{}", watch.lines);
+    }
+}
+
 /// What functions write is noted, also where they were compiled when nobody wanted to know.
 #[test]
 fn writes_are_noted_whatever_was_compiled_before() {

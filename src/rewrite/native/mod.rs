@@ -15,7 +15,7 @@
 //!   Nothing depends on a proof or on the mesh being valid.
 //! * What native code is not given, the machine does, in safe code. After each such call the
 //!   addresses of window and tables are taken anew, since they may have moved. Those of tables are
-//!   kept in code that adds no element, nor calls or asks what does ([`operands::Surroundings::may_add`]):
+//!   kept in code that neither adds elements nor makes room for some, nor calls or asks what does ([`operands::Surroundings::may_add`]):
 //!   nothing else moves them.
 //! * The part of a loop keeps slots behind those of the machine's list, as long as there is room for
 //!   them, and the machine adds their number to its length when native code has been left.

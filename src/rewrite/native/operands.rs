@@ -5,7 +5,7 @@ use crate::mesh::{AttributeType, ElementKind};
 use crate::rewrite::vectors::{Lanes, Matrix};
 use crate::rewrite::{Code, Function, Inst, Plan, Question, Reg};
 
-/// Whether an instruction adds an element.
+/// Whether an instruction adds an element or makes room for some.
 fn adds(inst: &Inst) -> bool {
     matches!(
         inst,
@@ -13,6 +13,8 @@ fn adds(inst: &Inst) -> bool {
             | Inst::NewHalfedge { .. }
             | Inst::NewEdge { .. }
             | Inst::NewFace { .. }
+            | Inst::ExpectRoom { .. }
+            | Inst::ExpectRoomFor { .. }
     )
 }
 
@@ -73,12 +75,12 @@ impl Surroundings<'_> {
         called.is_some_and(|called| !called.code.insts.iter().any(does_more))
     }
 
-    /// Whether a code, or what it calls, may add elements, so that tables move.
+    /// Whether a code, or what it calls or asks, may add elements or make room for some, so that tables
+    /// move.
     pub(super) fn may_add(&self, code: &Code) -> bool {
         let may_add = |inst: &Inst| match *inst {
-            Inst::Apply { op, .. } => self.op_may_add(op),
-            // One in steps is taken, and undone.
-            Inst::Try { op, .. } => self.is_in_steps(op),
+            // What is only asked makes room, too, and takes steps, which are undone.
+            Inst::Apply { op, .. } | Inst::Try { op, .. } => self.op_may_add(op),
             _ => adds(inst),
         };
         code.with_called_of(self.functions).iter().any(|code| code.insts.iter().any(may_add))
@@ -89,13 +91,7 @@ impl Surroundings<'_> {
             |inst: &Inst| adds(inst) || matches!(inst, Inst::Apply { .. } | Inst::Try { .. });
         let any_adds = |code: &&Code| code.insts.iter().any(may_add);
         let plan = self.plans.get(usize::from(op)).and_then(Option::as_ref);
-        self.is_in_steps(op)
-            || plan.is_some_and(|plan| plan.code.with_called().iter().any(any_adds))
-    }
-
-    fn is_in_steps(&self, op: u16) -> bool {
-        let plan = self.plans.get(usize::from(op)).and_then(Option::as_ref);
-        plan.is_none_or(|plan| plan.steps.is_some())
+        plan.is_none_or(|plan| plan.steps.is_some() || plan.code.with_called().iter().any(any_adds))
     }
 
     /// The kind of the elements that have an attribute.
