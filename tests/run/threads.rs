@@ -28,6 +28,9 @@ fn warm(t: real) {
 }
 fn cool(t: int) { update f in faces { f.level = 100 div (f.level - t) } }
 fn depth(n: int) -> int { if n <= 0 { return 0 } return 1 + depth(n - 1) }
+fn deepen(calls: int, n: int) {
+  if calls <= 0 { update f in faces { f.level = depth(n) } } else { deepen(calls - 1, n) }
+}
 ";
 
 fn analyse(body: &str) -> Analysis {
@@ -167,6 +170,23 @@ fn what_fails_in_an_aggregate_or_a_key_is_that_of_one_thread() {
         let (after, done) = run_with_all(body, &mesh);
         assert!(done.is_err(), "{body}");
         assert_eq!(after.to_polygons().0, mesh.to_polygons().0, "{body}");
+    }
+}
+
+#[test]
+fn as_many_calls_are_nested_as_on_one_thread() {
+    let mesh = shape::icosphere(2);
+    for calls in [0, 1, 3, 80, 500] {
+        let outcomes = (996 - calls..1003 - calls).map(|n| {
+            let in_script = format!("update f in faces {{ f.level = depth({}) }}", n + calls);
+            let in_function = format!("deepen({calls}, {n})");
+            [in_script, in_function].map(|body| run_with_all(&body, &mesh).1.is_ok())
+        });
+        let outcomes: Vec<_> = outcomes.collect();
+        for place in 0..2 {
+            let done = outcomes.iter().filter(|outcome| outcome[place]).count();
+            assert!(0 < done && done < outcomes.len(), "{calls}: {outcomes:?}");
+        }
     }
 }
 

@@ -200,7 +200,7 @@ impl Machine {
             machine.is_beside_others = true;
             (machine.engine, machine.memory) = (self.engine, self.memory);
             machine.start(mesh, window);
-            machine.frames = frames.max(self.depth);
+            machine.frames = frames;
         }
         crew
     }

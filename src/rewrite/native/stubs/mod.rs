@@ -101,8 +101,10 @@ pub(super) unsafe extern "C" fn step(context: *mut Context, span: i64) -> i64 {
         let call = context.call(run);
         let mut place = context.place(span as u32 as usize);
         place.steps = (span >> 32) as usize;
-        // An operation counts its own.
-        run.machine.frames = 0;
+        // An operation counts its own; the parts of a loop go on from here.
+        if !matches!(run.inst(context, span & 0xffff_ffff), Some(Inst::Spread { .. })) {
+            run.machine.frames = 0;
+        }
         let Run { machine, mesh, watch, .. } = run;
         let outcome = match machine.drains.is_empty() && !opens_drain(&call, place.at) {
             true => machine.execute_from::<false, true>(mesh, call, &mut place, *watch)?,
