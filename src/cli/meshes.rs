@@ -225,6 +225,8 @@ pub(super) fn tell_displaced(path: &Path, places: &Places, mesh: &Mesh) {
     for told in places.displaced(mesh) {
         let (shown, attribute) = (path.display(), &told.attribute);
         let [some, all] = told.faces;
+        // Others may have been computed from these.
+        let least = if some < all { "at least " } else { "" };
         let corners = |count: usize| if count == 1 { "corner has" } else { "corners have" };
         let mut parts = Vec::new();
         if told.kept > 0 {
@@ -236,8 +238,8 @@ pub(super) fn tell_displaced(path: &Path, places: &Places, mesh: &Mesh) {
             parts.push(format!("{} new {have} the default", told.defaulted));
         }
         complain(&format!(
-            "warning: {shown}: `{attribute}` is wrong on {some} of {all} faces: {}; what the ops \
-             do not set does not travel with the corners",
+            "warning: {shown}: `{attribute}` is wrong on {least}{some} of {all} faces: {}; operations \
+             have to set it at new corners",
             parts.join(", and ")
         ));
     }

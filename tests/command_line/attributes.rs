@@ -136,21 +136,57 @@ fn a_default_that_used_files_need_is_asked_for_once() {
 fn what_of_a_file_is_lost_is_told() {
     let bench = Bench::new();
     bench.write("m.obj", TWO.replace("f 1/1/1 2/2/1", "l 1 2\np 3\nf 1/1/1 2/2/1"));
-    let flip = ["apply", "std/triangle.hedge::flip", "m.obj", "--at", "edge:1-3"];
-    let said = bench.run(&[flip.as_slice(), &["-o", "n.obj"]].concat());
+    let split = ["apply", "std/triangle.hedge::split", "m.obj", "--at", "edge:1-3"];
+    let said = bench.run(&[split.as_slice(), &["-o", "n.obj"]].concat());
     assert_eq!(said.code, 0, "{said:?}");
     for words in [
-        "2 faces with new corners have no texture coordinates (`vt`) any more\n",
-        "2 faces with new corners have no normals (`vn`) any more\n",
+        "4 faces with new corners have no texture coordinates (`vt`) any more\n",
+        "4 faces with new corners have no normals (`vn`) any more\n",
         "`l`, `p`",
     ] {
         assert!(said.err.contains(words), "{}", said.err);
     }
-    assert!(bench.read("n.obj").ends_with("f 4 2 3\nf 2 4 1\n"));
+    assert!(bench.read("n.obj").ends_with("f 3 5 2\nf 1 5 4\nf 5 3 4\nf 5 1 2\n"));
     // A file whose corners have none has none to lose.
     bench.write("m.obj", SQUARE);
-    let said = bench.run(&[flip.as_slice(), &["-o", "n.obj"]].concat());
+    let said = bench.run(&[split.as_slice(), &["-o", "n.obj"]].concat());
     assert_eq!((said.code, said.err.contains("warning")), (0, false), "{said:?}");
+}
+
+#[test]
+fn new_corners_have_what_the_file_has_beside_them() {
+    let bench = Bench::new();
+    let faces = |command: &[&str], mesh: &str| {
+        bench.write("m.obj", mesh);
+        let said = bench.run(&[command, &["-o", "n.obj"]].concat());
+        assert_eq!(said.code, 0, "{said:?}");
+        let written = bench.read("n.obj");
+        let faces: Vec<_> = written.lines().filter_map(|line| line.strip_prefix("f ")).collect();
+        (faces.join(", "), said.err.matches("any more").count())
+    };
+    let flip = ["apply", "std/triangle.hedge::flip", "m.obj", "--at", "edge:1-3"];
+    let both = ("4/2/1 2/2/1 3/3/1, 2/2/1 4/2/1 1/1/1".to_owned(), 0);
+    assert_eq!(faces(&flip, TWO), both);
+    // Rows of the same values are no seam; others are, and so is a corner without a row.
+    let doubled = TWO.replace("vn 0", "vt 0.75 0.5\nvn 0").replace(" 3/3/1 4", " 3/4/1 4");
+    let (written, warnings) = faces(&flip, &doubled);
+    assert_eq!((written.replace("3/4/1", "3/3/1"), warnings), both);
+    let seam = TWO.replace(" 3/3/1 4", " 3/1/1 4");
+    assert_eq!(faces(&flip, &seam), ("4//1 2//1 3//1, 2//1 4//1 1//1".to_owned(), 1));
+    // The corners of a polygon are those of its triangles, whatever others have there.
+    let quads = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\n\
+        vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\nf 2/1 5/2 6/3 3/4\n";
+    let (faces, warnings) = faces(&["run", "std/triangulate", "m.obj"], quads);
+    assert_eq!(warnings, 0);
+    let corners = |face: &str| face.split(' ').map(str::to_owned).collect::<Vec<_>>();
+    let first = ["1/1", "2/2", "3/3", "4/4"];
+    let second = ["2/1", "5/2", "6/3", "3/4"];
+    let triangles: Vec<_> = faces.split(", ").map(corners).collect();
+    assert_eq!(triangles.len(), 4, "{faces}");
+    for triangle in &triangles {
+        let is_of = |quad: [&str; 4]| triangle.iter().all(|corner| quad.contains(&&**corner));
+        assert!(is_of(first) || is_of(second), "{faces}");
+    }
 }
 
 #[test]
@@ -163,7 +199,7 @@ fn values_that_are_not_those_of_their_corners_are_counted() {
     let flip = format!("for e in edges where not boundary(e) {{ must flip(e) }} {named}");
     let (_, err) = run(&bench, &flip, "m.obj", "n.obj");
     let told = "warning: n.obj: `uv` is wrong on 2 of 2 faces: 2 corners have kept the value of a \
-        place left; what the ops do not set does not travel with the corners\n";
+        place left; operations have to set it at new corners\n";
     assert_eq!(err, told);
     let split = format!("for e in edges where not boundary(e) {{ must split(e) }} {named}");
     let (_, err) = run(&bench, &split, "m.obj", "n.obj");

@@ -11,42 +11,15 @@
 //! until somebody wants them as values: [`MeshFile::bring`] makes a column of them, and a column of
 //! such a name is what is written from then on, one row for each value that occurs.
 
-use std::collections::HashMap;
-
 use glam::{DVec2, DVec3};
 
+use super::corners::OfCorner;
 use super::format::FileFormat;
-use super::kept::{MISSING, Rows};
+use super::kept::MISSING;
 use super::mesh_file::MeshFile;
 use super::{msh, obj, off};
 use crate::mesh::attribute::{AttributeType, ColumnId, Value};
-use crate::mesh::connectivity::Mesh;
-use crate::mesh::id::{ElementKind, FaceId, HalfedgeId, VertexId};
-
-/// The attributes of a corner besides its vertex.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum OfCorner {
-    Texture,
-    Normal,
-}
-
-impl OfCorner {
-    const ALL: [Self; 2] = [Self::Texture, Self::Normal];
-
-    fn name(self) -> &'static str {
-        match self {
-            Self::Texture => "uv",
-            Self::Normal => "normal",
-        }
-    }
-
-    fn can_be(self, ty: AttributeType) -> bool {
-        match self {
-            Self::Texture => matches!(ty, AttributeType::Vec2 | AttributeType::Vec3),
-            Self::Normal => ty == AttributeType::Vec3,
-        }
-    }
-}
+use crate::mesh::id::ElementKind;
 
 /// An attribute that a program uses: its kind, name and default.
 pub type WantedAttribute<'n> = (ElementKind, &'n str, Value);
@@ -169,28 +142,6 @@ impl MeshFile {
         told
     }
 
-    /// The number of faces that are written without texture coordinates (`vt`), and how many
-    /// without normals (`vn`), although the file had some: corners of theirs are not those of the
-    /// file.
-    pub fn bare_faces(&self) -> [usize; 2] {
-        OfCorner::ALL.map(|what| {
-            let kept = self.kept_corners(what);
-            if kept.is_empty() || self.written_column(what).is_some() {
-                return 0;
-            }
-            let all_had_one = kept.iter().all(|&row| row != MISSING);
-            let corners = Corners::Kept { obj: self, what };
-            let is_bare = |&f: &FaceId| {
-                let mut sides = self.mesh.face_halfedges(f);
-                let mut had =
-                    || self.face_number(f).is_none() || sides.any(|h| corners.row(h).is_some());
-                !corners.cover(&self.mesh, f) && (all_had_one || had())
-            };
-            let faces = self.mesh.faces().filter(|&f| !self.mesh.is_hole(f));
-            faces.filter(is_bare).count()
-        })
-    }
-
     /// True if the file that was read has groups, objects, materials or smoothing groups that a
     /// file of a format has no place for.
     pub fn loses_groups(&self, format: FileFormat) -> bool {
@@ -208,123 +159,11 @@ impl MeshFile {
     pub(super) fn color(&self) -> Option<ColumnId> {
         self.column_of_type(ElementKind::Vertex, "color", |ty| ty == AttributeType::Vec3)
     }
-
-    /// The column that is written for `what`: that of the corners before that of the vertices.
-    fn written_column(&self, what: OfCorner) -> Option<ColumnId> {
-        let mut kinds = [ElementKind::Halfedge, ElementKind::Vertex].into_iter();
-        kinds.find_map(|kind| self.column_of_type(kind, what.name(), |ty| what.can_be(ty)))
-    }
-
-    pub(super) fn column_of_type(
-        &self,
-        kind: ElementKind,
-        name: &str,
-        fits: impl Fn(AttributeType) -> bool,
-    ) -> Option<ColumnId> {
-        let id = self.mesh.find_column(kind, name)?;
-        let column = self.mesh.column(id)?;
-        fits(column.attribute_type()).then_some(id)
-    }
-
-    fn kept_corners(&self, what: OfCorner) -> &[u32] {
-        match what {
-            OfCorner::Texture => &self.kept.corner_texture,
-            OfCorner::Normal => &self.kept.corner_normals,
-        }
-    }
-
-    fn kept_rows(&self, what: OfCorner) -> &Rows {
-        match what {
-            OfCorner::Texture => &self.kept.texture,
-            OfCorner::Normal => &self.kept.normals,
-        }
-    }
-
-    /// The row of the file at the start of a halfedge in its face.
-    fn kept_row(&self, what: OfCorner, h: HalfedgeId) -> Option<u32> {
-        match what {
-            OfCorner::Texture => self.texture_index(h),
-            OfCorner::Normal => self.normal_index(h),
-        }
-    }
-
-    fn kept_value(&self, what: OfCorner, h: HalfedgeId) -> Option<[f64; 3]> {
-        let row = self.kept_row(what, h)?;
-        self.kept_rows(what).rows.get(row as usize).copied()
-    }
 }
 
 fn value(ty: AttributeType, [x, y, z]: [f64; 3]) -> Value {
     match ty {
         AttributeType::Vec2 => Value::Vec2(DVec2::new(x, y)),
         _ => Value::Vec3(DVec3::new(x, y, z)),
-    }
-}
-
-/// The values of corners, as they are written: rows, and where they are used.
-pub(super) enum Corners<'o> {
-    /// As the file had it.
-    Kept { obj: &'o MeshFile, what: OfCorner },
-    /// The values of a column, each once, in the order of the faces.
-    Values {
-        rows: Rows,
-        /// By halfedge.
-        places: Vec<u32>,
-    },
-}
-
-impl<'o> Corners<'o> {
-    pub(super) fn of(obj: &'o MeshFile, what: OfCorner, faces: &[FaceId]) -> Self {
-        let Some(column) = obj.written_column(what) else {
-            return Self::Kept { obj, what };
-        };
-        let mesh = &obj.mesh;
-        let is_flat = mesh.values::<DVec2>(column).is_some();
-        let mut rows = Rows { rows: Vec::new(), width: if is_flat { 2 } else { 3 } };
-        let mut places = vec![MISSING; mesh.capacity(ElementKind::Halfedge)];
-        let mut known: HashMap<[u64; 3], u32> = HashMap::new();
-        for h in faces.iter().flat_map(|&f| mesh.face_halfedges(f)) {
-            let VertexId(vertex) = mesh.vertex(h);
-            let of = match column.kind {
-                ElementKind::Halfedge => h.0,
-                _ => vertex,
-            };
-            let row = match mesh.value(column, of) {
-                Some(Value::Vec2(at)) => [at.x, at.y, 0.0],
-                Some(Value::Vec3(at)) => at.to_array(),
-                _ => continue, // such a column holds nothing else
-            };
-            let next = rows.rows.len() as u32;
-            let place = *known.entry(row.map(f64::to_bits)).or_insert(next);
-            if place == next {
-                rows.rows.push(row);
-            }
-            places[h.index()] = place;
-        }
-        Self::Values { rows, places }
-    }
-
-    pub(super) fn rows(&self) -> &Rows {
-        match self {
-            Self::Kept { obj, what } => obj.kept_rows(*what),
-            Self::Values { rows, .. } => rows,
-        }
-    }
-
-    /// True if all corners of a face have a row: only then the face is written with them.
-    pub(super) fn cover(&self, mesh: &Mesh, f: FaceId) -> bool {
-        let is_empty = self.rows().rows.is_empty();
-        !is_empty && mesh.face_halfedges(f).all(|h| self.row(h).is_some())
-    }
-
-    /// The row at the start of a halfedge in its face.
-    pub(super) fn row(&self, h: HalfedgeId) -> Option<u32> {
-        match self {
-            Self::Kept { obj, what } => obj.kept_row(*what, h),
-            Self::Values { places, .. } => {
-                let row = places.get(h.index()).copied();
-                row.filter(|&row| row != MISSING)
-            }
-        }
     }
 }

@@ -168,7 +168,7 @@ impl Contents {
             column.give(&mut mesh, column.kind, 0..count as u32);
         }
         if self.kept.has_corners() {
-            self.kept.corner_vertices = self.polygons.into_corners();
+            self.kept.corners = self.polygons;
         }
         let mut file = MeshFile::from_file(mesh, self.kept);
         (file.encoding, file.msh_version) = (self.encoding, self.msh_version);
@@ -211,7 +211,12 @@ impl Contents {
                 }
             }
             let halfedges = mesh.halfedges().take(places.len());
-            self.kept.corner_vertices = halfedges.map(|h| mesh.vertex(h).0).collect();
+            let vertices = halfedges.map(|h| mesh.vertex(h).0).collect();
+            let ends = mesh.faces().take(faces.len()).scan(0, |end, f| {
+                *end += mesh.face_halfedges(f).count();
+                Some(*end)
+            });
+            self.kept.corners = Polygons::of_parts(vertices, ends.collect());
         }
         let mut file = MeshFile::from_file(mesh, self.kept);
         (file.encoding, file.msh_version) = (self.encoding, self.msh_version);

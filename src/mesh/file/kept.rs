@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use crate::mesh::polygons::Polygons;
+
 /// Stands for "none" where an index of the file may be missing.
 pub(super) const MISSING: u32 = u32::MAX;
 
@@ -20,8 +22,8 @@ pub(super) struct Kept {
     /// one, and are as long as the corners otherwise.
     pub(super) corner_texture: Vec<u32>,
     pub(super) corner_normals: Vec<u32>,
-    /// The vertex of each corner when the file was read; empty if no corner has anything to keep.
-    pub(super) corner_vertices: Vec<u32>,
+    /// The polygons when the file was read; none if no corner has anything to keep.
+    pub(super) corners: Polygons,
     /// The statements that are no part of a mesh, such as `l` and `p`: the first few words, with
     /// their lines.
     pub(super) passed_over: Vec<(String, u32)>,

@@ -10,7 +10,7 @@ use std::path::PathBuf;
 
 use super::format::{Encoding, MshVersion};
 use super::kept::{Kept, MISSING, State};
-use crate::mesh::attribute::{ColumnId, Value};
+use crate::mesh::attribute::{AttributeType, ColumnId, Value};
 use crate::mesh::connectivity::Mesh;
 use crate::mesh::id::{ElementKind, FaceId, HalfedgeId, VertexId};
 use crate::mesh::repair::RepairReport;
@@ -114,8 +114,8 @@ impl MeshFile {
         let faces = file.mesh.face_count();
         file.vertex_numbers = file.number(ElementKind::Vertex, "file:vertex", vertices);
         file.face_numbers = file.number(ElementKind::Face, "file:face", faces);
-        if !kept.corner_vertices.is_empty() {
-            let corners = kept.corner_vertices.len();
+        let corners = kept.corners.corners().len();
+        if corners > 0 {
             file.corners = file.number(ElementKind::Halfedge, "file:corner", corners);
         }
         file.kept = kept;
@@ -148,8 +148,20 @@ impl MeshFile {
         self.mesh.values::<bool>(column?)?.get(slot)?.then_some(slot)
     }
 
+    /// The column of a name, if its type fits.
+    pub(super) fn column_of_type(
+        &self,
+        kind: ElementKind,
+        name: &str,
+        fits: impl Fn(AttributeType) -> bool,
+    ) -> Option<ColumnId> {
+        let id = self.mesh.find_column(kind, name)?;
+        let column = self.mesh.column(id)?;
+        fits(column.attribute_type()).then_some(id)
+    }
+
     /// The place of a vertex among those that were read, from 0, if it is one of them.
-    fn vertex_place(&self, v: VertexId) -> Option<usize> {
+    pub(super) fn vertex_place(&self, v: VertexId) -> Option<usize> {
         self.mesh.get_position(v)?;
         self.stored(self.vertex_numbers, v.index())
     }
@@ -213,7 +225,7 @@ impl MeshFile {
     /// The corner of the file that a halfedge still is: it starts at the same vertex.
     pub(super) fn corner(&self, h: HalfedgeId) -> Option<usize> {
         let corner = self.stored(self.corners, h.index())?;
-        let vertex = *self.kept.corner_vertices.get(corner)?;
+        let vertex = *self.kept.corners.corners().get(corner)?;
         (self.vertex_place(self.mesh.get_vertex(h)?)? == vertex as usize).then_some(corner)
     }
 

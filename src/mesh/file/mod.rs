@@ -20,6 +20,7 @@
 
 mod attributes;
 mod contents;
+mod corners;
 mod error;
 mod format;
 mod kept;

@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use glam::DVec3;
 
 use crate::mesh::attribute::{AttributeType, ColumnId};
-use crate::mesh::file::attributes::{Corners, OfCorner};
+use crate::mesh::file::corners::{Corners, OfCorner};
 use crate::mesh::file::kept::State;
 use crate::mesh::file::mesh_file::{MeshFile, WrittenNumbers};
 use crate::mesh::file::print::{PART, Printer};

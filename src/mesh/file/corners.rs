@@ -1,0 +1,250 @@
+//! The texture coordinates and normals of corners, as they are written.
+//!
+//! A corner of the file has the row that it had. A new one, which stands where an operation has turned
+//! or added a halfedge, has that of its vertex in the polygons of the file from which the corners of
+//! its face come that are the next on both sides. If these are two polygons, they must share
+//! vertices, with the same values there: no seam and no crease lies between them.
+
+use std::collections::HashMap;
+
+use glam::DVec2;
+
+use super::kept::{MISSING, Rows};
+use super::mesh_file::MeshFile;
+use crate::mesh::attribute::{AttributeType, ColumnId, Value};
+use crate::mesh::connectivity::Mesh;
+use crate::mesh::id::{ElementKind, FaceId, HalfedgeId, VertexId};
+
+/// Polygons with more corners are not searched: to do it for each of their corners takes long.
+const LARGEST: usize = 1024;
+
+/// The attributes of a corner besides its vertex.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum OfCorner {
+    Texture,
+    Normal,
+}
+
+impl OfCorner {
+    pub(super) const ALL: [Self; 2] = [Self::Texture, Self::Normal];
+
+    pub(super) fn name(self) -> &'static str {
+        match self {
+            Self::Texture => "uv",
+            Self::Normal => "normal",
+        }
+    }
+
+    pub(super) fn can_be(self, ty: AttributeType) -> bool {
+        match self {
+            Self::Texture => matches!(ty, AttributeType::Vec2 | AttributeType::Vec3),
+            Self::Normal => ty == AttributeType::Vec3,
+        }
+    }
+}
+
+/// The values of corners, as they are written: rows, and where they are used.
+pub(super) enum Corners<'o> {
+    /// As the file had it, and the rows of new corners, by halfedge.
+    Kept { obj: &'o MeshFile, what: OfCorner, new: HashMap<u32, u32> },
+    /// The values of a column, each once, in the order of the faces.
+    Values {
+        rows: Rows,
+        /// By halfedge.
+        places: Vec<u32>,
+    },
+}
+
+impl<'o> Corners<'o> {
+    pub(super) fn of(obj: &'o MeshFile, what: OfCorner, faces: &[FaceId]) -> Self {
+        let Some(column) = obj.written_column(what) else {
+            return Self::Kept { obj, what, new: obj.new_rows(what, faces) };
+        };
+        let mesh = &obj.mesh;
+        let is_flat = mesh.values::<DVec2>(column).is_some();
+        let mut rows = Rows { rows: Vec::new(), width: if is_flat { 2 } else { 3 } };
+        let mut places = vec![MISSING; mesh.capacity(ElementKind::Halfedge)];
+        let mut known: HashMap<[u64; 3], u32> = HashMap::new();
+        for h in faces.iter().flat_map(|&f| mesh.face_halfedges(f)) {
+            let VertexId(vertex) = mesh.vertex(h);
+            let of = match column.kind {
+                ElementKind::Halfedge => h.0,
+                _ => vertex,
+            };
+            let row = match mesh.value(column, of) {
+                Some(Value::Vec2(at)) => [at.x, at.y, 0.0],
+                Some(Value::Vec3(at)) => at.to_array(),
+                _ => continue, // such a column holds nothing else
+            };
+            let next = rows.rows.len() as u32;
+            let place = *known.entry(row.map(f64::to_bits)).or_insert(next);
+            if place == next {
+                rows.rows.push(row);
+            }
+            places[h.index()] = place;
+        }
+        Self::Values { rows, places }
+    }
+
+    pub(super) fn rows(&self) -> &Rows {
+        match self {
+            Self::Kept { obj, what, .. } => obj.kept_rows(*what),
+            Self::Values { rows, .. } => rows,
+        }
+    }
+
+    /// True if all corners of a face have a row: only then the face is written with them.
+    pub(super) fn cover(&self, mesh: &Mesh, f: FaceId) -> bool {
+        let is_empty = self.rows().rows.is_empty();
+        !is_empty && mesh.face_halfedges(f).all(|h| self.row(h).is_some())
+    }
+
+    /// The row at the start of a halfedge in its face.
+    pub(super) fn row(&self, h: HalfedgeId) -> Option<u32> {
+        match self {
+            Self::Kept { obj, what, new } => {
+                obj.kept_row(*what, h).or_else(|| new.get(&h.0).copied())
+            }
+            Self::Values { places, .. } => {
+                let row = places.get(h.index()).copied();
+                row.filter(|&row| row != MISSING)
+            }
+        }
+    }
+}
+
+impl MeshFile {
+    /// The number of faces that are written without texture coordinates (`vt`), and how many
+    /// without normals (`vn`), although the file had some: there are [none](super::corners) for new
+    /// corners of theirs.
+    pub fn bare_faces(&self) -> [usize; 2] {
+        OfCorner::ALL.map(|what| {
+            let kept = self.kept_corners(what);
+            if kept.is_empty() || self.written_column(what).is_some() {
+                return 0;
+            }
+            let all_had_one = kept.iter().all(|&row| row != MISSING);
+            let is_face = |&f: &FaceId| !self.mesh.is_hole(f);
+            let faces: Vec<_> = self.mesh.faces().filter(is_face).collect();
+            let corners = Corners::of(self, what, &faces);
+            let is_bare = |&f: &FaceId| {
+                let mut sides = self.mesh.face_halfedges(f);
+                let mut had =
+                    || self.face_number(f).is_none() || sides.any(|h| corners.row(h).is_some());
+                !corners.cover(&self.mesh, f) && (all_had_one || had())
+            };
+            faces.iter().filter(|f| is_bare(f)).count()
+        })
+    }
+
+    /// The column that is written for `what`: that of the corners before that of the vertices.
+    pub(super) fn written_column(&self, what: OfCorner) -> Option<ColumnId> {
+        let mut kinds = [ElementKind::Halfedge, ElementKind::Vertex].into_iter();
+        kinds.find_map(|kind| self.column_of_type(kind, what.name(), |ty| what.can_be(ty)))
+    }
+
+    pub(super) fn kept_corners(&self, what: OfCorner) -> &[u32] {
+        match what {
+            OfCorner::Texture => &self.kept.corner_texture,
+            OfCorner::Normal => &self.kept.corner_normals,
+        }
+    }
+
+    fn kept_rows(&self, what: OfCorner) -> &Rows {
+        match what {
+            OfCorner::Texture => &self.kept.texture,
+            OfCorner::Normal => &self.kept.normals,
+        }
+    }
+
+    /// The row of the file at the start of a halfedge in its face.
+    fn kept_row(&self, what: OfCorner, h: HalfedgeId) -> Option<u32> {
+        match what {
+            OfCorner::Texture => self.texture_index(h),
+            OfCorner::Normal => self.normal_index(h),
+        }
+    }
+
+    pub(super) fn kept_value(&self, what: OfCorner, h: HalfedgeId) -> Option<[f64; 3]> {
+        let row = self.kept_row(what, h)?;
+        self.kept_rows(what).rows.get(row as usize).copied()
+    }
+}
+
+/// New corners.
+impl MeshFile {
+    /// The rows of corners that are not those of the file, in faces where others are, by halfedge.
+    fn new_rows(&self, what: OfCorner, faces: &[FaceId]) -> HashMap<u32, u32> {
+        let mut new = HashMap::new();
+        if self.kept_corners(what).is_empty() {
+            return new;
+        }
+        let mut sides: Vec<(HalfedgeId, Option<usize>)> = Vec::new();
+        for &f in faces {
+            sides.clear();
+            sides.extend(self.mesh.face_halfedges(f).map(|h| (h, self.corner(h))));
+            let Some(first) = sides.iter().position(|(_, corner)| corner.is_some()) else {
+                continue;
+            };
+            sides.rotate_left(first);
+            sides.push(sides[0]);
+            // Between two corners of the file, one after the other, all are new.
+            let mut rest = &sides[..];
+            while let [(_, Some(before)), others @ ..] = rest {
+                let count = others.iter().take_while(|(_, corner)| corner.is_none()).count();
+                let (between, behind) = others.split_at(count);
+                if let (false, [(_, Some(behind)), ..]) = (between.is_empty(), behind)
+                    && let Some(polygons) = self.polygons_without_seam(what, [*before, *behind])
+                {
+                    new.extend(between.iter().filter_map(|&(h, _)| {
+                        let vertex = self.vertex_place(self.mesh.vertex(h))? as u32;
+                        Some((h.0, polygons.iter().find_map(|polygon| polygon.row(vertex))?))
+                    }));
+                }
+                rest = behind;
+            }
+        }
+        new
+    }
+
+    /// The polygons of two corners of the file, if there is no seam between them: they are one, or
+    /// share vertices and have the same values there.
+    fn polygons_without_seam(
+        &self,
+        what: OfCorner,
+        [one, other]: [usize; 2],
+    ) -> Option<[KeptPolygon<'_>; 2]> {
+        let (one, other) = (self.polygon(what, one)?, self.polygon(what, other)?);
+        let value = |row: u32| self.kept_rows(what).rows.get(row as usize);
+        let corners = one.vertices.iter().zip(one.rows);
+        let mut shared = corners.filter_map(|(&v, &row)| Some((row, other.row(v)?))).peekable();
+        let has_no_seam = one.first == other.first
+            || shared.peek().is_some() && shared.all(|(a, b)| value(a) == value(b));
+        has_no_seam.then_some([one, other])
+    }
+
+    /// The polygon of the file that has a corner.
+    fn polygon(&self, what: OfCorner, corner: usize) -> Option<KeptPolygon<'_>> {
+        let ends = self.kept.corners.ends();
+        let place = ends.partition_point(|&end| end <= corner);
+        let vertices = self.kept.corners.get(place)?;
+        let first = ends[place] - vertices.len();
+        let rows = self.kept_corners(what).get(first..ends[place])?;
+        (vertices.len() <= LARGEST).then_some(KeptPolygon { first, vertices, rows })
+    }
+}
+
+/// A polygon of the file: the place of its first corner, its vertices and its rows.
+struct KeptPolygon<'f> {
+    first: usize,
+    vertices: &'f [u32],
+    rows: &'f [u32],
+}
+
+impl KeptPolygon<'_> {
+    /// The row at a vertex.
+    fn row(&self, vertex: u32) -> Option<u32> {
+        let corner = self.vertices.iter().position(|&v| v == vertex)?;
+        self.rows.get(corner).copied().filter(|&row| row != MISSING)
+    }
+}
