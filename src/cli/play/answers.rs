@@ -90,7 +90,9 @@ impl Answers {
         let nothing = || (404, "nothing here".to_owned());
         if *request.method() == Method::Get {
             return match asked.as_str() {
-                "" | "index.html" => page::index(&format!("/{}/{}/", self.token, self.pages.open())),
+                "" | "index.html" => {
+                    page::index(&format!("/{}/{}/", self.token, self.pages.open()))
+                }
                 name => page::file(name),
             }
             .ok_or_else(nothing);
