@@ -34,6 +34,12 @@ fn places(words: &[String]) -> Vec<&str> {
 
 /// A word that is no command: a file, or something of the library.
 fn no_command(word: &str) -> Option<String> {
+    if ["emit", "compile", "export", "generate"].contains(&word) {
+        return Some(format!(
+            "there is no command `{word}`: `hedgerow plan FILE::OP --as cpp -o OUT.hpp` writes an \
+             operation as C++, `--as rust` as Rust"
+        ));
+    }
     let path = Path::new(word);
     if is_mesh(path) {
         return Some(format!(

@@ -230,9 +230,10 @@ pub(super) enum Shown {
     Table,
     /// The same as data
     Json,
-    /// A function over a mesh of pointers
+    /// C++: a function over a mesh of pointers
+    #[value(alias = "c++")]
     Cpp,
-    /// A function over hedgerow::mesh
+    /// Rust: a function over hedgerow::mesh
     Rust,
 }
 

@@ -19,6 +19,7 @@ fn what_is_no_command() {
     advised(&["remesh", "square.obj"], "hedgerow run std/remesh::remesh MESH -o OUT");
     advised(&["flip.hedge"], "hedgerow check flip.hedge");
     advised(&["square.obj"], "hedgerow info square.obj");
+    advised(&["emit", "flip.hedge::flip"], "`hedgerow plan FILE::OP --as cpp -o OUT.hpp`");
     advised(&["chekc", "flip.hedge"], "'check'");
 }
 
@@ -48,6 +49,13 @@ fn options_written_otherwise() {
     advised(&["info", "square.obj", "--json"], "`--format json`");
     let place = ["apply", "flip.hedge::flip", "square.obj", "--at", "edge", "1-2", "-o", "x.obj"];
     advised(&place, "`--at edge:1-2`");
+}
+
+#[test]
+fn cpp_has_another_name() {
+    let bench = Bench::new();
+    let emitted = |kind| bench.succeeds(&["plan", "std/triangle::flip", "--as", kind]);
+    assert_eq!(emitted("c++"), emitted("cpp"));
 }
 
 #[test]
