@@ -46,6 +46,11 @@ fn options_written_otherwise() {
     advised(&before, "`--set target=2 --set other=3`");
     advised(&["run", "go.hedge", "square.obj", "--set", "at=1", "2"], "`--set NAME=VALUE` without");
     advised(&["run", "go.hedge", "square.obj", "--seed", "x"], "a whole number from 0");
+    advised(&["info", "square.obj", "--threads", "0"], "a whole number from 1 is wanted");
+    advised(&["info", "square.obj", "--threads", "x"], "a whole number from 1 is wanted");
+    let size = ["view", "square.obj", "-o", "x.png", "--size", "800x600"];
+    advised(&size, "a whole number from 16 to 16384 is wanted");
+    advised(&["play", "--port", "65536"], "a whole number from 0 to 65535 is wanted");
     advised(&["info", "square.obj", "--json"], "`--format json`");
     let place = ["apply", "flip.hedge::flip", "square.obj", "--at", "edge", "1-2", "-o", "x.obj"];
     advised(&place, "`--at edge:1-2`");
