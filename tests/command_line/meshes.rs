@@ -138,6 +138,20 @@ fn damaged_places_are_passed_over_on_demand() {
 }
 
 #[test]
+fn a_repair_is_advised_where_it_helps() {
+    let bench = Bench::new();
+    bench.write("comma.obj", "v 0,0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n");
+    bench.write("comma.stl", "solid\nvertex 0 0,5 0\n");
+    bench.write("comma.off", "OFF\n3 1 0\n0,5 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+    for (file, line) in [("comma.obj", 1), ("comma.stl", 2), ("comma.off", 3)] {
+        let said =
+            bench.fails(2, &["info", file], "is no number; numbers are written with a point");
+        assert!(said.err.contains(&format!("{file}:{line}: ")), "{}", said.err);
+        assert!(!said.err.contains("--repair"), "{}", said.err);
+    }
+}
+
+#[test]
 fn every_line_of_an_obj_file_is_kept_or_told() {
     let bench = Bench::new();
     bench.write("s.hedge", "script s() { }\n");

@@ -4,6 +4,7 @@ use std::fmt;
 use std::io;
 
 use super::format::FileFormat;
+use super::scan::POINT;
 use crate::mesh::build_error::BuildError;
 use crate::mesh::faults::Faults;
 use crate::mesh::id::ElementKind;
@@ -341,7 +342,11 @@ impl fmt::Display for FileReason {
 impl FileError {
     /// True if a repair would mend it.
     pub fn is_mendable(&self) -> bool {
-        matches!(self.reason, FileReason::Faults(_) | FileReason::Damaged(_))
+        match &self.reason {
+            FileReason::Faults(_) => true,
+            FileReason::Damaged(words) => !words.ends_with(POINT),
+            _ => false,
+        }
     }
 }
 
