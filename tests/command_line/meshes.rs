@@ -152,6 +152,26 @@ fn a_repair_is_advised_where_it_helps() {
 }
 
 #[test]
+fn vertices_that_nearly_coincide_can_be_merged() {
+    let bench = Bench::new();
+    bench.write("s.hedge", "script s() { print count(vertices) }\n");
+    let loops = ["0 0 0 1 0 0 1 1 0", "0 0 0 1.0000001 1 0 0 1 0"].map(|numbers| {
+        let numbers: Vec<_> = numbers.split(' ').collect();
+        let vertices = numbers.chunks(3).map(|it| format!("vertex {}\n", it.join(" ")));
+        format!(
+            "facet normal 0 0 1\nouter loop\n{}endloop\nendfacet\n",
+            vertices.collect::<String>()
+        )
+    });
+    bench.write("near.stl", format!("solid\n{}endsolid\n", loops.concat()));
+    let run = ["run", "s.hedge", "near.stl"];
+    let said = bench.fails(2, &run, "the surface is pinched there");
+    assert!(said.err.contains("`--repair`") && said.err.contains("`--merge DISTANCE`"), "{said:?}");
+    let said = bench.run(&[&run[..], &["--merge", "1e-6"]].concat());
+    assert!(said.out.starts_with("4\n"), "{said:?}");
+}
+
+#[test]
 fn every_line_of_an_obj_file_is_kept_or_told() {
     let bench = Bench::new();
     bench.write("s.hedge", "script s() { }\n");

@@ -203,6 +203,7 @@ impl fmt::Display for FileFaults {
     }
 }
 
+const PINCHED: [&str; 2] = ["pinched vertex", "pinched vertices"];
 const STRAYS: [&str; 2] = ["index that leads nowhere", "indices that lead nowhere"];
 
 /// The kind of a fault, in words for one and for many.
@@ -223,7 +224,7 @@ fn names(fault: &BuildError) -> [&'static str; 2] {
         BuildError::SameDirection { .. } => {
             ["edge whose faces do not run alike", "edges whose faces do not run alike"]
         }
-        BuildError::BowTie { .. } => ["pinched vertex", "pinched vertices"],
+        BuildError::BowTie { .. } => PINCHED,
     }
 }
 
@@ -345,6 +346,17 @@ impl FileError {
         match &self.reason {
             FileReason::Faults(_) => true,
             FileReason::Damaged(words) => !words.ends_with(POINT),
+            _ => false,
+        }
+    }
+}
+
+impl FileReason {
+    /// True if vertices are pinched, as they are where equal ones differ a little.
+    #[cfg(feature = "cli")]
+    pub(crate) fn is_pinched(&self) -> bool {
+        match self {
+            Self::Faults(faults) => faults.kinds.iter().any(|kind| PINCHED.contains(&kind.kind)),
             _ => false,
         }
     }
