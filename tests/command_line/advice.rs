@@ -81,9 +81,26 @@ fn words_written_otherwise() {
         ("half-edge", "one side of an edge"),
         ("Vertices", "all vertices"),
         ("level", "a `surface`, or `simple`"),
+        ("outer", "outer halfedge: a halfedge that stands in no loop"),
+        ("outer halfedge", "stands in no loop"),
+        ("*S", "spokes of a vertex"),
+        ("=>", "a run of zero or more halfedges"),
+        ("valence", "degree(vertex)"),
+        ("decimate", "declared in `std/simplify.hedge`"),
         ("collapse", "declared in `std/triangle.hedge`"),
     ] {
         let told = bench.succeeds(&["explain", word]);
         assert!(told.contains(meaning), "{word}: {told}");
+    }
+}
+
+#[test]
+fn lists_show_whole_sentences() {
+    let bench = Bench::new();
+    for line in bench.succeeds(&["explain"]).lines() {
+        assert!(line.ends_with('.'), "{line}");
+    }
+    for file in bench.succeeds(&["std"]).split("\n\n") {
+        assert!(file.lines().nth(1).is_some_and(|about| about.ends_with('.')), "{file}");
     }
 }
