@@ -391,3 +391,20 @@ fn the_help_of_a_script() {
     let own = bench.succeeds(&["run", "--help"]);
     assert!(own.contains("Usage: ") && own.contains("--picture"), "{own}");
 }
+
+#[test]
+fn a_drawing_that_is_not_proved_is_told() {
+    let bench = Bench::new();
+    bench.write(
+        "stale.hedge",
+        "op cut(f: face) {\n  before { face f: v -h-> w =P=> v }\n  after { erase f }\n}\n",
+    );
+    let said = bench.run(&["draw", "stale.hedge", "-o", "x.svg"]);
+    assert_eq!(said.code, 0, "{said:?}");
+    assert!(
+        said.err.contains("warning: `cut` is not proved; `hedgerow check stale.hedge` tells"),
+        "{said:?}"
+    );
+    bench.write("flip.hedge", BARE_FLIP);
+    assert_eq!(bench.run(&["draw", "flip.hedge", "-o", "x.svg"]).err, "");
+}
