@@ -34,13 +34,14 @@ fn check_tells_what_is_not_kept() {
     let bench = Bench::new();
     bench.write("flip.hedge", BARE_FLIP);
     let told = bench.succeeds(&["check", "flip.hedge"]);
-    let line = "\n      keeps a surface; `guard simple` would test ";
+    let line =
+        "\n      the mesh stays a surface, but perhaps not simple; `guard simple` would add ";
     assert!(told.contains(line), "{told}");
     let json = bench.json(&["check", "flip.hedge"]);
     let only = &json["files"][0]["ops"][0]["rules"][0]["keeps_only"];
     assert_eq!(only["level"], "surface");
     let count = only["untested"].as_u64().unwrap();
-    assert!(told.contains(&format!("{line}{count} thing\n")), "{told}");
+    assert!(told.contains(&format!("{line}{count} test\n")), "{told}");
     // As many tests as the guard makes.
     bench.write("flip.hedge", BARE_FLIP.replace("  after {", "  guard simple\n  after {"));
     let told = bench.succeeds(&["check", "-v", "flip.hedge"]);

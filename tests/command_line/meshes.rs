@@ -172,6 +172,16 @@ fn vertices_that_nearly_coincide_can_be_merged() {
 }
 
 #[test]
+fn vertices_without_coordinates_are_dropped() {
+    let bench = Bench::new();
+    bench.write("nan.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv nan 0 0\nl 1 2\nf 1 2 3\n");
+    bench.write("s.hedge", "script s() { }");
+    let said = bench.run(&["run", "s.hedge", "nan.obj", "--repair", "-o", "n.obj"]);
+    assert!(said.err.contains("dropped 1 vertex without coordinates"), "{}", said.err);
+    assert!(said.err.contains("lines (`l`), first in line 5, cannot be kept"), "{}", said.err);
+}
+
+#[test]
 fn every_line_of_an_obj_file_is_kept_or_told() {
     let bench = Bench::new();
     bench.write("s.hedge", "script s() { }\n");
@@ -191,7 +201,7 @@ fn every_line_of_an_obj_file_is_kept_or_told() {
     let said = bench.run(&run);
     assert!(bench.read("n.obj").starts_with("v 0 0 0 1 0 0 0.5\nv 1 0 0 1 1 1 1\n"));
     for told in [
-        "what it says with `%x`, first in line 4, is not in it",
+        "`%x`, first in line 4, cannot be kept",
         "1 vertex with 5 numbers, or more than 7, first in line 6",
         "1 `vt` with more than three numbers, first in line 5",
         "2 vertices without a colour, which are white now",

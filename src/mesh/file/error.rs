@@ -210,7 +210,9 @@ const STRAYS: [&str; 2] = ["index that leads nowhere", "indices that lead nowher
 fn names(fault: &BuildError) -> [&'static str; 2] {
     match fault {
         BuildError::TooLarge { .. } => ["too large"; 2],
-        BuildError::NotFinite { .. } => ["vertex that lies nowhere", "vertices that lie nowhere"],
+        BuildError::NotFinite { .. } => {
+            ["vertex without coordinates", "vertices without coordinates"]
+        }
         BuildError::TooFewCorners { .. } => {
             ["face with fewer than three corners", "faces with fewer than three corners"]
         }
