@@ -82,8 +82,11 @@ pub struct KeepsOnly {
 impl KeepsOnly {
     /// In a line of words.
     pub fn words(self) -> String {
-        let things = if self.untested == 1 { "thing" } else { "things" };
-        format!("keeps a {}; `guard simple` would test {} {things}", self.level, self.untested)
+        let tests = if self.untested == 1 { "test" } else { "tests" };
+        format!(
+            "the mesh stays a {}, but perhaps not simple; `guard simple` would add {} {tests}",
+            self.level, self.untested
+        )
     }
 }
 

@@ -41,6 +41,10 @@ pub const MEANINGS: &[(&str, &str)] = &[
     ("edge", "a pair of twins: `edge e: a | d`"),
     ("vertex", "the spokes of a vertex, counterclockwise: `vertex v: a b *S`"),
     ("halfedge", "one side of an edge: it has `next`, `prev`, `twin`, `vertex`, `edge` and `face`"),
+    (
+        "outer halfedge",
+        "a halfedge that stands in no loop of the drawing, only in an `edge` statement as the twin of one that does; what is behind it may be a face or a hole",
+    ),
     ("each", "a cyclic pattern of any size: `face f: each i { v[i] -h[i]-> }`"),
     ("new", "lists what `after` adds"),
     ("keep", "states again, word for word, what `before` says of these names"),

@@ -34,6 +34,12 @@ fn places(words: &[String]) -> Vec<&str> {
 
 /// A word that is no command: a file, or something of the library.
 fn no_command(word: &str) -> Option<String> {
+    if ["emit", "compile", "export", "generate"].contains(&word) {
+        return Some(format!(
+            "there is no command `{word}`: `hedgerow plan FILE::OP --as cpp -o OUT.hpp` writes an \
+             operation as C++, `--as rust` as Rust"
+        ));
+    }
     let path = Path::new(word);
     if is_mesh(path) {
         return Some(format!(
@@ -85,8 +91,14 @@ fn too_much(word: &str, words: &[String]) -> Option<String> {
     if !matches!(command, "run" | "apply") {
         return None;
     }
+    if let Some(advice) = several_settings(words) {
+        return Some(advice);
+    }
     if let (Some("--set"), Some(name)) = (before(2), before(1)) {
-        return Some(format!("a value stands behind its name and `=`: `--set {name}={word}`"));
+        return Some(match name.contains('=') {
+            true => "write `--set NAME=VALUE` without spaces, a vector as x,y,z".to_owned(),
+            false => format!("write `--set NAME=VALUE`: `--set {name}={word}`"),
+        });
     }
     if let (Some("--at"), Some(kind)) = (before(2), before(1)) {
         return Some(format!("a place is one word: `--at {kind}:{word}`"));
@@ -106,6 +118,16 @@ fn too_much(word: &str, words: &[String]) -> Option<String> {
         return Some(message);
     }
     is_mesh(Path::new(word)).then(|| format!("where the result goes says `-o {word}`"))
+}
+
+/// Several parameters behind one `--set`.
+fn several_settings(words: &[String]) -> Option<String> {
+    let is_setting = |word: &&String| word.contains('=') && !word.starts_with('-');
+    let sets = words.iter().enumerate().filter(|(_, word)| *word == "--set");
+    let mut settings = sets.map(|(at, _)| words[at + 1..].iter().take_while(is_setting));
+    let several: Vec<_> = settings.find(|settings| settings.clone().count() > 1)?.collect();
+    let told: Vec<_> = several.iter().map(|setting| format!("--set {setting}")).collect();
+    Some(format!("each parameter has its own `--set`: `{}`", told.join(" ")))
 }
 
 /// A parameter of the script or operation that is written like an option.

@@ -1,8 +1,10 @@
 //! Arguments of the command line.
 
+use std::fmt::Display;
 #[cfg(feature = "threads")]
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
+use std::str::FromStr;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
@@ -144,7 +146,7 @@ pub(super) struct RunArguments {
     #[arg(long, value_name = "SIZE", value_parser = super::memory::read, verbatim_doc_comment)]
     pub memory: Option<usize>,
     /// Seed of `random` and `shuffle`: the same seed, the same numbers
-    #[arg(long, value_name = "N", default_value_t = 0, value_parser = whole)]
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = within(0, u64::MAX))]
     pub seed: u64,
     /// Also tell how each `drain` keeps its keys current,
     /// and how long native code took to compile
@@ -152,7 +154,9 @@ pub(super) struct RunArguments {
     pub verbose: bool,
     /// Renumber elements so that neighbors stand near each other
     /// in memory: faster where the file of a large mesh has them
-    /// far apart. What is written keeps the order of the file
+    /// far apart. Loops visit elements in the new order, so
+    /// results may differ; what is written keeps the order of
+    /// the file
     #[arg(long, verbatim_doc_comment)]
     pub reorder: bool,
     /// Format of the answer
@@ -230,9 +234,10 @@ pub(super) enum Shown {
     Table,
     /// The same as data
     Json,
-    /// A function over a mesh of pointers
+    /// C++: a function over a mesh of pointers
+    #[value(alias = "c++")]
     Cpp,
-    /// A function over hedgerow::mesh
+    /// Rust: a function over hedgerow::mesh
     Rust,
 }
 
@@ -286,7 +291,7 @@ pub(super) struct ThreadArguments {
     /// results are the same
     #[cfg(feature = "threads")]
     #[arg(long, value_name = "N", env = "HEDGEROW_THREADS", hide_env_values = true)]
-    #[arg(verbatim_doc_comment)]
+    #[arg(verbatim_doc_comment, value_parser = threads)]
     threads: Option<NonZeroUsize>,
 }
 
@@ -446,10 +451,11 @@ pub(super) struct ViewArguments {
     /// File for the picture (.png or .svg)
     #[arg(short, long)]
     pub output: PathBuf,
-    /// Width and height of the picture
-    #[arg(long, value_parser = clap::value_parser!(u32).range(16..=16384))]
+    /// Width and height of the picture in pixels:
+    /// one number for both [default: 800]
+    #[arg(long, value_name = "PIXELS", value_parser = within(16_u32, 16384), verbatim_doc_comment)]
     pub size: Option<u32>,
-    /// Direction to look from
+    /// Direction to look from [default: 0.5,0.4,1]
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
     pub from: Option<String>,
     /// An attribute to show in colour: NAME, or vertex.NAME
@@ -480,7 +486,7 @@ pub(super) struct TestArguments {
     #[arg(long, value_name = "TEXT")]
     pub filter: Option<String>,
     /// Seed of `random` and `shuffle`: the same seed, the same numbers
-    #[arg(long, value_name = "N", default_value_t = 0, value_parser = whole)]
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = within(0, u64::MAX))]
     pub seed: u64,
     /// Most memory that the meshes and lists of a test may take, as 4G;
     /// if not given, three quarters of what there is
@@ -516,7 +522,7 @@ pub(super) struct PlayArguments {
     #[arg(value_name = "FILE", num_args = 0..=3)]
     pub files: Vec<PathBuf>,
     /// The port; 0 for any that is free
-    #[arg(long, default_value_t = 0)]
+    #[arg(long, default_value_t = 0, value_parser = within(0, u16::MAX))]
     pub port: u16,
     /// Open no browser: print the address only
     #[arg(long)]
@@ -535,7 +541,19 @@ pub(super) struct LearnArguments {
     pub start: bool,
 }
 
-/// A seed as it is written.
-fn whole(text: &str) -> Result<u64, String> {
-    text.parse().map_err(|_| format!("a whole number from 0 to {} is wanted", u64::MAX))
+/// The reader of a whole number from a least to a largest one.
+fn within<T>(least: T, most: T) -> impl Fn(&str) -> Result<T, String> + Clone + Send + Sync
+where
+    T: FromStr + PartialOrd + Display + Copy + Send + Sync,
+{
+    move |text| {
+        let number = text.parse().ok().filter(|number| (least..=most).contains(number));
+        number.ok_or_else(|| format!("a whole number from {least} to {most} is wanted"))
+    }
+}
+
+/// A number of threads as it is written.
+#[cfg(feature = "threads")]
+fn threads(text: &str) -> Result<NonZeroUsize, String> {
+    text.parse().map_err(|_| "a whole number from 1 is wanted".to_owned())
 }

@@ -11,8 +11,8 @@ use super::output::{complain_of, say, say_json, table};
 use super::program;
 use super::witness::Witnesses;
 use crate::analysis::{
-    GuardVerdict, ProvedStatement, RuleAliases, RuleArgument, RuleVerdict, Verdict, aliases,
-    verdicts, why_proved,
+    Analysis, GuardVerdict, ProvedStatement, RuleAliases, RuleArgument, RuleVerdict, Verdict,
+    aliases, verdicts, why_proved,
 };
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::source::{Sources, Span};
@@ -56,7 +56,10 @@ pub(super) fn check(arguments: &CheckArguments) -> Result<(), Failure> {
                 let unread = verdicts.is_empty() && !program.analysis.is_sound();
                 if !unread {
                     let file = path.display().to_string();
-                    say(&show(&file, &verdicts, arguments.verbose));
+                    match verdicts.is_empty() {
+                        true => say(&format!("{file}: {}", without_ops(&program.analysis))),
+                        false => say(&show(&file, &verdicts, arguments.verbose)),
+                    }
                 }
                 if arguments.explain {
                     for argument in why_proved(&program.analysis) {
@@ -90,6 +93,24 @@ pub(super) fn check(arguments: &CheckArguments) -> Result<(), Failure> {
     }
 }
 
+/// The things that stand in a file without operations: `2 scripts, 1 test, no operations`.
+fn without_ops(analysis: &Analysis) -> String {
+    let Analysis { program, file, .. } = analysis;
+    let scripts = program.scripts.iter().map(|script| ("script", script.span));
+    let functions = program.functions.iter().map(|function| ("function", function.span));
+    let tests = program.tests.iter().map(|test| ("test", test.script.span));
+    let own: Vec<_> =
+        scripts.chain(functions).chain(tests).filter(|it| it.1.file == *file).collect();
+    let counted = ["script", "function", "test"].map(|kind| {
+        match own.iter().filter(|(known, _)| *known == kind).count() {
+            0 => String::new(),
+            1 => format!("1 {kind}, "),
+            count => format!("{count} {kind}s, "),
+        }
+    });
+    format!("{}no operations", counted.concat())
+}
+
 fn show(file: &str, verdicts: &[Verdict], verbose: bool) -> String {
     let mut rows = Vec::new();
     let mut below = Vec::new();
@@ -116,9 +137,6 @@ fn show(file: &str, verdicts: &[Verdict], verbose: bool) -> String {
             let more = if verbose { details(rule) } else { Vec::new() };
             below.push(turned.chain(only).chain(more).collect());
         }
-    }
-    if rows.is_empty() {
-        return format!("{file}: no operations");
     }
     let rows = table(&rows, &[]);
     let lines = rows.lines().map(String::from).zip(below);

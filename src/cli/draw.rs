@@ -8,7 +8,7 @@ use super::check::show_rule;
 use super::failure::Failure;
 use super::files::write;
 use super::meshes::expect_place;
-use super::output::{complain_of, is_standard, say};
+use super::output::{complain, complain_of, is_standard, say};
 use super::plan::show as show_plan;
 use super::program::{self, Program};
 use crate::analysis::{Analysis, Verdict, example, verdicts};
@@ -71,6 +71,11 @@ pub(super) fn draw(arguments: &DrawArguments) -> Result<(), Failure> {
 fn diagram<'a>(program: &'a Program, name: Option<&str>) -> Result<Cow<'a, Op>, Failure> {
     let op = program::find_op(program, name)?;
     let analysis = &program.analysis;
+    if analysis.plans[op].is_none() && analysis.program.ops[op].diagram.is_some() {
+        let name = &analysis.program.ops[op].name;
+        let file = program.sources.get(analysis.file).name();
+        complain(&format!("warning: `{name}` is not proved; `hedgerow check {file}` tells why"));
+    }
     let (resolved, plan) = (&analysis.program.ops[op], &analysis.plans[op]);
     let not_understood = || {
         complain_of(&analysis.diagnostics, &program.sources);

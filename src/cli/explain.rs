@@ -4,7 +4,7 @@ use super::advice::of_library;
 use super::arguments::ExplainArguments;
 use super::failure::Failure;
 use super::output::{say, table};
-use crate::analysis::{Word, functions, word};
+use crate::analysis::{MEANINGS, Word, functions, word};
 use crate::diagnostic::{explain as explanation, explained};
 
 /// Says what a diagnostic means, and what mends it; or what a word of the language means.
@@ -14,7 +14,7 @@ pub(super) fn explain(arguments: &ExplainArguments) -> Result<(), Failure> {
         say(&table(&rows, &[]));
         return Ok(());
     };
-    let asked = bare(asked);
+    let asked = usual(bare(asked));
     if asked == "functions" {
         list_functions();
         return Ok(());
@@ -35,12 +35,18 @@ pub(super) fn explain(arguments: &ExplainArguments) -> Result<(), Failure> {
         let name = file.name;
         Some(format!("declared in `{name}`, which `hedgerow std {}` prints", file.short_name()))
     });
-    let text = text.ok_or_else(|| {
+    let mut text = text.ok_or_else(|| {
         Failure::usage(format!(
             "there is no diagnostic and no word `{asked}`; `hedgerow explain` lists the \
              diagnostics, `hedgerow explain functions` the functions"
         ))
     })?;
+    // `outer` begins `outer halfedge`.
+    for (phrase, meaning) in MEANINGS {
+        if phrase.split_once(' ').is_some_and(|(first, _)| first == asked) {
+            text += &format!("\n\n{phrase}: {meaning}");
+        }
+    }
     say(&format!("{asked}\n\n{text}"));
     Ok(())
 }
@@ -62,6 +68,19 @@ fn described(Word { forms, meaning }: Word) -> String {
     match forms.is_empty() {
         true => meaning.to_owned(),
         false => format!("{}\n\n{meaning}", forms.join("\n")),
+    }
+}
+
+/// The word for what is written with signs, or called otherwise elsewhere.
+fn usual(asked: &str) -> &str {
+    match asked {
+        _ if asked.starts_with('*') => "fan",
+        _ if asked.ends_with("=>") => "path",
+        _ if asked.ends_with("->") => "halfedge",
+        "|" => "edge",
+        "valence" => "degree",
+        "decimate" => "simplify",
+        _ => asked,
     }
 }
 

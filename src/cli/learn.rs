@@ -7,7 +7,7 @@ use super::failure::Failure;
 use super::files;
 use super::output::{complain, say, table};
 use crate::analysis::read_program;
-use crate::lessons::{self, Lesson, judge};
+use crate::lessons::{self, Lesson, judge_file};
 
 /// Lists the lessons, shows one, or judges what somebody has written.
 pub(super) fn learn(arguments: &LearnArguments) -> Result<(), Failure> {
@@ -36,7 +36,8 @@ fn show(lesson: &Lesson) -> Result<(), Failure> {
     }
     say(&format!(
         "`hedgerow learn {number} lesson.hedge --start` writes this program to a file; edit it, \
-         and\n`hedgerow learn {number} lesson.hedge` says whether the lesson is solved"
+         and\n`hedgerow learn {number} lesson.hedge` says whether the lesson is solved. `hedgerow plan \
+         lesson.hedge`\nshows the plan of an operation, `hedgerow play lesson.hedge` the view to click in"
     ));
     Ok(())
 }
@@ -55,7 +56,7 @@ fn start(lesson: &Lesson, file: &Path) -> Result<(), Failure> {
 fn check(lesson: &Lesson, file: &Path) -> Result<(), Failure> {
     let text = read_program(file)
         .map_err(|why| Failure::usage(format!("cannot read `{}`: {why}", file.display())))?;
-    match judge(lesson, &text) {
+    match judge_file(lesson, &file.display().to_string(), &text) {
         Ok(()) => {
             let next = lesson.number() + 1;
             let next = lessons::lesson(&next.to_string());

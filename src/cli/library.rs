@@ -70,7 +70,8 @@ fn list(file: LibraryFile) -> String {
         let row = [format!("  {word}"), name.text.clone(), sentence(docs)];
         rows.push(row.to_vec());
     }
-    format!("{}\n{}\n{}", file.name, sentence(docs), table(&rows, &[]))
+    let text = format!("{}\n{}\n{}", file.name, sentence(docs), table(&rows, &[]));
+    text.trim_end().to_owned()
 }
 
 /// The first sentence of a comment.

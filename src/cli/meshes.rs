@@ -41,7 +41,11 @@ pub(super) fn read_reordered(
 fn expect_read(path: &Path, read: Result<MeshFile, FileError>) -> Result<MeshFile, Failure> {
     let file = read.map_err(|error| match error.is_mendable() {
         true => {
-            let help = "`--repair` cuts, turns and drops what it must, and says what it did";
+            let mut help =
+                "`--repair` cuts, turns and drops what it must, and says what it did".to_owned();
+            if error.reason.is_pinched() {
+                help += "; where vertices only nearly coincide, `--merge DISTANCE` makes them one";
+            }
             let gap = if error.to_string().contains('\n') { "\n  " } else { "; " };
             Failure::usage(format!("{error}{gap}{help}"))
         }

@@ -121,7 +121,7 @@ pub(super) fn read_sound(path: &Path) -> Result<Program, Failure> {
     if program.analysis.is_sound() {
         Ok(program)
     } else {
-        complain("nothing is run before that is mended");
+        complain("nothing is run until this is fixed");
         Err(Failure::NotProved)
     }
 }

@@ -157,8 +157,8 @@ impl Drain {
         Self {
             place: format!("{}:{line}:{column}", source.name()),
             keys: match why {
-                None => "found from what was written",
-                Some(_) => "found by what they have read",
+                None => "updated incrementally",
+                Some(_) => "updated by noting what they read",
             },
             because: why.map(|why| why.to_string()),
         }
@@ -237,7 +237,7 @@ impl Report {
     fn show_drains(&self) -> String {
         let rows = self.drains.iter().map(|Drain { place, keys, because }| {
             let because = because.as_ref().map_or_else(String::new, |why| format!(": {why}"));
-            format!("{place}: changed keys of `drain` are {keys}{because}")
+            format!("{place}: keys of `drain` are {keys}{because}")
         });
         rows.collect::<Vec<_>>().join("\n")
     }

@@ -38,10 +38,19 @@ impl std::error::Error for Rejection {}
 /// The faults that are left, and whether one is a mistake of the lesson: one whose program is wrong
 /// in the same way, or does the same.
 pub fn judge(lesson: &Lesson, text: &str) -> Result<(), Rejection> {
-    let given = read(lesson, text);
-    let wanted = read(lesson, &lesson.solution);
+    judge_file(lesson, &format!("{}.hedge", lesson.name), text)
+}
+
+/// The same for the text of a file, whose name is in what is said of it.
+///
+/// # Errors
+/// As of [`judge`].
+pub fn judge_file(lesson: &Lesson, file: &str, text: &str) -> Result<(), Rejection> {
+    let read = |text: &str| Program::parse_with(file, text, &mut Nowhere);
+    let given = read(text);
+    let wanted = read(&lesson.solution);
     same(&wanted, &given).map_err(|why| {
-        let is_it = |mistake: &&Mistake| match (&read(lesson, &mistake.program), &given) {
+        let is_it = |mistake: &&Mistake| match (&read(&mistake.program), &given) {
             (Err(mistake), Err(given)) => {
                 mistake.code() == given.code() && mistake.message() == given.message()
             }
@@ -49,10 +58,6 @@ pub fn judge(lesson: &Lesson, text: &str) -> Result<(), Rejection> {
         };
         Rejection { mistake: lesson.mistakes.iter().find(is_it).cloned(), why }
     })
-}
-
-fn read(lesson: &Lesson, text: &str) -> Result<Program, Error> {
-    Program::parse_with(&format!("{}.hedge", lesson.name), text, &mut Nowhere)
 }
 
 /// The operations and scripts of the one program do the same in the other.

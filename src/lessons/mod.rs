@@ -12,7 +12,7 @@
 
 mod judge;
 
-pub use judge::{Rejection, judge};
+pub use judge::{Rejection, judge, judge_file};
 
 /// A lesson.
 #[derive(Clone, Debug, PartialEq, Eq)]

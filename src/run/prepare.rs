@@ -368,7 +368,11 @@ impl Prepared {
         for param in &self.params {
             let times = names.clone().filter(|name| *name == param.name).count();
             match times {
-                0 if param.default.is_none() => errors.push(self.wrongly_given(param, MISSING)),
+                0 if param.default.is_none() => {
+                    let sample = example(param.ty).split('`').nth(1).unwrap_or("VALUE");
+                    let way_out = format!("give it by `--set {}={sample}`", param.name);
+                    errors.push(self.wrongly_given(param, MISSING).note(way_out));
+                }
                 0 | 1 => {}
                 _ => errors.push(self.wrongly_given(param, TWICE)),
             }

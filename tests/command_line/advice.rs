@@ -19,6 +19,7 @@ fn what_is_no_command() {
     advised(&["remesh", "square.obj"], "hedgerow run std/remesh::remesh MESH -o OUT");
     advised(&["flip.hedge"], "hedgerow check flip.hedge");
     advised(&["square.obj"], "hedgerow info square.obj");
+    advised(&["emit", "flip.hedge::flip"], "`hedgerow plan FILE::OP --as cpp -o OUT.hpp`");
     advised(&["chekc", "flip.hedge"], "'check'");
 }
 
@@ -39,10 +40,27 @@ fn options_written_otherwise() {
     advised(&["run", "go.hedge", "square.obj", "--target", "2"], "`--set target=…`");
     advised(&["run", "go.hedge", "square.obj", "--set", "target", "2"], "`--set target=2`");
     advised(&["run", "go.hedge", "square.obj", "target=2"], "--set target=2");
+    let two = ["run", "go.hedge", "square.obj", "--set", "target=2", "other=3", "-o", "x.obj"];
+    advised(&two, "each parameter has its own `--set`: `--set target=2 --set other=3`");
+    let before = ["run", "go.hedge", "--set", "target=2", "other=3", "square.obj"];
+    advised(&before, "`--set target=2 --set other=3`");
+    advised(&["run", "go.hedge", "square.obj", "--set", "at=1", "2"], "`--set NAME=VALUE` without");
     advised(&["run", "go.hedge", "square.obj", "--seed", "x"], "a whole number from 0");
+    advised(&["info", "square.obj", "--threads", "0"], "a whole number from 1 is wanted");
+    advised(&["info", "square.obj", "--threads", "x"], "a whole number from 1 is wanted");
+    let size = ["view", "square.obj", "-o", "x.png", "--size", "800x600"];
+    advised(&size, "a whole number from 16 to 16384 is wanted");
+    advised(&["play", "--port", "65536"], "a whole number from 0 to 65535 is wanted");
     advised(&["info", "square.obj", "--json"], "`--format json`");
     let place = ["apply", "flip.hedge::flip", "square.obj", "--at", "edge", "1-2", "-o", "x.obj"];
     advised(&place, "`--at edge:1-2`");
+}
+
+#[test]
+fn cpp_has_another_name() {
+    let bench = Bench::new();
+    let emitted = |kind| bench.succeeds(&["plan", "std/triangle::flip", "--as", kind]);
+    assert_eq!(emitted("c++"), emitted("cpp"));
 }
 
 #[test]
@@ -63,9 +81,26 @@ fn words_written_otherwise() {
         ("half-edge", "one side of an edge"),
         ("Vertices", "all vertices"),
         ("level", "a `surface`, or `simple`"),
+        ("outer", "outer halfedge: a halfedge that stands in no loop"),
+        ("outer halfedge", "stands in no loop"),
+        ("*S", "spokes of a vertex"),
+        ("=>", "a run of zero or more halfedges"),
+        ("valence", "degree(vertex)"),
+        ("decimate", "declared in `std/simplify.hedge`"),
         ("collapse", "declared in `std/triangle.hedge`"),
     ] {
         let told = bench.succeeds(&["explain", word]);
         assert!(told.contains(meaning), "{word}: {told}");
+    }
+}
+
+#[test]
+fn lists_show_whole_sentences() {
+    let bench = Bench::new();
+    for line in bench.succeeds(&["explain"]).lines() {
+        assert!(line.ends_with('.'), "{line}");
+    }
+    for file in bench.succeeds(&["std"]).split("\n\n") {
+        assert!(file.lines().nth(1).is_some_and(|about| about.ends_with('.')), "{file}");
     }
 }

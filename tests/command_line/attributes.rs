@@ -142,7 +142,7 @@ fn what_of_a_file_is_lost_is_told() {
     for words in [
         "4 faces with new corners have no texture coordinates (`vt`) any more\n",
         "4 faces with new corners have no normals (`vn`) any more\n",
-        "`l`, `p`",
+        "lines (`l`), points (`p`), first in line ",
     ] {
         assert!(said.err.contains(words), "{}", said.err);
     }

@@ -34,13 +34,14 @@ fn check_tells_what_is_not_kept() {
     let bench = Bench::new();
     bench.write("flip.hedge", BARE_FLIP);
     let told = bench.succeeds(&["check", "flip.hedge"]);
-    let line = "\n      keeps a surface; `guard simple` would test ";
+    let line =
+        "\n      the mesh stays a surface, but perhaps not simple; `guard simple` would add ";
     assert!(told.contains(line), "{told}");
     let json = bench.json(&["check", "flip.hedge"]);
     let only = &json["files"][0]["ops"][0]["rules"][0]["keeps_only"];
     assert_eq!(only["level"], "surface");
     let count = only["untested"].as_u64().unwrap();
-    assert!(told.contains(&format!("{line}{count} thing\n")), "{told}");
+    assert!(told.contains(&format!("{line}{count} test\n")), "{told}");
     // As many tests as the guard makes.
     bench.write("flip.hedge", BARE_FLIP.replace("  after {", "  guard simple\n  after {"));
     let told = bench.succeeds(&["check", "-v", "flip.hedge"]);
@@ -390,4 +391,21 @@ fn the_help_of_a_script() {
     bench.fails(2, &["run", "s.hedge::u", "--help"], "no script `u`");
     let own = bench.succeeds(&["run", "--help"]);
     assert!(own.contains("Usage: ") && own.contains("--picture"), "{own}");
+}
+
+#[test]
+fn a_drawing_that_is_not_proved_is_told() {
+    let bench = Bench::new();
+    bench.write(
+        "stale.hedge",
+        "op cut(f: face) {\n  before { face f: v -h-> w =P=> v }\n  after { erase f }\n}\n",
+    );
+    let said = bench.run(&["draw", "stale.hedge", "-o", "x.svg"]);
+    assert_eq!(said.code, 0, "{said:?}");
+    assert!(
+        said.err.contains("warning: `cut` is not proved; `hedgerow check stale.hedge` tells"),
+        "{said:?}"
+    );
+    bench.write("flip.hedge", BARE_FLIP);
+    assert_eq!(bench.run(&["draw", "flip.hedge", "-o", "x.svg"]).err, "");
 }

@@ -29,6 +29,12 @@ fn a_lesson_is_shown_begun_and_solved() {
     let (code, out, _) = run(&["learn", "5", "mine.hedge"]);
     assert_eq!(code, Some(0));
     assert!(out.contains("solved") && out.contains("next: 6."), "{out}");
+    assert_eq!(run(&["learn", "3", "flip.hedge", "--start"]).0, Some(0));
+    let (_, _, err) = run(&["learn", "3", "flip.hedge"]);
+    assert!(err.contains("flip.hedge:") && !err.contains("03_flip.hedge"), "{err}");
+    let (_, out, _) = run(&["learn", "1"]);
+    assert!(out.contains("`hedgerow plan lesson.hedge`"), "{out}");
+    assert!(out.contains("`hedgerow play lesson.hedge`"), "{out}");
     let (code, _, err) = run(&["learn", "99"]);
     assert_eq!(code, Some(2));
     assert!(err.contains("there is no lesson `99`"), "{err}");

@@ -111,8 +111,7 @@ fn what_keeps_the_keys_of_a_drain_is_told() {
     bench.write("mesh.obj", TETRAHEDRON);
     let told = |arguments: &[&str]| bench.run(arguments).out;
     let simplify = ["run", "std/simplify.hedge", "mesh.obj", "--set", "faces_left=4", "-v"];
-    let line =
-        "std/simplify.hedge:144:3: changed keys of `drain` are found from what was written\n";
+    let line = "std/simplify.hedge:144:3: keys of `drain` are updated incrementally\n";
     assert!(told(&simplify).contains(line), "{}", told(&simplify));
     assert!(told(&simplify).contains(" to compile native code)"), "{}", told(&simplify));
     bench.write(
@@ -128,7 +127,7 @@ fn what_keeps_the_keys_of_a_drain_is_told() {
     assert!(said["seconds"]["native"].is_f64(), "{said}");
     let whys = ["the key follows pointers without bound", "the key reads all of the mesh"];
     for (at, why) in whys.into_iter().enumerate() {
-        assert_eq!(said["drains"][at]["keys"], "found by what they have read", "{said}");
+        assert_eq!(said["drains"][at]["keys"], "updated by noting what they read", "{said}");
         assert_eq!(said["drains"][at]["because"], why, "{said}");
     }
 }

@@ -138,6 +138,50 @@ fn damaged_places_are_passed_over_on_demand() {
 }
 
 #[test]
+fn a_repair_is_advised_where_it_helps() {
+    let bench = Bench::new();
+    bench.write("comma.obj", "v 0,0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n");
+    bench.write("comma.stl", "solid\nvertex 0 0,5 0\n");
+    bench.write("comma.off", "OFF\n3 1 0\n0,5 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+    for (file, line) in [("comma.obj", 1), ("comma.stl", 2), ("comma.off", 3)] {
+        let said =
+            bench.fails(2, &["info", file], "is no number; numbers are written with a point");
+        assert!(said.err.contains(&format!("{file}:{line}: ")), "{}", said.err);
+        assert!(!said.err.contains("--repair"), "{}", said.err);
+    }
+}
+
+#[test]
+fn vertices_that_nearly_coincide_can_be_merged() {
+    let bench = Bench::new();
+    bench.write("s.hedge", "script s() { print count(vertices) }\n");
+    let loops = ["0 0 0 1 0 0 1 1 0", "0 0 0 1.0000001 1 0 0 1 0"].map(|numbers| {
+        let numbers: Vec<_> = numbers.split(' ').collect();
+        let vertices = numbers.chunks(3).map(|it| format!("vertex {}\n", it.join(" ")));
+        format!(
+            "facet normal 0 0 1\nouter loop\n{}endloop\nendfacet\n",
+            vertices.collect::<String>()
+        )
+    });
+    bench.write("near.stl", format!("solid\n{}endsolid\n", loops.concat()));
+    let run = ["run", "s.hedge", "near.stl"];
+    let said = bench.fails(2, &run, "the surface is pinched there");
+    assert!(said.err.contains("`--repair`") && said.err.contains("`--merge DISTANCE`"), "{said:?}");
+    let said = bench.run(&[&run[..], &["--merge", "1e-6"]].concat());
+    assert!(said.out.starts_with("4\n"), "{said:?}");
+}
+
+#[test]
+fn vertices_without_coordinates_are_dropped() {
+    let bench = Bench::new();
+    bench.write("nan.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv nan 0 0\nl 1 2\nf 1 2 3\n");
+    bench.write("s.hedge", "script s() { }");
+    let said = bench.run(&["run", "s.hedge", "nan.obj", "--repair", "-o", "n.obj"]);
+    assert!(said.err.contains("dropped 1 vertex without coordinates"), "{}", said.err);
+    assert!(said.err.contains("lines (`l`), first in line 5, cannot be kept"), "{}", said.err);
+}
+
+#[test]
 fn every_line_of_an_obj_file_is_kept_or_told() {
     let bench = Bench::new();
     bench.write("s.hedge", "script s() { }\n");
@@ -157,7 +201,7 @@ fn every_line_of_an_obj_file_is_kept_or_told() {
     let said = bench.run(&run);
     assert!(bench.read("n.obj").starts_with("v 0 0 0 1 0 0 0.5\nv 1 0 0 1 1 1 1\n"));
     for told in [
-        "what it says with `%x`, first in line 4, is not in it",
+        "`%x`, first in line 4, cannot be kept",
         "1 vertex with 5 numbers, or more than 7, first in line 6",
         "1 `vt` with more than three numbers, first in line 5",
         "2 vertices without a colour, which are white now",

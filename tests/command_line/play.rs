@@ -62,6 +62,22 @@ impl Served {
         let gap = answer.windows(4).position(|four| four == b"\r\n\r\n").unwrap();
         (status, answer[gap + 4..].to_vec())
     }
+
+    /// Opens the page; where it asks.
+    fn open(&self) -> String {
+        let (status, page) = self.ask(&format!("GET /{}/", self.token), &[], b"");
+        assert_eq!(status, 200);
+        let page = String::from_utf8(page).unwrap();
+        let (_, rest) = page.split_once("name=\"hedgerow-local\" content=\"").unwrap();
+        rest.split_once('"').unwrap().0.to_owned()
+    }
+
+    /// Asks as the page does; the answer.
+    fn post(&self, path: &str, body: &[u8]) -> String {
+        let (status, body) = self.ask(&format!("POST {path}"), &[], body);
+        assert_eq!(status, 200, "{path}");
+        String::from_utf8_lossy(&body).into_owned()
+    }
 }
 
 #[test]
@@ -87,11 +103,8 @@ fn the_page_is_served_to_its_owner_only() {
     ] {
         assert_eq!(served.ask(&request, &headers, b"").0, 403, "{request} {headers:?}");
     }
-    let post = |path: &str, body: &[u8]| {
-        let (status, body) = served.ask(&format!("POST /{token}/{path}"), &[], body);
-        assert_eq!(status, 200, "{path}");
-        String::from_utf8_lossy(&body).into_owned()
-    };
+    let own = served.open();
+    let post = |path: &str, body: &[u8]| served.post(&format!("{own}{path}"), body);
     let started = post("start", b"");
     assert!(started.contains("\"program\":\"mine.hedge\""), "{started}");
     assert!(
@@ -102,13 +115,57 @@ fn the_page_is_served_to_its_owner_only() {
     let question = br#"{"ask":"shape","name":"cube"}"#;
     let mut message = (question.len() as u32).to_le_bytes().to_vec();
     message.extend(question);
-    let (status, body) = served.ask(&format!("POST /{token}/ask"), &[], &message);
-    assert_eq!(status, 200);
-    assert!(String::from_utf8_lossy(&body).contains("\"faces\":6"));
+    assert!(post("ask", &message).contains("\"faces\":6"));
     for broken in [&b""[..], b"\x05\0\0\0{", b"\xff\xff\xff\xff"] {
-        assert_eq!(served.ask(&format!("POST /{token}/ask"), &[], broken).0, 400);
-        assert_eq!(served.ask(&format!("POST /{token}/lsp"), &[], broken).0, 400);
+        assert_eq!(served.ask(&format!("POST {own}ask"), &[], broken).0, 400);
+        assert_eq!(served.ask(&format!("POST {own}lsp"), &[], broken).0, 400);
     }
+    for nowhere in ["lsp", "0/lsp/", "x/lsp", "-1/lsp", "1/nothing"] {
+        assert_eq!(served.ask(&format!("POST /{token}/{nowhere}"), &[], b"[]").0, 404, "{nowhere}");
+    }
+}
+
+#[test]
+fn a_page_that_is_opened_again_is_as_new_and_others_stay() {
+    const INITIALIZE: &[u8] = br#"[{"jsonrpc":"2.0","id":1,"method":"initialize",
+        "params":{"capabilities":{}}}]"#;
+    let bench = Bench::with_square();
+    let Some(served) = Served::start(&bench, &[]) else {
+        return;
+    };
+    let ask = |page: &str, question: &str| {
+        let mut message = (question.len() as u32).to_le_bytes().to_vec();
+        message.extend(question.as_bytes());
+        served.post(&format!("{page}ask"), &message)
+    };
+    let first = served.open();
+    ask(&first, r#"{"ask":"shape","name":"cube"}"#);
+    let pages = [first.clone(), served.open(), served.open()];
+    for page in &pages {
+        let said = served.post(&format!("{page}lsp"), INITIALIZE);
+        assert!(said.contains("\"capabilities\"") && !said.contains("\"error\""), "{said}");
+    }
+    assert!(ask(&pages[2], r#"{"ask":"shape","name":"tetrahedron"}"#).contains("\"faces\":4"));
+    assert!(ask(&first, r#"{"ask":"undo"}"#).contains("\"faces\":6"));
+    // A page that is closed, or that nobody has used for long, has no engine left.
+    served.post(&format!("{}close", pages[1]), b"");
+    (0..7).for_each(|_| _ = served.open());
+    assert_eq!(served.ask(&format!("POST {}lsp", pages[1]), &[], b"[]").0, 410);
+    let (status, why) = served.ask(&format!("POST {}lsp", pages[2]), &[], b"[]");
+    assert_eq!((status, String::from_utf8_lossy(&why).contains("reload")), (410, true));
+    assert_eq!(served.post(&format!("{first}lsp"), b"[]"), "[]");
+}
+
+#[test]
+fn a_folder_begins_with_a_program_of_its_own() {
+    let bench = Bench::with_square();
+    std::fs::create_dir(bench.path("inside")).unwrap();
+    bench.write("inside/flip.hedge", "// mine\n");
+    let Some(served) = Served::start(&bench, &["inside"]) else {
+        return;
+    };
+    let started = served.post(&format!("{}start", served.open()), b"");
+    assert!(started.contains("\"program\":\"flip.hedge\""), "{started}");
 }
 
 #[test]
@@ -124,12 +181,8 @@ fn programs_of_the_folder_are_listed_opened_and_saved_and_no_others() {
     let Some(served) = Served::start(&bench, &["inside", "square.obj"]) else {
         return;
     };
-    let post = |path: &str, body: &str| {
-        let request = format!("POST /{}/{path}", served.token);
-        let (status, body) = served.ask(&request, &[], body.as_bytes());
-        assert_eq!(status, 200, "{path}");
-        String::from_utf8_lossy(&body).into_owned()
-    };
+    let own = served.open();
+    let post = |path: &str, body: &str| served.post(&format!("{own}{path}"), body.as_bytes());
     let files = post("files", "");
     assert!(files.contains("\"programs\":[\"main.hedge\",\"part.hedge\"]"), "{files}");
     assert!(files.contains("tri.obj") && files.contains("square.obj"), "{files}");

@@ -36,6 +36,19 @@ fn an_empty_program_is_in_order() {
 }
 
 #[test]
+fn what_is_checked_without_operations_is_told() {
+    let bench = Bench::new();
+    let text =
+        "script a() { }\nscript b() { }\nfn one() -> int { 1 }\ntest \"t\" { mesh = cube() }\n";
+    bench.write("my.hedge", text);
+    let told = "my.hedge: 2 scripts, 1 function, 1 test, no operations\n";
+    assert_eq!(bench.succeeds(&["check", "my.hedge"]), told);
+    bench.write("other.hedge", "use \"my.hedge\"\nscript c() { a() }\n");
+    let told = "other.hedge: 1 script, no operations\n";
+    assert_eq!(bench.succeeds(&["check", "other.hedge"]), told);
+}
+
+#[test]
 fn the_other_files_are_looked_at_all_the_same() {
     let bench = Bench::new();
     let said = bench.fails(2, &["check", "nothing.hedge", &example("flip.hedge")], "nothing.hedge");

@@ -76,6 +76,13 @@ fn settings() {
     let arguments = ["run", &remesh, "square.obj", "-o", "out.obj"];
     bench.fails(2, &[&arguments[..], &twice].concat(), "iterations");
     assert!(!bench.has("out.obj"));
+    bench.write("go.hedge", "script go(size: real, at: vec3, n: int) { print size }");
+    let arguments = ["run", "go.hedge", "square.obj", "--set", "n=1"];
+    bench.fails(2, &arguments, "`--set size=0.5`");
+    bench.fails(2, &arguments, "`--set at=1,0.5,2`");
+    bench.fails(1, &["run", "std/simplify", "square.obj"], "`--set faces_left=1000`");
+    let both = ["run", "std/simplify", "square.obj", "--set", "faces_left=1", "--set", "ratio=0.9"];
+    bench.fails(1, &both, "give `faces_left` or `ratio`, not both");
 }
 
 /// A pillow of two triangles with one edge contracted is two faces between two vertices.

@@ -356,7 +356,7 @@ fn what_is_there_of_a_damaged_file_is_kept_on_demand() {
         (
             FileFormat::Stl,
             loop_of_four.replace("1 0 0", "1 x 0").replace("vertex 0 3 0\n", "").into(),
-            "t:5: `vertex` needs three numbers",
+            "t:5: `x` is no number",
             [3, 1],
             1,
         ),

@@ -53,9 +53,11 @@ const TRIANGLE: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 fn malformed_files_are_refused_in_words() {
     let cases = [
         ("v 0 0\n", "1: `v` needs three numbers"),
-        ("\n\nv 0 x 0\n", "3: `v` needs three numbers"),
-        ("v 0 \\\n0 x\nv 1 1 1\n", "1: `v` needs three numbers"),
-        ("v 0 0 \u{e9}\n", "1: `v` needs three numbers"),
+        ("\n\nv 0 x 0\n", "3: `x` is no number"),
+        ("v 0 \\\n0 x\nv 1 1 1\n", "1: `x` is no number"),
+        ("v 0 0 \u{e9}\n", "1: `\u{e9}` is no number"),
+        ("v 0,0 0 0\n", "1: `0,0` is no number; numbers are written with a point"),
+        ("vn 0 0,5 1\n", "1: `0,5` is no number; numbers are written with a point"),
         (
             "v 0 0 0\nv 0 NaN 0\nv 1 1 1\n",
             "2: vertex 2 has a coordinate that is not a finite number",

@@ -107,6 +107,7 @@ export class LocalEngine {
 
   async #post(path, body) {
     const response = await fetch(this.#base + path, { method: 'POST', body })
+    if (response.status === 410) throw new Error(await response.text())
     if (!response.ok) throw new Error(`${response.status}: hedgerow play has ended`)
     return new Uint8Array(await response.arrayBuffer())
   }
@@ -141,6 +142,11 @@ export class LocalEngine {
 
   async stop() {
     await this.#post('stop', '')
+  }
+
+  /** Says that the page is gone. */
+  close() {
+    navigator.sendBeacon(`${this.#base}close`)
   }
 
   /** The folder, the program and the mesh that `hedgerow play` was started with. */

@@ -241,6 +241,7 @@ function wire() {
   }
   if (local) {
     window.addEventListener('focus', bench.doing(listPrograms))
+    window.addEventListener('pagehide', event => event.persisted || engine.close())
     document.addEventListener('keydown', event => {
       if (event.key !== 's' || !(event.ctrlKey || event.metaKey)) return
       event.preventDefault()

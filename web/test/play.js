@@ -72,6 +72,15 @@ test('the files of a folder are listed, opened, used and saved', { skip, timeout
     await said('counts', /8 vertices/)
     await page.selectOption('#shape', 'folder:hare.obj')
     await said('counts', /1839 vertices/)
+    // The page again, and a second one beside it: as on first load.
+    const second = await browser.newPage()
+    await second.goto(address)
+    await page.reload()
+    for (const again of [page, second]) {
+      await again.waitForSelector('body[data-ready]')
+      await again.selectOption('#program', 'folder:part.hedge')
+      await again.waitForFunction(() => /proved/.test(document.getElementById('pane').innerText))
+    }
     assert.deepEqual(faults, [])
   } finally {
     await browser.close()

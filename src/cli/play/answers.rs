@@ -7,9 +7,9 @@ use serde::Deserialize;
 use serde_json::json;
 use tiny_http::{Header, Method, Request, Response, StatusCode};
 
-use super::engine::Engine;
 use super::folder::Folder;
 use super::page;
+use super::pages::Pages;
 use crate::lsp::uri;
 use crate::play::Message;
 
@@ -26,7 +26,7 @@ pub(super) struct Answers {
     pub port: u16,
     pub token: String,
     pub folder: Arc<Folder>,
-    pub engine: Engine,
+    pub pages: Pages,
 }
 
 /// A body and its type; or a status and why.
@@ -87,26 +87,45 @@ impl Answers {
         let mut body = Vec::new();
         let read = request.as_reader().take(MOST).read_to_end(&mut body);
         read.map_err(|error| (400, error.to_string()))?;
+        let nothing = || (404, "nothing here".to_owned());
+        if *request.method() == Method::Get {
+            return match asked.as_str() {
+                "" | "index.html" => {
+                    page::index(&format!("/{}/{}/", self.token, self.pages.open()))
+                }
+                name => page::file(name),
+            }
+            .ok_or_else(nothing);
+        }
+        // A page asks with its number, which it was served with.
+        let (number, asked) = asked.split_once('/').ok_or_else(nothing)?;
+        let number = number.parse().map_err(|_| nothing())?;
+        let engine = || {
+            let engine = self.pages.engine(number);
+            engine.ok_or_else(|| (410, "too many pages were opened since: reload it".to_owned()))
+        };
         let ended = || (500, "it has ended".to_owned());
-        match (request.method(), asked.as_str()) {
-            (Method::Get, "") => page::file("index.html", &self.token),
-            (Method::Get, name) => page::file(name, &self.token),
+        match (request.method(), asked) {
             (Method::Post, "ask") => {
                 let question = Message::read(&body).map_err(|why| (400, why))?;
-                let answer = self.engine.ask(question).ok_or_else(ended)?;
+                let answer = engine()?.ask(question).ok_or_else(ended)?;
                 Some((answer.write(), BYTES))
             }
             (Method::Post, "lsp") => {
                 let messages = serde_json::from_slice(&body);
                 let messages = messages.map_err(|error| (400, error.to_string()))?;
-                Some((self.engine.speak(messages).ok_or_else(ended)?.into_bytes(), JSON))
+                Some((engine()?.speak(messages).ok_or_else(ended)?.into_bytes(), JSON))
             }
             (Method::Post, "progress") => {
-                let [done, total] = self.engine.progress();
+                let [done, total] = engine()?.progress();
                 Some((Message::of(json!({ "done": done, "total": total })).write(), BYTES))
             }
             (Method::Post, "stop") => {
-                self.engine.stop();
+                engine()?.stop();
+                Some((Vec::new(), BYTES))
+            }
+            (Method::Post, "close") => {
+                self.pages.close(number);
                 Some((Vec::new(), BYTES))
             }
             (Method::Post, "start") => Some((self.start().write(), BYTES)),
@@ -119,12 +138,17 @@ impl Answers {
             }
             _ => None,
         }
-        .ok_or_else(|| (404, "nothing here".to_owned()))
+        .ok_or_else(nothing)
     }
 
-    /// The folder, and the program and the mesh that the page begins with.
+    /// The folder, and the program and the mesh that the page begins with: if no program was given,
+    /// the first of the folder.
     fn start(&self) -> Message {
         let Folder { path, program, mesh } = &*self.folder;
+        let program = program.clone().or_else(|| {
+            let [programs, _] = self.folder.list();
+            programs.into_iter().next()
+        });
         Message::of(json!({
             "folder": path.display().to_string().replace('\\', "/"),
             "uri": uri::of_path(path).0,

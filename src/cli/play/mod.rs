@@ -3,12 +3,14 @@
 //! The server listens on loopback only, at a port that the system chooses. Its address holds a token
 //! that nobody can guess; without it, or with a foreign `Host` or `Origin`, nothing is answered. It
 //! gives away programs and meshes of one folder, and writes programs there when the page asks for it:
-//! none that has changed since the page opened it, and none over another.
+//! none that has changed since the page opened it, and none over another. Each page that is opened has
+//! a workbench and a language server of its own.
 
 mod answers;
 mod engine;
 mod folder;
 mod page;
+mod pages;
 
 use std::io::{Write, stdout};
 use std::sync::Arc;
@@ -20,11 +22,12 @@ use super::arguments::PlayArguments;
 use super::failure::Failure;
 use super::output::complain;
 use answers::Answers;
-use engine::Engine;
 use folder::Folder;
+use pages::{MOST_PAGES, Pages};
 
-/// The number of requests that are answered at the same time: one runs, others ask how far it is.
-const THREADS: usize = 4;
+/// The number of requests that are answered at the same time: of each page one that runs, and others
+/// that ask how far it is.
+const THREADS: usize = 2 * MOST_PAGES;
 
 /// Serves the page until Ctrl-C.
 pub(super) fn play(arguments: &PlayArguments) -> Result<(), Failure> {
@@ -42,8 +45,8 @@ pub(super) fn play(arguments: &PlayArguments) -> Result<(), Failure> {
     let port = server.server_addr().to_ip().map_or(0, |address| address.port());
     let token = token().map_err(|error| failed(&error))?;
     let address = format!("http://127.0.0.1:{port}/{token}/");
-    let engine = Engine::start(Arc::clone(&folder));
-    let answers = Answers { port, token, folder, engine };
+    let pages = Pages::new(Arc::clone(&folder));
+    let answers = Answers { port, token, folder, pages };
     let (server, answers) = (Arc::new(server), Arc::new(answers));
     let threads = (0..THREADS).map(|_| {
         let (server, answers) = (Arc::clone(&server), Arc::clone(&answers));

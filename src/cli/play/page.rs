@@ -7,8 +7,8 @@ pub(super) fn files() -> &'static [(&'static str, &'static [u8])] {
     FILES
 }
 
-/// A file of the page. The page itself knows where its server is, instead of a module of its own.
-pub(super) fn file(name: &str, token: &str) -> Option<(Vec<u8>, &'static str)> {
+/// A file of the page.
+pub(super) fn file(name: &str) -> Option<(Vec<u8>, &'static str)> {
     let (_, bytes) = files().iter().find(|(known, _)| *known == name)?;
     let kind = match name.rsplit('.').next() {
         Some("html") => "text/html; charset=utf-8",
@@ -17,15 +17,15 @@ pub(super) fn file(name: &str, token: &str) -> Option<(Vec<u8>, &'static str)> {
         Some("svg") => "image/svg+xml",
         _ => "text/plain; charset=utf-8",
     };
-    let bytes = match name {
-        "index.html" => {
-            let text = String::from_utf8_lossy(bytes);
-            let mark = format!("<meta name=\"hedgerow-local\" content=\"/{token}/\">");
-            let (before, rest) = text.split_once("<!--engine-->")?;
-            let (_, after) = rest.split_once("<!--/engine-->")?;
-            [before, &mark, after].concat().into_bytes()
-        }
-        _ => bytes.to_vec(),
-    };
-    Some((bytes, kind))
+    Some((bytes.to_vec(), kind))
+}
+
+/// The page itself: it knows where its server is, instead of a module of its own.
+pub(super) fn index(server: &str) -> Option<(Vec<u8>, &'static str)> {
+    let (bytes, kind) = file("index.html")?;
+    let text = String::from_utf8_lossy(&bytes);
+    let mark = format!("<meta name=\"hedgerow-local\" content=\"{server}\">");
+    let (before, rest) = text.split_once("<!--engine-->")?;
+    let (_, after) = rest.split_once("<!--/engine-->")?;
+    Some(([before, &mark, after].concat().into_bytes(), kind))
 }

@@ -131,12 +131,14 @@ impl MeshFile {
         let mut told = Vec::new();
         let mut words = self.kept.told_passed_over().peekable();
         if let Some((_, line)) = words.peek().copied() {
-            let shown: Vec<_> = words.map(|(word, _)| format!("`{word}`")).collect();
-            told.push(format!(
-                "what it says with {}, first in line {line}, is not in it: a mesh has vertices and \
-                 faces",
-                shown.join(", ")
-            ));
+            let shown: Vec<_> = words
+                .map(|(word, _)| match word {
+                    "l" => "lines (`l`)".to_owned(),
+                    "p" => "points (`p`)".to_owned(),
+                    _ => format!("`{word}`"),
+                })
+                .collect();
+            told.push(format!("{}, first in line {line}, cannot be kept", shown.join(", ")));
         }
         told.extend(self.kept.notes.iter().map(ToString::to_string));
         told

@@ -4,6 +4,7 @@ use std::fmt;
 use std::io;
 
 use super::format::FileFormat;
+use super::scan::POINT;
 use crate::mesh::build_error::BuildError;
 use crate::mesh::faults::Faults;
 use crate::mesh::id::ElementKind;
@@ -202,13 +203,16 @@ impl fmt::Display for FileFaults {
     }
 }
 
+const PINCHED: [&str; 2] = ["pinched vertex", "pinched vertices"];
 const STRAYS: [&str; 2] = ["index that leads nowhere", "indices that lead nowhere"];
 
 /// The kind of a fault, in words for one and for many.
 fn names(fault: &BuildError) -> [&'static str; 2] {
     match fault {
         BuildError::TooLarge { .. } => ["too large"; 2],
-        BuildError::NotFinite { .. } => ["vertex that lies nowhere", "vertices that lie nowhere"],
+        BuildError::NotFinite { .. } => {
+            ["vertex without coordinates", "vertices without coordinates"]
+        }
         BuildError::TooFewCorners { .. } => {
             ["face with fewer than three corners", "faces with fewer than three corners"]
         }
@@ -222,7 +226,7 @@ fn names(fault: &BuildError) -> [&'static str; 2] {
         BuildError::SameDirection { .. } => {
             ["edge whose faces do not run alike", "edges whose faces do not run alike"]
         }
-        BuildError::BowTie { .. } => ["pinched vertex", "pinched vertices"],
+        BuildError::BowTie { .. } => PINCHED,
     }
 }
 
@@ -341,7 +345,22 @@ impl fmt::Display for FileReason {
 impl FileError {
     /// True if a repair would mend it.
     pub fn is_mendable(&self) -> bool {
-        matches!(self.reason, FileReason::Faults(_) | FileReason::Damaged(_))
+        match &self.reason {
+            FileReason::Faults(_) => true,
+            FileReason::Damaged(words) => !words.ends_with(POINT),
+            _ => false,
+        }
+    }
+}
+
+impl FileReason {
+    /// True if vertices are pinched, as they are where equal ones differ a little.
+    #[cfg(feature = "cli")]
+    pub(crate) fn is_pinched(&self) -> bool {
+        match self {
+            Self::Faults(faults) => faults.kinds.iter().any(|kind| PINCHED.contains(&kind.kind)),
+            _ => false,
+        }
     }
 }
 

@@ -17,7 +17,7 @@ use super::format::Encoding;
 use super::kept::MISSING;
 use super::mesh_file::{MeshFile, WrittenNumbers};
 use super::print::Printer;
-use super::scan::{Scanner, shown};
+use super::scan::{Scanner, no_number, shown};
 use crate::mesh::attribute::{AttributeType, ColumnId, Value};
 use crate::mesh::id::ElementKind;
 use crate::mesh::polygons::Polygons;
@@ -208,6 +208,7 @@ impl<'t> Reader<'t> {
         match self.scanner.number() {
             Some(Ok(number)) => Ok(number),
             Some(Err(b"BINARY")) => Err("binary OFF files are not read".into()),
+            Some(Err(word)) if word.contains(&b',') => Err(no_number(word)),
             Some(Err(word)) => Err(format!("`{}` stands where {wanted} should", shown(word))),
             None => Err(format!("the file ends where {wanted} should stand")),
         }

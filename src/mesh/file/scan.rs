@@ -255,6 +255,16 @@ impl<'t> Scanner<'t> {
     }
 }
 
+/// The advice on a word that would be a number with a point in place of its comma.
+pub(super) const POINT: &str = "; numbers are written with a point";
+
+/// The words for a word that stands where a number should.
+#[cold]
+pub(super) fn no_number(word: &[u8]) -> String {
+    let point = if word.contains(&b',') { POINT } else { "" };
+    format!("`{}` is no number{point}", shown(word))
+}
+
 /// The start of a word, as text for a message.
 pub(super) fn shown(word: &[u8]) -> String {
     let text = String::from_utf8_lossy(&word[..word.len().min(40)]);

@@ -17,7 +17,7 @@ use super::error::{Damage, Failure, FileReason};
 use super::format::Encoding;
 use super::mesh_file::{MeshFile, WrittenNumbers};
 use super::print::Printer;
-use super::scan::{Scanner, shown};
+use super::scan::{Scanner, no_number, shown};
 use crate::mesh::polygons::Polygons;
 use crate::mesh::repair::merge_equal;
 
@@ -85,10 +85,12 @@ fn read_text(text: &[u8]) -> Contents {
         let Some(word) = scanner.word() else { continue };
         let is = |known: &str| word.eq_ignore_ascii_case(known.as_bytes());
         if is("vertex") {
-            match [(); 3].map(|()| scanner.number().and_then(Result::ok)) {
-                [Some(x), Some(y), Some(z)] => points.push(DVec3::new(x, y, z)),
-                _ => {
-                    damage.add(Some(line), || "`vertex` needs three numbers".to_owned());
+            match [(); 3].map(|()| scanner.number()) {
+                [Some(Ok(x)), Some(Ok(y)), Some(Ok(z))] => points.push(DVec3::new(x, y, z)),
+                numbers => {
+                    let other = numbers.into_iter().flatten().find_map(Result::err);
+                    let words = || "`vertex` needs three numbers".to_owned();
+                    damage.add(Some(line), || other.map_or_else(words, no_number));
                     is_whole = false;
                 }
             }

@@ -102,7 +102,7 @@ impl RepairReport {
     pub fn steps(&self) -> Vec<String> {
         let steps = [
             (self.damaged_places, "passed over", "damaged place", "damaged places", " of the file"),
-            (self.dropped_vertices, "dropped", "vertex", "vertices", " that lie nowhere"),
+            (self.dropped_vertices, "dropped", "vertex", "vertices", " without coordinates"),
             (self.merged_vertices, "merged", "vertex", "vertices", " into others"),
             (self.repeated_corners, "dropped", "repeated corner", "repeated corners", ""),
             (self.divided_faces, "divided", "face", "faces", " with a vertex twice"),

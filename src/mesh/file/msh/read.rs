@@ -10,7 +10,7 @@ use crate::mesh::file::contents::{Contents, FileColumn};
 use crate::mesh::file::error::{Failure, FileReason};
 use crate::mesh::file::format::{Encoding, MshVersion};
 use crate::mesh::file::kept::MISSING;
-use crate::mesh::file::scan::{Scanner, shown};
+use crate::mesh::file::scan::{Scanner, no_number, shown};
 use crate::mesh::id::ElementKind;
 use crate::mesh::polygons::Polygons;
 
@@ -432,7 +432,7 @@ impl Reader<'_> {
         }
         match self.scanner.number() {
             Some(Ok(number)) => Ok(number),
-            Some(Err(word)) => Err(format!("`{}` is no number", shown(word))),
+            Some(Err(word)) => Err(no_number(word)),
             None => Err("the file ends where a number should stand".into()),
         }
     }

@@ -6,7 +6,7 @@ use crate::mesh::attribute::Value;
 use crate::mesh::file::contents::{Contents, FileColumn};
 use crate::mesh::file::error::Indexed;
 use crate::mesh::file::kept::{MISSING, State};
-use crate::mesh::file::scan::{Scanner, shown};
+use crate::mesh::file::scan::{Scanner, no_number, shown};
 use crate::mesh::id::ElementKind;
 
 /// The fault of a statement.
@@ -122,7 +122,7 @@ impl Reader {
             match scanner.number() {
                 Some(Ok(number)) => numbers[count] = number,
                 None => break,
-                Some(Err(_)) if count < 3 => break,
+                Some(Err(word)) if count < 3 => return Err(no_number(word)),
                 Some(Err(_)) => {
                     let what = [
                         "vertex with a word behind its numbers",
@@ -171,17 +171,18 @@ impl Reader {
     ) {
         let mut row = [0.0; 3];
         let mut width = 0;
-        let mut is_number = true;
-        while width < 3 && is_number {
+        let mut other = None;
+        while width < 3 && other.is_none() {
             match scanner.number() {
                 Some(Ok(number)) => row[width] = number,
-                Some(Err(_)) => is_number = false,
+                Some(Err(word)) => other = Some(word),
                 None => break,
             }
-            width += usize::from(is_number);
+            width += usize::from(other.is_none());
         }
-        if width < least || !is_number {
-            self.contents.damage.add(Some(line), || format!("`{statement}` needs {needs}"));
+        if width < least || other.is_some() {
+            let words = || format!("`{statement}` needs {needs}");
+            self.contents.damage.add(Some(line), || other.map_or_else(words, no_number));
             (row, width) = ([0.0; 3], least);
         }
         let kept = &mut self.contents.kept;

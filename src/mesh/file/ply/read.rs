@@ -10,7 +10,7 @@ use crate::mesh::file::contents::{Contents, FileColumn, width};
 use crate::mesh::file::error::{Damage, Failure, FileReason};
 use crate::mesh::file::format::Encoding;
 use crate::mesh::file::kept::MISSING;
-use crate::mesh::file::scan::{Scanner, shown};
+use crate::mesh::file::scan::{Scanner, no_number, shown};
 use crate::mesh::id::ElementKind;
 use crate::mesh::polygons::Polygons;
 
@@ -240,7 +240,7 @@ impl<'t> Body<'t> {
         match self.scanner.number() {
             Some(Ok(number)) => Ok(Some(number)),
             Some(Err(word)) => {
-                let words = format!("`{}` is no number", shown(word));
+                let words = no_number(word);
                 let line = Some(self.lines + self.scanner.line());
                 Err((line, FileReason::Malformed(words)))
             }

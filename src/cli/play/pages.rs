@@ -1,0 +1,67 @@
+//! The pages that are open in browsers, each with an engine of its own.
+
+use std::collections::VecDeque;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+use super::engine::Engine;
+use super::folder::Folder;
+
+/// The most pages that have an engine: a page that is not used for longest loses its own.
+pub(super) const MOST_PAGES: usize = 8;
+
+/// The engines of pages, by the numbers of the pages.
+pub(super) struct Pages {
+    folder: Arc<Folder>,
+    open: Mutex<Open>,
+}
+
+/// The number of the newest page, and engines: those last that were used last.
+#[derive(Default)]
+struct Open {
+    newest: u64,
+    engines: VecDeque<(u64, Arc<Engine>)>,
+}
+
+impl Pages {
+    /// No page is open yet.
+    pub fn new(folder: Arc<Folder>) -> Self {
+        Self { folder, open: Mutex::default() }
+    }
+
+    /// The number of a new page.
+    pub fn open(&self) -> u64 {
+        let mut open = self.lock();
+        if open.engines.len() == MOST_PAGES {
+            open.engines.pop_front();
+        }
+        open.newest += 1;
+        let page = open.newest;
+        open.engines.push_back((page, Arc::new(Engine::start(Arc::clone(&self.folder)))));
+        page
+    }
+
+    /// The engine of a page; nothing if the page has lost it.
+    pub fn engine(&self, page: u64) -> Option<Arc<Engine>> {
+        let mut open = self.lock();
+        let at = open.engines.iter().position(|(known, _)| *known == page)?;
+        let used = open.engines.remove(at)?;
+        let engine = Arc::clone(&used.1);
+        open.engines.push_back(used);
+        Some(engine)
+    }
+
+    /// Ends the engine of a page that is closed.
+    pub fn close(&self, page: u64) {
+        self.lock().engines.retain(|(known, engine)| {
+            let is_closed = *known == page;
+            if is_closed {
+                engine.stop();
+            }
+            !is_closed
+        });
+    }
+
+    fn lock(&self) -> MutexGuard<'_, Open> {
+        self.open.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
