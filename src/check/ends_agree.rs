@@ -59,7 +59,10 @@ pub(super) fn neighbours_are_twins(drawing: &Drawing) -> Vec<Problem> {
             );
             problems.push(
                 Diagnostic::error("impossible-drawing", message, star.span)
-                    .note("counterclockwise the spoke after `h` is `h.prev.twin`")
+                    .note(format!(
+                        "counterclockwise the spoke after `{0}` is `{0}.prev.twin`",
+                        rule.name(spoke.name).text
+                    ))
                     .into(),
             );
         }
@@ -100,10 +103,19 @@ impl Law<'_> {
             let message =
                 format!("{text} stands in no loop of `before`, and is no twin of one that does");
             let word = &rule.name(name).text;
-            self.tell(
-                Diagnostic::error("unplaced-halfedge", message, span)
-                    .note(format!("draw its loop, for example `face f: v0 -{word}-> v1 =P=> v0`, or its twin in a loop and `edge e: {word}' | {word}`")),
+            let index = word.find('[').map_or("", |at| &word[at..]);
+            let origin = drawing.origin_before(name).map(|origin| rule.name(origin).text.clone());
+            let origin = origin.unwrap_or_else(|| format!("{}{index}", rule.free_name("v")));
+            let [face, target] = ["f", "w"].map(|letter| rule.free_name(letter) + index);
+            let mut how = format!(
+                "draw its loop, for example `loop {face}: {origin} -{word}-> {target} => {origin}`"
             );
+            if index.is_empty() && drawing.before.twin(name).is_none() {
+                let edge = rule.free_name("e");
+                how += &format!(", or its twin in a loop and `edge {edge}: {word}' | {word}`");
+            }
+            let how = format!("{how}; in `after` list `keep {face}`");
+            self.tell(Diagnostic::error("unplaced-halfedge", message, span).note(how));
         }
     }
 

@@ -60,10 +60,17 @@ fn draws_nothing(drawing: &Drawing) -> Option<Diagnostic> {
     let is_silent = is_empty && rule.created.is_empty() && rule.erased.is_empty();
     (is_silent && after.kept.is_empty()).then(|| {
         let message = "`after` says nothing of what `before` draws";
+        let edges = rule.before.edges.iter().map(|edge| edge.edge.name);
+        let faces = rule.before.loops.iter().map(|orbit| orbit.face.name);
+        let named = faces.chain(edges).filter(|&name| rule.name(name).named && rule.is_first(name));
+        let words: Vec<_> = named.map(|name| rule.name(name).text.as_str()).collect();
+        let keep = if words.is_empty() { "f0 e".to_owned() } else { words.join(" ") };
         Diagnostic::error("unaccounted-name", message, after_keyword(drawing))
             .saying("nothing is drawn here")
             .label(drawn.span, "what is drawn here is drawn again there, or erased")
-            .note("`after` is all that is there then: what stays as it is is listed, `keep f0 e`")
+            .note(format!(
+                "`after` is all that is there then: what stays as it is is listed, `keep {keep}`"
+            ))
     })
 }
 

@@ -54,8 +54,15 @@ impl Unknown {
         let rule = drawing.rule;
         let word = &rule.name(name).text;
         let alike = |other: NameId| rule.name(other).text.eq_ignore_ascii_case(word);
+        // `tt` for a `t` that lost its twin.
+        let longer = |other: NameId| {
+            let other = &rule.name(other).text;
+            !word.contains('\'') && (word.starts_with(other) || other.starts_with(word))
+        };
+        let (before, after) = (&drawing.before, &drawing.after);
         let missing = |other: NameId| {
             alike(other)
+                || longer(other) && before.twin(other).is_some() && after.twin(other).is_none()
                 || drawing.after.mention(other).is_none() && drawing.erased(other).is_none()
         };
         rule.names_of(rule.kind(name))

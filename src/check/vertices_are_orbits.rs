@@ -155,9 +155,14 @@ pub(super) fn impossible(drawing: &Drawing, corner: &Corner) -> Problem {
         let message = format!(
             "no mesh matches: the vertex statement of {text} contradicts the loops and edges"
         );
+        // A letter that stands for nothing drawn.
+        let is_free = |letter: &&str| drawing.rule.free_name(letter) == *letter;
+        let spoke = ["h", "s", "x", "y", "z"].into_iter().find(is_free).unwrap_or("h");
         let diagnostic = Diagnostic::error("impossible-drawing", message, star.span)
             .saying("these spokes, counterclockwise")
-            .note(format!("counterclockwise around {text} the spoke after `h` is `h.prev.twin`"));
+            .note(format!(
+                "counterclockwise around {text} the spoke after `{spoke}` is `{spoke}.prev.twin`"
+            ));
         return match in_order(drawing, corner, star) {
             Some(statement) => {
                 let title = format!("write `{statement}`");

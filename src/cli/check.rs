@@ -122,7 +122,10 @@ fn show(file: &str, verdicts: &[Verdict], verbose: bool) -> String {
             below.push(Vec::new());
         }
         if let Some(steps) = &verdict.steps {
-            let calls = format!("in steps: {}", steps.calls.join(", "));
+            let calls = match steps.calls.as_slice() {
+                [] => "in steps".to_string(),
+                calls => format!("in steps: {}", calls.join(", ")),
+            };
             rows.push(vec!["  proved".into(), verdict.op.clone(), calls]);
             below.push(Vec::new());
         }

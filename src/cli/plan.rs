@@ -126,12 +126,16 @@ fn called<'p>(steps: &Steps, program: &'p Program) -> Vec<&'p str> {
 
 /// The calls of an op in steps, and when it refuses.
 fn show_steps(plan: &Plan, steps: &Steps, program: &Program) -> String {
-    let calls = called(steps, program).join(", ");
+    let calls = called(steps, program);
     let end = match plan.level {
         Level::Map => String::new(),
         level => format!(", or the mesh is not of level {level} in the end"),
     };
     let name = &plan.name;
+    if calls.is_empty() {
+        return format!("{name} is done in steps, and calls no operation");
+    }
+    let calls = calls.join(", ");
     format!(
         "{name} is done in steps: {calls}\n\
          if one of them must be done and refuses{end}, all is undone"

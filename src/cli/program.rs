@@ -141,7 +141,11 @@ pub(super) fn find_op(program: &Program, name: Option<&str>) -> Result<usize, Fa
     let ops = ops.map(|op| (op.name.as_str(), op.span));
     let found = name.and_then(|name| analysis.op(name));
     if let Some(name) = name.filter(|name| found.is_none() && analysis.script(name).is_some()) {
-        let message = format!("`{name}` is a script: `hedgerow run` runs it");
+        let file = program.sources.get(analysis.file).name();
+        let message = format!(
+            "`{name}` is a script, and only operations are drawn, applied and emitted; \
+             `hedgerow run {file}::{name} MESH` runs it"
+        );
         return Err(Failure::usage(message));
     }
     find("operation", &visible(analysis, ops), (name, found))

@@ -21,7 +21,7 @@ pub use expression::{
 };
 pub use op::{
     Alias, Assignment, Cycle, Edge, Example, Kind, Loop, LoopItem, LoopKind, Name, NameId, Op,
-    Param, Property, Ref, Require, Role, Rule, Side, Spoke, Star,
+    Param, Property, Ref, Require, Role, Rule, Side, Spoke, Star, free_name,
 };
 pub use reassign::{Operand, Reassignment, Write};
 pub use unroll::{Naming, Unrolled};

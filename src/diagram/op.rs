@@ -90,6 +90,13 @@ pub enum Role {
     },
 }
 
+/// A letter, or if that is taken with the first number with which it is not.
+pub fn free_name(letter: &str, is_taken: impl Fn(&str) -> bool) -> String {
+    let numbered = (0..).map(|number: usize| format!("{letter}{number}"));
+    let mut words = std::iter::once(letter.to_owned()).chain(numbered);
+    words.find(|word| !is_taken(word)).unwrap_or_else(|| letter.to_owned())
+}
+
 impl Name {
     /// The name in backticks, or the description.
     pub fn quoted(&self) -> String {
@@ -245,6 +252,13 @@ impl Rule {
     /// A name by its id.
     pub fn name(&self, id: NameId) -> &Name {
         &self.names[id.index()]
+    }
+
+    /// A name that nothing has here.
+    pub fn free_name(&self, letter: &str) -> String {
+        free_name(letter, |wanted| {
+            self.names.iter().any(|name| name.text.split('[').next() == Some(wanted))
+        })
     }
 
     /// The word of a name in backticks, or its description.

@@ -78,7 +78,10 @@ fn image(svg: &str, name: &str) -> Option<String> {
 pub(super) fn verdict(op: &OpCard) -> String {
     if let Some(steps) = &op.verdict.steps {
         let calls: Vec<_> = steps.calls.iter().map(|op| format!("`{op}`")).collect();
-        return format!("**proved**, in steps: {}\n", calls.join(", "));
+        return match calls.is_empty() {
+            true => "**proved**, in steps\n".to_owned(),
+            false => format!("**proved**, in steps: {}\n", calls.join(", ")),
+        };
     }
     if op.verdict.proved {
         let rules = op.verdict.rules.iter().map(|rule| rule_text(rule) + "\n");

@@ -3,7 +3,9 @@
 use std::collections::HashMap;
 
 use crate::diagnostic::Diagnostic;
-use crate::diagram::{Access, Alias, Assignment, Kind, Level, NameId, Ref, Require, Role, Type};
+use crate::diagram::{
+    Access, Alias, Assignment, Kind, Level, NameId, Ref, Require, Role, Type, free_name,
+};
 use crate::source::Span;
 use crate::syntax::tree::{self, Condition, Ident, Statement};
 
@@ -217,7 +219,10 @@ fn assigned(
     let Some(id) = names.find(word) else {
         let message = format!("`{word}` is assigned to but drawn nowhere");
         let error = Diagnostic::error("unknown-name", message, target.span);
-        let error = suggest(error, word, target.span, names.words());
+        let error = match parameter_drawn(word, names, typing) {
+            Some(how) => error.note(how),
+            None => suggest(error, word, target.span, names.words()),
+        };
         typing.report.add(error);
         return None;
     };
@@ -232,6 +237,32 @@ fn assigned(
     let (access, value) = typing.attribute_of(ty, attribute_name)?;
     let target = mention(id, target);
     Some((target, access, value))
+}
+
+/// The way to draw a parameter of which only an attribute is set, if it has one.
+fn parameter_drawn(word: &str, names: &Names, typing: &Typing) -> Option<String> {
+    names.parameter(word)?;
+    let (_, local) = typing.scopes.find(word)?;
+    let ty = local.ty.filter(|ty| ty.is_element())?;
+    let is_taken = |word: &str| names.find(word).is_some() || typing.scopes.find(word).is_some();
+    let name = |of: Type, letter: &str| match of == ty {
+        true => word.to_owned(),
+        false => free_name(letter, is_taken),
+    };
+    let [f, v, h] =
+        [(Type::Face, "f"), (Type::Vertex, "v"), (Type::Halfedge, "h")].map(|(of, l)| name(of, l));
+    let w = free_name("w", |wanted| wanted == v || is_taken(wanted));
+    let orbit = format!("loop {f}: {v} -{h}-> {w} => {v}");
+    Some(match ty {
+        Type::Edge => {
+            let twin = free_name("g", is_taken);
+            format!(
+                "draw it in `before`, for example `{orbit}` and `edge {word}: {h} | {twin}`, and \
+                 list `keep {f} {word}` in `after`"
+            )
+        }
+        _ => format!("draw it in `before`, for example `{orbit}`, and list `keep {f}` in `after`"),
+    })
 }
 
 impl Typing<'_> {

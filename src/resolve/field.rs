@@ -10,7 +10,7 @@ use super::foreign_words::{self, Here};
 use super::sequence_names::sequences_of;
 use super::typed::typed;
 use super::typing::Typing;
-use super::words::{a_type, quoted};
+use super::words::{a_type, quoted, short};
 
 /// A field of a type, for lists of them.
 pub(super) struct Entry {
@@ -40,14 +40,24 @@ fn function_of(ty: Type, word: &str) -> Option<&str> {
     };
     match foreign_words::function(word) {
         _ if takes(word) => Some(word),
+        _ if foreign_words::is_degree(ty, word) => Some("degree"),
         Some(Here::Written(ours)) if takes(ours) => Some(ours),
         _ => None,
     }
 }
 
 /// Says that `x.length` is written `length(x)`.
-fn written_as_call(error: Diagnostic, function: &str, value: Span, field: Span) -> Diagnostic {
-    let title = format!("write `{function}(…)`");
+fn written_as_call(
+    error: Diagnostic,
+    function: &str,
+    written: &tree::Expr,
+    field: Span,
+) -> Diagnostic {
+    let value = written.span;
+    let title = match short(written, 3) {
+        Some(text) => format!("write `{function}({text})`"),
+        None => format!("write `{function}(…)`"),
+    };
     let edit = |span: Span, text: String| Edit { span, text };
     let before = Span { end: value.start, ..value };
     let edits =
@@ -58,12 +68,13 @@ fn written_as_call(error: Diagnostic, function: &str, value: Span, field: Span) 
 }
 
 impl Typing<'_> {
-    /// `x.field`
+    /// `x.field`; `of_sequences` where a sequence is wanted.
     pub(super) fn field(
         &mut self,
         (written, base): (&tree::Expr, Expr),
         field: &Ident,
         span: Span,
+        of_sequences: bool,
     ) -> Option<Expr> {
         let word = field.text.as_str();
         let found = fields_of(base.ty).iter().find(|(known, _)| *known == word);
@@ -79,7 +90,7 @@ impl Typing<'_> {
                 );
                 self.report.add(Diagnostic::error("not-a-value", message, span));
             } else {
-                self.unknown_field(written, base.ty, field);
+                self.unknown_field(written, base.ty, field, of_sequences);
             }
             return None;
         };
@@ -91,8 +102,14 @@ impl Typing<'_> {
         })
     }
 
-    /// Says that there is no such field, and what there is.
-    pub(super) fn unknown_field(&mut self, written: &tree::Expr, ty: Type, field: &Ident) {
+    /// Says that there is no such field, and what there is; `of_sequences` where one is wanted.
+    pub(super) fn unknown_field(
+        &mut self,
+        written: &tree::Expr,
+        ty: Type,
+        field: &Ident,
+        of_sequences: bool,
+    ) {
         if self.declared.has_attribute(&field.text) {
             // The declaration has been refused already.
             self.report.fail();
@@ -111,14 +128,20 @@ impl Typing<'_> {
         let message = format!("{} has no field `{}`", a_type(ty), field.text);
         let error = Diagnostic::error("unknown-field", message, field.span);
         let this = format!("this is {}", a_type(ty));
-        if let Some(function) = function_of(ty, &field.text) {
+        if !of_sequences && let Some(function) = function_of(ty, &field.text) {
             let error = error.label(written.span, this);
-            self.report.add(written_as_call(error, function, written.span, field.span));
+            self.report.add(written_as_call(error, function, written, field.span));
             return;
         }
         let here = foreign_words::field(ty, &field.text);
         let word = (field.text.as_str(), field.span);
-        let error = foreign_words::tell(error, word, here, known.iter().copied());
+        // What is of the other sort would be an error again.
+        let fits = |known: &&str| sequences_of(ty).contains(known) == of_sequences;
+        let ours = here.filter(|here| match here {
+            Here::Written(ours) => fits(ours),
+            Here::Said(_) => true,
+        });
+        let error = foreign_words::tell(error, word, ours, known.iter().copied().filter(fits));
         let error = error.label(written.span, this);
         let of_halfedge = ty.is_element() && is_taken(Type::Halfedge, &field.text);
         self.report.add(match known.as_slice() {

@@ -7,6 +7,7 @@
 use crate::diagnostic::Diagnostic;
 use crate::diagram::Type;
 use crate::source::Span;
+use crate::syntax::foreign_syntax::type_word;
 
 use super::suggestion::suggest;
 
@@ -44,41 +45,6 @@ const PICKED: Here = Said(
 const CHANGED: Here =
     Said("a script changes a mesh by calling operations: `split(e)`, `dissolve_edge(e)`");
 const STOPPED: Here = Said("`assert c else \"…\"` stops a script");
-
-/// The replacement of a foreign name of a type is here.
-pub(super) fn type_word(word: &str) -> Option<&'static str> {
-    Some(match word.to_lowercase().as_str() {
-        "float" | "double" | "number" | "scalar" | "f32" | "f64" => "real",
-        "integer" | "i32" | "i64" | "u32" | "usize" | "long" => "int",
-        "boolean" => "bool",
-        "string" | "str" | "char" => "text",
-        "vector" | "vec" | "vector3" | "float3" | "double3" | "point" | "point3" | "position" => {
-            "vec3"
-        }
-        "vector2" | "float2" | "point2" => "vec2",
-        "matrix4" => "mat4",
-        "matrix3" => "mat3",
-        "he"
-        | "half_edge"
-        | "dart"
-        | "halfedgeref"
-        | "halfedgecref"
-        | "halfedgeiter"
-        | "halfedge_handle"
-        | "halfedge_descriptor"
-        | "halfedgehandle"
-        | "bmloop"
-        | "halfedges" => "halfedge",
-        "vert" | "node" | "vertexref" | "vertexcref" | "vertexiter" | "vertex_handle"
-        | "vertex_descriptor" | "vertexhandle" | "bmvert" | "mvert" | "vertices" => "vertex",
-        "edgeref" | "edgecref" | "edgeiter" | "edge_handle" | "edge_descriptor" | "edgehandle"
-        | "bmedge" | "medge" => "edge",
-        "polygon" | "triangle" | "quad" | "facet" | "cell" | "faceref" | "facecref"
-        | "faceiter" | "face_handle" | "face_descriptor" | "facehandle" | "bmface" | "mface"
-        | "faces" => "face",
-        _ => return None,
-    })
-}
 
 /// The replacement of a foreign field of a type.
 pub(super) fn field(ty: Type, word: &str) -> Option<Here> {
@@ -130,6 +96,18 @@ pub(super) fn field(ty: Type, word: &str) -> Option<Here> {
         _ => return None,
     };
     Some(Written(written))
+}
+
+/// True if a word stands elsewhere for the number of sides of a face, or of edges at a vertex.
+pub(super) fn is_degree(ty: Type, word: &str) -> bool {
+    match word {
+        "n" | "degree" | "valence" | "valency" | "size" | "count" | "len" | "num_edges"
+        | "n_edges" | "edge_count" | "num_halfedges" => matches!(ty, Type::Vertex | Type::Face),
+        "sides" | "num_sides" | "n_sides" | "side_count" | "num_vertices" | "n_vertices"
+        | "vertex_count" | "nverts" | "num_verts" | "length" | "arity" => ty == Type::Face,
+        "num_neighbors" | "num_neighbours" => ty == Type::Vertex,
+        _ => false,
+    }
 }
 
 /// The replacement of a foreign word that is called.

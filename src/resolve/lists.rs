@@ -8,6 +8,7 @@ use crate::source::Span;
 use crate::syntax::tree::{self, Statement};
 
 use super::lookup::element_type;
+use super::mention::mentions;
 use super::names::Names;
 use super::report::Report;
 use super::suggestion::suggest;
@@ -29,8 +30,14 @@ pub(super) fn read_lists(
     names: &Names,
     report: &mut Report,
 ) -> Lists {
-    let mut reader =
-        Reader { names, before: drawn_before, report, listed: HashMap::new(), unused: Vec::new() };
+    let mut reader = Reader {
+        names,
+        after,
+        before: drawn_before,
+        report,
+        listed: HashMap::new(),
+        unused: Vec::new(),
+    };
     let mut lists = Lists::default();
     for statement in &after.statements {
         match statement {
@@ -65,6 +72,7 @@ pub(super) fn read_lists(
 
 struct Reader<'a> {
     names: &'a Names,
+    after: &'a tree::Side,
     before: &'a Side,
     report: &'a mut Report,
     listed: HashMap<(&'static str, &'a str), Span>,
@@ -92,6 +100,18 @@ impl<'a> Reader<'a> {
         if !self.first("new", name) {
             return None;
         }
+        if let Some(given) = self.names.parameter(word) {
+            // That a parameter of another kind is drawn is told there.
+            if self.names.find(word).is_none() && self.is_drawn(word) {
+                self.report.fail();
+                return None;
+            }
+            let message =
+                format!("`{word}` is listed in `new`, but it is a parameter; rename one of them");
+            let error = Diagnostic::error("already-drawn", message, name.span);
+            self.report.add(error.label(given, "the parameter"));
+            return None;
+        }
         let Some(id) = self.names.find(word) else {
             self.unused.push(name);
             return None;
@@ -100,11 +120,7 @@ impl<'a> Reader<'a> {
         if self.names.readable(id) {
             let message = format!("`{word}` is listed in `new`, but it is there before");
             let error = Diagnostic::error("already-drawn", message, name.span);
-            self.report.add(match known.span {
-                // Of a parameter that only `after` draws this is the first mention.
-                first if first == name.span => error,
-                first => error.label(first, "it is drawn here"),
-            });
+            self.report.add(error.label(known.span, "it is drawn here"));
             return None;
         }
         if !self.names.in_after(id) {
@@ -120,6 +136,11 @@ impl<'a> Reader<'a> {
             return None;
         }
         Some(mention(id, name))
+    }
+
+    /// True if a statement of `after` draws a name.
+    fn is_drawn(&self, word: &str) -> bool {
+        mentions(self.after).iter().any(|mention| mention.kind.is_some() && mention.text == word)
     }
 
     fn erased(&mut self, name: &'a tree::Name) -> Option<Ref> {

@@ -23,7 +23,8 @@ pub(super) struct Names {
     after: Vec<bool>,
     /// The place of each name in `new`.
     created: HashMap<NameId, Span>,
-    params: usize,
+    /// The places of the parameters of the op.
+    params: HashMap<String, Span>,
     /// The letter of the index, if there are families.
     letter: Option<String>,
 }
@@ -53,7 +54,7 @@ impl Names {
             readable: Vec::new(),
             after: Vec::new(),
             created: HashMap::new(),
-            params: params.len(),
+            params: params.iter().map(|param| (param.name.clone(), param.span)).collect(),
             letter,
         };
         for mention in all() {
@@ -147,7 +148,12 @@ impl Names {
 
     /// The number of parameters of the op: variables before the first of an aggregate.
     pub(super) fn params(&self) -> usize {
-        self.params
+        self.params.len()
+    }
+
+    /// The place of the parameter of this name.
+    pub(super) fn parameter(&self, word: &str) -> Option<Span> {
+        self.params.get(word).copied()
     }
 
     /// The letter of the index, if there are families.

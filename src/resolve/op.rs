@@ -4,11 +4,11 @@ use std::sync::Arc;
 
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{self, Attribute, Kind, Type};
+use crate::syntax::foreign_syntax::type_word;
 use crate::syntax::tree::{self, Arrow, Ident, Statement};
 
 use super::declared::{Declared, duplicate};
 use super::family::{is_family, read_index};
-use super::foreign_words;
 use super::lookup::element_type;
 use super::names::Names;
 use super::parameter::{Owner, parameters};
@@ -190,8 +190,7 @@ fn result_type(name: &Ident, rules: &[Names], report: &mut Report) -> Option<Typ
         let message = format!("`{word}` is returned, but it is drawn nowhere");
         let error = Diagnostic::error("unknown-result", message, name.span);
         let drawn = rules.iter().flat_map(Names::words);
-        let error = match Type::ALL.iter().any(|ty| ty.word() == word)
-            || foreign_words::type_word(word).is_some()
+        let error = match Type::ALL.iter().any(|ty| ty.word() == word) || type_word(word).is_some()
         {
             true => error.note(
                 "an op names the element that it returns, `-> m`; whether it applied is asked by \

@@ -62,7 +62,7 @@ impl Typing<'_> {
                     Ok(collection) => Some(collection),
                     Err(value) => {
                         let ty = value.ty;
-                        let value = self.field((&**base, value), field, expr.span)?;
+                        let value = self.field((&**base, value), field, expr.span, true)?;
                         self.not_a_sequence(expr, value.ty, ty)
                     }
                 }

@@ -6,6 +6,7 @@ use crate::source::Span;
 use crate::syntax::tree::{self, Action, ActionKind, Digits, Ident, Piece, Shown};
 
 use super::declared::duplicate;
+use super::fields::fields_of;
 use super::foreign_words;
 use super::op_call::Asked;
 use super::program::{Print, Statement, StatementKind};
@@ -14,7 +15,7 @@ use super::script::Scripting;
 use super::suggestion::suggest;
 use super::type_name::type_named;
 use super::typed::to_real;
-use super::words::{a_type, subject};
+use super::words::{a_type, short, subject};
 
 impl Scripting<'_> {
     /// `let x = …`, `var x = …`
@@ -245,8 +246,8 @@ impl Scripting<'_> {
             };
             let error = Diagnostic::error("not-assignable", message, base.span.to(field.span));
             let error = match &target.kind {
-                ExprKind::Read(..) | ExprKind::Local(_) if target.ty == Type::Vec3 => {
-                    error.note("assign the whole vector, for example with `vec3(x, y, z)`")
+                ExprKind::Read(..) | ExprKind::Local(_) if target.ty.is_vector() => {
+                    self.whole_vector(error, base, target.ty, field, value)
                 }
                 _ => error,
             };
@@ -257,6 +258,43 @@ impl Scripting<'_> {
         let whose = format!("`{}`", field.text);
         let value = self.typing.expression_as(value, ty, &whose)?;
         Some(StatementKind::Write { target, attribute, value })
+    }
+
+    /// Says how a component is set: with the whole vector.
+    fn whole_vector(
+        &self,
+        error: Diagnostic,
+        base: &tree::Expr,
+        ty: Type,
+        field: &Ident,
+        value: &tree::Expr,
+    ) -> Diagnostic {
+        let known = fields_of(ty).iter().any(|(known, _)| *known == field.text);
+        let Some(text) = short(base, 3).filter(|_| known) else {
+            return error.note("assign the whole vector, for example with `vec3(x, y, z)`");
+        };
+        let (mut before, mut behind) = (format!("{text} = {}(", ty.word()), String::new());
+        let mut is_before = true;
+        for (at, (part, _)) in fields_of(ty).iter().enumerate() {
+            let comma = if at > 0 { ", " } else { "" };
+            match *part == field.text {
+                true => {
+                    before += comma;
+                    is_before = false;
+                }
+                false if is_before => before += &format!("{comma}{text}.{part}"),
+                false => behind += &format!("{comma}{text}.{part}"),
+            }
+        }
+        behind += ")";
+        let title = format!("write `{before}…{behind}`");
+        let edits = vec![
+            Edit { span: Span { end: value.span.start, ..base.span }, text: before },
+            Edit { span: value.span.after(), text: behind },
+        ];
+        let mut error = error.note("a vector is assigned whole");
+        error.fixes.push(Fix { title, edits });
+        error
     }
 
     /// `if c { … } else { … }`, also with an op

@@ -2,6 +2,7 @@
 
 use crate::diagnostic::Diagnostic;
 use crate::diagram::Type;
+use crate::syntax::foreign_syntax::type_word;
 use crate::syntax::tree::Ident;
 
 use super::foreign_words::{self, Here};
@@ -22,7 +23,7 @@ pub(super) fn type_named(word: &Ident, report: &mut Report) -> Option<Type> {
     let message = format!("there is no type `{}`", word.text);
     let error = Diagnostic::error("unknown-type", message, word.span);
     let known = Type::ALL.map(Type::word);
-    let ours = foreign_words::type_word(&word.text).map(Here::Written);
+    let ours = type_word(&word.text).map(Here::Written);
     let error = foreign_words::tell(error, (&word.text, word.span), ours, known)
         .note(format!("the types are {}", quoted(&known)));
     report.add(error);

@@ -87,7 +87,7 @@ impl Typing<'_> {
                 let operands = [(left, value?), (&**right, right_value?)];
                 self.binary(*op, operands, outer.span)
             }
-            tree::ExprKind::Field(_, field) => self.field((left, value?), field, outer.span),
+            tree::ExprKind::Field(_, field) => self.field((left, value?), field, outer.span, false),
             _ => value,
         }
     }

@@ -75,7 +75,7 @@ pub(super) fn subject(expr: &Expr) -> String {
 }
 
 /// The text of a name, a call or a few fields.
-fn short(expr: &Expr, fields: usize) -> Option<String> {
+pub(super) fn short(expr: &Expr, fields: usize) -> Option<String> {
     match &expr.kind {
         ExprKind::Name(name) if name.index.is_none() => Some(name.ident.text.clone()),
         ExprKind::Field(base, field) if fields > 0 => {

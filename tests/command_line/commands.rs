@@ -23,6 +23,16 @@ fn check_tells_what_was_proved() {
     assert_eq!(rule["constant_time"], true);
 }
 
+#[test]
+fn steps_that_call_nothing() {
+    let bench = Bench::new();
+    bench.write("a.hedge", "op lift(v: vertex) {\n  steps { v.position = vec3(0, 0, 1) }\n}\n");
+    let told = bench.succeeds(&["check", "a.hedge"]);
+    assert!(told.ends_with("proved  lift  in steps\n"), "{told}");
+    let told = bench.succeeds(&["plan", "a.hedge"]);
+    assert_eq!(told, "lift is done in steps, and calls no operation\n");
+}
+
 /// The flip of the first page, without its guard.
 const BARE_FLIP: &str = "op flip(e: edge) {\n  before {\n    \
     face f0: v0 -a-> v1 -b-> v2 -c-> v0\n    face f1: v1 -d-> v0 -g-> v3 -h-> v1\n    \

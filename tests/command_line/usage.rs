@@ -32,6 +32,8 @@ fn no_such_operation_or_script() {
         (["plan", &part(&flip, "knot")], "it has `flip`, `flip_any`"),
         (["plan", &flip], "write FILE::NAME with one of `flip`, `flip_any`"),
         (["plan", "::"], "cannot read"),
+        (["plan", &part(&remesh, "remesh")], "only operations are drawn, applied and emitted"),
+        (["plan", &part(&remesh, "remesh")], "remesh.hedge::remesh MESH` runs it"),
         (["plan", "std/polygn.hedge::flip"], "did you mean `std/polygon.hedge`?"),
         (["plan", &part(&flip, "")], "no operation ``"),
     ] {

@@ -1,8 +1,9 @@
 //! A foreign way of writing that was found in one place.
 
 use super::pattern::{Class, What};
-use super::place::Item;
+use super::place::{HEAD, Item};
 use super::table::{Form, Piece};
+use super::types::type_meant;
 use crate::diagnostic::Edit;
 use crate::source::Span;
 use crate::syntax::token::{Token, TokenKind as T};
@@ -64,7 +65,7 @@ impl<'t> Match<'t, '_> {
         for piece in pieces {
             text.push_str(template.get(at..piece.place.start).unwrap_or(""));
             match piece.hole.and_then(|hole| self.hole(hole)) {
-                Some(range) => text.push_str(self.item.slice(range)),
+                Some(range) => text.push_str(self.text(piece.hole, range)),
                 None => text.push_str(template.get(piece.place.clone()).unwrap_or("")),
             }
             at = piece.place.end;
@@ -73,12 +74,28 @@ impl<'t> Match<'t, '_> {
         text
     }
 
+    /// The text of a hole; a type in the head of an item as it is called here.
+    fn text(&self, hole: Option<&str>, range: Range<usize>) -> &'t str {
+        let ours = hole.and_then(|hole| self.renamed(hole, range.clone()));
+        ours.unwrap_or(self.item.slice(range))
+    }
+
+    /// The name here of the type that stands in a hole of the head of an item.
+    fn renamed(&self, hole: &str, range: Range<usize>) -> Option<&'static str> {
+        let is_type = hole == "t" && self.form.place == HEAD;
+        is_type.then(|| type_meant(self.item.slice(range)))?
+    }
+
     /// The numbers of elements and pieces that are the same at both ends.
     fn shared(&self, pieces: &[Piece]) -> (usize, usize) {
         let elements = &self.form.seen().elements;
         let count = elements.len() - usize::from(self.is_end(elements.len().wrapping_sub(1)));
         let same = |element: usize, piece: usize| match (&elements[element].what, &pieces[piece]) {
-            (What::Hole(hole, _), piece) => piece.hole == Some(*hole),
+            // A type of another language is written anew.
+            (What::Hole(hole, _), piece) => {
+                piece.hole == Some(*hole)
+                    && self.renamed(hole, self.parts[element].clone()).is_none()
+            }
             (What::Written(ways), piece) => {
                 piece.hole.is_none() && matches!(ways.as_slice(), [only] if *only == piece.word)
             }
@@ -177,7 +194,7 @@ impl<'t> Match<'t, '_> {
         let says = self.form.says.replace("{}", seen);
         let says = self.form.holes_of_says().fold(says, |says, hole| {
             let range = self.hole(hole).unwrap_or_default();
-            says.replace(&format!("${hole}"), self.item.slice(range))
+            says.replace(&format!("${hole}"), self.text(Some(hole), range))
         });
         Found {
             what,

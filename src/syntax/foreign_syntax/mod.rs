@@ -20,6 +20,8 @@ mod report;
 
 mod mend;
 
+mod types;
+
 use super::token::Token;
 use crate::diagnostic::Diagnostic;
 use crate::source::Span;
@@ -27,6 +29,7 @@ use crate::source::Span;
 pub use finding::Found;
 pub use mend::{Mended, mend};
 pub(super) use report::tell;
+pub use types::type_word;
 
 /// The foreign syntax on some lines of an item that can be read, but not understood.
 pub fn written_elsewhere(

@@ -140,10 +140,33 @@ fn title(text: &str, span: Span, edits: &[Edit]) -> String {
             format!("leave out `{}`", edits.first().map(old).unwrap_or_default())
         }
         (false, false) if mended.len() <= LONGEST => format!("write `{mended}`"),
-        _ if !new.is_empty() && new.len() <= LONGEST && !new.contains('\n') => {
+        _ if edits.len() == 1 && !new.is_empty() && new.len() <= LONGEST && !new.contains('\n') => {
             format!("write `{new}`")
         }
-        _ => "write it so".to_owned(),
+        (true, _) => format!("write `{} …`", new.lines().next().unwrap_or("")),
+        _ => format!("write `{}`", excerpt(text, line, &here)),
+    }
+}
+
+/// The words that the edits of a line change, as they are then, from the first to the last.
+fn excerpt(text: &str, line: Range<usize>, edits: &[&Edit]) -> String {
+    let (Some(first), Some(last)) = (edits.first(), edits.last()) else {
+        return String::new();
+    };
+    let before = text.get(line.start..first.span.start as usize).unwrap_or("");
+    let behind = text.get(last.span.end as usize..line.end).unwrap_or("");
+    let start = before.rfind(char::is_whitespace).map_or(0, |blank| blank + 1);
+    let end = behind.find(char::is_whitespace).unwrap_or(behind.len());
+    let mut mended = before.get(start..).unwrap_or("").to_owned();
+    for (at, edit) in edits.iter().enumerate() {
+        mended.push_str(&edit.text);
+        let next = edits.get(at + 1).map_or(last.span.end + end as u32, |next| next.span.start);
+        mended.push_str(text.get(edit.span.end as usize..next as usize).unwrap_or(""));
+    }
+    let mended = mended.split_whitespace().collect::<Vec<_>>().join(" ");
+    match mended.char_indices().nth(LONGEST) {
+        Some((at, _)) => format!("{}…", &mended[..at]),
+        None => mended,
     }
 }
 

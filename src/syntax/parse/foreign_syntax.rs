@@ -52,6 +52,15 @@ pub(super) fn told_here(told: Diagnostic, failure: &Failure, around: &Around) ->
             Some(next) if touches(here, next) => written(told, here.span.to(next.span), "or"),
             _ => told,
         },
+        T::Edge | T::Vertex | T::Face | T::Hole
+            if last == Some(T::In) && after.first().is_some_and(|next| next.kind == T::Dot) =>
+        {
+            let kind = here.kind.spelling().unwrap_or("");
+            told.note(format!(
+                "`{kind}` is a kind, not an element: what is around one stands behind the name of \
+                 a parameter or a variable, as in `for v in vertices {{ for h in v.halfedges {{ … }} }}`"
+            ))
+        }
         T::Edge if last == Some(T::In) => written(told, here.span, "edges"),
         T::Vertex if last == Some(T::In) => written(told, here.span, "vertices"),
         T::Face if last == Some(T::In) => written(told, here.span, "faces"),

@@ -35,6 +35,24 @@ pub(super) const LINES: &[Line] = &[
     told(DRAWING, "^$f ( $x:inside ) $l:line", "", CALLS),
     told(
         DRAWING,
+        "^$a . $b=position . x = $v:line",
+        "",
+        "a component cannot be assigned by itself: `$a.$b = vec3($v, $a.$b.y, $a.$b.z)`",
+    ),
+    told(
+        DRAWING,
+        "^$a . $b=position . y = $v:line",
+        "",
+        "a component cannot be assigned by itself: `$a.$b = vec3($a.$b.x, $v, $a.$b.z)`",
+    ),
+    told(
+        DRAWING,
+        "^$a . $b=position . z = $v:line",
+        "",
+        "a component cannot be assigned by itself: `$a.$b = vec3($a.$b.x, $a.$b.y, $v)`",
+    ),
+    told(
+        DRAWING,
         "^$a . $b:word . $c:word = $v:line",
         "",
         "a component cannot be assigned by itself: `$a.$b = vec3(x, y, z)`",
@@ -42,6 +60,13 @@ pub(super) const LINES: &[Line] = &[
     sure(DRAWING, "^$a -> $b:word =", "$a.$b =", "an attribute stands behind a dot: `$a.$b`"),
     sure(DRAWING, "$a . $b:word : = ", "$a.$b =", "it is set with `=`"),
     sure(DRAWING, "$a . $b:word : $v:line", "$a.$b = $v", "it is set with `=`"),
+    fixed(
+        DRAWING,
+        "$a . $b:word $o=+/- ~= ( $x:inside , $y:inside , $z:inside ) $:end",
+        "$a.$b = $x",
+        "$a.$b = $a.$b $o vec3($x, $y, $z)",
+        "a change is written out: `$a.$b = $a.$b $o …`",
+    ),
     fixed(
         DRAWING,
         "$a . $b:word + ~= $v:line",

@@ -58,6 +58,12 @@ pub(super) const LINES: &[Line] = &[
     told(CODE, "= new vertex/edge/face/halfedge $l:line", "= true", CHANGED),
     sure(
         CODE,
+        "^print ( f $t:text ) $:end",
+        "print $t",
+        "values stand in any text that is printed, without parentheses: `print \"{x}\"`",
+    ),
+    sure(
+        CODE,
         "^print ( $l:inside ) $:end",
         "print $l",
         "what is printed stands without parentheses",

@@ -162,6 +162,7 @@ pub(super) const LINES: &[Line] = &[
         STEPS,
     ),
     told(PARTS, "^for/while/if/repeat/drain/update $h:inside { $b:inside }", "", STEPS),
+    told(PARTS, "^return $m $:end", "", "what an op returns stands in its head: `op … -> $m`"),
     told(PARTS, "^let/var/print/return/must/const/auto $l:line", "", STEPS),
     told(PARTS, "^$n ( $a:inside ) $l:line", "", STEPS),
     told(PARTS, "^$n . $l:line", "", STEPS),

@@ -23,6 +23,7 @@ pub(super) const LINES: &[Line] = &[
     ),
     told(DRAWING, "^if/for/while/repeat/foreach/unless $h:inside { $b:inside }", "", DRAWN),
     told(DRAWING, "^let/var/const/auto/val $l:line", "", VALUES),
+    told(DRAWING, "^return $m $:end", "", "what an op returns stands in its head: `op … -> $m`"),
     told(
         DRAWING,
         "^return $l:line",
@@ -135,6 +136,12 @@ pub(super) const LINES: &[Line] = &[
         "^halfedge/he/half_edge/Halfedge/dart/arc/HalfedgeRef $h = $l:line",
         "",
         HALFEDGE,
+    ),
+    told(
+        DRAWING,
+        "^vertex $v $:end",
+        "",
+        "names are not declared: a vertex is drawn in a loop, for example `loop f: $v -h-> other => $v` in `before` and `keep f` in `after`",
     ),
     told(
         DRAWING,

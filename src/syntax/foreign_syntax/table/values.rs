@@ -10,7 +10,7 @@ const AGGREGATE: &str =
     "what holds stands in front: `count(boundary(e) for e in edges)`, likewise `any` and `all`";
 const COMPONENT: &str = "a component of a vector is `p.x`, `p.y`, `p.z`";
 const CALLED: &str = "what is called stands in front: `degree(v)`, `flip(e)`";
-const POINTER: &str = "a pointer is read without parentheses: `h.$p`";
+const POINTER: &str = "what is read behind a dot has no parentheses: `.$p`";
 
 pub(super) const LINES: &[Line] = &[
     told(CODE | PARTS, "is not $b=None/null/nil/nullptr/NULL", "!= true", EXISTS),
@@ -79,9 +79,9 @@ pub(super) const LINES: &[Line] = &[
         CODE | PARTS,
         "~-> ~$p=next/twin/prev/vertex/edge/face/halfedge/target/position/vertices/edges/faces/halfedges/neighbors",
         ".$p",
-        "a pointer is read behind a dot: `h.$p`",
+        "a pointer is read behind a dot: `.$p`",
     ),
-    sure(CODE | PARTS, "~-> ~$p:word", ".$p", "a pointer is read behind a dot: `h.$p`"),
+    sure(CODE | PARTS, "~-> ~$p:word", ".$p", "a pointer is read behind a dot: `.$p`"),
     sure(
         CODE | PARTS,
         "$b=(/,/=/+/-/{/}/return/not/and/or/if/while/where/by/require/print/assert/else/</>/<=/>=/==/!= $x . $f=adjacent/distance/dot/cross/angle ~( $y:inside )",

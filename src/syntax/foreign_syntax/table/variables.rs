@@ -114,6 +114,13 @@ pub(super) const LINES: &[Line] = &[
     ),
     fixed(
         CODE,
+        "^$a . $b:word $o=+/- ~= ( $x:inside , $y:inside , $z:inside ) $:end",
+        "$a.$b = $x",
+        "$a.$b = $a.$b $o vec3($x, $y, $z)",
+        "a change is written out: `$a.$b = $a.$b $o …`",
+    ),
+    fixed(
+        CODE,
         "^$a . $b:word + ~= $v:line",
         "$a.$b = $v",
         "$a.$b = $a.$b + $v",

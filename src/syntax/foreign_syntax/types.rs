@@ -1,0 +1,48 @@
+//! Names of types in other languages and mesh libraries.
+
+/// The names of types here.
+const OURS: [&str; 12] = [
+    "vertex", "halfedge", "edge", "face", "real", "int", "bool", "vec2", "vec3", "vec4", "mat3",
+    "mat4",
+];
+
+/// The name of a type here, if it is known elsewhere by this word, or here but in other letters.
+pub(super) fn type_meant(word: &str) -> Option<&'static str> {
+    let same = |ours: &&str| ours.eq_ignore_ascii_case(word);
+    type_word(word).or_else(|| OURS.into_iter().find(same)).filter(|ours| *ours != word)
+}
+
+/// The name that a type of another language has here.
+pub fn type_word(word: &str) -> Option<&'static str> {
+    Some(match word.to_lowercase().as_str() {
+        "float" | "double" | "number" | "scalar" | "f32" | "f64" => "real",
+        "integer" | "i32" | "i64" | "u32" | "usize" | "long" => "int",
+        "boolean" => "bool",
+        "string" | "str" | "char" => "text",
+        "vector" | "vec" | "vector3" | "float3" | "double3" | "point" | "point3" | "position" => {
+            "vec3"
+        }
+        "vector2" | "float2" | "point2" => "vec2",
+        "matrix4" => "mat4",
+        "matrix3" => "mat3",
+        "he"
+        | "half_edge"
+        | "dart"
+        | "halfedgeref"
+        | "halfedgecref"
+        | "halfedgeiter"
+        | "halfedge_handle"
+        | "halfedge_descriptor"
+        | "halfedgehandle"
+        | "bmloop"
+        | "halfedges" => "halfedge",
+        "vert" | "node" | "vertexref" | "vertexcref" | "vertexiter" | "vertex_handle"
+        | "vertex_descriptor" | "vertexhandle" | "bmvert" | "mvert" | "vertices" => "vertex",
+        "edgeref" | "edgecref" | "edgeiter" | "edge_handle" | "edge_descriptor" | "edgehandle"
+        | "bmedge" | "medge" => "edge",
+        "polygon" | "triangle" | "quad" | "facet" | "cell" | "faceref" | "facecref"
+        | "faceiter" | "face_handle" | "face_descriptor" | "facehandle" | "bmface" | "mface"
+        | "faces" => "face",
+        _ => return None,
+    })
+}
