@@ -31,8 +31,10 @@ impl Pages {
     /// The number of a new page.
     pub fn open(&self) -> u64 {
         let mut open = self.lock();
-        if open.engines.len() == MOST_PAGES {
-            open.engines.pop_front();
+        if open.engines.len() == MOST_PAGES
+            && let Some((_, engine)) = open.engines.pop_front()
+        {
+            engine.stop();
         }
         open.newest += 1;
         let page = open.newest;
