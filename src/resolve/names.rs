@@ -23,8 +23,8 @@ pub(super) struct Names {
     after: Vec<bool>,
     /// The place of each name in `new`.
     created: HashMap<NameId, Span>,
-    /// The places of the parameters of the op.
-    params: HashMap<String, Span>,
+    /// The parameters of the op, and their places.
+    params: Vec<(String, Span)>,
     /// The letter of the index, if there are families.
     letter: Option<String>,
 }
@@ -153,7 +153,7 @@ impl Names {
 
     /// The place of the parameter of this name.
     pub(super) fn parameter(&self, word: &str) -> Option<Span> {
-        self.params.get(word).copied()
+        self.params.iter().find(|(param, _)| param == word).map(|&(_, span)| span)
     }
 
     /// The letter of the index, if there are families.

@@ -439,13 +439,13 @@ fn tables_move_where_operations_are_only_asked_for() {
         }
         let analysis = analyse(&name, &text);
         assert!(analysis.is_sound(), "{name}: {:#?}", analysis.diagnostics);
-        for number in 0..ops.len() {
+        for (number, question) in ops.iter().enumerate() {
             let script = analysis.script(&format!("asks_{number}")).expect("it is there");
             let prepared = prepare(&analysis.program, script, &analysis.plans).expect("small");
             // Full tables, so large that the system takes them back when they move.
             for mut mesh in [shape::triangle_torus(60, 60), shape::grid(60, 60)] {
                 let (report, lines) = run_on_both(&prepared, &mut mesh, &[], Engine::NativeAtOnce);
-                report.unwrap_or_else(|error| panic!("{name}: {}: {error:?}", ops[number]));
+                report.unwrap_or_else(|error| panic!("{name}: {question}: {error:?}"));
                 asked += usize::from(lines.iter().any(|line| !line.starts_with("0 ")));
             }
         }
