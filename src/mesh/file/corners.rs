@@ -115,8 +115,7 @@ impl<'o> Corners<'o> {
 
 impl MeshFile {
     /// The number of faces that are written without texture coordinates (`vt`), and how many
-    /// without normals (`vn`), although the file had some: there are none for new
-    /// corners of theirs.
+    /// without normals (`vn`), although the file had some: there are none for new corners of theirs.
     pub fn bare_faces(&self) -> [usize; 2] {
         OfCorner::ALL.map(|what| {
             let kept = self.kept_corners(what);
