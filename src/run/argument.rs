@@ -131,19 +131,36 @@ from! {
     FaceId: |value| Element::from(value).into();
 }
 
-/// An example of a value of a type, for a message about a wrong one.
-pub(super) fn example(ty: Type) -> &'static str {
+/// A text for a value of a type, if a short one is.
+pub(super) fn sample(ty: Type) -> Option<&'static str> {
     match ty {
-        Type::Bool => "`true` or `false`",
-        Type::Int => "a whole number such as `12`",
-        Type::Real => "a number such as `0.5`",
-        Type::Vec2 => "two numbers such as `1,0.5`",
-        Type::Vec3 => "three numbers such as `1,0.5,2`",
-        Type::Vec4 => "four numbers such as `1,0.5,2,1`",
+        Type::Bool => Some("true"),
+        Type::Int => Some("12"),
+        Type::Real => Some("0.5"),
+        Type::Vec2 => Some("1,0.5"),
+        Type::Vec3 => Some("1,0.5,2"),
+        Type::Vec4 => Some("1,0.5,2,1"),
+        _ => None,
+    }
+}
+
+/// The values of a type, in words for a message about a wrong one.
+pub(super) fn wanted(ty: Type) -> String {
+    let words = match ty {
+        Type::Bool => return "`true` or `false`".to_owned(),
+        Type::Int => "a whole number",
+        Type::Real => "a number",
+        Type::Vec2 => "two numbers",
+        Type::Vec3 => "three numbers",
+        Type::Vec4 => "four numbers",
         Type::Mat3 => "nine numbers with commas between them, column by column",
         Type::Mat4 => "sixteen numbers with commas between them, column by column",
         Type::Text => "a text",
         Type::Vertex | Type::Halfedge | Type::Edge | Type::Face => "the number of an element",
+    };
+    match sample(ty) {
+        Some(sample) => format!("{words} such as `{sample}`"),
+        None => words.to_owned(),
     }
 }
 

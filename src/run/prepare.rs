@@ -1,7 +1,7 @@
 //! A script with all it needs to run.
 
 use super::Argument;
-use super::argument::example;
+use super::argument::{sample, wanted};
 use super::columns::Columns;
 use super::function::{Functions, calling, routine, with_functions};
 use super::lower::Lowering;
@@ -369,7 +369,7 @@ impl Prepared {
             let times = names.clone().filter(|name| *name == param.name).count();
             match times {
                 0 if param.default.is_none() => {
-                    let sample = example(param.ty).split('`').nth(1).unwrap_or("VALUE");
+                    let sample = sample(param.ty).unwrap_or("VALUE");
                     let way_out = format!("give it by `--set {}={sample}`", param.name);
                     errors.push(self.wrongly_given(param, MISSING).note(way_out));
                 }
@@ -382,7 +382,7 @@ impl Prepared {
 
     fn wrongly_given(&self, param: &Param, (code, how): (&'static str, &str)) -> Diagnostic {
         let message = format!("`{}` of `{}` {how}", param.name, self.name);
-        Diagnostic::error(code, message, param.span).note(format!("it wants {}", example(param.ty)))
+        Diagnostic::error(code, message, param.span).note(format!("it wants {}", wanted(param.ty)))
     }
 
     fn no_such_parameter(&self, name: &str) -> Diagnostic {
@@ -400,7 +400,7 @@ impl Prepared {
 fn wrong_text(param: &Param, text: &str) -> Diagnostic {
     let message = format!("`{}` cannot be `{text}`", param.name);
     Diagnostic::error("wrong-argument", message, param.span)
-        .note(format!("it wants {}", example(param.ty)))
+        .note(format!("it wants {}", wanted(param.ty)))
 }
 
 fn wrong_type(param: &Param, got: Type) -> Diagnostic {
