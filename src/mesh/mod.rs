@@ -24,6 +24,8 @@ mod records;
 pub(crate) mod tables;
 
 // What can be asked of them.
+#[cfg(feature = "native")]
+mod adjacency;
 mod component;
 mod difference;
 mod displaced;
@@ -61,6 +63,8 @@ pub mod shape;
 /// The vectors and matrices of positions and attributes.
 pub use glam;
 
+#[cfg(feature = "native")]
+pub(crate) use adjacency::Adjacency;
 pub use arrays::NotATriangle;
 pub use attribute::{
     Attribute, AttributeType, Column, ColumnConflict, ColumnData, ColumnId, Value,

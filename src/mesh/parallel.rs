@@ -7,8 +7,6 @@
 
 use std::ops::Range;
 
-#[cfg(all(feature = "threads", feature = "native"))]
-pub(crate) use pool::beside;
 #[cfg(feature = "threads")]
 pub use pool::{set_threads, threads};
 #[cfg(feature = "threads")]
@@ -20,10 +18,54 @@ pub fn threads() -> usize {
     1
 }
 
-/// True if nobody else is there to take work, or who asks is one of those who took it.
-#[cfg(all(feature = "threads", feature = "native"))]
-pub(crate) fn is_one_thread() -> bool {
-    rayon::current_thread_index().is_some() || threads() == 1
+/// True if who asks is one of those who took work.
+#[cfg(feature = "native")]
+pub(crate) fn is_at_work() -> bool {
+    #[cfg(feature = "threads")]
+    return rayon::current_thread_index().is_some();
+    #[cfg(not(feature = "threads"))]
+    false
+}
+
+/// Lets each worker work on a thread of its own, and does `meanwhile` here, again and again after so
+/// long, until all are done.
+#[cfg(feature = "native")]
+pub(crate) fn each_at_work<W: Send>(
+    workers: &mut [W],
+    work: impl Fn(&mut W) + Sync,
+    every: std::time::Duration,
+    mut meanwhile: impl FnMut(),
+) {
+    #[cfg(feature = "threads")]
+    {
+        // When all senders have been dropped, all are done.
+        use std::sync::mpsc::{RecvTimeoutError, channel};
+        let (sender, receiver) = channel::<()>();
+        let senders: Vec<_> = workers.iter().map(|_| sender.clone()).collect();
+        drop(sender);
+        let work = &work;
+        pool::beside(
+            |scope| {
+                for (worker, sender) in workers.iter_mut().zip(senders) {
+                    scope.spawn(move |_| {
+                        work(worker);
+                        drop(sender);
+                    });
+                }
+            },
+            || {
+                while let Err(RecvTimeoutError::Timeout) = receiver.recv_timeout(every) {
+                    meanwhile();
+                }
+            },
+        );
+    }
+    #[cfg(not(feature = "threads"))]
+    for worker in workers {
+        let _ = every; // nobody else works
+        work(worker);
+        meanwhile();
+    }
 }
 
 /// Ranges that cover the numbers below `count`, some for each thread: of `least` numbers or more

@@ -115,12 +115,12 @@ impl Mesh {
             return false;
         };
         let twin = self.get_twin(h).unwrap_or(HalfedgeId::NONE);
-        self.is_boundary_halfedge(h) || self.is_boundary_halfedge(twin)
+        self.holes > 0 && (self.is_boundary_halfedge(h) || self.is_boundary_halfedge(twin))
     }
 
     /// True if a hole lies around `v`. An isolated vertex has no hole around it.
     pub fn is_boundary_vertex(&self, v: VertexId) -> bool {
-        self.spokes(v).any(|h| self.is_boundary_halfedge(h))
+        self.holes > 0 && self.spokes(v).any(|h| self.is_boundary_halfedge(h))
     }
 
     /// A halfedge from `v` to `w`. Both stars are walked in step, so the cost is that

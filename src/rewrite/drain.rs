@@ -316,13 +316,13 @@ impl Drains {
 
     /// True if the innermost is the only one, and its keys can be computed without noting what is
     /// read.
-    #[cfg_attr(not(all(feature = "native", feature = "threads")), expect(dead_code))]
+    #[cfg_attr(not(feature = "native"), expect(dead_code))]
     pub(super) fn takes_keys(&self) -> bool {
         matches!(self.all.as_slice(), [drain] if !drain.is_noted())
     }
 
     /// Sets the keys of elements of the innermost, each behind its element. They stay stale.
-    #[cfg_attr(not(all(feature = "native", feature = "threads")), expect(dead_code))]
+    #[cfg_attr(not(feature = "native"), expect(dead_code))]
     pub(super) fn set_keys(&mut self, all: &[u64]) -> Result<(), Message> {
         for pair in all.as_chunks::<2>().0 {
             if let Some(drain) = self.all.last_mut() {
@@ -334,7 +334,7 @@ impl Drains {
     }
 
     /// No element of the innermost is stale.
-    #[cfg_attr(not(all(feature = "native", feature = "threads")), expect(dead_code))]
+    #[cfg_attr(not(feature = "native"), expect(dead_code))]
     pub(super) fn make_none_stale(&mut self) {
         if let Some(drain) = self.all.last_mut() {
             drain.stale = Stale::default();

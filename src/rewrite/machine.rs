@@ -12,7 +12,7 @@ use super::attempt::Said;
 use super::drain::Drains;
 use super::key_paths::KeyPaths;
 use super::known_level::KnownLevel;
-use super::native::Scratch;
+use super::native::{Neighbors, Scratch};
 use super::preview::Preview;
 use super::random::RandomNumbers;
 use super::watch::Progress;
@@ -82,8 +82,10 @@ pub struct Machine {
     pub(super) compiling: Duration,
     /// True if other threads read the mesh meanwhile, and nobody writes to it.
     pub(super) is_beside_others: bool,
+    /// The lists of neighbors for loops over all vertices, while no operation is applied.
+    pub(super) neighbors: Neighbors,
     /// The machines of other threads, kept to be used again.
-    #[cfg_attr(not(all(feature = "native", feature = "threads")), expect(dead_code))]
+    #[cfg_attr(not(feature = "native"), expect(dead_code))]
     pub(super) crew: Vec<Machine>,
 }
 
@@ -142,6 +144,7 @@ impl Machine {
             scratch: Vec::new(),
             compiling: Duration::ZERO,
             is_beside_others: false,
+            neighbors: Neighbors::default(),
             crew: Vec::new(),
         }
     }
@@ -321,6 +324,7 @@ impl Machine {
         self.last_reason = None;
         self.is_dry = false;
         self.holding = 0;
+        self.neighbors = Neighbors::default();
         (self.frames, self.depth) = (0, 0);
         if let Some(created) = &mut self.created {
             created.clear();

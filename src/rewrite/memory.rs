@@ -7,6 +7,9 @@ use crate::mesh::{ElementKind, Mesh};
 /// The most slots that a write takes that is kept back.
 pub(super) const HELD: usize = 18;
 
+/// The slots that a position takes that is kept back.
+pub(super) const HELD_USUALLY: usize = 5;
+
 /// The memory of a run besides the mesh, and its limit.
 pub(super) struct Budget<'r> {
     pub(super) buffers: &'r [Vec<u64>],

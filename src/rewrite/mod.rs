@@ -21,9 +21,6 @@ mod machine;
 #[cfg_attr(not(feature = "native"), path = "without_native.rs")]
 mod native;
 
-#[cfg(not(all(feature = "native", feature = "threads")))]
-mod one_thread;
-
 mod call;
 mod dispatch;
 mod window;

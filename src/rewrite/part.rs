@@ -10,7 +10,7 @@
 //! drain makes of them is made of them in their order. If a turn traps, one thread begins again.
 
 use super::inst::computation;
-use super::memory::HELD;
+use super::memory::HELD_USUALLY;
 use super::{Assembler, Code, Elements, Function, Inst, Label, Reg, Traps};
 
 /// The loop of a code, by itself, over the elements in a range of slots.
@@ -168,11 +168,11 @@ impl Part {
         Some(Self { of, depth, bounds: [element, total], task, held, code })
     }
 
-    /// The most slots that a turn keeps.
-    #[cfg_attr(not(all(feature = "native", feature = "threads")), expect(dead_code))]
+    /// The number of slots that a turn keeps: of an `update`, as many as it usually keeps.
+    #[cfg_attr(not(feature = "native"), expect(dead_code))]
     pub(super) fn keeps(&self) -> usize {
         let slots = self.code.insts.iter().map(|inst| match (self.task, inst) {
-            (Task::Update, Inst::HoldPosition { .. } | Inst::HoldAttribute { .. }) => HELD,
+            (Task::Update, Inst::HoldPosition { .. } | Inst::HoldAttribute { .. }) => HELD_USUALLY,
             (Task::Aggregate | Task::Keys, Inst::Keep { .. }) => 1,
             _ => 0,
         });
@@ -180,7 +180,7 @@ impl Part {
     }
 
     /// True if a turn takes longer than to put a value together with others.
-    #[cfg_attr(not(all(feature = "native", feature = "threads")), expect(dead_code))]
+    #[cfg_attr(not(feature = "native"), expect(dead_code))]
     pub(super) fn is_costly(&self) -> bool {
         let is_costly = |inst: &Inst| {
             matches!(

@@ -106,7 +106,7 @@ impl Progress {
     }
 
     /// Shows how far a loop is that several threads take: so many turns of so many.
-    #[cfg_attr(not(all(feature = "native", feature = "threads")), expect(dead_code))]
+    #[cfg_attr(not(feature = "native"), expect(dead_code))]
     pub(super) fn show(
         &mut self,
         watch: &mut dyn Watch,

@@ -103,6 +103,39 @@ fn updates_do_what_one_thread_does() {
     change_with_all(&bodies);
 }
 
+/// Loops that ask for the neighbors of all vertices again read lists of them, until an operation is
+/// applied.
+#[test]
+fn neighbors_are_those_of_the_mesh_as_it_is() {
+    let stir = [
+        "for e in edges where e.halfedge.vertex.position.x > 0.2 { flip(e) }",
+        "for e in edges where length(e) > 0.2 { split(e) }",
+        "for e in edges where e.halfedge.vertex.position.z > 0.3 { collapse(e) }",
+        "if count(can split(e) for e in edges) > 0 { for v in vertices { v.heat = 1 } }",
+        "split(argmax(length(e) for e in edges))",
+        "for e in edges { if can flip(e) { flip(e) break } }",
+        "drain e in edges by length(e) while count(edges) > 150 { collapse(e) }",
+    ];
+    let smooth = "repeat 3 {
+           update v in vertices where degree(v) > 2 {
+             if any(w.position.x > 0.9 for w in v.neighbors) { v.heat = sum(w.heat for w in v.neighbors) }
+             v.position = mix(v.position, mean(w.position for w in v.neighbors), 0.5)
+           }
+           let most = max(sum(w.heat for w in v.neighbors where w != v.halfedge.target) for v in vertices)
+           for v in vertices { v.heat = v.heat - most }
+         }";
+    // A vertex with many neighbors, a boundary, other polygons than triangles.
+    let meshes =
+        [shape::icosphere(2), shape::fan(90), shape::triangle_grid(9, 9), shape::grid(9, 9)];
+    let stir = stir.map(|stir| format!("{stir} repeat 3 {{ warm(0.5) }}")).join("\n");
+    let body = format!("repeat 3 {{ warm(0.5) }} {stir} {smooth}");
+    for mesh in &meshes {
+        let (after, done) = run_with_all(&body, mesh);
+        assert_eq!(done, Ok(()));
+        assert!(!identical(&after, mesh));
+    }
+}
+
 #[test]
 fn aggregates_and_keys_are_those_of_one_thread() {
     let bodies = [

@@ -48,6 +48,8 @@ pub(super) struct Context {
     pub(super) kept: *mut u64,
     pub(super) kept_count: u64,
     pub(super) kept_room: u64,
+    /// Where the lists of neighbors begin, and the neighbors in them; null if there are none.
+    pub(super) neighbors: [*const u32; 2],
     /// By kind the fields whose writes somebody is told of, as bits of [`Fields`].
     pub(super) listens: [u32; 4],
     /// The machine's [`Run`].
@@ -115,9 +117,11 @@ impl Context {
     /// are those that there are.
     pub(super) fn new(run: &mut Run<'_>, noted: u32) -> Self {
         let Call { base, function, .. } = run.call;
-        let kept = &mut run.machine.kept;
-        let kept_room = (kept.capacity() - kept.len()) as u64;
-        let kept = kept.as_mut_ptr().wrapping_add(kept.len());
+        let neighbors = match run.machine.is_beside_others {
+            true => run.machine.neighbors.tables(),
+            // Here operations may be applied.
+            false => [std::ptr::null(); 2],
+        };
         let mut context = Self {
             tables: run.mesh.tables(),
             columns: std::ptr::null(),
@@ -134,9 +138,10 @@ impl Context {
             counts: run.machine.counts.as_mut_ptr(),
             lowered: &raw mut run.machine.known.lowered,
             level: run.level(),
-            kept,
+            kept: std::ptr::null_mut(),
             kept_count: 0,
-            kept_room,
+            kept_room: 0,
+            neighbors,
             listens: run.listens(),
             run: (&raw mut *run).cast(),
             result: NOTHING,
@@ -144,6 +149,7 @@ impl Context {
             given: 0,
             noted,
         };
+        context.find_kept(run.machine);
         context.find_stack(run, base);
         context.find_columns(run);
         context.find_lists(run, (0, usize::from(run.call.code.buffers)));
@@ -307,6 +313,24 @@ impl Context {
         if let (Some(known), Some(list)) = (run.scratch.lists.get_mut(at), list) {
             *known = Slice { start: list.as_ptr().expose_provenance(), count: list.len() };
         }
+    }
+
+    /// Looks where the next slot is to be kept.
+    pub(super) fn find_kept(&mut self, machine: &mut Machine) {
+        let kept = &mut machine.kept;
+        self.kept_room = (kept.capacity() - kept.len()) as u64;
+        self.kept = kept.as_mut_ptr().wrapping_add(kept.len());
+    }
+
+    /// Adds what has been kept to the list of the machine.
+    ///
+    /// # Safety
+    /// Since [`find_kept`](Self::find_kept), nobody has touched the list but native code, which has
+    /// written so many slots behind those that there were, below the capacity.
+    pub(super) unsafe fn count_kept(&mut self, machine: &mut Machine) {
+        let kept = machine.kept.len() + std::mem::take(&mut self.kept_count) as usize;
+        // SAFETY: see above.
+        unsafe { machine.kept.set_len(kept) };
     }
 
     /// Where the machine is to go on.

@@ -112,9 +112,7 @@ impl Translator<'_, '_> {
                 self.set_whole(to, count);
             }
             Inst::CountHoles { to } => {
-                let holes = self.table_field(offset_of!(Tables, holes));
-                let flags = self.flags(Region::Holes);
-                let count = self.b.ins().load(I64, flags, holes, 0);
+                let count = self.hole_count();
                 self.set_whole(to, count);
             }
             Inst::Ask { question: Question::LengthEdge, to, elements: [edge, _] } => {
@@ -135,6 +133,13 @@ impl Translator<'_, '_> {
             _ => return false,
         }
         true
+    }
+
+    /// The number of holes.
+    pub(super) fn hole_count(&mut self) -> Value {
+        let holes = self.table_field(offset_of!(Tables, holes));
+        let flags = self.flags(Region::Holes);
+        self.b.ins().load(I64, flags, holes, 0)
     }
 
     /// The halfedge after one.

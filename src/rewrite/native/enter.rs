@@ -193,10 +193,8 @@ impl Machine {
         machine.given = (call.base, Reg(0), context.given as u16);
         match (context.outcome(answer), trap, refused) {
             (Some(outcome), _, _) => {
-                let kept = machine.kept.len() + context.kept_count as usize;
-                // SAFETY: native code has written so many slots behind those that there were, below
-                // the capacity; nobody else has touched the list meanwhile.
-                unsafe { machine.kept.set_len(kept) };
+                // SAFETY: native code has kept what it counts.
+                unsafe { context.count_kept(machine) };
                 Ok(outcome)
             }
             (None, Some(trap), _) => Err(trap),

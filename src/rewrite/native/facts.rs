@@ -318,13 +318,19 @@ pub(super) fn targets(code: &Code) -> Vec<bool> {
     for entry in entries(code) {
         targets[entry as usize] = true;
     }
-    for inst in insts {
-        let mut jump = *inst;
-        if let Some(to) = jump.target_mut() {
-            targets[(to.0 as usize).min(insts.len())] = true;
-        }
+    for (_, to) in jumps(code) {
+        targets[to.min(insts.len())] = true;
     }
     targets
+}
+
+/// From where to where a code may jump.
+pub(super) fn jumps(code: &Code) -> impl Iterator<Item = (usize, usize)> {
+    code.insts.iter().enumerate().filter_map(|(at, inst)| {
+        let mut jump = *inst;
+        let to = jump.target_mut()?.0 as usize;
+        Some((at, to))
+    })
 }
 
 /// By number whether the code may come to an instruction.

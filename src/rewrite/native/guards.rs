@@ -9,6 +9,7 @@ use cranelift_codegen::ir::{InstBuilder, Value};
 
 use super::access::{first, pointer};
 use super::compile::entries;
+use super::facts::jumps;
 use super::stubs::guards;
 use super::translate::{Region, Translator};
 use crate::mesh::ElementKind;
@@ -53,16 +54,11 @@ impl Guard {
         let (undone, _) = undone.last()?;
         let (first, last) = (start + 1 + stores, start + 1 + stores + undone);
         let is_outside = |at: usize| !(first..=last).contains(&at);
-        let mut insts = code.insts.clone();
-        let mut jumps = insts.iter_mut().enumerate().filter_map(|(at, inst)| {
-            let to = inst.target_mut()?.0 as usize;
-            Some((at, to))
-        });
         let comes_in = |(from, to): (usize, usize)| {
             (start + 1..=last).contains(&to) && (to < first || is_outside(from))
         };
         let begins = |entry: &u32| (start..=last).contains(&(*entry as usize));
-        let is_entered = jumps.any(comes_in) || entries(code).iter().any(begins);
+        let is_entered = jumps(code).any(comes_in) || entries(code).iter().any(begins);
         (!is_entered).then_some(Self { start, last })
     }
 

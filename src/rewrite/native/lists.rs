@@ -49,9 +49,7 @@ impl Translator<'_, '_> {
                         .map(|offset| self.field(offset));
                 let has_room = self.b.ins().icmp(IntCC::UnsignedLessThan, count, room);
                 self.or_fault(has_room);
-                let start = self.field(offset_of!(Context, kept));
-                let place = self.b.ins().ishl_imm_u(count, 3);
-                let place = self.b.ins().iadd(start, place);
+                let place = self.kept_slot(count);
                 let (flags, bits) = (self.flags(Region::Slots), self.whole(from));
                 self.b.ins().store(flags, bits, place, 0);
                 let count = self.b.ins().iadd_imm_s(count, 1);
@@ -123,7 +121,8 @@ impl Translator<'_, '_> {
         true
     }
 
-    /// Keeps a write back, whatever it is to.
+    /// Keeps a write back, whatever it is to: in the part of a loop where such are kept while there is
+    /// room, else by a stub.
     fn hold_back(
         &mut self,
         inst: &Inst,
@@ -131,14 +130,43 @@ impl Translator<'_, '_> {
         element: Reg,
         (value, width): (Reg, u16),
     ) {
+        let header = self.b.ins().iconst(I64, attribute::header(target, width) as i64);
+        let element = self.id(element);
+        let [here, full, on] = [(); 3].map(|()| self.b.create_block());
+        self.b.set_cold_block(full);
+        let [count, room] = [offset_of!(Context, kept_count), offset_of!(Context, kept_room)]
+            .map(|offset| self.field(offset));
+        let behind = self.b.ins().iadd_imm_s(count, i64::from(width) + 2);
+        let fits = self.b.ins().icmp(IntCC::UnsignedLessThanOrEqual, behind, room);
+        self.b.ins().brif(fits, here, &[], full, &[]);
+
+        self.b.switch_to_block(here);
+        let place = self.kept_slot(count);
+        let slots = (0..width).map(|part| self.whole(Reg(value.0.wrapping_add(part))));
+        let slots: Vec<Value> = [header, element].into_iter().chain(slots).collect();
+        let flags = self.flags(Region::Slots);
+        for (at, slot) in (0..).zip(slots) {
+            self.b.ins().store(flags, slot, place, at * size_of::<u64>() as i32);
+        }
+        self.set_field(offset_of!(Context, kept_count), behind);
+        self.b.ins().jump(on, &[]);
+
+        self.b.switch_to_block(full);
         self.spill_operands(inst);
         let which = i64::from(buffer) | i64::from(value.0) << 16 | i64::from(width) << 32;
         let which = self.b.ins().iconst(I64, which);
-        let header = self.b.ins().iconst(I64, attribute::header(target, width) as i64);
-        let element = self.id(element);
         let stub = lists::hold as *const () as usize;
         let done = self.call_stub(stub, &[which, header, element]);
         self.or_fault_if_negative(done);
+        self.b.ins().jump(on, &[]);
+        self.b.switch_to_block(on);
+    }
+
+    /// The place of a slot that is kept.
+    fn kept_slot(&mut self, at: Value) -> Value {
+        let start = self.field(offset_of!(Context, kept));
+        let offset = self.b.ins().ishl_imm_u(at, 3);
+        self.b.ins().iadd(start, offset)
     }
 
     /// Where the slots of a buffer begin, and how many there are.

@@ -23,6 +23,12 @@ impl Translator<'_, '_> {
         self.b.ins().load(I64, flags, self.context, offset as i32)
     }
 
+    /// A field that stays the same while native code runs.
+    pub(super) fn constant_field(&mut self, offset: usize) -> Value {
+        let flags = self.flags(Region::Context).with_readonly().with_can_move();
+        self.b.ins().load(I64, flags, self.context, offset as i32)
+    }
+
     /// Where a table begins, or its length, which stay the same in code that adds nothing.
     pub(super) fn table_field(&mut self, offset: usize) -> Value {
         let mut flags = self.flags(Region::Context);

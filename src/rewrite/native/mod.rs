@@ -18,7 +18,10 @@
 //!   kept in code that neither adds elements nor makes room for some, nor calls or asks what does ([`operands::Surroundings::may_add`]):
 //!   nothing else moves them.
 //! * The part of a loop keeps slots behind those of the machine's list, as long as there is room for
-//!   them, and the machine adds their number to its length when native code has been left.
+//!   them, and the machine adds their number to its length when native code has been left, or before
+//!   it makes more room.
+//! * Lists of neighbors are read for vertices that have a list, from its begin to its end, in loops
+//!   that nobody enters in between ([`neighbors`]).
 //! * A place in a buffer is tested against its length before it is read. The slots of a buffer are
 //!   looked for anew after each instruction that may have changed it; others than those of the code
 //!   that names it leave it alone.
@@ -81,9 +84,9 @@ mod inline;
 mod lists;
 mod liveness;
 mod memory;
+mod neighbors;
 mod operands;
 mod registers;
-#[cfg(feature = "threads")]
 mod spread;
 mod stubs;
 mod translate;
@@ -96,6 +99,7 @@ use std::sync::atomic::{AtomicU32, AtomicUsize, Ordering};
 
 use compile::{Compiled, Expected};
 pub(crate) use context::Scratch;
+pub(crate) use neighbors::Neighbors;
 
 use super::{Code, Inst};
 

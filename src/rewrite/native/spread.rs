@@ -7,19 +7,26 @@
 use std::mem::ManuallyDrop;
 use std::ops::{ControlFlow, Range};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering::Relaxed};
-use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 
+use super::Neighbors;
+use super::neighbors::NeighborLoop;
+use super::operands::Surroundings;
 use crate::mesh::{Mesh, parallel};
 use crate::rewrite::engine::Way;
 use crate::rewrite::memory::Budget;
 use crate::rewrite::watch::TURNS_PER_LOOK;
-use crate::rewrite::{Call, Machine, Message, Part, Task, Trap, Watch, attribute};
+use crate::rewrite::{Call, Engine, Machine, Message, Part, Task, Trap, Watch, attribute};
 
-/// The fewest slots that are worth it, of an `update` and of other tasks. Tests are to come there
-/// soon.
-const LEAST: [usize; 2] = if cfg!(debug_assertions) { [64, 64] } else { [10_000, 40_000] };
+/// The fewest slots that are worth it. Tests are to come there soon.
+fn least(task: Task) -> usize {
+    match task {
+        _ if cfg!(debug_assertions) => 64,
+        Task::Update => 10_000,
+        Task::Aggregate | Task::Keys => 40_000,
+    }
+}
 
 /// The time between two looks at the watcher.
 const LOOK: Duration = Duration::from_millis(20);
@@ -39,27 +46,23 @@ impl Machine {
     ) -> Option<Result<(), Trap>> {
         let part = call.code.parts.get(usize::from(part))?.as_ref()?;
         let slots = mesh.capacity(part.of.kind());
-        let is_noted = match part.task {
-            Task::Keys => !self.drains.takes_keys(),
-            Task::Update | Task::Aggregate => !self.drains.is_empty(),
-        };
-        let is_alone = self.is_dry || is_noted || call.op.is_some() || call.steps.is_some();
-        let least = LEAST[usize::from(part.task != Task::Update)];
-        if slots < least || is_alone || !part.is_costly() || parallel::is_one_thread() {
-            return None;
-        }
-        if !self.has_room_for(mesh, part, slots) || !part.reads_only(call.functions) {
+        if !self.may_spread(mesh, part, call) || parallel::is_at_work() {
             return None;
         }
         let threads = parallel::threads();
-        let ranges = parallel::cut(slots, (4 * threads).min(slots / (least / 8)));
+        // One thread is better off with the part of an `update`, too: it keeps writes more quickly.
+        if threads == 1 && part.task != Task::Update {
+            return None;
+        }
+        let neighbors = self.neighbors_for(mesh, part, call);
+        let ranges = parallel::cut(slots, (4 * threads).min(slots / (least(part.task) / 8)));
         let next = AtomicUsize::new(0);
         // The first range that has trapped: none behind it is begun.
         let trapped = AtomicUsize::new(ranges.len());
         let (stop, turns) = (AtomicBool::new(false), AtomicUsize::new(0));
         let done: Mutex<Vec<Done>> = Mutex::default();
         let mut crew = self.crew_of(mesh, call, (threads, frames));
-        let (sender, receiver) = channel::<()>();
+        crew.iter_mut().for_each(|machine| machine.neighbors = neighbors.clone());
         let shared: &Mesh = mesh;
         // It goes by no number: those are of the functions.
         let inner = Call {
@@ -71,8 +74,7 @@ impl Machine {
             depth: 0,
             ..*call
         };
-        let take_all = |machine: &mut Machine| {
-            let mut watch = Bystander { stop: &stop, turns: &turns };
+        let take_all = |machine: &mut Machine, watch: &mut dyn Watch| {
             // SAFETY: what runs on it is the code of a part and of functions that read only.
             let mut mesh = unsafe { head(shared) };
             loop {
@@ -81,45 +83,35 @@ impl Machine {
                     return;
                 }
                 let (held, trap) =
-                    machine.take_range(&mut mesh, (part, inner), &ranges[range], &mut watch);
+                    machine.take_range(&mut mesh, (part, inner), &ranges[range], watch);
                 if trap.is_some() {
                     trapped.fetch_min(range, Relaxed);
                 }
                 done.lock().unwrap_or_else(PoisonError::into_inner).push((range, held, trap));
             }
         };
-        // When all have been dropped, all are done.
-        let senders: Vec<_> = crew.iter().map(|_| sender.clone()).collect();
-        drop(sender);
-        let take_all = &take_all;
-        parallel::beside(
-            |scope| {
-                for (machine, sender) in crew.iter_mut().zip(senders) {
-                    scope.spawn(move |_| {
-                        take_all(machine);
-                        drop(sender);
-                    });
+        let bystander = || Bystander { stop: &stop, turns: &turns };
+        let progress = &mut self.progress;
+        let mut look = |watch: &mut dyn Watch| match part.task {
+            Task::Update => progress.show(watch, part.depth, [turns.load(Relaxed), slots]),
+            Task::Aggregate | Task::Keys => watch.tick(),
+        };
+        if let [machine] = crew.as_mut_slice() {
+            take_all(machine, &mut Alone { bystander: bystander(), look: &mut || look(watch) });
+        } else {
+            let take = |machine: &mut Machine| take_all(machine, &mut bystander());
+            // Who has said stop is not asked again.
+            let meanwhile = || {
+                if !stop.load(Relaxed) && look(watch).is_break() {
+                    stop.store(true, Relaxed);
                 }
-            },
-            || {
-                while let Err(RecvTimeoutError::Timeout) = receiver.recv_timeout(LOOK) {
-                    let count = turns.load(Relaxed);
-                    // Who has said stop is not asked again.
-                    if stop.load(Relaxed) {
-                        continue;
-                    }
-                    let answer = match part.task {
-                        Task::Update => self.progress.show(watch, part.depth, [count, slots]),
-                        Task::Aggregate | Task::Keys => watch.tick(),
-                    };
-                    if answer.is_break() {
-                        stop.store(true, Relaxed);
-                    }
-                }
-            },
-        );
-        self.compiling +=
-            crew.iter_mut().map(|machine| std::mem::take(&mut machine.compiling)).sum::<Duration>();
+            };
+            parallel::each_at_work(&mut crew, take, LOOK, meanwhile);
+        }
+        for machine in &mut crew {
+            machine.neighbors = Neighbors::default();
+            self.compiling += std::mem::take(&mut machine.compiling);
+        }
         self.crew = crew;
         let mut done = done.into_inner().unwrap_or_else(PoisonError::into_inner);
         done.sort_unstable_by_key(|(range, ..)| *range);
@@ -142,6 +134,21 @@ impl Machine {
         }
         let kept = done.into_iter().map(|(_, held, _)| held);
         self.put_together(mesh, (part, call), kept)
+    }
+
+    /// Whether the turns of a loop are worth it, only read, and may keep what they keep.
+    fn may_spread(&self, mesh: &Mesh, part: &Part, call: &Call<'_>) -> bool {
+        let slots = mesh.capacity(part.of.kind());
+        let is_noted = match part.task {
+            Task::Keys => !self.drains.takes_keys(),
+            Task::Update | Task::Aggregate => !self.drains.is_empty(),
+        };
+        let is_alone = self.is_dry || is_noted || call.op.is_some() || call.steps.is_some();
+        slots >= least(part.task)
+            && !is_alone
+            && part.is_costly()
+            && self.has_room_for(mesh, part, slots)
+            && part.reads_only(call.functions)
     }
 
     /// Makes of what the ranges keep, in their order, what one thread would have made of it.
@@ -171,6 +178,20 @@ impl Machine {
                 Some(Ok(()))
             }
         }
+    }
+
+    /// The lists of neighbors for a loop, if it reads such and they are worth it.
+    fn neighbors_for(&mut self, mesh: &Mesh, part: &Part, call: &Call<'_>) -> Neighbors {
+        let Call { plans, functions, .. } = *call;
+        let surroundings = Surroundings { plans, functions, types: &self.types };
+        let codes = part.code.with_called_of(functions);
+        let reads = codes.into_iter().any(|code| NeighborLoop::is_in(code, &surroundings));
+        if self.engine == Engine::Machine || !reads {
+            return Neighbors::default();
+        }
+        let taken = mesh.bytes().saturating_add(self.budget().taken());
+        let room = self.memory.saturating_sub(taken);
+        self.neighbors.wanted(mesh, &self.counts, room)
     }
 
     fn budget(&self) -> Budget<'_> {
@@ -218,20 +239,23 @@ impl Machine {
             self.stack[usize::from(reg.0)] = bound as u64;
         }
         self.kept.clear();
-        if part.task != Task::Update {
-            // Where there is no room, the first that is to be kept traps.
-            let _ = self.kept.try_reserve_exact(part.keeps() * range.len());
-        }
+        // Where there is no room for a value, it traps when it is to be kept.
+        let _ = self.kept.try_reserve_exact(part.keeps() * range.len());
         let outcome = match self.run_native(mesh, call, watch) {
             Some(outcome) => outcome,
             None => self.execute::<false>(mesh, call, watch),
         };
         self.frames = frames;
-        let kept = match part.task {
-            Task::Update => self.buffers.get_mut(usize::from(part.held)).map(std::mem::take),
-            Task::Aggregate | Task::Keys => Some(std::mem::take(&mut self.kept)),
-        };
-        (kept.unwrap_or_default(), outcome.err())
+        let mut kept = std::mem::take(&mut self.kept);
+        // The machine puts writes into the buffer; native code may take over, but not it again.
+        if part.task == Task::Update
+            && let Some(held) = self.buffers.get_mut(usize::from(part.held))
+            && !held.is_empty()
+        {
+            held.append(&mut kept);
+            kept = std::mem::take(held);
+        }
+        (kept, outcome.err())
     }
 }
 
@@ -245,6 +269,23 @@ unsafe fn head(mesh: &Mesh) -> ManuallyDrop<Mesh> {
     // are; who reads them through the copy reads what nobody writes. Since the copy is not dropped,
     // nothing is given back twice.
     ManuallyDrop::new(unsafe { std::ptr::read(mesh) })
+}
+
+/// Watches the only thread, and looks itself.
+struct Alone<'s> {
+    bystander: Bystander<'s>,
+    look: &'s mut dyn FnMut() -> ControlFlow<()>,
+}
+
+impl Watch for Alone<'_> {
+    fn turn(&mut self, _depth: u16, _done: u64, _total: Option<u64>) -> ControlFlow<()> {
+        (self.look)()
+    }
+
+    fn tick(&mut self) -> ControlFlow<()> {
+        self.bystander.tick()?;
+        (self.look)()
+    }
 }
 
 /// Watches a thread for whoever waits.

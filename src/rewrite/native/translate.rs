@@ -18,6 +18,7 @@ use super::facts::{Facts, KnownAt, Walk, ends, targets};
 use super::guards::{Guard, Set};
 use super::inline::{Back, Inlined};
 use super::liveness::Liveness;
+use super::neighbors::NeighborLoop;
 use super::operands::{Surroundings, Use};
 use super::registers::reals;
 use super::{Variant, stubs};
@@ -65,6 +66,7 @@ pub(super) enum Region {
     Slots,
     Entries,
     Counts,
+    Neighbors,
 }
 
 pub(super) struct Translator<'a, 'f> {
@@ -89,6 +91,8 @@ pub(super) struct Translator<'a, 'f> {
     pub(super) faults: Vec<(Block, usize, Vec<Set>)>,
     /// The parts of the code that look ahead.
     pub(super) guards: Vec<Guard>,
+    /// Its loops over neighbors that may find lists of them.
+    pub(super) neighbor_loops: Vec<NeighborLoop>,
     /// What has been set in the one that is spelled.
     pub(super) set: Vec<Set>,
     /// Where native code is left by a trap.
@@ -142,6 +146,7 @@ impl<'a, 'f> Translator<'a, 'f> {
             fault: None,
             faults: Vec::new(),
             guards: Guard::all(text.code),
+            neighbor_loops: NeighborLoop::in_text(&text, variant),
             set: Vec::new(),
             leave,
             keeps_window: text.way == Way::Script && !loops,
@@ -357,7 +362,8 @@ impl<'a, 'f> Translator<'a, 'f> {
                 self.expect(condition, refusal, otherwise);
             }
             _ => {
-                let is_spelled = self.value(inst)
+                let is_spelled = self.neighbor()
+                    || self.value(inst)
                     || self.access(inst)
                     || self.write(inst)
                     || self.list(inst)

@@ -70,8 +70,12 @@ impl Translator<'_, '_> {
         match question {
             Question::Degree => Some(self.around(walk, ElementField::Vertex, one)),
             Question::FaceSize => Some(self.around(walk, ElementField::Face, one)),
-            Question::BoundaryVertex => Some(self.boundary_vertex(walk, one)),
-            Question::BoundaryEdge => Some(self.boundary_edge(walk, one)),
+            Question::BoundaryVertex => {
+                Some(self.where_holes_are(|this| this.boundary_vertex(walk, one)))
+            }
+            Question::BoundaryEdge => {
+                Some(self.where_holes_are(|this| this.boundary_edge(walk, one)))
+            }
             Question::Adjacent => Some(self.adjacent(walk, elements)),
             _ => None,
         }
@@ -155,6 +159,23 @@ impl Translator<'_, '_> {
         self.b.ins().brif(goes_on, head, &[], slow, &[]);
         self.b.switch_to_block(done);
         walked
+    }
+
+    /// An answer that is no where the mesh has no holes.
+    fn where_holes_are(&mut self, ask: impl FnOnce(&mut Self) -> Value) -> Value {
+        let answer = self.b.declare_var(I64);
+        let holes = self.hole_count();
+        let is_any = self.b.ins().icmp_imm_u(IntCC::NotEqual, holes, 0);
+        let is_any = self.b.ins().uextend(I64, is_any);
+        self.b.def_var(answer, is_any);
+        let [open, done] = [(); 2].map(|()| self.b.create_block());
+        self.b.ins().brif(is_any, open, &[], done, &[]);
+        self.b.switch_to_block(open);
+        let asked = ask(self);
+        self.b.def_var(answer, asked);
+        self.b.ins().jump(done, &[]);
+        self.b.switch_to_block(done);
+        self.b.use_var(answer)
     }
 
     fn boundary_edge(&mut self, walk: Walk, edge: Reg) -> Value {

@@ -105,18 +105,30 @@ pub(in super::super) unsafe extern "C" fn hold(
     let hold = |context: &mut Context, run: &mut Run<'_>| {
         let [buffer, first, width] = [0, 16, 32].map(|shift| (which >> shift) as u16);
         let (at, first) = (context.list_at(run, buffer), context.base() + usize::from(first));
+        let is_kept = run.machine.is_beside_others;
+        if is_kept {
+            // SAFETY: native code hands on its context, and has kept what it counts.
+            unsafe { context.count_kept(run.machine) };
+        }
         let machine = &mut *run.machine;
         let limit = (&*run.mesh, &machine.drains, machine.memory);
+        let has_room = match is_kept {
+            true => {
+                memory::for_list(std::slice::from_mut(&mut machine.kept), 0, memory::HELD, limit)
+            }
+            false => memory::for_list(&mut machine.buffers, at, memory::HELD, limit),
+        };
         let slots = machine.stack.get(first..first + usize::from(width));
-        let (Some(slots), Ok(())) =
-            (slots, memory::for_list(&mut machine.buffers, at, memory::HELD, limit))
-        else {
+        let (Some(slots), Ok(())) = (slots, has_room) else {
             return Ok(LEAVE);
         };
-        let list = &mut machine.buffers[at];
+        let list = if is_kept { &mut machine.kept } else { &mut machine.buffers[at] };
         list.extend([header as u64, element as u64]);
         list.extend_from_slice(slots);
-        context.refresh_list(run, buffer);
+        match is_kept {
+            true => context.find_kept(run.machine),
+            false => context.refresh_list(run, buffer),
+        }
         Ok(0)
     };
     // SAFETY: as of all stubs.
