@@ -172,11 +172,21 @@ fn measured(measures: &Measures) -> Vec<Vec<String>> {
             },
         ));
     }
-    rows.push(match measures.area.is_finite() {
-        true => row("area", format!("{:.6}", measures.area + 0.0)),
-        false => row("area", TOO_FAR),
-    });
+    rows.push(size("area", measures.area));
+    rows.extend(measures.volume.map(|volume| size("volume", volume)));
+    if let Some([low, high]) = measures.bounds {
+        let place =
+            |[x, y, z]: [f64; 3]| format!("({:.6}, {:.6}, {:.6})", x + 0.0, y + 0.0, z + 0.0);
+        rows.push(row("bounding box", format!("{} to {}", place(low), place(high))));
+    }
     rows
+}
+
+fn size(name: &str, value: f64) -> Vec<String> {
+    match value.is_finite() {
+        true => row(name, format!("{:.6}", value + 0.0)),
+        false => row(name, TOO_FAR),
+    }
 }
 
 /// The text about a measure that no number holds.

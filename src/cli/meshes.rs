@@ -82,7 +82,11 @@ fn unreadable(path: &Path, error: FileError) -> Failure {
             Failure::usage(format!("`{shown}` is a folder; a mesh is wanted here"))
         }
         FileReason::Io(reason) if reason.kind() == ErrorKind::NotFound => {
+            let setting = shown.to_string();
             let advice = match near(path) {
+                _ if setting.contains('=') => {
+                    format!("; the value of a parameter is given by `--set {setting}`")
+                }
                 Some(near) => format!("; did you mean `{}`?", near.display()),
                 None => String::new(),
             };

@@ -1,9 +1,10 @@
 //! A mesh in numbers: counts, topology, sizes.
 
+use glam::DVec3;
 use serde::Serialize;
 
 use super::connectivity::Mesh;
-use super::id::ElementKind;
+use super::id::{ElementKind, FaceId};
 use super::level::{Level, highest_level, validate_level};
 
 /// A summary of a mesh at a glance.
@@ -52,6 +53,9 @@ pub struct Measures {
     /// Missing when there are no edges.
     pub edge_lengths: Option<Lengths>,
     pub area: f64,
+    /// What the surface encloses, negative where it is inside out; missing when there is a hole or no
+    /// face. Faces with more than three sides are cut into triangles from their first corner.
+    pub volume: Option<f64>,
     /// The corners of the bounding box; missing when there are no vertices.
     pub bounds: Option<[[f64; 3]; 2]>,
 }
@@ -122,6 +126,9 @@ impl Measures {
         let genus = components as i64 - closed / 2;
         let degrees = mesh.vertices().map(|v| mesh.degree(v)).filter(|&degree| degree > 0);
         let faces = || mesh.faces().filter(|&f| !mesh.is_hole(f));
+        let bounds = bounds(mesh);
+        let is_closed = mesh.hole_count() == 0 && mesh.face_count() > 0;
+        let inside = bounds.map(|[low, _]| DVec3::from_array(low)).filter(|_| is_closed);
         Self {
             euler_characteristic,
             components,
@@ -130,9 +137,24 @@ impl Measures {
             face_sizes: histogram(faces().map(|f| mesh.face_size(f))),
             edge_lengths: Lengths::of(mesh),
             area: faces().map(|f| mesh.area(f)).sum(),
-            bounds: bounds(mesh),
+            volume: inside.map(|apex| faces().map(|f| cone_volume(mesh, f, apex)).sum()),
+            bounds,
         }
     }
+}
+
+/// The signed volume between a face and a point.
+fn cone_volume(mesh: &Mesh, face: FaceId, apex: DVec3) -> f64 {
+    let mut corners = mesh.face_vertices(face).map(|v| mesh.position(v) - apex);
+    let (Some(first), Some(mut before)) = (corners.next(), corners.next()) else {
+        return 0.0;
+    };
+    let tetrahedra = corners.map(|corner| {
+        let volume = first.dot(before.cross(corner)) / 6.0;
+        before = corner;
+        volume
+    });
+    tetrahedra.sum()
 }
 
 fn histogram(sizes: impl Iterator<Item = usize>) -> Vec<Bin> {

@@ -42,6 +42,8 @@ fn options_written_otherwise() {
     advised(&["run", "go.hedge", "square.obj", "target=2"], "--set target=2");
     let two = ["run", "go.hedge", "square.obj", "--set", "target=2", "other=3", "-o", "x.obj"];
     advised(&two, "each parameter has its own `--set`: `--set target=2 --set other=3`");
+    let as_mesh = ["run", "go.hedge", "--set", "target=2", "other=3"];
+    advised(&as_mesh, "the value of a parameter is given by `--set other=3`");
     let before = ["run", "go.hedge", "--set", "target=2", "other=3", "square.obj"];
     advised(&before, "`--set target=2 --set other=3`");
     advised(&["run", "go.hedge", "square.obj", "--set", "at=1", "2"], "`--set NAME=VALUE` without");

@@ -275,6 +275,13 @@ fn info_describes_a_mesh() {
     let told = bench.json(&["info", "square.obj"]);
     assert_eq!(told["vertices"], 4);
     assert_eq!(told["holes"], 1);
+    let told = bench.succeeds(&["info", &example("meshes/bunny.obj")]);
+    for words in [
+        "  volume                194.288372\n",
+        "  bounding box          (-4.958475, -0.003149, -3.729833) to (4.948850, 9.654748, 3.810639)\n",
+    ] {
+        assert!(told.contains(words), "{told}");
+    }
 }
 
 #[test]

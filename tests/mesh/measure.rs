@@ -1,5 +1,7 @@
 //! Measures: of faces and vertices, of stars, and of whole meshes.
 
+use std::f64::consts::PI;
+
 use glam::{DVec2, DVec3};
 use hedgerow::mesh::{Bin, EdgeId, FaceId, HalfedgeId, Level, Mesh, Summary, VertexId, shape};
 
@@ -46,6 +48,27 @@ fn genus_and_components() {
     assert_eq!((measures.euler_characteristic, measures.genus), (0, 0));
     assert_eq!(measures.degrees, [Bin { size: 3, count: 10 }, Bin { size: 4, count: 5 }]);
     assert_eq!(measures.face_sizes, [Bin { size: 4, count: 10 }]);
+}
+
+#[test]
+fn volume_and_bounding_box() {
+    let volume = |mesh: &Mesh| Summary::of(mesh).measures.unwrap().volume;
+    let mut cube = shape::cube();
+    let [low, high] = Summary::of(&cube).measures.unwrap().bounds.unwrap();
+    let sides = [0, 1, 2].map(|axis| high[axis] - low[axis]);
+    let product: f64 = sides.iter().product();
+    assert!((volume(&cube).unwrap() - product).abs() < 1e-12 && product > 0.1);
+    // Wherever it lies; and it is turned inside out by a mirror.
+    for v in 0..8 {
+        let v = VertexId(v);
+        let place = cube.position(v);
+        cube.set_position(v, DVec3::new(7.0 - place.x, place.y, place.z));
+    }
+    assert!((volume(&cube).unwrap() + product).abs() < 1e-12);
+    let ball = volume(&shape::icosphere(5)).unwrap();
+    assert!((ball - 4.0 / 3.0 * PI).abs() < 0.01, "{ball}");
+    assert_eq!(volume(&shape::grid(2, 2)), None);
+    assert_eq!(volume(&Mesh::default()), None);
 }
 
 #[test]
