@@ -5,9 +5,9 @@ use std::path::{Path, PathBuf};
 
 use strsim::damerau_levenshtein;
 
-use super::arguments::{EncodingArguments, RepairArguments};
 use super::failure::Failure;
 use super::files;
+use super::option_groups::{EncodingArguments, RepairArguments};
 use super::output::{complain, is_standard, pour};
 use super::program::is_mesh;
 use crate::mesh::{

@@ -24,6 +24,7 @@ mod library;
 mod lsp;
 pub mod memory;
 mod meshes;
+mod option_groups;
 mod output;
 mod place;
 mod plan;

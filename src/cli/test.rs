@@ -5,12 +5,13 @@ use std::path::Path;
 
 use serde::Serialize;
 
-use super::arguments::{Format, RepairArguments, TestArguments};
+use super::arguments::{Format, TestArguments};
 use super::check::{DiagnosticReport, report};
 use super::failure::Failure;
 use super::interrupt;
 use super::memory;
 use super::meshes;
+use super::option_groups::RepairArguments;
 use super::output::{complain, complain_of, say, say_json};
 use super::program::{self, Program};
 use crate::analysis::expect_regular;
