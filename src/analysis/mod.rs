@@ -43,6 +43,7 @@ mod soundness;
 mod spans;
 mod tokens;
 mod types;
+mod unused;
 mod verdict;
 mod words;
 
@@ -70,6 +71,7 @@ pub use signature::{Call, signature};
 pub use snapshot::Snapshot;
 pub use spans::around;
 pub use tokens::{Class, Coloured, Marks, tokens};
+pub use unused::{Unused, unused};
 pub use verdict::{
     GuardVerdict, KeepsOnly, ProvedStatement, RuleVerdict, StepsVerdict, Verdict, verdict, verdicts,
 };

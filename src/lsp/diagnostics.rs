@@ -6,6 +6,7 @@ use serde_json::json;
 use super::document::Document;
 use super::requests::Answer;
 use super::server::Server;
+use crate::analysis::{Unused, unused};
 use crate::diagnostic::{self, Severity};
 
 /// The page that explains codes.
@@ -59,9 +60,28 @@ impl Server {
     }
 }
 
-/// Everything that is wrong with a document.
+/// Everything that is wrong with a document; if that is nothing, the names that nothing reads.
 pub(super) fn diagnostics(document: &Document) -> Vec<Diagnostic> {
-    protocol(document, &document.snapshot().diagnostics())
+    let told = document.snapshot().diagnostics();
+    let mut all = protocol(document, &told);
+    // What is broken may be what reads them.
+    if told.iter().all(|told| told.severity != Severity::Error) {
+        let unused = unused(document.snapshot());
+        all.extend(unused.iter().map(|unused| faint(document, unused)));
+    }
+    all
+}
+
+/// A name that is shown faint.
+fn faint(document: &Document, Unused { span, name, what }: &Unused) -> Diagnostic {
+    Diagnostic {
+        range: document.range(*span),
+        severity: Some(DiagnosticSeverity::Hint),
+        source: Some("hedgerow".into()),
+        message: format!("the {what} `{name}` is not read").into(),
+        tags: Some(vec![DiagnosticTag::Unnecessary]),
+        ..Default::default()
+    }
 }
 
 fn protocol(document: &Document, told: &[diagnostic::Diagnostic]) -> Vec<Diagnostic> {

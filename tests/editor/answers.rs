@@ -153,6 +153,10 @@ fn told(text: &str, items: &Value) -> String {
         return "nothing is wrong".into();
     }
     let lines = items.iter().map(|item| {
+        if item["tags"] == json!([1]) {
+            let message = item["message"].as_str().unwrap();
+            return format!("{} faint: {message}\n", range(text, &item["range"]));
+        }
         let mut lines = format!(
             "{} [{}] {}\n",
             range(text, &item["range"]),

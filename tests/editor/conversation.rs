@@ -78,6 +78,30 @@ fn diagnostics_are_published_for_every_version_also_when_there_are_none() {
 }
 
 #[test]
+fn what_nothing_reads_is_shown_faint() {
+    let mut client = Client::able("utf-16");
+    client.open("fn f(x: real,\n  y: real) -> real { x }\n");
+    let published = client.published().unwrap();
+    let faint = json!({
+        "range": { "start": { "line": 1, "character": 2 }, "end": { "line": 1, "character": 3 } },
+        "severity": 4,
+        "source": "hedgerow",
+        "message": "the parameter `y` is not read",
+        "tags": [1],
+    });
+    assert_eq!(published["diagnostics"], json!([faint]));
+    // Where something is broken, it may be what reads it.
+    let text = "fn f(x: real,\n  y: real) -> real { x + }\n";
+    let change = json!({ "textDocument": { "uri": URI, "version": 2 },
+                         "contentChanges": [{ "text": text }] });
+    client.notify("textDocument/didChange", change);
+    let published = client.published().unwrap();
+    let severities = published["diagnostics"].as_array().unwrap().iter();
+    assert!(severities.clone().count() > 0);
+    assert!(severities.map(|told| &told["severity"]).all(|severity| *severity == 1));
+}
+
+#[test]
 fn nobody_is_shown_the_same_twice() {
     let offered = |text: Value| {
         let mut client = Client::silent();

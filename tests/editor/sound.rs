@@ -4,7 +4,7 @@
 use std::collections::BTreeMap;
 use std::fs;
 
-use hedgerow::analysis::{Action, Analysis, Nowhere, Purpose, Reader, Snapshot, actions};
+use hedgerow::analysis::{Action, Analysis, Nowhere, Purpose, Reader, Snapshot, actions, unused};
 use hedgerow::library;
 use hedgerow::source::Sources;
 
@@ -138,6 +138,57 @@ fn the_editor_hides_no_error() {
         let wanted: Vec<_> = Some(wanted).into_iter().filter(|code| !code.is_empty()).collect();
         assert_eq!(shown, wanted, "{text}");
     }
+}
+
+/// What nothing reads in a text, by name.
+fn unread(name: &str, text: &str) -> Vec<String> {
+    let snapshot = Snapshot::new(name, text, &mut Nowhere);
+    unused(&snapshot).into_iter().map(|one| format!("{} {}", one.what, one.name)).collect()
+}
+
+#[test]
+fn names_that_nothing_reads_are_found() {
+    let flip = fs::read_to_string("examples/flip.hedge").unwrap();
+    let text = flip.replacen("(e: edge)", "(e: edge, times: int, f: face)", 1)
+        + "private attr old: vertex real = 0
+           private attr heat: vertex real = 0
+           attr shared: vertex real = 0
+           fn twice(x: real, y: real, _z: real) -> real { let two = 2 let other = x two * x }
+           script main(n: int = 1, m: int = 2) {
+             var count = 0
+             for v in vertices { count = n }
+             if let d = flip(argmin(length(e) for e in edges)) { print sum(1 for f in faces) }
+             var last = 0
+             repeat 2 { last = last + 1 }
+             for v in vertices { v.heat = 1 }
+             let m = 3
+           }";
+    let told = [
+        "attribute old",
+        "parameter times",
+        "parameter f",
+        "parameter y",
+        "variable other",
+        "parameter m",
+        "variable count",
+        "variable d",
+        "variable m",
+    ];
+    let mut found = unread("root.hedge", &text);
+    assert_eq!(found.len(), told.len(), "{found:?}");
+    found.retain(|one| !told.contains(&one.as_str()));
+    assert!(found.is_empty(), "{found:?}");
+}
+
+#[test]
+fn what_is_shipped_reads_all_that_it_declares() {
+    let (mut names, mut told) = (0, Vec::new());
+    for (name, text) in shipped() {
+        told.extend(unread(&name, &text).into_iter().map(|one| format!("{name}: {one}")));
+        names += Snapshot::new(&name, &text, &mut Nowhere).names().symbols().count();
+    }
+    assert_eq!(told, [""; 0]);
+    assert!(names > 2000, "{names}");
 }
 
 /// What is offered as a sure fix at the end of a text.

@@ -1,0 +1,61 @@
+//! Names that are declared and never read: editors show them faint.
+
+use super::names::{Role, Symbol, SymbolKind};
+use super::snapshot::Snapshot;
+use crate::source::Span;
+use crate::syntax::TokenKind;
+use crate::syntax::tree::Item;
+
+/// A declared name that nothing reads.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Unused {
+    /// The place of its declaration.
+    pub span: Span,
+    /// The name.
+    pub name: String,
+    /// What is called so, in a word.
+    pub what: &'static str,
+}
+
+/// The parameters, variables and private attributes of a text that nothing reads. A loop and an
+/// aggregate have to name their element, so that name may stand for itself; and so may one that begins
+/// with `_`.
+pub fn unused(snapshot: &Snapshot) -> Vec<Unused> {
+    let names = snapshot.names();
+    let is_read = |role: Role| !matches!(role, Role::Declared | Role::Written);
+    let told = names.symbols().filter_map(|(id, symbol)| {
+        let is_meant = symbol.name.starts_with('_')
+            || names.mentions_of(id).any(|mention| is_read(mention.role));
+        if is_meant {
+            return None;
+        }
+        let what = what(snapshot, symbol)?;
+        Some(Unused { span: symbol.definition?, name: symbol.name.clone(), what })
+    });
+    told.collect()
+}
+
+/// What a name stands for, if it is one that something should read.
+fn what(snapshot: &Snapshot, symbol: &Symbol) -> Option<&'static str> {
+    let definition = symbol.definition?;
+    match symbol.kind {
+        SymbolKind::Parameter => Some("parameter"),
+        SymbolKind::Element(_) if symbol.ty.is_some() => Some("parameter"),
+        SymbolKind::Variable => {
+            let tokens = &snapshot.parsed().tokens;
+            let at = tokens.partition_point(|token| token.span.start < definition.start);
+            let before = at.checked_sub(1).map(|before| tokens[before].kind);
+            let is_of_loop =
+                matches!(before, Some(TokenKind::For | TokenKind::Update | TokenKind::Drain));
+            (!is_of_loop).then_some("variable")
+        }
+        SymbolKind::Attribute => {
+            let is_private = |item: &Item| match item {
+                Item::Attr(attr) => attr.private && attr.name.span == definition,
+                _ => false,
+            };
+            snapshot.items().iter().any(is_private).then_some("attribute")
+        }
+        _ => None,
+    }
+}
