@@ -1,8 +1,9 @@
-//! Loops that several threads take.
+//! Loops that are taken in parts, by several threads if there are some.
 //!
 //! Each thread has a machine of its own, and takes ranges of slots until none is left. Whoever asked
 //! waits meanwhile, tells the watcher how far they are, and stops them if it wants. What they keep
-//! is put together when all are done.
+//! is put together when all are done. Where there is one thread, it takes the parts of an `update`,
+//! too, which native code keeps without a stub.
 
 use std::mem::ManuallyDrop;
 use std::ops::{ControlFlow, Range};
@@ -35,8 +36,8 @@ const LOOK: Duration = Duration::from_millis(20);
 type Done = (usize, Vec<u64>, Option<Trap>);
 
 impl Machine {
-    /// Lets several threads take the turns of a loop. `None` if one thread is to do it: the loop is
-    /// short, calls what does more than read, or threads or memory are not there.
+    /// Takes the turns of a loop in parts. `None` if the loop itself is to be run: it is short, calls
+    /// what does more than read, or threads or memory are not there.
     pub(in super::super) fn spread(
         &mut self,
         mesh: &mut Mesh,
@@ -50,7 +51,6 @@ impl Machine {
             return None;
         }
         let threads = parallel::threads();
-        // One thread is better off with the part of an `update`, too: it keeps writes more quickly.
         if threads == 1 && part.task != Task::Update {
             return None;
         }
