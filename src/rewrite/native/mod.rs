@@ -73,6 +73,7 @@
 #![allow(unsafe_code)]
 
 mod access;
+mod by_machine;
 mod calls;
 mod compile;
 mod context;

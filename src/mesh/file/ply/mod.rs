@@ -18,6 +18,7 @@
 //! attribute KIND NAME TYPE DEFAULT`, as in tables of halfedges; `comment material 0 NAME` and its
 //! like; `comment mtllib NAME`. Reals are written with 32 bits where that is exact.
 
+mod body;
 mod header;
 mod read;
 mod write;

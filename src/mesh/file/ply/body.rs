@@ -1,0 +1,219 @@
+//! The body of a file: the numbers of each property into a table.
+
+use super::header::{Element, Header, Property, Scalar};
+use crate::mesh::file::error::{Damage, Failure, FileReason};
+use crate::mesh::file::format::Encoding;
+use crate::mesh::file::kept::MISSING;
+use crate::mesh::file::scan::{Scanner, no_number, shown};
+
+/// The numbers of a property, row by row.
+#[derive(Default)]
+pub(super) struct Table {
+    pub(super) numbers: Vec<f64>,
+    /// The ends of the lists of the rows; empty for single numbers.
+    pub(super) ends: Vec<usize>,
+}
+
+impl Table {
+    pub(super) fn is_empty(&self) -> bool {
+        self.numbers.is_empty() && self.ends.is_empty()
+    }
+
+    /// Keeps the numbers of the first rows.
+    fn truncate(&mut self, rows: usize, is_list: bool) {
+        if is_list {
+            self.ends.truncate(rows);
+        }
+        self.numbers.truncate(match is_list {
+            true => self.ends.last().copied().unwrap_or(0),
+            false => rows,
+        });
+    }
+
+    /// The length that all lists have.
+    pub(super) fn common_length(&self) -> Option<usize> {
+        let first = *self.ends.first()?;
+        let mut before = 0;
+        let alike = self.ends.iter().all(|&end| end - std::mem::replace(&mut before, end) == first);
+        alike.then_some(first)
+    }
+}
+
+/// The body behind the head.
+pub(super) struct Body<'t> {
+    encoding: Encoding,
+    bytes: &'t [u8],
+    scanner: Scanner<'t>,
+    lines: u32,
+    /// True if the file ends before all its elements have come.
+    pub(super) is_cut_off: bool,
+}
+
+impl<'t> Body<'t> {
+    pub(super) fn new(header: &Header, text: &'t [u8]) -> Self {
+        let is_text = header.encoding == Encoding::Ascii;
+        Self {
+            encoding: header.encoding,
+            bytes: text,
+            scanner: Scanner::new(if is_text { text } else { b"" }),
+            lines: header.lines,
+            is_cut_off: false,
+        }
+    }
+
+    fn left(&self) -> usize {
+        match self.encoding {
+            Encoding::Ascii => self.scanner.rest().len(),
+            _ => self.bytes.len(),
+        }
+    }
+
+    /// The greatest number of elements that can stand in what is left at most.
+    fn room(&self, element: &Element) -> usize {
+        // The last number of a text needs no blank behind it.
+        (self.left() + 1) / element.least_size(self.encoding).max(1)
+    }
+
+    /// True if there are numbers for all the elements that the head speaks of.
+    pub(super) fn expect_numbers(&self, element: &Element) -> Result<(), Failure> {
+        if element.count < MISSING as usize {
+            return Ok(());
+        }
+        let words = format!(
+            "the head speaks of {} elements `{}`, and the file has {} bytes more",
+            element.count,
+            shown(element.name.as_bytes()),
+            self.left()
+        );
+        Err((None, FileReason::Malformed(words)))
+    }
+
+    /// The tables of an element: of those rows that are there.
+    pub(super) fn read(
+        &mut self,
+        element: &Element,
+        damage: &mut Damage,
+    ) -> Result<Vec<Table>, Failure> {
+        let mut tables = self.tables(element);
+        if element.properties.is_empty() {
+            return Ok(tables);
+        }
+        for row in 0..element.count {
+            if !self.row(element, &mut tables)? {
+                let is_text = self.encoding == Encoding::Ascii;
+                damage.add(is_text.then(|| self.lines + self.scanner.line()), || {
+                    let name = shown(element.name.as_bytes());
+                    format!("the file ends within {name} {} of {}", row + 1, element.count)
+                });
+                for (property, table) in element.properties.iter().zip(&mut tables) {
+                    table.truncate(row, property.list.is_some());
+                }
+                self.is_cut_off = true;
+                break;
+            }
+        }
+        Ok(tables)
+    }
+
+    fn tables(&self, element: &Element) -> Vec<Table> {
+        let room = element.count.min(self.room(element));
+        let table = |property: &Property| Table {
+            // A list has its numbers besides; no more than the file has bytes.
+            numbers: Vec::with_capacity(room * if property.list.is_some() { 3 } else { 1 }),
+            ends: Vec::with_capacity(if property.list.is_some() { room } else { 0 }),
+        };
+        element.properties.iter().map(table).collect()
+    }
+
+    /// Reads a row into the tables; false if the file ends within it.
+    fn row(&mut self, element: &Element, tables: &mut [Table]) -> Result<bool, Failure> {
+        for (property, table) in element.properties.iter().zip(tables) {
+            let length = match property.list {
+                None => 1,
+                Some(scalar) => match self.number(scalar)? {
+                    Some(length) if length >= 0.0 && length.fract() == 0.0 => length as usize,
+                    Some(length) => {
+                        let words = format!("{length} is no length of a list");
+                        return Err((None, FileReason::Malformed(words)));
+                    }
+                    None => return Ok(false),
+                },
+            };
+            if self.encoding != Encoding::Ascii {
+                let Some(size) = length.checked_mul(property.scalar.size()) else {
+                    return Ok(false);
+                };
+                let Some((numbers, rest)) = self.bytes.split_at_checked(size) else {
+                    return Ok(false);
+                };
+                self.bytes = rest;
+                let is_big = self.encoding == Encoding::BigEndian;
+                decode(property.scalar, numbers, is_big, &mut table.numbers);
+            } else {
+                for _ in 0..length {
+                    match self.number(property.scalar)? {
+                        Some(number) => table.numbers.push(number),
+                        None => return Ok(false),
+                    }
+                }
+            }
+            if property.list.is_some() {
+                table.ends.push(table.numbers.len());
+            }
+        }
+        Ok(true)
+    }
+
+    /// The next number; `None` at the end of the file.
+    #[inline]
+    fn number(&mut self, scalar: Scalar) -> Result<Option<f64>, Failure> {
+        if self.encoding != Encoding::Ascii {
+            let Some((number, rest)) = self.bytes.split_at_checked(scalar.size()) else {
+                return Ok(None);
+            };
+            self.bytes = rest;
+            if let (Scalar::U8, &[byte]) = (scalar, number) {
+                return Ok(Some(f64::from(byte)));
+            }
+            let mut numbers = Vec::new();
+            decode(scalar, number, self.encoding == Encoding::BigEndian, &mut numbers);
+            return Ok(numbers.first().copied());
+        }
+        if !self.scanner.next_line() {
+            return Ok(None);
+        }
+        match self.scanner.number() {
+            Some(Ok(number)) => Ok(Some(number)),
+            Some(Err(word)) => {
+                let words = no_number(word);
+                let line = Some(self.lines + self.scanner.line());
+                Err((line, FileReason::Malformed(words)))
+            }
+            None => Ok(None),
+        }
+    }
+}
+
+/// Adds the numbers that bytes stand for.
+#[inline]
+fn decode(scalar: Scalar, bytes: &[u8], is_big: bool, numbers: &mut Vec<f64>) {
+    macro_rules! decode {
+        ($type:ty) => {{
+            let (chunks, _) = bytes.as_chunks::<{ size_of::<$type>() }>();
+            numbers.extend(chunks.iter().map(|&chunk| match is_big {
+                true => <$type>::from_be_bytes(chunk) as f64,
+                false => <$type>::from_le_bytes(chunk) as f64,
+            }));
+        }};
+    }
+    match scalar {
+        Scalar::I8 => decode!(i8),
+        Scalar::U8 => decode!(u8),
+        Scalar::I16 => decode!(i16),
+        Scalar::U16 => decode!(u16),
+        Scalar::I32 => decode!(i32),
+        Scalar::U32 => decode!(u32),
+        Scalar::F32 => decode!(f32),
+        Scalar::F64 => decode!(f64),
+    }
+}
