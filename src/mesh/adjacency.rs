@@ -42,7 +42,8 @@ struct Lane {
 }
 
 impl Adjacency {
-    /// The lists of a mesh; `None` if its pointers do not lead around all vertices.
+    /// The lists of a mesh; `None` if its pointers do not lead around all vertices, or there is no
+    /// memory.
     pub(crate) fn of(mesh: &Mesh) -> Option<Self> {
         let parts = parallel::parts(mesh.vertices.len(), LEAST);
         let lists = parallel::map(parts, |range| Self::of_range(mesh, range));
@@ -50,9 +51,11 @@ impl Adjacency {
         let mut all = lists.next()?;
         for part in lists {
             let before = *all.starts.last()?;
+            all.starts.try_reserve(part.starts.len()).ok()?;
             for start in &part.starts[1..] {
                 all.starts.push(before.checked_add(*start)?);
             }
+            all.neighbors.try_reserve(part.neighbors.len()).ok()?;
             all.neighbors.extend(part.neighbors);
         }
         Some(all)
@@ -74,8 +77,10 @@ impl Adjacency {
     }
 
     fn of_range(mesh: &Mesh, range: Range<usize>) -> Option<Self> {
-        let mut starts = Vec::with_capacity(range.len() + 1);
-        let mut neighbors = Vec::with_capacity(6 * range.len());
+        let (mut starts, mut neighbors) = (Vec::new(), Vec::new());
+        starts.try_reserve_exact(range.len() + 1).ok()?;
+        // Most vertices have six.
+        neighbors.try_reserve(6 * range.len()).ok()?;
         starts.push(0);
         for some in mesh.vertices[range].chunks(LANES) {
             let mut lanes = [Lane::at(HalfedgeId::NONE); LANES];
@@ -122,6 +127,7 @@ impl Lane {
     fn give(&self, mesh: &Mesh, to: &mut Vec<u32>) -> Option<()> {
         let begin = to.len();
         if self.at == self.start {
+            to.try_reserve(self.count).ok()?;
             // The halfedge where it began is known only now.
             if self.count > 0 && mesh.halfedges.get(self.start.index())?.twin != self.twin {
                 return None;
@@ -130,6 +136,7 @@ impl Lane {
             to[begin..].rotate_right(usize::from(self.count > 0));
         } else {
             for spoke in mesh.spokes_from(self.start) {
+                to.try_reserve(1).ok()?;
                 to.push(mesh.get_vertex(mesh.get_twin(spoke)?)?.0);
                 // Of a mesh in order there are no more.
                 if to.len() > mesh.halfedges.len() {

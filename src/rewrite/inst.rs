@@ -259,8 +259,8 @@ pub enum Inst {
     /// One turn of an aggregate over the whole mesh. The watcher may interrupt.
     Tick,
     /// All turns of the loop that follows, each thread some of them, and what they keep back is
-    /// written: see [`Part`](super::Part). Jumps behind the loop, or goes on to it if it is better
-    /// off with one thread.
+    /// written: see [`Part`](super::Part). Jumps behind the loop, or goes on to it if it is not
+    /// taken in parts.
     Spread { part: u16, end: Label },
     /// Keeps a slot, for who has spread the loop.
     Keep { from: Reg },

@@ -33,7 +33,8 @@ pub struct Machine {
     pub(super) columns: Vec<Option<ColumnId>>,
     pub(super) stack: Vec<u64>,
     pub(super) buffers: Vec<Vec<u64>>,
-    /// What the part of a loop has kept; there is room for all that it will keep.
+    /// What the part of a loop has kept; there is room for all values that it will keep, and for the
+    /// writes of most.
     pub(super) kept: Vec<u64>,
     /// The preview that guards look at.
     pub(super) preview: Preview,
