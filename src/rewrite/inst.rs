@@ -295,7 +295,12 @@ pub enum Inst {
 }
 
 impl Inst {
-    /// The instruction it may jump to.
+    /// The instruction it may jump to, by its place.
+    pub fn target(mut self) -> Option<usize> {
+        self.target_mut().map(|to| to.0 as usize)
+    }
+
+    /// The label of the instruction it may jump to.
     pub fn target_mut(&mut self) -> Option<&mut Label> {
         match self {
             Inst::Jump { to }

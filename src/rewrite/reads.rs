@@ -172,9 +172,8 @@ impl<'c> Reads<'c> {
     /// Runs code up to the key, the answer or the ends of the function; gives what the slots of its
     /// value may hold.
     fn follow(&mut self, code: &Code, start: usize, state: State) -> Result<Vec<Nodes>, Unbounded> {
-        let mut insts = code.insts.clone();
-        let targets = insts.iter_mut().map(|inst| inst.target_mut().map(|label| label.0 as usize));
-        let targets: Vec<Option<usize>> = targets.collect();
+        let insts = &code.insts;
+        let targets: Vec<Option<usize>> = insts.iter().map(|inst| inst.target()).collect();
         let mut is_target = vec![false; insts.len()];
         for &target in targets.iter().flatten() {
             if let Some(is_target) = is_target.get_mut(target) {

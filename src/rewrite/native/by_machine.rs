@@ -44,12 +44,7 @@ impl Translator<'_, '_> {
 
     /// Lets the machine take the instruction.
     pub(super) fn step(&mut self, inst: &Inst) {
-        self.spill_operands(inst);
-        let number = self.b.ins().iconst(I64, (self.at | 1 << 32) as i64);
-        let on = self.call_stub(stubs::step as *const () as usize, &[number]);
-        let failed = self.b.ins().icmp_imm_s(IntCC::SignedLessThan, on, 0);
-        self.leave_if(failed);
-        self.reload_written(inst);
+        let on = self.take(std::slice::from_ref(inst));
         let mut jump = *inst;
         if let Some(&mut to) = jump.target_mut() {
             let elsewhere = self.b.ins().icmp_imm_s(IntCC::NotEqual, on, self.at as i64 + 1);
@@ -68,14 +63,19 @@ impl Translator<'_, '_> {
         if end < first + 2 || !is_always_a_step(inst) {
             return self.step(inst);
         }
-        let all = &code.insts[first..end];
-        all.iter().for_each(|inst| self.spill_operands(inst));
-        let span = self.b.ins().iconst(I64, (first | (end - first) << 32) as i64);
-        let on = self.call_stub(stubs::step as *const () as usize, &[span]);
-        let failed = self.b.ins().icmp_imm_s(IntCC::SignedLessThan, on, 0);
-        self.leave_if(failed);
-        all.iter().for_each(|inst| self.reload_written(inst));
+        self.take(&code.insts[first..end]);
         self.skip = end - first - 1;
+    }
+
+    /// Lets the machine take these instructions, of which this is the first; the place where the code
+    /// goes on.
+    fn take(&mut self, all: &[Inst]) -> Value {
+        all.iter().for_each(|inst| self.spill_operands(inst));
+        let span = self.b.ins().iconst(I64, (self.at | all.len() << 32) as i64);
+        let on = self.call_stub(stubs::step as *const () as usize, &[span]);
+        self.leave_if_negative(on);
+        all.iter().for_each(|inst| self.reload_written(inst));
+        on
     }
 
     /// The registers that the paths of a drain may read go to the window.

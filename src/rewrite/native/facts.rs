@@ -229,14 +229,13 @@ impl KnownAt {
                 let Some(facts) = &mut walk.facts else {
                     continue;
                 };
-                let mut jump = *inst;
-                if let Some(to) = jump.target_mut() {
+                if let Some(to) = inst.target() {
                     let mut there = facts.clone();
                     match inst {
                         Inst::WalkNext { .. } => there.take(inst, surroundings),
                         _ => there.forget_written(inst, surroundings),
                     }
-                    known.join((to.0 as usize).min(insts.len()), &there, &mut changed);
+                    known.join(to.min(insts.len()), &there, &mut changed);
                 }
                 facts.take(inst, surroundings);
                 if ends(inst) {
@@ -326,11 +325,7 @@ pub(super) fn targets(code: &Code) -> Vec<bool> {
 
 /// From where to where a code may jump.
 pub(super) fn jumps(code: &Code) -> impl Iterator<Item = (usize, usize)> {
-    code.insts.iter().enumerate().filter_map(|(at, inst)| {
-        let mut jump = *inst;
-        let to = jump.target_mut()?.0 as usize;
-        Some((at, to))
-    })
+    code.insts.iter().enumerate().filter_map(|(at, inst)| Some((at, inst.target()?)))
 }
 
 /// By number whether the code may come to an instruction.
@@ -342,8 +337,7 @@ pub(super) fn reached(code: &Code) -> Vec<bool> {
         else {
             continue;
         };
-        let mut jump = *inst;
-        open.extend(jump.target_mut().map(|to| to.0 as usize));
+        open.extend(inst.target());
         if !ends(inst) {
             open.push(at + 1);
         }

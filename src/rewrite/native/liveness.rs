@@ -78,9 +78,8 @@ impl<'a> Liveness<'a> {
             } else if let Some(known) = &self.live[at + 1] {
                 now.unite(known);
             }
-            let mut jump = *inst;
-            if let Some(to) = jump.target_mut()
-                && let Some(known) = &self.live[(to.0 as usize).min(self.insts.len())]
+            if let Some(to) = inst.target()
+                && let Some(known) = &self.live[to.min(self.insts.len())]
             {
                 now.unite(known);
             }

@@ -31,11 +31,10 @@ impl Translator<'_, '_> {
 
     /// Where a table begins, or its length, which stay the same in code that adds nothing.
     pub(super) fn table_field(&mut self, offset: usize) -> Value {
-        let mut flags = self.flags(Region::Context);
-        if !self.may_add {
-            flags = flags.with_readonly().with_can_move();
+        match self.may_add {
+            true => self.field(TABLES + offset),
+            false => self.constant_field(TABLES + offset),
         }
-        self.b.ins().load(I64, flags, self.context, (TABLES + offset) as i32)
     }
 
     pub(super) fn set_field(&mut self, offset: usize, value: Value) {

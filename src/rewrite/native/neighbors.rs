@@ -42,28 +42,21 @@ impl NeighborLoop {
     /// Those of a code that may find lists: nobody is told what it reads.
     pub(super) fn in_text(text: &Text<'_>, variant: Variant) -> Vec<Self> {
         match variant == Variant::Plain {
-            true => Self::all(text.code, &text.surroundings),
+            true => Self::all(text.code, &text.surroundings).collect(),
             false => Vec::new(),
         }
     }
 
     /// Whether there is one in a code.
     pub(super) fn is_in(code: &Code, surroundings: &Surroundings) -> bool {
-        !Self::all(code, surroundings).is_empty()
+        Self::all(code, surroundings).next().is_some()
     }
 
-    fn all(code: &Code, surroundings: &Surroundings) -> Vec<Self> {
-        let jumps: Vec<(usize, usize)> = jumps(code).collect();
-        let places = 1..code.insts.len();
-        places.filter_map(|begin| Self::at(code, begin, &jumps, surroundings)).collect()
+    fn all(code: &Code, surroundings: &Surroundings) -> impl Iterator<Item = Self> {
+        (1..code.insts.len()).filter_map(|begin| Self::at(code, begin, surroundings))
     }
 
-    fn at(
-        code: &Code,
-        begin: usize,
-        jumps: &[(usize, usize)],
-        surroundings: &Surroundings,
-    ) -> Option<Self> {
+    fn at(code: &Code, begin: usize, surroundings: &Surroundings) -> Option<Self> {
         let insts = &code.insts;
         let Inst::LoadHalfedge { of: ElementField::Vertex, to: first, element: vertex } =
             insts[begin - 1]
@@ -96,7 +89,7 @@ impl NeighborLoop {
             is_free
         };
         let is_free = insts[behind..next].iter().all(is_free);
-        let is_entered = jumps.iter().any(|&(source, to)| match to {
+        let is_entered = jumps(code).any(|(source, to)| match to {
             _ if to == begin || (head + 1..behind).contains(&to) => true,
             _ if to == head => source != next,
             _ => (behind..=next).contains(&to) && !(behind..=next).contains(&source),

@@ -1,8 +1,10 @@
 //! Buffers: what changes one tells native code where its slots are from then on.
 
+use std::slice;
+
 use super::{LEAVE, within_guarded};
 use crate::rewrite::native::context::{Context, Run};
-use crate::rewrite::{Walk, access, memory};
+use crate::rewrite::{Machine, Walk, access, memory};
 
 /// Empties the buffers of code that begins.
 ///
@@ -110,19 +112,17 @@ pub(in super::super) unsafe extern "C" fn hold(
             // SAFETY: native code hands on its context, and has kept what it counts.
             unsafe { context.count_kept(run.machine) };
         }
-        let machine = &mut *run.machine;
-        let limit = (&*run.mesh, &machine.drains, machine.memory);
-        let has_room = match is_kept {
-            true => {
-                memory::for_list(std::slice::from_mut(&mut machine.kept), 0, memory::HELD, limit)
-            }
-            false => memory::for_list(&mut machine.buffers, at, memory::HELD, limit),
+        let Machine { buffers, kept, drains, memory: limit, stack, .. } = &mut *run.machine;
+        let (lists, at) = match is_kept {
+            true => (slice::from_mut(kept), 0),
+            false => (buffers.as_mut_slice(), at),
         };
-        let slots = machine.stack.get(first..first + usize::from(width));
+        let has_room = memory::for_list(lists, at, memory::HELD, (&*run.mesh, drains, *limit));
+        let slots = stack.get(first..first + usize::from(width));
         let (Some(slots), Ok(())) = (slots, has_room) else {
             return Ok(LEAVE);
         };
-        let list = if is_kept { &mut machine.kept } else { &mut machine.buffers[at] };
+        let list = &mut lists[at];
         list.extend([header as u64, element as u64]);
         list.extend_from_slice(slots);
         match is_kept {
