@@ -1,5 +1,6 @@
 //! Names that are declared and never read: editors show them faint.
 
+use super::cursor_context::before;
 use super::names::{Role, Symbol, SymbolKind};
 use super::snapshot::Snapshot;
 use crate::source::Span;
@@ -42,11 +43,10 @@ fn what(snapshot: &Snapshot, symbol: &Symbol) -> Option<&'static str> {
         SymbolKind::Parameter => Some("parameter"),
         SymbolKind::Element(_) if symbol.ty.is_some() => Some("parameter"),
         SymbolKind::Variable => {
-            let tokens = &snapshot.parsed().tokens;
-            let at = tokens.partition_point(|token| token.span.start < definition.start);
-            let before = at.checked_sub(1).map(|before| tokens[before].kind);
-            let is_of_loop =
-                matches!(before, Some(TokenKind::For | TokenKind::Update | TokenKind::Drain));
+            let before = before(snapshot, definition.start as usize).last();
+            let is_of_loop = before.is_some_and(|word| {
+                matches!(word.kind, TokenKind::For | TokenKind::Update | TokenKind::Drain)
+            });
             (!is_of_loop).then_some("variable")
         }
         SymbolKind::Attribute => {

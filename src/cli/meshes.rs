@@ -82,13 +82,12 @@ fn unreadable(path: &Path, error: FileError) -> Failure {
             Failure::usage(format!("`{shown}` is a folder; a mesh is wanted here"))
         }
         FileReason::Io(reason) if reason.kind() == ErrorKind::NotFound => {
-            let setting = shown.to_string();
-            let advice = match near(path) {
-                _ if setting.contains('=') => {
-                    format!("; the value of a parameter is given by `--set {setting}`")
-                }
-                Some(near) => format!("; did you mean `{}`?", near.display()),
-                None => String::new(),
+            let advice = if shown.to_string().contains('=') {
+                format!("; the value of a parameter is given by `--set {shown}`")
+            } else if let Some(near) = near(path) {
+                format!("; did you mean `{}`?", near.display())
+            } else {
+                String::new()
             };
             Failure::usage(format!("cannot read `{shown}`: there is no such file{advice}"))
         }

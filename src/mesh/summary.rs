@@ -128,7 +128,7 @@ impl Measures {
         let faces = || mesh.faces().filter(|&f| !mesh.is_hole(f));
         let bounds = bounds(mesh);
         let is_closed = mesh.hole_count() == 0 && mesh.face_count() > 0;
-        let inside = bounds.map(|[low, _]| DVec3::from_array(low)).filter(|_| is_closed);
+        let apex = bounds.map(|[low, _]| DVec3::from_array(low)).filter(|_| is_closed);
         Self {
             euler_characteristic,
             components,
@@ -137,7 +137,7 @@ impl Measures {
             face_sizes: histogram(faces().map(|f| mesh.face_size(f))),
             edge_lengths: Lengths::of(mesh),
             area: faces().map(|f| mesh.area(f)).sum(),
-            volume: inside.map(|apex| faces().map(|f| cone_volume(mesh, f, apex)).sum()),
+            volume: apex.map(|apex| faces().map(|f| cone_volume(mesh, f, apex)).sum()),
             bounds,
         }
     }
@@ -145,16 +145,8 @@ impl Measures {
 
 /// The signed volume between a face and a point.
 fn cone_volume(mesh: &Mesh, face: FaceId, apex: DVec3) -> f64 {
-    let mut corners = mesh.face_vertices(face).map(|v| mesh.position(v) - apex);
-    let (Some(first), Some(mut before)) = (corners.next(), corners.next()) else {
-        return 0.0;
-    };
-    let tetrahedra = corners.map(|corner| {
-        let volume = first.dot(before.cross(corner)) / 6.0;
-        before = corner;
-        volume
-    });
-    tetrahedra.sum()
+    let corner = mesh.face_vertices(face).next().map_or(apex, |v| mesh.position(v));
+    mesh.vector_area(face).dot(corner - apex) / 3.0
 }
 
 fn histogram(sizes: impl Iterator<Item = usize>) -> Vec<Bin> {
