@@ -264,8 +264,41 @@ impl Law<'_> {
                 self.explained.push(face);
             }
         }
+        for remedy in self.erasures(&names) {
+            if !remedies.contains(&remedy) {
+                remedies.push(remedy);
+            }
+        }
         self.explained.extend(names.iter().filter(|&&name| drawing.after.pairing(name).is_none()));
         self.problems.push(Problem { diagnostic, remedies });
+    }
+
+    /// The statements that would erase all that `after` forgets, vertices too or not, where that is
+    /// more than the halfedges that it forgets.
+    fn erasures(&self, halfedges: &[NameId]) -> Vec<Remedy> {
+        let drawing = self.drawing;
+        let rule = drawing.rule;
+        if rule.cycle.is_some() {
+            return Vec::new();
+        }
+        let is_forgotten = |&name: &NameId| {
+            let kind = rule.kind(name);
+            matches!(kind, Kind::Vertex | Kind::Edge | Kind::Face)
+                && drawing.survives(name)
+                && drawing.after.mention(name).is_none()
+        };
+        let others: Vec<_> = self.names().filter(is_forgotten).collect();
+        let (vertices, others): (Vec<_>, Vec<_>) =
+            others.into_iter().partition(|&name| rule.kind(name) == Kind::Vertex);
+        if others.is_empty() {
+            return Vec::new();
+        }
+        let erase = |more: &[NameId]| Remedy::Erase([halfedges, &others, more].concat());
+        let mut all = vec![erase(&[])];
+        if !vertices.is_empty() {
+            all.push(erase(&vertices));
+        }
+        all
     }
 
     /// Halfedges that are paired before, and not after.

@@ -12,7 +12,7 @@ use glam::DVec3;
 
 use super::connectivity::Mesh;
 use super::id::{EdgeId, ElementKind, FaceId, HalfedgeId, ID_SPACE, VertexId};
-use super::records::{FaceRecord, HalfedgeRecord};
+use super::records::{FaceState, HalfedgeRecord};
 
 impl Mesh {
     /// A new vertex: isolated, at the origin of space, columns at their defaults.
@@ -40,7 +40,8 @@ impl Mesh {
     /// A new face without a halfedge; it is not a hole.
     pub fn add_face(&mut self) -> FaceId {
         let id = FaceId(self.take_slot(ElementKind::Face));
-        put(&mut self.faces, id.index(), FaceRecord { halfedge: HalfedgeId::NONE, hole: false });
+        put(&mut self.faces, id.index(), HalfedgeId::NONE);
+        put(&mut self.face_states, id.index(), FaceState::Face);
         id
     }
 
@@ -85,8 +86,8 @@ impl Mesh {
                 self.note_erased(ElementKind::Face, f.0);
                 self.note_face(f);
             }
-            self.set_hole(f, false);
-            self.faces[f.index()].halfedge = HalfedgeId::DEAD;
+            self.set_face_state(f, FaceState::Dead);
+            self.faces[f.index()] = HalfedgeId::DEAD;
             self.slots[ElementKind::Face as usize].pending.push(f.0);
         }
     }
@@ -148,8 +149,8 @@ impl Mesh {
             ElementKind::Halfedge => self.halfedges.resize(end, HalfedgeRecord::UNSET),
             ElementKind::Edge => self.edges.resize(end, HalfedgeId::NONE),
             ElementKind::Face => {
-                let face = FaceRecord { halfedge: HalfedgeId::NONE, hole: false };
-                self.faces.resize(end, face);
+                self.faces.resize(end, HalfedgeId::NONE);
+                self.face_states.resize(end, FaceState::Face);
             }
         }
         self.columns[kind as usize].grow(end);

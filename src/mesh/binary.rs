@@ -24,7 +24,7 @@ use super::attribute::{AttributeType, Value};
 use super::connectivity::Mesh;
 use super::id::{EdgeId, ElementKind, FaceId, HalfedgeId, ID_SPACE, VertexId};
 use super::invalid::Invalid;
-use super::records::{FaceRecord, HalfedgeRecord};
+use super::records::{FaceState, HalfedgeRecord};
 use super::validate::validate;
 
 const MAGIC: [u8; 8] = *b"hedgemsh";
@@ -98,8 +98,8 @@ pub fn write_bytes(mesh: &Mesh) -> Vec<u8> {
     }
     mesh.vertices.iter().for_each(|halfedge| put(&mut bytes, halfedge.0));
     mesh.edges.iter().for_each(|halfedge| put(&mut bytes, halfedge.0));
-    mesh.faces.iter().for_each(|face| put(&mut bytes, face.halfedge.0));
-    bytes.extend(mesh.faces.iter().map(|face| u8::from(face.hole)));
+    mesh.faces.iter().for_each(|halfedge| put(&mut bytes, halfedge.0));
+    bytes.extend(mesh.face_states.iter().map(|&state| u8::from(state == FaceState::Hole)));
     for position in &mesh.positions {
         position.to_array().iter().for_each(|x| bytes.extend(x.to_le_bytes()));
     }
@@ -223,19 +223,21 @@ impl<'b> Reader<'b> {
         mesh.halfedges = records.map(record).collect();
         mesh.vertices = self.numbers(vertices)?.into_iter().map(HalfedgeId).collect();
         mesh.edges = self.numbers(edges)?.into_iter().map(HalfedgeId).collect();
-        let of_faces = self.numbers(faces)?;
+        mesh.faces = self.numbers(faces)?.into_iter().map(HalfedgeId).collect();
         let holes = self.bytes(faces).ok_or(BinaryError::Damaged)?;
         if holes.iter().any(|&hole| hole > 1) {
             return Err(BinaryError::Malformed("a face is neither a hole nor none"));
         }
-        let record =
-            |(halfedge, &hole)| FaceRecord { halfedge: HalfedgeId(halfedge), hole: hole == 1 };
-        mesh.faces = of_faces.into_iter().zip(holes).map(record).collect();
-        mesh.holes = mesh.holes().count();
-        let dead_hole = |face: &FaceRecord| face.hole && face.halfedge == HalfedgeId::DEAD;
-        if mesh.faces.iter().any(dead_hole) {
-            return Err(BinaryError::Malformed("an erased face is a hole"));
+        for (&halfedge, &hole) in mesh.faces.iter().zip(holes) {
+            mesh.face_states.push(match (halfedge == HalfedgeId::DEAD, hole == 1) {
+                (false, hole) => FaceState::of_living(hole),
+                (true, false) => FaceState::Dead,
+                (true, true) => {
+                    return Err(BinaryError::Malformed("an erased face is a hole"));
+                }
+            });
         }
+        mesh.holes = mesh.holes().count();
         let position = |bytes: &[u8; 24]| {
             let (words, _) = bytes.as_chunks();
             DVec3::from_array(std::array::from_fn(|at| f64::from_le_bytes(words[at])))

@@ -22,7 +22,7 @@ use super::loops::Loops;
 use super::parallel;
 use super::polygon_sides::Sides;
 use super::polygons::Polygons;
-use super::records::{FaceRecord, HalfedgeRecord};
+use super::records::{FaceState, HalfedgeRecord};
 
 impl Mesh {
     pub fn from_polygons(positions: &[DVec3], polygons: &Polygons) -> Result<Self, BuildError> {
@@ -349,12 +349,16 @@ impl<'p> Builder<'p> {
         let faces = parallel::collect(polygons + self.holes.first.len(), LEAST, |face| {
             let hole = face.checked_sub(polygons);
             let first = hole.map_or_else(|| self.loops.first(face), |hole| self.holes.first[hole]);
-            FaceRecord { halfedge: HalfedgeId(first), hole: hole.is_some() }
+            HalfedgeId(first)
         });
+        let mut face_states = Vec::with_capacity(faces.len());
+        face_states.resize(polygons, FaceState::Face);
+        face_states.resize(faces.len(), FaceState::Hole);
         Mesh {
             positions,
             halfedges,
             faces,
+            face_states,
             edges: edges.first(),
             vertices: self.vertices,
             holes: self.holes.first.len(),

@@ -35,6 +35,11 @@ pub enum BuildError {
         ends: [u32; 2],
         polygons: [usize; 3],
     },
+    /// Two polygons have the same corners in the same order. Only [`Faults`](super::Faults) tells it
+    /// from [`Self::SameDirection`].
+    Doubled {
+        polygons: [usize; 2],
+    },
     /// Two polygons run along an edge the same way: they disagree about which side is up.
     SameDirection {
         from: u32,
@@ -75,6 +80,9 @@ impl fmt::Display for BuildError {
                 f,
                 "polygons {a}, {b} and {c} share the edge between vertices {v} and {w}; an edge has two sides"
             ),
+            Self::Doubled { polygons: [a, b] } => {
+                write!(f, "polygons {a} and {b} have the same corners in the same order")
+            }
             Self::SameDirection { from, to, polygons: [a, b] } => write!(
                 f,
                 "polygons {a} and {b} both run from vertex {from} to vertex {to}; one of them is turned over"

@@ -7,7 +7,7 @@ use glam::DVec3;
 use super::attribute::Columns;
 use super::id::{EdgeId, ElementKind, FaceId, HalfedgeId, VertexId};
 use super::notes::Journal;
-use super::records::{FaceRecord, HalfedgeRecord, Slots};
+use super::records::{FaceState, HalfedgeRecord, Slots};
 
 /// A halfedge mesh: connectivity, positions and attribute columns.
 #[derive(Clone, Debug, Default)]
@@ -15,7 +15,8 @@ pub struct Mesh {
     pub(super) halfedges: Vec<HalfedgeRecord>,
     pub(super) vertices: Vec<HalfedgeId>,
     pub(super) edges: Vec<HalfedgeId>,
-    pub(super) faces: Vec<FaceRecord>,
+    pub(super) faces: Vec<HalfedgeId>,
+    pub(super) face_states: Vec<FaceState>,
     pub(super) positions: Vec<DVec3>,
     pub(super) holes: usize,
     pub(super) slots: [Slots; 4],
@@ -117,7 +118,7 @@ impl Mesh {
 
     /// All faces, holes included.
     pub fn faces(&self) -> impl Iterator<Item = FaceId> + Clone + '_ {
-        living(&self.faces, |f| f.halfedge != HalfedgeId::DEAD).map(FaceId)
+        living(&self.face_states, |&state| state != FaceState::Dead).map(FaceId)
     }
 
     pub fn holes(&self) -> impl Iterator<Item = FaceId> + Clone + '_ {

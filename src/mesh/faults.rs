@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::build_error::BuildError;
 use super::polygons::Polygons;
-use super::repair::{NONE, PolygonList};
+use super::repair::{NONE, PolygonList, repeated};
 
 /// The faults that keep a list of polygons from being a mesh.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,8 +25,8 @@ pub struct FaultKind {
 const TOLD: usize = 3;
 
 impl Faults {
-    /// Looks for all faults. Polygons that are faulty by themselves are left out where those of
-    /// edges and vertices are looked for, and vertices at faulty edges are not called pinched.
+    /// Looks for all faults. Polygons that are faulty by themselves, or there twice, are left out where
+    /// those of edges and vertices are looked for, and vertices at faulty edges are not called pinched.
     pub fn of(positions: &[DVec3], polygons: &Polygons) -> Self {
         let mut faults = Self { kinds: Vec::new() };
         for (v, &position) in (0..).zip(positions).filter(|(_, at)| !at.is_finite()) {
@@ -41,6 +41,13 @@ impl Faults {
             fault.into_iter().for_each(|fault| faults.add(fault));
             is_sound
         });
+        let mut is_repeated = vec![false; list.faces.len()];
+        for polygons in repeated(&list) {
+            is_repeated[polygons[1]] = true;
+            let polygons = polygons.map(|polygon| list.faces[polygon] as usize);
+            faults.add(BuildError::Doubled { polygons });
+        }
+        list.retain(|polygon, _| !is_repeated[polygon]);
         faults.look_at_edges(&list);
         faults
     }

@@ -22,7 +22,7 @@ use super::connectivity::Mesh;
 use super::id::{EdgeId, ElementKind, FaceId, HalfedgeId, VertexId};
 use super::level_near::Footprint;
 use super::notes::{Bookmark, Journal, Note, Written};
-use super::records::{FaceRecord, HalfedgeRecord, Slots};
+use super::records::{FaceState, HalfedgeRecord, Slots};
 
 impl Mesh {
     /// From now on, until the mark is given back, what is written is noted.
@@ -65,7 +65,7 @@ impl Mesh {
                 Note::Vertex(v, _) | Note::Position(v, _) => footprint.vertices.push(*v),
                 Note::Halfedge(h, _) => footprint.halfedges.push(*h),
                 Note::Edge(e, _) => footprint.edges.push(*e),
-                Note::Face(f, _) => footprint.faces.push(*f),
+                Note::Face(f, ..) => footprint.faces.push(*f),
                 _ => {}
             }
         }
@@ -86,11 +86,11 @@ impl Mesh {
                     let now = self.edges[e.index()];
                     self.tell_pointer((ElementKind::Edge, e.0), [was, now], &mut tell);
                 }
-                Note::Face(f, was) => {
-                    let now = &self.faces[f.index()];
-                    let halfedges = [was.halfedge, now.halfedge];
-                    self.tell_pointer((ElementKind::Face, f.0), halfedges, &mut tell);
-                    if was.hole != now.hole {
+                &Note::Face(f, was, state) => {
+                    let now = self.faces[f.index()];
+                    self.tell_pointer((ElementKind::Face, f.0), [was, now], &mut tell);
+                    let is_hole = |state: FaceState| state == FaceState::Hole;
+                    if is_hole(state) != is_hole(self.face_states[f.index()]) {
                         tell(Written::Value(ElementKind::Face, f.0));
                     }
                 }
@@ -151,11 +151,11 @@ impl Mesh {
             Note::Vertex(v, record) => swap(&mut self.vertices[v.index()], record),
             Note::Halfedge(h, record) => swap(&mut self.halfedges[h.index()], record),
             Note::Edge(e, record) => swap(&mut self.edges[e.index()], record),
-            Note::Face(f, record) => {
-                let now = &mut self.faces[f.index()];
-                self.holes -= usize::from(now.hole);
-                self.holes += usize::from(record.hole);
-                swap(now, record);
+            Note::Face(f, record, state) => {
+                swap(&mut self.faces[f.index()], record);
+                let now = self.face_states[f.index()];
+                self.set_face_state(*f, *state);
+                *state = now;
             }
             Note::Position(v, position) => swap(&mut self.positions[v.index()], position),
             Note::Bool(..) | Note::Int(..) | Note::Real(..) | Note::Wide(..) => {
@@ -226,8 +226,8 @@ impl Mesh {
             ElementKind::Halfedge => drop(self.halfedges.pop()),
             ElementKind::Edge => drop(self.edges.pop()),
             ElementKind::Face => {
-                let last = self.faces.pop();
-                self.holes -= usize::from(last.is_some_and(|face| face.hole));
+                self.faces.pop();
+                self.holes -= usize::from(self.face_states.pop() == Some(FaceState::Hole));
             }
         }
         let len = self.capacity(kind);
@@ -244,7 +244,8 @@ impl Mesh {
             ElementKind::Halfedge => self.halfedges.push(HalfedgeRecord::UNSET),
             ElementKind::Edge => self.edges.push(HalfedgeId::NONE),
             ElementKind::Face => {
-                self.faces.push(FaceRecord { halfedge: HalfedgeId::NONE, hole: false });
+                self.faces.push(HalfedgeId::NONE);
+                self.face_states.push(FaceState::Face);
             }
         }
         let len = self.capacity(kind);
@@ -299,8 +300,8 @@ impl Mesh {
 
     #[cold]
     pub(super) fn note_face(&mut self, f: FaceId) {
-        let record = self.faces[f.index()].clone();
-        self.journal.notes.push(Note::Face(f, record));
+        let (record, state) = (self.faces[f.index()], self.face_states[f.index()]);
+        self.journal.notes.push(Note::Face(f, record, state));
     }
 
     #[cold]

@@ -7,14 +7,15 @@ use glam::DVec3;
 
 use super::connectivity::Mesh;
 use super::id::{ElementKind, HalfedgeId};
-use super::records::{FaceRecord, HalfedgeRecord};
+use super::records::{FaceState, HalfedgeRecord};
 
 impl Mesh {
     /// The memory that it takes, in bytes.
     pub fn bytes(&self) -> usize {
         let tables = self.halfedges.capacity() * size_of::<HalfedgeRecord>()
-            + (self.vertices.capacity() + self.edges.capacity()) * size_of::<HalfedgeId>()
-            + self.faces.capacity() * size_of::<FaceRecord>()
+            + [&self.vertices, &self.edges, &self.faces].map(Vec::capacity).iter().sum::<usize>()
+                * size_of::<HalfedgeId>()
+            + self.face_states.capacity() * size_of::<FaceState>()
             + self.positions.capacity() * size_of::<DVec3>();
         let slots = self.slots.iter().map(|slots| slots.free.capacity() + slots.pending.capacity());
         let columns = self.columns.iter().map(|columns| columns.bytes());
@@ -47,7 +48,7 @@ impl Mesh {
                 ElementKind::Vertex => size_of::<HalfedgeId>() + size_of::<DVec3>(),
                 ElementKind::Halfedge => size_of::<HalfedgeRecord>(),
                 ElementKind::Edge => size_of::<HalfedgeId>(),
-                ElementKind::Face => size_of::<FaceRecord>(),
+                ElementKind::Face => size_of::<HalfedgeId>() + size_of::<FaceState>(),
             };
             let each = record + self.columns[kind as usize].bytes_of_one();
             let left = limit.saturating_sub(self.bytes()) / each;
@@ -65,12 +66,13 @@ impl Mesh {
     /// The number of further slots that fit without taking memory.
     #[inline]
     pub(super) fn reserved(&self, kind: ElementKind) -> usize {
-        match kind {
-            ElementKind::Vertex => self.vertices.capacity() - self.vertices.len(),
-            ElementKind::Halfedge => self.halfedges.capacity() - self.halfedges.len(),
-            ElementKind::Edge => self.edges.capacity() - self.edges.len(),
-            ElementKind::Face => self.faces.capacity() - self.faces.len(),
-        }
+        let room = match kind {
+            ElementKind::Vertex => self.vertices.capacity().min(self.positions.capacity()),
+            ElementKind::Halfedge => self.halfedges.capacity(),
+            ElementKind::Edge => self.edges.capacity(),
+            ElementKind::Face => self.faces.capacity().min(self.face_states.capacity()),
+        };
+        room - self.capacity(kind)
     }
 
     fn reserve(&mut self, kind: ElementKind, more: usize) -> bool {
@@ -81,7 +83,10 @@ impl Mesh {
             }
             ElementKind::Halfedge => self.halfedges.try_reserve_exact(more),
             ElementKind::Edge => self.edges.try_reserve_exact(more),
-            ElementKind::Face => self.faces.try_reserve_exact(more),
+            ElementKind::Face => {
+                let table = self.faces.try_reserve_exact(more);
+                table.and_then(|()| self.face_states.try_reserve_exact(more))
+            }
         };
         table.is_ok() && self.columns[kind as usize].reserve(more)
     }

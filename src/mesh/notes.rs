@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use super::attribute::{Column, ColumnData, ColumnId, Value};
 use super::id::{EdgeId, ElementKind, FaceId, HalfedgeId, VertexId};
-use super::records::{FaceRecord, HalfedgeRecord};
+use super::records::{FaceState, HalfedgeRecord};
 
 /// The beginning of a journal among the notes.
 #[derive(Debug)]
@@ -38,7 +38,7 @@ pub(super) enum Note {
     Vertex(VertexId, HalfedgeId),
     Halfedge(HalfedgeId, HalfedgeRecord),
     Edge(EdgeId, HalfedgeId),
-    Face(FaceId, FaceRecord),
+    Face(FaceId, HalfedgeId, FaceState),
     Position(VertexId, DVec3),
     Bool(ColumnId, u32, bool),
     Int(ColumnId, u32, i64),
@@ -99,7 +99,7 @@ impl Note {
             Self::Vertex(v, _) => (0, v.0, None),
             Self::Halfedge(h, _) => (1, h.0, None),
             Self::Edge(e, _) => (2, e.0, None),
-            Self::Face(f, _) => (3, f.0, None),
+            Self::Face(f, ..) => (3, f.0, None),
             Self::Position(v, _) => (4, v.0, None),
             _ => {
                 let (column, index, _) = self.as_value()?;

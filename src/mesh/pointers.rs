@@ -8,7 +8,7 @@ use glam::DVec3;
 
 use super::connectivity::Mesh;
 use super::id::{EdgeId, ElementKind, FaceId, HalfedgeId, VertexId};
-use super::records::HalfedgeRecord;
+use super::records::{FaceState, HalfedgeRecord};
 
 /// Readers of ids known to be in range.
 impl Mesh {
@@ -67,12 +67,12 @@ impl Mesh {
 
     #[inline]
     pub fn face_halfedge(&self, f: FaceId) -> HalfedgeId {
-        self.faces[f.index()].halfedge
+        self.faces[f.index()]
     }
 
     #[inline]
     pub fn is_hole(&self, f: FaceId) -> bool {
-        self.faces[f.index()].hole
+        self.face_states[f.index()] == FaceState::Hole
     }
 
     #[inline]
@@ -138,14 +138,13 @@ impl Mesh {
 
     #[inline]
     pub fn get_face_halfedge(&self, f: FaceId) -> Option<HalfedgeId> {
-        let h = self.faces.get(f.index())?.halfedge;
+        let h = *self.faces.get(f.index())?;
         (h != HalfedgeId::DEAD).then_some(h)
     }
 
     #[inline]
     pub fn get_is_hole(&self, f: FaceId) -> Option<bool> {
-        let record = self.faces.get(f.index())?;
-        (record.halfedge != HalfedgeId::DEAD).then_some(record.hole)
+        self.face_states.get(f.index())?.is_hole()
     }
 
     #[inline]
@@ -216,7 +215,7 @@ impl Mesh {
         if self.journal.is_open() {
             self.note_face(f);
         }
-        self.faces[f.index()].halfedge = h;
+        self.faces[f.index()] = h;
     }
 
     /// Turns a living face into a hole, or a hole into a face.
@@ -225,10 +224,15 @@ impl Mesh {
         if self.journal.is_open() {
             self.note_face(f);
         }
-        let record = &mut self.faces[f.index()];
-        self.holes -= usize::from(record.hole);
-        record.hole = hole;
-        self.holes += usize::from(hole);
+        self.set_face_state(f, FaceState::of_living(hole));
+    }
+
+    /// Sets the state of a face, and counts the holes.
+    #[inline]
+    pub(super) fn set_face_state(&mut self, f: FaceId, state: FaceState) {
+        let before = std::mem::replace(&mut self.face_states[f.index()], state);
+        self.holes -= usize::from(before == FaceState::Hole);
+        self.holes += usize::from(state == FaceState::Hole);
     }
 
     #[inline]
@@ -278,7 +282,7 @@ impl Mesh {
         let place = match kind {
             ElementKind::Vertex => self.vertices.get_mut(id as usize),
             ElementKind::Edge => self.edges.get_mut(id as usize),
-            ElementKind::Face => self.faces.get_mut(id as usize).map(|face| &mut face.halfedge),
+            ElementKind::Face => self.faces.get_mut(id as usize),
             ElementKind::Halfedge => None,
         };
         let place = place.filter(|place| ![**place, value].contains(&HalfedgeId::DEAD))?;
@@ -288,8 +292,9 @@ impl Mesh {
     /// Says that a face is a hole, or none; it is not counted.
     #[inline]
     pub(crate) fn exchange_hole(&mut self, f: FaceId, hole: bool) -> Option<bool> {
-        let record = self.faces.get_mut(f.index())?;
-        let lives = record.halfedge != HalfedgeId::DEAD;
-        lives.then(|| std::mem::replace(&mut record.hole, hole))
+        let state = self.face_states.get_mut(f.index())?;
+        let before = state.is_hole()?;
+        *state = FaceState::of_living(hole);
+        Some(before)
     }
 }

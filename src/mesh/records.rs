@@ -2,7 +2,8 @@
 //!
 //! A halfedge stores its five pointers and its twin side by side (one cache line holds two and a
 //! half halfedges); vertices, edges and faces each store one halfedge of theirs. Whether an
-//! element lives is written inside its own record, so asking costs no further memory access.
+//! element lives is written inside its own record, so asking costs no further memory access. Which
+//! faces are holes is a table of bytes, small enough to stay in a cache; it says which live as well.
 
 use super::id::{EdgeId, FaceId, HalfedgeId, VertexId};
 
@@ -40,11 +41,26 @@ impl HalfedgeRecord {
     }
 }
 
-/// A face as its table has it: one halfedge of its loop, and whether it is a hole.
-#[derive(Clone, Debug)]
-pub(super) struct FaceRecord {
-    pub(super) halfedge: HalfedgeId,
-    pub(super) hole: bool,
+/// The state of a slot of the table of faces.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u8)]
+pub(crate) enum FaceState {
+    Face = 0,
+    Hole = 1,
+    Dead = 2,
+}
+
+impl FaceState {
+    #[inline]
+    pub(crate) fn of_living(hole: bool) -> Self {
+        if hole { Self::Hole } else { Self::Face }
+    }
+
+    /// Whether it is a hole, if it lives.
+    #[inline]
+    pub(super) fn is_hole(self) -> Option<bool> {
+        (self != Self::Dead).then_some(self == Self::Hole)
+    }
 }
 
 /// The dead slots of one kind.

@@ -3,14 +3,13 @@
 //! Addresses are given out, and nothing is read or written through them here. They hold until an
 //! element is added or the mesh is moved.
 
-use std::mem::offset_of;
-
 use glam::DVec3;
 
 use super::attribute::{Column, ColumnData, ColumnId};
 use super::connectivity::Mesh;
 use super::id::HalfedgeId;
-use super::records::{FaceRecord, HalfedgeRecord};
+pub(crate) use super::records::FaceState;
+use super::records::HalfedgeRecord;
 
 /// Where the tables begin, and how many records they have.
 #[derive(Clone, Copy, Debug)]
@@ -22,17 +21,13 @@ pub(crate) struct Tables {
     pub(crate) vertex_count: usize,
     pub(crate) edges: *mut HalfedgeId,
     pub(crate) edge_count: usize,
-    pub(crate) faces: *mut u8,
+    pub(crate) faces: *mut HalfedgeId,
     pub(crate) face_count: usize,
+    pub(crate) face_states: *mut FaceState,
     pub(crate) positions: *mut DVec3,
     /// The number of holes.
     pub(crate) holes: *mut usize,
 }
-
-/// The bytes of a face, and where in it are its halfedge and whether it is a hole.
-pub(crate) const FACE_SIZE: usize = size_of::<FaceRecord>();
-pub(crate) const FACE_HALFEDGE: usize = offset_of!(FaceRecord, halfedge);
-pub(crate) const FACE_HOLE: usize = offset_of!(FaceRecord, hole);
 
 /// What stands in place of the first pointer of an erased element.
 pub(crate) const DEAD: u32 = HalfedgeId::DEAD.0;
@@ -49,8 +44,10 @@ impl Mesh {
             vertex_count: self.vertices.len().min(self.positions.len()),
             edges: self.edges.as_mut_ptr(),
             edge_count: self.edges.len(),
-            faces: self.faces.as_mut_ptr().cast(),
-            face_count: self.faces.len(),
+            faces: self.faces.as_mut_ptr(),
+            // A face has a state.
+            face_count: self.faces.len().min(self.face_states.len()),
+            face_states: self.face_states.as_mut_ptr(),
             positions: self.positions.as_mut_ptr(),
             holes: &raw mut self.holes,
         }

@@ -167,7 +167,7 @@ impl Contents {
             };
             column.give(&mut mesh, column.kind, 0..count as u32);
         }
-        if self.kept.has_corners() {
+        if self.kept.needs_polygons() {
             self.kept.corners = self.polygons;
         }
         let mut file = MeshFile::from_file(mesh, self.kept);
@@ -204,7 +204,7 @@ impl Contents {
                 ElementKind::Edge => {}
             }
         }
-        if self.kept.has_corners() {
+        if self.kept.needs_polygons() {
             for table in [&mut self.kept.corner_texture, &mut self.kept.corner_normals] {
                 if !table.is_empty() {
                     *table = places.iter().map(|&place| table[place as usize]).collect();

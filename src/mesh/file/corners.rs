@@ -1,11 +1,13 @@
 //! The texture coordinates and normals of corners, as they are written.
 //!
 //! A corner of the file has the row that it had. A new one, which stands where an operation has turned
-//! or added a halfedge, has that of its vertex in the polygons of the file from which the corners of
-//! its face come that are the next on both sides. If these are two polygons, they must share
-//! vertices, with the same values there: no seam and no crease lies between them.
+//! or added a halfedge, has that of its vertex, if all corners of the file there have the same values:
+//! no seam and no crease ends at the vertex. If they have not, it has that of its vertex in the polygons
+//! of the file from which the corners of its face come that are the next on both sides. If these are
+//! two polygons, they must share vertices, with the same values there: no seam lies between them.
 
 use std::collections::HashMap;
+use std::collections::hash_map::Entry;
 
 use glam::DVec2;
 
@@ -178,10 +180,16 @@ impl MeshFile {
         if self.kept_corners(what).is_empty() {
             return new;
         }
+        let mut of_vertices: Option<Vec<u32>> = None;
         let mut sides: Vec<(HalfedgeId, Option<usize>)> = Vec::new();
         for &f in faces {
             sides.clear();
             sides.extend(self.mesh.face_halfedges(f).map(|h| (h, self.corner(h))));
+            for &(h, _) in sides.iter().filter(|(_, corner)| corner.is_none()) {
+                let rows = of_vertices.get_or_insert_with(|| self.rows_of_vertices(what));
+                let row = self.vertex_place(self.mesh.vertex(h)).and_then(|v| rows.get(v));
+                new.extend(row.filter(|&&row| row != MISSING).map(|&row| (h.0, row)));
+            }
             let Some(first) = sides.iter().position(|(_, corner)| corner.is_some()) else {
                 continue;
             };
@@ -195,15 +203,38 @@ impl MeshFile {
                 if let (false, [(_, Some(behind)), ..]) = (between.is_empty(), behind)
                     && let Some(polygons) = self.polygons_without_seam(what, [*before, *behind])
                 {
-                    new.extend(between.iter().filter_map(|&(h, _)| {
-                        let vertex = self.vertex_place(self.mesh.vertex(h))? as u32;
-                        Some((h.0, polygons.iter().find_map(|polygon| polygon.row(vertex))?))
-                    }));
+                    for &(HalfedgeId(h), _) in between {
+                        let vertex = self.vertex_place(self.mesh.vertex(HalfedgeId(h)));
+                        let row = vertex.and_then(|vertex| {
+                            polygons.iter().find_map(|polygon| polygon.row(vertex as u32))
+                        });
+                        if let (Some(row), Entry::Vacant(place)) = (row, new.entry(h)) {
+                            place.insert(row);
+                        }
+                    }
                 }
                 rest = behind;
             }
         }
         new
+    }
+
+    /// By vertex of the file the row of its corners, if they all have the same values.
+    fn rows_of_vertices(&self, what: OfCorner) -> Vec<u32> {
+        let mut rows = vec![MISSING; self.mesh.capacity(ElementKind::Vertex)];
+        let mut several = vec![false; rows.len()];
+        let value = |row: u32| self.kept_rows(what).rows.get(row as usize);
+        let corners = self.kept.corners.corners().iter().zip(self.kept_corners(what));
+        for (&vertex, &row) in corners.filter(|&(_, &row)| row != MISSING) {
+            let Some(known) = rows.get_mut(vertex as usize) else { continue };
+            match *known {
+                MISSING => *known = row,
+                known => several[vertex as usize] |= value(known) != value(row),
+            }
+        }
+        let of_several = rows.iter_mut().zip(several).filter(|(_, several)| *several);
+        of_several.for_each(|(row, _)| *row = MISSING);
+        rows
     }
 
     /// The polygons of two corners of the file, if there is no seam between them: they are one, or

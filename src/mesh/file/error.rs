@@ -226,6 +226,7 @@ fn names(fault: &BuildError) -> [&'static str; 2] {
         BuildError::SameDirection { .. } => {
             ["edge whose faces do not run alike", "edges whose faces do not run alike"]
         }
+        BuildError::Doubled { .. } => ["face that is there twice", "faces that are there twice"],
         BuildError::BowTie { .. } => PINCHED,
     }
 }
@@ -280,6 +281,11 @@ fn describe(fault: &BuildError, [vertex_lines, face_lines]: [&[u32]; 2]) -> (Opt
                 v + 1,
                 w + 1
             );
+            (line, words)
+        }
+        BuildError::Doubled { polygons } => {
+            let (line, names) = faces(&polygons);
+            let words = format!("{the_faces} {} and {} are the same", names[0], names[1]);
             (line, words)
         }
         BuildError::SameDirection { from, to, polygons } => {

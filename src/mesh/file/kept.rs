@@ -22,7 +22,7 @@ pub(super) struct Kept {
     /// one, and are as long as the corners otherwise.
     pub(super) corner_texture: Vec<u32>,
     pub(super) corner_normals: Vec<u32>,
-    /// The polygons when the file was read; none if no corner has anything to keep.
+    /// The polygons when the file was read; none if neither corners nor faces have anything to keep.
     pub(super) corners: Polygons,
     /// The statements that are no part of a mesh, such as `l` and `p`: the first few words, with
     /// their lines.
@@ -118,6 +118,11 @@ impl Kept {
     /// True if corners of the file have something to keep.
     pub(super) fn has_corners(&self) -> bool {
         !(self.corner_texture.is_empty() && self.corner_normals.is_empty())
+    }
+
+    /// True if it has to be known in which polygon of the file a corner was.
+    pub(super) fn needs_polygons(&self) -> bool {
+        self.has_corners() || !self.states.is_empty()
     }
 
     /// The state at a face of the file.

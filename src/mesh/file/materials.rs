@@ -70,7 +70,7 @@ impl MeshFile {
             .filter_map(|material| Some((material.name.as_bytes(), material.color?)))
             .collect();
         let color = |f: FaceId| {
-            let place = self.face_number(f).and(self.state_of(f))?.0[2];
+            let place = self.kept.state(self.face_number(f)? - 1).0[2];
             colors.get(self.kept.names.get(place as usize)?.as_slice()).copied()
         };
         let found: Vec<_> = self.mesh.faces().filter_map(|f| Some((f, color(f)?))).collect();

@@ -9,7 +9,7 @@
 use std::path::PathBuf;
 
 use super::format::{Encoding, MshVersion};
-use super::kept::{Kept, MISSING, State};
+use super::kept::{Kept, MISSING};
 use crate::mesh::attribute::{AttributeType, ColumnId, Value};
 use crate::mesh::connectivity::Mesh;
 use crate::mesh::id::{ElementKind, FaceId, HalfedgeId, VertexId};
@@ -167,7 +167,7 @@ impl MeshFile {
     }
 
     /// The place of a face among those that were read, from 0, if it is one of them.
-    fn face_place(&self, f: FaceId) -> Option<usize> {
+    pub(super) fn face_place(&self, f: FaceId) -> Option<usize> {
         self.mesh.get_face_halfedge(f)?;
         self.stored(self.face_numbers, f.index())
     }
@@ -184,10 +184,13 @@ impl MeshFile {
     /// The number of a face among the faces of its file.
     pub fn face_number(&self, f: FaceId) -> Option<u32> {
         let place = self.face_place(f)?;
-        match &self.renumbered {
-            Some([_, faces]) => faces.number(place),
-            None => Some(place as u32 + 1),
-        }
+        Some(self.file_place(place as u32) + 1)
+    }
+
+    /// The place in the file, from 0, of a face by its place among those that were read.
+    pub(super) fn file_place(&self, place: u32) -> u32 {
+        let faces = self.renumbered.as_ref().map(|[_, faces]| &faces.places);
+        faces.and_then(|places| places.get(place as usize).copied()).unwrap_or(place)
     }
 
     /// The vertex that the file numbers so, if it still lives. What comes from a file
@@ -222,23 +225,16 @@ impl MeshFile {
         (self.face_number(f)? == number).then_some(f)
     }
 
-    /// The corner of the file that a halfedge still is: it starts at the same vertex.
-    pub(super) fn corner(&self, h: HalfedgeId) -> Option<usize> {
-        let corner = self.stored(self.corners, h.index())?;
-        let vertex = *self.kept.corners.corners().get(corner)?;
-        (self.vertex_place(self.mesh.get_vertex(h)?)? == vertex as usize).then_some(corner)
+    /// The corner of the file that a halfedge was.
+    pub(super) fn original_corner(&self, h: HalfedgeId) -> Option<usize> {
+        self.stored(self.corners, h.index())
     }
 
-    /// The statements that should be in force at `f`. A new face takes after the first of
-    /// its neighbors that came from the file.
-    pub(super) fn state_of(&self, f: FaceId) -> Option<State> {
-        if self.kept.states.is_empty() {
-            return None;
-        }
-        let across =
-            self.mesh.face_halfedges(f).filter_map(|h| self.mesh.get_face(self.mesh.twin(h)));
-        let number = std::iter::once(f).chain(across).find_map(|f| self.face_number(f))?;
-        Some(self.kept.state(number - 1))
+    /// The corner of the file that a halfedge still is: it starts at the same vertex.
+    pub(super) fn corner(&self, h: HalfedgeId) -> Option<usize> {
+        let corner = self.original_corner(h)?;
+        let vertex = *self.kept.corners.corners().get(corner)?;
+        (self.vertex_place(self.mesh.get_vertex(h)?)? == vertex as usize).then_some(corner)
     }
 
     /// The row of the file's texture coordinates at the start of `h` in its face, from 0.

@@ -34,6 +34,7 @@ mod print;
 mod read;
 mod replace;
 mod scan;
+mod sources;
 mod stl;
 mod write;
 

@@ -38,6 +38,19 @@ pub(super) fn drop_doubled(list: &mut PolygonList, report: &mut RepairReport) {
     report.doubled_faces += before - list.ends.len();
 }
 
+/// Polygons that have the same corners in the same order as an earlier one, and that one.
+pub(in crate::mesh) fn repeated(list: &PolygonList) -> Vec<[usize; 2]> {
+    let groups = groups(list).into_iter();
+    let pairs = groups.flat_map(|group| {
+        let first = group[0];
+        group.into_iter().skip(1).map(move |other| [first, other])
+    });
+    let mut pairs: Vec<_> =
+        pairs.filter(|&[first, other]| runs_alike(list, first, other)).collect();
+    pairs.sort_unstable_by_key(|&[_, other]| other);
+    pairs
+}
+
 /// Which sides lie at an edge of three polygons or more, without those that are dropped.
 fn crowded(list: &PolygonList, dropped: &[bool]) -> Vec<bool> {
     let mut at_dropped = vec![false; list.corners.len()];

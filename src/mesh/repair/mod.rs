@@ -35,6 +35,7 @@ mod polygon_list;
 use glam::DVec3;
 use serde::Serialize;
 
+pub(super) use self::double::repeated;
 pub(super) use self::merge::merge_equal;
 pub(super) use self::polygon_list::{NONE, PolygonList};
 use super::build_error::BuildError;

@@ -6,12 +6,12 @@
 use std::mem::offset_of;
 
 use cranelift_codegen::ir::condcodes::IntCC;
-use cranelift_codegen::ir::types::{I32, I64};
+use cranelift_codegen::ir::types::{I8, I32, I64};
 use cranelift_codegen::ir::{InstBuilder, Value};
 
 use super::context::{Context, Slice};
 use super::translate::{Region, Translator};
-use crate::mesh::tables::{DEAD, FACE_HALFEDGE, FACE_HOLE, FACE_SIZE, Tables};
+use crate::mesh::tables::{DEAD, FaceState, Tables};
 use crate::mesh::{AttributeType, ElementKind, HalfedgeRecord, glam};
 use crate::rewrite::{ElementField, Elements, HalfedgeField, Reg};
 
@@ -39,20 +39,30 @@ impl Translator<'_, '_> {
 
     /// Whether an element in range lives and, if it is a face, is of that sort.
     pub(super) fn lives(&mut self, of: Elements, id: Value) -> Value {
+        match of {
+            Elements::Faces => return self.is_in_state(id, FaceState::Face),
+            Elements::Holes => return self.is_in_state(id, FaceState::Hole),
+            Elements::Vertices | Elements::Halfedges | Elements::Edges => {}
+        }
         let (start, _, size) = table(of.kind());
         let start = self.table_field(start);
         let offset = self.b.ins().imul_imm_s(id, size as i64);
         let record = self.b.ins().iadd(start, offset);
-        let lives = self.is_not_dead(of.kind(), record);
-        let hole = match of {
-            Elements::Faces => 0,
-            Elements::Holes => 1,
-            _ => return lives,
-        };
-        let flags = self.flags(Region::Hole);
-        let is_hole = self.byte(flags, record, FACE_HOLE);
-        let is_of_sort = self.b.ins().icmp_imm_u(IntCC::Equal, is_hole, hole);
-        self.b.ins().band(lives, is_of_sort)
+        self.is_not_dead(of.kind(), record)
+    }
+
+    /// Whether a face in range is in a state.
+    pub(super) fn is_in_state(&mut self, id: Value, state: FaceState) -> Value {
+        let place = self.state_place(id);
+        let flags = self.flags(Region::FaceStates);
+        let now = self.b.ins().load(I8, flags, place, 0);
+        self.b.ins().icmp_imm_u(IntCC::Equal, now, state as i64)
+    }
+
+    /// Where the state of a face in range lies.
+    pub(super) fn state_place(&mut self, id: Value) -> Value {
+        let states = self.table_field(offset_of!(Tables, face_states));
+        self.b.ins().iadd(states, id)
     }
 
     pub(super) fn is_not_dead(&mut self, kind: ElementKind, record: Value) -> Value {
@@ -159,7 +169,7 @@ pub(super) fn first(of: ElementField) -> (Region, usize) {
     match of {
         ElementField::Vertex => (Region::OfVertex, 0),
         ElementField::Edge => (Region::OfEdge, 0),
-        ElementField::Face => (Region::OfFace, FACE_HALFEDGE),
+        ElementField::Face => (Region::OfFace, 0),
     }
 }
 
@@ -177,7 +187,9 @@ pub(super) fn table(kind: ElementKind) -> (usize, usize, usize) {
         ElementKind::Edge => {
             (offset_of!(Tables, edges), offset_of!(Tables, edge_count), size_of::<u32>())
         }
-        ElementKind::Face => (offset_of!(Tables, faces), offset_of!(Tables, face_count), FACE_SIZE),
+        ElementKind::Face => {
+            (offset_of!(Tables, faces), offset_of!(Tables, face_count), size_of::<u32>())
+        }
     }
 }
 

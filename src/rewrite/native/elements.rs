@@ -8,7 +8,7 @@ use std::mem::offset_of;
 use super::access::{first, pointer, size_of_value};
 use super::stubs;
 use super::translate::{Region, Translator};
-use crate::mesh::tables::{FACE_HOLE, Tables};
+use crate::mesh::tables::{FaceState, Tables};
 use crate::mesh::{AttributeType, ElementKind};
 use crate::rewrite::{ElementField, Elements, HalfedgeField, Inst, Label, Question, Reg, Walk};
 
@@ -29,10 +29,11 @@ impl Translator<'_, '_> {
                 self.set_whole(to, value);
             }
             Inst::LoadHole { to, face } => {
-                let record = self.living(ElementKind::Face, face);
-                let flags = self.flags(Region::Hole);
-                let value = self.byte(flags, record, FACE_HOLE);
-                self.set_whole(to, value);
+                self.living(ElementKind::Face, face);
+                let id = self.id(face);
+                let is_hole = self.is_in_state(id, FaceState::Hole);
+                let is_hole = self.b.ins().uextend(I64, is_hole);
+                self.set_whole(to, is_hole);
             }
             Inst::LoadPosition { to, vertex } => {
                 self.living(ElementKind::Vertex, vertex);

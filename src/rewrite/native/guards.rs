@@ -13,7 +13,7 @@ use super::facts::jumps;
 use super::stubs::guards;
 use super::translate::{Region, Translator};
 use crate::mesh::ElementKind;
-use crate::mesh::tables::{DEAD, FACE_HOLE};
+use crate::mesh::tables::{DEAD, FaceState};
 use crate::rewrite::{Code, Inst, Reg};
 
 /// A part of code that looks ahead: it is entered at its start only, all is set before anything is
@@ -128,9 +128,11 @@ impl Translator<'_, '_> {
                 self.set_here(value, place, offset, region);
             }
             Inst::PreviewStoreHole { face, hole } => {
-                let place = self.living(ElementKind::Face, face);
-                let value = self.b.ins().iconst(I8, i64::from(hole));
-                self.set_here(value, place, FACE_HOLE, Region::Hole);
+                self.living(ElementKind::Face, face);
+                let id = self.id(face);
+                let place = self.state_place(id);
+                let value = self.b.ins().iconst(I8, FaceState::of_living(hole) as i64);
+                self.set_here(value, place, 0, Region::FaceStates);
             }
             Inst::PreviewUndo => {
                 let set = self.set.clone();

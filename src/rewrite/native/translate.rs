@@ -55,7 +55,7 @@ pub(super) enum Region {
     OfVertex,
     OfEdge,
     OfFace,
-    Hole,
+    FaceStates,
     Position,
     Holes,
     Progress,

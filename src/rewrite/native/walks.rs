@@ -9,9 +9,9 @@ use cranelift_codegen::ir::{Block, InstBuilder, Value};
 
 use super::access::{first, pointer, table};
 use super::stubs;
-use super::translate::{Region, Translator};
+use super::translate::Translator;
 use crate::mesh::ElementKind;
-use crate::mesh::tables::FACE_HOLE;
+use crate::mesh::tables::FaceState;
 use crate::rewrite::{ElementField, HalfedgeField, Question, Reg};
 
 /// The steps, each way, after which a stub looks whether two vertices are adjacent: it begins at
@@ -121,11 +121,12 @@ impl Translator<'_, '_> {
     }
 
     /// Whether the face of a halfedge is a hole, as a number.
-    fn is_in_hole(&mut self, faces: Rows, halfedge: Value, slow: Block) -> Value {
+    fn is_in_hole(&mut self, halfedge: Value, slow: Block) -> Value {
         let face = self.leads(halfedge, HalfedgeField::Face);
-        let face = self.row(faces, face, slow);
-        let flags = self.flags(Region::Hole);
-        self.byte(flags, face, FACE_HOLE)
+        let is_in_range = self.is_in_range(ElementKind::Face, face);
+        self.or_slow(is_in_range, slow);
+        let is_hole = self.is_in_state(face, FaceState::Hole);
+        self.b.ins().uextend(I64, is_hole)
     }
 
     /// The number of halfedges around an element.
@@ -184,14 +185,12 @@ impl Translator<'_, '_> {
         let here = self.row(halfedges, half, slow);
         let twin = self.leads(here, HalfedgeField::Twin);
         let there = self.row(halfedges, twin, slow);
-        let faces = self.rows(ElementKind::Face);
-        let [here, there] = [here, there].map(|half| self.is_in_hole(faces, half, slow));
+        let [here, there] = [here, there].map(|half| self.is_in_hole(half, slow));
         self.b.ins().bor(here, there)
     }
 
     fn boundary_vertex(&mut self, walk: Walk, vertex: Reg) -> Value {
         let Walk { halfedges, slow } = walk;
-        let faces = self.rows(ElementKind::Face);
         let start = self.first_of(ElementField::Vertex, vertex);
         let (at, count) = (self.b.declare_var(I64), self.b.declare_var(I64));
         let zero = self.b.ins().iconst(I64, 0);
@@ -202,7 +201,7 @@ impl Translator<'_, '_> {
         self.b.switch_to_block(head);
         let here = self.b.use_var(at);
         let record = self.row(halfedges, here, slow);
-        let hole = self.is_in_hole(faces, record, slow);
+        let hole = self.is_in_hole(record, slow);
         self.b.ins().brif(hole, done, &[], step, &[]);
         self.b.switch_to_block(step);
         let (_, spoke) = self.turn_on(walk, here);

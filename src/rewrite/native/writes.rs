@@ -14,7 +14,7 @@ use super::access::{first, pointer, size_of_value};
 use super::context::Context;
 use super::stubs::{self, drains};
 use super::translate::{Region, Translator};
-use crate::mesh::tables::{FACE_HOLE, Tables};
+use crate::mesh::tables::{FaceState, Tables};
 use crate::mesh::{AttributeType, ElementKind};
 use crate::rewrite::paths::Fields;
 use crate::rewrite::watch::{DEPTHS, Loop, Progress, TURNS_PER_LOOK};
@@ -53,11 +53,13 @@ impl Translator<'_, '_> {
             // The machine tells.
             Inst::StoreHole { .. } if self.variant == Variant::Careful => return false,
             Inst::StoreHole { face, hole } => {
-                let record = self.living(ElementKind::Face, face);
-                let flags = self.flags(Region::Hole);
-                let before = self.byte(flags, record, FACE_HOLE);
-                let now = self.b.ins().iconst(I8, i64::from(hole));
-                self.b.ins().store(flags, now, record, FACE_HOLE as i32);
+                self.living(ElementKind::Face, face);
+                let id = self.id(face);
+                let before = self.is_in_state(id, FaceState::Hole);
+                let before = self.b.ins().uextend(I64, before);
+                let (place, flags) = (self.state_place(id), self.flags(Region::FaceStates));
+                let now = self.b.ins().iconst(I8, FaceState::of_living(hole) as i64);
+                self.b.ins().store(flags, now, place, 0);
                 let holes = self.table_field(offset_of!(Tables, holes));
                 let flags = self.flags(Region::Holes);
                 let count = self.b.ins().load(I64, flags, holes, 0);

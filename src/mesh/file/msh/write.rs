@@ -48,9 +48,10 @@ impl<'w> Writer<'w> {
     fn new(output: &'w mut dyn Write, file: &'w MeshFile, numbers: &'w WrittenNumbers) -> Self {
         let mut names: Vec<&[u8]> = Vec::new();
         let mut known = std::collections::HashMap::new();
-        let mut group = |&f: &FaceId| {
-            let place = file.state_of(f).map(|state| state.0[1] as usize);
-            let name = place.and_then(|place| file.kept.names.get(place));
+        let states = file.states_of(&numbers.face_order);
+        let mut group = |at: usize| {
+            let state = states.get(at).copied().flatten();
+            let name = state.and_then(|state| file.kept.names.get(state.0[1] as usize));
             name.filter(|name| *name != b"default").map_or(0, |name| {
                 *known.entry(name).or_insert_with(|| {
                     names.push(name);
@@ -58,7 +59,7 @@ impl<'w> Writer<'w> {
                 })
             })
         };
-        let groups = numbers.face_order.iter().map(&mut group).collect();
+        let groups = (0..numbers.face_order.len()).map(&mut group).collect();
         Self { printer: Printer::new(output), file, numbers, names, groups }
     }
 

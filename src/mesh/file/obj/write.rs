@@ -34,31 +34,29 @@ pub(in crate::mesh::file) fn write(
             })
         })?;
     }
-    let states = states_of_parts(file, numbers);
+    let states = file.states_of(&numbers.face_order);
+    let starts = states_of_parts(file, &states);
     printer.in_parts(numbers.face_order.len(), |printer, part| {
-        let mut current = states.get(part.start / PART).copied().unwrap_or(State::EMPTY);
-        numbers.face_order[part].iter().try_for_each(|&f| {
-            if let Some(state) = file.state_of(f) {
+        let mut current = starts.get(part.start / PART).copied().unwrap_or(State::EMPTY);
+        part.into_iter().try_for_each(|at| {
+            if let Some(state) = states.get(at).copied().flatten() {
                 write_state(printer, file, &mut current, state);
             }
-            write_face(printer, file, numbers, &corners, f);
+            write_face(printer, file, numbers, &corners, numbers.face_order[at]);
             printer.end_line()
         })
     })?;
     printer.flush()
 }
 
-/// The statements that are in force where the parts of the faces begin; none if there are none.
-fn states_of_parts(file: &MeshFile, numbers: &WrittenNumbers) -> Vec<State> {
+/// The statements that are in force where the parts of the faces begin, by those of the faces.
+fn states_of_parts(file: &MeshFile, states: &[Option<State>]) -> Vec<State> {
     let mut current = State::EMPTY;
-    if file.kept.states.is_empty() {
-        return Vec::new();
-    }
     let mut parts = Vec::new();
-    for part in numbers.face_order.chunks(PART) {
+    for part in states.chunks(PART) {
         parts.push(current);
         let mut printer = Printer::gathering();
-        for state in part.iter().filter_map(|&f| file.state_of(f)) {
+        for &state in part.iter().flatten() {
             write_state(&mut printer, file, &mut current, state);
         }
     }

@@ -32,6 +32,7 @@ pub(in crate::mesh::file) fn read(text: &[u8]) -> Result<Contents, Failure> {
         match element.name.as_str() {
             "vertex" => rows.vertices()?,
             "face" => rows.faces()?,
+            "tristrips" => rows.strips()?,
             "edge" => rows.edges(),
             _ if element.count == 0 => {}
             name => {
@@ -114,21 +115,44 @@ impl Rows<'_> {
         Ok(())
     }
 
-    fn faces(&mut self) -> Result<(), Failure> {
+    /// The lists of corners of faces or strips; none if there are none of these.
+    fn corner_lists(&mut self, of: &str) -> Result<Option<Table>, Failure> {
         let mut names = ["vertex_indices", "vertex_index"].into_iter();
-        let corners = names.find_map(|name| self.take(name, true));
-        let Some((Table { numbers, ends }, _)) = corners else {
-            if self.element.count > 0 {
-                let words = "the faces have no list `vertex_indices`".to_owned();
-                return Err((None, FileReason::Malformed(words)));
+        let lists = names.find_map(|name| self.take(name, true));
+        let words = match lists {
+            _ if self.element.count == 0 => return Ok(None),
+            Some(_) if !self.contents.polygons.is_empty() => {
+                "there are elements `face` and `tristrips`, of which only one is read".to_owned()
             }
-            return Ok(());
+            Some((table, _)) => return Ok(Some(table)),
+            None => format!("the {of} have no list `vertex_indices`"),
         };
-        // What is no index becomes one that leads nowhere.
-        let index = |number: f64| match number.fract() == 0.0 && number >= 0.0 {
-            true => number as u32,
-            false => MISSING,
-        };
+        Err((None, FileReason::Malformed(words)))
+    }
+
+    /// Triangles that share sides: each corner but the first two of a strip makes one with the two
+    /// before it, every other one the other way around. A number below 0 ends a strip.
+    fn strips(&mut self) -> Result<(), Failure> {
+        let Some(Table { numbers, ends }) = self.corner_lists("strips")? else { return Ok(()) };
+        let mut start = 0;
+        for end in ends {
+            for strip in numbers[start..end].split(|&number| number < 0.0) {
+                for (at, three) in strip.windows(3).enumerate() {
+                    let [a, b, c] = [three[0], three[1], three[2]].map(index);
+                    // A strip turns where it has a corner twice.
+                    if a != b && b != c && c != a {
+                        let triangle = if at % 2 == 0 { [a, b, c] } else { [b, a, c] };
+                        self.contents.polygons.push(&triangle);
+                    }
+                }
+            }
+            start = end;
+        }
+        Ok(())
+    }
+
+    fn faces(&mut self) -> Result<(), Failure> {
+        let Some(Table { numbers, ends }) = self.corner_lists("faces")? else { return Ok(()) };
         let corners: Vec<u32> = numbers.into_iter().map(index).collect();
         self.states();
         self.texture(&ends);
@@ -285,6 +309,14 @@ impl Rows<'_> {
         let mut all = self.header.declared.iter();
         let found = all.find(|declared| declared.kind == kind && declared.name == name);
         found.map(|declared| declared.default)
+    }
+}
+
+/// The index that a number is; what is none becomes one that leads nowhere.
+fn index(number: f64) -> u32 {
+    match number.fract() == 0.0 && number >= 0.0 {
+        true => number as u32,
+        false => MISSING,
     }
 }
 

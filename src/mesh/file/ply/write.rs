@@ -198,10 +198,10 @@ impl Head {
         for library in &file.kept.libraries {
             self.text += &format!("comment mtllib {}\n", line(library));
         }
-        if file.kept.states.is_empty() {
+        let states = file.states_of(&numbers.face_order);
+        if states.is_empty() {
             return;
         }
-        let states: Vec<_> = numbers.face_order.iter().map(|&f| file.state_of(f)).collect();
         for (keyword, name) in STATES.into_iter().enumerate() {
             let mut known: Vec<&[u8]> = Vec::new();
             let mut places = std::collections::HashMap::new();

@@ -1,0 +1,71 @@
+//! The groups, objects and materials of faces, as they are written.
+//!
+//! A face of the file has those that it had. A new one has those of the face that it was cut from: the
+//! face of the file in which its halfedges lay; if all of these are new, that from which its nearest
+//! neighbors were cut, those first from which no halfedge of the file parts it.
+
+use super::kept::{MISSING, State};
+use super::mesh_file::MeshFile;
+use crate::mesh::id::{ElementKind, FaceId, HalfedgeId};
+
+impl MeshFile {
+    /// The statements that should be in force at faces, in their order, where that is known. None at
+    /// all if the file has no such statements.
+    pub(super) fn states_of(&self, faces: &[FaceId]) -> Vec<Option<State>> {
+        if self.kept.states.is_empty() {
+            return Vec::new();
+        }
+        let sources = self.sources();
+        let state = |f: &FaceId| {
+            let place = sources[f.index()];
+            (place != MISSING).then(|| self.kept.state(self.file_place(place)))
+        };
+        faces.iter().map(state).collect()
+    }
+
+    /// By slot the face that a face was cut from, by its place among those that were read.
+    fn sources(&self) -> Vec<u32> {
+        let mut sources = vec![MISSING; self.mesh.capacity(ElementKind::Face)];
+        let faces = || self.mesh.faces().filter(|&f| !self.mesh.is_hole(f));
+        for f in faces() {
+            let place = self.face_place(f).map(|place| place as u32);
+            sources[f.index()] = place.or_else(|| self.source_by_halfedges(f)).unwrap_or(MISSING);
+        }
+        let mut unknown: Vec<FaceId> = faces().filter(|f| sources[f.index()] == MISSING).collect();
+        while !unknown.is_empty() {
+            let found = unknown.iter().filter_map(|&f| Some((f, self.next_source(f, &sources)?)));
+            let found: Vec<(FaceId, u32)> = found.collect();
+            found.iter().for_each(|&(f, place)| sources[f.index()] = place);
+            unknown = found.iter().flat_map(|&(f, _)| self.across(f).map(|(_, g)| g)).collect();
+            unknown.retain(|f| sources[f.index()] == MISSING);
+            unknown.sort_unstable();
+            unknown.dedup();
+        }
+        sources
+    }
+
+    /// The face of the file in which most of the halfedges of a face lay.
+    fn source_by_halfedges(&self, f: FaceId) -> Option<u32> {
+        let ends = self.kept.corners.ends();
+        let corners = self.mesh.face_halfedges(f).filter_map(|h| self.original_corner(h));
+        let mut places: Vec<u32> =
+            corners.map(|corner| ends.partition_point(|&end| end <= corner) as u32).collect();
+        places.sort_unstable();
+        let runs = places.chunk_by(|a, b| a == b);
+        runs.max_by_key(|run| run.len()).map(|run| run[0])
+    }
+
+    /// What a neighbor of a face was cut from.
+    fn next_source(&self, f: FaceId, sources: &[u32]) -> Option<u32> {
+        let known = self.across(f).filter(|(_, g)| sources[g.index()] != MISSING);
+        let nearest = known.min_by_key(|&(h, _)| self.original_corner(h).is_some());
+        nearest.map(|(_, g)| sources[g.index()])
+    }
+
+    /// The halfedges on the other sides of a face that lie in faces, and these.
+    fn across(&self, f: FaceId) -> impl Iterator<Item = (HalfedgeId, FaceId)> + '_ {
+        let twins = self.mesh.face_halfedges(f).filter_map(|h| self.mesh.get_twin(h));
+        let all = twins.filter_map(|twin| Some((twin, self.mesh.get_face(twin)?)));
+        all.filter(|&(_, g)| self.mesh.get_is_hole(g) == Some(false))
+    }
+}
