@@ -39,7 +39,10 @@ pub(super) fn apply(arguments: &ApplyArguments) -> Result<(), Failure> {
     for (kind, name, default) in &attributes {
         obj.bring((*kind, name, *default));
     }
-    let places = Places::of(&obj.mesh);
+    let is_known = |kind, name: &str| {
+        attributes.iter().any(|(of, own, _)| (*of, own.as_str()) == (kind, name))
+    };
+    let places = Places::of(&obj.mesh, is_known);
     let before = Counts::of(&obj.mesh);
     let failed = |diagnostic| {
         complain_of(&[diagnostic], &program.sources);

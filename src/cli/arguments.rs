@@ -38,6 +38,8 @@ pub(super) enum Command {
     Plan(PlanArguments),
     /// Describe a mesh
     Info(InfoArguments),
+    /// Write a mesh in another format, repaired if that is asked for
+    Convert(ConvertArguments),
     /// Say what a diagnostic means, and what mends it
     Explain(ExplainArguments),
     /// Draw an operation, before and after
@@ -66,6 +68,7 @@ impl Command {
             | Self::Apply(ApplyArguments { engine, .. })
             | Self::Test(TestArguments { engine, .. }) => Some(&engine.threads),
             Self::Info(InfoArguments { threads, .. })
+            | Self::Convert(ConvertArguments { threads, .. })
             | Self::View(ViewArguments { threads, .. }) => Some(threads),
             _ => None,
         }
@@ -115,11 +118,12 @@ pub(super) struct RunArguments {
     #[arg(value_name = "FILE[::SCRIPT]")]
     pub script: String,
     /// The mesh to run it on (.obj, .ply, .stl, .off, .msh or
-    /// .halfedges)
+    /// .halfedges); - is standard input
     #[arg(verbatim_doc_comment)]
     pub mesh: PathBuf,
-    /// File for the result, in one of these formats; without it the
-    /// script may still print and be looked at
+    /// File for the result, in one of these formats; - is standard
+    /// output, as .obj; without it the script may still print and be
+    /// looked at
     #[arg(short, long, value_name = "FILE", verbatim_doc_comment)]
     pub output: Option<PathBuf>,
     /// File for a picture of the result (.png or .svg)
@@ -233,8 +237,8 @@ pub(super) enum Shown {
 
 #[derive(Debug, Args)]
 pub(super) struct InfoArguments {
-    /// The mesh (.obj, .ply, .stl, .off, .msh), or tables of
-    /// halfedges (.halfedges)
+    /// The mesh (.obj, .ply, .stl, .off, .msh; - is standard
+    /// input), or tables of halfedges (.halfedges)
     #[arg(verbatim_doc_comment)]
     pub mesh: PathBuf,
     /// Only tell whether the mesh is of this level; exit code 1 if not
@@ -247,6 +251,24 @@ pub(super) struct InfoArguments {
     pub threads: ThreadArguments,
     #[command(flatten)]
     pub repair: RepairArguments,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct ConvertArguments {
+    /// The mesh (.obj, .ply, .stl, .off, .msh or .halfedges); - is
+    /// standard input, in any of these formats
+    #[arg(verbatim_doc_comment)]
+    pub mesh: PathBuf,
+    /// File to write, in the format that its name ends in; - is
+    /// standard output, as .obj
+    #[arg(verbatim_doc_comment)]
+    pub output: PathBuf,
+    #[command(flatten)]
+    pub threads: ThreadArguments,
+    #[command(flatten)]
+    pub repair: RepairArguments,
+    #[command(flatten)]
+    pub encoding: EncodingArguments,
 }
 
 #[derive(Debug, Args)]

@@ -9,9 +9,12 @@ use super::failure::Failure;
 use super::meshes;
 use super::output::{say, say_json, table};
 use crate::mesh::{
-    AttributeSummary, Bin, Element, Lengths, Level, Measures, Mesh, RepairReport, Summary,
-    validate_level,
+    AttributeSummary, Bin, Element, Lengths, Level, Measures, Mesh, MeshFile, RepairReport,
+    Summary, validate_level,
 };
+
+/// The number of names of groups and the like that are shown.
+const MOST_NAMES: usize = 6;
 
 /// The number of bars of a histogram that are shown.
 const MOST_BARS: usize = 12;
@@ -32,9 +35,14 @@ pub(super) fn info(arguments: &InfoArguments) -> Result<(), Failure> {
     }
     let summary = Summary::of(&obj.mesh);
     match arguments.format {
-        Format::Json => say_json(&InfoReport { summary: &summary, repaired: obj.repaired }),
+        Format::Json => say_json(&InfoReport {
+            summary: &summary,
+            repaired: obj.repaired,
+            parts: parts(&obj).collect(),
+        }),
         Format::Human => {
-            say(&show(&shown, &summary));
+            let rows: Vec<_> = parts(&obj).map(|(what, names)| row(what, listed(&names))).collect();
+            say(&show(&shown, &summary, rows));
             Ok(())
         }
     }
@@ -59,7 +67,7 @@ fn describe_dump(shown: &str, arguments: &InfoArguments) -> Result<(), Failure> 
                 say(remark);
             }
             for (name, summary) in meshes {
-                say(&show(&format!("{shown}, {name}"), &summary));
+                say(&show(&format!("{shown}, {name}"), &summary, Vec::new()));
             }
             let names = dump.names.iter().map(stands_for);
             let rows: Vec<_> = names.map(|(name, elements)| row(name, elements)).collect();
@@ -90,6 +98,8 @@ struct InfoReport<'s> {
     summary: &'s Summary,
     #[serde(skip_serializing_if = "Option::is_none")]
     repaired: Option<RepairReport>,
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    parts: BTreeMap<&'static str, Vec<String>>,
 }
 
 #[derive(Serialize)]
@@ -124,7 +134,25 @@ struct LevelReport<'r> {
     reason: Option<&'r str>,
 }
 
-fn show(file: &str, summary: &Summary) -> String {
+/// The objects, groups and so on that a file has, by name.
+fn parts(file: &MeshFile) -> impl Iterator<Item = (&'static str, Vec<String>)> {
+    let kinds = ["objects", "groups", "materials", "smoothing groups"].into_iter();
+    let named = kinds.zip(file.named_parts()).map(|(kind, names)| {
+        let names = names.into_iter().map(|name| String::from_utf8_lossy(name).into_owned());
+        (kind, names.collect::<Vec<_>>())
+    });
+    named.filter(|(_, names)| !names.is_empty())
+}
+
+/// The number of names, and the first of them.
+fn listed(names: &[String]) -> String {
+    let shown: Vec<_> =
+        names.iter().take(MOST_NAMES).map(|name| name.escape_debug().to_string()).collect();
+    let rest = if names.len() > MOST_NAMES { ", …" } else { "" };
+    format!("{}: {}{rest}", names.len(), shown.join(", "))
+}
+
+fn show(file: &str, summary: &Summary, parts: Vec<Vec<String>>) -> String {
     let mut rows = vec![
         row("vertices", summary.vertices),
         row("edges", summary.edges),
@@ -137,6 +165,7 @@ fn show(file: &str, summary: &Summary) -> String {
     if let Some(measures) = &summary.measures {
         rows.extend(measured(measures));
     }
+    rows.extend(parts);
     let attributes = summary.attributes.iter().enumerate();
     rows.extend(attributes.map(|(at, AttributeSummary { name, of, ty })| {
         let head = if at == 0 { "attributes" } else { "" };

@@ -1,6 +1,6 @@
 //! Meshes from files, and the files they go to.
 
-use std::io::ErrorKind;
+use std::io::{ErrorKind, Read, stdin};
 use std::path::{Path, PathBuf};
 
 use strsim::damerau_levenshtein;
@@ -11,8 +11,9 @@ use super::option_groups::{EncodingArguments, RepairArguments};
 use super::output::{complain, is_standard, pour};
 use super::program::is_mesh;
 use crate::mesh::{
-    Dump, FileError, FileFormat, FileReason, Mesh, MeshFile, Places, Repair, WrittenNumbers,
-    expect_writable, read_dump, read_mesh, read_mesh_reordered, write_mesh, write_mesh_to,
+    Dump, FileError, FileFormat, FileReason, Mesh, MeshFile, Places, Repair, Unset, WrittenNumbers,
+    expect_writable, read_dump, read_mesh, read_mesh_from, read_mesh_reordered, write_mesh,
+    write_mesh_to,
 };
 
 /// True if a file holds tables of halfedges, by its name.
@@ -23,7 +24,25 @@ pub(super) fn is_tables(path: &Path) -> bool {
 /// Reads a mesh, repairing it if that is asked for. A file without a vertex is taken for
 /// something else.
 pub(super) fn read(path: &Path, arguments: &RepairArguments) -> Result<MeshFile, Failure> {
-    expect_read(path, read_mesh(path, arguments.repair()))
+    let read = match is_standard_input(path) {
+        true => read_standard_input(arguments.repair())?,
+        false => read_mesh(path, arguments.repair()),
+    };
+    expect_read(path, read)
+}
+
+/// True if a mesh is read from standard input.
+fn is_standard_input(path: &Path) -> bool {
+    path == Path::new("-")
+}
+
+/// Reads a mesh whose format is told by how it begins.
+fn read_standard_input(repair: Option<Repair>) -> Result<Result<MeshFile, FileError>, Failure> {
+    let mut bytes = Vec::new();
+    stdin()
+        .read_to_end(&mut bytes)
+        .map_err(|error| Failure::usage(format!("cannot read standard input: {error}")))?;
+    Ok(read_mesh_from("-", FileFormat::of_bytes(&bytes), &bytes, repair))
 }
 
 /// The same with neighbors near each other in memory.
@@ -31,11 +50,14 @@ pub(super) fn read_reordered(
     path: &Path,
     arguments: &RepairArguments,
 ) -> Result<MeshFile, Failure> {
-    if is_tables(path) {
-        let message = "`--reorder` is for files of polygons; tables of halfedges have their order";
-        return Err(Failure::usage(message));
-    }
-    expect_read(path, read_mesh_reordered(path, arguments.repair()))
+    let message = if is_standard_input(path) {
+        "`--reorder` is for files, and not for standard input"
+    } else if is_tables(path) {
+        "`--reorder` is for files of polygons; tables of halfedges have their order"
+    } else {
+        return expect_read(path, read_mesh_reordered(path, arguments.repair()));
+    };
+    Err(Failure::usage(message))
 }
 
 fn expect_read(path: &Path, read: Result<MeshFile, FileError>) -> Result<MeshFile, Failure> {
@@ -182,6 +204,7 @@ pub(super) fn write(
         pour(&bytes)?;
     }
     tell_unheld(path, format, file);
+    tell_lost_vertices(path, format, file);
     if format == FileFormat::Obj {
         tell_bare(path, file);
     }
@@ -207,6 +230,26 @@ fn tell_unheld(path: &Path, format: FileFormat, file: &MeshFile) {
     }
 }
 
+/// Says which vertices a file loses.
+fn tell_lost_vertices(path: &Path, format: FileFormat, file: &MeshFile) {
+    let (shown, [merged, left_out]) = (path.display(), file.lost_vertices(format));
+    if merged > 0 {
+        let lie = if merged == 1 { "vertex lies" } else { "vertices lie" };
+        complain(&format!(
+            "warning: {shown} knows vertices by their places alone: {merged} {lie} where another \
+             does, and will be one with it; an .obj or .ply file can hold both"
+        ));
+    }
+    if left_out > 0 {
+        let are =
+            if left_out == 1 { "vertex without a face is" } else { "vertices without a face are" };
+        complain(&format!(
+            "warning: {shown} holds triangles alone: {left_out} {are} left out; an .obj or .ply file \
+             can hold them"
+        ));
+    }
+}
+
 /// Says which corners of the file that was read have lost what they had.
 fn tell_bare(path: &Path, file: &MeshFile) {
     let shown = path.display();
@@ -227,7 +270,8 @@ fn format(path: &Path) -> Result<FileFormat, Failure> {
     FileFormat::of(path).map_err(|reason| Failure::usage(format!("{shown}: {reason}")))
 }
 
-/// Says which attributes of corners are not those of their corners any more.
+/// Says which attributes of corners are not those of their corners any more, and which new edges and
+/// faces have none.
 pub(super) fn tell_displaced(path: &Path, places: &Places, mesh: &Mesh) {
     for told in places.displaced(mesh) {
         let (shown, attribute) = (path.display(), &told.attribute);
@@ -248,6 +292,18 @@ pub(super) fn tell_displaced(path: &Path, places: &Places, mesh: &Mesh) {
             "warning: {shown}: `{attribute}` is wrong on {least}{some} of {all} faces: {}; operations \
              have to set it at new corners",
             parts.join(", and ")
+        ));
+    }
+    for Unset { kind, attribute, count } in places.unset(mesh) {
+        let shown = path.display();
+        let elements = if count == 1 {
+            format!("new {kind} has")
+        } else {
+            format!("new {} have", kind.plural())
+        };
+        complain(&format!(
+            "warning: {shown}: {count} {elements} the default of `{attribute}`, which the file that was \
+             read has and the program does not name; operations have to set it"
         ));
     }
 }

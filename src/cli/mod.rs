@@ -10,6 +10,7 @@ mod aliases;
 mod apply;
 mod arguments;
 mod check;
+mod convert;
 mod counts;
 mod draw;
 mod explain;
@@ -72,6 +73,7 @@ pub fn main() -> ExitCode {
     ended(match arguments.command {
         Command::Check(arguments) => check::check(&arguments),
         Command::Plan(arguments) => plan::plan(&arguments),
+        Command::Convert(arguments) => convert::convert(&arguments),
         Command::Info(arguments) => info::info(&arguments),
         Command::Explain(arguments) => explain::explain(&arguments),
         Command::Apply(arguments) => apply::apply(&arguments),

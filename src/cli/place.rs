@@ -179,7 +179,7 @@ fn vertex(obj: &MeshFile, number: u32) -> Result<VertexId, String> {
 
 fn none_of(obj: &MeshFile, kind: &str, number: u32) -> String {
     let from_one = match number == 0 && !obj.goes_by_ids() {
-        true => "; in an .obj file the first is 1",
+        true => "; the first is 1, whatever the numbers that the file itself has",
         false => "",
     };
     format!("the mesh has no {kind} {number}{from_one}")
@@ -190,7 +190,7 @@ fn expect_ids(obj: &MeshFile, kind: &str) -> Result<(), String> {
     match obj.goes_by_ids() {
         true => Ok(()),
         false => Err(format!(
-            "an .obj file does not number its {kind}s: write {kind}:A-B with the vertices at its ends"
+            "the file does not number its {kind}s: write {kind}:A-B with the vertices at its ends"
         )),
     }
 }

@@ -227,6 +227,7 @@ fn find(
     let names = || known.iter().map(|candidate| candidate.name);
     let near = names().min_by_key(|known| damerau_levenshtein(name, known));
     let near = near.filter(|near| damerau_levenshtein(name, near) <= name.chars().count() / 3);
+    let near = near.or_else(|| names().find(|known| known.split('_').any(|word| word == name)));
     let advice = match near {
         Some(near) => format!("did you mean `{near}`?"),
         None => format!("it has {}", listed(&mut names())),
@@ -237,7 +238,7 @@ fn find(
 /// Parts every `NAME=VALUE` of `--set`.
 pub(super) fn settings(texts: &[String]) -> Result<Vec<(String, String)>, Failure> {
     let part = |text: &String| match text.split_once('=') {
-        Some((name, value)) => Ok((name.to_string(), value.to_string())),
+        Some((name, value)) => Ok((name.trim().to_string(), value.trim().to_string())),
         None => Err(Failure::usage(format!("`{text}` is no setting: write NAME=VALUE"))),
     };
     texts.iter().map(part).collect()

@@ -58,7 +58,9 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
     for attribute in prepared.attributes() {
         obj.bring(attribute);
     }
-    let places = Places::of(&obj.mesh);
+    let is_known =
+        |kind, name: &str| prepared.attributes().any(|(of, own, _)| (of, own) == (kind, name));
+    let places = Places::of(&obj.mesh, is_known);
     let before = Counts::of(&obj.mesh);
 
     let started = Instant::now();

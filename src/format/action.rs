@@ -1,6 +1,6 @@
 //! Statements of code, and the blocks they stand in.
 
-use super::printer::{Block, Doc, HANG, INDENT, Lines, Printer, laid_out, line, nil, text};
+use super::printer::{Block, Doc, HANG, INDENT, Lines, Printer, joined, laid_out, line, nil, text};
 use crate::source::Span;
 use crate::syntax::TokenKind as T;
 use crate::syntax::tree::{self, Action, ActionKind, Expr, Shown};
@@ -80,18 +80,18 @@ impl Printer<'_> {
             }
             ActionKind::If { .. } => self.conditional(&action.kind, width),
             ActionKind::Print(values) => {
-                let mut doc = self.spaced_token();
+                let mut docs = vec![self.spaced_token()];
                 for (at, value) in values.iter().enumerate() {
                     if at > 0 {
-                        doc = doc.append(self.token()).append(line());
+                        docs.extend([self.token(), line()]);
                     }
-                    doc = doc.append(match value {
+                    docs.push(match value {
                         Shown::Value(value) => self.value(value, width),
                         // It ends on the line on which it begins.
                         Shown::Text(_, span) => self.uncut(*span),
                     });
                 }
-                doc.nest(HANG).group()
+                joined(docs).nest(HANG).group()
             }
             ActionKind::Assert { condition, reason }
             | ActionKind::Require { condition, reason } => {
@@ -177,10 +177,10 @@ impl Printer<'_> {
 /// Heads with their blocks: all on one line, if every block was written so and it fits.
 pub(super) fn headed(branches: Vec<(Doc, Block)>) -> Doc {
     let short = branches.iter().all(|(_, block)| block.short);
-    let mut doc = nil();
-    for (head, block) in branches {
+    let docs = branches.into_iter().map(|(head, block)| {
         let block = if short { block.long().flat_alt(block.one_line()) } else { block.long() };
-        doc = doc.append(head).append(block);
-    }
+        head.append(block)
+    });
+    let doc = joined(docs.collect());
     if short { doc.group() } else { doc }
 }

@@ -1,7 +1,9 @@
 //! Drawings: one statement a line, in columns; edges may share a line.
 
 use super::grid::aligned;
-use super::printer::{Block, Doc, HANG, INDENT, Lines, Printer, laid_out, nil, text, width_of};
+use super::printer::{
+    Block, Doc, HANG, INDENT, Lines, Printer, joined, laid_out, nil, text, width_of,
+};
 use crate::source::Span;
 use crate::syntax::tree::{Name, Side, Spoke, Statement};
 
@@ -144,16 +146,14 @@ impl Printer<'_> {
 
     /// A statement with comments in it, each with a line end.
     fn flowing(&mut self, outline: &Outline) -> Doc {
-        let mut doc = self.token();
+        let mut docs = vec![self.token()];
         if let Some(name) = outline.name {
-            doc = doc.append(text(" ")).append(self.tokens(name));
-            doc = doc.append(self.token());
+            docs.extend([text(" "), self.tokens(name), self.token()]);
         }
         for &end in &outline.ends {
-            let cell = self.tokens(Span { end, ..outline.span });
-            doc = doc.append(text(" ")).append(cell);
+            docs.extend([text(" "), self.tokens(Span { end, ..outline.span })]);
         }
-        doc.nest(HANG)
+        joined(docs).nest(HANG)
     }
 }
 

@@ -1,6 +1,6 @@
 //! Items: heads, parameters, and the parts of an op.
 
-use super::printer::{Doc, HANG, INDENT, Lines, Printer, laid_out, line, nil, soft, text};
+use super::printer::{Doc, HANG, INDENT, Lines, Printer, joined, laid_out, line, nil, soft, text};
 use crate::source::Span;
 use crate::syntax::TokenKind as T;
 use crate::syntax::tree::{Attr, Condition, Item, Name, Op, Param, Rule, Steps};
@@ -54,21 +54,21 @@ impl Printer<'_> {
     fn head(&mut self, params: &[Param], width: usize) -> Doc {
         let head = self.spaced_token().append(self.token());
         let open = self.token();
-        let mut inside = soft();
+        let mut inside = vec![soft()];
         for (at, param) in params.iter().enumerate() {
             if at > 0 {
-                inside = inside.append(line());
+                inside.push(line());
             }
-            inside = inside.append(self.tokens(param.name.span));
-            inside = inside.append(self.spaced_token()).append(self.token());
+            inside.push(self.tokens(param.name.span));
+            inside.extend([self.spaced_token(), self.token()]);
             if let Some(default) = &param.default {
-                inside = inside.append(self.equals(default, width));
+                inside.push(self.equals(default, width));
             }
             if self.peek() == Some(T::Comma) {
-                inside = inside.append(self.token());
+                inside.push(self.token());
             }
         }
-        let params = open.append(inside.nest(HANG)).append(soft());
+        let params = open.append(joined(inside).nest(HANG)).append(soft());
         head.append(params.append(self.token()).group())
     }
 
@@ -84,14 +84,14 @@ impl Printer<'_> {
             head = head.append(self.result());
         }
         if !op.keeps.is_empty() {
-            let mut keeps = line().append(self.spaced_token());
+            let mut keeps = vec![line(), self.spaced_token()];
             for (at, _) in op.keeps.iter().enumerate() {
                 if at > 0 {
-                    keeps = keeps.append(self.token()).append(line());
+                    keeps.extend([self.token(), line()]);
                 }
-                keeps = keeps.append(self.token());
+                keeps.push(self.token());
             }
-            head = head.append(keeps.nest(HANG).group());
+            head = head.append(joined(keeps).nest(HANG).group());
         }
         let inner = width.saturating_sub(INDENT);
         let open = self.next_start();
@@ -154,11 +154,9 @@ impl Printer<'_> {
 
     /// `alias v2 v3`
     fn aliased(&mut self, names: &[Name]) -> Doc {
-        let keyword = self.spaced_token();
-        names.iter().enumerate().fold(keyword, |doc, (at, name)| {
-            let name = self.tokens(name.span);
-            if at == 0 { doc.append(name) } else { doc.append(text(" ")).append(name) }
-        })
+        let mut docs = vec![self.token()];
+        docs.extend(names.iter().map(|name| text(" ").append(self.tokens(name.span))));
+        joined(docs)
     }
 
     /// `steps { … }`, and what is asked before

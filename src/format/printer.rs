@@ -48,6 +48,23 @@ pub(super) fn nil() -> Doc {
     RcAllocator.nil()
 }
 
+/// Documents one after the other, joined in pairs, and the pairs in pairs: a chain of them would be
+/// dropped by as many nested calls.
+pub(super) fn joined(mut docs: Vec<Doc>) -> Doc {
+    while docs.len() > 1 {
+        let mut rest = docs.into_iter();
+        let pair = || {
+            let first = rest.next()?;
+            Some(match rest.next() {
+                Some(second) => first.append(second),
+                None => first,
+            })
+        };
+        docs = std::iter::from_fn(pair).collect();
+    }
+    docs.pop().unwrap_or_else(nil)
+}
+
 /// A document as lines of a width.
 pub(super) fn laid_out(doc: Doc, width: usize) -> Lines {
     let text = doc.into_doc().pretty(width).to_string();
@@ -124,19 +141,20 @@ impl<'t> Printer<'t> {
                     | TokenKind::Dot
             )
         );
-        let mut doc = nil();
-        for comment in self.comments_before_next() {
-            let gap = if tight { "  " } else { "" };
-            doc = doc.append(text(format!("{gap}{comment}"))).append(hard());
-        }
-        doc.append(text(self.word()))
+        let gap = if tight { "  " } else { "" };
+        let comments = self.comments_before_next().into_iter();
+        let mut docs: Vec<Doc> =
+            comments.map(|comment| text(format!("{gap}{comment}")).append(hard())).collect();
+        docs.push(text(self.word()));
+        joined(docs)
     }
 
     /// Takes all tokens up to the end of a span as they are, behind the comments before them.
     pub fn uncut(&mut self, span: Span) -> Doc {
         let comments = self.comments_before_next().into_iter();
-        let doc = comments.fold(nil(), |doc, comment| doc.append(text(comment)).append(hard()));
-        doc.append(text(self.verbatim(span.start as usize, span.end as usize)))
+        let mut docs: Vec<Doc> = comments.map(|comment| text(comment).append(hard())).collect();
+        docs.push(text(self.verbatim(span.start as usize, span.end as usize)));
+        joined(docs)
     }
 
     /// Takes all comments before the next token.
@@ -167,13 +185,13 @@ impl<'t> Printer<'t> {
 
     /// Takes all tokens up to the end of a span, with nothing but comments between them.
     pub fn tokens(&mut self, span: Span) -> Doc {
-        let mut doc = nil();
+        let mut docs = Vec::new();
         while let Some(token) = self.tokens.get(self.at)
             && token.span.end <= span.end
         {
-            doc = doc.append(self.token());
+            docs.push(self.token());
         }
-        doc
+        joined(docs)
     }
 
     /// Takes everything up to a place as it is.
@@ -263,12 +281,12 @@ impl Block {
     /// The block over several lines.
     pub fn long(&self) -> Doc {
         let above = self.above.iter().map(|line| text(line).append(hard()));
-        let above = RcAllocator.concat(above);
+        let above = joined(above.collect());
         if self.lines.is_empty() && self.opening.is_empty() {
             return above.append(text("{}"));
         }
         let lines = self.lines.iter().map(|line| hard().append(text(line)));
-        let inside = RcAllocator.concat(lines).nest(INDENT as isize);
+        let inside = joined(lines.collect()).nest(INDENT as isize);
         above
             .append(text(format!("{{{}", self.opening)))
             .append(inside)

@@ -1,7 +1,7 @@
 //! Values: broken at the operators that bind least, and behind commas.
 
 use super::action::headed;
-use super::printer::{Doc, HANG, Printer, line, nil, text};
+use super::printer::{Doc, HANG, Printer, joined, line, nil, text};
 use crate::syntax::TokenKind as T;
 use crate::syntax::tree::{ActionKind, BinaryOp, Expr, ExprKind};
 
@@ -51,17 +51,17 @@ impl Printer<'_> {
     /// `f(x, y)`
     fn call(&mut self, args: &[Expr], width: usize) -> Doc {
         let open = self.token().append(self.token());
-        let mut inside = nil();
+        let mut inside = Vec::new();
         for (at, arg) in args.iter().enumerate() {
             if at > 0 {
-                inside = inside.append(line());
+                inside.push(line());
             }
-            inside = inside.append(self.value(arg, width));
+            inside.push(self.value(arg, width));
             if self.peek() == Some(T::Comma) {
-                inside = inside.append(self.token());
+                inside.push(self.token());
             }
         }
-        open.append(inside.align()).append(self.token()).group()
+        open.append(joined(inside).align()).append(self.token()).group()
     }
 
     /// `x in xs where c`
@@ -91,11 +91,11 @@ impl Printer<'_> {
             left = before;
         }
         operands.push((None, left));
-        let mut doc = nil();
+        let mut docs = Vec::new();
         for at in (0..operands.len()).rev() {
             let (op, operand) = operands[at];
             let Some(op) = op else {
-                doc = self.value(operand, width);
+                docs.push(self.value(operand, width));
                 continue;
             };
             // The fraction at the head of a product, as in `4/3 * x`, reads as one number.
@@ -111,9 +111,9 @@ impl Printer<'_> {
             } else {
                 line().append(self.spaced_token())
             };
-            doc = doc.append(operator).append(self.value(operand, width));
+            docs.extend([operator, self.value(operand, width)]);
         }
-        doc.group()
+        joined(docs).group()
     }
 
     /// `if c { x } else { y }`

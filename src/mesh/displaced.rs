@@ -13,10 +13,12 @@ use super::id::{ElementKind, FaceId, HalfedgeId, VertexId};
 /// The attributes of vertices that belong to a surface, as those of corners do.
 const OF_SURFACE: [&str; 3] = ["uv", "normal", "color"];
 
-/// The positions and values of the attributes of corners when a mesh was read.
+/// The positions and values of the attributes of corners when a mesh was read, and the values of those
+/// of edges and faces that a program does not know.
 #[derive(Clone, Debug, Default)]
 pub struct Places {
     columns: Vec<(ColumnId, String, Vec<Option<Value>>)>,
+    unknown: Vec<(ColumnId, String, Vec<Option<Value>>)>,
     /// The vertex and the face of each halfedge that lies in no hole.
     corners: Vec<Option<(VertexId, FaceId)>>,
 }
@@ -35,25 +37,39 @@ pub struct Displaced {
     pub faces: [usize; 2],
 }
 
+/// New edges or faces that have the default of an attribute that the file has, and the program not.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Unset {
+    pub kind: ElementKind,
+    /// The name of the attribute.
+    pub attribute: String,
+    /// The number of these elements.
+    pub count: usize,
+}
+
 impl Places {
-    /// Notes the attributes of corners that a mesh has, and those of vertices that are written
-    /// for corners.
-    pub fn of(mesh: &Mesh) -> Self {
-        let noted = mesh.sayable_columns().filter(|(id, column)| match id.kind {
-            ElementKind::Halfedge => true,
-            ElementKind::Vertex => OF_SURFACE.contains(&column.name()),
-            _ => false,
-        });
+    /// Notes the attributes of corners that a mesh has, those of vertices that are written for
+    /// corners, and of edges and faces those that a program does not know by kind and name.
+    pub fn of(mesh: &Mesh, is_known: impl Fn(ElementKind, &str) -> bool) -> Self {
         let values = |id: ColumnId| {
             let all = 0..mesh.capacity(id.kind) as u32;
             all.map(|index| mesh.value(id, index)).collect()
         };
-        let columns: Vec<_> =
-            noted.map(|(id, column)| (id, column.name().to_owned(), values(id))).collect();
+        let (mut columns, mut unknown) = (Vec::new(), Vec::new());
+        for (id, column) in mesh.sayable_columns() {
+            let name = column.name();
+            let noted = match id.kind {
+                ElementKind::Halfedge => &mut columns,
+                ElementKind::Vertex if OF_SURFACE.contains(&name) => &mut columns,
+                ElementKind::Edge | ElementKind::Face if !is_known(id.kind, name) => &mut unknown,
+                _ => continue,
+            };
+            noted.push((id, name.to_owned(), values(id)));
+        }
         let of_corners = columns.iter().any(|(id, ..)| id.kind == ElementKind::Halfedge);
         let count = if of_corners { mesh.capacity(ElementKind::Halfedge) as u32 } else { 0 };
         let corners = (0..count).map(|h| corner(mesh, HalfedgeId(h))).collect();
-        Self { columns, corners }
+        Self { columns, unknown, corners }
     }
 
     /// The attributes that some corners have a value of that is not theirs, now that the mesh has
@@ -62,6 +78,25 @@ impl Places {
         let columns = self.columns.iter();
         let told = columns.map(|(id, name, values)| self.of_column(mesh, *id, name, values));
         told.filter(|told| told.kept + told.defaulted > 0).collect()
+    }
+
+    /// The attributes that new edges or faces have the default of, though nobody has chosen it.
+    pub fn unset(&self, mesh: &Mesh) -> Vec<Unset> {
+        let count = |(id, name, values): &(ColumnId, String, Vec<Option<Value>>)| {
+            let column = mesh.column(*id).filter(|column| column.name() == name)?;
+            let default = column.default_value();
+            let is_new = |index: &u32| {
+                let was = values.get(*index as usize).copied().flatten();
+                mesh.value(*id, *index) == Some(default) && was != Some(default)
+            };
+            let is_shown = |index: &u32| {
+                id.kind == ElementKind::Edge || mesh.get_is_hole(FaceId(*index)) == Some(false)
+            };
+            let slots = 0..mesh.capacity(id.kind) as u32;
+            let count = slots.filter(is_new).filter(is_shown).count();
+            (count > 0).then(|| Unset { kind: id.kind, attribute: name.clone(), count })
+        };
+        self.unknown.iter().filter_map(count).collect()
     }
 
     /// The corners that there were, each with the number of its halfedge, in the order of their

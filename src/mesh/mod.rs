@@ -73,7 +73,7 @@ pub use binary::{BinaryError, read_bytes, write_bytes};
 pub use build_error::BuildError;
 pub use connectivity::Mesh;
 pub use difference::{Difference, difference};
-pub use displaced::{Displaced, Places};
+pub use displaced::{Displaced, Places, Unset};
 pub use dump::{Dump, DumpError, DumpReason, read_dump, write_dump};
 pub use equality::{equal_up_to_renumbering, same_connectivity, same_up_to_renumbering};
 pub use faults::{FaultKind, Faults};

@@ -254,7 +254,12 @@ impl Declared {
         let message = format!("two of the files that are used declare `{}`", name.text);
         let error = Diagnostic::error("ambiguous-name", message, name.span)
             .label(first.span, "one is here")
-            .label(*other, "the other is here");
+            .label(*other, "the other is here")
+            .note(format!(
+                "one of them has another name in a file of its own that uses only that: as `op \
+                 other_name(…) {{ steps {{ must {}(…) }} }}`",
+                name.text
+            ));
         report.add(error);
         None
     }

@@ -26,6 +26,10 @@ use super::suggestion::suggest;
 const MOST_BEFORE: usize = 256;
 /// The same for those of `after`.
 const MOST_AFTER: usize = 1024;
+/// The greatest number of spokes and listed names of a side.
+const MOST_LISTED: usize = 4096;
+/// The greatest number of rules of an op.
+const MOST_RULES: usize = 1024;
 
 /// Resolves an op.
 pub(super) fn resolve_op(
@@ -47,7 +51,7 @@ pub(super) fn resolve_op(
         let message = format!("the op `{}` has neither `before` nor `after`", op.name.text);
         report.add(Diagnostic::error("missing-side", message, op.name.span));
     }
-    if op.rules.iter().any(|rule| draws_too_much(rule, report)) {
+    if has_too_many_rules(op, report) || op.rules.iter().any(|rule| draws_too_much(rule, report)) {
         let result = Returned::Unknown;
         let signature = Signature { name: op.name.text.clone(), params, result };
         let resolved = signature.op(op.name.span, None);
@@ -105,6 +109,18 @@ fn is_still(op: &tree::Op) -> bool {
     op.rules.iter().all(|rule| rule.after == rule.before)
 }
 
+/// True if an op has more rules than there can be.
+fn has_too_many_rules(op: &tree::Op, report: &mut Report) -> bool {
+    let is_too_much = op.rules.len() > MOST_RULES;
+    if is_too_much {
+        let count = op.rules.len();
+        let message = format!("this op has {count} rules, and there can be {MOST_RULES}");
+        let error = Diagnostic::error("too-large", message, op.name.span);
+        report.add(error.note("an op in steps, `steps { … }`, tries several ops in turn"));
+    }
+    is_too_much
+}
+
 /// True if a side of a rule names more halfedges than there can be: then nothing else is asked of
 /// the op, whose proof would take its time.
 fn draws_too_much(rule: &tree::Rule, report: &mut Report) -> bool {
@@ -127,6 +143,25 @@ fn draws_too_much(rule: &tree::Rule, report: &mut Report) -> bool {
             report.add(error.note(
                 "draw a run that stays as it is as a path, `v0 =P=> v1`, and what repeats around \
                  a face or a vertex as a family, `each i { … }`",
+            ));
+            is_too_much = true;
+        }
+        let statements = side.iter().flat_map(|side| &side.statements);
+        let listed = statements.map(|statement| match statement {
+            Statement::Vertex(star) => star.spokes.len(),
+            Statement::New(names, _) | Statement::Erase(names, _) | Statement::Keep(names, _) => {
+                names.len()
+            }
+            _ => 0,
+        });
+        let count: usize = listed.sum();
+        if let Some(side) = side.as_ref().filter(|_| count > MOST_LISTED) {
+            let message =
+                format!("`{word}` lists {count} spokes and names, and there can be {MOST_LISTED}");
+            let error = Diagnostic::error("too-large", message, side.span);
+            report.add(error.note(
+                "write spokes that stay as they are as a fan, `*S`, and what repeats as a family, \
+                 `each i { … }`",
             ));
             is_too_much = true;
         }

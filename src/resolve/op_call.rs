@@ -119,7 +119,10 @@ impl Scripting<'_> {
             }
             Returned::Nothing => {
                 let message = format!("`{}` returns nothing", signature.name);
-                let error = Diagnostic::error("returns-nothing", message, span);
+                let error = Diagnostic::error("returns-nothing", message, span).note(
+                    "an op returns an element that is there afterwards where its head names it, as \
+                     in `op split(e: edge) -> m`",
+                );
                 self.typing.report.add(error);
                 None
             }

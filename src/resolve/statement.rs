@@ -17,6 +17,9 @@ use super::type_name::type_named;
 use super::typed::to_real;
 use super::words::{a_type, short, subject};
 
+/// The greatest number of statements beside one that are taken for words of another language.
+const MOST_BESIDE: usize = 100;
+
 impl Scripting<'_> {
     /// `let x = …`, `var x = …`
     pub(super) fn declaration(&mut self, action: &Action) -> Option<StatementKind> {
@@ -101,8 +104,11 @@ impl Scripting<'_> {
     /// line: `throw "no"`, `-- a comment`. Tells of the first, and how many of the `rest` go with
     /// it.
     pub(super) fn foreign_words(&mut self, action: &Action, rest: &[Action]) -> Option<usize> {
+        if !matches!(action.kind, ActionKind::Print(_) | ActionKind::Expr(_)) {
+            return None;
+        }
         let mut end = action.span.end;
-        let beside = rest.iter().take_while(|next| {
+        let beside = rest.iter().take(MOST_BESIDE).take_while(|next| {
             let touches = next.span.start <= end + 1;
             end = next.span.end;
             touches

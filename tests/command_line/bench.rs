@@ -1,6 +1,7 @@
 //! A folder of its own for a test, and the binary in it.
 
 use std::fs;
+use std::io::{Seek, Write};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
@@ -85,7 +86,15 @@ impl Bench {
 
     /// Runs the binary. It never panics.
     pub fn run(&self, arguments: &[&str]) -> Said {
-        let output = self.command(arguments).output().unwrap();
+        self.fed(arguments, b"")
+    }
+
+    /// Runs the binary with some bytes at its standard input.
+    pub fn fed(&self, arguments: &[&str], bytes: &[u8]) -> Said {
+        let mut input = tempfile::tempfile().unwrap();
+        input.write_all(bytes).unwrap();
+        input.rewind().unwrap();
+        let output = self.command(arguments).stdin(input).output().unwrap();
         let said = Said {
             code: output.status.code().expect("it ends by itself"),
             out: String::from_utf8(output.stdout).unwrap(),

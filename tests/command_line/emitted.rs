@@ -1,5 +1,8 @@
 //! `plan` as code and as data; what `draw` and `view` write.
 
+use std::path::Path;
+use std::process::Command;
+
 use crate::bench::{Bench, example, flip};
 
 #[test]
@@ -269,4 +272,34 @@ fn every_assignment_of_the_tutorial_is_written_down() {
         assert!(rows.iter().any(|known| known.trim_start_matches("· ").starts_with(&row)), "{row}");
         assert!(code.contains(&format!("    {line}\n")), "{line}\n{code}");
     }
+}
+
+/// The example in C++ is built and run as its first lines say.
+#[test]
+fn the_example_in_cpp_runs() {
+    if Command::new("g++").arg("--version").output().is_err() {
+        assert!(std::env::var_os("CI").is_none(), "CI needs g++");
+        eprintln!("SKIPPED: there is no g++");
+        return;
+    }
+    let bench = Bench::new();
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/cpp");
+    for name in ["mesh.h", "main.cpp"] {
+        bench.write(name, std::fs::read(folder.join(name)).unwrap());
+    }
+    bench.succeeds(&["plan", "std/triangle.hedge", "--as", "cpp", "-o", "triangle.h"]);
+    let main = bench.path("main");
+    let built = Command::new("g++")
+        .args(["-std=c++17", "-Wall", "-Wextra", "-Werror", "-D_GLIBCXX_DEBUG", "main.cpp", "-o"])
+        .arg(&main)
+        .current_dir(main.parent().unwrap())
+        .output()
+        .unwrap();
+    assert!(built.status.success(), "{}", String::from_utf8_lossy(&built.stderr));
+    let done = Command::new(&main).output().unwrap();
+    assert_eq!(
+        String::from_utf8_lossy(&done.stdout),
+        "flipped: 1\nsplit at 0.5 0.5 0: 4 faces, 5 vertices\n\
+         collapsed: 1: 2 faces, 4 vertices\n"
+    );
 }

@@ -89,3 +89,38 @@ fn colours_on_a_terminal() {
     assert!(with.contains('\u{1b}'), "{with}");
     assert!(!without.contains('\u{1b}'), "{without}");
 }
+
+#[test]
+fn meshes_come_from_standard_input() {
+    let bench = Bench::with_square();
+    for format in ["obj", "ply", "stl", "off", "msh", "halfedges"] {
+        let name = format!("square.{format}");
+        if format != "obj" {
+            bench.succeeds(&["convert", "square.obj", &name]);
+        }
+        let bytes = std::fs::read(bench.path(&name)).unwrap();
+        for arguments in [&["convert", "-", "-"][..], &["run", "std/triangulate", "-", "-o", "-"]] {
+            let said = bench.fed(arguments, &bytes);
+            assert_eq!(said.code, 0, "{format}: {said:?}");
+            assert_eq!(said.out.matches("\nf ").count(), 2, "{format}: {said:?}");
+        }
+        let said = bench.fed(&["info", "-"], &bytes);
+        assert!(said.code == 0 && said.out.contains("of level simple"), "{format}: {said:?}");
+    }
+    let said = bench.fed(&["info", "-"], b"f 1 2 3\n");
+    assert!(said.code == 2 && said.err.contains("there is no vertex 3"), "{said:?}");
+    let said = bench.fed(&["run", "std/triangulate", "-", "--reorder"], b"");
+    assert!(said.code == 2 && said.err.contains("not for standard input"), "{said:?}");
+}
+
+#[test]
+fn what_an_stl_file_loses_is_told() {
+    let bench = Bench::new();
+    let pinched = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv -1 0 0\nv 0 -1 0\nv 5 5 5\nf 1 2 3\nf 1 4 5\n";
+    bench.write("pinched.obj", pinched);
+    let said = bench.run(&["convert", "pinched.obj", "out.stl", "--repair"]);
+    assert!(said.err.contains("1 vertex lies where another does"), "{said:?}");
+    assert!(said.err.contains("1 vertex without a face is left out"), "{said:?}");
+    let said = bench.run(&["convert", "pinched.obj", "out.ply", "--repair"]);
+    assert!(said.code == 0 && !said.err.contains("vertex lies"), "{said:?}");
+}

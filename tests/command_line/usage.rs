@@ -131,7 +131,7 @@ fn places() {
         ("edge:1-3#", "is no place"),
         ("vertex:0", "`e` is of type edge, but the place is of type vertex"),
         ("edge:1-2-3", "is no place"),
-        ("edge:0-1", "no vertex 0; in an .obj file the first is 1"),
+        ("edge:0-1", "no vertex 0; the first is 1, whatever"),
         ("edge:-1-2", "is no place"),
         ("edge:1.5-2", "is no place"),
         ("edge:99999999999-1", "is no place"),

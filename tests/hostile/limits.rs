@@ -59,6 +59,29 @@ fn a_drawing_has_only_so_many_halfedges() {
 }
 
 #[test]
+fn a_drawing_has_only_so_many_spokes_and_names() {
+    let names = |count| listed(count, |at| format!("a{at}"), "\n // c\n");
+    let star =
+        |count| format!("op f(e: edge) {{ before {{ vertex v: {} }} after {{ }} }}", names(count));
+    let kept = |count| {
+        format!("op f(e: edge) {{ before {{ edge e: a | d }} after {{ keep {} }} }}", names(count))
+    };
+    for count in [4097, 60_000] {
+        let wanted =
+            |side| format!("`{side}` lists {count} spokes and names, and there can be 4096");
+        assert_eq!(told(&star(count)).first(), Some(&wanted("before")));
+        assert_eq!(told(&kept(count)).first(), Some(&wanted("after")));
+    }
+}
+
+#[test]
+fn an_op_has_only_so_many_rules() {
+    let rules = |count| listed(count, |at| format!("rule r{at} {{ {SMALL} }}"), "\n");
+    let said = told(&format!("op f(e: edge) {{ {} }}", rules(10_000)));
+    assert_eq!(said, ["this op has 10000 rules, and there can be 1024"]);
+}
+
+#[test]
 fn an_op_in_steps_has_only_so_many_reasons_to_refuse() {
     let count = 3000;
     let ops = listed(

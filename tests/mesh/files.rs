@@ -250,6 +250,16 @@ fn other_programs_files_are_read() {
     let file = read(FileFormat::Off, off.as_bytes()).unwrap();
     assert_eq!((file.mesh.vertex_count(), file.mesh.edge_count()), (4, 5));
 
+    // Strips of triangles, as older scans have them; a number below 0 ends one.
+    let strips = "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\n\
+        property float z\nelement tristrips 2\nproperty list int int vertex_indices\nend_header\n\
+        0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 0\n5 0 1 2 3 -1\n3 2 3 4\n";
+    let file = read(FileFormat::Ply, strips.as_bytes()).unwrap();
+    assert_eq!((file.mesh.face_count(), file.mesh.edge_count()), (3, 7));
+    let areas = file.mesh.faces().filter(|&f| !file.mesh.is_hole(f)).map(|f| file.mesh.area(f));
+    assert_eq!(areas.sum::<f64>(), 1.5);
+    assert_eq!(file.losses(), [""; 0]);
+
     // Comments that stick to numbers, what Geomview puts before, coordinates that are not three.
     let off = "appearance{ texture {\nfile x } }\nCOFF\n3 1 0\n0 0 0 1 0 0#red\n\
         1 0 0 0 1 0\n0 1 0 0 0 1 # blue\n3 0 1 2#all\n";

@@ -8,6 +8,7 @@ use hedgerow::mesh::{
     equal_up_to_renumbering, identical, read_mesh, read_mesh_from, shape, validate, validate_level,
     write_mesh, write_mesh_to,
 };
+use hedgerow::{Program, Session};
 use proptest::prelude::*;
 
 fn read(text: &str) -> MeshFile {
@@ -226,7 +227,7 @@ fn numbers_follow_the_file() {
 }
 
 #[test]
-fn new_faces_come_last_and_take_after_their_neighbors() {
+fn new_faces_come_last_in_the_group_of_their_halfedges() {
     let file = format!("{TRIANGLE}v 1 1 0\nv 2 0 0\ng a\nf 1 2 3\ng b\nf 2 4 3\ng c\nf 2 5 4\n");
     let mut obj = read(&file);
     // The first face goes, a new one gets its slot and its loop.
@@ -238,7 +239,83 @@ fn new_faces_come_last_and_take_after_their_neighbors() {
     obj.mesh.set_face_halfedge(new, h);
     walk.iter().for_each(|&h| obj.mesh.set_face(h, new));
     validate(&obj.mesh).unwrap();
-    assert!(text(&obj).ends_with("g b\nf 2 4 3\ng c\nf 2 5 4\ng b\nf 1 2 3\n"));
+    assert!(text(&obj).ends_with("g b\nf 2 4 3\ng c\nf 2 5 4\ng a\nf 1 2 3\n"));
+}
+
+/// Runs the script `main` of a program on the mesh of a file.
+fn run_on(program: &str, obj: &mut MeshFile) {
+    let program = Program::parse("test.hedge", program).unwrap();
+    let mut session = Session::new(&program, std::mem::take(&mut obj.mesh));
+    session.run(&program.script("main").unwrap(), ()).unwrap();
+    obj.mesh = session.into_mesh();
+}
+
+#[test]
+fn new_faces_are_in_the_groups_of_those_they_were_cut_from() {
+    // A grid of quads in columns, each column another group.
+    let mut file = String::new();
+    for (y, x) in (0..6).flat_map(|y| (0..6).map(move |x| (y, x))) {
+        file += &format!("v {x} {y} 0\n");
+    }
+    for x in 1..6 {
+        file += &format!("usemtl m{x}\n");
+        for corner in (0..5).map(|y| 6 * y + x) {
+            file += &format!("f {} {} {} {}\n", corner, corner + 1, corner + 7, corner + 6);
+        }
+    }
+    let programs = [
+        "use \"std/triangulate.hedge\" script main() { triangulate() }",
+        "use \"std/subdivide.hedge\" script main() { catmull_clark(3) }",
+        "use \"std/subdivide.hedge\" script main() { linear_quads(2) }",
+        "use \"std/triangulate.hedge\" use \"std/subdivide.hedge\" \
+         script main() { triangulate() linear(3) }",
+        "use \"std/polygon.hedge\" script main() { for f in faces { inset_vertex(f) } }",
+        "use \"std/polygon.hedge\" script main() { for f in faces { extrude(f, 0.0, 0.5) } }",
+    ];
+    for program in programs {
+        let mut obj = read(&file);
+        run_on(program, &mut obj);
+        let written = text(&obj);
+        let mut points: Vec<f64> = Vec::new();
+        let (mut group, mut faces) = (0, 0);
+        for line in written.lines() {
+            let words: Vec<&str> = line.split(' ').collect();
+            match words[0] {
+                "v" => points.push(words[1].parse().unwrap()),
+                "usemtl" => group = words[1][1..].parse().unwrap(),
+                "f" => {
+                    let xs = words[1..].iter().map(|v| points[v.parse::<usize>().unwrap() - 1]);
+                    let middle = xs.sum::<f64>() / (words.len() - 1) as f64;
+                    assert_eq!(middle.floor() as i32 + 1, group, "{program}: {line}");
+                    faces += 1;
+                }
+                _ => {}
+            }
+        }
+        assert!(faces >= 50, "{program}: only {faces} faces");
+    }
+}
+
+#[test]
+fn corners_without_a_seam_keep_their_texture_through_flips() {
+    let mut file = String::new();
+    for (y, x) in (0..5).flat_map(|y| (0..5).map(move |x| (y, x))) {
+        file += &format!("v {x} {y} 0\nvt {x} {y}\n");
+    }
+    for c in (0..4).flat_map(|y| (1..5).map(move |x| 5 * y + x)) {
+        file += &format!("f {0}/{0} {1}/{1} {2}/{2}\n", c, c + 1, c + 6);
+        file += &format!("f {0}/{0} {1}/{1} {2}/{2}\n", c, c + 6, c + 5);
+    }
+    let mut obj = read(&file);
+    let flip = "use \"std/triangle.hedge\" script main() { for e in edges { flip(e) } }";
+    run_on(flip, &mut obj);
+    assert_eq!(obj.bare_faces(), [0, 0]);
+    let written = text(&obj);
+    let faces = written.lines().filter_map(|line| line.strip_prefix("f "));
+    for corner in faces.flat_map(|face| face.split(' ')) {
+        let (vertex, texture) = corner.split_once('/').unwrap();
+        assert_eq!(vertex, texture);
+    }
 }
 
 #[test]

@@ -102,6 +102,43 @@ fn each_fault_is_mended_and_counted() {
     }
 }
 
+/// Faces with holes, each a polygon that goes to its holes and back along bridges.
+#[test]
+fn holes_of_faces_are_not_filled() {
+    let square = |x: f64, y: f64, size: f64| {
+        [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)]
+            .map(|(u, v)| DVec3::new(x + size * u, y + size * v, 0.5 * (x + size * u)))
+    };
+    // The walk around a hole begins and ends at one corner, clockwise.
+    let around = |first: u32| [first, first + 3, first + 2, first + 1, first];
+    let one = [&[0, 1, 2, 3, 0][..], &around(4)].concat();
+    let two = [&[0, 1, 2, 10, 9, 8, 11, 10, 2, 3, 0][..], &around(4)].concat();
+    let chain = [&[0, 1, 2, 3, 0][..], &[4, 7, 6], &around(8), &[6, 5, 4]].concat();
+    for (polygon, area) in [(one, 12.0), (two, 11.0), (chain, 11.0)] {
+        for turned in 0..polygon.len() {
+            let mut polygon = polygon.clone();
+            polygon.rotate_left(turned);
+            let positions =
+                [square(0.0, 0.0, 4.0), square(0.5, 0.5, 2.0), square(2.75, 2.75, 1.0)].concat();
+            let Repaired { mesh, report, .. } = repair(&positions, &[polygon.clone()], None);
+            validate_level(&mesh, Level::Simple).unwrap();
+            let faces = mesh.faces().filter(|&f| !mesh.is_hole(f));
+            let areas: f64 = faces.clone().map(|f| mesh.area(f)).sum();
+            // The plane is inclined.
+            let wanted = area * 1.25_f64.sqrt();
+            assert!((areas - wanted).abs() < 1e-9, "{polygon:?}: {areas} for {wanted}");
+            for f in faces {
+                assert!(mesh.normal(f).z > 0.0, "{polygon:?}: a face is turned over");
+            }
+            assert_eq!((report.divided_faces, report.split_vertices), (1, 0), "{polygon:?}");
+        }
+    }
+    // Two polygons that hang at an edge have no hole.
+    let positions = [square(0.0, 0.0, 1.0), square(2.0, 0.0, 1.0)].concat();
+    let polygon = vec![0, 1, 2, 3, 0, 4, 5, 6, 7, 4];
+    assert_eq!(repair(&positions, &[polygon], None).mesh.face_count(), 2);
+}
+
 #[test]
 fn two_that_hang_together_around_a_cut_edge_keep_it() {
     // Four triangles around each end of the edge 0-1, and a flap at the edge, which comes off.
@@ -162,6 +199,9 @@ fn all_faults_are_told_by_kind() {
     for kind in ["1 face with a vertex twice: line 16,", " of three faces or more: line "] {
         assert!(error.contains(kind), "{error}");
     }
+    // A face that is there twice is told as that, and not by its sides.
+    let error = read("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 2 3 1\n", None).unwrap_err();
+    assert!(error.contains("t.obj:5: the faces of lines 4 and 5 are the same"), "{error}");
     // Of many only the first are.
     let mut file = String::new();
     for i in 0..20 {

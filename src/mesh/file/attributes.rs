@@ -17,7 +17,7 @@ use super::corners::OfCorner;
 use super::format::FileFormat;
 use super::kept::MISSING;
 use super::mesh_file::MeshFile;
-use super::{msh, obj, off};
+use super::{msh, obj, off, stl};
 use crate::mesh::attribute::{AttributeType, ColumnId, Value};
 use crate::mesh::id::ElementKind;
 
@@ -154,6 +154,15 @@ impl MeshFile {
                 [0, 2, 3].into_iter().any(has_more) || !self.kept.libraries.is_empty()
             }
             _ => !self.kept.states.is_empty() || !self.kept.libraries.is_empty(),
+        }
+    }
+
+    /// The number of vertices that a file of a format has no way to tell from another one, since they
+    /// lie where that lies, and of those that it leaves out, since they have no face.
+    pub fn lost_vertices(&self, format: FileFormat) -> [usize; 2] {
+        match format {
+            FileFormat::Stl => stl::lost_vertices(self),
+            _ => [0; 2],
         }
     }
 

@@ -1,13 +1,13 @@
 //! The texture coordinates and normals of corners, as they are written.
 //!
 //! A corner of the file has the row that it had. A new one, which stands where an operation has turned
-//! or added a halfedge, has that of its vertex, if all corners of the file there have the same values:
-//! no seam and no crease ends at the vertex. If they have not, it has that of its vertex in the polygons
-//! of the file from which the corners of its face come that are the next on both sides. If these are
-//! two polygons, they must share vertices, with the same values there: no seam lies between them.
+//! or added a halfedge, has that of its vertex, if at each vertex of its face, and beside it, all
+//! corners of the file have the same values: no seam and no crease comes near. Otherwise it has that of
+//! its vertex in the polygons of the file from which the corners of its face come that are the next on
+//! both sides. If these are two polygons, they must share vertices, with the same values there: no seam
+//! lies between.
 
 use std::collections::HashMap;
-use std::collections::hash_map::Entry;
 
 use glam::DVec2;
 
@@ -185,10 +185,16 @@ impl MeshFile {
         for &f in faces {
             sides.clear();
             sides.extend(self.mesh.face_halfedges(f).map(|h| (h, self.corner(h))));
-            for &(h, _) in sides.iter().filter(|(_, corner)| corner.is_none()) {
+            if sides.iter().any(|(_, corner)| corner.is_none()) {
                 let rows = of_vertices.get_or_insert_with(|| self.rows_of_vertices(what));
-                let row = self.vertex_place(self.mesh.vertex(h)).and_then(|v| rows.get(v));
-                new.extend(row.filter(|&&row| row != MISSING).map(|&row| (h.0, row)));
+                let row = |&(h, _): &(HalfedgeId, _)| {
+                    let row = *rows.get(self.vertex_place(self.mesh.vertex(h))?)?;
+                    (row != MISSING).then_some((h.0, row))
+                };
+                if let Some(found) = sides.iter().map(row).collect::<Option<Vec<_>>>() {
+                    new.extend(found);
+                    continue;
+                }
             }
             let Some(first) = sides.iter().position(|(_, corner)| corner.is_some()) else {
                 continue;
@@ -203,15 +209,10 @@ impl MeshFile {
                 if let (false, [(_, Some(behind)), ..]) = (between.is_empty(), behind)
                     && let Some(polygons) = self.polygons_without_seam(what, [*before, *behind])
                 {
-                    for &(HalfedgeId(h), _) in between {
-                        let vertex = self.vertex_place(self.mesh.vertex(HalfedgeId(h)));
-                        let row = vertex.and_then(|vertex| {
-                            polygons.iter().find_map(|polygon| polygon.row(vertex as u32))
-                        });
-                        if let (Some(row), Entry::Vacant(place)) = (row, new.entry(h)) {
-                            place.insert(row);
-                        }
-                    }
+                    new.extend(between.iter().filter_map(|&(h, _)| {
+                        let vertex = self.vertex_place(self.mesh.vertex(h))? as u32;
+                        Some((h.0, polygons.iter().find_map(|polygon| polygon.row(vertex))?))
+                    }));
                 }
                 rest = behind;
             }
@@ -219,7 +220,8 @@ impl MeshFile {
         new
     }
 
-    /// By vertex of the file the row of its corners, if they all have the same values.
+    /// By vertex of the file the row of its corners, if these, and those of each of its neighbors, all
+    /// have the same values.
     fn rows_of_vertices(&self, what: OfCorner) -> Vec<u32> {
         let mut rows = vec![MISSING; self.mesh.capacity(ElementKind::Vertex)];
         let mut several = vec![false; rows.len()];
@@ -232,8 +234,13 @@ impl MeshFile {
                 known => several[vertex as usize] |= value(known) != value(row),
             }
         }
-        let of_several = rows.iter_mut().zip(several).filter(|(_, several)| *several);
-        of_several.for_each(|(row, _)| *row = MISSING);
+        let at_seam =
+            |polygon: &[u32]| polygon.iter().any(|&v| several.get(v as usize) == Some(&true));
+        for &vertex in self.kept.corners.iter().filter(|polygon| at_seam(polygon)).flatten() {
+            if let Some(row) = rows.get_mut(vertex as usize) {
+                *row = MISSING;
+            }
+        }
         rows
     }
 

@@ -49,6 +49,35 @@ impl FileFormat {
         known.ok_or_else(|| FileReason::UnknownEnding(end.to_string_lossy().into_owned()))
     }
 
+    /// The format of a file by how it begins, where there is no name to tell it; OBJ if nothing else
+    /// is known.
+    pub fn of_bytes(bytes: &[u8]) -> Self {
+        let count =
+            bytes.get(80..84).and_then(|count| count.try_into().ok()).map(u32::from_le_bytes);
+        let begins = bytes.trim_ascii_start();
+        let word = begins.split(u8::is_ascii_whitespace).next().unwrap_or_default();
+        let is_line = |line: &[u8]| line.starts_with(b"mesh ");
+        if count.is_some_and(|count| bytes.len() as u64 == 84 + 50 * u64::from(count)) {
+            Self::Stl
+        } else if word.eq_ignore_ascii_case(b"ply") {
+            Self::Ply
+        } else if word.eq_ignore_ascii_case(b"solid") {
+            Self::Stl
+        } else if word.ends_with(b"OFF") {
+            Self::Off
+        } else if word == b"$MeshFormat" {
+            Self::Msh
+        } else if begins
+            .split(|&b| b == b'\n')
+            .find(|line| !line.starts_with(b"#"))
+            .is_some_and(is_line)
+        {
+            Self::Halfedges
+        } else {
+            Self::Obj
+        }
+    }
+
     /// All endings, as a sentence lists them.
     pub(super) fn listed() -> String {
         let endings = Self::ALL.map(|format| format!(".{}", format.ending()));

@@ -6,6 +6,7 @@
 //! Names with a colon are out of reach of the language. If the polygons of the
 //! file were repaired, tables tell which number in the file each place had.
 
+use std::collections::BTreeSet;
 use std::path::PathBuf;
 
 use super::format::{Encoding, MshVersion};
@@ -235,6 +236,17 @@ impl MeshFile {
         let corner = self.original_corner(h)?;
         let vertex = *self.kept.corners.corners().get(corner)?;
         (self.vertex_place(self.mesh.get_vertex(h)?)? == vertex as usize).then_some(corner)
+    }
+
+    /// The names of the objects, groups, materials and smoothing groups that the file has.
+    pub fn named_parts(&self) -> [Vec<&[u8]>; 4] {
+        std::array::from_fn(|keyword| {
+            let places = self.kept.states.iter().map(|(_, state)| state.0[keyword]);
+            let places: BTreeSet<u32> = places.collect();
+            let names = places.iter().filter_map(|&place| self.kept.names.get(place as usize));
+            let names: BTreeSet<&[u8]> = names.map(Vec::as_slice).collect();
+            names.into_iter().collect()
+        })
     }
 
     /// The row of the file's texture coordinates at the start of `h` in its face, from 0.

@@ -2,7 +2,9 @@
 //!
 //! A face of the file has those that it had. A new one has those of the face that it was cut from: the
 //! face of the file in which its halfedges lay; if all of these are new, that from which its nearest
-//! neighbors were cut, those first from which no halfedge of the file parts it.
+//! neighbors with halfedges of the file were cut, those first from which no such halfedge parts it.
+//! A face that is cut into many has one with such a halfedge in each of its corners, and so have the
+//! faces around it: what is nearest lies on the same side of what was an edge of the file.
 
 use super::kept::{MISSING, State};
 use super::mesh_file::MeshFile;
@@ -26,22 +28,42 @@ impl MeshFile {
     /// By slot the face that a face was cut from, by its place among those that were read.
     fn sources(&self) -> Vec<u32> {
         let mut sources = vec![MISSING; self.mesh.capacity(ElementKind::Face)];
-        let faces = || self.mesh.faces().filter(|&f| !self.mesh.is_hole(f));
-        for f in faces() {
-            let place = self.face_place(f).map(|place| place as u32);
-            sources[f.index()] = place.or_else(|| self.source_by_halfedges(f)).unwrap_or(MISSING);
+        let mut others = Vec::new();
+        for f in self.mesh.faces().filter(|&f| !self.mesh.is_hole(f)) {
+            match self.source_by_halfedges(f) {
+                Some(place) => sources[f.index()] = self.own_place(f).unwrap_or(place),
+                None => others.push(f),
+            }
         }
-        let mut unknown: Vec<FaceId> = faces().filter(|f| sources[f.index()] == MISSING).collect();
-        while !unknown.is_empty() {
-            let found = unknown.iter().filter_map(|&f| Some((f, self.next_source(f, &sources)?)));
+        self.spread(&mut sources, others.clone());
+        // What cannot be reached from halfedges of the file.
+        others.retain(|f| sources[f.index()] == MISSING);
+        for f in &others {
+            sources[f.index()] = self.own_place(*f).unwrap_or(MISSING);
+        }
+        others.retain(|f| sources[f.index()] == MISSING);
+        self.spread(&mut sources, others);
+        sources
+    }
+
+    fn own_place(&self, f: FaceId) -> Option<u32> {
+        self.face_place(f).map(|place| place as u32)
+    }
+
+    /// Gives faces what their neighbors were cut from, the nearest first.
+    fn spread(&self, sources: &mut [u32], mut faces: Vec<FaceId>) {
+        while !faces.is_empty() {
+            let found = faces.iter().filter_map(|&f| {
+                let source = self.next_source(f, sources)?;
+                Some((f, self.own_place(f).unwrap_or(source)))
+            });
             let found: Vec<(FaceId, u32)> = found.collect();
             found.iter().for_each(|&(f, place)| sources[f.index()] = place);
-            unknown = found.iter().flat_map(|&(f, _)| self.across(f).map(|(_, g)| g)).collect();
-            unknown.retain(|f| sources[f.index()] == MISSING);
-            unknown.sort_unstable();
-            unknown.dedup();
+            faces = found.iter().flat_map(|&(f, _)| self.across(f).map(|(_, g)| g)).collect();
+            faces.retain(|f| sources[f.index()] == MISSING);
+            faces.sort_unstable();
+            faces.dedup();
         }
-        sources
     }
 
     /// The face of the file in which most of the halfedges of a face lay.
@@ -55,7 +77,7 @@ impl MeshFile {
         runs.max_by_key(|run| run.len()).map(|run| run[0])
     }
 
-    /// What a neighbor of a face was cut from.
+    /// The face that a neighbor of a face was cut from.
     fn next_source(&self, f: FaceId, sources: &[u32]) -> Option<u32> {
         let known = self.across(f).filter(|(_, g)| sources[g.index()] != MISSING);
         let nearest = known.min_by_key(|&(h, _)| self.original_corner(h).is_some());

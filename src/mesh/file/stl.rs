@@ -18,6 +18,7 @@ use super::format::Encoding;
 use super::mesh_file::{MeshFile, WrittenNumbers};
 use super::print::Printer;
 use super::scan::{Scanner, no_number, shown};
+use crate::mesh::id::VertexId;
 use crate::mesh::polygons::Polygons;
 use crate::mesh::repair::merge_equal;
 
@@ -139,6 +140,24 @@ fn share(points: Vec<DVec3>) -> Contents {
     }
     let ends = (1..=corners.len() / 3).map(|end| end * 3).collect();
     Contents { positions, polygons: Polygons::of_parts(corners, ends), ..Contents::default() }
+}
+
+/// The number of vertices that lie where another one does, as they are written, and of those without
+/// a face.
+pub(super) fn lost_vertices(file: &MeshFile) -> [usize; 2] {
+    let mesh = &file.mesh;
+    let is_used =
+        |&v: &VertexId| mesh.spokes(v).any(|h| mesh.get_face(h).is_some_and(|f| !mesh.is_hole(f)));
+    let (used, unused): (Vec<_>, Vec<_>) = mesh.vertices().partition(is_used);
+    let is_text = file.encoding == Encoding::Ascii;
+    let place = |&v: &VertexId| match (is_text, mesh.position(v)) {
+        (true, at) => at,
+        (false, at) => at.as_vec3().as_dvec3(),
+    };
+    let points: Vec<DVec3> = used.iter().map(place).collect();
+    let merged = merge_equal(&points);
+    let one_with_others = (0..).zip(&merged).filter(|(point, other)| point != *other);
+    [one_with_others.count(), unused.len()]
 }
 
 /// Writes a mesh of triangles.

@@ -1,6 +1,7 @@
 //! Polygons that use a vertex more than once.
 
 use super::RepairReport;
+use super::keyhole::{self, Corner};
 use super::polygon_list::PolygonList;
 
 /// Drops corners that repeat the one before, divides polygons that come back to a vertex, and
@@ -25,7 +26,14 @@ pub(super) fn clean(list: &mut PolygonList, report: &mut RepairReport) {
         if whole {
             cleaned.push(corners.iter().copied().zip(origins.iter().copied()));
         } else {
-            report.repeated_corners += cleaner.divide(corners, origins, &mut cleaned);
+            let corners = corners.iter().copied().zip(origins.iter().copied()).collect();
+            let mut open: Vec<Vec<Corner>> = vec![corners];
+            while let Some(corners) = open.pop() {
+                match keyhole::cut(&corners, &list.positions) {
+                    Some([first, second]) => open.extend([second, first]),
+                    None => report.repeated_corners += cleaner.divide(&corners, &mut cleaned),
+                }
+            }
         }
         match cleaned.ends.len() - before {
             0 => report.degenerate_faces += 1,
@@ -49,7 +57,7 @@ struct Cleaned {
 
 impl Cleaned {
     /// Adds a polygon, if it is one.
-    fn push(&mut self, corners: impl ExactSizeIterator<Item = (u32, u32)>) {
+    fn push(&mut self, corners: impl ExactSizeIterator<Item = Corner>) {
         if corners.len() < 3 {
             return;
         }
@@ -67,7 +75,7 @@ impl Cleaned {
 struct Cleaner {
     sorted: Vec<u32>,
     /// The corners of the loop that is still open, each with what it was.
-    open: Vec<(u32, u32)>,
+    open: Vec<Corner>,
     /// The places of vertices in `open`.
     places: std::collections::HashMap<u32, usize>,
 }
@@ -85,11 +93,11 @@ impl Cleaner {
     }
 
     /// Cuts loops off at vertices that come again; says how many corners repeat the one before.
-    fn divide(&mut self, corners: &[u32], origins: &[u32], cleaned: &mut Cleaned) -> usize {
+    fn divide(&mut self, corners: &[Corner], cleaned: &mut Cleaned) -> usize {
         self.open.clear();
         self.places.clear();
         let mut repeated = 0;
-        for (&vertex, &origin) in corners.iter().zip(origins) {
+        for &(vertex, origin) in corners {
             match self.places.get(&vertex).copied() {
                 Some(place) if place + 1 == self.open.len() => repeated += 1,
                 Some(place) => {

@@ -6,7 +6,8 @@
 //!    use them or a vertex that does not exist;
 //! 2. on demand, points within a tolerance become one vertex (`merge`);
 //! 3. corners that repeat the one before go, a polygon that comes back to one of its vertices
-//!    becomes several, and what has fewer than three corners goes (`clean`);
+//!    becomes several, of which none covers a hole (`keyhole`), and what has fewer than three
+//!    corners goes (`clean`);
 //! 4. of polygons with the same corners in the same order only the first stays; likewise of two
 //!    that are each other's back, where an edge has more than two polygons (`double`);
 //! 5. neighbours across edges of two polygons are turned to run alike, in each connected part
@@ -28,6 +29,7 @@
 mod clean;
 mod double;
 mod fans;
+mod keyhole;
 mod merge;
 mod orient;
 mod polygon_list;

@@ -42,7 +42,7 @@ pub fn type_word(word: &str) -> Option<&'static str> {
         | "bmedge" | "medge" => "edge",
         "polygon" | "triangle" | "quad" | "facet" | "cell" | "faceref" | "facecref"
         | "faceiter" | "face_handle" | "face_descriptor" | "facehandle" | "bmface" | "mface"
-        | "faces" => "face",
+        | "faces" | "hole" => "face",
         _ => return None,
     })
 }

@@ -134,3 +134,27 @@ fn a_long_file_takes_no_longer_than_it_is_long() {
     let chain = format!("script s() {{ let x = {}1{} }}", "(1 + ".repeat(90), ")".repeat(90));
     formatted(&chain);
 }
+
+/// Lists that are longer than a stack is deep.
+#[test]
+fn long_lists_are_laid_out() {
+    let listed = |one: &dyn Fn(usize) -> String, between: &str| {
+        (0..40_000).map(one).collect::<Vec<_>>().join(between)
+    };
+    let name = |at: usize| format!("a{at}");
+    let names = listed(&name, ", ");
+    let texts = [
+        format!("fn f({}) -> int {{ 1 }}", listed(&|at| format!("a{at}: int"), ", ")),
+        format!("script main() {{ f({names}) }}"),
+        format!("script main() {{ print {names} }}"),
+        format!("op o(e: edge) keeps {names} {{ before {{ }} after {{ }} }}"),
+        format!("script main() {{ {} }}", listed(&|at| format!("print {at}"), "\n")),
+        format!("script main() {{ print 1 {}\n }}", listed(&|at| format!("// {at}\n"), "")),
+        format!("op o(e: edge) {{ alias {} before {{ }} after {{ }} }}", listed(&name, " ")),
+        format!("op o(e: edge) {{ before {{ vertex v: {} }} after {{ }} }}", listed(&name, " ")),
+    ];
+    for text in texts {
+        // Some of these are no programs, but all are answered.
+        let _ = hedgerow::format::format(hedgerow::source::FileId(0), &text);
+    }
+}

@@ -1,0 +1,95 @@
+//! Polygons with holes that are joined to their outlines by bridges.
+//!
+//! A face with a hole is often written as one polygon that goes to the hole along an edge, around it,
+//! and back along the same edge. A second cut beside that bridge makes two polygons of it that have no
+//! corner twice, and cover what the face covers.
+
+use glam::DVec3;
+
+/// The vertex of a corner, and which corner of the first list it was.
+pub(super) type Corner = (u32, u32);
+
+/// Longer polygons are not searched for a cut: all pairs of corners may have to be looked at.
+const LONGEST: usize = 256;
+
+/// The two polygons of a polygon with a hole; none if it has none.
+pub(super) fn cut(corners: &[Corner], positions: &[DVec3]) -> Option<[Vec<Corner>; 2]> {
+    let count = corners.len();
+    if count > LONGEST {
+        return None;
+    }
+    let vertex = |at: usize| corners[at % count].0;
+    for start in 0..count {
+        for end in start + 2..start + count {
+            let is_bridge = vertex(start) == vertex(end + 1) && vertex(start + 1) == vertex(end);
+            if !is_bridge {
+                continue;
+            }
+            // Outline and hole, each from its end of the bridge back to that.
+            let walk = |from: usize, to: usize| (from..=to).map(|at| corners[at % count]).collect();
+            let hole: Vec<Corner> = walk(start + 1, end);
+            let outline: Vec<Corner> = walk(end + 1, start + count);
+            if let Some(cut) = cut_beside(&outline, &hole, positions) {
+                return Some(cut);
+            }
+        }
+    }
+    None
+}
+
+/// The two polygons, if the hole lies in the outline and runs the other way around.
+fn cut_beside(
+    outline: &[Corner],
+    hole: &[Corner],
+    positions: &[DVec3],
+) -> Option<[Vec<Corner>; 2]> {
+    let at = |corner: Corner| positions[corner.0 as usize];
+    let [outer, inner] = [outline, hole].map(|walk| normal(walk, positions));
+    let axis = (outer + inner).try_normalize()?;
+    if inner.dot(axis) >= 0.0 || outer.dot(axis) <= 0.0 {
+        return None;
+    }
+    let sides = || outline.windows(2).chain(hole.windows(2));
+    let is_free = |x: Corner, y: Corner| {
+        sides().all(|side| {
+            let shares = side.iter().any(|corner| corner.0 == x.0 || corner.0 == y.0);
+            shares || !meet([at(x), at(y)], [at(side[0]), at(side[1])], axis)
+        })
+    };
+    // The first and the last corner of each are the ends of the bridge.
+    let (last_outer, last_inner) = (outline.len() - 1, hole.len() - 1);
+    let pairs = (1..last_outer).flat_map(|a| (1..last_inner).map(move |b| (a, b)));
+    let mut pairs: Vec<(f64, usize, usize)> =
+        pairs.map(|(a, b)| (at(outline[a]).distance_squared(at(hole[b])), a, b)).collect();
+    pairs.sort_unstable_by(|one, other| one.0.total_cmp(&other.0));
+    let (_, a, b) = pairs.into_iter().find(|&(_, a, b)| {
+        let (x, y) = (outline[a], hole[b]);
+        let ends = [outline[0].0, hole[0].0];
+        x.0 != y.0 && !ends.contains(&x.0) && !ends.contains(&y.0) && is_free(x, y)
+    })?;
+    let first = [&outline[last_outer..], &hole[..=b], &outline[a..last_outer]].concat();
+    let second = [&hole[last_inner..], &outline[..=a], &hole[b..last_inner]].concat();
+    Some([first, second])
+}
+
+/// The normal of a closed walk whose last corner is its first, as long as twice the area (M. E.
+/// Newell's method; F. Tampieri, *Newell's Method for Computing the Plane Equation of a Polygon*,
+/// Graphics Gems III, 1992).
+fn normal(walk: &[Corner], positions: &[DVec3]) -> DVec3 {
+    let origin = positions[walk[0].0 as usize];
+    let from_origin = |corner: Corner| positions[corner.0 as usize] - origin;
+    walk.windows(2).map(|side| from_origin(side[0]).cross(from_origin(side[1]))).sum()
+}
+
+/// True if two segments meet or touch, looked at along an axis.
+fn meet([a, b]: [DVec3; 2], [c, d]: [DVec3; 2], axis: DVec3) -> bool {
+    let side = |a: DVec3, b: DVec3, c: DVec3| (b - a).cross(c - a).dot(axis);
+    let apart = |one: f64, other: f64| one * other > 0.0;
+    if apart(side(a, b, c), side(a, b, d)) || apart(side(c, d, a), side(c, d, b)) {
+        return false;
+    }
+    // On one line they may lie beside each other.
+    let along = |point: DVec3| (point - a).dot(b - a);
+    let [low, high] = [along(c).min(along(d)), along(c).max(along(d))];
+    high >= 0.0 && low <= along(b)
+}
