@@ -248,18 +248,21 @@ pub(super) fn without_lost_attributes(parts: &[Part], told: &mut Vec<Diagnostic>
 
 /// The items of a file that cannot be read as they are, and whether their names are lost too.
 fn unread(part: &Part) -> Vec<(Span, bool)> {
-    let errors = part.parsed.diagnostics.iter().filter(|told| told.is_error());
-    let errors: Vec<Span> = errors.map(Diagnostic::span).collect();
     let items = part.parsed.tree.items.iter();
     let unread = items.filter_map(|item| {
-        let span = item.span();
         let is_lost = matches!(item, Item::Broken(_));
-        let mut mended = part.parsed.mended.iter();
-        let is_wrong = errors.iter().any(|error| span.touches(error.start as usize))
-            || mended.any(|mended| mended.start < span.end && span.start < mended.end);
-        (is_lost || is_wrong).then_some((span, is_lost))
+        let is_unread = is_lost || is_misread(&part.parsed, item.span());
+        is_unread.then_some((item.span(), is_lost))
     });
     unread.collect()
+}
+
+/// True if something in an item cannot be read as it is.
+pub(super) fn is_misread(parsed: &Parsed, item: Span) -> bool {
+    let mut errors = parsed.diagnostics.iter().filter(|told| told.is_error());
+    let mut mended = parsed.mended.iter();
+    errors.any(|error| item.touches(error.span().start as usize))
+        || mended.any(|mended| mended.start < item.end && item.start < mended.end)
 }
 
 /// The files of a program, the root first, and what is wrong with their `use`.

@@ -36,6 +36,7 @@ mod parse_cache;
 mod program;
 mod proposal;
 mod refactor;
+mod rename;
 pub mod side;
 mod signature;
 mod snapshot;
@@ -62,13 +63,14 @@ pub use hover::{Card, Hover, OpCard, head, hover, op_card, op_here, op_named};
 pub use lenses::{Lens, Offer, lenses};
 pub use links::{Link, links};
 pub use occurrences::{
-    Shared, a_word, definition, mentions_of_shared, occurrences, rename, rename_shared, renameable,
-    shared, used_path,
+    Shared, a_word, definition, mentions_of_shared, occurrences, shared, used_path,
 };
 pub use outline::{Entry, EntryKind, folds, outline};
 pub use program::Analysis;
+pub use rename::{rename, rename_shared, renameable, stays_the_same};
 pub use signature::{Call, signature};
 pub use snapshot::Snapshot;
+pub use soundness::applied;
 pub use spans::around;
 pub use tokens::{Class, Coloured, Marks, tokens};
 pub use unused::{Unused, unused};

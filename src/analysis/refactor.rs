@@ -4,6 +4,7 @@
 use super::action::{Action, Purpose};
 use super::cursor_context::{op_near, rule_near};
 use super::edits::{append, indentation, slice, statement_span};
+use super::files::is_misread;
 use super::hover::op_named;
 use super::invert::inverse;
 use super::side::subject;
@@ -18,6 +19,9 @@ pub(super) fn rewriting(snapshot: &Snapshot, offset: usize) -> Vec<Action> {
     let Some((_, op)) = op_near(snapshot, offset).filter(|(_, op)| op.span.touches(offset)) else {
         return Vec::new();
     };
+    if is_misread(snapshot.parsed(), op.span) {
+        return Vec::new();
+    }
     let mut actions = Vec::new();
     let mut offer = |title: String, edits: Option<Vec<Edit>>| {
         let edits = edits.filter(|edits| stays_sound(snapshot, op, edits));

@@ -20,7 +20,7 @@ use super::{Examined, NoExample, StepsVerdict, Verdict, example, files};
 use crate::diagnostic::Diagnostic;
 use crate::diagram;
 use crate::library;
-use crate::resolve::{Program, resolve_all};
+use crate::resolve::{Fields, Program, resolve_all};
 use crate::rewrite::Plans;
 use crate::run::{Functions, calls_of_steps, plan_steps};
 use crate::source::{FileId, Sources, Span};
@@ -38,6 +38,8 @@ pub struct Snapshot {
     /// For each file that it uses, directly or through others, the `use` that leads there.
     ways: BTreeMap<FileId, Span>,
     program: Program,
+    /// The meanings of the words behind dots.
+    fields: Fields,
     /// The ops of the program, by where their names stand.
     places: HashMap<Span, usize>,
     functions: Functions,
@@ -125,6 +127,7 @@ impl Snapshot {
             done: Cell::new(0),
             places: places.collect(),
             program,
+            fields: resolved.fields,
             functions,
             planned: OnceCell::new(),
             examples: RefCell::default(),
@@ -195,7 +198,7 @@ impl Snapshot {
 
     /// Its names.
     pub fn names(&self) -> &Names {
-        self.names.get_or_init(|| Names::of(&self.parsed.tree))
+        self.names.get_or_init(|| Names::of(&self.parsed.tree, &self.fields))
     }
 
     /// The declarations of the program.

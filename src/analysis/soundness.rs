@@ -4,6 +4,7 @@
 //! op is read and proved as it would be, among all that it can name, which is what the file uses,
 //! its attributes and its functions; its other ops cost nothing.
 
+use std::collections::HashMap;
 use std::ops::Range;
 
 use super::files::Reader;
@@ -12,13 +13,19 @@ use crate::diagnostic::Edit;
 use crate::source::Sources;
 use crate::syntax::tree::{Item, Op};
 
-/// The files that a snapshot has read.
-struct Known<'s>(&'s Sources);
+/// The files that a snapshot has read, some of them with other texts.
+pub(super) struct Known<'s> {
+    /// The files.
+    pub sources: &'s Sources,
+    /// The other texts, by the names of the files.
+    pub texts: &'s HashMap<String, String>,
+}
 
 impl Reader for Known<'_> {
     fn read(&mut self, name: &str) -> Result<String, String> {
-        let file = self.0.find(name).ok_or("it has not been read")?;
-        Ok(self.0.get(file).text().to_owned())
+        let known = self.sources.find(name).map(|file| self.sources.get(file).text());
+        let text = self.texts.get(name).map(String::as_str).or(known);
+        Ok(text.ok_or("it has not been read")?.to_owned())
     }
 
     fn beside(&mut self, _name: &str) -> Vec<String> {
@@ -42,7 +49,11 @@ pub(super) fn stays_sound(snapshot: &Snapshot, op: &Op, edits: &[Edit]) -> bool 
     let is_sound = |op: &str| {
         let text = format!("{context}{op}");
         let name = snapshot.sources().get(snapshot.file()).name();
-        let alone = Snapshot::new(name, &text, &mut Known(snapshot.sources()));
+        let alone = Snapshot::new(
+            name,
+            &text,
+            &mut Known { sources: snapshot.sources(), texts: &HashMap::new() },
+        );
         let own = alone.program().ops.iter().enumerate();
         let own = own.filter(|(_, op)| op.span.file == alone.file());
         let told = alone.told().chain(own.flat_map(|(at, _)| &alone.examined(at).diagnostics));
@@ -53,7 +64,7 @@ pub(super) fn stays_sound(snapshot: &Snapshot, op: &Op, edits: &[Edit]) -> bool 
 }
 
 /// A part of a text, after edits; `None` if one lies elsewhere.
-fn applied(text: &str, part: Range<usize>, edits: &[Edit]) -> Option<String> {
+pub fn applied(text: &str, part: Range<usize>, edits: &[Edit]) -> Option<String> {
     let mut edits: Vec<_> = edits.iter().map(|edit| (edit.span.range(), &edit.text)).collect();
     edits.sort_by_key(|(range, _)| range.start);
     let mut out = String::new();

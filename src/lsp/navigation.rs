@@ -1,5 +1,7 @@
 //! From a name to where it is declared and mentioned, and renaming it.
 
+use std::collections::HashMap;
+
 use gen_lsp_types::*;
 
 use super::document::Document;
@@ -7,8 +9,8 @@ use super::requests::{Answer, Refusal};
 use super::server::Server;
 use crate::analysis::names::{Mention, Role};
 use crate::analysis::{
-    definition, mentions_of_shared, occurrences, rename, rename_shared, renameable, shared,
-    used_path,
+    applied, definition, mentions_of_shared, occurrences, rename, rename_shared, renameable,
+    shared, stays_the_same, used_path,
 };
 use crate::diagnostic;
 
@@ -122,7 +124,29 @@ impl Server {
             }
         }
         changes.retain(|(_, edits)| !edits.is_empty());
+        self.try_renamed(&changes, to).map_err(Refusal::failed)?;
         Ok(Some(self.workspace_edit(&changes)))
+    }
+
+    /// Tries what a rename does to the programs that it changes, and to those that use them.
+    fn try_renamed(
+        &self,
+        changes: &[(&Document, Vec<diagnostic::Edit>)],
+        to: &str,
+    ) -> Result<(), String> {
+        let texts = changes.iter().filter_map(|(document, edits)| {
+            let text = document.snapshot().text();
+            Some((document.name().to_owned(), applied(text, 0..text.len(), edits)?))
+        });
+        let texts: HashMap<String, String> = texts.collect();
+        for document in self.programs() {
+            let snapshot = document.snapshot();
+            let mut read = snapshot.used_names().chain([document.name().to_owned()]);
+            if read.any(|name| texts.contains_key(&name)) {
+                stays_the_same(snapshot, &texts, to)?;
+            }
+        }
+        Ok(())
     }
 
     /// Changes of programs; of those that are open for their versions, if the client heeds that.

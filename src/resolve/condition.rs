@@ -268,6 +268,7 @@ fn parameter_drawn(word: &str, names: &Names, typing: &Typing) -> Option<String>
 impl Typing<'_> {
     /// The attribute of this name of an element, and the type of its values.
     pub(super) fn attribute_of(&mut self, ty: Type, name: &Ident) -> Option<(Access, Type)> {
+        self.declared.meet(ty, name);
         let found = attribute(ty, &name.text).or(self.declared.attribute(ty, &name.text));
         if found.is_some() {
             return found;

@@ -3,6 +3,7 @@
 //! Those are its own items, and the items of the files it uses. Two files that are used may
 //! have items of one name; only to call it is an error then.
 
+use std::cell::RefCell;
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::rc::Rc;
 
@@ -13,6 +14,8 @@ use crate::syntax::tree::{self, Ident, Item};
 
 use super::attribute_head::{Head, head};
 use super::builtin::function_names;
+use super::fields::is_taken;
+use super::file::Fields;
 use super::report::Report;
 use super::sequence_names::fold_names;
 use super::signature::FunctionSignature;
@@ -68,6 +71,8 @@ pub(super) struct Declared {
     hidden: Vec<Head>,
     /// True if some of what is used is not known.
     lacks: bool,
+    /// The meanings of the words behind dots that have been met.
+    met: RefCell<Fields>,
 }
 
 /// The number of them of what is numbered.
@@ -319,6 +324,20 @@ impl Declared {
         let mut known = self.attributes.iter();
         let head = known.find(|head| head.element == element && head.name == name)?;
         Some((Access::Declared(head.number), head.ty))
+    }
+
+    /// Remembers what the word behind the dot of a value means, if it means something.
+    pub(super) fn meet(&self, of: Type, field: &Ident) {
+        let mut known = self.attributes.iter();
+        let head = known.find(|head| head.element == of && head.name == field.text);
+        if head.is_some() || is_taken(of, &field.text) {
+            self.met.borrow_mut().insert(field.span, head.map(|head| head.span));
+        }
+    }
+
+    /// The meanings of the words behind dots that have been met.
+    pub(super) fn take_met(&mut self) -> Fields {
+        self.met.take()
     }
 
     /// The names of the attributes that elements of a type are declared to have.

@@ -77,6 +77,7 @@ impl Typing<'_> {
         of_sequences: bool,
     ) -> Option<Expr> {
         let word = field.text.as_str();
+        self.declared.meet(base.ty, field);
         let found = fields_of(base.ty).iter().find(|(known, _)| *known == word);
         let found = match self.declared.attribute(base.ty, word) {
             Some((access, ty)) => Some(Field::Attribute(access, ty)),

@@ -1,6 +1,9 @@
 //! The files of a program: first the names of all items, then the items.
 
+use std::collections::HashMap;
+
 use crate::diagnostic::Diagnostic;
+use crate::source::Span;
 use crate::syntax::tree::{self, Item};
 
 use super::attribute::attributes;
@@ -14,6 +17,10 @@ use super::steps::resolve_steps;
 use super::testing::resolve_test;
 use super::unit::Unit;
 
+/// For each word behind a dot, by its place, where the attribute that it names is declared; `None`
+/// if it is a field of the language. A word is not there if its meaning is not known.
+pub type Fields = HashMap<Span, Option<Span>>;
+
 /// A program, and what is wrong with it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Resolved {
@@ -21,6 +28,8 @@ pub struct Resolved {
     pub program: Program,
     /// The mistakes, in the order of the text.
     pub diagnostics: Vec<Diagnostic>,
+    /// The meanings of the words behind dots.
+    pub fields: Fields,
 }
 
 /// Finds what every name of a file means that uses no other, and what type every value has.
@@ -94,7 +103,8 @@ pub fn resolve_all(units: &[Unit]) -> Resolved {
         }
     }
     diagnostics.extend(functions.take_diagnostics());
+    let fields = functions.declared.iter_mut().flat_map(Declared::take_met).collect();
     program.functions = functions.into_resolved();
     diagnostics.sort_by_key(Diagnostic::span);
-    Resolved { program, diagnostics }
+    Resolved { program, diagnostics, fields }
 }

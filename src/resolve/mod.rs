@@ -70,7 +70,7 @@ mod test_meshes;
 mod testing;
 
 pub use crate::syntax::tree::Digits;
-pub use file::{Resolved, resolve, resolve_all};
+pub use file::{Fields, Resolved, resolve, resolve_all};
 pub use program::{
     Block, Body, Function, Op as ResolvedOp, Print, Program, Script, Statement, StatementKind,
     Steps, Test, TestMesh, Variable, Visit,
@@ -78,6 +78,6 @@ pub use program::{
 pub use suggestion::closest;
 pub use unit::Unit;
 pub use vocabulary::{
-    FieldWord, Signature, fields, function_words, is_function, mesh_and_constant_words,
-    sequence_words, signatures, type_with_article,
+    FieldWord, Signature, fields, function_words, is_constant, is_function,
+    mesh_and_constant_words, sequence_words, signatures, type_with_article,
 };

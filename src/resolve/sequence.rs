@@ -58,6 +58,7 @@ impl Typing<'_> {
             }
             tree::ExprKind::Field(base, field) => {
                 let value = self.expression(base)?;
+                self.declared.meet(value.ty, field);
                 match around(value, &field.text) {
                     Ok(collection) => Some(collection),
                     Err(value) => {

@@ -104,6 +104,11 @@ pub fn mesh_and_constant_words() -> impl Iterator<Item = &'static str> {
     CONSTRUCTORS.iter().map(|(word, _)| *word).chain(["load", "refuses", "mesh"]).chain(constants)
 }
 
+/// True if a word is a value wherever nothing else has the name.
+pub fn is_constant(word: &str) -> bool {
+    word == "mesh" || CONSTANTS.iter().any(|(known, _)| *known == word)
+}
+
 /// A type with its article.
 pub fn type_with_article(ty: Type) -> &'static str {
     a_type(ty)

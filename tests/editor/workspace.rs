@@ -147,6 +147,32 @@ fn a_rename_reaches_files_that_are_not_open() {
 }
 
 #[test]
+fn a_rename_reaches_attributes_and_heeds_what_other_files_declare() {
+    let mut client = Client::able("utf-8");
+    let library = "file:///work/ops.hedge";
+    client.open_as(library, "attr mass: vertex real = 0\nfn half(x: real) -> real { x / 2 }\n");
+    client.open(
+        "use \"ops.hedge\"\nfn third(x: real) -> real { x / 3 }\n\
+         script s() { for h in halfedges { h.vertex.mass = h.target.mass } }\n",
+    );
+    let mut rename = |uri: &str, line: u32, character: u32, to: &str| {
+        let at = json!({ "line": line, "character": character });
+        let params = json!({ "textDocument": { "uri": uri }, "position": at, "newName": to });
+        client.request("textDocument/rename", params)
+    };
+    for (uri, line, character) in [(library, 0, 5), (URI, 2, 43)] {
+        let edit = rename(uri, line, character, "weight").unwrap();
+        let changes = edit["documentChanges"].as_array().unwrap();
+        let count = |change: &Value| change["edits"].as_array().unwrap().len();
+        let mut counts: Vec<_> = changes.iter().map(count).collect();
+        counts.sort_unstable();
+        assert_eq!(counts, [1, 2]);
+    }
+    let (_, why) = rename(library, 1, 3, "third").unwrap_err();
+    assert_eq!(why, "there is already a function `third`");
+}
+
+#[test]
 fn symbols_are_those_of_the_workspace() {
     let mut client = editor(work());
     let symbols = |client: &mut Client, query: &str| {

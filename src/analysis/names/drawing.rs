@@ -3,7 +3,7 @@
 use super::symbol::{List, Role, SideName, SymbolKind};
 use super::walk::SymbolCollector;
 use crate::diagram::Kind;
-use crate::syntax::tree::{Arrow, Condition, Ident, Name, Op, Param, Rule, Side, Spoke, Statement};
+use crate::syntax::tree::{Arrow, Condition, Name, Op, Param, Rule, Side, Spoke, Statement};
 
 /// The kind of element that a type in words stands for.
 fn element_kind(ty: &str) -> Option<Kind> {
@@ -11,7 +11,7 @@ fn element_kind(ty: &str) -> Option<Kind> {
     kinds.into_iter().find(|kind| kind.word() == ty)
 }
 
-impl SymbolCollector {
+impl SymbolCollector<'_> {
     pub(super) fn op(&mut self, op: &Op) {
         self.enter();
         for param in &op.params {
@@ -56,6 +56,7 @@ impl SymbolCollector {
 
     fn rule(&mut self, rule: &Rule) {
         self.enter();
+        self.forget_indices();
         if let Some(name) = &rule.name {
             self.declare(name, SymbolKind::Rule, None);
         }
@@ -88,10 +89,9 @@ impl SymbolCollector {
 
     fn statement(&mut self, statement: &Statement, side: SideName) {
         let drawn = Role::Drawn(side);
-        self.enter_index();
         match statement {
             Statement::Loop(orbit) => {
-                self.index(orbit.each.as_ref());
+                self.each(orbit.each.as_ref());
                 self.name(&orbit.name, Some(Kind::Face), drawn);
                 for item in &orbit.items {
                     self.name(&item.from, Some(Kind::Vertex), drawn);
@@ -112,7 +112,7 @@ impl SymbolCollector {
                 }
             }
             Statement::Vertex(star) => {
-                self.index(star.each.as_ref());
+                self.each(star.each.as_ref());
                 self.name(&star.name, Some(Kind::Vertex), drawn);
                 for spoke in &star.spokes {
                     match spoke {
@@ -127,7 +127,6 @@ impl SymbolCollector {
             Statement::Keep(names, _) => self.list(names, List::Keep),
             Statement::Assign { .. } | Statement::Broken(_) => {}
         }
-        self.leave_index();
     }
 
     fn list(&mut self, names: &[Name], list: List) {
@@ -144,20 +143,10 @@ impl SymbolCollector {
     fn assignments(&mut self, side: &Side) {
         for statement in &side.statements {
             if let Statement::Assign { target, attribute, value, .. } = statement {
-                self.enter_index();
                 self.name(target, None, Role::Written);
                 self.field(attribute);
                 self.value(value);
-                self.leave_index();
             }
-        }
-    }
-
-    /// The attribute behind a dot, if the file declares it.
-    pub(super) fn field(&mut self, name: &Ident) {
-        let declared = self.find(&name.text);
-        if declared.is_some_and(|id| self.is_attribute(id)) {
-            self.read(name, Role::Read);
         }
     }
 }

@@ -1,17 +1,12 @@
-//! The names of expressions, and the indices of families.
+//! The names of expressions and sequences, and the indices of families.
 
-use super::symbol::{Role, SymbolId, SymbolKind};
+use super::symbol::{Role, SymbolKind};
 use super::walk::SymbolCollector;
-use crate::resolve::is_function;
+use crate::resolve::{is_function, sequence_words};
 use crate::syntax::Part;
 use crate::syntax::tree::{Expr, ExprKind, Ident, Name};
 
-impl SymbolCollector {
-    /// True if a name is that of an attribute.
-    pub(super) fn is_attribute(&self, id: SymbolId) -> bool {
-        self.kind(id) == SymbolKind::Attribute
-    }
-
+impl SymbolCollector<'_> {
     /// All names of an expression.
     pub(super) fn value(&mut self, value: &Expr) {
         match &value.kind {
@@ -25,11 +20,14 @@ impl SymbolCollector {
             }
             ExprKind::Call { function, args } => {
                 self.called(function);
-                args.iter().for_each(|arg| self.value(arg));
+                match function.text.as_str() {
+                    "count" | "shuffle" => args.iter().for_each(|arg| self.sequence(arg)),
+                    _ => args.iter().for_each(|arg| self.value(arg)),
+                }
             }
             ExprKind::Aggregate { function, body, variable, sequence, filter } => {
                 self.called(function);
-                self.value(sequence);
+                self.sequence(sequence);
                 self.enter();
                 self.declare(variable, SymbolKind::Variable, None);
                 self.value(body);
@@ -57,24 +55,26 @@ impl SymbolCollector {
         }
     }
 
-    /// The index in a subscript; one that is not declared by `each` belongs to the statement.
+    /// The index in a subscript.
     pub(super) fn subscript(&mut self, name: &Name) {
-        let variable = name.index.as_ref().and_then(|at| at.variable.as_ref());
-        let Some(variable) = variable else { return };
-        match self.find(&variable.text) {
-            Some(id) if self.kind(id) == SymbolKind::Index => {
-                self.mention(variable.span, id, Role::Read);
-            }
-            _ => {
-                self.declare_index(variable);
-            }
+        if let Some(variable) = name.index.as_ref().and_then(|at| at.variable.as_ref()) {
+            self.index(variable, Role::Read);
         }
     }
 
     /// The index that `each` declares.
-    pub(super) fn index(&mut self, each: Option<&Ident>) {
+    pub(super) fn each(&mut self, each: Option<&Ident>) {
         if let Some(each) = each {
-            self.declare_index(each);
+            self.index(each, Role::Declared);
+        }
+    }
+
+    /// All names of a sequence. The word for one of the whole mesh means that, whatever else is
+    /// called so.
+    pub(super) fn sequence(&mut self, sequence: &Expr) {
+        match &sequence.kind {
+            ExprKind::Name(name) if sequence_words().any(|word| word == name.ident.text) => {}
+            _ => self.value(sequence),
         }
     }
 }

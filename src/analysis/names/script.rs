@@ -4,7 +4,7 @@ use super::symbol::{Role, SymbolKind};
 use super::walk::SymbolCollector;
 use crate::syntax::tree::{Action, ActionKind, Block, ExprKind, Param};
 
-impl SymbolCollector {
+impl SymbolCollector<'_> {
     /// Parameters, and the body that sees them.
     pub(super) fn routine(&mut self, params: &[Param], body: &Block) {
         self.enter();
@@ -44,7 +44,7 @@ impl SymbolCollector {
             }
             ActionKind::For { variable, sequence, filter, body }
             | ActionKind::Update { variable, sequence, filter, body } => {
-                self.value(sequence);
+                self.sequence(sequence);
                 self.enter();
                 self.declare(variable, SymbolKind::Variable, None);
                 filter.iter().for_each(|filter| self.value(filter));
@@ -52,7 +52,7 @@ impl SymbolCollector {
                 self.leave();
             }
             ActionKind::Drain { variable, sequence, key, condition, body } => {
-                self.value(sequence);
+                self.sequence(sequence);
                 self.enter();
                 self.declare(variable, SymbolKind::Variable, None);
                 self.value(key);

@@ -2,6 +2,7 @@
 
 use super::walk::SymbolCollector;
 use crate::diagram::Kind;
+use crate::resolve::Fields;
 use crate::source::Span;
 use crate::syntax::tree;
 
@@ -49,6 +50,24 @@ pub struct Symbol {
     pub item: Option<usize>,
     /// The rule of the op it belongs to, if only to one.
     pub rule: Option<usize>,
+    /// The numbers of the scopes that it is declared in, the innermost last.
+    pub(super) scopes: Vec<usize>,
+}
+
+impl Symbol {
+    /// True if both are seen somewhere, so that they should not be called the same.
+    pub fn meets(&self, other: &Self) -> bool {
+        if self.item.is_none() || other.item.is_none() {
+            // Attributes stand behind dots.
+            let is_attribute = |symbol: &Self| symbol.kind == SymbolKind::Attribute;
+            let is_item = self.item.is_none() && other.item.is_none();
+            return is_item && !is_attribute(self) && !is_attribute(other);
+        }
+        let sees = |inner: &Self, outer: &Self| {
+            outer.scopes.last().is_some_and(|scope| inner.scopes.contains(scope))
+        };
+        sees(self, other) || sees(other, self)
+    }
 }
 
 /// A side of a rule.
@@ -111,9 +130,9 @@ pub struct Names {
 }
 
 impl Names {
-    /// Finds the names of a tree.
-    pub fn of(tree: &tree::File) -> Self {
-        let mut walk = SymbolCollector::default();
+    /// Finds the names of a tree, with what is known of the words behind its dots.
+    pub fn of(tree: &tree::File, fields: &Fields) -> Self {
+        let mut walk = SymbolCollector::new(fields);
         walk.file(tree);
         let mut names = walk.into_names();
         names.mentions.sort_by_key(|mention| mention.span);
@@ -157,14 +176,5 @@ impl Names {
         self.symbols().filter(move |(_, symbol)| {
             symbol.item == Some(item) && symbol.rule.is_none_or(|of| of == rule)
         })
-    }
-
-    /// The name of an item: an op, a script, a function or an attribute.
-    pub fn item_named(&self, name: &str) -> Option<SymbolId> {
-        self.symbols()
-            .find(|(_, symbol)| {
-                symbol.item.is_none() && symbol.name == name && symbol.kind != SymbolKind::Elsewhere
-            })
-            .map(|(id, _)| id)
     }
 }

@@ -4,32 +4,59 @@ use std::collections::HashMap;
 
 use super::symbol::{Mention, Names, Role, Symbol, SymbolId, SymbolKind};
 use crate::diagram::Kind;
+use crate::resolve::Fields;
 use crate::source::Span;
 use crate::syntax::tree::{self, Ident, Item};
 
 /// The walk: what is found so far, and what is in scope.
-#[derive(Default)]
-pub(super) struct SymbolCollector {
+pub(super) struct SymbolCollector<'f> {
+    /// The meanings of words behind dots, as far as they are known.
+    fields: &'f Fields,
     found: Names,
+    /// The attributes, which only stand behind dots.
+    attributes: Vec<SymbolId>,
+    /// The indices of the rule, which only stand in subscripts.
+    indices: HashMap<String, SymbolId>,
     /// The declarations around the place of the walk, the innermost last.
     scopes: Vec<HashMap<String, SymbolId>>,
+    /// The numbers of these scopes.
+    open: Vec<usize>,
+    /// The number of scopes so far.
+    count: usize,
     pub(super) item: Option<usize>,
     pub(super) rule: Option<usize>,
 }
 
-impl SymbolCollector {
+impl<'f> SymbolCollector<'f> {
+    pub(super) fn new(fields: &'f Fields) -> Self {
+        Self {
+            fields,
+            found: Names::default(),
+            attributes: Vec::new(),
+            indices: HashMap::new(),
+            scopes: Vec::new(),
+            open: Vec::new(),
+            count: 0,
+            item: None,
+            rule: None,
+        }
+    }
+
     pub(super) fn into_names(self) -> Names {
         self.found
     }
 
     pub(super) fn file(&mut self, tree: &tree::File) {
-        self.scopes.push(HashMap::new());
+        self.enter();
         for item in &tree.items {
             let (name, kind) = match item {
                 Item::Op(op) => (&op.name, SymbolKind::Op),
                 Item::Script(script) => (&script.name, SymbolKind::Script),
                 Item::Fn(function) => (&function.name, SymbolKind::Function),
-                Item::Attr(attr) => (&attr.name, SymbolKind::Attribute),
+                Item::Attr(attr) => {
+                    self.attribute(&attr.name);
+                    continue;
+                }
                 Item::Use(_) | Item::Test(_) | Item::Broken(_) => continue,
             };
             let known = self.find(&name.text);
@@ -42,6 +69,7 @@ impl SymbolCollector {
         }
         for (at, item) in tree.items.iter().enumerate() {
             self.item = Some(at);
+            self.forget_indices();
             match item {
                 Item::Op(op) => self.op(op),
                 Item::Script(script) => self.routine(&script.params, &script.body),
@@ -58,26 +86,52 @@ impl SymbolCollector {
         self.found.symbols[id.0].kind
     }
 
-    /// A scope for the index of one statement.
-    pub(super) fn enter_index(&mut self) {
-        self.enter();
+    fn attribute(&mut self, name: &Ident) {
+        let id = self.add(&name.text, SymbolKind::Attribute, Some(name.span));
+        self.attributes.push(id);
+        self.mention(name.span, id, Role::Declared);
     }
 
-    /// Leaves the scope of a statement: its elements belong to the rule, the index goes.
-    pub(super) fn leave_index(&mut self) {
-        let Some(inner) = self.scopes.pop() else {
-            return;
+    /// The word behind a dot, if it names an attribute. Where that is not known, one of the name
+    /// will be meant.
+    pub(super) fn field(&mut self, name: &Ident) {
+        let is_named = |id: &SymbolId| self.found.symbols[id.0].name == name.text;
+        let found = match self.fields.get(&name.span).copied() {
+            None => self.attributes.iter().copied().find(is_named),
+            Some(None) => None,
+            Some(declared) => {
+                let is_meant = |id: &SymbolId| self.found.symbols[id.0].definition == declared;
+                let known = self.attributes.iter().copied().find(is_meant);
+                known.or_else(|| Some(self.attribute_elsewhere(name, declared)))
+            }
         };
-        if let Some(rule) = self.scopes.last_mut() {
-            let symbols = &self.found.symbols;
-            let stays = |id: &SymbolId| symbols[id.0].kind != SymbolKind::Index;
-            rule.extend(inner.into_iter().filter(|(_, id)| stays(id)));
+        if let Some(id) = found {
+            self.mention(name.span, id, Role::Read);
         }
     }
 
-    /// The index of a family.
-    pub(super) fn declare_index(&mut self, name: &Ident) {
-        self.declare(name, SymbolKind::Index, None);
+    /// An attribute that another file declares.
+    fn attribute_elsewhere(&mut self, name: &Ident, declared: Option<Span>) -> SymbolId {
+        let (item, rule) = (self.item.take(), self.rule.take());
+        let id = self.add(&name.text, SymbolKind::Attribute, declared);
+        (self.item, self.rule) = (item, rule);
+        self.attributes.push(id);
+        id
+    }
+
+    /// An index. A rule has one, whichever of its statements names it.
+    pub(super) fn index(&mut self, name: &Ident, role: Role) {
+        if let Some(&known) = self.indices.get(&name.text) {
+            return self.mention(name.span, known, role);
+        }
+        let id = self.add(&name.text, SymbolKind::Index, Some(name.span));
+        self.indices.insert(name.text.clone(), id);
+        self.mention(name.span, id, Role::Declared);
+    }
+
+    /// Forgets the indices of the rule before.
+    pub(super) fn forget_indices(&mut self) {
+        self.indices.clear();
     }
 
     /// The item of a word: calls mean items, whatever variables are called.
@@ -92,10 +146,13 @@ impl SymbolCollector {
 
     pub(super) fn enter(&mut self) {
         self.scopes.push(HashMap::new());
+        self.open.push(self.count);
+        self.count += 1;
     }
 
     pub(super) fn leave(&mut self) {
         self.scopes.pop();
+        self.open.pop();
     }
 
     /// A new name, declared here.
@@ -105,13 +162,22 @@ impl SymbolCollector {
         kind: SymbolKind,
         ty: Option<&Ident>,
     ) -> SymbolId {
-        let id = self.add(&name.text, kind, Some(name.span));
+        let id = self.bring(&name.text, kind, Some(name.span));
         self.found.symbols[id.0].ty = ty.map(|ty| ty.text.clone());
         self.mention(name.span, id, Role::Declared);
         id
     }
 
     /// A new name in the innermost scope.
+    fn bring(&mut self, name: &str, kind: SymbolKind, definition: Option<Span>) -> SymbolId {
+        let id = self.add(name, kind, definition);
+        if let Some(scope) = self.scopes.last_mut() {
+            scope.insert(name.to_owned(), id);
+        }
+        id
+    }
+
+    /// A new name.
     fn add(&mut self, name: &str, kind: SymbolKind, definition: Option<Span>) -> SymbolId {
         let id = SymbolId(self.found.symbols.len());
         self.found.symbols.push(Symbol {
@@ -121,10 +187,8 @@ impl SymbolCollector {
             ty: None,
             item: self.item,
             rule: self.rule,
+            scopes: self.open.clone(),
         });
-        if let Some(scope) = self.scopes.last_mut() {
-            scope.insert(name.to_owned(), id);
-        }
         id
     }
 
@@ -136,7 +200,7 @@ impl SymbolCollector {
     pub(super) fn element(&mut self, name: &Ident, kind: Option<Kind>, role: Role) {
         let id = match self.find(&name.text) {
             Some(id) if self.is_drawable(id) => id,
-            _ => self.add(&name.text, SymbolKind::Element(None), None),
+            _ => self.bring(&name.text, SymbolKind::Element(None), None),
         };
         let symbol = &mut self.found.symbols[id.0];
         if symbol.kind == SymbolKind::Element(None) {
@@ -176,9 +240,10 @@ impl SymbolCollector {
     /// A word that is called, and neither declared here nor part of the language.
     pub(super) fn elsewhere(&mut self, name: &Ident) {
         let (item, rule) = (self.item.take(), self.rule.take());
-        let innermost = self.scopes.split_off(1.min(self.scopes.len()));
         let id = self.add(&name.text, SymbolKind::Elsewhere, None);
-        self.scopes.extend(innermost);
+        if let Some(items) = self.scopes.first_mut() {
+            items.insert(name.text.clone(), id);
+        }
         (self.item, self.rule) = (item, rule);
         self.mention(name.span, id, Role::Read);
     }

@@ -99,13 +99,32 @@ impl Group {
             _ => told,
         };
         if let Some(edits) = edits {
-            let edits: Vec<_> = edits.into_iter().map(|edit| whole_line(text, edit)).collect();
+            let edits = merged(text, edits).into_iter().map(|edit| whole_line(text, edit));
+            let edits = merged(text, edits.collect());
             let title = title(text, span, &edits);
             let title = if more > 0 { format!("{title}, {again}") } else { title };
             told.fixes.push(Fix { title, edits });
         }
         told
     }
+}
+
+/// The edits, those in one that overlap or leave nothing but blanks between what they leave out.
+fn merged(text: &str, mut edits: Vec<Edit>) -> Vec<Edit> {
+    edits.sort_by_key(|edit| (edit.span.start, edit.span.end));
+    edits.dedup_by(|next, last| {
+        let between = text.get(last.span.end as usize..next.span.start as usize);
+        let is_one = between.is_none_or(|between| {
+            let is_blank = between.trim_matches([' ', '\t']).is_empty();
+            is_blank && last.text.is_empty() && next.text.is_empty()
+        });
+        if is_one {
+            last.span.end = last.span.end.max(next.span.end);
+            last.text.push_str(&next.text);
+        }
+        is_one
+    });
+    edits
 }
 
 /// The line that the edits make.
