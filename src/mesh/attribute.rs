@@ -6,6 +6,7 @@
 //! one and the mesh keeps them apart.
 
 use std::fmt;
+use std::hint::black_box;
 
 use glam::{DMat3, DMat4, DVec2, DVec3, DVec4};
 
@@ -87,6 +88,11 @@ macro_rules! attribute_types {
             /// Shows all values, in order.
             pub fn each(&self, mut see: impl FnMut(Value)) {
                 match self { $(Self::$variant(xs) => xs.iter().for_each(|&x| see(Value::$variant(x)))),* }
+            }
+
+            /// Reads a value, so that it is at hand later.
+            pub(super) fn touch(&self, index: usize) {
+                match self { $(Self::$variant(xs) => { black_box(xs.get(index).copied()); })* }
             }
 
             pub(super) fn get(&self, index: usize) -> Option<Value> {

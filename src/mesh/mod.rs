@@ -40,6 +40,7 @@ mod kernel;
 mod level;
 mod level_near;
 mod link;
+mod lookahead;
 mod orbit_condition;
 mod summary;
 pub mod validate;

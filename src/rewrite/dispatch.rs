@@ -606,7 +606,7 @@ impl Machine {
                         None => None,
                     };
                     let paths = self.paths.of(&call, at - 1);
-                    self.drains.open(mesh, of, members, paths);
+                    self.drains.open(mesh, of, members, paths, &self.columns);
                     if budget!().is_passed(mesh) {
                         break Message::NoMemory(self.memory);
                     }
@@ -624,7 +624,7 @@ impl Machine {
                         break Message::NoMemory(self.memory);
                     }
                 }
-                DrainLeast { to, otherwise } => match self.drains.least() {
+                DrainLeast { to, otherwise } => match self.drains.least(mesh) {
                     Some(id) => w.set_id(to, id),
                     None => at = otherwise.0 as usize,
                 },

@@ -18,7 +18,7 @@ use super::queue::Queue;
 use super::readers::{Place, Readers};
 use super::stale::Stale;
 use super::{Elements, Message, Reg};
-use crate::mesh::{ElementKind, HalfedgeId, Mesh};
+use crate::mesh::{ColumnId, ElementKind, HalfedgeId, Mesh};
 
 /// The drains that run, the innermost last.
 #[derive(Debug, Default)]
@@ -47,17 +47,22 @@ enum Changes {
 /// The number of keys that are computed between looks at the memory that they take.
 const KEYS_PER_LOOK: u32 = 1024;
 
+/// The number of elements of which it is known that they have been looked at.
+const LOOKED_AT: usize = 256;
+
 #[derive(Debug)]
 struct Drain {
     of: Elements,
     /// By number whether an element belongs to it; `None` for all that there are, also those
     /// that are born meanwhile.
     members: Option<Vec<bool>>,
-    /// By number; not a number where none is known.
-    keys: Vec<f64>,
     queue: Queue,
     stale: Stale,
     changes: Changes,
+    /// The attributes that the keys read.
+    columns: Vec<ColumnId>,
+    /// By the end of their numbers the elements around which the drain has looked ahead.
+    looked_at: Box<[u32; LOOKED_AT]>,
     /// The element whose key is being computed.
     reading: Option<u32>,
 }
@@ -70,18 +75,13 @@ impl Drain {
             Changes::Noted(readers) => readers.bytes(),
             Changes::Walked { written, .. } => written.capacity() * size_of::<Written>(),
         };
-        members
-            + self.keys.capacity() * size_of::<f64>()
-            + self.stale.bytes()
-            + self.queue.bytes()
-            + changes
+        members + self.stale.bytes() + self.queue.bytes() + changes
     }
 
     fn of(of: Elements, members: Option<Vec<bool>>, paths: Option<Arc<Paths>>) -> Self {
         Self {
             of,
             members,
-            keys: Vec::new(),
             queue: Queue::default(),
             stale: Stale::default(),
             changes: match paths {
@@ -89,6 +89,8 @@ impl Drain {
                 None => Changes::Noted(Box::default()),
             },
             reading: None,
+            columns: Vec::new(),
+            looked_at: Box::new([u32::MAX; LOOKED_AT]),
         }
     }
 
@@ -159,12 +161,31 @@ impl Drain {
         }
     }
 
+    /// Looks around the element with the least key and those that are likely to follow, once.
+    fn look_ahead(&mut self, mesh: &Mesh) {
+        let Self { queue, stale, looked_at, .. } = self;
+        let mut is_new =
+            |id: &u32| std::mem::replace(&mut looked_at[*id as usize % LOOKED_AT], *id) != *id;
+        let mut soon = [u32::MAX; Mesh::TOGETHER];
+        match queue.least() {
+            Some(least) if is_new(&least) => soon[0] = least,
+            _ => return,
+        }
+        for (slot, id) in soon[1..].iter_mut().zip(queue.below_least().filter(is_new)) {
+            *slot = id;
+        }
+        let own = self.of.kind();
+        mesh.look_around(own, &soon, &self.columns, |kind, id| {
+            if kind == own {
+                queue.touch(id);
+                stale.touch(id);
+            }
+        });
+    }
+
     /// Forgets an element that is gone; another may have its number later.
     fn forget(&mut self, id: u32) {
-        if (id as usize) < self.keys.len() {
-            self.queue.remove(id);
-            self.keys[id as usize] = f64::NAN;
-        }
+        self.queue.forget(id);
     }
 
     fn is_member(&self, mesh: &Mesh, id: u32) -> bool {
@@ -270,6 +291,7 @@ impl Drains {
         of: Elements,
         some: Option<&[u64]>,
         paths: Option<Arc<Paths>>,
+        columns: &[Option<ColumnId>],
     ) {
         let capacity = mesh.capacity(of.kind());
         let members = some.map(|some| {
@@ -281,7 +303,12 @@ impl Drains {
             }
             members
         });
-        self.all.push(Drain::of(of, members, paths));
+        let read = (0..).zip(columns).filter_map(|(number, &column)| {
+            let (paths, column) = (paths.as_ref()?, column?);
+            paths.concern(column.kind, Fields::attribute(number)).then_some(column)
+        });
+        let columns = read.collect();
+        self.all.push(Drain { columns, ..Drain::of(of, members, paths) });
         self.make_all_stale(mesh);
     }
 
@@ -354,29 +381,15 @@ impl Drains {
             return Err(Message::KeyNotANumber);
         }
         self.computed = self.computed.wrapping_add(1);
-        let index = id as usize;
-        if drain.keys.len() <= index {
-            drain.keys.resize(index + 1, f64::NAN);
-        }
-        if drain.keys[index] == key {
-            return Ok(());
-        }
-        match key == f64::INFINITY {
-            true => {
-                drain.queue.remove(id);
-                drain.keys[index] = key;
-            }
-            false => {
-                drain.keys[index] = key;
-                drain.queue.put(id, key);
-            }
-        }
+        drain.queue.set(id, key);
         Ok(())
     }
 
     /// The element with the least key.
-    pub(super) fn least(&self) -> Option<u32> {
-        self.all.last()?.queue.least()
+    pub(super) fn least(&mut self, mesh: &Mesh) -> Option<u32> {
+        let drain = self.all.last_mut()?;
+        drain.look_ahead(mesh);
+        drain.queue.least()
     }
 
     /// Takes that element out of the queue.

@@ -1,5 +1,7 @@
 //! Elements of which something is to be computed anew.
 
+use std::hint::black_box;
+
 /// A stack of numbers, none of which stands in it twice.
 #[derive(Debug, Default)]
 pub(super) struct Stale {
@@ -22,6 +24,12 @@ impl Stale {
         let id = self.all.pop()?;
         self.is_in[id as usize] = false;
         Some(id)
+    }
+
+    /// Reads what is known of an element, so that it is at hand later.
+    #[inline]
+    pub(super) fn touch(&self, id: u32) {
+        black_box(self.is_in.get(id as usize).copied());
     }
 
     /// The memory that it takes, in bytes.

@@ -1,44 +1,60 @@
 //! Elements in the order of their keys.
 
+use std::collections::BTreeSet;
+
 use hedgerow::rewrite::queue::Queue;
+use support::dice::Dice;
+
+const MANY: usize = 700;
 
 #[test]
 fn it_gives_what_sorting_gives() {
-    let mut seed = 7_u64;
-    let mut random = |below: u64| {
-        seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
-        (seed >> 33) % below
-    };
-    let mut keys = vec![0.0; 40];
+    let mut dice = Dice(7);
+    // Some agree in their first bits, or are equal.
+    let some = [0.0, -0.0, 1.0, 1.0 + 1e-9, 1.0 + 2e-9, -3.5, -3.5 - 1e-8, 1e-310, f64::INFINITY];
+    let mut keys = vec![f64::NAN; MANY];
     let mut queue = Queue::default();
-    let mut queued = std::collections::BTreeSet::new();
-    let mut taken = 0;
-    for _ in 0..4000 {
-        let id = random(40) as u32;
-        match random(3) {
+    let mut queued = BTreeSet::new();
+    let (mut taken, mut most) = (0, 0);
+    for turn in 0..60_000 {
+        let id = dice.below(MANY);
+        // It fills, and runs empty.
+        let comes = if turn / 10_000 % 2 == 0 { 12 } else { 1 };
+        match dice.below(4 + comes) {
             0 => {
-                queue.remove(id);
+                queue.remove(id as u32);
                 queued.remove(&id);
             }
-            1 => {
-                keys[id as usize] = random(10) as f64 - 5.0;
-                queue.put(id, keys[id as usize]);
-                queued.insert(id);
-            }
-            _ => {
-                let order = |a: &u32, b: &u32| {
-                    let [x, y] = [a, b].map(|&id| keys[id as usize]);
-                    x.total_cmp(&y).then(a.cmp(b))
+            1..4 => {
+                let order = |a: &usize, b: &usize| {
+                    let (x, y) = (keys[*a], keys[*b]);
+                    x.partial_cmp(&y).expect("numbers").then(a.cmp(b))
                 };
                 let least = queued.iter().copied().min_by(order);
-                assert_eq!(queue.least(), least);
+                assert_eq!(queue.least(), least.map(|id| id as u32));
                 if let Some(least) = least {
-                    queue.remove(least);
+                    queue.remove(least as u32);
                     queued.remove(&least);
                     taken += 1;
                 }
             }
+            _ => {
+                let key = match dice.below(3) {
+                    0 => dice.below(1000) as f64 - 500.5,
+                    _ => some[dice.below(some.len())],
+                };
+                queue.set(id as u32, key);
+                // What has its key already stays where it is.
+                if keys[id] != key {
+                    keys[id] = key;
+                    match key == f64::INFINITY {
+                        true => queued.remove(&id),
+                        false => queued.insert(id),
+                    };
+                }
+            }
         }
+        most = most.max(queued.len());
     }
-    assert!(taken > 500);
+    assert!(taken > 10_000 && most > 300, "{taken} taken, {most} at once");
 }

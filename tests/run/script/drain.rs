@@ -378,3 +378,32 @@ fn functions_give_keys_and_leave_their_own_drains() {
     let (_, lines) = try_run(&mut shape::icosahedron(), script, &[]).unwrap();
     assert_eq!(lines, ["40 200"]);
 }
+
+#[test]
+fn large_meshes_are_drained_in_order() {
+    // Large enough that the drain looks ahead; what it looks at is erased and made meanwhile.
+    let mut mesh = shape::triangle_grid(100, 100);
+    let script = "
+        attr last: vertex real = -1
+        attr heat: face real = 1
+        script main() {
+          var turns = 0
+          drain e in edges by abs(length(e) - 1.1) while turns < 500 {
+            turns = turns + 1
+            if turns mod 3 == 0 { split(e) } else { collapse(e, 100.0) }
+          }
+          var so_far = -1.0
+          for v in vertices { v.last = random() }
+          drain v in vertices by v.last { assert v.last >= so_far  so_far = v.last }
+          so_far = -1.0
+          for f in faces { f.heat = random() }
+          drain f in faces by f.heat { assert f.heat >= so_far  so_far = f.heat }
+          so_far = -infinity
+          drain h in halfedges by h.vertex.last + h.target.last {
+            assert h.vertex.last + h.target.last >= so_far
+            so_far = h.vertex.last + h.target.last
+          }
+        }";
+    let (report, _) = try_run(&mut mesh, script, &[]).unwrap();
+    assert!(applied(&report, "split") > 50 && applied(&report, "collapse") > 50, "{report:?}");
+}

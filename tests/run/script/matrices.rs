@@ -3,6 +3,8 @@
 use super::*;
 use glam::{DMat3, DMat4, DVec2, DVec3, DVec4};
 use hedgerow::mesh::{ElementKind, Value, shape};
+use hedgerow::rewrite::vectors::eliminate;
+use support::dice::Dice;
 
 /// The value of an expression of a type.
 fn value(ty: &str, expression: &str) -> Value {
@@ -97,6 +99,60 @@ fn a_singular_matrix_gives_no_numbers() {
     ] {
         assert_eq!(value("bool", &question), Value::Bool(true), "{question}");
     }
+}
+
+#[test]
+fn elimination_is_the_same_everywhere() {
+    let mut mesh = shape::icosphere(3);
+    let mut dice = Dice(11);
+    let matrix = Value::Mat4(DMat4::ZERO);
+    let matrices = mesh.add_column(ElementKind::Vertex, "a", matrix).unwrap();
+    for index in 0..mesh.vertex_count() as u32 {
+        // Equal pivots, lost ones, what is infinite or not a number, in some of the matrices.
+        let odd = [f64::NAN, f64::INFINITY, -0.0, 1e300, 1e-300][index as usize % 5];
+        let entries = std::array::from_fn(|_| match dice.below(40) {
+            0 => odd,
+            1..20 => dice.below(5) as f64 - 2.0,
+            _ => dice.below(1_000_000) as f64 / 1e5 - 5.0,
+        });
+        mesh.set_value(matrices, index, Value::Mat4(DMat4::from_cols_array(&entries)));
+    }
+    let script = "
+        attr a: vertex mat4 = mat4(0)
+        attr solved: vertex vec4 = vec4(0, 0, 0, 0)
+        attr inverse: vertex mat4 = mat4(0)
+        attr solved3: vertex vec3 = vec3(0, 0, 0)
+        attr inverse3: vertex mat3 = mat3(0)
+        script main() {
+          for v in vertices {
+            v.solved = solve(v.a, v.a.w)
+            v.inverse = inverse(v.a)
+            v.solved3 = solve(mat3(v.a), vec3(v.a.w))
+            v.inverse3 = inverse(mat3(v.a))
+          }
+        }";
+    run_alone(&mut mesh, script, &[]).unwrap();
+    let found = |name: &str, index: u32| {
+        let column = mesh.find_column(ElementKind::Vertex, name).unwrap();
+        mesh.value(column, index).unwrap().reals().iter().map(|x| x.to_bits()).collect::<Vec<_>>()
+    };
+    let bits = |all: &[f64]| all.iter().map(|x| x.to_bits()).collect::<Vec<_>>();
+    let mut regular = 0;
+    for index in 0..mesh.vertex_count() as u32 {
+        let Some(Value::Mat4(a)) = mesh.value(matrices, index) else { panic!("it is a matrix") };
+        let a3 = DMat3::from_mat4(a).to_cols_array_2d();
+        let [solved] = eliminate(a.to_cols_array_2d(), [a.w_axis.to_array()]);
+        let [solved3] = eliminate(a3, [a.w_axis.truncate().to_array()]);
+        let inverse = eliminate(a.to_cols_array_2d(), DMat4::IDENTITY.to_cols_array_2d());
+        let inverse3 = eliminate(a3, DMat3::IDENTITY.to_cols_array_2d());
+        assert_eq!(found("solved", index), bits(&solved), "{a}");
+        assert_eq!(found("inverse", index), bits(inverse.as_flattened()), "{a}");
+        assert_eq!(found("solved3", index), bits(&solved3), "{a}");
+        assert_eq!(found("inverse3", index), bits(inverse3.as_flattened()), "{a}");
+        regular += usize::from(solved[0].is_finite());
+    }
+    let all = mesh.vertex_count();
+    assert!(all / 3 < regular && regular < all - 50, "{regular} of {all}");
 }
 
 #[test]

@@ -52,8 +52,9 @@ pub(in super::super) unsafe extern "C" fn key(context: *mut Context, inst: i64, 
 /// # Safety
 /// As of all stubs.
 pub(in super::super) unsafe extern "C" fn least(context: *mut Context) -> i64 {
-    let least =
-        |_: &mut Context, run: &mut Run<'_>| Ok(run.machine.drains.least().map_or(NONE, i64::from));
+    let least = |_: &mut Context, run: &mut Run<'_>| {
+        Ok(run.machine.drains.least(run.mesh).map_or(NONE, i64::from))
+    };
     // SAFETY: as of all stubs.
     unsafe { within_guarded(context, least) }
 }
