@@ -2,8 +2,8 @@
 //! Algorithm 232: Heapsort, 1964), so that one in the middle can move or leave. Each element has
 //! eight children (Johnson, Priority queues with update and finding minimum spanning trees, 1975),
 //! which fill one line of the processor's cache (LaMarca and Ladner, The influence of caches on the
-//! performance of heaps, 1996): of each key the heap has the upper half, and looks for the rest
-//! only where two halves are equal.
+//! performance of heaps, 1996): of each key the heap has the first 31 bits, which are all of most
+//! whole numbers, and looks for the rest only where two keys begin alike.
 //!
 //! Of equal keys the lower number comes first, so that the order does not depend on how the queue
 //! came about.
@@ -19,21 +19,27 @@ const CHILDREN: usize = 8;
 /// The place of the first element: the last in a block of its own, so that siblings share one.
 const ROOT: usize = CHILDREN - 1;
 
-/// An element below the upper half of its key, whose bits are those of a number that is ordered as
-/// the keys are.
+/// A number that is ordered as the keys are: from the top 31 bits of the key, a bit that is higher
+/// for keys that go on than for those that end there, if they are positive, and lower if they are
+/// negative; then the element.
 #[derive(Clone, Copy, Debug)]
 struct Entry(u64);
 
 impl Entry {
     /// In the places that are left of a block.
     const NONE: Self = Self(u64::MAX);
+    const POSITIVE: u64 = 1 << 63;
+    const GOES_ON: u64 = 1 << 32;
 
     fn new(id: u32, key: f64) -> Self {
         // Two zeros are equal.
         let bits = (key + 0.0).to_bits();
-        let sign = 1 << 63;
-        let ordered = if bits & sign == 0 { bits | sign } else { !bits };
-        Self(ordered & !u64::from(u32::MAX) | u64::from(id))
+        let is_negative = key < 0.0;
+        let ordered = if is_negative { !bits } else { bits | Self::POSITIVE };
+        let begins = ordered & !(2 * Self::GOES_ON - 1);
+        let ends = bits & (2 * Self::GOES_ON - 1) == 0;
+        let goes_on = if ends == is_negative { Self::GOES_ON } else { 0 };
+        Self(begins | goes_on | u64::from(id))
     }
 
     #[inline]
@@ -41,9 +47,11 @@ impl Entry {
         self.0 as u32
     }
 
+    /// True if the key of another begins alike, and both go on.
     #[inline]
-    fn upper_half(self) -> u64 {
-        self.0 >> 32
+    fn begins_as(self, other: Self) -> bool {
+        let goes_on = (self.0 & Self::GOES_ON == 0) == (self.0 & Self::POSITIVE == 0);
+        self.0 >> 32 == other.0 >> 32 && goes_on
     }
 }
 
@@ -175,7 +183,7 @@ impl Queue {
 
     #[inline]
     fn is_before(&self, one: Entry, other: Entry) -> bool {
-        match one.upper_half() == other.upper_half() {
+        match one.begins_as(other) {
             true => self.is_before_in_full(one.id(), other.id()),
             false => one.0 < other.0,
         }
