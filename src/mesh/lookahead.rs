@@ -22,7 +22,12 @@ impl Mesh {
     /// The number of elements that are looked at together.
     pub(crate) const TOGETHER: usize = 8;
 
-    /// Reads around elements, if the mesh is large: the stars of their vertices (of two of a face)
+    /// True if it is larger than the caches near a processor, so that to look ahead pays.
+    pub(crate) fn is_large(&self) -> bool {
+        self.halfedges.len() >= LARGE
+    }
+
+    /// Reads around elements: the stars of their vertices (of two of a face)
     /// and the attributes there in `columns`. `see` is told which elements are there. What does not
     /// live is passed over.
     pub(crate) fn look_around(
@@ -32,9 +37,6 @@ impl Mesh {
         columns: &[ColumnId],
         mut see: impl FnMut(ElementKind, u32),
     ) {
-        if self.halfedges.len() < LARGE {
-            return;
-        }
         let mut starts = [[HalfedgeId::NONE; 2]; Mesh::TOGETHER];
         for (start, &id) in starts.iter_mut().zip(ids) {
             start[0] = match kind {

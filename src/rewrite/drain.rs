@@ -163,6 +163,9 @@ impl Drain {
 
     /// Looks around the element with the least key and those that are likely to follow, once.
     fn look_ahead(&mut self, mesh: &Mesh) {
+        if !mesh.is_large() {
+            return;
+        }
         let Self { queue, stale, looked_at, .. } = self;
         let mut is_new =
             |id: &u32| std::mem::replace(&mut looked_at[*id as usize % LOOKED_AT], *id) != *id;

@@ -84,6 +84,7 @@ mod guards;
 mod inline;
 mod lists;
 mod liveness;
+mod matrices;
 mod memory;
 mod neighbors;
 mod operands;
