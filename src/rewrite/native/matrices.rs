@@ -71,11 +71,10 @@ impl Translator<'_, '_> {
             }
             Matrix::Inverse => {
                 let matrix = self.reals(left, all);
-                let unit = |at: usize| if at % (parts + 1) == 0 { 1.0 } else { 0.0 };
-                let unit: Vec<Value> =
-                    (0..parts * parts).map(|at| self.b.ins().f64const(unit(at))).collect();
-                let sides = unit.chunks(parts).map(<[_]>::to_vec).collect();
-                self.eliminate(matrix, sides, parts)
+                let [zero, one] = [0.0, 1.0].map(|value| self.b.ins().f64const(value));
+                let mut unit = vec![vec![zero; parts]; parts];
+                unit.iter_mut().enumerate().for_each(|(at, column)| column[at] = one);
+                self.eliminate(matrix, unit, parts)
             }
             Matrix::Determinant => return None,
         })
