@@ -115,7 +115,7 @@ fn elimination_is_the_same_everywhere() {
             1..20 => dice.below(5) as f64 - 2.0,
             _ => dice.below(1_000_000) as f64 / 1e5 - 5.0,
         });
-        mesh.set_value(matrices, index, Value::Mat4(DMat4::from_cols_array(&entries)));
+        assert!(mesh.set_value(matrices, index, Value::Mat4(DMat4::from_cols_array(&entries))));
     }
     let script = "
         attr a: vertex mat4 = mat4(0)
