@@ -64,9 +64,9 @@ test \"none\" {
 }
 ",
     );
-    let said = bench.run(&["test", "keys.hedge", "--memory", "500K"]);
+    let said = bench.run(&["test", "keys.hedge", "--memory", "400K"]);
     assert!(said.out.contains("1 passed, 1 failed"), "{said:?}");
-    assert!(said.err.contains("error[no-room]: there is no room for more in 500 KiB"), "{said:?}");
+    assert!(said.err.contains("error[no-room]: there is no room for more in 400 KiB"), "{said:?}");
     assert!(said.out.contains("ok      none"), "the mesh itself has room: {said:?}");
     assert!(bench.succeeds(&["test", "keys.hedge", "--memory", "4M"]).contains("2 passed"));
 }
