@@ -127,44 +127,46 @@ fn draws_too_much(rule: &tree::Rule, report: &mut Report) -> bool {
     let sides = [("before", &rule.before, MOST_BEFORE), ("after", &rule.after, MOST_AFTER)];
     let mut is_too_much = false;
     for (word, side, most) in sides {
-        let statements = side.iter().flat_map(|side| &side.statements);
-        let named = statements.map(|statement| match statement {
+        let Some(side) = side else {
+            continue;
+        };
+        let mut expect = |count: usize, most: usize, told: &str, note: &str| {
+            if count > most {
+                let message = format!("`{word}` {told}, and there can be {most}");
+                report.add(Diagnostic::error("too-large", message, side.span).note(note));
+                is_too_much = true;
+            }
+        };
+        let drawn = side.statements.iter().map(|statement| match statement {
             Statement::Loop(orbit) => {
                 let arrows = orbit.items.iter().map(|item| &item.arrow);
                 arrows.filter(|arrow| matches!(arrow, Arrow::Halfedge(_))).count()
             }
             _ => 1,
         });
-        let count: usize = named.sum();
-        if let Some(side) = side.as_ref().filter(|_| count > most) {
-            let message =
-                format!("`{word}` draws {count} halfedges and statements, and there can be {most}");
-            let error = Diagnostic::error("too-large", message, side.span);
-            report.add(error.note(
-                "draw a run that stays as it is as a path, `v0 =P=> v1`, and what repeats around \
-                 a face or a vertex as a family, `each i { … }`",
-            ));
-            is_too_much = true;
-        }
-        let statements = side.iter().flat_map(|side| &side.statements);
-        let listed = statements.map(|statement| match statement {
+        let count = drawn.sum();
+        expect(
+            count,
+            most,
+            &format!("draws {count} halfedges and statements"),
+            "draw a run that stays as it is as a path, `v0 =P=> v1`, and what repeats around a face \
+             or a vertex as a family, `each i { … }`",
+        );
+        let listed = side.statements.iter().map(|statement| match statement {
             Statement::Vertex(star) => star.spokes.len(),
             Statement::New(names, _) | Statement::Erase(names, _) | Statement::Keep(names, _) => {
                 names.len()
             }
             _ => 0,
         });
-        let count: usize = listed.sum();
-        if let Some(side) = side.as_ref().filter(|_| count > MOST_LISTED) {
-            let message =
-                format!("`{word}` lists {count} spokes and names, and there can be {MOST_LISTED}");
-            let error = Diagnostic::error("too-large", message, side.span);
-            report.add(error.note(
-                "write spokes that stay as they are as a fan, `*S`, and what repeats as a family, \
-                 `each i { … }`",
-            ));
-            is_too_much = true;
-        }
+        let count = listed.sum();
+        expect(
+            count,
+            MOST_LISTED,
+            &format!("lists {count} spokes and names"),
+            "write spokes that stay as they are as a fan, `*S`, and what repeats as a family, \
+             `each i { … }`",
+        );
     }
     is_too_much
 }
