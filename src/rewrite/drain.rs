@@ -13,6 +13,7 @@
 use std::sync::Arc;
 
 use super::access::lives;
+use super::lookahead::Lookahead;
 use super::paths::{Candidates, Fields, Paths, WalkBack, Written};
 use super::queue::Queue;
 use super::readers::{Place, Readers};
@@ -47,9 +48,6 @@ enum Changes {
 /// The number of keys that are computed between looks at the memory that they take.
 const KEYS_PER_LOOK: u32 = 1024;
 
-/// The number of elements of which it is known that they have been looked at.
-const LOOKED_AT: usize = 256;
-
 #[derive(Debug)]
 struct Drain {
     of: Elements,
@@ -59,10 +57,7 @@ struct Drain {
     queue: Queue,
     stale: Stale,
     changes: Changes,
-    /// The attributes that the keys read.
-    columns: Vec<ColumnId>,
-    /// By the end of their numbers the elements around which the drain has looked ahead.
-    looked_at: Box<[u32; LOOKED_AT]>,
+    lookahead: Lookahead,
     /// The element whose key is being computed.
     reading: Option<u32>,
 }
@@ -78,7 +73,13 @@ impl Drain {
         members + self.stale.bytes() + self.queue.bytes() + changes
     }
 
-    fn of(of: Elements, members: Option<Vec<bool>>, paths: Option<Arc<Paths>>) -> Self {
+    fn new(
+        of: Elements,
+        members: Option<Vec<bool>>,
+        paths: Option<Arc<Paths>>,
+        columns: &[Option<ColumnId>],
+    ) -> Self {
+        let lookahead = Lookahead::new(paths.as_deref(), columns);
         Self {
             of,
             members,
@@ -89,8 +90,7 @@ impl Drain {
                 None => Changes::Noted(Box::default()),
             },
             reading: None,
-            columns: Vec::new(),
-            looked_at: Box::new([u32::MAX; LOOKED_AT]),
+            lookahead,
         }
     }
 
@@ -159,36 +159,6 @@ impl Drain {
                 }
             }
         }
-    }
-
-    /// Looks around the element with the least key and those that are likely to follow, once.
-    fn look_ahead(&mut self, mesh: &Mesh) {
-        if !mesh.is_large() {
-            return;
-        }
-        let Self { queue, stale, looked_at, .. } = self;
-        let mut is_new =
-            |id: &u32| std::mem::replace(&mut looked_at[*id as usize % LOOKED_AT], *id) != *id;
-        let mut soon = [u32::MAX; Mesh::TOGETHER];
-        match queue.least() {
-            Some(least) if is_new(&least) => soon[0] = least,
-            _ => return,
-        }
-        for (slot, id) in soon[1..].iter_mut().zip(queue.below_least().filter(is_new)) {
-            *slot = id;
-        }
-        let own = self.of.kind();
-        mesh.look_around(own, &soon, &self.columns, |kind, id| {
-            if kind == own {
-                queue.touch(id);
-                stale.touch(id);
-            }
-        });
-    }
-
-    /// Forgets an element that is gone; another may have its number later.
-    fn forget(&mut self, id: u32) {
-        self.queue.forget(id);
     }
 
     fn is_member(&self, mesh: &Mesh, id: u32) -> bool {
@@ -263,7 +233,7 @@ impl Drains {
 
     /// One drain of which nothing is known, for who asks outside of any loop.
     pub(super) fn alone(of: Elements) -> Self {
-        Self { all: vec![Drain::of(of, None, None)], ..Self::default() }
+        Self { all: vec![Drain::new(of, None, None, &[])], ..Self::default() }
     }
 
     /// Makes an element of the innermost stale.
@@ -306,12 +276,7 @@ impl Drains {
             }
             members
         });
-        let read = (0..).zip(columns).filter_map(|(number, &column)| {
-            let (paths, column) = (paths.as_ref()?, column?);
-            paths.concern(column.kind, Fields::attribute(number)).then_some(column)
-        });
-        let columns = read.collect();
-        self.all.push(Drain { columns, ..Drain::of(of, members, paths) });
+        self.all.push(Drain::new(of, members, paths, columns));
         self.make_all_stale(mesh);
     }
 
@@ -339,7 +304,7 @@ impl Drains {
                 self.noting += usize::from(drain.is_noted());
                 return Some(id);
             }
-            drain.forget(id);
+            drain.queue.forget(id);
         }
         None
     }
@@ -390,9 +355,9 @@ impl Drains {
 
     /// The element with the least key.
     pub(super) fn least(&mut self, mesh: &Mesh) -> Option<u32> {
-        let drain = self.all.last_mut()?;
-        drain.look_ahead(mesh);
-        drain.queue.least()
+        let Drain { of, queue, stale, lookahead, .. } = self.all.last_mut()?;
+        lookahead.look(mesh, *of, queue, stale);
+        queue.least()
     }
 
     /// Takes that element out of the queue.
@@ -449,7 +414,7 @@ impl Drains {
             if drain.of.kind() != kind {
                 continue;
             }
-            drain.forget(id);
+            drain.queue.forget(id);
             match drain.members.as_mut().map(|all| all.get_mut(id as usize)) {
                 None => drain.stale.push(id),
                 Some(Some(member)) => *member = false,

@@ -36,6 +36,7 @@ mod drain;
 pub mod families;
 mod key_paths;
 mod known_level;
+mod lookahead;
 mod memory;
 mod mesh_reads;
 mod observe;

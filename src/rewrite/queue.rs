@@ -134,7 +134,8 @@ impl Queue {
         }
     }
 
-    /// Takes an element out and forgets its key.
+    /// Takes an element out and forgets its key, since it is gone; another may have its number
+    /// later.
     pub(super) fn forget(&mut self, id: u32) {
         self.remove(id);
         if let Some(key) = self.keys.get_mut(id as usize) {
