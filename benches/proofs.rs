@@ -1,9 +1,9 @@
-//! How long the checker takes for each op of the examples and of the library, by itself.
+//! The time that the checker takes for each op of the examples and of the library.
 //!
 //!     cargo bench --bench proofs
 //!
-//! The best of several rounds counts. Beside it stands how many tests keep names apart, of how
-//! many pairs of names of one kind: the rest is implied by the drawing.
+//! The best of several rounds counts. Also printed: the number of tests that keep names distinct,
+//! and the number of pairs of names of one kind; the drawing implies the rest.
 
 use std::hint::black_box;
 use std::path::{Path, PathBuf};
@@ -17,7 +17,7 @@ use hedgerow::source::Sources;
 
 const ROUNDS: usize = 15;
 
-/// The longest that a person who types does not notice.
+/// The longest delay that is not noticeable while typing.
 const LIMIT: Duration = Duration::from_millis(5);
 
 fn main() {
@@ -73,7 +73,7 @@ fn time(op: &Op) -> (Duration, Proved) {
     (best.expect("a round"), proved)
 }
 
-/// How many tests keep names apart, and how many pairs of names of one kind `before` draws.
+/// The number of tests that keep names distinct, and of pairs of names of one kind in `before`.
 fn tests(proved: &Proved) -> (usize, usize) {
     let (mut made, mut pairs) = (0, 0);
     for (rule, proof) in proved.op().rules.iter().zip(proved.proofs()) {

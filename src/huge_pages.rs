@@ -1,14 +1,14 @@
-//! Large blocks of memory in huge pages, where Linux has them.
+//! Large memory blocks in huge pages, where Linux supports them.
 //!
-//! The tables of a mesh are read in the order of its connectivity, which is not that of memory: with
-//! pages of 4 KiB a million triangles need more of them than a processor knows addresses of, and
-//! each is zeroed by the system on its first use. Linux gives huge pages to whoever asks for them.
-//! The same as the tunable `glibc.malloc.hugetlb=1`, for each allocation of the program.
+//! The tables of a mesh are read in the order of its connectivity, which is not memory order: with
+//! pages of 4 KiB, a million triangles need more pages than the TLB of a processor holds, and each
+//! page is zeroed by the kernel on first use. Linux gives huge pages on request. This has the
+//! effect of the tunable `glibc.malloc.hugetlb=1` for all allocations of the program.
 //!
 //! # Safety
 //!
-//! Every block is that of [`System`], with the layout that was asked for. What is told about it to
-//! Linux changes no content and no address, and holds for pages that the program has.
+//! Every block comes from [`System`], with the layout that was requested. The advice given to Linux
+//! changes neither contents nor addresses, and concerns only pages that the program owns.
 
 #![allow(unsafe_code)]
 
@@ -17,33 +17,33 @@ use std::alloc::{GlobalAlloc, Layout, System};
 /// The allocator of the program.
 pub(crate) struct HugePages;
 
-/// The fewest bytes for which Linux is asked.
+/// The smallest block, in bytes, for which huge pages are requested.
 const LEAST: usize = 1 << 20;
 
-// SAFETY: all is done by `System`, whose blocks are given out as they are.
+// SAFETY: `System` does all the work, and its blocks are returned unchanged.
 unsafe impl GlobalAlloc for HugePages {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        // SAFETY: as of this function.
+        // SAFETY: the caller meets the contract of this function.
         advise(unsafe { System.alloc(layout) }, layout.size())
     }
 
     unsafe fn alloc_zeroed(&self, layout: Layout) -> *mut u8 {
-        // SAFETY: as of this function.
+        // SAFETY: the caller meets the contract of this function.
         advise(unsafe { System.alloc_zeroed(layout) }, layout.size())
     }
 
     unsafe fn realloc(&self, block: *mut u8, layout: Layout, size: usize) -> *mut u8 {
-        // SAFETY: as of this function.
+        // SAFETY: the caller meets the contract of this function.
         advise(unsafe { System.realloc(block, layout, size) }, size)
     }
 
     unsafe fn dealloc(&self, block: *mut u8, layout: Layout) {
-        // SAFETY: as of this function.
+        // SAFETY: the caller meets the contract of this function.
         unsafe { System.dealloc(block, layout) }
     }
 }
 
-/// Asks for huge pages for a block, which is given back. Linux may not have them.
+/// Requests huge pages for a block, which is returned. Linux may have none.
 #[inline]
 fn advise(block: *mut u8, size: usize) -> *mut u8 {
     if size >= LEAST && !block.is_null() {
@@ -54,11 +54,12 @@ fn advise(block: *mut u8, size: usize) -> *mut u8 {
 
 #[cold]
 fn advise_large(block: *mut u8, size: usize) {
-    // SAFETY: asks for a number.
+    // SAFETY: only queries a number.
     let page = unsafe { libc::sysconf(libc::_SC_PAGESIZE) } as usize;
-    // From the first page on that it has a part of, so that a mapping stays one.
+    // The address must be that of a page: from the first page that the block overlaps, so that a
+    // mapping is not split.
     let before = block.addr() & (page.max(1) - 1);
-    // SAFETY: the pages are those of the block, which is there; what they hold stays.
+    // SAFETY: the pages are those of the block, which is allocated; their contents do not change.
     unsafe {
         libc::madvise(block.wrapping_sub(before).cast(), before + size, libc::MADV_HUGEPAGE);
     }

@@ -1,11 +1,11 @@
 //! hedgerow: a language in which operations on halfedge meshes are drawn, before and after,
 //! and the drawing is the program.
 //!
-//! An operation lists the orbits of a mesh that it looks at, and what becomes of them. The
-//! checker proves that any valid mesh stays valid; the compiler makes pointer loads, tests and
-//! stores of the proved drawing; a small machine runs them, whole or not at all.
+//! An operation lists the orbits of a mesh that it looks at, and what they become. The checker
+//! proves that any valid mesh stays valid; the compiler turns the proved drawing into pointer
+//! loads, tests and stores; a small machine runs these completely or not at all.
 //!
-//! As a library: read a program, call its operations and scripts on a mesh, take the arrays.
+//! As a library: read a program, call its operations and scripts on a mesh, and take the arrays.
 //!
 //! ```
 //! use hedgerow::mesh::{Mesh, validate};
@@ -52,7 +52,8 @@
 //! # }
 //! ```
 //!
-//! Scripts are called alike, with arguments by order or by name, and report what they counted:
+//! Scripts are called the same way, with arguments by position or by name, and report what they
+//! counted:
 //!
 //! ```
 //! use hedgerow::mesh::shape;
@@ -97,7 +98,7 @@
 //! # }
 //! ```
 //!
-//! Bad input is an error with the places in the program, never a panic:
+//! Bad input is an error that gives the places in the program, never a panic:
 //!
 //! ```
 //! use hedgerow::Program;
@@ -108,10 +109,10 @@
 //!
 //! # Features
 //!
-//! All are on by default: `cli`, the command line; `lsp`, the language server; `play`, what is behind
-//! a page; `draw`, pictures; `native`, native code for operations; `threads`, files, checks and loops
-//! over all elements on all cores, with results that are the same for any number of them:
-//! [`set_threads`] says how many, or the variable `HEDGEROW_THREADS` of the environment.
+//! All are on by default: `cli`, the command line; `lsp`, the language server; `play`, the back end
+//! of a web page; `draw`, pictures; `native`, native code for operations; `threads`, files, checks
+//! and loops over all elements on all cores, with results that do not depend on the number of
+//! threads, which [`set_threads`] or the environment variable `HEDGEROW_THREADS` sets.
 //! A program that calls hedgerow needs none of them:
 //! `hedgerow = { version = "0.1", default-features = false }`.
 //!
@@ -127,7 +128,7 @@
 //!
 //! # Layers
 //!
-//! Each folder is a layer, and names only layers below it (a test holds this):
+//! Each folder is a layer and uses only layers below it (a test checks this):
 //!
 //! ```text
 //! 6  cli          lsp       play         the command line; the language server; behind a page
@@ -141,9 +142,9 @@
 //! 0  source       mesh        library    texts and places; the halfedge mesh and OBJ files; std
 //! ```
 //!
-//! Three walls stand between them. The mesh knows nothing of the language. The checker knows
-//! nothing of the machine it vouches for. Only the checker makes a
-//! [`Proved`](check::Proved), and only that can be compiled, so an unproved op cannot run.
+//! Three boundaries hold between them. The mesh knows nothing of the language. The checker knows
+//! nothing of the machine that it vouches for. Only the checker makes a [`Proved`](check::Proved),
+//! and only that can be compiled, so an unproved op cannot run.
 
 #[doc(hidden)]
 pub mod analysis;

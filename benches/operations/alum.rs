@@ -1,11 +1,11 @@
-//! The same by the crate `alum`, a halfedge mesh in the manner of OpenMesh.
+//! The same operations with the crate `alum`, a halfedge mesh in the style of OpenMesh.
 
 use alum::{DVec3, EH, EditableTopology, HH, HasIterators, PolyMeshF64, VH};
 use hedgerow::mesh::Mesh;
 
 pub struct Alum {
     mesh: PolyMeshF64,
-    /// By number of an edge of hedgerow's mesh that of this one.
+    /// For each edge of hedgerow's mesh, by number, the edge of this one.
     edges: Vec<EH>,
     cache: Vec<HH>,
 }
@@ -52,7 +52,7 @@ impl Alum {
         let mesh = &mut self.mesh;
         let m = mesh.add_vertex(middle).expect("there is room");
         let before = mesh.split_edge(a, m, false).expect("there is room");
-        // Each triangle is a quad now: an edge from the new vertex to the corner across.
+        // Each triangle is now a quad: inserts an edge from the new vertex to the opposite corner.
         for h in [before, a.opposite()] {
             let across = h.next(mesh).next(mesh).next(mesh);
             mesh.insert_edge(h, across, None).expect("there is room");

@@ -1,13 +1,13 @@
-//! Operations as a careful programmer writes them, on the records of hedgerow.
+//! Operations as a careful programmer would write them, on hedgerow's mesh.
 
 use hedgerow::mesh::{EdgeId, HalfedgeId, Mesh};
 
-/// Rotates an edge, whatever comes of it.
+/// Rotates an edge, even if the result is not simple.
 pub fn flip_raw(mesh: &mut Mesh, edge: EdgeId) -> bool {
     flip_edge(mesh, edge, false)
 }
 
-/// Rotates an edge, unless another joins the same vertices.
+/// Rotates an edge, unless another edge joins the same vertices.
 pub fn flip(mesh: &mut Mesh, edge: EdgeId) -> bool {
     flip_edge(mesh, edge, true)
 }
@@ -51,7 +51,7 @@ fn flip_edge(mesh: &mut Mesh, edge: EdgeId, stays_simple: bool) -> bool {
     true
 }
 
-/// Puts a vertex at the middle of an edge.
+/// Splits an edge at its midpoint.
 pub fn split(mesh: &mut Mesh, edge: EdgeId) -> bool {
     let a = mesh.edge_halfedge(edge);
     let (Some([a, b, c]), Some([d, g, h])) = (triangle(mesh, a), triangle(mesh, mesh.twin(a)))
@@ -96,8 +96,8 @@ pub fn split(mesh: &mut Mesh, edge: EdgeId) -> bool {
     true
 }
 
-/// Merges the ends of an edge at its middle, unless the mesh would not be simple; where no boundary is
-/// near.
+/// Collapses an edge to its midpoint, unless the mesh would not be simple; only away from the
+/// boundary.
 pub fn collapse(mesh: &mut Mesh, edge: EdgeId) -> bool {
     let a = mesh.edge_halfedge(edge);
     let (Some([a, b, c]), Some([d, g, h])) = (triangle(mesh, a), triangle(mesh, mesh.twin(a)))

@@ -1,6 +1,6 @@
-//! The least that a halfedge mesh can be: arrays of numbers, with the twin of `h` at `h ^ 1`.
+//! A minimal halfedge mesh: arrays of numbers, with the twin of `h` at `h ^ 1`.
 //!
-//! It knows no boundary, gives no number twice, and tests nothing but what each operation has to.
+//! It supports no boundary, never reuses a number, and tests only what each operation needs.
 
 use glam::DVec3;
 use hedgerow::mesh::Mesh;
@@ -16,7 +16,7 @@ pub struct Lean {
     vertex_halfedge: Vec<u32>,
     face_halfedge: Vec<u32>,
     positions: Vec<DVec3>,
-    /// By vertex the edge whose collapse has met it last.
+    /// By vertex: the edge whose collapse visited it last.
     met: Vec<u32>,
 }
 
@@ -74,7 +74,7 @@ impl Lean {
         self.face_halfedge[face as usize] = h;
     }
 
-    /// The vertices that edges join to the origin of a halfedge.
+    /// The one-ring of the origin of a halfedge.
     fn neighbors(&self, start: u32) -> impl Iterator<Item = u32> + '_ {
         let mut at = start;
         let spokes = std::iter::once(start).chain(std::iter::from_fn(move || {
@@ -84,8 +84,8 @@ impl Lean {
         spokes.map(|h| self.vertex(h ^ 1))
     }
 
-    /// Whether an edge joins the origins of two halfedges: around both at once, until one is done, so
-    /// that a vertex with thousands of neighbors costs no more than the other.
+    /// Whether an edge joins the origins of two halfedges. Walks around both at once until one is
+    /// done, so that the cost depends on the smaller degree.
     fn are_adjacent(&self, h: u32, other: u32) -> bool {
         let [v, w] = [h, other].map(|half| self.vertex(half));
         let mut pairs = self.neighbors(h).zip(self.neighbors(other));
@@ -134,7 +134,7 @@ impl Lean {
         self.vertex_halfedge.push(NONE);
         let [f2, f3] = [0, 1].map(|i| self.face_halfedge.len() as u32 + i);
         self.face_halfedge.extend([NONE; 2]);
-        // `a` and `d` stay the halves of `e`, at `v0`: d runs from m to v0.
+        // `a` and `d` remain the halfedges of `e`, at `v0`: `d` runs from m to v0.
         let first = self.next.len() as u32;
         let [q, u, p, r, s, t] = [0, 1, 2, 3, 4, 5].map(|i| first + i);
         for all in [&mut self.next, &mut self.prev, &mut self.vertex, &mut self.face] {
@@ -164,7 +164,7 @@ impl Lean {
         true
     }
 
-    /// Merges the ends of an edge at its middle, unless the mesh would not be simple.
+    /// Collapses an edge to its midpoint, unless the mesh would not be simple.
     pub fn collapse(&mut self, e: u32) -> bool {
         let (a, d) = (2 * e, 2 * e + 1);
         if self.next(a) == NONE {
@@ -186,7 +186,7 @@ impl Lean {
             self.vertex[spoke as usize] = v0;
             spoke = self.prev(spoke) ^ 1;
         }
-        // `b` takes the place of the twin of `c`, and `g` that of the twin of `h`.
+        // `b` replaces the twin of `c`, and `g` the twin of `h`.
         for (half, gone) in [(b, c ^ 1), (g, h ^ 1)] {
             let (before, behind) = (self.prev(gone), self.next(gone));
             self.link(before, half);

@@ -1,15 +1,15 @@
-//! Declared operations beside the same operations written by hand on the same mesh core, on bare
-//! arrays, and in the crate `alum`.
+//! Declared operations compared with the same operations written by hand on the same mesh core, on
+//! bare arrays, and with the crate `alum`.
 //!
 //!     cargo bench --bench operations
 //!
-//! All run in turn, round by round, in one process; the best round of each counts, and the
-//! ratios are what to quote: the processor's speed drifts, the ratios hardly do. An operation is
-//! called by itself, on the machine alone and with native code, and in a loop of a script, which is
-//! native code too; what the loop takes without the operation is not counted. Then the ways to call
-//! an operation of the library beside each other: the machine alone, native code, a session,
-//! and an application that is made ready anew for each call. Then scripts of the library, on the
-//! machine and as native code.
+//! All variants run in turn, round by round, in one process. The best round of each counts, and the
+//! ratios are what to quote: the speed of the processor drifts, the ratios hardly do. An operation
+//! is called directly, on the machine and as native code, and in a loop of a script, which is
+//! native code too; the time of the empty loop is subtracted. Then the ways to call an operation of
+//! the library are compared: the machine, native code, a session, a mask over all edges, and an
+//! application, which is prepared again for each call. Then scripts of the library, on the machine
+//! and as native code.
 
 mod alum;
 mod by_hand;
@@ -52,7 +52,7 @@ fn main() {
         "native",
         "script"
     );
-    // Without its guard and what it asks, a flip is drawn for maps.
+    // Without its guard and its properties, a flip is an op on maps.
     let raw = TRIANGLE.replace("guard simple", "").replace(" keeps triangles, euler, boundary", "");
     for is_random in [false, true] {
         let order =
@@ -192,7 +192,8 @@ type ByLean = fn(&mut Lean, u32) -> bool;
 type ByAlum = fn(&mut Alum, u32) -> bool;
 type ByHand = fn(&mut Mesh, EdgeId) -> bool;
 
-/// Applies all to every edge of a fresh copy of the mesh that is still there, in order or not.
+/// Applies each variant to every living edge of a fresh copy of the mesh, in order or in random
+/// order.
 fn compare(
     name: &str,
     mesh: &Mesh,
@@ -224,7 +225,8 @@ fn compare(
             time(mesh.clone(), &edges, |mesh, edge| living(mesh, edge) && by_hand(mesh, edge));
         best[2] = best[2].min(by_hand);
         assert_eq!(applied_on_arrays, applied_by_hand, "{name}: all do the same");
-        // What alum flips of degenerate triangles, and which edges a collapse leaves, it decides.
+        // `alum` itself decides which degenerate flips it accepts and which edges a collapse
+        // leaves.
         let differs = name.contains("raw") || op == "collapse";
         assert!(differs || applied_in_alum == applied_by_hand, "{name}: all do the same");
         for (best, engine) in best[3..5].iter_mut().zip([Engine::Machine, Engine::Native]) {
@@ -243,7 +245,7 @@ fn compare(
             *best = best.min(by_plan);
         }
         let (by_script, applied_by_script) = scripts.time(mesh, "with_op");
-        // A script has a random order of its own.
+        // A script uses its own random order.
         assert!(is_random || applied_by_hand == applied_by_script, "{name}: all do the same");
         best[5] = best[5].min(by_script);
         alone = alone.min(scripts.time(mesh, "alone").0);
@@ -255,7 +257,7 @@ fn compare(
     println!("   {:>9.2}{:>9.2}{:>9.2}", machine / hand, native / hand, script / hand);
 }
 
-/// Loops over all edges, with an operation and without it.
+/// Scripts that loop over all edges, with an operation and without.
 struct Scripts(Program);
 
 impl Scripts {
@@ -269,11 +271,11 @@ impl Scripts {
         Self(Program::parse("bench.hedge", &text).expect("the operation is sound"))
     }
 
-    /// Nanoseconds for each edge, and how often an operation was applied.
+    /// Nanoseconds per edge, and the number of times that the operation was applied.
     fn time(&self, mesh: &Mesh, name: &str) -> (f64, usize) {
         let [ready, script] = ["ready", name].map(|name| self.0.script(name).expect("is there"));
         let mut session = Session::new(&self.0, mesh.clone());
-        // The level of the mesh is known from here on.
+        // From here on, the level of the mesh is known.
         session.run(&ready, ()).expect("it comes to its end");
         let start = Instant::now();
         let report = session.run(&script, ()).expect("it comes to its end");
@@ -283,7 +285,7 @@ impl Scripts {
     }
 }
 
-/// Nanoseconds for each edge, and how often an operation was applied.
+/// Nanoseconds per edge, and the number of times that the operation was applied.
 fn time<M>(
     mut mesh: M,
     edges: &[EdgeId],

@@ -5,11 +5,11 @@ use crate::diagnostic::{Diagnostic, Edit};
 /// The purpose of a change.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Purpose {
-    /// It surely mends a diagnostic.
+    /// A certain fix of a diagnostic.
     Fix,
-    /// It may mend one: a person decides.
+    /// A possible fix of a diagnostic; the user decides.
     Proposal,
-    /// It writes the same otherwise, or writes what would follow.
+    /// An equivalent form, or text that would be written next.
     Rewrite,
 }
 

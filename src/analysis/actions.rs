@@ -1,4 +1,4 @@
-//! Changes that are offered at a place: what mends a diagnostic, and what writes for you.
+//! Changes that are offered at a place: fixes of diagnostics, and refactorings.
 
 use std::ops::Range;
 

@@ -1,4 +1,4 @@
-//! Which names of an operation could be one, and what would come of it.
+//! Aliasing: which names of an operation may stand for one element, and with what outcome.
 
 use serde::Serialize;
 
@@ -6,30 +6,30 @@ use super::Analysis;
 use crate::check::{Counterexample, Identification, Verdict, identifications};
 use crate::diagram::{NameId, Rule};
 
-/// The outcome if names of one rule are one.
+/// The outcomes of aliasing names of one rule.
 #[derive(Clone, Debug, Serialize)]
 pub struct RuleAliases {
     /// The op.
     pub op: String,
     /// The rule, where it has a name.
     pub rule: Option<String>,
-    /// True if it has families: then nothing is asked.
+    /// True if it has families; then `sets` is empty.
     pub has_families: bool,
-    /// Each set of names that was looked at.
+    /// Each set of names that was examined.
     pub sets: Vec<NamesAsOne>,
 }
 
-/// Names that are one, all others distinct, and what comes of it.
+/// Names that stand for one element, all others distinct, and the outcome.
 #[derive(Clone, Debug, Serialize)]
 pub struct NamesAsOne {
-    /// The names, set by set.
+    /// The classes of names that stand for one element each.
     pub names: Vec<Vec<String>>,
-    /// In a word: `fine`, `breaks`, `impossible` or `unproved`.
+    /// The verdict: `fine`, `breaks`, `impossible` or `unproved`.
     pub verdict: &'static str,
     /// The reason why it is not fine.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub why: Option<String>,
-    /// The results on a small mesh that breaks.
+    /// The result on a small mesh that the rule breaks.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub comes_to: Option<String>,
     /// That mesh.
@@ -37,7 +37,7 @@ pub struct NamesAsOne {
     pub example: Option<Counterexample>,
 }
 
-/// For each rule of the file what would come of its names being one.
+/// For each rule of the file, the outcomes of aliasing its names.
 pub fn aliases(analysis: &Analysis) -> Vec<RuleAliases> {
     let own = |op: &&crate::resolve::ResolvedOp| op.span.file == analysis.file;
     let ops = analysis.program.ops.iter().filter(own);

@@ -1,4 +1,4 @@
-//! Reasons why each operation is proved, to read.
+//! Readable arguments for why each operation is proved.
 
 use super::Analysis;
 use crate::check::Argument;
@@ -10,7 +10,7 @@ pub struct RuleArgument {
     pub op: String,
     /// The alternative, where it has a name.
     pub rule: Option<String>,
-    /// Law by law.
+    /// The argument for each law.
     pub laws: Vec<Argument>,
 }
 

@@ -1,13 +1,13 @@
 //! Contradictions in `before` alone, where the rest of an op could not be read.
 //!
-//! A drawing that no mesh matches is the first thing to mend. It is told first and alone: what is
-//! said of `after` may follow from it, or will be said again.
+//! A `before` that no mesh matches has to be fixed first, so its contradictions are reported alone:
+//! errors in `after` may follow from them, and the others are reported again after the fix.
 
 use crate::check::contradictions;
 use crate::diagnostic::Diagnostic;
 use crate::resolve::Program;
 
-/// Puts what contradicts itself in a `before` in the place of all else that is said of the op.
+/// Replaces all errors inside an op by the contradictions in its `before`, if there are any.
 pub(super) fn tell_of_before(program: &Program, told: &mut Vec<Diagnostic>) {
     for still in program.ops.iter().filter_map(|op| op.still.as_deref()) {
         let found = contradictions(still);

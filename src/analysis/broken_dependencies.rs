@@ -1,4 +1,4 @@
-//! Reasons why an op is not proved in which nothing is wrong: something that it depends on is
+//! Reasons why an op without errors of its own is not proved: something that it depends on is
 //! broken.
 
 use super::files::Part;
@@ -8,9 +8,9 @@ use crate::rewrite::Plan;
 use crate::source::{Sources, Span};
 use crate::syntax::tree::Item;
 
-/// Finds for each op without a plan, in whose own text is no error, what it names that is
-/// broken: an op without a plan, a function or an attribute with an error, a file that could
-/// not be had. What is known already stays.
+/// For each op without a plan and without an error in its own text, finds the broken thing that it
+/// names: an op without a plan, a function or an attribute with an error, or a file that could not
+/// be read. Reasons that are already set stay.
 pub(super) fn tell_what_is_lacking(
     program: &Program,
     parts: &[Part],

@@ -1,5 +1,5 @@
-//! The syntactic context of a cursor, found by the tokens before it: so it is known also where
-//! nothing around it can be read.
+//! The syntactic context of a cursor, derived from the tokens before it: so it is known even where
+//! nothing around it can be parsed.
 
 use super::names::SideName;
 use super::snapshot::Snapshot;
@@ -11,40 +11,40 @@ use crate::syntax::{Token, TokenKind as T};
 pub enum CursorContext {
     /// Between items.
     Top,
-    /// In a comment, a text or a number, or where a new name is made up.
+    /// In a comment, a text or a number, or where a new name is declared.
     Nowhere,
     /// In the quotes of a `use`.
     Path,
     /// A type is wanted.
     Type,
-    /// Behind `keeps`.
+    /// After `keeps`.
     Property,
-    /// Behind `guard`.
+    /// After `guard`.
     Level,
-    /// Behind the arrow of an op's head.
+    /// After the arrow of an op's head.
     Result,
     /// In an op, between its parts.
     OpBody,
-    /// In an op of alternatives, between them.
+    /// In a side of a rule, and what the drawing wants there.
     Side(SideName, Wanted),
-    /// A value is wanted; perhaps a statement may begin as well.
+    /// A value is wanted; the [`Start`] says what else may begin here.
     Value(Start),
-    /// Behind a dot: the words of the chain before it, such as `e`, `halfedge`.
+    /// After a dot: the words of the chain before it, such as `e`, `halfedge`.
     Field(Vec<String>),
 }
 
-/// True if a statement of a script may begin where a value is wanted.
+/// The forms that may begin where a value is wanted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Start {
     /// A statement may begin.
     Statement,
-    /// Only a value goes on.
+    /// Only a value fits.
     Value,
     /// A sequence is wanted.
     Sequence,
 }
 
-/// The next token that a drawing wants.
+/// The next part that a drawing wants.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Wanted {
     /// A statement.
@@ -55,7 +55,7 @@ pub enum Wanted {
     Edge,
     /// A vertex of a loop.
     LoopVertex,
-    /// The vertex of a statement of its spokes.
+    /// The vertex of a vertex statement.
     StarVertex,
     /// A halfedge of a loop.
     LoopHalfedge,
@@ -118,8 +118,8 @@ pub fn place(snapshot: &Snapshot, offset: usize) -> CursorContext {
     within(&tokens[start..])
 }
 
-/// True if a token begins an item: one of their keywords, first in its line or behind the end of
-/// another.
+/// True if a token begins an item: it is a keyword of items, and first on its line or after a
+/// closing brace.
 fn begins_item(snapshot: &Snapshot, token: Token) -> bool {
     let is_keyword =
         matches!(token.kind, T::Op | T::Script | T::Fn | T::Attr | T::Use | T::Test | T::Private);
@@ -128,7 +128,7 @@ fn begins_item(snapshot: &Snapshot, token: Token) -> bool {
     is_keyword && (line.trim().is_empty() || line.trim_end().ends_with('}'))
 }
 
-/// The words of `e.halfedge.`, from the end of a chain back.
+/// The words of the chain that the tokens end with, such as `e.halfedge.`.
 fn chain(snapshot: &Snapshot, tokens: &[Token]) -> Vec<String> {
     let mut words = Vec::new();
     let mut at = tokens.len();
@@ -156,7 +156,7 @@ fn chain(snapshot: &Snapshot, tokens: &[Token]) -> Vec<String> {
     words
 }
 
-/// The context at which the tokens of an item break off.
+/// The context where the tokens of an item end.
 fn within(tokens: &[Token]) -> CursorContext {
     let mut open: Vec<(T, T)> = Vec::new();
     let mut opener = tokens[0].kind;
@@ -173,7 +173,7 @@ fn within(tokens: &[Token]) -> CursorContext {
                     }
                 }
                 closed = open.is_empty();
-                // Behind a side the op goes on; behind a block its steps do.
+                // After a side the op continues; after a block its steps do.
                 if matches!(opener, T::Before | T::After | T::Rule | T::Steps) {
                     opener = open.last().map_or(tokens[0].kind, |(_, of)| *of);
                 }
@@ -211,7 +211,7 @@ fn within(tokens: &[Token]) -> CursorContext {
     }
 }
 
-/// In the head of an item.
+/// The context in the head of an item.
 fn head(tokens: &[Token], last: T) -> CursorContext {
     let keeps = tokens.iter().any(|token| token.kind == T::Keeps);
     match last {
@@ -239,7 +239,7 @@ fn op_body(opener: T, last: T) -> CursorContext {
     }
 }
 
-/// In the block of a script.
+/// The context in the block of a script.
 fn value(last: T) -> CursorContext {
     CursorContext::Value(match last {
         T::LeftBrace | T::RightBrace | T::RightParen | T::Word | T::Int | T::Real | T::Text => {
@@ -252,7 +252,7 @@ fn value(last: T) -> CursorContext {
     })
 }
 
-/// In a drawing.
+/// The context in a drawing.
 fn side(tokens: &[Token], side: SideName) -> CursorContext {
     let begins = |kind| {
         matches!(
@@ -270,7 +270,7 @@ fn side(tokens: &[Token], side: SideName) -> CursorContext {
     let has_colon = rest.contains(&T::Colon);
     let wanted = match tokens[start].kind {
         T::Equals => match last {
-            // `=P=>` ends with its own arrow; a value ends where a word stands.
+            // `=P=>` ends with its own arrow; a value ends with a word, a number or a parenthesis.
             Some(T::Word | T::RightParen | T::Int | T::Real) => Wanted::Statement,
             _ if is_path(tokens, start) => Wanted::Path,
             _ => return CursorContext::Value(Start::Value),
@@ -301,16 +301,15 @@ fn side(tokens: &[Token], side: SideName) -> CursorContext {
     CursorContext::Side(side, wanted)
 }
 
-/// True if an `=` begins an arrow of a loop: a vertex stands before it, behind a colon or another
-/// arrow.
+/// True if an `=` begins an arrow of a loop: a vertex precedes it, after a colon or another arrow.
 fn is_path(tokens: &[Token], equals: usize) -> bool {
     let kind = |back: usize| equals.checked_sub(back).map(|at| tokens[at].kind);
     kind(1).is_some_and(T::is_wordlike)
         && matches!(kind(2), Some(T::Colon | T::Arrow | T::FatArrow))
 }
 
-/// The rule that a cursor is in or, if that is not finished, behind; with its op, and the
-/// indices of both.
+/// The rule that a cursor is in or, as it may be unfinished, after; with the indices of its item
+/// and of the rule.
 pub fn rule_near(snapshot: &Snapshot, offset: usize) -> Option<(usize, usize, &Rule)> {
     let (item, op) = op_near(snapshot, offset)?;
     let touched = op.rules.iter().position(|rule| rule.span.touches(offset));
@@ -319,7 +318,7 @@ pub fn rule_near(snapshot: &Snapshot, offset: usize) -> Option<(usize, usize, &R
     Some((item, rule, &op.rules[rule]))
 }
 
-/// The op that a cursor is in or, if that is not finished, behind.
+/// The op that a cursor is in or, as it may be unfinished, after; with the index of its item.
 pub fn op_near(snapshot: &Snapshot, offset: usize) -> Option<(usize, &tree::Op)> {
     match item_near(snapshot, offset)? {
         (at, Item::Op(op)) => Some((at, op)),
@@ -327,7 +326,7 @@ pub fn op_near(snapshot: &Snapshot, offset: usize) -> Option<(usize, &tree::Op)>
     }
 }
 
-/// The item that a cursor is in or behind, and its index.
+/// The item that a cursor is in or after, and its index.
 pub fn item_near(snapshot: &Snapshot, offset: usize) -> Option<(usize, &Item)> {
     let mut items = snapshot.items().iter().enumerate().rev();
     items.find(|(_, item)| (item.span().start as usize) <= offset)

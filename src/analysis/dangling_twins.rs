@@ -1,4 +1,4 @@
-//! Draws what lies outside: the twins that a rule would leave dangling.
+//! Proposals that draw the outside twins that a rule would leave dangling.
 
 use super::edits::append;
 use super::names::SymbolId;
@@ -8,8 +8,8 @@ use crate::diagnostic::Diagnostic;
 use crate::diagram::Kind;
 use crate::syntax::tree::{Rule, Side, Statement};
 
-/// Edge statements of `before` for the halfedges that are told to lack a twin there: for this
-/// one, and for all of the rule.
+/// Proposals of edge statements in `before` for halfedges that are reported to lack a twin there:
+/// for this one alone, and for all of the rule.
 pub(super) fn draw_twins(snapshot: &Snapshot, told: &Diagnostic, rule: &Rule) -> Vec<Proposal> {
     let Some(before) = &rule.before else {
         return Vec::new();

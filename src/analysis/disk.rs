@@ -1,8 +1,8 @@
-//! The files of this computer.
+//! Program files on disk.
 //!
-//! Files that a program uses were perhaps written by somebody else, and lie wherever their paths
-//! lead: so only regular files are opened (a pipe or a device may keep its reader waiting for
-//! ever), only programs by their name, and none beyond a size.
+//! Used files may come from someone else, and their paths may lead anywhere. So only regular files
+//! are opened (a pipe or a device could block the reader indefinitely), only if their names are
+//! those of programs, and only up to a maximum size.
 
 use std::fs::File;
 use std::io::{self, Read};
@@ -10,14 +10,13 @@ use std::path::Path;
 
 use super::files::Reader;
 
-/// The number of entries of the folders of a workspace that are looked at: a home folder may be
-/// one.
+/// The most folder entries of a workspace that are visited: the workspace may be a home folder.
 const MOST_ENTRIES: usize = 20_000;
 
 /// The largest program, in bytes: 64 MiB.
 const LARGEST_PROGRAM: u64 = 64 << 20;
 
-/// Reads the files of this computer.
+/// Reads files from disk.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Disk;
 
@@ -55,7 +54,7 @@ impl Reader for Disk {
                     return names;
                 }
                 let path = entry.path();
-                // A link is not followed: it may lead back.
+                // Symbolic links are not followed: they may form a cycle.
                 if entry.file_type().is_ok_and(|kind| kind.is_dir()) {
                     let name = entry.file_name();
                     let is_built = name == "target" || name == "node_modules";
@@ -75,10 +74,10 @@ fn is_program(path: &Path) -> bool {
     path.extension().is_some_and(|end| end == "hedge")
 }
 
-/// True if a path leads to a regular file of at most so many bytes.
+/// Checks that a path leads to a regular file of at most `most` bytes.
 ///
 /// # Errors
-/// In words, why it does not.
+/// The reason, in words.
 pub fn expect_regular(path: &Path, most: u64) -> Result<(), String> {
     let about = std::fs::metadata(path).map_err(|error| why(&error))?;
     if about.is_dir() {
@@ -93,10 +92,10 @@ pub fn expect_regular(path: &Path, most: u64) -> Result<(), String> {
     Ok(())
 }
 
-/// The text of a program, whatever the path leads to: a person has named it.
+/// Reads the text of a program from whatever the path leads to: the user has named it.
 ///
 /// # Errors
-/// In words, why there is none.
+/// The reason, in words.
 pub fn read_program(path: &Path) -> Result<String, String> {
     let mut bytes = Vec::new();
     let read =
@@ -108,7 +107,7 @@ pub fn read_program(path: &Path) -> Result<String, String> {
 /// The bytes of a program as text.
 ///
 /// # Errors
-/// In words, why they are none.
+/// The reason, in words: too large, or not UTF-8.
 pub fn program_text(bytes: Vec<u8>) -> Result<String, String> {
     if bytes.len() as u64 > LARGEST_PROGRAM {
         return Err(too_large(LARGEST_PROGRAM));

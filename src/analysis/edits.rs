@@ -1,4 +1,4 @@
-//! Edits of drawings: where statements stand, and where new ones are written.
+//! Edits of drawings: the spans of statements, and the insertion of new ones.
 
 use super::snapshot::Snapshot;
 use crate::diagnostic::Edit;
@@ -31,7 +31,7 @@ pub(super) fn append(snapshot: &Snapshot, side: &Side, statements: &[String]) ->
     Edit { span: place, text }
 }
 
-/// The white space before the first word of the line of a place.
+/// The indentation of the line of a place.
 pub(super) fn indentation(snapshot: &Snapshot, place: Span) -> String {
     let before = &snapshot.text()[..place.start as usize];
     let line = before.rfind('\n').map_or(0, |end| end + 1);
@@ -40,7 +40,7 @@ pub(super) fn indentation(snapshot: &Snapshot, place: Span) -> String {
     rest[..end.unwrap_or(0)].to_owned()
 }
 
-/// The whole of a statement.
+/// The span of a statement.
 pub(super) fn statement_span(statement: &Statement) -> Span {
     match statement {
         Statement::Loop(orbit) => orbit.span,

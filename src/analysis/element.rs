@@ -1,4 +1,4 @@
-//! One element of a drawing: its pointers before and after, and what becomes of it.
+//! An element of a drawing: its pointers before and after, and its fate.
 
 use super::names::{List, Role, SideName, SymbolId, SymbolKind};
 use super::side::{ElementRef, Sketch};
@@ -12,20 +12,20 @@ use crate::syntax::tree::{Item, Rule};
 pub enum Fate {
     /// It is the same on both sides.
     Kept,
-    /// It is on both sides, but hangs together with others.
+    /// It is on both sides, with different pointers.
     Moved,
-    /// It is made.
+    /// It is created.
     New,
     /// It is erased.
     Erased,
-    /// It is drawn before; nothing says what becomes of it.
+    /// It is drawn in `before`; `after` does not account for it.
     Forgotten,
-    /// It is drawn after; nothing says where it comes from.
+    /// It is drawn in `after`; it is neither drawn in `before` nor listed as new.
     Unknown,
 }
 
 impl Fate {
-    /// The word for it.
+    /// The fate in words.
     pub fn word(self) -> &'static str {
         match self {
             Fate::Kept => "kept",
@@ -66,12 +66,12 @@ pub struct Element {
     pub rule: Option<String>,
 }
 
-/// The word for all that is not in the drawing.
+/// The value of a pointer that leads out of the drawing.
 const OUTSIDE: &str = "outside";
 const NOTHING: &str = "";
 
-/// The facts about an element by its name, in the rule that covers `offset`; of a parameter, whose
-/// place is in the head of the op, in the first rule that draws it.
+/// The element of a name, in the rule that covers `offset`; for a parameter in the head of the op,
+/// in the first rule that draws it.
 pub fn element(snapshot: &Snapshot, symbol: SymbolId, offset: usize) -> Option<Element> {
     let rule = match snapshot.rule_at(offset) {
         Some((item, rule, op)) => {
@@ -94,7 +94,7 @@ fn first_rule(snapshot: &Snapshot, symbol: SymbolId) -> Option<&Rule> {
     op.rules.iter().find(draws)
 }
 
-/// The facts about an element in one rule.
+/// The element of a name, in one rule.
 pub fn element_of(snapshot: &Snapshot, symbol: SymbolId, rule: &Rule) -> Option<Element> {
     let own = snapshot.names().symbol(symbol);
     let SymbolKind::Element(Some(kind)) = own.kind else {
@@ -111,7 +111,7 @@ pub fn element_of(snapshot: &Snapshot, symbol: SymbolId, rule: &Rule) -> Option<
             (true, false) => Fate::Forgotten,
             (false, true) => Fate::Unknown,
             (false, false) => return None,
-            // What hangs at a vertex is not part of it.
+            // The spokes of a vertex are not part of it.
             _ if kind == Kind::Vertex => Fate::Kept,
             _ if pointers.iter().all(|pointer| pointer.before == pointer.after) => Fate::Kept,
             _ => Fate::Moved,
@@ -135,7 +135,7 @@ pub fn element_of(snapshot: &Snapshot, symbol: SymbolId, rule: &Rule) -> Option<
     })
 }
 
-/// Two answers about a name within a rule: it is listed by `new`, and by `erase`.
+/// Whether a rule lists a name in `new`, and whether in `erase`.
 pub fn listed(snapshot: &Snapshot, symbol: SymbolId, rule: Span) -> (bool, bool) {
     let mentions = || {
         snapshot
@@ -192,7 +192,7 @@ fn in_loop(side: &Sketch, word: &str, part: impl Fn(&super::side::Drawn) -> &Ele
 
 fn halfedge(word: &str, sides: &[Sketch; 2]) -> Vec<Pointer> {
     let [before, _] = sides;
-    // What no statement of a side writes stays as it was; an outer halfedge hangs outside.
+    // A pointer that a side does not set keeps its value; that of an outer halfedge leads outside.
     let stays = |value: String, was: &dyn Fn(&Sketch) -> String, side: &Sketch| {
         if !value.is_empty() || !side.draws(word) {
             return value;
@@ -249,8 +249,8 @@ fn ends(side: &Sketch, sides: &[Sketch; 2], word: &str) -> String {
     format!("{} {}", shown(left), shown(right))
 }
 
-/// The loop of a face, written from its first halfedge in the order of their names on, so
-/// that the same cycle always reads the same.
+/// The loop of a face, starting at the halfedge whose name sorts first, so that the same cycle
+/// always reads the same.
 fn around(side: &Sketch, word: &str) -> String {
     let own = side.drawn.iter().filter(|drawn| drawn.face.word == word);
     let mut items: Vec<_> = own.collect();

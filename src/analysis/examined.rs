@@ -1,4 +1,4 @@
-//! One operation, proved and compiled, or told why not.
+//! One operation, proved and compiled, or the reasons why not.
 
 use crate::check::{Counterexample, Outcome, Proved, examine};
 use crate::compile::compile;
@@ -18,18 +18,18 @@ pub struct Examined {
     pub plan: Option<Plan>,
     /// A small mesh for each rejected rule that breaks one.
     pub counterexamples: Vec<Counterexample>,
-    /// The laws it breaks.
+    /// The laws that it breaks, or that it is too large to compile.
     pub diagnostics: Vec<Diagnostic>,
-    /// A name it depends on that has an error: then it is not even looked at.
+    /// A name with an error that it depends on; then it is not examined.
     pub lacks: Option<String>,
 }
 
 impl Examined {
-    /// Proves and compiles an op, of which `told` is what has been said so far; `functions`
-    /// are those of its program.
+    /// Proves and compiles an op; `told` are the diagnostics so far, and `functions` those of its
+    /// program.
     ///
-    /// An op with an error inside is left alone: where a part could not be read, what is left
-    /// is another operation.
+    /// An op with an error inside is not examined: without the part that could not be read, it is a
+    /// different operation.
     pub fn of(
         op: &ResolvedOp,
         told: &[Diagnostic],
@@ -71,7 +71,7 @@ impl Examined {
     }
 }
 
-/// The values of an op: those it requires and those it sets.
+/// The expressions of an op: the conditions it requires and the values it sets.
 fn values(op: &diagram::Op) -> impl Iterator<Item = &diagram::Expr> {
     op.rules.iter().flat_map(|rule| {
         let asked = rule.requires.iter().map(|require| &require.condition);

@@ -1,8 +1,8 @@
-//! The files that a program is made of: found by their `use`, each once.
+//! The files of a program: found by `use`, each once.
 //!
-//! A path is looked for beside the file that uses it; what begins with `std/` is a file of the
-//! [library](crate::library). Where the files are is not known here: a [`Reader`] gives texts
-//! for names. No file uses itself, directly or through others.
+//! A path is looked up beside the file that uses it; one that begins with `std/` is a file of the
+//! [library](crate::library). Files are accessed through a [`Reader`], which gives texts for names.
+//! No file may use itself, directly or through others.
 
 use std::collections::btree_map::Entry;
 use std::collections::{BTreeMap, HashMap};
@@ -23,19 +23,19 @@ pub trait Reader {
     /// The text of a file, by its name.
     ///
     /// # Errors
-    /// In words, why it cannot be had: "there is no such file".
+    /// The reason, in words: "there is no such file".
     fn read(&mut self, name: &str) -> Result<String, String>;
 
-    /// The names of programs that lie beside a file, for suggestions.
+    /// The names of the programs beside a file, for suggestions.
     fn beside(&mut self, name: &str) -> Vec<String>;
 
-    /// The names of programs in a folder, however deep: as many as are worth looking at.
+    /// The names of the programs in a folder and its subfolders, up to a limit of the reader's.
     fn under(&mut self, _folder: &str) -> Vec<String> {
         Vec::new()
     }
 }
 
-/// Reads nothing: all files there are have been added to the [`Sources`] before.
+/// A reader without files: all files that exist have already been added to the [`Sources`].
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Nowhere;
 
@@ -49,7 +49,7 @@ impl Reader for Nowhere {
     }
 }
 
-/// A file that could not be had.
+/// A file that could not be read.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Missing {
     why: String,
@@ -63,8 +63,8 @@ pub(super) type Absent = HashMap<String, Missing>;
 /// The words with which items begin.
 const ITEMS: [&str; 7] = ["use", "private", "attr", "fn", "op", "script", "test"];
 
-/// Adds every file that `root` uses, directly or through others, to `sources`; gives what
-/// could not be had.
+/// Adds every file that `root` uses, directly or through others, to `sources`; returns those that
+/// could not be read.
 pub(super) fn fetch(
     sources: &mut Sources,
     root: FileId,
@@ -113,8 +113,8 @@ fn text_of(name: &str, reader: &mut dyn Reader) -> Result<String, String> {
     }
 }
 
-/// True if a text can be a program, by its first word. What is none is not looked into, so that no
-/// message quotes it.
+/// True if a text can be a program, by its first word. Other texts are not parsed, so that no
+/// message quotes them.
 fn is_program(text: &str) -> bool {
     let lines = text.trim_start_matches('\u{feff}').lines().map(str::trim_start);
     let mut lines = lines.filter(|line| !line.is_empty() && !line.starts_with("//"));
@@ -123,7 +123,7 @@ fn is_program(text: &str) -> bool {
     lines.next().is_none_or(|line| ITEMS.contains(&word(line).as_str()))
 }
 
-/// The name of the file that `path` means in the file `here`.
+/// The name of the file that `path` refers to in the file `here`.
 pub(super) fn name_of(here: &str, path: &str) -> String {
     if path.starts_with(FOLDER) || path.starts_with('/') {
         return path.to_owned();
@@ -144,8 +144,8 @@ pub(super) fn name_of(here: &str, path: &str) -> String {
     format!("{root}{}", steps.join("/"))
 }
 
-/// A path that there is and that is spelt nearly as one that there is not. `name` is where it
-/// leads from the file that says it.
+/// An existing path with a spelling similar to that of `path`, which does not exist. `name` is the
+/// file that `path` refers to.
 pub fn meant(path: &str, name: &str, reader: &mut dyn Reader) -> Option<String> {
     let last = |name: &str| name.rsplit('/').next().unwrap_or(name).to_owned();
     let folder = &path[..path.len() - last(path).len()];
@@ -161,7 +161,7 @@ pub fn meant(path: &str, name: &str, reader: &mut dyn Reader) -> Option<String> 
         let ended = format!("{path}.hedge");
         let apart = |one: &str| damerau_levenshtein(one, other);
         let alone = damerau_levenshtein(&ended, &last(other));
-        // `triangel.hedge` for `std/triangle.hedge`: as near, without the folder and the ending.
+        // `triangel.hedge` for `std/triangle.hedge`: compared without the folder and the ending.
         let stem = |name: &str| last(name).trim_end_matches(".hedge").to_owned();
         let (written, known) = (stem(path), stem(other));
         let stems = damerau_levenshtein(&written, &known);
@@ -174,7 +174,7 @@ pub fn meant(path: &str, name: &str, reader: &mut dyn Reader) -> Option<String> 
     (distance(&near) <= path.chars().count() / 3).then_some(near)
 }
 
-/// Each path that a file uses, and where it says so.
+/// Each path that a file uses, with its span.
 fn uses(parsed: &Parsed) -> Vec<(String, Span)> {
     let items = parsed.tree.items.iter();
     let uses = items.filter_map(|item| match item {
@@ -188,21 +188,21 @@ fn uses(parsed: &Parsed) -> Vec<(String, Span)> {
 pub(super) struct Part {
     pub file: FileId,
     pub parsed: Rc<Parsed>,
-    /// The files it uses, by their places among the parts.
+    /// The files it uses, as indices of the parts.
     pub uses: Vec<usize>,
-    /// True if one that it uses could not be had.
+    /// True if a file that it uses could not be read.
     pub lacks: bool,
 }
 
 impl Part {
-    /// The file as `resolve` wants it.
+    /// The file as input of `resolve`.
     pub fn unit(&self) -> Unit<'_> {
         Unit { tree: &self.parsed.tree, uses: self.uses.clone(), lacks: self.lacks }
     }
 }
 
-/// The diagnostics of the resolver, without what only follows from items that cannot be read: what
-/// is wrong in them, and that there is nothing of their name.
+/// Removes the diagnostics of the resolver that only follow from items that cannot be parsed: those
+/// inside such items, and those about unknown names that such items may declare.
 pub(super) fn without_consequences(parts: &[Part], told: &mut Vec<Diagnostic>, sources: &Sources) {
     let unread: Vec<(Span, bool)> = parts.iter().flat_map(unread).collect();
     let names = unread.iter().filter(|(_, is_lost)| *is_lost);
@@ -226,8 +226,8 @@ pub(super) fn without_consequences(parts: &[Part], told: &mut Vec<Diagnostic>, s
     });
 }
 
-/// Leaves out that attributes have no value in new elements where their declaration has another
-/// mistake: what they are is not known then.
+/// Removes the errors about attributes without a value in new elements if the declaration of the
+/// attribute has another error: whether it has a default is then unknown.
 pub(super) fn without_lost_attributes(parts: &[Part], told: &mut Vec<Diagnostic>) {
     let of_attributes = |told: &Diagnostic| told.code == "missing-attribute";
     let touches =
@@ -246,7 +246,7 @@ pub(super) fn without_lost_attributes(parts: &[Part], told: &mut Vec<Diagnostic>
     });
 }
 
-/// The items of a file that cannot be read as they are, and whether their names are lost too.
+/// The items of a file that cannot be parsed as written, each with whether its name is lost too.
 fn unread(part: &Part) -> Vec<(Span, bool)> {
     let items = part.parsed.tree.items.iter();
     let unread = items.filter_map(|item| {
@@ -257,7 +257,7 @@ fn unread(part: &Part) -> Vec<(Span, bool)> {
     unread.collect()
 }
 
-/// True if something in an item cannot be read as it is.
+/// True if some part of an item cannot be parsed as written.
 pub(super) fn is_misread(parsed: &Parsed, item: Span) -> bool {
     let mut errors = parsed.diagnostics.iter().filter(|told| told.is_error());
     let mut mended = parsed.mended.iter();
@@ -265,18 +265,18 @@ pub(super) fn is_misread(parsed: &Parsed, item: Span) -> bool {
         || mended.any(|mended| mended.start < item.end && item.start < mended.end)
 }
 
-/// The files of a program, the root first, and what is wrong with their `use`.
+/// The files of a program, the root first, and the errors of their `use`.
 #[derive(Default)]
 pub(super) struct Parts {
     pub parts: Vec<Part>,
     pub diagnostics: Vec<Diagnostic>,
     places: HashMap<FileId, usize>,
-    /// The files that are being looked at, each but the root with the `use` that led there.
+    /// The files that are being visited, each but the root with the `use` that led to it.
     open: Vec<(FileId, Option<Span>)>,
 }
 
 impl Parts {
-    /// Gathers what `root` is made of from `sources`.
+    /// Collects the files of the program `root` from `sources`.
     pub fn of(sources: &Sources, root: FileId, absent: &Absent, readings: &mut Readings) -> Self {
         let mut parts = Self::default();
         parts.visit(sources, root, absent, readings);
@@ -301,7 +301,7 @@ impl Parts {
         for (path, span) in paths {
             let name = name_of(sources.get(file).name(), &path);
             let Some(used) = sources.find(&name) else {
-                // Where the path is not even a text, that has been told.
+                // If the path is not even a text, that has been reported.
                 let mut told = self.parts[place].parsed.diagnostics.iter();
                 if !told.any(|told| told.span() == span) {
                     let missing = absent.get(&name);
@@ -350,8 +350,8 @@ fn missing_file(path: &str, name: &str, span: Span, missing: Option<&Missing>) -
     }
 }
 
-/// For each file that the first of some parts uses, directly or through others, the first `use`
-/// of it that leads there.
+/// For each file that the first part uses, directly or through others, the first `use` in that part
+/// that leads to it.
 pub(super) fn ways(sources: &Sources, parts: &[Part]) -> BTreeMap<FileId, Span> {
     let mut ways = BTreeMap::new();
     let Some(root) = parts.first() else { return ways };
@@ -370,7 +370,7 @@ pub(super) fn ways(sources: &Sources, parts: &[Part]) -> BTreeMap<FileId, Span> 
     ways
 }
 
-/// A used file has errors, which are told in full where it is checked itself.
+/// The error that a used file has errors, which are reported in full where it is checked itself.
 pub(super) fn broken_file(name: &str, used: Span, errors: &[&Diagnostic]) -> Diagnostic {
     let many = match errors.len() {
         1 => "an error".to_owned(),
@@ -383,7 +383,7 @@ pub(super) fn broken_file(name: &str, used: Span, errors: &[&Diagnostic]) -> Dia
     }
 }
 
-/// The last file of a chain uses the first.
+/// The error that the last file of a chain uses the first.
 fn cycle(sources: &Sources, chain: &[(FileId, Option<Span>)], last: Span) -> Diagnostic {
     let names = chain.iter().map(|(file, _)| sources.get(*file).name());
     let names: Vec<_> = names.map(|name| format!("`{name}`")).collect();

@@ -1,5 +1,5 @@
-//! Changes that mend a diagnostic: the fixes that it carries, which are sure, and proposals for
-//! what only a person can decide.
+//! Changes that fix a diagnostic: the fixes that it carries, which are certain, and proposals for
+//! what only the user can decide.
 
 use std::ops::Range;
 
@@ -17,7 +17,7 @@ use crate::diagram::Kind;
 use crate::source::Span;
 use crate::syntax::tree::{Arrow, Item, Name, Rule, Side, Spoke, Statement};
 
-/// The changes that mend the diagnostics of a part of the text.
+/// The changes that fix the diagnostics of a part of the text.
 pub(super) fn mending(snapshot: &Snapshot, part: &Range<usize>) -> Vec<Action> {
     let touches = |span: Span| {
         span.file == snapshot.file()
@@ -97,7 +97,7 @@ fn proposals(snapshot: &Snapshot, told: &Diagnostic, part: &Range<usize>) -> Vec
     }
 }
 
-/// Ends a loop where it begins, or goes on to there.
+/// Proposals that close a loop: by ending it where it begins, or by continuing it to there.
 fn close(snapshot: &Snapshot, told: &Diagnostic) -> Vec<Proposal> {
     let [end, begin, ..] = told.labels.as_slice() else {
         return Vec::new();
@@ -119,7 +119,7 @@ fn fate(snapshot: &Snapshot, id: SymbolId, rule: &Rule) -> Option<Fate> {
     element_of(snapshot, id, rule).map(|element| element.fate)
 }
 
-/// The names that a diagnostic points at.
+/// The names of `before` that a diagnostic points at.
 fn pointed_at(snapshot: &Snapshot, told: &Diagnostic, rule: &Rule) -> Vec<(SymbolId, String)> {
     let mut found: Vec<(SymbolId, String)> = Vec::new();
     let before = rule.before.as_ref().map(|side| side.span);
@@ -140,7 +140,8 @@ fn pointed_at(snapshot: &Snapshot, told: &Diagnostic, rule: &Rule) -> Vec<(Symbo
     found
 }
 
-/// Restates what `before` says of names, keeps them, or erases them.
+/// Proposals that account for names: by restating what `before` says of them, or by keeping or
+/// erasing them.
 fn account_for(
     snapshot: &Snapshot,
     rule: &Rule,
@@ -171,8 +172,8 @@ fn account_for(
     proposals
 }
 
-/// Lists names that `after` forgets in `keep`, if they have no statement that would be kept
-/// with them, or in `erase`.
+/// Proposals that list forgotten names in `keep`, if they are vertices without a statement of their
+/// own, or in `erase`.
 fn list_forgotten(
     snapshot: &Snapshot,
     rule: &Rule,
@@ -212,7 +213,7 @@ fn list_forgotten(
     proposals
 }
 
-/// The words that a statement draws.
+/// The names that a statement draws.
 fn mentions(statement: &Statement) -> impl Iterator<Item = &String> {
     let mut words: Vec<&String> =
         subject(statement).map(|name| &name.ident.text).into_iter().collect();
@@ -239,7 +240,7 @@ fn mentions(statement: &Statement) -> impl Iterator<Item = &String> {
     words.into_iter()
 }
 
-/// Lists names in `new`: the one at a place, and all at once.
+/// Proposals that list names in `new`: the one at a place, and all at once.
 fn list_as_new(
     snapshot: &Snapshot,
     place: usize,
@@ -261,7 +262,7 @@ fn list_as_new(
     proposals
 }
 
-/// Writes names at the end of a list of a side, or begins one.
+/// The edit that appends names to a list of a side, or begins one.
 fn add_to_list(snapshot: &Snapshot, after: &Side, list: &str, names: &str) -> Edit {
     let last = after.statements.iter().rev().find_map(|statement| {
         let (listed, is) = match statement {
@@ -277,7 +278,7 @@ fn add_to_list(snapshot: &Snapshot, after: &Side, list: &str, names: &str) -> Ed
     }
     let statement = format!("{list} {names}");
     match after.statements.first() {
-        // What is new stands first.
+        // `new` comes first.
         Some(first) if list == "new" => {
             let place = statement_span(first);
             let indentation = indentation(snapshot, place);
@@ -287,7 +288,7 @@ fn add_to_list(snapshot: &Snapshot, after: &Side, list: &str, names: &str) -> Ed
     }
 }
 
-/// Takes a name out of a list; of a list that has no other, all.
+/// Removes a name from a list; the whole list if it has no other name.
 fn unlist(snapshot: &Snapshot, place: Span, rule: &Rule) -> Vec<Proposal> {
     let sides = rule.before.iter().chain(&rule.after);
     let found = sides.flat_map(|side| &side.statements).find_map(|statement| {

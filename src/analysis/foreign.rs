@@ -1,17 +1,17 @@
-//! Foreign syntax in items that can be read as something else.
+//! Syntax of other languages in items that parse as something else.
 //!
-//! `h.face is None` is read as three values, `flip(mesh, e)` as a call. What the resolver says of
-//! such a line follows from one thing, which is told in its place.
+//! `h.face is None` parses as three values, `flip(mesh, e)` as a call. All errors of the resolver
+//! on such a line have one cause, which is reported instead.
 
 use super::files::Part;
 use crate::diagnostic::Diagnostic;
 use crate::source::{Sources, Span};
 use crate::syntax::written_elsewhere;
 
-/// The codes of words that are not known.
+/// The codes of diagnostics that foreign syntax may cause.
 const UNKNOWN: [&str; 4] = ["unknown-field", "unknown-function", "unknown-name", "unused-value"];
 
-/// Puts what is written as elsewhere in the place of what the resolver says of its line.
+/// Replaces the errors of the resolver on a line by that of the foreign syntax in it.
 pub(super) fn tell_as_elsewhere(parts: &[Part], told: &mut Vec<Diagnostic>, sources: &Sources) {
     for part in parts {
         let text = sources.get(part.file).text();
@@ -26,7 +26,7 @@ pub(super) fn tell_as_elsewhere(parts: &[Part], told: &mut Vec<Diagnostic>, sour
             };
             let unknown =
                 told.iter().filter(|error| inside(error) && UNKNOWN.contains(&error.code));
-            // What has a fix is understood.
+            // An error with a fix is understood as it is.
             let unknown = unknown.filter(|error| error.fixes.is_empty());
             let lines: Vec<_> = unknown.map(|error| line(error.span())).collect();
             if lines.is_empty() {

@@ -1,4 +1,4 @@
-//! Hints: facts that are not written, but known, to be shown between the words.
+//! Inlay hints: facts that are known but not written, to be shown between the words.
 
 use super::side::Sketch;
 use super::snapshot::Snapshot;
@@ -6,7 +6,7 @@ use crate::source::Span;
 use crate::syntax::TokenKind;
 use crate::syntax::tree::{Item, Op, Rule, Statement};
 
-/// Something known, and the place behind which it is shown.
+/// A known fact, and the place after which it is shown.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Hint {
     /// The place.
@@ -95,7 +95,7 @@ fn outer_ends(rule: &Rule, hints: &mut Vec<Hint>) {
     }
 }
 
-/// True if a name is declared by `let` or `var`: of a loop over `edges`, anybody sees it.
+/// True if a name is declared by `let` or `var`: the type of a loop variable is obvious.
 fn follows_let(snapshot: &Snapshot, name: Span) -> bool {
     let tokens = &snapshot.parsed().tokens;
     let at = tokens.partition_point(|token| token.span.start < name.start);

@@ -59,11 +59,12 @@ pub struct OpCard {
     pub head: String,
     /// Its doc comment, a line each.
     pub docs: Vec<String>,
-    /// Its diagrams, if they could ever be read; of an op in steps examples.
+    /// Its diagram, if it could be read in this text or an earlier one; for an op in steps,
+    /// examples.
     pub diagram: Option<Rc<diagram::Op>>,
-    /// The reason why there is none of an op in steps that is proved.
+    /// The reason why a proved op in steps has no example.
     pub no_example: Option<NoExample>,
-    /// True if they are those of this text; else they are the last that could be read.
+    /// True if the diagram is that of this text; else it is the last one that could be read.
     pub is_current: bool,
     /// The verdict of the proof.
     pub verdict: Verdict,
@@ -93,8 +94,7 @@ pub fn hover(snapshot: &Snapshot, offset: usize) -> Option<Hover> {
     Some(Hover { span, card })
 }
 
-/// The op whose picture belongs to the place at a byte: the one around it, or the one that
-/// is called there.
+/// The op whose picture is shown for a byte: the op around it, or the one that is named there.
 pub fn op_here(snapshot: &Snapshot, offset: usize) -> Option<&tree::Op> {
     if let Some((_, op)) = snapshot.op_at(offset) {
         return Some(op);
@@ -195,7 +195,7 @@ pub fn op_card(snapshot: &Snapshot, op: &tree::Op) -> OpCard {
     }
 }
 
-/// The head of an op, as it is written: up to its brace.
+/// The head of an op, up to its brace, on one line.
 pub fn head(snapshot: &Snapshot, op: &tree::Op) -> String {
     let whole = snapshot.sources().slice(op.span);
     let head = whole.split('{').next().unwrap_or(whole).trim_end();

@@ -1,9 +1,8 @@
-//! The inverse of an op: `before` and `after` exchanged, what was new erased, and the other way
-//! around.
+//! The inverse of an op: `before` and `after` are exchanged, and so are `new` and `erase`.
 //!
-//! An assignment is inverted where its old value can be computed from the new one: where each
-//! operator around it has an inverse, and the other operands are what they were. One that has
-//! none is said in a comment. Attributes of what is new again are for a person to set.
+//! An assignment is inverted if its old value can be computed from the new one: each operator
+//! around it has an inverse, and the other operands do not change. One without an inverse becomes a
+//! comment. Attributes of elements that are new again are left to the user.
 
 use super::edits::slice;
 use super::hover::op_named;
@@ -17,12 +16,12 @@ use crate::syntax::tree::{
     Attr, BinaryOp, Expr, ExprKind, Item, Name, Op, Rule, Statement, UnaryOp,
 };
 
-/// The op backwards, behind the op.
+/// The edit that adds the inverse of an op after it.
 pub(super) fn inverse(snapshot: &Snapshot, op: &Op, name: &str) -> Option<Vec<Edit>> {
     if op.rules.is_empty() || op_named(snapshot, name).is_some() {
         return None;
     }
-    // What an op is called with is there before it: what it erases is there only before.
+    // A parameter that the op erases does not exist before the inverse, which cannot take it then.
     let is_erased = |name: &Name| {
         let mut params = op.params.iter();
         params.any(|param| param.name.ident.text == name.ident.text)
@@ -98,8 +97,8 @@ fn backwards(snapshot: &Snapshot, rule: &Rule, indentation: &str) -> Option<Stri
     Some(text)
 }
 
-/// The assignments that undo those of a rule; a comment for each that cannot be undone. What is
-/// set on elements that the rule makes goes with them.
+/// The assignments that undo those of a rule; a comment for each that cannot be undone. Assignments
+/// to elements that the rule creates are left out, as the inverse erases these.
 fn restored(snapshot: &Snapshot, assigned: &[&Statement], made: &[&Name]) -> Vec<String> {
     let is_made = |name: &Name| made.iter().any(|made| made.ident.text == name.ident.text);
     let mut lines = Vec::new();
@@ -120,7 +119,7 @@ fn restored(snapshot: &Snapshot, assigned: &[&Statement], made: &[&Name]) -> Vec
     lines
 }
 
-/// An attribute of an element, which is assigned to.
+/// An attribute of an element that is assigned to.
 struct Target<'s> {
     snapshot: &'s Snapshot,
     target: &'s Name,
@@ -135,7 +134,7 @@ impl Target<'_> {
         format!("{target}.{}", self.attribute)
     }
 
-    /// The old value, by the new one that `value` has given.
+    /// The old value, as an expression of the new one, which `value` has computed.
     fn solved(&self, value: &Expr) -> Option<String> {
         let mut old = self.text();
         let mut left = value;
@@ -187,8 +186,8 @@ impl Target<'_> {
         found
     }
 
-    /// An operand as it is written, if its value after the op is that before it: it names only
-    /// numbers, and attributes that are not set, of elements that are there before and after.
+    /// An operand as it is written, if the op does not change its value: it consists of numbers,
+    /// elements that exist before and after, and attributes of these that are not set.
     fn stays(&self, value: &Expr) -> Option<String> {
         let is_set = |attribute: &str| {
             let mut assigned = self.assigned.iter();
@@ -204,7 +203,7 @@ impl Target<'_> {
             }
             ExprKind::Int(_) | ExprKind::Real(_) | ExprKind::Unary(..) => true,
             ExprKind::Binary(..) => true,
-            // What a function looks at may have changed.
+            // What a function reads may have changed.
             _ => false,
         };
         value.each_part(&mut |part| {
@@ -215,13 +214,13 @@ impl Target<'_> {
         stays.then(|| if is_one { text.to_owned() } else { format!("({text})") })
     }
 
-    /// True if a word is that of an attribute, and not of something that follows from the mesh.
+    /// True if a word names an attribute, and not a property that is derived from the mesh.
     fn is_attribute(&self, word: &str) -> bool {
         let mut known = Type::ALL.into_iter().flat_map(fields);
         self.declared(word).is_some() || known.any(|field| field.name == word && field.is_attribute)
     }
 
-    /// True if a product of the attribute can be divided again: that of a whole number cannot.
+    /// True if a product of the attribute can be undone by a division: not if it is a whole number.
     fn divides(&self) -> bool {
         let declared = self.declared(self.attribute);
         declared.is_none_or(|attr| attr.ty.text != "int")
@@ -238,7 +237,7 @@ impl Target<'_> {
     }
 }
 
-/// A value without the parentheses around all of it.
+/// A value without the parentheses around the whole of it.
 fn bare(value: String) -> String {
     match value.strip_prefix('(').and_then(|rest| rest.strip_suffix(')')) {
         Some(inner) => inner.to_owned(),

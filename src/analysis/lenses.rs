@@ -7,7 +7,7 @@ use crate::syntax::tree::Item;
 /// The command of a lens.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Offer {
-    /// It tells whether an op is proved, and offers nothing but the picture.
+    /// Whether an op is proved; the command shows its diagram.
     Proof,
     /// Show the diagram of an op.
     Diagram,
@@ -30,7 +30,7 @@ pub struct Lens {
     pub name: String,
 }
 
-/// The lenses of a text. Ops that have not been looked at yet are proved now.
+/// The lenses of a text. Ops that are not examined yet are proved now.
 pub fn lenses(snapshot: &Snapshot) -> Vec<Lens> {
     let mut lenses = Vec::new();
     for item in snapshot.items() {

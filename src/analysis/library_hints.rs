@@ -1,8 +1,8 @@
-//! Library hints: files of the library that declare what a file calls and does not use.
+//! Library hints: the files of the library that declare a name that is called but unknown.
 //!
 //! `split(e)` alone is an unknown op; the library has several of that name, each in a file that
-//! only has to be used. Which files those are is found in their texts: this is asked only after
-//! a mistake, and the library declares each op and function at the beginning of a line.
+//! only has to be used. These files are found by searching their texts: this is needed only after
+//! an error, and the library declares each op and function at the beginning of a line.
 
 use std::collections::BTreeSet;
 
@@ -10,7 +10,7 @@ use crate::diagnostic::Diagnostic;
 use crate::library::{self, LibraryFile};
 use crate::source::{Sources, Span};
 
-/// Says of each unknown op or function in which files of the library there is one.
+/// Adds to each unknown op or function which files of the library declare it.
 pub(super) fn tell_where(diagnostics: &mut [Diagnostic], sources: &Sources) {
     for told in diagnostics {
         if matches!(told.code, "unknown-op" | "unknown-function") {
@@ -48,8 +48,8 @@ fn name_files(told: &mut Diagnostic, sources: &Sources) {
     };
 }
 
-/// True if a file of the library can be used without more ado: it declares no name that there is
-/// already, and there is no attribute for which what it makes would lack a value.
+/// True if a file of the library can be used as it is: it declares no name that is taken, and the
+/// program has no attribute without a default, which the elements that it creates would lack.
 fn is_welcome(name: &str, sources: &Sources) -> bool {
     let Some(file) = library::file(name) else { return false };
     let theirs: BTreeSet<&str> = declared(file.text).map(|(_, name)| name).collect();
@@ -80,8 +80,8 @@ fn declares(file: &LibraryFile, word: &str) -> bool {
     })
 }
 
-/// The insertion of a `use` into the text of a file: behind the last one, else before the first
-/// item and the comments about it.
+/// The place and the text to insert a `use` into a file: after the last one, else before the first
+/// item and its comments.
 fn head(text: &str, of: Span, line: &str) -> (Span, String) {
     let at = |place: usize| {
         let place = u32::try_from(place).unwrap_or(u32::MAX);

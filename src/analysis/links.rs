@@ -1,4 +1,4 @@
-//! The other files that a text names.
+//! Links to the other files that a text uses.
 
 use super::snapshot::Snapshot;
 use crate::source::Span;

@@ -1,5 +1,5 @@
-//! Memory between one snapshot of a document and the next: texts that have been read, proofs that
-//! have been found, and the last diagram of each op that could be read.
+//! Memory that is carried from one snapshot of a document to the next: parse results, proofs, and
+//! the last diagram of each op that could be read.
 
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::rc::Rc;
@@ -9,17 +9,17 @@ use super::parse_cache::Readings;
 use crate::diagram;
 use crate::source::Span;
 
-/// The number of proofs of earlier texts that are remembered, beside those of the text as it is.
+/// The most proofs of earlier texts that are kept, besides those of the current text.
 const MOST_REMEMBERED: usize = 1024;
 
 #[derive(Clone, Debug, Default)]
 pub(super) struct Memory {
     pub(super) readings: Readings,
-    /// The last diagrams of ops that cannot be read any more, by name.
+    /// The last diagrams of ops that can no longer be read, by name.
     pub(super) lost: BTreeMap<String, Rc<diagram::Op>>,
-    /// By the text of the op.
+    /// The proofs, by the text of the op.
     proofs: HashMap<String, Remembered>,
-    /// The number of proofs there may be before those of earlier texts go.
+    /// The number of proofs from which on those of earlier texts are dropped.
     room: usize,
 }
 
@@ -30,7 +30,7 @@ struct Remembered {
     examined: Rc<Examined>,
 }
 
-/// A part of a text, and what its words mean outside of it.
+/// A part of a text, and a fingerprint of what its words mean outside of it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Passage<'t> {
     pub(super) text: &'t str,
@@ -39,13 +39,13 @@ pub(super) struct Passage<'t> {
 }
 
 impl Memory {
-    /// The result for an op that is written like this, wherever it stood then.
+    /// The result for an op with this text, wherever it was.
     pub(super) fn recall(&self, op: Passage) -> Option<Rc<Examined>> {
         let known = self.proofs.get(op.text)?;
         (known.meaning == op.meaning).then(|| moved(&known.examined, known.at, op.span))
     }
 
-    /// Keeps the last diagrams of ops, as far as `text` still says their names.
+    /// Keeps the last diagrams of ops, as long as `text` contains their names.
     pub(super) fn lose(
         &mut self,
         diagrams: impl Iterator<Item = (String, Rc<diagram::Op>)>,
@@ -55,8 +55,8 @@ impl Memory {
         self.lost.retain(|name, _| text.contains(name.as_str()));
     }
 
-    /// Keeps what came of an op. If it gets too much, what is none of the ops as they are
-    /// `written` now goes.
+    /// Keeps the result for an op. If there are too many, drops those of ops that are not among the
+    /// `written` ones.
     pub(super) fn keep<'t>(
         &mut self,
         op: Passage,
@@ -74,7 +74,7 @@ impl Memory {
     }
 }
 
-/// The same answer for an op that stands elsewhere now.
+/// The same result for an op that has moved.
 fn moved(examined: &Rc<Examined>, was: Span, is: Span) -> Rc<Examined> {
     if was == is || examined.diagnostics.is_empty() {
         return Rc::clone(examined);

@@ -1,7 +1,7 @@
-//! The `require` that a rule lacks to keep the level that its op declares.
+//! The `require` that a rule needs to keep the level that its op declares.
 //!
-//! Nothing is guessed: what is offered has been asked for in a copy of the op, and with it the
-//! checker does not object any more.
+//! Nothing is guessed: a condition is offered only if the checker no longer raises the diagnostic
+//! for a copy of the op that requires it.
 
 use super::edits::indentation;
 use super::snapshot::Snapshot;
@@ -13,7 +13,7 @@ use crate::diagram::{
 use crate::source::Span;
 use crate::syntax::tree;
 
-/// The number of conditions that are tried: each costs a proof.
+/// The most conditions that are tried: each costs a proof.
 const MOST_TRIED: usize = 12;
 
 /// A condition that a rule may require, in the diagram and as it is written.
@@ -24,8 +24,7 @@ struct Demand {
     reason: String,
 }
 
-/// The conditions that mend what a diagnostic says of `keeps`, each with the edits that write it
-/// where it is lacking.
+/// Proposals of conditions that fix a diagnostic about `keeps`, each with the edits that insert it.
 pub(super) fn lacking(snapshot: &Snapshot, told: &Diagnostic) -> Vec<(String, Vec<Edit>)> {
     let Some((_, op)) = snapshot.op_at(told.span().start as usize) else {
         return Vec::new();
@@ -68,8 +67,8 @@ fn mends(op: &diagram::Op, rule: usize, demand: &Demand, told: &Diagnostic) -> b
     }
 }
 
-/// The conditions that could be required: that the ends of a new edge are not joined yet, and the
-/// link condition of an edge that goes.
+/// The conditions that could be required: that the ends of an edge of `after` are not adjacent yet,
+/// and the link condition of an edge that is erased.
 fn demands(rule: &Rule) -> Vec<Demand> {
     let drawing = Drawing::new(rule);
     let mut demands = Vec::new();
@@ -128,7 +127,7 @@ fn not_adjacent(rule: &Rule, one: NameId, other: NameId) -> Demand {
     }
 }
 
-/// The edit that asks something on a line before `after`.
+/// The edit that inserts a `require` on a line before `after`.
 fn written_before_after(snapshot: &Snapshot, rule: &tree::Rule, demand: &Demand) -> Option<Edit> {
     let place: Span = rule.after.as_ref()?.span;
     let indentation = indentation(snapshot, place);

@@ -1,7 +1,7 @@
-//! Everything an editor or a command may ask of a program; plain data out.
+//! Analysis of programs for editors and commands; all results are plain data.
 //!
-//! [`Analysis`] takes a text all the way: tree, program, proofs, plans, and every
-//! diagnostic met on the way. Whatever is in order is there, however broken the rest is.
+//! [`Analysis`] takes a text through all stages: tree, program, proofs, plans, and the diagnostics
+//! of each. Parts in order are analyzed however broken the rest is.
 
 mod action;
 mod actions;

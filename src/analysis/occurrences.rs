@@ -20,7 +20,7 @@ fn declared(snapshot: &Snapshot, symbol: &Symbol) -> Option<Span> {
     }
 }
 
-/// What can be called of a file that is used, by its name.
+/// The place of an op, script or function of a used file, by its name.
 fn called_elsewhere(snapshot: &Snapshot, name: &str) -> Option<Span> {
     let items = snapshot.seen().flat_map(|(_, tree)| &tree.items);
     let mut names = items.filter_map(|item| match item {
@@ -35,7 +35,7 @@ fn called_elsewhere(snapshot: &Snapshot, name: &str) -> Option<Span> {
 /// An item that more than one file may name.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Shared {
-    /// The file that declares it, as it is called among the sources.
+    /// The file that declares it, by its name in the sources.
     pub file: String,
     /// Its name.
     pub name: String,
@@ -43,7 +43,7 @@ pub struct Shared {
     pub place: Range<usize>,
 }
 
-/// The item whose name stands at a byte, whichever file declares it.
+/// The item whose name is at a byte, whichever file declares it.
 pub fn shared(snapshot: &Snapshot, offset: usize) -> Option<Shared> {
     let mention = snapshot.names().at(offset)?;
     shared_item(snapshot, snapshot.names().symbol(mention.symbol))
@@ -69,7 +69,7 @@ pub fn mentions_of_shared(snapshot: &Snapshot, shared: &Shared) -> Vec<Mention> 
     symbol.map_or_else(Vec::new, |(id, _)| names.mentions_of(id).copied().collect())
 }
 
-/// All mentions of the name at a byte, in the order of the text: in a rule, on both sides.
+/// All mentions of the name at a byte, in text order; those of a name of a rule are on both sides.
 pub fn occurrences(snapshot: &Snapshot, offset: usize) -> Vec<Mention> {
     let Some(mention) = snapshot.names().at(offset) else {
         return Vec::new();
@@ -78,7 +78,7 @@ pub fn occurrences(snapshot: &Snapshot, offset: usize) -> Vec<Mention> {
     names.mentions_of(mention.symbol).copied().collect()
 }
 
-/// The thing that a name stands for, in words, with an article.
+/// The kind of thing that a name stands for, with an article.
 pub fn a_word(symbol: &Symbol) -> &'static str {
     match symbol.kind {
         SymbolKind::Op => "an op",

@@ -1,8 +1,8 @@
-//! The meaning of the words of an op outside of it: the attributes and functions that it names, and
-//! those that their declarations name in turn.
+//! The declarations that the words of an op refer to: the attributes and functions that it names,
+//! and those that their declarations name in turn.
 //!
-//! A proof stays true for as long as the op is written as it was, and its words mean what they
-//! meant; that something else has changed in the file, or in one that is used, is nothing to it.
+//! A proof stays valid as long as the text of the op and these declarations stay the same, whatever
+//! else changes in the file or in those that it uses.
 
 use std::collections::{BTreeSet, HashMap};
 use std::hash::{DefaultHasher, Hash, Hasher};
@@ -15,10 +15,10 @@ use crate::syntax::{Parsed, Token, TokenKind};
 /// The declarations of a program that an op can name.
 #[derive(Debug, Default)]
 pub(super) struct Meanings<'p> {
-    /// By name; files may share one.
+    /// The declarations of each name; several files may declare the same name.
     named: HashMap<&'p str, Vec<usize>>,
     declarations: Vec<Declaration<'p>>,
-    /// The attributes without a default: what is new needs a value of each.
+    /// The attributes without a default: new elements need a value of each.
     wanted: Vec<usize>,
 }
 
@@ -26,7 +26,7 @@ pub(super) struct Meanings<'p> {
 struct Declaration<'p> {
     file: Read<'p>,
     span: Span,
-    /// Its number in programs.
+    /// Its index among the attributes, or among the functions, of the program.
     number: usize,
 }
 
@@ -48,7 +48,7 @@ impl<'p> Read<'p> {
         tokens[first..].iter().take_while(move |token| token.span.end <= span.end)
     }
 
-    /// The words in a span, also those in texts, which may be names of what is shown there.
+    /// The words in a span, including those in texts, which may name the values shown there.
     fn words(self, span: Span) -> impl Iterator<Item = &'p str> {
         self.tokens(span).flat_map(move |token| {
             let said = self.text.get(token.span.range()).unwrap_or("");
@@ -90,7 +90,7 @@ impl<'p> Meanings<'p> {
         meanings
     }
 
-    /// A number that is another one if what stands in a span means something else.
+    /// A hash of the declarations that the words in a span refer to, directly or through others.
     pub(super) fn fingerprint(&self, file: Read<'p>, span: Span) -> u64 {
         let mut reached: BTreeSet<usize> = self.wanted.iter().copied().collect();
         let mut open: Vec<usize> = self.wanted.clone();

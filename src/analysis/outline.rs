@@ -1,4 +1,4 @@
-//! The items of a text, and what stands in them.
+//! The outline of a text: its items and their parts.
 
 use super::side::subject;
 use super::snapshot::Snapshot;
@@ -35,9 +35,9 @@ pub struct Entry {
     pub detail: String,
     /// Its kind.
     pub kind: EntryKind,
-    /// All of it.
+    /// Its span.
     pub span: Span,
-    /// Its name in the text.
+    /// The span of its name.
     pub name_span: Span,
     /// The entries inside of it.
     pub children: Vec<Entry>,
@@ -46,7 +46,7 @@ pub struct Entry {
 /// The largest number of statements that an outline shows.
 const MOST_STATEMENTS: usize = 10_000;
 
-/// The outline of a text. One that draws very much is outlined to the sides of its rules alone.
+/// The outline of a text. If the text has too many statements, they are left out.
 pub fn outline(snapshot: &Snapshot) -> Vec<Entry> {
     let items = snapshot.items().iter();
     let rules = items.clone().filter_map(|item| match item {

@@ -1,4 +1,4 @@
-//! Parse results of the files of a program, kept from one look at it to the next.
+//! Parse results of the files of a program, kept from one analysis to the next.
 
 use std::collections::HashMap;
 use std::rc::Rc;
@@ -6,15 +6,15 @@ use std::rc::Rc;
 use crate::source::{FileId, Source};
 use crate::syntax::{Parsed, parse, parse_again};
 
-/// Each file as it was read last, with its text then.
+/// The last parse result of each file, with its text at that time.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Readings {
     known: HashMap<FileId, (String, Rc<Parsed>)>,
 }
 
 impl Readings {
-    /// The parse of a file. Nothing is read twice: of a file that has changed only what has changed
-    /// in it.
+    /// The parse of a file. An unchanged file is not parsed again, and of a changed one only what
+    /// has changed.
     pub(super) fn read(&mut self, file: FileId, source: &Source) -> Rc<Parsed> {
         let text = source.text();
         let read = match self.known.get(&file) {

@@ -16,7 +16,7 @@ use crate::rewrite::Plans;
 use crate::run::{Functions, plan_steps};
 use crate::source::{FileId, Sources, Span};
 
-/// All that is known of one file, and of those it uses.
+/// The analysis of one file, and of those it uses.
 #[derive(Clone, Debug)]
 pub struct Analysis {
     /// The file.
@@ -29,26 +29,27 @@ pub struct Analysis {
     pub proved: Vec<Option<Proved>>,
     /// For each op of the program, its plan, if it is proved.
     pub plans: Plans,
-    /// For each op of the program what it depends on that is broken, if that is why it is not
+    /// For each op of the program, the broken thing that it depends on, if that is why it is not
     /// proved.
     pub lacks: Vec<Option<String>>,
     /// A small mesh for each rejected rule that breaks one.
     pub counterexamples: Vec<Counterexample>,
-    /// Everything that is wrong, file by file in the order of the text.
+    /// All diagnostics, file by file in text order.
     pub diagnostics: Vec<Diagnostic>,
 }
 
 impl Analysis {
-    /// Reads, resolves, proves and compiles a file of `sources`, and what it uses of them.
+    /// Parses, resolves, proves and compiles a file of `sources`, and the files of these that it
+    /// uses.
     ///
-    /// Nothing is added to `sources`, so a `use` of what is not there is an error, also of a
-    /// file of the library: see [`Analysis::with`].
+    /// Nothing is added to `sources`, so a `use` of a missing file is an error, even if the library
+    /// has it: see [`Analysis::with`].
     pub fn of(sources: &Sources, file: FileId) -> Self {
         Self::of_present(sources, file, &Absent::new(), &mut Readings::default())
     }
 
-    /// The same, after the files it uses have been added to `sources`: those of the library,
-    /// and others as the reader gives them.
+    /// As [`Analysis::of`], after adding the files it uses to `sources`: those of the library, and
+    /// others from the reader.
     pub fn with(sources: &mut Sources, file: FileId, reader: &mut dyn Reader) -> Self {
         let mut readings = Readings::default();
         let absent = fetch(sources, file, reader, &mut readings);
@@ -98,7 +99,7 @@ impl Analysis {
             let Span { file, start, .. } = diagnostic.span();
             (file, start)
         });
-        // What is wrong with a declaration is told once, not for each op that it concerns.
+        // An error in a declaration is reported once, not for each op that it concerns.
         diagnostics.dedup_by(|next, last| {
             (next.code, &next.message, next.span()) == (last.code, &last.message, last.span())
         });
@@ -106,32 +107,32 @@ impl Analysis {
         Self { file, seen, program, proved, plans, lacks, counterexamples, diagnostics }
     }
 
-    /// True if nothing in the file is an error.
+    /// True if there is no error in the file, nor in those it uses.
     pub fn is_sound(&self) -> bool {
         !self.diagnostics.iter().any(Diagnostic::is_error)
     }
 
-    /// The index of the op that a name means in the file.
+    /// The index of the op that a name refers to in the file.
     pub fn op(&self, name: &str) -> Option<usize> {
         let ops = self.program.ops.iter();
         self.meant(name, ops.map(|op| (op.name.as_str(), op.span)))
     }
 
-    /// The index of the script that a name means in the file.
+    /// The index of the script that a name refers to in the file.
     pub fn script(&self, name: &str) -> Option<usize> {
         let scripts = self.program.scripts.iter();
         let scripts = scripts.map(|script| (script.name.as_str(), script.span));
         self.meant(name, scripts)
     }
 
-    /// The index of the function that a name means in the file.
+    /// The index of the function that a name refers to in the file.
     pub fn function(&self, name: &str) -> Option<usize> {
         let functions = self.program.functions.iter();
         let functions = functions.map(|function| (function.name.as_str(), function.span));
         self.meant(name, functions)
     }
 
-    /// Of all items of a name that of the file, else the first of those it uses.
+    /// The item of a name that the file declares, else that of the first file it uses that has one.
     fn meant<'p>(&self, name: &str, items: impl Iterator<Item = (&'p str, Span)>) -> Option<usize> {
         let order = |span: Span| self.seen.iter().position(|&seen| seen == span.file);
         let named = items.enumerate().filter(|(_, (known, _))| *known == name);

@@ -1,4 +1,4 @@
-//! Changes that only a person can decide on, and the names in them.
+//! Changes that only the user can decide on, and the names in them.
 
 use super::names::{SymbolId, SymbolKind};
 use super::snapshot::Snapshot;
@@ -8,7 +8,7 @@ use crate::diagram::Kind;
 /// The change as an imperative, and its edits.
 pub(super) type Proposal = (String, Vec<Edit>);
 
-/// A name as it is listed: that of a family with its index.
+/// A name as it is written in a list: that of a family with its index.
 pub(super) fn written(snapshot: &Snapshot, id: SymbolId) -> String {
     let symbol = snapshot.names().symbol(id);
     let behind = symbol.definition.and_then(|drawn| {

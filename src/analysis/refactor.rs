@@ -1,5 +1,5 @@
-//! Changes that write for you: what `after` lacks, the inverse of an op, an alternative as
-//! an op of its own, `keep` for what stays as it is.
+//! Refactorings: what `after` lacks, the inverse of an op, an alternative as an op of its own,
+//! `keep` for what stays as it is.
 
 use super::action::{Action, Purpose};
 use super::cursor_context::{op_near, rule_near};
@@ -58,7 +58,7 @@ fn is_empty(side: Option<&Side>) -> bool {
     side.is_none_or(|side| side.statements.is_empty())
 }
 
-/// The statements of `before` that `after` says nothing of.
+/// The edit that restates the statements of `before` that `after` does not mention.
 fn skeleton(snapshot: &Snapshot, rule: &Rule) -> Option<Vec<Edit>> {
     let before = rule.before.as_ref()?;
     let words = |list: fn(&Statement) -> Option<&Vec<Name>>| -> Vec<&str> {
@@ -102,7 +102,7 @@ fn skeleton(snapshot: &Snapshot, rule: &Rule) -> Option<Vec<Edit>> {
     }
 }
 
-/// Statements of `after` that are those of `before`, word for word, as one `keep`.
+/// The edits that replace statements of `after` that repeat `before` word for word by one `keep`.
 fn keep_what_stays(snapshot: &Snapshot, rule: &Rule) -> Option<Vec<Edit>> {
     let (before, after) = (rule.before.as_ref()?, rule.after.as_ref()?);
     let words = |statement: &Statement| -> Vec<String> {
@@ -137,7 +137,7 @@ fn keep_what_stays(snapshot: &Snapshot, rule: &Rule) -> Option<Vec<Edit>> {
     Some(edits)
 }
 
-/// A rule as an op of its own, behind the op.
+/// The edits that move a rule to an op of its own, after the op.
 fn split_out(snapshot: &Snapshot, op: &Op, at: usize, name: &str) -> Option<Vec<Edit>> {
     if op.rules.len() < 2 || op_named(snapshot, name).is_some() {
         return None;

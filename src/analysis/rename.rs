@@ -1,7 +1,7 @@
-//! Renaming: the edits that change a name wherever it is meant, and whether programs still mean
-//! the same then.
+//! Renaming: the edits that change a name wherever it is mentioned, and a check that programs still
+//! mean the same afterwards.
 //!
-//! What is refused is not argued but tried: the programs are read as they would be.
+//! Whether a rename is refused is not deduced but tried: the renamed programs are analyzed.
 
 use std::collections::HashMap;
 
@@ -34,11 +34,11 @@ pub fn renameable(snapshot: &Snapshot, offset: usize) -> Result<Mention, String>
     }
 }
 
-/// The edits that rename the name at a byte everywhere.
+/// The edits that rename the name at a byte throughout the text.
 ///
 /// # Errors
 ///
-/// Says why the name cannot be changed, or not to this.
+/// Says why the name cannot be changed, or not to `to`.
 pub fn rename(snapshot: &Snapshot, offset: usize, to: &str) -> Result<Vec<Edit>, String> {
     let mention = renameable(snapshot, offset)?;
     let to = to.trim();
@@ -63,7 +63,7 @@ pub fn rename(snapshot: &Snapshot, offset: usize, to: &str) -> Result<Vec<Edit>,
 ///
 /// # Errors
 ///
-/// Says why it cannot be changed to this.
+/// Says why it cannot be changed to `to`.
 pub fn rename_shared(snapshot: &Snapshot, item: &Shared, to: &str) -> Result<Vec<Edit>, String> {
     let mentions = mentions_of_shared(snapshot, item);
     if let Some(first) = mentions.first()
@@ -85,7 +85,7 @@ fn is_name(text: &str) -> bool {
         && TokenKind::KEYWORDS.iter().all(|(word, kind)| *word != text || kind.is_soft())
 }
 
-/// Another name that would be the same as this one, renamed.
+/// Another name that would clash with this one once it is renamed.
 fn taken<'s>(snapshot: &'s Snapshot, symbol: SymbolId, to: &str) -> Option<&'s Symbol> {
     let names = snapshot.names();
     let own = names.symbol(symbol);
@@ -94,11 +94,11 @@ fn taken<'s>(snapshot: &'s Snapshot, symbol: SymbolId, to: &str) -> Option<&'s S
     found.map(|(_, other)| other)
 }
 
-/// Tries a rename on a program: `texts` are the new ones of files, by their names.
+/// Tries a rename on a program: `texts` are the changed texts of files, by their names.
 ///
 /// # Errors
 ///
-/// Says what would be wrong that is not now, or that some name would mean something else.
+/// The first new error, or that some name would refer to something else.
 pub fn stays_the_same(
     snapshot: &Snapshot,
     texts: &HashMap<String, String>,

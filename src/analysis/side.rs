@@ -1,16 +1,16 @@
-//! One side of a rule as it is written: what follows what, twins, spokes.
+//! One side of a rule as it is written: successors in loops, twins, spokes.
 //!
-//! Read off the tree alone, families included, so that it can be shown while the rule is not
-//! finished. A `keep` in `after` stands for the statement of `before`.
+//! Derived from the tree alone, families included, so that it is available while the rule is
+//! unfinished. A `keep` in `after` stands for the statement of `before`.
 
 use crate::syntax::tree::{Arrow, Loop, Name, Rule, Side, Spoke, Star, Statement};
 
 /// A name as it is drawn: the word, and for a member of a family its shift from the index.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ElementRef {
-    /// The word; nothing for a path or fan without a name.
+    /// The word; empty for a path or fan without a name.
     pub word: String,
-    /// The index and what is added to it.
+    /// The index and the offset added to it.
     pub index: Option<(String, i64)>,
 }
 
@@ -31,7 +31,7 @@ impl ElementRef {
         self
     }
 
-    /// The place as it is written.
+    /// The name as it is written.
     pub fn text(&self) -> String {
         match &self.index {
             None => self.word.clone(),
@@ -182,8 +182,8 @@ impl Sketch {
         });
     }
 
-    /// The place of a halfedge or path in a loop, seen from itself: what is around a member of a
-    /// family is told relative to its own index.
+    /// The place of a halfedge or path in a loop; for a member of a family, with indices relative
+    /// to its own.
     pub fn place(&self, word: &str) -> Option<Drawn> {
         let drawn = self.drawn.iter().find(|drawn| drawn.item.word == word)?;
         let own = drawn.item.index.as_ref().map_or(0, |(_, shift)| *shift);
@@ -198,7 +198,8 @@ impl Sketch {
         })
     }
 
-    /// The edge and the twin of a halfedge, seen from itself.
+    /// The edge and the twin of a halfedge; for a member of a family, with indices relative to its
+    /// own.
     pub fn pair(&self, word: &str) -> Option<(ElementRef, ElementRef)> {
         let (pair, at) = self.pairs.iter().find_map(|pair| {
             let at = pair.halfedges.iter().position(|half| half.word == word)?;
@@ -217,7 +218,7 @@ impl Sketch {
         Some(star.vertex.clone())
     }
 
-    /// The start of a halfedge, as far as this side says.
+    /// The start of a halfedge, if this side determines it.
     pub fn origin(&self, word: &str) -> Option<ElementRef> {
         let own = self.place(word).map(|drawn| drawn.from);
         own.or_else(|| self.star_of(word)).or_else(|| {
@@ -227,7 +228,7 @@ impl Sketch {
         })
     }
 
-    /// True if a statement of the side is about an edge, face or vertex.
+    /// True if an edge, face or vertex is the subject of a statement of the side.
     pub fn is_subject(&self, word: &str) -> bool {
         self.drawn.iter().any(|drawn| drawn.face.word == word)
             || self.pairs.iter().any(|pair| pair.edge.word == word)

@@ -11,13 +11,13 @@ use crate::syntax::tree::{Item, Param};
 pub struct Call {
     /// The signature as it is written: `split(e: edge) -> m`.
     pub label: String,
-    /// Its parameters, as they stand in the label.
+    /// Its parameters, as they are written in the label.
     pub params: Vec<String>,
     /// Its documentation.
     pub about: String,
 }
 
-/// The ways to call what a cursor is inside of, and the number of the argument.
+/// The signatures of the call around a cursor, and the index of the argument there.
 pub fn signature(snapshot: &Snapshot, offset: usize) -> Option<(Vec<Call>, usize)> {
     let tokens = &snapshot.parsed().tokens;
     let end = tokens.partition_point(|token| (token.span.end as usize) <= offset);

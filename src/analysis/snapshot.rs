@@ -1,9 +1,9 @@
-//! One text of an editor, as far as it is understood.
+//! The analysis of one text of an editor.
 //!
-//! A snapshot answers whatever state the text is in: the tree of what can be read, the index
-//! of its names, and for each op its proof. Proofs are found when they are asked for, and
-//! remembered from one snapshot of a document to the next; so is the last diagram of each
-//! op that could be read, for what is shown while somebody types in the middle of it.
+//! A snapshot works whatever state the text is in: it has the tree of what can be parsed, the index
+//! of its names, and for each op its proof. Proofs are found on demand, and kept from one snapshot
+//! of a document to the next; so is the last diagram of each op that could be read, to be shown
+//! while the op is being edited.
 
 use std::cell::{Cell, OnceCell, RefCell};
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
@@ -27,7 +27,7 @@ use crate::source::{FileId, Sources, Span};
 use crate::syntax::Parsed;
 use crate::syntax::tree::{self, Item};
 
-/// All that is known of one text.
+/// The analysis of one text.
 #[derive(Clone, Debug)]
 pub struct Snapshot {
     sources: Sources,
@@ -35,38 +35,38 @@ pub struct Snapshot {
     parsed: Rc<Parsed>,
     used: Vec<(FileId, Rc<Parsed>)>,
     seen: Vec<FileId>,
-    /// For each file that it uses, directly or through others, the `use` that leads there.
+    /// For each file that it uses, directly or through others, the `use` that leads to it.
     ways: BTreeMap<FileId, Span>,
     program: Program,
-    /// The meanings of the words behind dots.
+    /// The meanings of the words after dots.
     fields: Fields,
-    /// The ops of the program, by where their names stand.
+    /// The indices of the ops of the program, by the spans of their names.
     places: HashMap<Span, usize>,
     functions: Functions,
-    /// The diagnostics before anything is proved, in whatever file.
+    /// The diagnostics found before anything is proved, in any file.
     told: Vec<Diagnostic>,
     names: OnceCell<Names>,
-    /// For each op what its words mean.
+    /// For each op, a fingerprint of what its words mean outside of it.
     meanings: OnceCell<Vec<u64>>,
     /// The ops that have to be proved, in order: its own, what the steps of those call, and
     /// those of used files that may break here.
     due: Vec<usize>,
-    /// The number of them that have been looked at, from the first.
+    /// The number of those that have been examined, from the first.
     done: Cell<usize>,
     examined: Vec<OnceCell<Rc<Examined>>>,
     planned: OnceCell<Planned>,
-    /// Examples of ops in steps that have been made.
+    /// The examples of ops in steps that have been computed.
     examples: RefCell<BTreeMap<usize, Result<Rc<diagram::Op>, NoExample>>>,
     memory: Rc<RefCell<Memory>>,
 }
 
 impl Snapshot {
-    /// Reads the first text of a document. What it uses, the reader gives.
+    /// Analyzes the first text of a document. The reader gives the files it uses.
     pub fn new(name: &str, text: &str, reader: &mut dyn Reader) -> Self {
         Self::read(name, text, reader, Rc::default())
     }
 
-    /// Reads the next text of the same document.
+    /// Analyzes the next text of the same document.
     pub fn next(&self, text: &str, reader: &mut dyn Reader) -> Self {
         let name = self.sources.get(self.file).name();
         let next = Self::read(name, text, reader, Rc::clone(&self.memory));
@@ -141,12 +141,12 @@ impl Snapshot {
         self.sources.get(self.file).text()
     }
 
-    /// The texts that spans of answers point into.
+    /// The sources that the spans of results refer to.
     pub fn sources(&self) -> &Sources {
         &self.sources
     }
 
-    /// The file of the text among them.
+    /// The file of the text in the sources.
     pub fn file(&self) -> FileId {
         self.file
     }
@@ -171,7 +171,7 @@ impl Snapshot {
         self.used().map(|(file, _)| self.sources.get(file).name().to_owned())
     }
 
-    /// The file that a `use` of the text means, if it could be had.
+    /// The file that a `use` of the text refers to, if it could be read.
     pub fn used_file(&self, path: &str) -> Option<FileId> {
         self.sources.find(&self.name_of(path))
     }
@@ -180,7 +180,7 @@ impl Snapshot {
         name_of(self.sources.get(self.file).name(), path)
     }
 
-    /// True if it depends on a file of this name, be it there or not.
+    /// True if it depends on a file of this name, whether that exists or not.
     pub fn looks_for(&self, file: &str) -> bool {
         let used = self.used().map(|(_, tree)| tree);
         let own = std::iter::once(&self.parsed.tree);
@@ -206,7 +206,7 @@ impl Snapshot {
         &self.program
     }
 
-    /// The program's op of an op of the tree.
+    /// The index in the program of an op of the tree.
     pub fn resolved(&self, op: &tree::Op) -> Option<usize> {
         self.places.get(&op.name.span).copied()
     }
@@ -236,7 +236,7 @@ impl Snapshot {
         self.examined[op].get_or_init(|| self.examine(op))
     }
 
-    /// Proves one more op, and says whether there was one.
+    /// Proves one more op; false if none is left.
     pub fn examine_next(&self) -> bool {
         let left = &self.due[self.done.get()..];
         let known = left.iter().take_while(|&&op| self.examined[op].get().is_some()).count();
@@ -250,7 +250,7 @@ impl Snapshot {
         }
     }
 
-    /// The number of ops that have been looked at, and how many there are.
+    /// The number of ops that have been examined, and of those to examine.
     pub fn progress(&self) -> (usize, usize) {
         (self.done.get(), self.due.len())
     }
@@ -265,7 +265,7 @@ impl Snapshot {
         Verdict::of(&op.name.text, proved, steps, lacks)
     }
 
-    /// An example of an op in steps that is proved; `None` of any other op.
+    /// An example of a proved op in steps; `None` for any other op.
     pub fn example(&self, op: &tree::Op) -> Option<Result<Rc<diagram::Op>, NoExample>> {
         let at = self.resolved(op)?;
         self.program.ops[at].steps.as_ref()?;
@@ -274,7 +274,7 @@ impl Snapshot {
         }
         let plans = match self.due.binary_search(&at).is_ok() {
             true => &self.planned().plans,
-            // One that the text does not declare, and perhaps does not call.
+            // An op that the text does not declare, and perhaps does not call.
             false => &self.plan(&reached(&self.program, &self.functions, vec![at])).plans,
         };
         plans.get(at)?.as_ref()?;
@@ -294,7 +294,7 @@ impl Snapshot {
         })
     }
 
-    /// The plans of some ops, with which all comes that their steps lead to.
+    /// The plans of the ops in `due`, which include all that their steps call.
     fn plan(&self, due: &[usize]) -> Planned {
         let mut plans = vec![None; self.program.ops.len()];
         for &op in due {
@@ -327,7 +327,7 @@ impl Snapshot {
         examined
     }
 
-    /// For each op what its words mean outside of it, as a number.
+    /// For each op, a fingerprint of what its words mean outside of it.
     fn meanings(&self) -> &[u64] {
         self.meanings.get_or_init(|| {
             let used = self.used.iter().map(|(file, parsed)| (*file, &**parsed));
@@ -344,20 +344,19 @@ impl Snapshot {
         })
     }
 
-    /// The diagnostics before anything is proved, in whatever file.
+    /// The diagnostics found before anything is proved, in any file.
     pub(super) fn told(&self) -> impl Iterator<Item = &Diagnostic> {
         self.told.iter()
     }
 
-    /// Everything that is wrong, in the order of the text. What is wrong in a file that it uses
-    /// is told at the `use`.
+    /// All diagnostics, in text order. Errors in a file that it uses are reported at the `use`.
     pub fn diagnostics(&self) -> Vec<Diagnostic> {
         let proved = self.due.iter().flat_map(|&op| &self.examined(op).diagnostics);
         let planned = &self.planned().told;
         self.located(self.told.iter().chain(proved).chain(planned))
     }
 
-    /// The diagnostics, as far as ops have been looked at.
+    /// The diagnostics so far, without examining more ops.
     pub fn diagnostics_so_far(&self) -> Vec<Diagnostic> {
         let examined = self.due.iter().filter_map(|&op| self.examined[op].get());
         let proved = examined.flat_map(|examined| &examined.diagnostics);
@@ -379,7 +378,7 @@ impl Snapshot {
         let broken: Vec<_> = broken.collect();
         here.extend(&broken);
         here.sort_by_key(|diagnostic| diagnostic.span().start);
-        // What is wrong with a declaration is told once, not for each op that it concerns.
+        // An error in a declaration is reported once, not for each op that it concerns.
         here.dedup_by(|next, last| {
             (next.code, &next.message, next.span()) == (last.code, &last.message, last.span())
         });
@@ -415,8 +414,8 @@ struct Planned {
     told: Vec<Diagnostic>,
 }
 
-/// The ops of a file, all that their steps lead to, and what may break of used files: ops of the
-/// library only where a new attribute has no default.
+/// The ops of a file, those of used files that may break, and all that their steps call. Ops of the
+/// library may break only if a new attribute has no default.
 fn due(
     program: &Program,
     functions: &Functions,
@@ -430,7 +429,7 @@ fn due(
     reached(program, functions, own.collect())
 }
 
-/// Some ops, and all that their steps lead to.
+/// Some ops, and all that their steps call, directly or through others.
 fn reached(program: &Program, functions: &Functions, mut open: Vec<usize>) -> Vec<usize> {
     if open.iter().all(|&at| program.ops[at].steps.is_none()) {
         return open;

@@ -1,8 +1,8 @@
-//! Soundness of rewritten ops: as sound as before.
+//! A check that rewritten ops are as sound as before.
 //!
-//! A change that is offered for an op in order must leave it so. That is not argued but tried: the
-//! op is read and proved as it would be, among all that it can name, which is what the file uses,
-//! its attributes and its functions; its other ops cost nothing.
+//! A change that is offered for a sound op must leave it sound. This is not deduced but tried: the
+//! changed op is parsed and proved together with what it can name, which is what the file uses, its
+//! attributes and its functions; the other ops of the file are left out to save time.
 
 use std::collections::HashMap;
 use std::ops::Range;
@@ -33,7 +33,7 @@ impl Reader for Known<'_> {
     }
 }
 
-/// True if edits inside of an op or right behind it leave it sound, if it is.
+/// True if edits inside an op or right after it leave it sound, or if it is not sound anyway.
 pub(super) fn stays_sound(snapshot: &Snapshot, op: &Op, edits: &[Edit]) -> bool {
     let whole = op.span.range();
     let Some(rewritten) = applied(snapshot.text(), whole.clone(), edits) else {
@@ -63,7 +63,7 @@ pub(super) fn stays_sound(snapshot: &Snapshot, op: &Op, edits: &[Edit]) -> bool 
     is_sound(&rewritten) || !is_sound(&snapshot.text()[whole])
 }
 
-/// A part of a text, after edits; `None` if one lies elsewhere.
+/// A part of a text, after edits; `None` if they overlap, or one lies outside of it.
 pub fn applied(text: &str, part: Range<usize>, edits: &[Edit]) -> Option<String> {
     let mut edits: Vec<_> = edits.iter().map(|edit| (edit.span.range(), &edit.text)).collect();
     edits.sort_by_key(|(range, _)| range.start);

@@ -1,4 +1,4 @@
-//! The parts of a text that lie in one another, as its tree has them.
+//! The nested parts of a text, from its tree.
 
 use super::snapshot::Snapshot;
 use crate::source::Span;
@@ -27,7 +27,7 @@ pub fn around(snapshot: &Snapshot, offset: usize) -> Vec<Span> {
         .into_iter()
         .filter(|span| span.touches(offset) && span.start < span.end)
         .collect();
-    // Of two words that meet at the cursor, the one behind it counts.
+    // Of two words that meet at the cursor, the one after it counts.
     around.sort_by_key(|span| (span.end - span.start, std::cmp::Reverse(span.start)));
     let mut chain: Vec<Span> = Vec::new();
     for span in around {

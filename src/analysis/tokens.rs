@@ -51,10 +51,10 @@ pub struct Marks {
     pub is_outer: bool,
 }
 
-/// A word, and what it is.
+/// A word with its class and modifiers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Coloured {
-    /// The word; it stands on one line.
+    /// The word. Only a text that is not closed or a comment with a lone `\r` may span lines.
     pub span: Span,
     /// Its class.
     pub class: Class,
@@ -117,7 +117,7 @@ pub fn tokens(snapshot: &Snapshot) -> Vec<Coloured> {
     coloured
 }
 
-/// The rule the walk is in, read once.
+/// The rule around the current mention, read once.
 struct Rules<'s> {
     snapshot: &'s Snapshot,
     known: Option<(Span, Sketch)>,
@@ -202,7 +202,7 @@ fn type_spans(snapshot: &Snapshot) -> HashSet<Span> {
     spans
 }
 
-/// The types that `let` and `var` declare, however deep.
+/// The types that `let` and `var` declare, at any depth.
 fn declared_types(block: &Block, spans: &mut HashSet<Span>) {
     for action in &block.statements {
         if let ActionKind::Let { ty: Some(ty), .. } = &action.kind {

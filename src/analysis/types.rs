@@ -19,7 +19,7 @@ pub fn type_of(snapshot: &Snapshot, id: SymbolId) -> Option<Type> {
     if let Some(known) = variables.find(|known| known.span == place) {
         return Some(known.ty);
     }
-    // `for e in edges`: also where the script cannot be read.
+    // `for e in edges`: known even where the script cannot be parsed.
     let tokens = &snapshot.parsed().tokens;
     let at = tokens.iter().position(|token| token.span == place)?;
     let sequence = tokens.get(at + 2..)?;

@@ -14,13 +14,12 @@ pub struct Unused {
     pub span: Span,
     /// The name.
     pub name: String,
-    /// What is called so, in a word.
+    /// The kind of thing it names, in a word.
     pub what: &'static str,
 }
 
-/// The parameters, variables and private attributes of a text that nothing reads. A loop and an
-/// aggregate have to name their element, so that name may stand for itself; and so may one that begins
-/// with `_`.
+/// The parameters, variables and private attributes of a text that nothing reads. A loop or an
+/// aggregate has to name its element, so that name may go unused, as may one that begins with `_`.
 pub fn unused(snapshot: &Snapshot) -> Vec<Unused> {
     let names = snapshot.names();
     let is_read = |role: Role| !matches!(role, Role::Declared | Role::Written);
@@ -36,7 +35,7 @@ pub fn unused(snapshot: &Snapshot) -> Vec<Unused> {
     told.collect()
 }
 
-/// What a name stands for, if it is one that something should read.
+/// The kind of a name, in a word, if it is one that something should read.
 fn what(snapshot: &Snapshot, symbol: &Symbol) -> Option<&'static str> {
     let definition = symbol.definition?;
     match symbol.kind {

@@ -1,4 +1,4 @@
-//! Verdicts: what was proved of each operation, to show.
+//! Verdicts: what was proved of each operation, for display.
 
 use std::collections::BTreeMap;
 
@@ -17,12 +17,12 @@ pub struct Verdict {
     pub op: String,
     /// True if it keeps every valid mesh valid.
     pub proved: bool,
-    /// For each alternative what was established; empty if it was not proved.
+    /// The verdicts on its alternatives; empty if it was not proved.
     pub rules: Vec<RuleVerdict>,
     /// A name it depends on that is broken, if that is why it is not proved.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub lacks: Option<String>,
-    /// If it is an op in steps, what it calls and which level it keeps. All it calls is proved.
+    /// For an op in steps, what it calls and which level it guards. All that it calls is proved.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub steps: Option<StepsVerdict>,
 }
@@ -41,7 +41,7 @@ pub struct StepsVerdict {
 pub struct RuleVerdict {
     /// Its name, where it has one.
     pub rule: Option<String>,
-    /// The number of ways in which the mesh around the drawing can lie, all of them looked at.
+    /// The number of configurations of the mesh around the drawing; all of them were examined.
     pub cases: usize,
     /// The change of the numbers of elements.
     #[serde(flatten)]
@@ -58,29 +58,29 @@ pub struct RuleVerdict {
     pub grows_with: Vec<String>,
     /// The properties that are kept, in the words of `keeps`.
     pub keeps: Vec<&'static str>,
-    /// The level that is kept at least, where it is not the highest.
+    /// The level that is kept, if it is not the highest.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub keeps_only: Option<KeepsOnly>,
     /// The tests of its guard, if it has one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub guard: Option<GuardVerdict>,
-    /// The changes of degrees, by vertex: `-1 +S`; those that stay are left out.
+    /// The changes of degrees, by vertex: `-1 +S`; unchanged ones are left out.
     pub degrees: BTreeMap<String, String>,
     /// The changes of the numbers of sides, by face.
     pub sizes: BTreeMap<String, String>,
 }
 
-/// The level that is kept, of the mesh that has a higher one.
+/// The level that is kept on a mesh of a higher level.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct KeepsOnly {
     /// The level.
     pub level: Level,
-    /// The number of things that `guard simple` would test.
+    /// The number of tests that `guard simple` would add.
     pub untested: usize,
 }
 
 impl KeepsOnly {
-    /// In a line of words.
+    /// The description in one line.
     pub fn words(self) -> String {
         let tests = if self.untested == 1 { "test" } else { "tests" };
         format!(
@@ -95,16 +95,16 @@ impl KeepsOnly {
 pub struct GuardVerdict {
     /// Its level.
     pub level: Level,
-    /// The tests before anything is written.
+    /// The tests that run before anything is written.
     pub tests: Vec<String>,
     /// The statements that need no test, with the reasons.
     pub proved: Vec<ProvedStatement>,
 }
 
-/// Something that a level asks and that cannot fail.
+/// A statement that a level requires and that cannot fail.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct ProvedStatement {
-    /// The statement that holds after.
+    /// The statement, which holds after the operation.
     pub statement: String,
     /// The reason why it does.
     pub because: &'static str,
@@ -162,8 +162,8 @@ fn turned(turned: &Turned) -> String {
 }
 
 impl RuleVerdict {
-    /// The changes of the numbers of elements, each with what comes for each index: vertices,
-    /// edges and faces, and holes and loops where they change.
+    /// The changes of the numbers of elements, each with the change per index: vertices, edges and
+    /// faces; holes and loops only if they change.
     pub fn counts(&self) -> Vec<(&'static str, i64, i64)> {
         let per_index = self.per_index.unwrap_or_default();
         let counts = |of: fn(&Change) -> i64| (of(&self.change), of(&per_index));
@@ -192,7 +192,7 @@ fn changes(changes: &[SizeChange]) -> BTreeMap<String, String> {
     told.collect()
 }
 
-/// The verdict on an op, by its number.
+/// The verdict on an op, by its index.
 pub fn verdict(analysis: &Analysis, op: usize) -> Verdict {
     let name = &analysis.program.ops[op].name;
     let steps = StepsVerdict::of(&analysis.program, &analysis.plans, op);
@@ -207,7 +207,7 @@ pub fn verdicts(analysis: &Analysis) -> Vec<Verdict> {
 }
 
 impl StepsVerdict {
-    /// The calls of an op in steps, if it has a plan.
+    /// The verdict on an op in steps, if it has a plan.
     pub(super) fn of(program: &Program, plans: &[Option<Plan>], op: usize) -> Option<Self> {
         let plan = plans.get(op)?.as_ref()?;
         let calls = plan.steps.as_ref()?.calls.iter();
@@ -218,7 +218,7 @@ impl StepsVerdict {
 }
 
 impl Verdict {
-    /// The verdict on one op, given its proof; on one in steps, given what they lead to.
+    /// The verdict on an op, from its proof or, for an op in steps, from the verdict on its steps.
     pub(super) fn of(
         op: &str,
         proved: Option<&Proved>,

@@ -205,7 +205,7 @@ fn forms(text: &str) -> Vec<String> {
     ways.collect()
 }
 
-/// The type in words, with its article, for what the cursor is on.
+/// The name of a type, with its article.
 pub fn a_type(ty: diagram::Type) -> &'static str {
     type_with_article(ty)
 }

@@ -1,7 +1,7 @@
 //! The argument of a proof in words, law by law.
 //!
-//! A port reads `In(x)` where `x` arrives, and `x` where it leaves; `>` leads clockwise, from
-//! a port to the next. What lies outside of the drawing stands in parentheses.
+//! A port is written `In(x)` where `x` arrives, and `x` where it leaves; `>` leads clockwise from
+//! one port to the next. What lies outside the drawing is in parentheses.
 
 use super::arrangement::{Arc, Lies};
 use super::case::Step;
@@ -15,7 +15,7 @@ use crate::diagram::{Drawing, Edge, Kind, Loop, NameId, Ref, Rule, Side};
 pub struct Argument {
     /// The law.
     pub law: &'static str,
-    /// The reasons why it holds, a line each.
+    /// The reasons why it holds, one per line.
     pub lines: Vec<String>,
 }
 
@@ -207,7 +207,7 @@ impl Words<'_> {
         self.one_turn(ports.collect()).join(" > ")
     }
 
-    /// Of what is repeated for every index the beginning.
+    /// The first part of a list that repeats for every index.
     fn one_turn(&self, mut parts: Vec<String>) -> Vec<String> {
         let size = self.rule.size().unwrap_or(1) as usize;
         if size > 1 && parts.len() >= size && parts.len().is_multiple_of(size) {
@@ -224,7 +224,7 @@ impl Words<'_> {
         }
     }
 
-    /// The spokes of an arc; nothing is said of one that is known to hold no spoke.
+    /// The spokes of an arc in words; `None` if it is known to hold no spoke.
     fn arc(&self, arc: Arc) -> Option<String> {
         match arc.lies {
             Lies::Empty | Lies::Spoke(_) => None,

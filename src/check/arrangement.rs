@@ -17,7 +17,7 @@ pub(super) enum Lies {
     Fan(NameId),
     /// In no named fan: it stays with its vertex.
     Rest,
-    /// It is this outer halfedge, which the statement lists: the first of a path.
+    /// It is this outer halfedge that the statement lists: the first spoke of a path.
     Spoke(NameId),
     /// The piece is known to hold no spoke.
     Empty,
@@ -45,22 +45,22 @@ pub(super) struct Arrangement {
     pub arcs: Vec<Arc>,
     /// For each path that starts at the vertex, where its first spoke belongs.
     pub first_spokes: Vec<(NameId, Lies)>,
-    /// The paths that the statement leaves no room for a halfedge.
+    /// The paths that the statement leaves no room for a halfedge, so that they are empty.
     pub empty_paths: Vec<NameId>,
     /// True if it stands for others too, in which settled chains lie elsewhere.
     pub stands_for_others: bool,
 }
 
-/// The greatest number of arrangements of one vertex that are looked at; more chains than this
-/// allows are given up on.
+/// The greatest number of arrangements of one vertex that are examined; a vertex with more is given
+/// up.
 const MOST: usize = 40_320;
 
-/// The arrangements of a vertex that agree with its statement, or `None` if there are too
-/// many to look at.
+/// The arrangements of a vertex that agree with its statement, or `None` if there are too many to
+/// examine.
 ///
-/// Chains that `settled` names pass through the rewrite as they are. Whether an arc goes
-/// around them or leads through them shows in no orbit of `after`, so they are laid behind
-/// the first of the others, and only the order of those others matters.
+/// The chains in `settled` pass through the rewrite unchanged. Whether an arc goes around them or
+/// leads through them makes no difference to the orbits of `after`, so they are placed behind the
+/// first of the others, and only the order of those others matters.
 pub(super) fn arrangements(
     drawing: &Drawing,
     corner: &Corner,
@@ -83,7 +83,7 @@ pub(super) fn arrangements(
 struct Orders<'a> {
     drawing: &'a Drawing<'a>,
     corner: &'a Corner,
-    /// For each chain the listed spokes on it, by their places in the vertex statement, read
+    /// For each chain, the listed spokes on it, by their places in the vertex statement, read
     /// clockwise.
     listed: Vec<Vec<usize>>,
     /// The number of spokes that the vertex statement lists.
@@ -114,7 +114,7 @@ impl<'a> Orders<'a> {
         let chains = corner.chains.iter();
         let listed: Vec<_> = chains.map(|chain| places(&chain.ports)).collect();
         let mut order: Vec<_> = (0..listed.len()).filter(|at| !settled.contains(at)).collect();
-        // A chain with a listed spoke says where the others have to be.
+        // A chain with a listed spoke determines where the others have to be.
         if let Some(first) = order.iter().position(|&at| !listed[at].is_empty()) {
             order.swap(0, first);
         }
@@ -130,8 +130,8 @@ impl<'a> Orders<'a> {
         }
     }
 
-    /// Goes through each order of the chains from `fixed` on. What contradicts the order of
-    /// the listed spokes is left out early.
+    /// Enumerates the orders of the chains from `fixed` on. Orders that contradict that of the
+    /// listed spokes are left out early.
     fn extend(&mut self, fixed: usize) {
         if self.tried > MOST || !self.agrees_so_far(fixed) {
             return;
@@ -170,8 +170,8 @@ impl<'a> Orders<'a> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Piece {
     Spoke(NameId),
-    /// The first spoke of a path, by its index among the first spokes; with whether the
-    /// path is empty in this order.
+    /// The first spoke of a path, by its index among the first spokes, and whether the path is
+    /// empty in this order.
     First(usize, bool),
     /// An arc, by its index.
     Arc(usize),
@@ -218,7 +218,7 @@ fn read(drawing: &Drawing, corner: &Corner, order: &[usize]) -> Option<Arrangeme
     Some(way)
 }
 
-/// Puts each piece in its fan, or says that the order contradicts the statement.
+/// Puts each piece in its fan; `None` if the order contradicts the statement.
 fn agree(drawing: &Drawing, star: &Star, pieces: &[Piece], way: &mut Arrangement) -> Option<()> {
     // The statement reads counterclockwise, pieces run clockwise.
     let stated: Vec<_> = star.spokes.iter().rev().collect();
@@ -226,7 +226,7 @@ fn agree(drawing: &Drawing, star: &Star, pieces: &[Piece], way: &mut Arrangement
     let place = |lies: Lies, piece: Piece, way: &mut Arrangement| -> Option<()> {
         match piece {
             Piece::Spoke(_) => return None,
-            // Without a spoke between them `a` would be its own twin.
+            // Without a spoke in the arc, the halfedge would be its own twin.
             Piece::Arc(arc) if lies == Lies::Empty && is_own_twin(drawing, way.arcs[arc]) => {
                 return None;
             }
@@ -290,11 +290,11 @@ fn agree(drawing: &Drawing, star: &Star, pieces: &[Piece], way: &mut Arrangement
     (at == count).then_some(())
 }
 
-/// The ways picked for all vertices, unless they contradict each other.
+/// The arrangements picked for all vertices, unless they contradict each other.
 ///
-/// The arrangements that agree: where an arc without a spoke leads from `x` to `y`, the two are
-/// twins; so without a spoke another arc must lead from `y` to `x`, at their other end. And where
-/// `after` has a loop of nothing but empty paths, the match is refused.
+/// Where an arc without a spoke leads from `x` to `y`, the two are twins; so another arc without a
+/// spoke must lead from `y` to `x`, at their other end. And where `after` has a loop of nothing but
+/// empty paths, the match is refused.
 pub(super) fn agreeing<'a>(
     rule: &Rule,
     picked: impl Iterator<Item = &'a Arrangement>,

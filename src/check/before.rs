@@ -1,8 +1,8 @@
 //! Contradictions in `before` alone.
 //!
-//! Then no mesh matches, and whatever else may be wrong follows from it or does not matter yet.
-//! It is found by the laws themselves: a rule that changes nothing breaks them only where its
-//! drawing cannot be.
+//! No mesh matches such a `before`, and whatever else is wrong follows from that or does not matter
+//! yet. The laws themselves find the contradictions: a rule that changes nothing breaks them only
+//! where its drawing is impossible.
 
 use super::broken::Broken;
 use super::problem::{Problem, enumerate};
@@ -11,11 +11,11 @@ use super::{alias, ends_agree, next_is_permutation, twin_is_involution, vertices
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Drawing, Op, Rule};
 
-/// The codes of what no mesh matches.
+/// The codes of problems with which no mesh matches.
 const IMPOSSIBLE: [&str; 5] =
     ["impossible-drawing", "ends-disagree", "spoke-twice", "twin-twice", "twin-of-itself"];
 
-/// The parts of the `before` of an op no mesh matches.
+/// The contradictions in the `before` of an op, which no mesh matches.
 pub fn contradictions(op: &Op) -> Vec<Diagnostic> {
     let found = op.rules.iter().filter_map(|rule| match rule.has_families() {
         true => in_before(&Sizes::new(rule).large.rule),
@@ -24,7 +24,7 @@ pub fn contradictions(op: &Op) -> Vec<Diagnostic> {
     let problems = found.flat_map(|broken| broken.problems);
     let mut told: Vec<Diagnostic> = Vec::new();
     for Problem { diagnostic, .. } in problems {
-        // Members of a family are wrong alike.
+        // The members of a family have the same problems.
         let again =
             |one: &Diagnostic| (one.code, one.span()) == (diagnostic.code, diagnostic.span());
         if !told.iter().any(again) {
@@ -34,7 +34,7 @@ pub fn contradictions(op: &Op) -> Vec<Diagnostic> {
     told
 }
 
-/// The part of `before` that no mesh matches, if something is so.
+/// The contradictions in `before`, if there are any.
 pub(super) fn in_before(rule: &Rule) -> Option<Broken> {
     let still = Rule {
         after: rule.before.clone(),
@@ -64,7 +64,7 @@ pub(super) fn in_before(rule: &Rule) -> Option<Broken> {
     }
     let mut told: Vec<Problem> = Vec::new();
     for problem in problems {
-        // What is said of `before` is said again of the copy that stands for `after`.
+        // Problems of `before` are repeated for the copy of it that takes the place of `after`.
         let (code, span) = (problem.diagnostic.code, problem.diagnostic.span());
         let again = |one: &Problem| (one.diagnostic.code, one.diagnostic.span()) == (code, span);
         if !problem.diagnostic.message.contains("`after`") && !told.iter().any(again) {
@@ -78,8 +78,8 @@ pub(super) fn in_before(rule: &Rule) -> Option<Broken> {
     Some(told.into())
 }
 
-/// Tells of names that an `alias` lets be one and that are one in every mesh: the statements make
-/// them so.
+/// Reports names that an `alias` allows to be one element, but that the statements make one in
+/// every mesh.
 fn always_one(still: &Rule, problems: &[Problem]) -> Option<Diagnostic> {
     let alias = still.aliases.first()?;
     problems.first()?;

@@ -1,4 +1,4 @@
-//! What is told of a rule that is not proved.
+//! Reports on rules that are not proved.
 
 use super::arrangement::Arc;
 use super::problem::Problem;
@@ -11,7 +11,7 @@ pub(super) struct Broken {
     pub problems: Vec<Problem>,
     /// For law 7 the arcs of the case that fails.
     pub arcs: Option<Vec<Arc>>,
-    /// The outcome of carrying it out, if that has been tried.
+    /// The outcome of carrying the rule out, if that has been tried.
     pub outcome: Option<Outcome>,
 }
 
@@ -21,7 +21,7 @@ impl From<Vec<Problem>> for Broken {
     }
 }
 
-/// Nothing, if there are no problems.
+/// Returns the problems as an error, if there are any.
 pub(super) fn stop_at(problems: Vec<Problem>) -> Result<(), Broken> {
     if problems.is_empty() { Ok(()) } else { Err(problems.into()) }
 }
@@ -30,6 +30,6 @@ pub(super) fn stop_at(problems: Vec<Problem>) -> Result<(), Broken> {
 pub(super) struct Rejected {
     /// Every law it breaks.
     pub diagnostics: Vec<Diagnostic>,
-    /// The outcome when it is carried out literally.
+    /// The outcome when the rule is carried out literally.
     pub outcome: Outcome,
 }

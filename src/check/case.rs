@@ -14,18 +14,18 @@ use crate::diagram::{Drawing, Kind, NameId};
 pub(super) enum Step {
     /// A port of the drawing.
     Port(Port),
-    /// An arc outside of it.
+    /// An arc outside the drawing.
     Arc(Arc),
 }
 
 /// One combination of arrangements, carried over to `after`.
 pub(super) struct Case<'a> {
     pub drawing: &'a Drawing<'a>,
-    /// For each path the fan its first spoke lies in, and the vertex it starts at before.
+    /// For each path, where its first spoke lies.
     pub first_spokes: Vec<(NameId, Lies)>,
     /// The rings of spokes, clockwise.
     pub cycles: Vec<Vec<Step>>,
-    /// An arc whose end the drawing of `after` has taken away.
+    /// An arc whose ends are not both free in `after`.
     pub cut: Option<Arc>,
 }
 
@@ -68,7 +68,7 @@ impl<'a> Case<'a> {
         Self { drawing, first_spokes, cycles, cut }
     }
 
-    /// The vertex that takes what lies in a fan, or stays with `vertex`.
+    /// The vertex that a piece belongs to after; `vertex` is the one it lies at before.
     pub(super) fn label(&self, lies: Lies, vertex: NameId) -> Option<NameId> {
         match lies {
             Lies::Fan(fan) => Some(self.drawing.after.star_of_spoke(fan).unwrap_or(vertex)),
@@ -78,7 +78,7 @@ impl<'a> Case<'a> {
         }
     }
 
-    /// The vertex that the first spoke of a path says its vertex is, once fans have moved.
+    /// The vertex that the first spoke of a path belongs to, once fans have moved.
     pub(super) fn first_spoke_label(&self, path: NameId) -> Option<NameId> {
         let lies = self.first_spokes.iter().find(|(name, _)| *name == path)?.1;
         self.label(lies, self.drawing.origin_before(path)?)

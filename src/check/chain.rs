@@ -1,8 +1,8 @@
 //! Chains: what `before` says about the orbit of each vertex.
 //!
-//! Following the stated links cuts the ports at a vertex into chains, each with an entry and
-//! an exit. What lies between the exit of one chain and the entry of the next, clockwise, is
-//! outside of the drawing: an arc.
+//! Following the stated links cuts the ports at a vertex into chains, each with an entry and an
+//! exit. What lies between the exit of one chain and the entry of the next, clockwise, is outside
+//! the drawing: an arc.
 
 use super::port::{Links, Port};
 use crate::diagram::{Drawing, NameId};

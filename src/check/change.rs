@@ -9,11 +9,11 @@ pub struct Change {
     pub vertices: i64,
     /// Edges.
     pub edges: i64,
-    /// Faces that are no holes.
+    /// Faces that are not holes.
     pub faces: i64,
     /// Holes.
     pub holes: i64,
-    /// Those of which the drawing does not say whether they are faces or holes.
+    /// Loops of which the drawing does not say whether they are faces or holes.
     pub loops: i64,
 }
 

@@ -1,11 +1,11 @@
-//! Claims of a drawing beyond the pointers that bind its names; the matcher tests it.
+//! Claims of a drawing beyond the pointers that bind its names; the matcher tests them.
 
 use super::matching::{Bound, Claim, Source, Step};
 use super::reach::Reach;
 use crate::diagram::{Kind, Loop, LoopKind, NameId, Spoke, Star};
 
 impl Reach<'_> {
-    /// Everything the drawing claims that binding has not used.
+    /// Appends tests for everything that the drawing claims and binding has not used.
     pub fn claims(&mut self) {
         let claims = [
             self.kind_claims(),
@@ -37,7 +37,8 @@ impl Reach<'_> {
             }
             let is_path = |at: usize| rule.kind(orbit.items[at % count].item.name) == Kind::Path;
             for (at, item) in orbit.items.iter().enumerate() {
-                // A halfedge behind a path begins a piece, or the first one of all does.
+                // A piece begins at a halfedge behind a path, or, without paths, at the first
+                // halfedge.
                 let begins = !is_path(at)
                     && (is_path(at + count - 1) || (at == 0 && !(0..count).any(is_path)));
                 let claim = Claim::Leads(
@@ -68,12 +69,12 @@ impl Reach<'_> {
         claims
     }
 
-    /// True if the claim is a step already, as a test or as what binds its name.
+    /// True if a step already tests the claim or binds its name by it.
     fn has_step(&self, claim: &Claim) -> bool {
         let rule = self.drawing.rule;
         self.steps.iter().any(|step| match (step, claim) {
             (Step::Test(test), claim) => test == claim,
-            // What one member binds is not yet said of all of them.
+            // A binding between one member and a single name is no claim about all members.
             (Step::Bind { name, source }, Claim::Leads(from, to)) => {
                 name == to
                     && source == from
@@ -181,8 +182,8 @@ impl Reach<'_> {
         claims
     }
 
-    /// A halfedge with a name lies in no fan: where its vertex may be one with another that has
-    /// a statement, it is one of those listed there.
+    /// A named halfedge lies in no fan: where its vertex may be the same as another that has a
+    /// statement, it has to be one of the spokes listed there.
     fn spoke_claims(&self) -> Vec<Claim> {
         let rule = self.drawing.rule;
         let mut claims = Vec::new();

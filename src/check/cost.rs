@@ -1,9 +1,9 @@
 //! Cost: the quantities that the time of a rule grows with, in words.
 //!
-//! A drawing is of one size. Time grows with what is walked and not drawn: orbits gone around
+//! A drawing has a fixed size. Time grows with what is walked and not drawn: orbits that are walked
 //! to find a place or to test an order, paths and fans whose pointers are rewritten, tests of a
-//! guard, and what the expressions of the rule ask of the mesh. A function of the program may
-//! do anything that a function may, so a call of one counts as a walk.
+//! guard, and what the expressions of the rule compute from the mesh. A function of the program may
+//! do anything, so a call of one counts as a walk.
 
 use super::guard::Obligation;
 use super::matching::{Claim, Step};
@@ -11,7 +11,7 @@ use crate::diagram::{
     Builtin, Collection, Drawing, Expr, ExprKind, Extent, Kind, LoopItem, NameId, Spoke, Type,
 };
 
-/// The quantities that the time grows with; nothing if it is constant.
+/// The quantities that the time grows with; empty if it is constant.
 pub(super) fn grows_with(
     drawing: &Drawing,
     matching: &[Step],
@@ -27,7 +27,7 @@ pub(super) fn grows_with(
     grows.extend(fans.map(|fan| format!("the size of {}", rule.quoted(fan))));
     let tests = guard.iter().filter(|obligation| obligation.is_test());
     grows.extend(tests.filter_map(|test| test.statement.grows_with(rule)));
-    // Of what is said for every index, once is enough.
+    // Conditions repeated at every index count once.
     let requires = rule.requires.iter();
     let requires = requires.filter(|require| require.index.is_none_or(|index| index == 0));
     let assigned = rule.assignments.iter();
@@ -74,7 +74,7 @@ impl Cost<'_> {
         }
     }
 
-    /// The walk of a part of an expression.
+    /// The walk that a part of an expression makes.
     fn of_expression(&self, expr: &Expr) -> Option<String> {
         match &expr.kind {
             ExprKind::Call(builtin, args) => self.of_call(*builtin, args),

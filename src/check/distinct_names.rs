@@ -1,16 +1,15 @@
-//! Which names of a drawing nothing but a test keeps apart.
+//! Pairs of names of a drawing that only a test keeps apart.
 //!
-//! Different names are different elements, unless an `alias` lets them be one. Most often the
-//! drawing implies it: halfedges that start at different vertices differ, and so do those that
-//! lie in different faces. And pointers are one to one: where two halfedges differ, their twins
-//! do, and what follows and precedes them. So of several pairs that imply each other one is
-//! tested.
+//! Different names are different elements, unless an `alias` lets them be one. Usually the drawing
+//! implies it: halfedges that start at different vertices differ, and so do those that lie in
+//! different faces. And pointers are one to one: if two halfedges differ, so do their twins, and
+//! the halfedges before and after them. So of several pairs that imply each other, one is tested.
 
 use crate::diagram::{Drawing, Kind, Loop, LoopKind, NameId};
 
-/// The pairs of names of one kind that could be one element, as far as the drawing and the
-/// pairs before them say: vertices, then halfedges, then faces. Two edges differ because their
-/// halfedges do.
+/// The pairs of names of one kind that could be one element, as far as the drawing and the pairs
+/// before them tell: vertices, then halfedges, then faces. Two edges differ because their halfedges
+/// do.
 pub(super) fn pairs(drawing: &Drawing) -> Vec<[NameId; 2]> {
     let rule = drawing.rule;
     let tested = |pair: &[NameId; 2]| !rule.may_be_one(pair[0], pair[1]);
@@ -64,7 +63,7 @@ impl<'a> Apart<'a> {
         self.known[self.place(pair)]
     }
 
-    /// Notes that two halfedges differ, and all that follows.
+    /// Notes that two halfedges differ, and all that follows from it.
     fn learn(&mut self, pair: [NameId; 2]) {
         let mut open = vec![pair];
         while let Some(pair) = open.pop() {
@@ -105,7 +104,7 @@ fn lie_in_different_faces(drawing: &Drawing, left: NameId, right: NameId) -> boo
     are_apart(drawing, faces)
 }
 
-/// True if two names that are kept apart are different ones.
+/// True if both names are there, differ, and may not be one element.
 fn are_apart(drawing: &Drawing, pair: [Option<NameId>; 2]) -> bool {
     let [Some(left), Some(right)] = pair else {
         return false;
@@ -113,8 +112,8 @@ fn are_apart(drawing: &Drawing, pair: [Option<NameId>; 2]) -> bool {
     left != right && !drawing.rule.may_be_one(left, right)
 }
 
-/// True if two faces are surely distinct: of different kinds, or one is drawn in full and a
-/// halfedge of the other is none of its own.
+/// True if two faces are surely distinct: they are of different kinds, or one is drawn in full and
+/// a halfedge of the other differs from all of its own.
 fn faces_differ(drawing: &Drawing, left: NameId, right: NameId) -> bool {
     let view = &drawing.before;
     let (Some(left), Some(right)) = (view.loop_of_face(left), view.loop_of_face(right)) else {

@@ -1,10 +1,10 @@
 //! Law 6: ends agree.
 //!
 //! If `x | y` is an edge, each starts where the other ends. A spoke starts at its vertex. A
-//! halfedge named in `before` never hides in a fan: if its vertex has a vertex statement, it
-//! is listed there. A halfedge of `before` stands in a loop, or is the twin of one that does.
-//! A new loop is a `face` or a `hole`. Two fans, or two paths, that touch in `before` have no
-//! border that anybody could find.
+//! halfedge named in `before` never hides in a fan: if its vertex has a vertex statement, it is
+//! listed there. A halfedge of `before` is in a loop, or is the twin of one that is. A new loop is
+//! a `face` or a `hole`. Two fans, or two paths, do not touch in `before`: nothing would tell where
+//! one ends and the other begins.
 
 use super::problem::{Problem, Remedy, enumerate};
 use super::remedies::by_ends;
@@ -24,9 +24,9 @@ pub(super) fn test(drawing: &Drawing) -> Vec<Problem> {
     law.problems
 }
 
-/// Of two spokes beside each other in a vertex statement the second is the twin of what precedes the
-/// first, and ends where that starts. The law about vertices looks at the spokes and not at these
-/// ends.
+/// Tests the ends of neighbouring spokes: of two in a row in a vertex statement, the second is the
+/// twin of the halfedge before the first, so it ends where that starts. The law about vertices
+/// looks at the spokes and not at these ends.
 pub(super) fn neighbours_are_twins(drawing: &Drawing) -> Vec<Problem> {
     let rule = drawing.rule;
     let before = &drawing.before;
@@ -73,7 +73,7 @@ pub(super) fn neighbours_are_twins(drawing: &Drawing) -> Vec<Problem> {
 struct Law<'a> {
     drawing: &'a Drawing<'a>,
     problems: Vec<Problem>,
-    /// Vertices of `before` whose statements list what does not start there.
+    /// Vertices of `before` whose statements list spokes that do not start there.
     misled: Vec<NameId>,
 }
 
@@ -91,7 +91,7 @@ impl Law<'_> {
                 continue;
             };
             let placed = |half| drawing.before.loop_of_item(half).is_some();
-            // Of two twins the first is told for both.
+            // Of two twins, the first is reported for both.
             if drawing.before.twin(name).is_some_and(|twin| told.contains(&twin)) {
                 continue;
             }
@@ -156,8 +156,8 @@ impl Law<'_> {
         self.tell_of_edges(wrong);
     }
 
-    /// Tells of all edges whose halfedges are no twins at once: what is swapped in one is in
-    /// another.
+    /// Reports all edges whose halfedges are not twins at once: what is swapped in one is swapped
+    /// in another.
     fn tell_of_edges(&mut self, wrong: Vec<(&Edge, Diagnostic)>) {
         if self.drawing.rule.cycle.is_some() {
             wrong.into_iter().for_each(|(_, diagnostic)| self.tell(diagnostic));
@@ -206,7 +206,7 @@ impl Law<'_> {
                         continue;
                     }
                     listed[spoke.name.index()] = Some(spoke);
-                    // Where the loops, or the twin in a loop, say the halfedge starts.
+                    // The origin of the halfedge according to its loop, or to the loop of its twin.
                     let says = view
                         .origin_mention(spoke.name)
                         .or_else(|| view.target_mention(view.twin(spoke.name)?));
@@ -231,7 +231,7 @@ impl Law<'_> {
         }
     }
 
-    /// Tells of all that is listed at a vertex and does not start there.
+    /// Reports all spokes that are listed at a vertex and do not start there.
     fn tell_of_spokes(&mut self, star: &Star, wrong: Vec<(Ref, Diagnostic)>) {
         let rule = self.drawing.rule;
         let names: Vec<_> = wrong.iter().map(|(spoke, _)| spoke.name).collect();
@@ -281,8 +281,8 @@ impl Law<'_> {
         }
     }
 
-    /// The listed spoke behind which `name` surely comes, counterclockwise: `x` with
-    /// `x.prev.twin` drawn as `name`.
+    /// The listed spoke that `name` surely follows, counterclockwise: `x` with `x.prev.twin` drawn
+    /// as `name`.
     fn place_of_spoke(&self, spokes: &[Spoke], name: NameId) -> Option<(Ref, String)> {
         let view = &self.drawing.before;
         spokes.iter().find_map(|spoke| match spoke {
@@ -346,7 +346,7 @@ impl Law<'_> {
     }
 }
 
-/// The one halfedge of a side that runs as the twin of another would, in words.
+/// The only halfedge of a side that runs between the ends of another in reverse, in words.
 fn runs_back(drawing: &Drawing, view: &View, half: NameId) -> Option<String> {
     let rule = drawing.rule;
     let ends = |half: NameId| Some([view.loop_origin(half)?, view.loop_target(half)?]);

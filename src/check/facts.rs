@@ -11,28 +11,27 @@ use crate::diagram::{Drawing, LoopKind, Property};
 /// The facts about a rule.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Facts {
-    /// The number of ways in which the mesh around the drawing can lie, all of them looked at.
+    /// The number of ways in which the mesh around the drawing can lie; all of them are checked.
     pub cases: usize,
-    /// The change of the numbers of elements change; with families, apart from what comes per
-    /// index.
+    /// The change of the numbers of elements; with families, without the part that comes per index.
     pub change: Change,
     /// The change for each index, if there are families.
     pub per_index: Option<Change>,
-    /// The quantities that the time grows with, in words; nothing if it is constant.
+    /// The quantities that the time grows with, in words; empty if it is constant.
     pub grows_with: Vec<String>,
-    /// Everything that is kept besides validity, declared or not.
+    /// The properties that are kept besides validity, declared or not.
     pub keeps: Vec<Property>,
     /// The number of tests that `guard simple` would make, where that level is not kept.
     pub untested: usize,
     /// The faces that become holes, and the holes that become faces.
     pub turned: Vec<Turned>,
-    /// The changes of the degrees of the vertices that live on.
+    /// The changes of the degrees of the vertices that survive.
     pub degrees: Vec<SizeChange>,
-    /// The changes of the numbers of sides of the faces that live on.
+    /// The changes of the numbers of sides of the faces that survive.
     pub sizes: Vec<SizeChange>,
 }
 
-/// A loop that is not after what it was before: a face, or a hole.
+/// A loop that changes its kind, such as a face that becomes a hole.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Turned {
     /// Its name.
@@ -66,7 +65,7 @@ impl Facts {
         }
     }
 
-    /// The same for a rule with families: what is kept on cycles of all sizes.
+    /// The facts of a rule with families: those that hold on cycles of all sizes.
     pub(super) fn of_families(
         sizes: &Sizes,
         matching: &[Step],
@@ -75,7 +74,7 @@ impl Facts {
     ) -> Self {
         let drawing = Drawing::new(&sizes.large.rule);
         let grows_with = grows_with(&drawing, matching, guard);
-        // All counts grow evenly with the size.
+        // All counts grow linearly with the size.
         let counts: Vec<_> = sizes.small.iter().map(|one| Change::of(&one.rule)).collect();
         let per_index = counts[1].minus(counts[0]);
         Self {
@@ -92,7 +91,7 @@ impl Facts {
     }
 }
 
-/// The faces that become holes, and the holes that become faces; of a family one.
+/// The faces that become holes, and the holes that become faces; one for each family.
 fn turned(drawing: &Drawing) -> Vec<Turned> {
     let loops = drawing.rule.after.loops.iter();
     let turned = loops.filter(|orbit| drawing.rule.is_first(orbit.face.name)).filter_map(|orbit| {

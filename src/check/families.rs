@@ -1,14 +1,15 @@
 //! Rules with families: proved for every size of the cycle at once.
 //!
-//! The rule is unrolled, and turning an unrolled rule by one index gives it again; so what is
-//! found of the members at index 0 holds at every index. It is unrolled far enough that no
-//! statement reaches around the cycle: then a subscript can be read off the names, and the
-//! laws about statements (1 to 6, and 8) say the same on every longer cycle, since each of
-//! them speaks of names that one statement, or two with a name in common, bring together.
-//! On shorter cycles members that differ may be one; the shortest are tested one by one, and
-//! what can only be tested when the op runs is gathered from all short cycles.
+//! The rule is unrolled. Turning an unrolled rule by one index maps it to itself, so what is found
+//! for the members at index 0 holds at every index. It is unrolled far enough that no statement
+//! reaches around the cycle: then a subscript can be read off the names, and the laws about
+//! statements (1 to 6, and 8) hold alike on every longer cycle, since each of them is about names
+//! that one statement, or two with a name in common, bring together. On shorter cycles, different
+//! members may be the same element; the shortest are tested one by one, and what can only be tested
+//! when the op runs is gathered from all short cycles.
 //!
-//! Law 7 looks at rings of any length, and has its own argument: [`family_rings`](super::family_rings).
+//! Law 7 looks at rings of any length, and has its own argument:
+//! [`family_rings`](super::family_rings).
 
 use std::borrow::Cow;
 
@@ -25,7 +26,7 @@ use super::{before, family_rings, mend, reach, start};
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Drawing, Level, Naming, Op, Property, Rule, Unrolled};
 
-/// Proves a rule with families for every size, or tells every law it breaks.
+/// Proves a rule with families for every size, or reports every law it breaks.
 pub(super) fn prove(op: &Op, rule: &Rule) -> Result<Proof, Rejected> {
     let sizes = Sizes::new(rule);
     match laws(op, &sizes) {
@@ -65,7 +66,8 @@ fn laws_at_large(large: &Rule) -> Result<super::vertices_are_orbits::Rings, Brok
     family_rings::test(&drawing)
 }
 
-/// A family is as long as an orbit of `before` that is drawn with `each`.
+/// Tests that the size of the families is known: the length of an orbit of `before` drawn with
+/// `each`.
 fn sizes_are_known(drawing: &Drawing, matching: &[Step]) -> Vec<Problem> {
     let walks = |step: &Step| matches!(step, Step::Walk { .. });
     if matching.iter().any(walks) {
@@ -83,11 +85,12 @@ fn sizes_are_known(drawing: &Drawing, matching: &[Step]) -> Vec<Problem> {
     vec![problem.into()]
 }
 
-/// The number by which cycles are looked at than those that are tested one by one, for a mesh that
+/// The number of sizes, beyond those that are tested one by one, that are searched for a mesh that
 /// breaks.
 const FURTHER: u32 = 3;
 
-/// Tells what is wrong with the names of index 0, and shows it on the shortest cycle.
+/// Reports the problems of the members at index 0, and shows them on the shortest cycle that
+/// breaks.
 fn reject(op: &Op, rule: &Rule, sizes: &Sizes, broken: Broken) -> Rejected {
     let broken = before::in_before(&sizes.large.rule).unwrap_or(broken);
     let mut problems = broken.problems;

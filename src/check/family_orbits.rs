@@ -1,23 +1,23 @@
-//! Orbits drawn with `each`: how their families are bound, by a walk once around.
+//! Orbits drawn with `each`, whose families are bound by a walk once around.
 
 use super::matching::Step;
 use super::pointer::Leads;
 use super::reach::Reach;
 use crate::diagram::{Kind, NameId, Spoke};
 
-/// An orbit with `each`, as the pieces of the unrolled rule, in order.
+/// An orbit with `each`, as drawn in the unrolled rule.
 struct Around {
     orbit: NameId,
     along_loop: bool,
-    /// The halfedges of the whole orbit; none if it has runs, which cannot be walked over.
+    /// The halfedges of the whole orbit, in order; an orbit with runs cannot be walked this way.
     halfedges: Vec<NameId>,
-    /// The number of them in one period.
+    /// The number of halfedges in one period.
     period: usize,
 }
 
 impl Reach<'_> {
-    /// Binds the families of one orbit with `each` of which a halfedge is known; `false` if
-    /// there is none.
+    /// Binds the families of an orbit with `each` that has a known halfedge; `false` if there is no
+    /// such orbit.
     pub fn walk(&mut self) -> bool {
         let rule = self.drawing.rule;
         for around in self.orbits() {
@@ -41,7 +41,7 @@ impl Reach<'_> {
         false
     }
 
-    /// The walk goes along these.
+    /// Marks the pointers that the walk follows as used.
     fn use_pointers(&mut self, around: &Around) {
         let leads = match around.along_loop {
             true => Leads::Next,
@@ -55,9 +55,9 @@ impl Reach<'_> {
         }
     }
 
-    /// The number of halfedges of a face or vertex that are tried as the one to begin with, if not
-    /// all: with `each` those of one period, and as many as are drawn where all are. Where a family
-    /// begins somewhere already, each turn of this one is another match.
+    /// The number of halfedges of a face or vertex that are tried as the first one, if not all:
+    /// with `each`, those of one period; without, as many as are drawn, if the whole orbit is
+    /// drawn. If a family has a first member already, each turn of this orbit is another match.
     pub fn tries(&self, element: NameId) -> Option<u16> {
         let mut orbits = self.orbits().into_iter();
         let around = orbits.find(|around| around.orbit == element);

@@ -1,27 +1,27 @@
 //! Law 7 for rules with families, for cycles of every size.
 //!
-//! The ports of `after` form a graph over the cycle: a link leads from a port at one index to
-//! a port at another, so it carries an offset (the voltage of a voltage graph). Going around a ring of spokes of
-//! the rule unrolled far enough, the offsets add up:
+//! The ports of `after` form a graph over the cycle: a link leads from a port at one index to a
+//! port at another, so it carries an offset (the voltage of a voltage graph). Along a ring of
+//! spokes of the rule, unrolled far enough, the offsets add up:
 //!
-//! * net 0: the ring closes at the index where it began. There is one such ring per index, so
-//!   all of it must belong to a member of a family, the same all along.
-//! * net 1 or -1: the ring runs through every index. There is one, whatever the size, and it
-//!   must belong to a single vertex.
-//! * any other net offset falls apart into several rings, depending on the size.
+//! * net 0: the ring closes at the index where it began. There is one such ring per index, so all
+//!   of it must belong to one member of a family.
+//! * net 1 or -1: the ring runs through every index. There is one, whatever the size, and it must
+//!   belong to a single vertex.
+//! * any other net offset: the ring falls apart into several, depending on the size.
 //!
 //! That each ring carries one label, and each vertex has one ring, is then tested on the large
-//! cycle; since links, arcs and labels are given by offsets alone, it is so on every cycle.
+//! cycle; since links, arcs and labels are given by offsets alone, it holds on every cycle.
 //!
-//! Outside of the drawing each vertex has its own way for its arcs to run, also the members of
-//! one family. The cases that are looked at take the same way at every index. They stand for
-//! all others as long as no ring depends on the ways of two members of one family: a ring
-//! that meets one index only is the same whatever the others do, and which ports belong to
-//! which vertex is said by the drawing alone.
+//! Outside the drawing, each vertex has its own way for its arcs to run, and so has each member of
+//! a family. The cases that are checked take the same way at every index. They stand for all others
+//! as long as no ring depends on the ways of two members of one family: a ring that meets only one
+//! index is the same whatever the others do, and the drawing alone says which ports belong to which
+//! vertex.
 //!
-//! A single vertex with spokes of families, but without a statement that gives their order,
-//! has too many ways to look at. There the rewrite may do no more than lead each chain from
-//! its own entry to its own exit: then the order does not matter.
+//! A single vertex with spokes of families, but without a statement that gives their order, has too
+//! many ways to check. There the rewrite may only lead each chain from its own entry to its own
+//! exit: then the order does not matter.
 
 use std::borrow::Cow;
 
@@ -37,7 +37,7 @@ use super::vertices_are_orbits::{
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Drawing, NameId, Rule};
 
-/// The greatest number of combinations of ways that are looked at.
+/// The greatest number of combinations of ways that are examined.
 const MOST: usize = 1_000;
 
 /// The ways of the arcs at one vertex, or at each member of a family.
@@ -103,7 +103,7 @@ pub(super) fn test(drawing: &Drawing) -> Result<Rings, Broken> {
     Ok(Rings { corners: counted.collect(), cases, shown })
 }
 
-/// Of the rings of each family the one at index 0, and those of single vertices.
+/// The ring at index 0 of each family, and the rings of single vertices.
 fn at_index_0(rule: &Rule, case: &Case) -> Vec<(Option<NameId>, Vec<Step>)> {
     let rings = case.labels().into_iter().zip(case.cycles.clone());
     let first = |label: Option<NameId>| label.is_none_or(|vertex| rule.is_first(vertex));
@@ -137,7 +137,7 @@ fn ways(drawing: &Drawing, corner: Corner, after: &Links) -> Result<Ways, Broken
     if found.is_empty() {
         return Err(vec![impossible(drawing, &corner)].into());
     }
-    // Where every index has a choice of its own, uniform choices are not all there are.
+    // Every index has a choice of its own, so uniform choices do not cover all cases.
     if found.len() > 1 && has_members && !rule.is_member(corner.vertex) {
         let text = rule.quoted(corner.vertex);
         let message = format!("the pieces of the star of {text} can lie in several ways");
@@ -149,7 +149,7 @@ fn ways(drawing: &Drawing, corner: Corner, after: &Links) -> Result<Ways, Broken
     Ok(Ways { corner, found, unchanged, loose })
 }
 
-/// An arrangement of chains of which nobody knows the order.
+/// An arrangement of chains whose order is unknown.
 fn in_any_order(corner: &Corner) -> Arrangement {
     let count = corner.chains.len();
     let arc = |at: usize| Arc {
@@ -173,9 +173,8 @@ fn in_any_order(corner: &Corner) -> Arrangement {
     }
 }
 
-/// A uniform case, unless the ways contradict each other. A case that contradicts itself can
-/// stand for one that does not where members of a family have a choice: then it is looked at
-/// all the same.
+/// A uniform case, unless the ways contradict each other. Where members of a family have a choice,
+/// a case that contradicts itself can stand for one that does not: then it is checked all the same.
 fn agreeing_everywhere<'a>(
     rule: &Rule,
     uniform: &'a [Arrangement],
@@ -221,7 +220,7 @@ fn everywhere(rule: &Rule, vertex: NameId, way: &Arrangement) -> Vec<Arrangement
     turns.collect()
 }
 
-/// The place of a ring: a port of a member at some index, counted without end.
+/// A place on a ring: a port at an index that is not reduced modulo the size.
 #[derive(Clone, Copy)]
 struct Spot {
     /// The port at index 0.
@@ -237,14 +236,14 @@ struct RingWalk<'a> {
     ways: &'a [Ways],
 }
 
-/// The record of going around one ring has met.
+/// The record of a walk around one ring.
 #[derive(Default)]
 struct Met {
     /// The vertices that ports belong to, each with its index.
     labels: Vec<(NameId, i64)>,
     /// The members of families whose way it depends on.
     ways: Vec<(NameId, i64)>,
-    /// The number of times it passed by pieces in no known order.
+    /// The number of times it passed pieces of unknown order.
     loose: usize,
 }
 
@@ -282,7 +281,7 @@ impl RingWalk<'_> {
         problems
     }
 
-    /// One link, or one arc, further.
+    /// The next place, one link or arc further.
     fn step(&self, spot: Spot, met: &mut Met) -> Option<Spot> {
         let rule = self.rule();
         let to = match self.after.next(spot.port) {
@@ -327,14 +326,14 @@ impl RingWalk<'_> {
         }
     }
 
-    /// Notes what a port says.
+    /// Notes the vertex of a port, and the way that it depends on.
     fn note(&self, spot: Spot, met: &mut Met) {
         let rule = self.rule();
         if let Some(vertex) = vertex_after(self.drawing, spot.port) {
             let label = (rule.first_member(vertex), spot.at + rule.offset(vertex));
             met.labels.push(label);
         }
-        // In which fan the first spoke of a path lies depends on the way of its vertex.
+        // The fan of the first spoke of a path depends on the way of its vertex.
         if let Port::Out(item) = spot.port
             && rule.kind(item) == crate::diagram::Kind::Path
             && let Some(vertex) = self.drawing.origin_before(item)

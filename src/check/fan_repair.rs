@@ -1,8 +1,8 @@
 //! Spokes of erased vertices: the vertex statements of the vertices that take them.
 //!
-//! The ring of spokes after follows from the loops and edges, whatever the vertices are
-//! called. So where an erased vertex has spokes left, the ring that they come into, and the
-//! one other vertex that it belongs to, can be read off.
+//! The rings of spokes after follow from the loops and edges alone. So if an erased vertex has
+//! spokes left, the ring that they join, and the one other vertex that it belongs to, can be read
+//! off.
 
 use super::arrangement::{Lies, agreeing, arrangements};
 use super::case::{Case, Step};
@@ -13,7 +13,7 @@ use super::vertices_are_orbits::{is_unstated, settled};
 use super::{ends_agree, next_is_permutation, twin_is_involution};
 use crate::diagram::{Drawing, Kind, Name, NameId, Ref, Role, Rule, Spoke, Star};
 
-/// Statements that carry the spokes of an erased vertex off.
+/// Statements that move the spokes of an erased vertex to another vertex.
 pub(super) struct Taken {
     /// The vertex that takes them, and its ring after.
     pub after: Star,
@@ -24,7 +24,7 @@ pub(super) struct Taken {
 }
 
 impl Taken {
-    /// Reads off which vertex takes the spokes of an erased one; nothing if that is not certain.
+    /// Finds the vertex that takes the spokes of an erased one; `None` if that is not certain.
     pub fn of(rule: &Rule, erased: NameId) -> Option<Self> {
         let drawing = Drawing::new(rule);
         if rule.cycle.is_some() || !is_in_order(&drawing) {
@@ -38,7 +38,7 @@ impl Taken {
                 false => Vec::new(),
             };
             let mut found = arrangements(&drawing, corner, &settled)?.into_iter();
-            // Where there is a choice nothing is certain.
+            // Where there is a choice, nothing is certain.
             found.next().filter(|_| found.next().is_none())
         });
         let ways = ways.collect::<Option<Vec<_>>>()?;
@@ -58,7 +58,7 @@ impl Taken {
         };
         let ring = case.ring(cycle, |arc| match arc.lies {
             Lies::Rest if arc.vertex == erased && !is_stated => Some(Token::Fan(fan)),
-            // A fan without a name cannot be carried off.
+            // A fan without a name cannot be moved.
             Lies::Rest if arc.vertex == erased => None,
             _ => case.arc_token(arc),
         });
@@ -80,15 +80,15 @@ impl Taken {
     }
 }
 
-/// True if the statements can be followed.
+/// True if loops, edges and ends are consistent, so that rings can be followed.
 fn is_in_order(drawing: &Drawing) -> bool {
     next_is_permutation::test(drawing).is_empty()
         && twin_is_involution::test(drawing).is_empty()
         && ends_agree::test(drawing).is_empty()
 }
 
-/// The one ring in which something still says that it starts at the erased vertex, and the one
-/// other vertex that it belongs to.
+/// The only ring with a piece that still belongs to the erased vertex, and the only other vertex
+/// that the ring belongs to.
 fn ring_that_takes<'c>(case: &'c Case, erased: NameId) -> Option<(&'c [Step], NameId)> {
     let labels = |cycle: &[Step]| -> Vec<NameId> {
         let label = |step: &Step| match *step {

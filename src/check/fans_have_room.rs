@@ -7,7 +7,7 @@ use super::problem::Problem;
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Drawing, Kind, NameId, Spoke};
 
-/// Tells each fan without room.
+/// Reports each fan without room.
 pub(super) fn test(drawing: &Drawing) -> Vec<Problem> {
     let rule = drawing.rule;
     let mut problems = Vec::new();
@@ -35,8 +35,8 @@ pub(super) fn test(drawing: &Drawing) -> Vec<Problem> {
     problems
 }
 
-/// Two spokes of which the second comes right behind the first, counterclockwise, as the loops
-/// tell; one of them is a neighbour of the fan.
+/// Two spokes that the loops draw side by side, the second right behind the first counterclockwise;
+/// one of them is a neighbour of the fan.
 fn drawn_as_neighbours(drawing: &Drawing, [left, right]: [Spoke; 2]) -> Option<[NameId; 2]> {
     let view = &drawing.before;
     let clockwise = |spoke: NameId| {

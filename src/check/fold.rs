@@ -1,17 +1,17 @@
-//! Findings on cycles of several sizes, said once, of the members at index 0.
+//! Findings on cycles of several sizes, merged into findings about the members at index 0.
 
 use super::distinct_names;
 use super::guard::{Obligation, Statement};
 use crate::diagram::{Drawing, NameId, Unrolled};
 
-/// From the names of one size to those of the large one.
+/// The map from the names of one size to those of the large one.
 pub(super) struct Fold<'a> {
     pub large: &'a Unrolled,
     pub other: &'a Unrolled,
 }
 
 impl Fold<'_> {
-    /// The name on the large cycle, where the member `pivot` stands at index 0.
+    /// The name on the large cycle, where the member `pivot` is at index 0.
     fn name(&self, name: NameId, pivot: NameId) -> NameId {
         let rule = &self.other.rule;
         let by = -i64::from(rule.index(pivot));
@@ -23,7 +23,7 @@ impl Fold<'_> {
     }
 }
 
-/// The pairs of names that nothing but a test keeps apart on a cycle of some size.
+/// The pairs of names that only a test keeps apart on a cycle of some size.
 pub(super) fn fold_pairs<'a>(
     sizes: impl Iterator<Item = &'a Unrolled>,
     large: &Unrolled,
@@ -43,8 +43,8 @@ pub(super) fn fold_pairs<'a>(
     folded
 }
 
-/// Adds what a level asks on one size. A statement is left to test on every size if it is on
-/// some: each is a condition of the level, so asking it once more refuses nothing else.
+/// Adds the obligations of a level on one size. A statement is tested on every size if it has to be
+/// tested on one: each is a condition of the level, so the further tests refuse nothing else.
 pub(super) fn fold_obligations(
     fold: &Fold,
     obligations: Vec<Obligation>,
@@ -55,7 +55,8 @@ pub(super) fn fold_obligations(
     }
 }
 
-/// Adds a statement to those found in other cases: it is left to test if it is in one of them.
+/// Adds a statement to those found in other cases; it is tested if it has to be tested in one of
+/// them.
 pub(super) fn add_obligation(
     statement: Statement,
     because: Option<&'static str>,

@@ -3,8 +3,8 @@
 use super::guard::{Obligation, obligations};
 use crate::diagram::{Drawing, Level};
 
-/// The tests of the result that would be needed for a mesh of the level to stay one. A guard tests
-/// all that its level asks, and a rule with a guard is for meshes of that level.
+/// The tests of the result that would be needed for a mesh of the level to stay one. A guard makes
+/// all tests of its level, and a rule with a guard is for meshes of that level.
 pub(super) fn left_to_test(drawing: &Drawing, level: Level) -> Vec<Obligation> {
     if drawing.rule.guard.is_some_and(|(guard, _)| guard >= level) {
         return Vec::new();

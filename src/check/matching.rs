@@ -4,12 +4,12 @@
 //! is bound by one pointer; what the drawing claims beyond that is tested. The proof holds
 //! for every place where these tests pass.
 //!
-//! Of a rule with families the names are those of the rule unrolled; a step with members of
+//! For a rule with families, the names are those of the rule unrolled; a step with members of
 //! families stands for one at each index, written out for index 0.
 
 use crate::diagram::{LoopKind, NameId, Pointer, Rule};
 
-/// Something that gets bound.
+/// A name, or an end of a path, that is bound.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Bound {
     /// An element.
@@ -20,7 +20,7 @@ pub enum Bound {
     Last(NameId),
 }
 
-/// One pointer away from something bound. Halfedges, but for the last.
+/// One or two pointers from something bound: a halfedge, except in the last variant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Source {
     /// `h.next`
@@ -50,7 +50,7 @@ pub enum Source {
 pub enum Step {
     /// A parameter whose element is drawn binds the name.
     Parameter {
-        /// Which parameter.
+        /// The number of the parameter.
         parameter: usize,
         /// The name.
         name: NameId,
@@ -60,7 +60,8 @@ pub enum Step {
     Attempt {
         /// The edge, vertex or face.
         element: NameId,
-        /// The halfedge that is bound; or a path that is all of the loop, to its first.
+        /// The halfedge that is bound, or the path whose first halfedge is, if it is the whole
+        /// loop.
         halfedge: NameId,
         /// The number that are tried, if not all: further ones would match alike.
         tries: Option<u16>,
@@ -80,7 +81,7 @@ pub enum Step {
         /// Its source.
         source: Source,
     },
-    /// The condition.
+    /// Tests a claim.
     Test(Claim),
 }
 
@@ -89,7 +90,7 @@ pub enum Step {
 pub enum Claim {
     /// The pointer leads to the name.
     Leads(Source, Bound),
-    /// Two names are two elements.
+    /// Two names are different elements.
     Distinct(NameId, NameId),
     /// The loop is a face, or a hole.
     Kind(NameId, LoopKind),
@@ -103,8 +104,8 @@ pub enum Claim {
     },
     /// Not all of these paths are empty.
     NotAllEmpty(Vec<NameId>),
-    /// The halfedge, where its vertex is one with another one, is one of the spokes that the
-    /// statement of that one lists.
+    /// If the vertex of the halfedge is the same as another one, the halfedge is one of the spokes
+    /// that the statement of that one lists.
     Listed {
         /// The halfedge.
         halfedge: NameId,
@@ -198,7 +199,7 @@ impl Source {
 }
 
 impl Claim {
-    /// The names that it speaks of, in order.
+    /// The names that it is about, in order.
     pub fn names(&self) -> Vec<NameId> {
         match self {
             Claim::Leads(source, to) => vec![source.from().name(), to.name()],
@@ -214,7 +215,7 @@ impl Claim {
         }
     }
 
-    /// True if it is made once for every index, though its names are those of one.
+    /// True if it is made once for every index, though its names are members at one index.
     pub fn is_repeated(&self, rule: &Rule) -> bool {
         match self {
             Claim::Begins(_)

@@ -1,5 +1,5 @@
-//! Fixes that are sure: a remedy is offered only after the laws have been tried on the
-//! rule with the remedy in it.
+//! Fixes that are certain: a remedy is offered only after the laws have been tested on the rule
+//! with the remedy applied.
 
 use super::fan_repair::Taken;
 use super::problem::{Problem, Remedy, enumerate};
@@ -9,7 +9,7 @@ use crate::diagram::{
 };
 use crate::source::Span;
 
-/// Adds to each problem the fix that removes it and brings no new one, if just one does.
+/// Adds to each problem the fix that removes it and causes no new one, if exactly one does.
 pub(super) fn add_fixes(
     rule: &Rule,
     problems: Vec<Problem>,
@@ -26,11 +26,10 @@ pub(super) fn add_fixes(
                     && old.message == problem.diagnostic.message
             })
         };
-        // Problems of a later law may come to light once the names are in order; that does
-        // not make the fix wrong, but no longer surely right. What a new element is given is
-        // another matter.
-        // What seems to have been forgotten may have been meant where something else is
-        // wrong: nothing is erased before all the rest is right.
+        // Problems of a later law may appear once the names are in order; the fix is then not
+        // wrong, but no longer certain. Missing attributes of new elements do not count. What seems
+        // to have been forgotten may be intended if something else is wrong: an erasure is offered
+        // only if it leaves no problem.
         let good = match remedy {
             Remedy::Erase(_) => left.is_empty(),
             Remedy::Keep(_)
@@ -41,10 +40,10 @@ pub(super) fn add_fixes(
             | Remedy::PairAnew(_)
             | Remedy::PairAll(_)
             | Remedy::Draw { .. } => left.iter().all(|one| known(one) || lacks_attribute(one)),
-            // Names that nothing knows are new for sure if nothing is missing but what a new
-            // element is given.
+            // Unknown names are certainly new if nothing but attributes of new elements is missing
+            // then.
             Remedy::Create(names) => {
-                // A vertex alone that has no position either may be meant for another one.
+                // Vertices alone, without positions, may be meant to be other ones.
                 let alone = names.iter().all(|&name| rule.kind(name) == Kind::Vertex);
                 left.iter().all(|one| lacks_attribute(one) && !(alone && lacks_position(one)))
             }
@@ -54,12 +53,12 @@ pub(super) fn add_fixes(
         Some((fix, left.is_empty()))
     };
     let mut diagnostics = Vec::new();
-    // The problems of which a fix mends all others, too.
+    // The problems with a fix that mends all others, too.
     let mut causes = Vec::new();
     for (at, problem) in problems.into_iter().enumerate() {
         let mut diagnostic = problem.diagnostic;
         let found: Vec<_> = problem.remedies.iter().filter_map(|remedy| good(remedy, at)).collect();
-        // What mends everything is meant, if something else would mend this problem alone.
+        // A fix that mends everything is preferred to those that mend this problem alone.
         let all: Vec<_> = found.iter().filter(|(_, mends_all)| *mends_all).collect();
         let sure = match (found.as_slice(), all.as_slice()) {
             ([one], _) => Some(one),
@@ -88,7 +87,7 @@ fn lacks_position(problem: &Problem) -> bool {
     lacks_attribute(problem) && problem.diagnostic.message.ends_with("has no position")
 }
 
-/// The one of several diagnostics that is the cause of all, with what was said of the mesh.
+/// The diagnostic that is the cause of all others, with their notes about the mesh.
 fn alone(mut diagnostics: Vec<Diagnostic>, cause: usize) -> Diagnostic {
     let mut told = diagnostics.swap_remove(cause);
     let of_mesh = |note: &String| {
@@ -102,7 +101,7 @@ fn alone(mut diagnostics: Vec<Diagnostic>, cause: usize) -> Diagnostic {
 }
 
 impl Remedy {
-    /// The rule with this remedy in it, if it can be.
+    /// The rule with this remedy applied, if that is possible.
     fn apply(&self, rule: &Rule) -> Option<Rule> {
         let mut mended = rule.clone();
         let span = rule.after.span;
@@ -111,7 +110,7 @@ impl Remedy {
                 mended.erased.extend(names.iter().map(|&name| Ref::plain(name, span)));
             }
             Remedy::Create(names) => {
-                // Of a family all members are created.
+                // All members of a family are created.
                 let all = (0..rule.names.len() as u32).map(NameId);
                 let created = all.filter(|&name| names.contains(&rule.first_member(name)));
                 mended.created.extend(created.map(|name| Ref::plain(name, span)));
@@ -192,7 +191,7 @@ impl Remedy {
         Some(mended)
     }
 
-    /// The remedy as an edit of the text.
+    /// The remedy as an edit of the source text.
     fn fix(&self, rule: &Rule) -> Option<Fix> {
         let words = |names: &[NameId]| {
             names.iter().map(|&name| rule.name(name).text.as_str()).collect::<Vec<_>>().join(" ")
@@ -276,7 +275,7 @@ impl Remedy {
     }
 }
 
-/// Edge statements with other halfedges.
+/// The fix that gives edge statements other halfedges.
 fn pair_anew(rule: &Rule, edges: &[(NameId, [NameId; 2])]) -> Option<Fix> {
     let mut edits = Vec::new();
     for (edge, halfedges) in edges {
@@ -306,7 +305,7 @@ fn kept_beside(rule: &Rule, kept: &[NameId], erased: NameId) -> Option<Vec<NameI
     (!others.is_empty()).then_some(others)
 }
 
-/// Two fixes as one: the edits of one place, the first one's first, are one edit.
+/// Two fixes as one: edits at the same place are joined, those of the first one first.
 fn both(one: Fix, other: Fix) -> Fix {
     let title = format!("{}, and {}", one.title, other.title);
     let mut edits = one.edits;
@@ -319,7 +318,7 @@ fn both(one: Fix, other: Fix) -> Fix {
     Fix { title, edits }
 }
 
-/// Names for new edges that are not taken.
+/// Unused names for new edges.
 fn edge_names(rule: &Rule, count: usize) -> Vec<String> {
     let free = (1..).map(|number| format!("e{number}"));
     let known = |name: &Name| name.text.split('[').next().unwrap_or_default().to_owned();
@@ -327,7 +326,7 @@ fn edge_names(rule: &Rule, count: usize) -> Vec<String> {
     free.filter(is_free).take(count).collect()
 }
 
-/// Of the pairs that are alike at every index those at the first; `None` where a family is paired
+/// The pairs at the first index, of pairs that repeat at every index; `None` if a family is paired
 /// with itself.
 fn first_of_families(rule: &Rule, pairs: &[[NameId; 2]]) -> Option<Vec<[NameId; 2]>> {
     let mut firsts = Vec::new();
@@ -344,8 +343,7 @@ fn first_of_families(rule: &Rule, pairs: &[[NameId; 2]]) -> Option<Vec<[NameId; 
     Some(firsts)
 }
 
-/// The statements that pair new halfedges, and in `new` the names of their edges, behind those of
-/// other new elements.
+/// The fix that pairs halfedges by new edges, and lists these in `new` behind other new elements.
 fn pair_all(rule: &Rule, created: &[NameId], pairs: &[[NameId; 2]]) -> Option<Fix> {
     let pairs = first_of_families(rule, pairs)?;
     let mut words = edge_names(rule, pairs.len());
@@ -378,8 +376,8 @@ fn pair_all(rule: &Rule, created: &[NameId], pairs: &[[NameId; 2]]) -> Option<Fi
     Some(Fix { title, edits })
 }
 
-/// The statements that carry off the spokes of an erased vertex, at the end of `after` if they are
-/// new there.
+/// The fix that moves the spokes of an erased vertex to another; statements that are new in `after`
+/// go to its end.
 fn take(rule: &Rule, erased: NameId, end: Span) -> Option<Fix> {
     let taken = Taken::of(rule, erased)?;
     let mut named = rule.clone();
@@ -421,7 +419,7 @@ fn statement(rule: &Rule, star: &Star) -> String {
     format!("vertex {}: {spokes}", word(&star.vertex))
 }
 
-/// The edit that lists names in `new`, which stands first in `after`.
+/// The edit that lists names in `new`, which comes first in `after`.
 fn list_in_new(rule: &Rule, words: &str) -> Option<Edit> {
     if let Some(last) = rule.created.iter().max_by_key(|created| created.span.end) {
         return Some(Edit { span: last.span.after(), text: format!(" {words}") });
@@ -432,7 +430,7 @@ fn list_in_new(rule: &Rule, words: &str) -> Option<Edit> {
     let stars = side.stars.iter().map(|star| star.span);
     let first = loops.chain(edges).chain(stars).min_by_key(|s| s.start)?;
     if side.kept.iter().any(|kept| kept.span.start <= first.start) {
-        // What is kept stands for its statement, behind the word `keep`.
+        // The span of a kept statement is that of its name, behind the word `keep`.
         return Some(Edit { span: end_of_after(rule)?, text: format!("\n    new {words}") });
     }
     Some(Edit { span: first.before(), text: format!("new {words}\n    ") })

@@ -20,17 +20,17 @@
 //! Rules with `families` are unrolled, and proved for cycles of every size at once by the
 //! argument of `family_rings`.
 //!
-//! Before all of them `start` asks whether a parameter is drawn. A drawing that would apply
-//! almost nowhere is refused as well (`fans_have_room`).
+//! Before all of them, `start` tests that a parameter is drawn. A drawing that would apply almost
+//! nowhere is refused as well (`fans_have_room`).
 //!
 //! A `before` that alone contradicts itself is reported alone (`before`).
 //!
-//! The effect of a rejected rule on a mesh is found by `witness`, which carries it out, and `mend`
-//! offers what would surely be right: names to keep, list or erase, an edge, a vertex that takes
-//! the spokes of one that is erased (`fan_repair`). Otherwise `reach` finds the order in which the
-//! names are bound, and `properties` holds what `keeps` claims against the drawing; for the levels,
-//! and for what a guard has to test, it asks [`guard`]. Only this layer makes a [`Proved`], and
-//! only that can be compiled. Nothing here knows the machine.
+//! To show the effect of a rejected rule, `witness` carries it out on a mesh, and `mend` offers
+//! fixes that are certain: names to keep, list or erase, an edge, a vertex that takes the spokes of
+//! an erased one (`fan_repair`). For a proved rule, `reach` finds the order in which the names are
+//! bound, and `properties` checks the claims of `keeps` against the drawing; [`guard`] knows the
+//! conditions of the levels, and those that a guard has to test. Only this module makes a
+//! [`Proved`], and only that can be compiled. Nothing here depends on the machine.
 
 mod alias;
 mod argument;

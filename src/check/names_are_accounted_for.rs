@@ -5,8 +5,8 @@
 //! and `face`) or edge (so `twin` and `edge`) is stated in `before` has it stated again in
 //! `after`, or is erased; a new halfedge has both.
 //!
-//! The two are told together, one diagnostic for each orbit that is missing: a person
-//! forgets a statement, not a pointer.
+//! Both are reported together, one diagnostic for each missing orbit: a person forgets a statement,
+//! not a pointer.
 
 use super::outside::beside;
 use super::problem::{Problem, Remedy, enumerate, is_or_are, join};
@@ -34,8 +34,8 @@ pub(super) fn test(drawing: &Drawing) -> Vec<Problem> {
     one_for_another(law.problems)
 }
 
-/// What nothing introduces often stands in the place of what is forgotten: where there is just one
-/// of each, they are told together.
+/// An unknown name is often written for a forgotten one: if there is exactly one of each, they are
+/// reported together.
 fn one_for_another(problems: Vec<Problem>) -> Vec<Problem> {
     let is_one = |problem: &Problem, code| problem.diagnostic.code == code;
     match problems.as_slice() {
@@ -82,9 +82,9 @@ pub(super) fn after_keyword(drawing: &Drawing) -> Span {
 
 struct Law<'a> {
     drawing: &'a Drawing<'a>,
-    /// Names about which enough has been said.
+    /// Names that need no further report.
     explained: Vec<NameId>,
-    /// New halfedges about whose loop enough has been said.
+    /// New halfedges whose loop needs no further report.
     placed: Vec<NameId>,
     problems: Vec<Problem>,
 }
@@ -97,7 +97,7 @@ impl Law<'_> {
             else {
                 continue;
             };
-            // That a run is not erased at all is told below.
+            // That a run cannot be erased at all is reported below.
             if matches!(self.drawing.rule.kind(name), Kind::Path | Kind::Fan) {
                 continue;
             }
@@ -132,8 +132,9 @@ impl Law<'_> {
         self.drawing.survives(name) && !self.explained.contains(&name)
     }
 
-    /// Halfedges and paths that stand in a loop before, and in none after. If just one loop has
-    /// no statement after, they belong there, wherever they come from: so they are told together.
+    /// Reports halfedges and paths that are in a loop before, and in none after. If exactly one
+    /// loop has no statement after, they belong there, whatever loops they come from, and are
+    /// reported together.
     fn loops(&mut self) {
         let drawing = self.drawing;
         let missing = |orbit: &Loop| -> Vec<Ref> {
@@ -180,7 +181,7 @@ impl Law<'_> {
         })
     }
 
-    /// Takes what the loop that is missing would draw, besides its items before, as explained.
+    /// Marks what the missing loop would draw, besides its former items, as explained.
     fn would_stand_there(&mut self, orbits: &[(&Loop, Vec<Ref>)]) {
         let drawing = self.drawing;
         for item in orbits.iter().flat_map(|(_, missing)| missing) {
@@ -203,7 +204,7 @@ impl Law<'_> {
         }
     }
 
-    /// Tells that what stood in some loops of `before` stands in none after.
+    /// Reports items of some loops of `before` that are in no loop after.
     fn loop_is_missing(&mut self, orbits: &[(&Loop, Vec<Ref>)]) {
         let drawing = self.drawing;
         let rule = drawing.rule;
@@ -273,8 +274,8 @@ impl Law<'_> {
         self.problems.push(Problem { diagnostic, remedies });
     }
 
-    /// The statements that would erase all that `after` forgets, vertices too or not, where that is
-    /// more than the halfedges that it forgets.
+    /// The remedies that erase everything that `after` forgets, with or without vertices, if that
+    /// is more than the forgotten halfedges.
     fn erasures(&self, halfedges: &[NameId]) -> Vec<Remedy> {
         let drawing = self.drawing;
         let rule = drawing.rule;
@@ -301,7 +302,7 @@ impl Law<'_> {
         all
     }
 
-    /// Halfedges that are paired before, and not after.
+    /// Reports halfedges that are paired before, and not after.
     fn edges(&mut self) {
         let drawing = self.drawing;
         let missing = |edge: &Edge| {
@@ -329,7 +330,7 @@ impl Law<'_> {
         }
     }
 
-    /// Tells that the halfedges of some edges of `before` are not paired after.
+    /// Reports that the halfedges of some edges of `before` are not paired after.
     fn edge_is_missing(&mut self, edges: &[(&Edge, Vec<Ref>)]) {
         let drawing = self.drawing;
         let rule = drawing.rule;
@@ -371,7 +372,7 @@ impl Law<'_> {
                 self.explained.push(edge.edge.name);
             }
         }
-        // The other half of the edge that is missing is told with it.
+        // The other half of the missing edge is reported with it.
         for remedy in &remedies {
             if let Remedy::Pair { halfedges, .. } = remedy {
                 self.explained.extend(halfedges.iter().filter(|half| !names.contains(half)));
@@ -384,9 +385,8 @@ impl Law<'_> {
         unpaired(self.drawing, |half| self.drawing.created(half).is_some())
     }
 
-    /// The statements that would pair what is left over: the edge as it was, if both its
-    /// halfedges are, or, where just two halfedges are left over, the two under each edge
-    /// name that is free.
+    /// The remedies that pair unpaired halfedges: the edge as it was, if both of its halfedges are
+    /// unpaired, or, if exactly two halfedges are unpaired, those two under each free edge name.
     fn pairings(&self, whole: Option<NameId>) -> Vec<Remedy> {
         let drawing = self.drawing;
         let free =
@@ -404,15 +404,15 @@ impl Law<'_> {
         remedies
     }
 
-    /// Vertices, edges, faces and fans that are drawn before, and nowhere after. Those of one
-    /// kind are told together.
+    /// Reports vertices, edges, faces and fans that are drawn before, and nowhere after; those of
+    /// one kind together.
     fn other_names(&mut self) {
         let drawing = self.drawing;
         let rule = drawing.rule;
         let forgotten = |name: &NameId| {
             self.is_open(*name)
                 && drawing.after.mention(*name).is_none()
-                // Halfedges and paths are told by their loops.
+                // Halfedges and paths are reported with their loops.
                 && drawing.before.loop_of_item(*name).is_none()
         };
         let forgotten: Vec<_> = self.names().filter(forgotten).collect();
@@ -420,7 +420,7 @@ impl Law<'_> {
         for &name in &forgotten {
             let kind = rule.kind(name);
             let alike: Vec<_> = match kind {
-                // In a rule that was unrolled the members of a family are told by their first.
+                // In an unrolled rule, the first member is reported for its family.
                 _ if rule.cycle.is_some() => vec![name],
                 Kind::Vertex | Kind::Edge | Kind::Face if told.contains(&kind) => continue,
                 Kind::Vertex | Kind::Edge | Kind::Face => {
@@ -434,7 +434,7 @@ impl Law<'_> {
         }
     }
 
-    /// New halfedges without a loop or an edge, and other new names that stand nowhere.
+    /// Reports new halfedges without a loop or an edge.
     fn new_halfedges(&mut self) {
         let drawing = self.drawing;
         let rule = drawing.rule;
@@ -475,15 +475,15 @@ impl Law<'_> {
 }
 
 impl Law<'_> {
-    /// Tells of all new halfedges without an edge together, if there are several beside this one
-    /// and no name of an edge is left over for them; says whether it did.
+    /// Reports all new halfedges without an edge together, if there are several and no edge name is
+    /// free for them; returns whether it did.
     fn all_unpaired(&mut self, first: NameId, span: Span) -> bool {
         let drawing = self.drawing;
         let rule = drawing.rule;
         let is_open =
             |half: &NameId| drawing.created(*half).is_some() && !self.explained.contains(half);
         let open: Vec<_> = self.unpaired().into_iter().filter(is_open).collect();
-        // In a rule that was unrolled the members of a family are told by their first.
+        // In an unrolled rule, the first member is reported for its family.
         let told: Vec<_> = open.iter().copied().filter(|&half| rule.is_first(half)).collect();
         if told.len() < 2 || !self.pairings(None).is_empty() {
             return false;
@@ -506,7 +506,7 @@ impl Law<'_> {
     }
 }
 
-/// Tells that names of one kind are drawn before, and nowhere after.
+/// The problem that names of one kind are drawn before, and nowhere after.
 fn is_forgotten(drawing: &Drawing, kind: Kind, names: &[NameId]) -> Problem {
     let rule = drawing.rule;
     let list = enumerate(rule, names);

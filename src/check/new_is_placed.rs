@@ -71,8 +71,8 @@ fn missing(rule: &Rule, created: &Ref, access: Access) -> Diagnostic {
     }
 }
 
-/// The op stands in a used file, which knows nothing of the attribute: it is the declaration
-/// that has to change. Of every such op the same is told.
+/// The message about an op in a used file, which does not know the attribute: the declaration has
+/// to change. It is the same for every such op.
 fn missing_elsewhere(created: &Ref, kind: Kind, declared: &Attribute) -> Diagnostic {
     let Attribute { name, ty, .. } = declared;
     let made = kind.a_word();

@@ -1,8 +1,8 @@
 //! Law 3: `next` stays a permutation.
 //!
-//! Each loop item that survives and each new halfedge stands exactly once in the loops of
-//! `after`. (That none is missing is law 2.) An outer halfedge may not enter a loop: its own
-//! `next` is not in the drawing, so what preceded and followed it would be left behind.
+//! Each loop item that survives and each new halfedge occurs exactly once in the loops of `after`.
+//! (That none is missing is law 2.) An outer halfedge may not enter a loop: its own `next` is not
+//! in the drawing, so what preceded and followed it would be left behind.
 
 use super::problem::Problem;
 use crate::diagnostic::Diagnostic;
@@ -61,7 +61,7 @@ pub(super) fn test(drawing: &Drawing) -> Vec<Problem> {
     problems
 }
 
-/// Calls back for each loop item that stands more than once on a side.
+/// Calls back for each loop item that occurs more than once on a side.
 fn twice(drawing: &Drawing, side: &Side, tell: &mut impl FnMut(NameId, Span, Span)) {
     let mut first = vec![None; drawing.rule.names.len()];
     for item in side.loops.iter().flat_map(|orbit| &orbit.items) {

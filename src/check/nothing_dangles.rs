@@ -1,8 +1,8 @@
 //! Law 5: nothing outside dangles.
 //!
-//! Whatever points at an erased element must be drawn: an erased halfedge has its loop and
-//! its edge in `before`, an erased edge its two halfedges, an erased face its whole loop.
-//! That an erased vertex has its whole star drawn, or carried off in fans, is part of law 7.
+//! Whatever points at an erased element must be drawn: an erased halfedge has its loop and its edge
+//! in `before`, an erased edge its two halfedges, an erased face its whole loop. That an erased
+//! vertex has its whole star drawn, or moved in fans, is part of law 7.
 
 use super::problem::Problem;
 use crate::diagnostic::Diagnostic;

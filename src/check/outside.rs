@@ -2,7 +2,8 @@
 
 use crate::diagram::{Drawing, Kind, NameId};
 
-/// The reason why a new halfedge finds no loop: what it would stand beside is drawn in none either.
+/// The reason why a new halfedge is in no loop: the halfedge that it would be beside is in none
+/// either.
 pub(super) fn beside(drawing: &Drawing, new: NameId) -> Option<String> {
     let rule = drawing.rule;
     let after = |half| [drawing.origin_after(half), drawing.target_after(half)];

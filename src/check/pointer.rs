@@ -42,9 +42,9 @@ impl Pointer {
     }
 }
 
-/// The pointers of a drawing, from halfedge after halfedge: `next` in loops, `twin` in edges, and
-/// the next spoke in vertex statements where the loops and edges do not imply it. Of pointers
-/// between members those from index 0.
+/// The pointers of a drawing between halfedges: `next` in loops, `twin` in edges, and the next
+/// spoke in vertex statements where the loops and edges do not imply it. For members of families,
+/// only those from index 0.
 pub(super) fn pointers(drawing: &Drawing) -> Vec<Pointer> {
     let rule = drawing.rule;
     let view = &drawing.before;

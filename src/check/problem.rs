@@ -28,8 +28,8 @@ pub(super) enum Remedy {
     Take(NameId),
     /// The same, and `keep` these vertices, but for the one that takes them.
     KeepAndTake { kept: Vec<NameId>, erased: NameId },
-    /// A halfedge or path of `before` in a loop of `after` that has forgotten it: behind so many
-    /// of its items, with the vertex where it starts.
+    /// A halfedge or path of `before` in a loop of `after` that has forgotten it: behind `at` of
+    /// its items, with the vertex where it starts.
     Insert { face: NameId, at: usize, from: NameId, item: NameId },
     /// `edge e: x | y`
     Pair { edge: NameId, halfedges: [NameId; 2] },
@@ -37,7 +37,7 @@ pub(super) enum Remedy {
     PairAnew(Vec<(NameId, [NameId; 2])>),
     /// An edge with a new name for each of these pairs, listed in `new`.
     PairAll(Vec<[NameId; 2]>),
-    /// The loop of a face that is missing: each item behind the vertex where it starts.
+    /// The missing loop of a face: each item behind the vertex where it starts.
     Draw { face: NameId, items: Vec<(NameId, NameId)> },
 }
 

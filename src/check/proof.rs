@@ -17,14 +17,14 @@ pub struct Proof {
     pub(super) guard: Vec<Obligation>,
     pub(super) facts: Facts,
     pub(super) rings: Rings,
-    /// The rule that the steps speak of, if it is not the one that was proved.
+    /// The rule that the steps refer to, if it is not the one that was proved.
     pub(super) unrolled: Option<Box<Rule>>,
 }
 
 impl Proof {
-    /// The rule that the matching and the guard speak of: the one that was proved, or if it
-    /// has families, the same unrolled. What is said there of members at index 0 is meant for
-    /// every index.
+    /// The rule that the matching and the guard refer to: the one that was proved or, if it has
+    /// families, the same unrolled. What is stated there for members at index 0 holds for every
+    /// index.
     pub fn drawn<'a>(&'a self, rule: &'a Rule) -> &'a Rule {
         self.unrolled.as_deref().unwrap_or(rule)
     }
@@ -34,7 +34,7 @@ impl Proof {
         &self.matching
     }
 
-    /// The obligations of the guard; some of it is left to test.
+    /// The obligations of the guard; some are left to test.
     pub fn guard(&self) -> &[Obligation] {
         &self.guard
     }
@@ -56,8 +56,8 @@ impl Proof {
     }
 }
 
-/// The laws in order. Each group reads what the one before has established, so the first
-/// group that fails is told, in full.
+/// Tests the laws in order. Each group relies on what the one before has established, so the first
+/// group that fails is reported, in full.
 pub(super) fn prove(op: &Op, rule: &Rule) -> Result<Proof, Broken> {
     let drawing = Drawing::new(rule);
     stop_at(start::test(op, &drawing))?;

@@ -1,8 +1,8 @@
 //! Properties that a proved rule keeps besides validity, and how degrees and sizes change.
 //!
-//! Properties are inferred for every rule; what `keeps` declares must be among them. Each is
-//! read off the drawing: that every face stays a triangle, given that all were, is a count of
-//! halfedges, in which the length of a path follows from the loop it comes from.
+//! Properties are inferred for every rule; what `keeps` declares must be among them. Each is read
+//! off the drawing: whether every face stays a triangle, given that all were, is found by counting
+//! halfedges, where the length of a path follows from the loop it comes from.
 
 use super::change::Change;
 use super::guard::Obligation;
@@ -10,23 +10,23 @@ use super::keeps;
 use super::sizes::Sizes;
 use crate::diagram::{Drawing, Kind, Loop, LoopKind, NameId, Property, Rule};
 
-/// The change of a degree or a size: a constant, and the runs that come and go.
+/// The change of a degree or a size: a constant, and the runs that are gained and lost.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SizeChange {
     /// The vertex, or the face.
     pub element: String,
-    /// The part of the drawn halfedges.
+    /// The change by drawn halfedges.
     pub constant: i64,
-    /// The part of the halfedges of families, for each index.
+    /// The change by halfedges of families, for each index.
     pub per_index: i64,
-    /// The fans or paths that come.
+    /// The fans or paths that are gained.
     pub gains: Vec<String>,
-    /// The fans or paths that go.
+    /// The fans or paths that are lost.
     pub loses: Vec<String>,
 }
 
 impl SizeChange {
-    /// True if it stays what it is.
+    /// True if nothing changes.
     pub fn is_nothing(&self) -> bool {
         self.constant == 0 && self.per_index == 0 && self.gains.is_empty() && self.loses.is_empty()
     }
@@ -54,7 +54,7 @@ pub(super) fn kept_by_families(sizes: &Sizes, grows_with: &[String]) -> Vec<Prop
     let at_all = |holds: &dyn Fn(&Drawing, Change) -> bool| {
         all.iter().all(|(drawing, change)| holds(drawing, *change))
     };
-    // Where all faces have a size, cycles of another may not match at all.
+    // Where all faces have this size, the rule may not match at all on some cycles.
     let of_size = |size: i64| {
         let fits = |drawing: &Drawing| matches_faces_of(drawing, size);
         all.iter().any(|(drawing, _)| fits(drawing))
@@ -74,7 +74,8 @@ pub(super) fn kept_by_families(sizes: &Sizes, grows_with: &[String]) -> Vec<Prop
     Property::ALL.into_iter().filter(keeps).collect()
 }
 
-/// Changes of degrees or sizes on cycles of any size: they grow evenly, so two sizes tell.
+/// Changes of degrees or sizes on cycles of any size: they grow linearly, so two sizes determine
+/// them.
 pub(super) fn evenly(
     sizes: &Sizes,
     changes: impl Fn(&Drawing) -> Vec<SizeChange>,
@@ -91,7 +92,7 @@ pub(super) fn evenly(
         let (less, more) = (constant(&shorter.1), constant(&longer.1));
         change.per_index = (more - less) / (longer.0 - shorter.0);
         change.constant = less - change.per_index * shorter.0;
-        // All members of a family come and go together.
+        // All members of a family are gained or lost together.
         for runs in [&mut change.gains, &mut change.loses] {
             let families = runs.iter().map(|run| family_of(large, run));
             let counts: Vec<_> = families.collect();
@@ -128,9 +129,9 @@ fn size_after(drawing: &Drawing, orbit: &Loop, size: i64) -> Option<i64> {
     })
 }
 
-/// The length of a path, given that the face it comes from had `size` halfedges. Of a loop
-/// that may be a hole nothing follows, unless the path stays in it: then the loop counts only
-/// if it is a face.
+/// The length of a path, given that the face it comes from had `size` halfedges. Nothing follows
+/// from a loop that may be a hole, unless the path stays in it: then the loop counts only if it is
+/// a face.
 fn path_length(drawing: &Drawing, path: NameId, after: &Loop, size: i64) -> Option<i64> {
     let before = drawing.before.loop_of_item(path)?;
     let stays = before.face.name == after.face.name && after.kind == LoopKind::Any;
@@ -200,7 +201,7 @@ fn keeps_boundary(drawing: &Drawing) -> bool {
         && drawing.moved_fans().next().is_none()
 }
 
-/// The change of the degree of each vertex that lives on.
+/// The change of the degree of each vertex that survives.
 pub(super) fn degree_changes(drawing: &Drawing) -> Vec<SizeChange> {
     let rule = drawing.rule;
     let vertices = rule
@@ -233,7 +234,7 @@ pub(super) fn degree_changes(drawing: &Drawing) -> Vec<SizeChange> {
         .collect()
 }
 
-/// The change of the size of each face that lives on.
+/// The change of the size of each face that survives.
 pub(super) fn size_changes(drawing: &Drawing) -> Vec<SizeChange> {
     let rule = drawing.rule;
     let faces =

@@ -42,7 +42,7 @@ pub(super) fn broken_claims(op: &Op, drawing: &Drawing, facts: &Facts) -> Vec<Pr
         .collect()
 }
 
-/// By how much V - E + F changes, with holes among the faces, in words.
+/// The change of V - E + F, with holes among the faces, in words.
 fn euler_changes(facts: &Facts) -> String {
     let constant = facts.change.euler();
     let per_index = facts.per_index.map_or(0, Change::euler);
@@ -55,7 +55,7 @@ fn euler_changes(facts: &Facts) -> String {
     }
 }
 
-/// Adds to the diagnostic what may come about, and offers the guard that refuses it.
+/// Adds the conditions that may be broken to the diagnostic, and offers the guard that tests them.
 fn not_kept(drawing: &Drawing, mut diagnostic: Diagnostic, level: Level) -> Diagnostic {
     let rule = drawing.rule;
     for Obligation { statement, .. } in left_to_test(drawing, level) {

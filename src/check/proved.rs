@@ -1,4 +1,4 @@
-//! The door: from an operation to a proved one.
+//! Entry point of the checker: proves operations.
 
 use super::broken::{Broken, Rejected, stop_at};
 use super::proof::{Proof, prove};
@@ -20,7 +20,7 @@ impl Proved {
         &self.op
     }
 
-    /// For each rule what was proved of it.
+    /// The proofs, one for each rule.
     pub fn proofs(&self) -> &[Proof] {
         &self.proofs
     }
@@ -31,16 +31,16 @@ impl Proved {
 pub struct Rejection {
     /// Every law it breaks.
     pub diagnostics: Vec<Diagnostic>,
-    /// The outcome of each rejected rule does to a mesh when it is carried out literally.
+    /// For each rejected rule, the outcome of carrying it out literally on a mesh.
     pub outcomes: Vec<Outcome>,
 }
 
-/// Proves an operation, or tells every law it breaks.
+/// Proves an operation, or reports every law it breaks.
 pub fn check(op: &Op) -> Result<Proved, Vec<Diagnostic>> {
     examine(op).map_err(|rejection| rejection.diagnostics)
 }
 
-/// Proves an operation, or tells every law it breaks, with meshes that show it.
+/// Proves an operation, or reports every law it breaks, with meshes that show it.
 pub fn examine(op: &Op) -> Result<Proved, Rejection> {
     let mut proofs = Vec::new();
     let mut rejection = Rejection { diagnostics: Vec::new(), outcomes: Vec::new() };

@@ -1,7 +1,7 @@
 //! Finds the order in which a rule is matched, or the names that no pointer reaches.
 //!
-//! In a rule that was unrolled the members of a family are bound together: what is said of
-//! the member at index 0 is meant for every index.
+//! In an unrolled rule, the members of a family are bound together: a step for the member at index
+//! 0 stands for every index.
 
 use super::chain::{Corner, corners};
 use super::matching::{Bound, Claim, Source, Step};
@@ -14,7 +14,7 @@ use crate::diagram::{Drawing, Kind, NameId, Op, Spoke};
 
 /// The steps that bind every name of `before`, and test the rest of what it claims.
 ///
-/// `same` lists pairs of names that nothing but a test keeps apart.
+/// `same` lists pairs of names that only a test keeps apart.
 pub(super) fn matching(
     op: &Op,
     drawing: &Drawing,
@@ -44,11 +44,11 @@ pub(super) struct Reach<'a> {
     pub corners: &'a [Corner],
     pub pointers: Vec<Pointer>,
     pub steps: Vec<Step>,
-    /// Pairs of names that nothing but a test keeps apart.
+    /// Pairs of names that only a test keeps apart.
     pub same: Vec<[NameId; 2]>,
     /// Families of halfedges of which the member at index 0 is known.
     pub begun: Vec<NameId>,
-    /// By the first member of each family.
+    /// For each name, whether it is bound; for a family, at its first member.
     bound: Vec<bool>,
 }
 
@@ -58,7 +58,7 @@ impl Reach<'_> {
         self.bound[self.drawing.rule.first_member(name).index()]
     }
 
-    /// From here on a name, or the family that it is a member of, is bound.
+    /// Marks a name, or the family that it is a member of, as bound.
     pub fn now_bound(&mut self, name: NameId) {
         let first = self.drawing.rule.first_member(name);
         self.bound[first.index()] = true;
@@ -83,7 +83,7 @@ impl Reach<'_> {
         }
     }
 
-    /// Halfedge parameters first, then the others, each followed by all that it reaches.
+    /// Binds the parameters, halfedges first, each followed by all that it reaches.
     fn parameters(&mut self, op: &Op) -> Result<(), Vec<Problem>> {
         let rule = self.drawing.rule;
         let mut others = Vec::new();
@@ -154,7 +154,7 @@ impl Reach<'_> {
         Some(Claim::Leads(source, Bound::Element(element)))
     }
 
-    /// A bound halfedge that leads to an edge, vertex or face, and how.
+    /// A bound halfedge that leads to an edge, vertex or face, and the pointer.
     fn source_of(&self, element: NameId) -> Option<(NameId, Source)> {
         let rule = self.drawing.rule;
         let view = &self.drawing.before;
@@ -180,7 +180,7 @@ impl Reach<'_> {
         }
     }
 
-    /// The source from which a chain has its vertex.
+    /// A bound halfedge of a chain that leads to its vertex, and the pointer.
     pub fn vertex_source(&self, ports: &[Port]) -> Option<(NameId, Source)> {
         let usable =
             |item: NameId| self.drawing.rule.kind(item) == Kind::Halfedge && self.is_bound(item);
@@ -244,7 +244,7 @@ impl Reach<'_> {
         }
     }
 
-    /// True if a loop that is one path matches alike wherever it begins: nothing is asked of its
+    /// True if a loop that is one path matches alike wherever it begins: nothing depends on its
     /// vertex.
     fn is_alike_around(&self) -> bool {
         let rule = self.drawing.rule;
@@ -252,7 +252,7 @@ impl Reach<'_> {
         !asks && rule.assignments.is_empty() && rule.before.loops.len() == 1
     }
 
-    /// Binds edges, faces and vertices, and tells the names that cannot be bound.
+    /// Binds edges, faces and vertices, or reports the names that cannot be bound.
     fn everything_is_bound(&mut self, op: &Op) -> Result<(), Vec<Problem>> {
         let rule = self.drawing.rule;
         let view = &self.drawing.before;
@@ -336,7 +336,7 @@ impl Reach<'_> {
             Kind::Vertex => format!("a loop that runs through {} would bind it", rule.quoted(name)),
             _ => format!("an edge statement would bind it: `edge {word}: h | h'`"),
         };
-        // What is said of the parameter that is missing mends more.
+        // A note about a missing parameter helps more.
         let statement = undrawn(op, self.drawing).unwrap_or(statement);
         diagnostic
             .note(statement)
@@ -344,7 +344,7 @@ impl Reach<'_> {
             .into()
     }
 
-    /// The ends of the paths.
+    /// Binds the ends of the paths.
     fn paths(&mut self) {
         let rule = self.drawing.rule;
         for orbit in rule.before.loops.iter().filter(|orbit| orbit.items.len() > 1) {

@@ -1,11 +1,11 @@
-//! Remedies that a drawing itself suggests: where a halfedge was left out of a loop, which halfedges
-//! pair by their ends, and which loop is missing.
+//! Remedies that a drawing itself suggests: where a halfedge was left out of a loop, which
+//! halfedges pair by their ends, and which loop is missing.
 
 use super::problem::Remedy;
 use crate::diagram::{Drawing, Kind, Loop, NameId};
 
-/// The places in the loops of `after` where something may have been forgotten: with the vertex that
-/// has been forgotten with it, or with one that is drawn.
+/// The remedies that insert an item in a loop of `after`, at any place: from a vertex that is
+/// forgotten, too, or else from one that is drawn.
 pub(super) fn insertions(drawing: &Drawing, item: NameId) -> Vec<Remedy> {
     let rule = drawing.rule;
     if rule.cycle.is_some() {
@@ -36,7 +36,7 @@ pub(super) fn unpaired(drawing: &Drawing, is_new: impl Fn(NameId) -> bool) -> Ve
 }
 
 /// Pairs of halfedges that run between the same vertices in opposite directions, if each has
-/// just one such other.
+/// exactly one such partner.
 pub(super) fn by_ends(drawing: &Drawing, open: &[NameId]) -> Option<Vec<[NameId; 2]>> {
     let ends =
         |half: NameId| Some((drawing.after.loop_origin(half)?, drawing.after.loop_target(half)?));
@@ -55,8 +55,8 @@ pub(super) fn by_ends(drawing: &Drawing, open: &[NameId]) -> Option<Vec<[NameId;
     Some(pairs)
 }
 
-/// The loop that some items make by their ends: where they start after, or else did before; if
-/// there is just one way around.
+/// The loop that items form by their ends after, or else by those before, if there is exactly one
+/// way around.
 pub(super) fn around(drawing: &Drawing, items: &[NameId]) -> Option<Vec<(NameId, NameId)>> {
     let ends = |item: NameId| {
         let twin = drawing.after.pairing(item).and_then(|edge| {

@@ -11,7 +11,7 @@ use crate::diagram::{Drawing, Kind, NameId, Spoke};
 use crate::source::Span;
 
 impl Case<'_> {
-    /// Spokes outside of the drawing that would still name an erased vertex.
+    /// Spokes outside the drawing that would still name an erased vertex.
     pub(super) fn stale_spokes(&self) -> Vec<Problem> {
         let rule = self.drawing.rule;
         let mut told = Vec::new();
@@ -101,7 +101,7 @@ impl Case<'_> {
         }
     }
 
-    /// An arc whose end the drawing takes away.
+    /// An arc that loses an end.
     pub(super) fn cut_arc(&self, arc: Arc) -> Problem {
         let rule = self.drawing.rule;
         let text = rule.quoted(arc.vertex);
@@ -116,7 +116,7 @@ impl Case<'_> {
         Diagnostic::error("dangling-outside", message, span).into()
     }
 
-    /// The words for a step of a cycle, and where it says so.
+    /// The words for a step of a cycle, and its place in the source.
     fn words(&self, step: Step, vertex: NameId) -> (String, Option<Span>) {
         let rule = self.drawing.rule;
         let text = rule.quoted(vertex);
@@ -280,7 +280,7 @@ impl Case<'_> {
                     let mut spokes = self.first_spokes.iter();
                     match spokes.find(|(name, _)| name == path).map(|found| found.1) {
                         Some(Lies::Fan(fan)) => Some(Token::Fan(fan)),
-                        // The outer halfedge tells for both.
+                        // Another token stands for it.
                         Some(Lies::Empty | Lies::Spoke(_)) => None,
                         Some(Lies::Rest) | None => Some(Token::Rest),
                     }
@@ -310,7 +310,7 @@ impl Case<'_> {
         }
     }
 
-    /// The problem that the vertex statement of `after` is the cycle, in order.
+    /// The problem of a vertex statement of `after` that is not the cycle, in order.
     pub(super) fn star_disagrees(&self, vertex: NameId, cycle: &[Step]) -> Option<Problem> {
         let star = self.drawing.after.star(vertex)?;
         let rule = self.drawing.rule;

@@ -4,7 +4,7 @@ use super::fold::{Fold, fold_obligations};
 use super::guard::{Obligation, obligations};
 use crate::diagram::{Drawing, Kind, Level, Loop, Naming, Rule, Spoke, Unrolled};
 
-/// A rule with families, unrolled to the sizes that are looked at.
+/// A rule with families, unrolled to the sizes that are examined.
 pub(super) struct Sizes {
     /// So large that no statement reaches around the cycle.
     pub large: Unrolled,
@@ -25,7 +25,7 @@ impl Sizes {
         }
     }
 
-    /// The obligations of a level on a cycle of some size, of members at index 0.
+    /// The obligations of a level that arise on a cycle of some size, for members at index 0.
     pub fn obligations(&self, level: Level) -> Vec<Obligation> {
         let mut found = Vec::new();
         for other in self.all() {

@@ -1,4 +1,4 @@
-//! Which pointers would keep their old value, and what it is.
+//! Pointers that would keep their old values.
 
 use super::problem::join;
 use crate::diagram::{Drawing, NameId};
@@ -51,7 +51,7 @@ impl Stale {
         self.pointers.push((pointer, drawing.rule.quoted(value), erased));
     }
 
-    /// The pointers to erased elements first, in words.
+    /// The pointers in words; only those to erased elements, if there are any.
     pub fn sentence(&self) -> String {
         let dangling: Vec<_> = self.pointers.iter().filter(|pointer| pointer.2).collect();
         let say = |(pointer, value, _): &(String, String, bool)| {

@@ -1,14 +1,14 @@
 //! Start of matching: a parameter that `before` draws.
 //!
-//! It is asked before the laws. Where the parameter is missing in the drawing, much else is
-//! missing with it, and would be told in its stead.
+//! It is tested before the laws: where the parameter is missing in the drawing, much else is
+//! missing with it, and would be reported instead.
 
 use super::problem::{Problem, join};
 use crate::diagnostic::{Diagnostic, Edit, Fix};
 use crate::diagram::{Drawing, Kind, NameId, Op, Type};
 use crate::source::Span;
 
-/// Tells that no parameter is drawn, if something is.
+/// Reports that no parameter is drawn, if anything is.
 pub(super) fn test(op: &Op, drawing: &Drawing) -> Vec<Problem> {
     let rule = drawing.rule;
     let drawn = |name: &NameId| drawing.before.mention(*name).is_some();
@@ -54,7 +54,7 @@ pub(super) fn test(op: &Op, drawing: &Drawing) -> Vec<Problem> {
     vec![problem.into()]
 }
 
-/// Parameters that `before` does not draw, where something is out of reach.
+/// The note about the first element parameter that `before` does not draw.
 pub(super) fn undrawn(op: &Op, drawing: &Drawing) -> Option<String> {
     let drawn = |name: &Option<NameId>| name.is_some_and(|n| drawing.before.mention(n).is_some());
     let params = op.params.iter().zip(&drawing.rule.params);

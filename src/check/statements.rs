@@ -10,8 +10,7 @@ use crate::diagram::Drawing;
 
 /// The laws that read the statements: all but law 7.
 pub(super) fn statements(drawing: &Drawing) -> Result<(), Broken> {
-    // A name written for another is missing in one place and too many in the other: both
-    // are told.
+    // A name written for another is missing in one place and extra in the other: both are reported.
     let mut problems = names_are_accounted_for::test(drawing);
     problems = beside(problems, next_is_permutation::test(drawing), "next-twice");
     problems = beside(problems, twin_is_involution::test(drawing), "twin-twice");
@@ -22,8 +21,8 @@ pub(super) fn statements(drawing: &Drawing) -> Result<(), Broken> {
     stop_at(problems)
 }
 
-/// Two lists as one. What stands twice stands in one place for what is missing elsewhere, so that
-/// is told with the first that is missing.
+/// Joins two lists. A name that occurs twice is in one place written for a missing one, so it is
+/// reported with the first missing one.
 fn beside(mut missing: Vec<Problem>, others: Vec<Problem>, twice: &str) -> Vec<Problem> {
     for other in others {
         let is_open = |problem: &&mut Problem| problem.diagnostic.code == "missing-reassignment";

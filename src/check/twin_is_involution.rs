@@ -46,7 +46,7 @@ fn sides_are_pairings(drawing: &Drawing, side: &Side, word: &str, problems: &mut
     }
 }
 
-/// Halfedges that get a twin though the one they have is not drawn.
+/// Reports halfedges that get a twin though the one they have is not drawn.
 fn undrawn_twins(drawing: &Drawing, problems: &mut Vec<Problem>) {
     let rule = drawing.rule;
     for half in rule.after.edges.iter().flat_map(|edge| edge.halfedges) {

@@ -39,7 +39,7 @@ impl Unknown {
                     let problem = unknown(drawing, (name, span), &[]);
                     found.problems.push(problem.into());
                 }
-                // In a rule that was unrolled the first member tells for its family.
+                // In an unrolled rule, the first member is reported for its family.
                 None if rule.is_first(name) => created.push((name, span)),
                 None => {}
             }
@@ -80,7 +80,7 @@ impl Unknown {
     }
 }
 
-/// The message about names that nothing introduces, each with a place where it stands.
+/// The message about names that nothing introduces, each with a place where it occurs.
 fn unknown(drawing: &Drawing, first: (NameId, Span), others: &[(NameId, Span)]) -> Diagnostic {
     let rule = drawing.rule;
     let list: Vec<_> = std::iter::once(&first).chain(others).map(|(name, _)| *name).collect();
@@ -93,7 +93,7 @@ fn unknown(drawing: &Drawing, first: (NameId, Span), others: &[(NameId, Span)]) 
     let kind = rule.kind(name);
     let mut diagnostic = Diagnostic::error("unknown-name", message, span)
         .saying(format!("{} that nothing creates", kind.a_word()));
-    // Of each kind one is named.
+    // Only the first name of each kind is labeled with its kind.
     let mut shown = vec![kind];
     for (name, span) in others {
         let kind = rule.kind(*name);
@@ -104,7 +104,7 @@ fn unknown(drawing: &Drawing, first: (NameId, Span), others: &[(NameId, Span)]) 
     diagnostic
 }
 
-/// Names that are probably meant to be created: vertices first, what has sides last.
+/// Names that are probably meant to be created: vertices first, faces last.
 fn not_listed(drawing: &Drawing, mut names: Vec<(NameId, Span)>) -> Option<Problem> {
     let rule = drawing.rule;
     let order = [Kind::Vertex, Kind::Halfedge, Kind::Edge, Kind::Face];
@@ -139,7 +139,7 @@ fn not_listed(drawing: &Drawing, mut names: Vec<(NameId, Span)>) -> Option<Probl
     Some(Problem { diagnostic, remedies })
 }
 
-/// Says where `before` draws a fan that only `after` names.
+/// Adds where `before` draws a fan that only `after` names.
 fn of_before(drawing: &Drawing, diagnostic: Diagnostic, word: &str) -> Diagnostic {
     let stars = drawing.rule.before.stars.iter();
     let unnamed = stars.flat_map(|star| &star.spokes).filter_map(|spoke| match spoke {

@@ -1,8 +1,8 @@
 //! Law 7: vertices stay orbits.
 //!
-//! The arcs outside of the drawing keep their ends, so the orbits of `after` are the stated
-//! links of `after` joined with the same arcs. For every arrangement of the arcs, every cycle
-//! must carry one label, no two the same, every surviving or new vertex one, an erased vertex
+//! The arcs outside the drawing keep their ends, so the orbits of `after` are the stated links of
+//! `after` joined with the same arcs. For every arrangement of the arcs, every cycle must carry one
+//! label, no two cycles the same, every surviving or new vertex must have one, an erased vertex
 //! none; and a vertex statement of `after` must be the cycle, in order.
 
 use super::arrangement::{agreeing, arrangements};
@@ -20,7 +20,7 @@ const MOST: usize = 100_000;
 /// The greatest number of cases that are kept to be shown.
 pub(super) const MOST_SHOWN: usize = 12;
 
-/// The rings that the proof of the law has looked at.
+/// The rings that the proof of the law has examined.
 #[derive(Clone, Debug)]
 pub(super) struct Rings {
     /// The chains of each vertex before, with the number of ways that its arcs can run, or
@@ -39,7 +39,7 @@ pub(super) struct RingCase {
     pub rings: Vec<(Option<NameId>, Vec<Step>)>,
 }
 
-/// Tests the law; what was looked at, or what is wrong.
+/// Tests the law: the rings examined, or what is wrong.
 pub(super) fn test(drawing: &Drawing) -> Result<Rings, Broken> {
     let links = Links::of(drawing.rule, &drawing.rule.before);
     let after = Links::of(drawing.rule, &drawing.rule.after);
@@ -105,8 +105,8 @@ pub(super) fn is_unstated(drawing: &Drawing, corner: &Corner) -> bool {
     drawing.before.star(corner.vertex).is_none() && drawing.after.star(corner.vertex).is_none()
 }
 
-/// The chains of a vertex that pass through the rewrite as they are: every link and label of
-/// theirs is after what it was before.
+/// The chains of a vertex that pass through the rewrite unchanged: each of their links and labels
+/// is the same before and after.
 pub(super) fn settled(drawing: &Drawing, corner: &Corner, after: &Links) -> Vec<usize> {
     let is_settled = |chain: &Chain| {
         let links = (0..chain.ports.len()).all(|at| {
@@ -155,7 +155,7 @@ pub(super) fn impossible(drawing: &Drawing, corner: &Corner) -> Problem {
         let message = format!(
             "no mesh matches: the vertex statement of {text} contradicts the loops and edges"
         );
-        // A letter that stands for nothing drawn.
+        // A letter that is not a name of the rule.
         let is_free = |letter: &&str| drawing.rule.free_name(letter) == *letter;
         let spoke = ["h", "s", "x", "y", "z"].into_iter().find(is_free).unwrap_or("h");
         let diagnostic = Diagnostic::error("impossible-drawing", message, star.span)
@@ -184,8 +184,8 @@ pub(super) fn impossible(drawing: &Drawing, corner: &Corner) -> Problem {
     Diagnostic::error("impossible-drawing", message, span).into()
 }
 
-/// The statement with its spokes as the loops and edges give them, if they are one chain of
-/// halfedges and all that the statement has besides is one fan.
+/// The statement with its spokes in the order that the loops and edges give, if they are one chain
+/// of listed halfedges and the statement has at most one fan.
 fn in_order(drawing: &Drawing, corner: &Corner, star: &Star) -> Option<String> {
     let [chain] = corner.chains.as_slice() else {
         return None;

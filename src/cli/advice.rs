@@ -1,7 +1,7 @@
-//! Advice on arguments that make no command: what was probably meant, in a line.
+//! Advice on invalid arguments: what was probably meant, in a line.
 //!
-//! Asked only where the arguments could not be read. What is said here is said in place of what
-//! the parser of arguments says; of what nothing is known here it speaks itself.
+//! Used only if the arguments could not be parsed. Advice replaces the message of the argument
+//! parser, which is printed if there is none.
 
 use std::path::Path;
 
@@ -13,7 +13,7 @@ use crate::source::FileId;
 use crate::syntax::parse;
 use crate::syntax::tree::Item;
 
-/// What was probably meant by arguments with an error in them.
+/// The advice on an error in the arguments.
 pub(super) fn advice(error: &clap::Error, words: &[String]) -> Option<String> {
     let invalid = |kind| match error.get(kind) {
         Some(ContextValue::String(word)) => Some(word.as_str()),
@@ -27,12 +27,12 @@ pub(super) fn advice(error: &clap::Error, words: &[String]) -> Option<String> {
     }
 }
 
-/// Words of the command line that are no options.
+/// The words of the command line that are not options.
 fn places(words: &[String]) -> Vec<&str> {
     words.iter().map(String::as_str).filter(|word| !word.starts_with('-')).collect()
 }
 
-/// A word that is no command: a file, or something of the library.
+/// Advice on a word that is not a command: a file, or an item of the library.
 fn no_command(word: &str) -> Option<String> {
     if ["emit", "compile", "export", "generate"].contains(&word) {
         return Some(format!(
@@ -80,7 +80,7 @@ pub(super) fn of_library(name: &str) -> Option<(LibraryFile, Item)> {
     })
 }
 
-/// A word for which there is no place.
+/// Advice on an unexpected word.
 fn too_much(word: &str, words: &[String]) -> Option<String> {
     let command = words.first()?.as_str();
     let at = words.iter().position(|known| known == word || known.starts_with(&format!("{word}=")));
@@ -120,7 +120,7 @@ fn too_much(word: &str, words: &[String]) -> Option<String> {
     is_mesh(Path::new(word)).then(|| format!("where the result goes says `-o {word}`"))
 }
 
-/// Several parameters behind one `--set`.
+/// Advice on several parameters after one `--set`.
 fn several_settings(words: &[String]) -> Option<String> {
     let is_setting = |word: &&String| word.contains('=') && !word.starts_with('-');
     let sets = words.iter().enumerate().filter(|(_, word)| *word == "--set");
@@ -130,7 +130,7 @@ fn several_settings(words: &[String]) -> Option<String> {
     Some(format!("each parameter has its own `--set`: `{}`", told.join(" ")))
 }
 
-/// A parameter of the script or operation that is written like an option.
+/// Advice on a parameter of the script or operation that is written like an option.
 fn parameter(name: &str, words: &[String]) -> Option<String> {
     let asked = places(words);
     let program = program::read(program::part(asked.get(1)?).0).ok()?.analysis.program;
@@ -143,7 +143,7 @@ fn parameter(name: &str, words: &[String]) -> Option<String> {
     })
 }
 
-/// Something is missing: perhaps since program and mesh are one.
+/// Advice on a missing argument: a mesh without a program.
 fn too_little(words: &[String]) -> Option<String> {
     let places = places(words);
     let [command @ ("run" | "apply"), only] = places.as_slice() else {

@@ -1,10 +1,10 @@
-//! `hedgerow check --aliases`: which names could be one, for people.
+//! `hedgerow check --aliases`: prints which names may stand for one element.
 
 use super::output::table;
 use crate::analysis::{NamesAsOne, RuleAliases};
 
-/// The names of a rule that could be one: a line each for what would be fine, would break and
-/// is not proved, and for what is impossible a line for each reason.
+/// The aliases of a rule as text: a line for each set that would be fine, would break or is not
+/// proved, and for the impossible ones a line for each reason.
 pub(super) fn show(rule: &RuleAliases) -> String {
     let name = rule.rule.iter().map(|rule| format!(", rule {rule}"));
     let title = format!("\n{}{}", rule.op, name.collect::<String>());

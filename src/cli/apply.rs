@@ -140,7 +140,7 @@ fn example(ty: Type) -> &'static str {
     }
 }
 
-/// For each parameter the place that `--at` gives it, by its name or else in their order.
+/// For each parameter the place that `--at` gives it, by its name or else in order.
 fn places(params: &[Param], texts: &[String]) -> Result<Vec<Option<Place>>, Failure> {
     let mut places: Vec<Option<Place>> = vec![None; params.len()];
     for text in texts {
@@ -204,7 +204,7 @@ struct Report {
 }
 
 impl Report {
-    /// The mesh stays as it is.
+    /// The report if nothing was applied: the mesh is unchanged.
     fn nothing(plan: &Plan, before: Counts) -> Self {
         Self {
             op: plan.name.clone(),

@@ -368,7 +368,7 @@ pub(super) struct TestArguments {
 }
 
 impl TestArguments {
-    /// Is the test of this name to be run?
+    /// True if the test of this name is to be run.
     pub fn wants(&self, name: &str) -> bool {
         let filter = self.filter.as_ref();
         filter.is_none_or(|filter| name.contains(filter.as_str()))
@@ -409,7 +409,7 @@ pub(super) struct LearnArguments {
     pub start: bool,
 }
 
-/// The reader of a whole number from a least to a largest one.
+/// A parser of whole numbers from `least` to `most`.
 fn within<T>(least: T, most: T) -> impl Fn(&str) -> Result<T, String> + Clone + Send + Sync
 where
     T: FromStr + PartialOrd + Display + Copy + Send + Sync,

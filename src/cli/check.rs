@@ -93,7 +93,7 @@ pub(super) fn check(arguments: &CheckArguments) -> Result<(), Failure> {
     }
 }
 
-/// The things that stand in a file without operations: `2 scripts, 1 test, no operations`.
+/// The contents of a file without operations: `2 scripts, 1 test, no operations`.
 fn without_ops(analysis: &Analysis) -> String {
     let Analysis { program, file, .. } = analysis;
     let scripts = program.scripts.iter().map(|script| ("script", script.span));
@@ -147,7 +147,7 @@ fn show(file: &str, verdicts: &[Verdict], verbose: bool) -> String {
     std::iter::once(file.to_string()).chain(lines).collect::<Vec<_>>().join("\n")
 }
 
-/// The reason why something is not proved that is not wrong itself.
+/// The reason why an operation without errors is not proved.
 pub(super) fn depends(lacks: &str) -> String {
     match lacks.contains(' ') {
         true => format!("depends on {lacks}"),
@@ -171,7 +171,7 @@ fn details(rule: &RuleVerdict) -> Vec<String> {
     told.chain(rule.guard.iter().flat_map(guard)).collect()
 }
 
-/// The tests of a guard, and what it need not.
+/// The tests of a guard, and the statements that need none.
 fn guard(guard: &GuardVerdict) -> Vec<String> {
     let tests = guard.tests.iter();
     let tests = tests.map(|claim| format!("        tested: {claim}"));

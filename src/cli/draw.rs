@@ -17,7 +17,7 @@ use crate::diagram::Op;
 use crate::draw::{Picture, Section, draw_op, draw_sheet, page, text_op};
 use crate::run::{Functions, calls_of_steps};
 
-/// The number of pixels of an image that are a unit of a diagram.
+/// The number of pixels per unit of a diagram.
 const PIXELS: f64 = 2.0;
 
 /// True if a name is that of a picture.
@@ -129,8 +129,8 @@ fn sections(program: &Program, name: Option<&str>) -> Result<Vec<Section>, Failu
     Ok(sections.collect())
 }
 
-/// Why an operation is not proved: the errors behind its name and before the next one, and what
-/// it calls that is not proved.
+/// The reasons why an operation is not proved: the errors between its name and the next one, and
+/// what it calls that is not proved.
 fn failures(analysis: &Analysis, op: usize) -> Vec<String> {
     let name = analysis.program.ops[op].span;
     let ops = analysis.program.ops.iter().map(|op| op.span);
@@ -177,7 +177,7 @@ fn show_verdict(verdict: &Verdict) -> String {
     format!("proved: {}", rules.collect::<Vec<_>>().join("; "))
 }
 
-/// Checks that a picture can go to a place: asked before anybody waits for it.
+/// Checks that a picture can be written to a path, before it is computed.
 pub(super) fn expect_picture(path: &Path) -> Result<(), Failure> {
     let extension = path.extension().and_then(|extension| extension.to_str());
     match extension {
@@ -194,11 +194,11 @@ fn no_kind(path: &Path) -> Failure {
     ))
 }
 
-/// Writes a picture as what the end of the file's name says.
+/// Writes a picture in the format that the extension of the path says.
 pub(super) fn write_picture(picture: &Picture, path: &Path, pixels: f64) -> Result<(), Failure> {
     let extension = path.extension().and_then(|extension| extension.to_str());
     match extension {
-        // What has no name is a picture that any tool reads.
+        // Standard output has no extension: it gets SVG.
         Some("svg") => write(path, picture.svg().as_bytes()),
         None if is_standard(path) => write(path, picture.svg().as_bytes()),
         Some("png") => write(path, &picture.png(pixels).map_err(Failure::usage)?),

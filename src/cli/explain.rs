@@ -7,7 +7,7 @@ use super::output::{say, table};
 use crate::analysis::{MEANINGS, Word, functions, word};
 use crate::diagnostic::{explain as explanation, explained};
 
-/// Says what a diagnostic means, and what mends it; or what a word of the language means.
+/// Explains a diagnostic and how to fix it, or a word of the language.
 pub(super) fn explain(arguments: &ExplainArguments) -> Result<(), Failure> {
     let Some(asked) = arguments.word.as_deref() else {
         let rows: Vec<_> = explained().map(|(code, law)| vec![code.into(), law.into()]).collect();
@@ -71,7 +71,7 @@ fn described(Word { forms, meaning }: Word) -> String {
     }
 }
 
-/// The word for what is written with signs, or called otherwise elsewhere.
+/// The word of the language for a sign, or for a term that is usual elsewhere.
 fn usual(asked: &str) -> &str {
     match asked {
         _ if asked.starts_with('*') => "fan",
@@ -84,7 +84,7 @@ fn usual(asked: &str) -> &str {
     }
 }
 
-/// The code in what may be copied from a message: `error[stale-vertex]: …`.
+/// The code in a text that may be copied from a message: `error[stale-vertex]: …`.
 fn bare(told: &str) -> &str {
     let inside = told.split_once('[').and_then(|(_, rest)| {
         let (code, _) = rest.split_once(']')?;

@@ -8,13 +8,13 @@ use super::output::complain;
 /// The reason why a command ends without success.
 #[derive(Debug)]
 pub(super) enum Failure {
-    /// Something is not proved, or a script failed; it has been said already.
+    /// Something is not proved, or a script failed; the reason is printed already.
     NotProved,
     /// A file, an argument or a mesh is at fault.
     Usage(String),
     /// The operation was refused.
     Refused(String),
-    /// All has been said already.
+    /// The reason is printed already.
     Silent(ExitCode),
 }
 
@@ -24,7 +24,7 @@ impl Failure {
         Self::Usage(message.to_string())
     }
 
-    /// The reason, where it has not been said already.
+    /// The reason, if it is not printed already.
     pub fn reason(&self) -> Option<&str> {
         match self {
             Failure::NotProved | Failure::Silent(_) => None,
@@ -32,7 +32,7 @@ impl Failure {
         }
     }
 
-    /// Says why, on standard error.
+    /// Prints the reason to standard error.
     pub fn tell(&self) {
         match self {
             Failure::NotProved | Failure::Silent(_) => {}

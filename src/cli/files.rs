@@ -1,4 +1,4 @@
-//! The files that results go to: whole, or not at all.
+//! Output files, written completely or not at all.
 
 use std::path::Path;
 
@@ -19,7 +19,8 @@ pub(super) fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
         .map_err(|reason| Failure::usage(format!("{}: {reason}", path.display())))
 }
 
-/// Said before a place is opened: if it is a pipe, it may wait until somebody reads.
+/// Lets Ctrl-C end the process at once if a path, such as a pipe, may block until it is read.
+/// Called before the path is opened.
 pub(super) fn expect_waiting(path: &Path) {
     if path.metadata().is_ok_and(|place| !place.is_file()) {
         interrupt::end_at_once();

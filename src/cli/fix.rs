@@ -1,7 +1,7 @@
-//! `hedgerow check --fix`: writes what surely mends a file.
+//! `hedgerow check --fix`: applies the certain fixes to a file.
 //!
-//! A fix may show what was hidden behind the mistake, so the text is looked at anew after each
-//! round. Nothing is written before all is done.
+//! A fix may reveal further errors, so the text is analyzed again after each round. Nothing is
+//! written before the last round.
 
 use std::collections::HashSet;
 use std::path::Path;
@@ -13,11 +13,11 @@ use super::program::{self, Program};
 use crate::diagnostic::{Diagnostic, Edit, Fix};
 use crate::source::{FileId, Source};
 
-/// The number of times a text is looked at anew at most.
+/// The most rounds.
 const MOST_ROUNDS: usize = 64;
 
-/// Reads a program, mends what can surely be mended in its file, and says what that was. Files
-/// that it uses stay as they are.
+/// Reads a program, applies the certain fixes to its file, and prints them. Files that it uses stay
+/// as they are.
 pub(super) fn mended(path: &Path) -> Result<Program, Failure> {
     let mut program = program::read(path)?;
     if !path.exists() {
@@ -52,8 +52,8 @@ pub(super) fn mended(path: &Path) -> Result<Program, Failure> {
     Ok(program)
 }
 
-/// The text with one sure fix of each diagnostic, as far as they do not overlap, and for each
-/// its line and what it does; nothing if there is none.
+/// The text with the fixes of diagnostics that have exactly one, as far as they do not overlap, and
+/// the line and the title of each; `None` if there is none.
 fn round(
     source: &Source,
     file: FileId,
@@ -62,7 +62,7 @@ fn round(
     let mut edits: Vec<&Edit> = Vec::new();
     let mut titles = Vec::new();
     for diagnostic in told {
-        // Of several a person has to choose.
+        // Between several, the user has to choose.
         let [fix] = diagnostic.fixes.as_slice() else {
             continue;
         };

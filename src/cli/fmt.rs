@@ -25,7 +25,7 @@ pub(super) fn fmt(arguments: &FmtArguments) -> Result<(), Failure> {
         } else {
             in_place(path, arguments.check)
         };
-        // One file that cannot be read keeps none of the others from being formatted.
+        // A file that cannot be read does not keep the others from being formatted.
         match done {
             Ok(fine) => well &= fine,
             Err(failure) => {
@@ -53,7 +53,7 @@ fn from_standard_input(check: bool) -> Result<bool, Failure> {
         return Ok(is_as_it_should(&text, &formatted, STANDARD_INPUT));
     }
     let written = stdout().lock().write_all(formatted.text.as_bytes());
-    // A reader that has gone away is no failure.
+    // A closed pipe is not a failure.
     let _ = written;
     Ok(formatted.diagnostics.is_empty())
 }
@@ -74,7 +74,7 @@ fn in_place(path: &Path, check: bool) -> Result<bool, Failure> {
     Ok(formatted.diagnostics.is_empty())
 }
 
-/// Formats, and says what is wrong with the text.
+/// Formats a text, and prints its diagnostics.
 fn formatted(text: &str, name: &str) -> Result<Formatted, Failure> {
     let mut sources = Sources::new();
     let file = sources.add(name, text);
@@ -95,7 +95,7 @@ fn is_as_it_should(text: &str, formatted: &Formatted, name: &str) -> bool {
     same && formatted.diagnostics.is_empty()
 }
 
-/// Puts a text in the place of a file, whole or not at all; its permissions stay.
+/// Replaces a file by a text, completely or not at all; its permissions stay.
 fn replace(path: &Path, text: &str) -> Result<(), FileReason> {
     replace_file(path, |output| output.write_all(text.as_bytes()).map_err(FileReason::Io))
 }

@@ -13,10 +13,10 @@ use crate::mesh::{
     Summary, validate_level,
 };
 
-/// The number of names of groups and the like that are shown.
+/// The most names of groups and the like that are shown.
 const MOST_NAMES: usize = 6;
 
-/// The number of bars of a histogram that are shown.
+/// The most bars of a histogram that are shown.
 const MOST_BARS: usize = 12;
 
 /// The number of bars in a line of 80 columns.
@@ -109,7 +109,7 @@ struct DumpReport<'a> {
     names: BTreeMap<&'a str, String>,
 }
 
-/// Tells if a mesh is of a level.
+/// Prints whether a mesh is of a level, and fails if it is not.
 fn tell_level(arguments: &InfoArguments, mesh: &Mesh, level: Level) -> Result<(), Failure> {
     let below = validate_level(mesh, level).err().map(|below| below.to_string());
     let file = arguments.mesh.display();
@@ -218,7 +218,7 @@ fn size(name: &str, value: f64) -> Vec<String> {
     }
 }
 
-/// The text about a measure that no number holds.
+/// The text for a measure that is not finite.
 const TOO_FAR: &str = "not measured: the coordinates are too large";
 
 fn row(name: &str, value: impl ToString) -> Vec<String> {

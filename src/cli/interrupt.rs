@@ -1,21 +1,21 @@
 //! Ctrl-C while a program runs.
 //!
-//! The first one asks the script to stop, which it does at its next turn, with nothing written;
-//! the second ends the process at once. So does the first when the script is done and its result
-//! goes into a pipe, which may wait for a reader for ever: there nothing is half-written.
+//! The first one asks the script to stop, which it does at its next turn, with nothing written; the
+//! second ends the process at once. So does the first one when the script is done and its result
+//! goes into a pipe, which may block indefinitely: no file is left half-written.
 
 use std::ops::ControlFlow;
 use std::process::exit;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// The exit code of a command that was interrupted: 128 and the number of the signal, as shells
-/// count.
+/// The exit code of a command that was interrupted: 128 plus the number of the signal, as is usual
+/// in shells.
 pub(super) const CODE: u8 = 130;
 
 static ASKED: AtomicBool = AtomicBool::new(false);
 static ENDS_AT_ONCE: AtomicBool = AtomicBool::new(false);
 
-/// Takes Ctrl-C from now on. Where that cannot be had, it ends the process as ever.
+/// Handles Ctrl-C from now on. If the handler cannot be set, Ctrl-C ends the process as usual.
 pub(super) fn listen() {
     let _ = ctrlc::set_handler(|| {
         let again = ASKED.swap(true, Ordering::SeqCst);
@@ -25,7 +25,7 @@ pub(super) fn listen() {
     });
 }
 
-/// From now on a request to stop ends the process; so does an earlier one that was not heard.
+/// From now on Ctrl-C ends the process at once; an earlier one that is still pending ends it now.
 pub(super) fn end_at_once() {
     ENDS_AT_ONCE.store(true, Ordering::SeqCst);
     if ASKED.load(Ordering::SeqCst) {
@@ -33,12 +33,12 @@ pub(super) fn end_at_once() {
     }
 }
 
-/// True if somebody has asked to stop.
+/// True if Ctrl-C was pressed.
 pub(super) fn is_asked() -> bool {
     ASKED.load(Ordering::Relaxed)
 }
 
-/// Goes on unless somebody has asked to stop.
+/// Continues unless Ctrl-C was pressed.
 pub(super) fn unless_asked() -> ControlFlow<()> {
     match is_asked() {
         true => ControlFlow::Break(()),

@@ -9,7 +9,7 @@ use super::output::{complain, say, table};
 use crate::analysis::read_program;
 use crate::lessons::{self, Lesson, judge_file};
 
-/// Lists the lessons, shows one, or judges what somebody has written.
+/// Lists the lessons, shows one, or checks a solution.
 pub(super) fn learn(arguments: &LearnArguments) -> Result<(), Failure> {
     let Some(name) = &arguments.lesson else {
         let rows = lessons::all().map(|it| vec![it.number().to_string(), it.title.to_owned()]);
@@ -42,7 +42,7 @@ fn show(lesson: &Lesson) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Writes the program of a lesson, over no file that is there.
+/// Writes the program of a lesson to a file that does not exist yet.
 fn start(lesson: &Lesson, file: &Path) -> Result<(), Failure> {
     if file.exists() {
         let shown = file.display();

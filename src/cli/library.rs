@@ -111,12 +111,12 @@ fn copy(files: &[LibraryFile], to: &Path, single: bool) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Writes a file that is not there yet, whole or not at all.
+/// Writes a file that does not exist yet, completely or not at all.
 fn write_new(place: &Path, text: &str) -> std::io::Result<()> {
     let mut file = File::create_new(place)?;
     let written = file.write_all(text.as_bytes());
     if written.is_err() {
-        // What is left of it is of no use; that it cannot be written is told.
+        // The incomplete file is of no use; the error of writing it is returned.
         let _ = std::fs::remove_file(place);
     }
     written

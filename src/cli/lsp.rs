@@ -4,7 +4,7 @@ use super::arguments::LspArguments;
 use super::failure::Failure;
 use crate::lsp::serve;
 
-/// Serves one client until it takes its leave.
+/// Serves one client until it exits.
 pub(super) fn lsp(_arguments: &LspArguments) -> Result<(), Failure> {
     match serve() {
         Ok(0) => Ok(()),

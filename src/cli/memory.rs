@@ -2,7 +2,7 @@
 
 use sysinfo::System;
 
-/// The bytes that a text says: `500M`, `4G`; without a letter, bytes.
+/// Reads a size in bytes: `500M`, `4G`; without a letter, bytes.
 pub fn read(text: &str) -> Result<usize, String> {
     let wrong = || format!("`{text}` is no size: write a number with K, M, G or T, as `4G`");
     let upper = text.trim().to_ascii_uppercase();
@@ -16,12 +16,12 @@ pub fn read(text: &str) -> Result<usize, String> {
     };
     let number: f64 = number.trim().parse().map_err(|_| wrong())?;
     let bytes = number * f64::from(shift).exp2();
-    // The cast keeps to the range.
+    // The cast saturates.
     if bytes >= 1.0 { Ok(bytes as usize) } else { Err(wrong()) }
 }
 
-/// Three quarters of what this process may have: of the machine, or of the container that it is
-/// in. All there is where that is not known.
+/// Three quarters of the memory of the machine, or of the container that this process is in;
+/// `usize::MAX` if that is not known.
 pub fn usual() -> usize {
     let Ok(mut system) = System::new() else {
         return usize::MAX;

@@ -1,4 +1,4 @@
-//! Meshes from files, and the files they go to.
+//! Reading meshes from files, and writing them.
 
 use std::io::{ErrorKind, Read, stdin};
 use std::path::{Path, PathBuf};
@@ -21,8 +21,7 @@ pub(super) fn is_tables(path: &Path) -> bool {
     FileFormat::of(path).is_ok_and(|format| format == FileFormat::Halfedges)
 }
 
-/// Reads a mesh, repairing it if that is asked for. A file without a vertex is taken for
-/// something else.
+/// Reads a mesh, repairing it if that is asked for. A file without a vertex is an error.
 pub(super) fn read(path: &Path, arguments: &RepairArguments) -> Result<MeshFile, Failure> {
     let read = match is_standard_input(path) {
         true => read_standard_input(arguments.repair())?,
@@ -36,7 +35,7 @@ fn is_standard_input(path: &Path) -> bool {
     path == Path::new("-")
 }
 
-/// Reads a mesh whose format is told by how it begins.
+/// Reads a mesh from standard input, whose first bytes tell the format.
 fn read_standard_input(repair: Option<Repair>) -> Result<Result<MeshFile, FileError>, Failure> {
     let mut bytes = Vec::new();
     stdin()
@@ -45,7 +44,7 @@ fn read_standard_input(repair: Option<Repair>) -> Result<Result<MeshFile, FileEr
     Ok(read_mesh_from("-", FileFormat::of_bytes(&bytes), &bytes, repair))
 }
 
-/// The same with neighbors near each other in memory.
+/// As [`read`], with neighbors near each other in memory.
 pub(super) fn read_reordered(
     path: &Path,
     arguments: &RepairArguments,
@@ -92,7 +91,7 @@ fn expect_read(path: &Path, read: Result<MeshFile, FileError>) -> Result<MeshFil
     Ok(file)
 }
 
-/// A file that could not be had, with what may have been meant.
+/// The failure to read a file, with what was probably meant.
 fn unreadable(path: &Path, error: FileError) -> Failure {
     let shown = path.display();
     let ends_as_program = path.extension().is_some_and(|end| end == "hedge");
@@ -117,7 +116,7 @@ fn unreadable(path: &Path, error: FileError) -> Failure {
     }
 }
 
-/// The mesh beside a path whose name is spelt nearly so, or that only has an ending more.
+/// The mesh beside a path with a similar name, or with the same name and an extension.
 fn near(path: &Path) -> Option<PathBuf> {
     let wanted = path.file_name()?.to_str()?;
     let folder = path.parent()?;
@@ -148,7 +147,7 @@ pub(super) fn read_tables(path: &Path) -> Result<Dump, Failure> {
     read_dump(&text).map_err(|error| Failure::usage(format!("{shown}: {error}")))
 }
 
-/// The table of a file that has one.
+/// The mesh of a file that has exactly one table.
 pub(super) fn only_table(path: &Path, mut dump: Dump) -> Result<Mesh, Failure> {
     match (dump.meshes.pop(), dump.meshes.len()) {
         (Some((_, mesh)), 0) => Ok(mesh),
@@ -161,8 +160,8 @@ pub(super) fn only_table(path: &Path, mut dump: Dump) -> Result<Mesh, Failure> {
     }
 }
 
-/// Writes a mesh, and says in a line what the file cannot hold. `blame` says what may have made
-/// a mesh that no list of polygons holds.
+/// Writes a mesh, and warns about what the file cannot hold. `blame` says what may have made a mesh
+/// that no list of polygons can hold.
 pub(super) fn write(
     path: &Path,
     file: &mut MeshFile,
@@ -220,7 +219,7 @@ pub(super) fn write(
     Ok(())
 }
 
-/// Says which attributes a file has no place for.
+/// Warns about attributes that a file cannot hold.
 fn tell_unheld(path: &Path, format: FileFormat, file: &MeshFile) {
     let unheld = file.unheld(format).into_iter();
     let told: Vec<_> = unheld.map(|(kind, name, ty)| format!("`{name}` ({kind} {ty})")).collect();
@@ -230,7 +229,7 @@ fn tell_unheld(path: &Path, format: FileFormat, file: &MeshFile) {
     }
 }
 
-/// Says which vertices a file loses.
+/// Warns about vertices that a file loses.
 fn tell_lost_vertices(path: &Path, format: FileFormat, file: &MeshFile) {
     let (shown, [merged, left_out]) = (path.display(), file.lost_vertices(format));
     if merged > 0 {
@@ -250,7 +249,8 @@ fn tell_lost_vertices(path: &Path, format: FileFormat, file: &MeshFile) {
     }
 }
 
-/// Says which corners of the file that was read have lost what they had.
+/// Warns about new corners without the texture coordinates or normals that the file that was read
+/// has.
 fn tell_bare(path: &Path, file: &MeshFile) {
     let shown = path.display();
     let kinds = ["texture coordinates (`vt`)", "normals (`vn`)"];
@@ -270,13 +270,13 @@ fn format(path: &Path) -> Result<FileFormat, Failure> {
     FileFormat::of(path).map_err(|reason| Failure::usage(format!("{shown}: {reason}")))
 }
 
-/// Says which attributes of corners are not those of their corners any more, and which new edges and
-/// faces have none.
+/// Warns about attributes of corners that are not those of their corners any more, and about new
+/// edges and faces that have none.
 pub(super) fn tell_displaced(path: &Path, places: &Places, mesh: &Mesh) {
     for told in places.displaced(mesh) {
         let (shown, attribute) = (path.display(), &told.attribute);
         let [some, all] = told.faces;
-        // Others may have been computed from these.
+        // Other values may have been computed from these.
         let least = if some < all { "at least " } else { "" };
         let corners = |count: usize| if count == 1 { "corner has" } else { "corners have" };
         let mut parts = Vec::new();
@@ -316,7 +316,7 @@ pub(super) fn numbers(path: &Path, file: &MeshFile) -> WrittenNumbers {
     }
 }
 
-/// Checks that a mesh can go to a place: its name tells how it is written.
+/// Checks that a mesh can be written to a path, whose extension tells the format.
 pub(super) fn expect_mesh(path: &Path) -> Result<(), Failure> {
     if is_standard(path) {
         return Ok(());
@@ -325,8 +325,8 @@ pub(super) fn expect_mesh(path: &Path) -> Result<(), Failure> {
     expect_place(path)
 }
 
-/// Checks that a file can go to a place, as far as can be told before there is one: asked first, so
-/// that nobody waits for a result that cannot be written.
+/// Checks that a file can be written to a path, as far as that can be told in advance: called
+/// early, so that no result is computed that cannot be written.
 pub(super) fn expect_place(path: &Path) -> Result<(), Failure> {
     let shown = path.display();
     let folder = path.parent().unwrap_or(Path::new(""));

@@ -1,9 +1,9 @@
-//! The command line: translation of commands into questions, and of answers into text.
+//! The command line: runs commands and prints their results.
 //!
-//! The only place, with the language server, that touches files and streams.
-//! Results go to standard output, everything said about them to standard error. Exit
-//! codes: 0 all is well; 1 something is not proved or not formatted, or a script failed; 2 bad
-//! usage or a file that cannot be read or written; 3 the operation was refused; 130 interrupted.
+//! Only the command line and the language server use the standard streams. Results go to standard
+//! output, messages about them to standard error. Exit codes: 0 all is well; 1 something is not
+//! proved or not formatted, or a script failed; 2 bad usage or a file that cannot be read or
+//! written; 3 the operation was refused; 130 interrupted.
 
 mod advice;
 mod aliases;
@@ -62,7 +62,7 @@ pub fn main() -> ExitCode {
                 return ended(Err(Failure::usage(advice)));
             }
             suggest_set(&mut error);
-            // Help and version are no failures; a closed pipe is nobody's.
+            // Help and version are not failures; a closed pipe is ignored.
             let _ = error.print();
             return ExitCode::from(if error.use_stderr() { 2 } else { 0 });
         }
@@ -89,7 +89,7 @@ pub fn main() -> ExitCode {
     })
 }
 
-/// Suggests `--set` for a value that stands among the arguments.
+/// Suggests `--set` for an unexpected argument of the form `NAME=VALUE`.
 fn suggest_set(error: &mut clap::Error) {
     let word = match (error.kind(), error.get(ContextKind::InvalidArg)) {
         (ErrorKind::UnknownArgument, Some(ContextValue::String(word))) => word.clone(),
@@ -102,7 +102,7 @@ fn suggest_set(error: &mut clap::Error) {
     }
 }
 
-/// The exit code of a command; a failure is told.
+/// The exit code of a command; prints its failure.
 fn ended(done: Result<(), Failure>) -> ExitCode {
     match done.and_then(|()| output::all_said()) {
         Ok(()) => ExitCode::SUCCESS,

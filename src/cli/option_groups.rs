@@ -54,7 +54,7 @@ pub(super) struct ThreadArguments {
 }
 
 impl ThreadArguments {
-    /// Sees to it that so many threads work.
+    /// Sets the number of threads, if one is given.
     pub fn set(&self) {
         #[cfg(feature = "threads")]
         if self.threads.is_some() {
@@ -161,7 +161,7 @@ impl LevelName {
     }
 }
 
-/// A number of threads as it is written.
+/// Reads a number of threads.
 #[cfg(feature = "threads")]
 fn threads(text: &str) -> Result<NonZeroUsize, String> {
     text.parse().map_err(|_| "a whole number from 1 is wanted".to_owned())

@@ -1,5 +1,5 @@
-//! Standard output and standard error. A reader that has gone away is no failure; a full disk
-//! is one, which is told when the command ends.
+//! Standard output and standard error. A closed pipe is not a failure; a full disk is one, which is
+//! reported when the command ends.
 
 use std::io::{self, IsTerminal, Write, stderr, stdout};
 use std::path::Path;
@@ -14,15 +14,15 @@ use crate::source::Sources;
 /// The number of diagnostics that are printed at most.
 const MOST_DIAGNOSTICS: usize = 50;
 
-/// The reason why standard output could not be written, for the first time.
+/// The first error in writing to standard output.
 static LOST: Mutex<Option<io::Error>> = Mutex::new(None);
 
-/// Prints a text to standard output, with a line end; nothing in it that a terminal would obey.
+/// Prints a text to standard output, with a line end, and with control characters replaced.
 pub(super) fn say(text: &str) {
     say_exactly(&shown(text));
 }
 
-/// The same for data, which is not looked at.
+/// As [`say`], for data: nothing is replaced.
 pub(super) fn say_exactly(text: &str) {
     let written = writeln!(stdout().lock(), "{text}");
     if let Err(error) = written
@@ -33,13 +33,13 @@ pub(super) fn say_exactly(text: &str) {
     }
 }
 
-/// True if a file is standard output: `-o -`, or what systems call it.
+/// True if a path is standard output: `-o -`, or a name of the system for it.
 pub(super) fn is_standard(path: &Path) -> bool {
     let names = ["-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"];
     names.into_iter().any(|name| path == Path::new(name))
 }
 
-/// Prints data as JSON to standard error, where standard output takes the result itself.
+/// Prints data as JSON to standard error, if standard output takes the result itself.
 pub(super) fn complain_json(data: &impl Serialize) -> Result<(), Failure> {
     let text = serde_json::to_string_pretty(data).map_err(Failure::usage)?;
     complain(&text);
@@ -58,7 +58,7 @@ pub(super) fn pour(bytes: &[u8]) -> Result<(), Failure> {
     }
 }
 
-/// Fails if something that was said is lost.
+/// Fails if some output could not be written.
 pub(super) fn all_said() -> Result<(), Failure> {
     let lost = LOST.lock().ok().and_then(|mut lost| lost.take());
     lost.map_or(Ok(()), |error| {
@@ -73,7 +73,7 @@ pub(super) fn say_json(data: &impl Serialize) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Prints a text to standard error, with a line end; nothing in it that a terminal would obey.
+/// Prints a text to standard error, with a line end, and with control characters replaced.
 pub(super) fn complain(text: &str) {
     let _ = writeln!(stderr().lock(), "{}", shown(text));
 }
@@ -86,7 +86,7 @@ pub(super) fn complain_of(diagnostics: &[Diagnostic], sources: &Sources) {
     let _ = write!(stderr().lock(), "{text}");
 }
 
-/// Columns of text, each as wide as its widest cell; numbers to the right.
+/// Columns of text, each as wide as its widest cell; those marked in `right` are aligned right.
 pub(super) fn table(rows: &[Vec<String>], right: &[bool]) -> String {
     let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
     let width = |column: usize| {

@@ -1,8 +1,8 @@
-//! Places on a mesh as one writes them: `edge:3-7`, `halfedge:3-7`, `vertex:3`, `face:12`; in
+//! Places on a mesh as they are written: `edge:3-7`, `halfedge:3-7`, `vertex:3`, `face:12`; in
 //! tables, where every element has an id, also `edge:5` and `halfedge:5`.
 //!
-//! Several edges may join the same two vertices. They are told apart by a count in the order of
-//! the file, `edge:3-7#2`; without one the first is meant, and that there are others is said.
+//! Several edges may join the same two vertices. They are told apart by a number in the order of
+//! the file, `edge:3-7#2`; without one the first is taken, with a note that there are others.
 
 use crate::diagram::Type;
 use crate::mesh::{EdgeId, FaceId, HalfedgeId, MeshFile, VertexId};
@@ -24,7 +24,7 @@ pub(super) enum Place {
     Face(u32),
 }
 
-/// Two vertices, and which of the edges between them, from 1, if that is said.
+/// Two vertices and, if given, the number of the edge between them, from 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Ends {
     from: u32,
@@ -129,7 +129,7 @@ impl Place {
 }
 
 impl Ends {
-    /// The halfedge from the one vertex to the other, and what is to be said of others.
+    /// The halfedge from one vertex to the other, and a note about others.
     fn halfedge(self, obj: &MeshFile, kind: &str) -> Result<(HalfedgeId, Option<String>), String> {
         let Ends { from, to, which } = self;
         let (start, end) = (vertex(obj, from)?, vertex(obj, to)?);
@@ -185,7 +185,7 @@ fn none_of(obj: &MeshFile, kind: &str, number: u32) -> String {
     format!("the mesh has no {kind} {number}{from_one}")
 }
 
-/// Edges and halfedges have numbers in tables alone.
+/// Fails unless the file numbers edges and halfedges, which only tables do.
 fn expect_ids(obj: &MeshFile, kind: &str) -> Result<(), String> {
     match obj.goes_by_ids() {
         true => Ok(()),

@@ -23,7 +23,7 @@ pub(super) fn plan(arguments: &PlanArguments) -> Result<(), Failure> {
     let program = program::read(path)?;
     let mut ops: Vec<_> = match name {
         Some(_) => vec![program::find_op(&program, name)?],
-        // A table of everything is more than anybody reads.
+        // A table of everything would be too long to read.
         None if arguments.shown == Shown::Table => vec![program::find_op(&program, None)?],
         None => all(&program, &style),
     };
@@ -73,7 +73,7 @@ pub(super) fn plan(arguments: &PlanArguments) -> Result<(), Failure> {
     }
 }
 
-/// The style of C++: the target first, then what is said besides.
+/// The style of C++: that of the target, then the `--style` options.
 fn style(arguments: &PlanArguments) -> Result<Style, Failure> {
     let mut style = Style::default();
     if arguments.shown != Shown::Cpp && (arguments.target.is_some() || !arguments.style.is_empty())
@@ -103,8 +103,8 @@ fn style(arguments: &PlanArguments) -> Result<Style, Failure> {
     Ok(style)
 }
 
-/// All ops of a file; of one that only uses others, those that it uses. A target that names ops
-/// is for these, and for what the file has itself.
+/// All ops of a file; if it has none, those that it uses, of which a target that names ops selects
+/// the named ones.
 fn all(program: &Program, style: &Style) -> Vec<usize> {
     let ops = &program.analysis.program.ops;
     let own = |at: &usize| ops[*at].span.file == program.analysis.file;
@@ -153,7 +153,7 @@ fn tables(plans: &[&Plan], program: &Program, exhaustive: bool) -> String {
     plans.join("\n\n\n") + "\n"
 }
 
-/// Leaves out the ops of a file that cannot be emitted, and says so, if others can.
+/// Leaves out the ops that cannot be emitted, with a message, if others can.
 fn leave_out(
     program: &Program,
     ops: &mut Vec<usize>,
@@ -182,7 +182,7 @@ fn emitted(program: &Program, text: Result<String, NotEmitted>) -> Result<String
     })
 }
 
-/// Plans as data: what the reference documents.
+/// Plans as data, in the form that the reference documents.
 fn data(
     program: &Program,
     ops: &[usize],

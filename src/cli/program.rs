@@ -18,10 +18,10 @@ pub(super) struct Program {
     pub analysis: Analysis,
 }
 
-/// Reads a program, and the files it uses. What is wrong inside them is in its diagnostics.
+/// Reads a program, and the files it uses. Errors inside them are in its diagnostics.
 ///
-/// A path that leads to no file, but does with `.hedge` behind it, means that; one that is the name
-/// of a file of the library means that.
+/// If a path leads to no file, `.hedge` is appended if that leads to one; a path may also be the
+/// name of a file of the library.
 pub(super) fn read(path: &Path) -> Result<Program, Failure> {
     let mut longer = path.as_os_str().to_owned();
     longer.push(".hedge");
@@ -49,7 +49,7 @@ pub(super) fn read(path: &Path) -> Result<Program, Failure> {
 }
 
 impl Program {
-    /// The program that a text of this name is.
+    /// Analyzes a text as the program of this name.
     pub(super) fn of(name: String, text: String) -> Self {
         let mut sources = Sources::new();
         let file = sources.add(name, text);
@@ -58,8 +58,8 @@ impl Program {
     }
 }
 
-/// Which of the ops that were applied may have left a mesh that is not simple, and what would
-/// refuse where they do.
+/// A text that says which of the applied ops may have left a mesh that is not simple, and which
+/// guard would refuse that.
 pub(super) fn blame<'n>(
     program: &Program,
     applied: impl IntoIterator<Item = &'n str>,
@@ -83,12 +83,12 @@ pub(super) fn blame<'n>(
     })
 }
 
-/// True if a file is a mesh, by its name: where program and mesh have changed places.
+/// True if a file is a mesh, by its name: used where program and mesh may be swapped.
 pub(super) fn is_mesh(path: &Path) -> bool {
     path.extension().is_some() && FileFormat::of(path).is_ok()
 }
 
-/// Expects that a path may lead to a program: to no mesh, no folder, and no item of a file.
+/// Checks that a path may lead to a program: not to a mesh, a folder or an item of a file.
 pub(super) fn expect_program(path: &Path) -> Result<(), Failure> {
     let shown = path.display().to_string();
     if is_mesh(path) {
@@ -114,7 +114,7 @@ pub(super) fn expect_program(path: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Reads a program that is wanted whole: says what is wrong, and stops there.
+/// Reads a program that must have no errors: prints its diagnostics, and fails if there are errors.
 pub(super) fn read_sound(path: &Path) -> Result<Program, Failure> {
     let program = read(path)?;
     complain_of(&program.analysis.diagnostics, &program.sources);
@@ -126,7 +126,7 @@ pub(super) fn read_sound(path: &Path) -> Result<Program, Failure> {
     }
 }
 
-/// Parts `FILE::NAME`.
+/// Splits `FILE::NAME`.
 pub(super) fn part(text: &str) -> (&Path, Option<&str>) {
     match text.rsplit_once("::") {
         Some((file, name)) => (Path::new(file), Some(name)),
@@ -180,7 +180,7 @@ pub(super) fn find_script(program: &Program, name: Option<&str>) -> Result<usize
 struct Candidate<'p> {
     index: usize,
     name: &'p str,
-    /// True if it stands in the file itself, not in one that it uses.
+    /// True if it is in the file itself, not in one that it uses.
     own: bool,
 }
 
@@ -235,7 +235,7 @@ fn find(
     Err(Failure::usage(format!("the file has no {what} `{name}`; {advice}")))
 }
 
-/// Parts every `NAME=VALUE` of `--set`.
+/// Splits every `NAME=VALUE` of `--set`.
 pub(super) fn settings(texts: &[String]) -> Result<Vec<(String, String)>, Failure> {
     let part = |text: &String| match text.split_once('=') {
         Some((name, value)) => Ok((name.trim().to_string(), value.trim().to_string())),

@@ -43,7 +43,7 @@ impl Progress {
         Self { bar, lines_to_stderr, compiling: Duration::ZERO }
     }
 
-    /// Takes the bar away.
+    /// Removes the bar.
     pub fn finish(&self) {
         self.bar.finish_and_clear();
     }

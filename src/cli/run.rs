@@ -80,7 +80,7 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
     })?;
     let run = started.elapsed().as_secs_f64();
 
-    // The script may have brought it.
+    // The script may have created the attribute.
     let shown = arguments.attribute.as_ref();
     let shown = shown.map(|name| attribute(&obj.mesh, name)).transpose()?;
     let started = Instant::now();
@@ -143,7 +143,7 @@ struct Report {
     drains: Vec<Drain>,
 }
 
-/// The report on the keys of a loop `drain`.
+/// The report on the keys of a `drain` loop.
 #[derive(Serialize)]
 struct Drain {
     place: String,
@@ -187,7 +187,7 @@ struct Seconds {
     compile: f64,
     run: f64,
     save: f64,
-    /// Of the run, what it took to compile native code.
+    /// The part of the run that compiled native code.
     #[serde(skip_serializing_if = "Option::is_none")]
     native: Option<f64>,
 }

@@ -1,12 +1,12 @@
-//! `hedgerow run FILE::SCRIPT --help`: what a script does, and what it can be told.
+//! `hedgerow run FILE::SCRIPT --help`: what a script does, and its parameters.
 
 use super::failure::Failure;
 use super::output::{complain_of, say, table};
 use super::program::{self, Program};
 use crate::resolve::Script;
 
-/// The script that the arguments of this process ask help about, if they do: the first word
-/// behind `run` that is no option.
+/// The script that the arguments of this process ask help about, if they do: the first word after
+/// `run` that is not an option.
 pub(super) fn asked(mut arguments: impl Iterator<Item = String>) -> Option<String> {
     let command = arguments.find(|argument| !argument.starts_with('-'));
     command.filter(|command| command == "run")?;
@@ -14,7 +14,7 @@ pub(super) fn asked(mut arguments: impl Iterator<Item = String>) -> Option<Strin
     rest.find(|argument| !argument.starts_with('-'))
 }
 
-/// Says what a script does, or all scripts of a file if none is named.
+/// Prints what a script does, or all scripts of a file if none is named.
 pub(super) fn help(script: &str) -> Result<(), Failure> {
     let (path, name) = program::part(script);
     let program = program::read(path)?;

@@ -24,7 +24,7 @@ use crate::source::Span;
 /// The largest mesh that a program loads, in bytes: 1 GiB.
 const LARGEST_MESH: u64 = 1 << 30;
 
-/// Runs the tests of files, and says which fail.
+/// Runs the tests of files, and prints which fail.
 pub(super) fn test(arguments: &TestArguments) -> Result<(), Failure> {
     interrupt::listen();
     let mut files = Vec::new();
@@ -123,7 +123,7 @@ fn run_file(program: &Program, path: &Path, arguments: &TestArguments) -> FileRe
     }
 }
 
-/// The mesh of a path that is written in some file: beside it.
+/// Reads the mesh of a path, relative to the folder of the file that names it.
 fn load(program: &Program, path: &str, span: Span) -> Result<MeshFile, String> {
     let home = Path::new(program.sources.get(span.file).name());
     let path = home.parent().unwrap_or(Path::new("")).join(path);
@@ -132,7 +132,7 @@ fn load(program: &Program, path: &str, span: Span) -> Result<MeshFile, String> {
     read.map_err(|failure| failure.reason().unwrap_or_default().to_owned())
 }
 
-/// The lines that a test prints; it is shown only if the test fails.
+/// The lines that a test prints, which are shown only if it fails.
 #[derive(Default)]
 struct Lines(Vec<String>);
 

@@ -18,7 +18,7 @@ pub(super) struct Witnesses {
 }
 
 impl Witnesses {
-    /// Writes counterexamples to a folder, which is made if need be.
+    /// Writes counterexamples to a folder, which is created if necessary.
     pub fn write(&mut self, folder: &Path, examples: &[Counterexample]) -> Result<(), Failure> {
         if examples.is_empty() {
             return Ok(());

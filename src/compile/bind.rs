@@ -52,8 +52,8 @@ impl Collect<'_, '_, '_, '_> {
         }
     }
 
-    /// Begins at one halfedge of an element; a test that fails from here on comes back to
-    /// try the next one.
+    /// Begins at one halfedge of an element; a test that fails from here on jumps back to try the
+    /// next one.
     fn attempt(&mut self, begin: &Begin) {
         let of = match begin.first {
             Pointer::EdgeHalfedge => ElementField::Edge,
@@ -74,7 +74,7 @@ impl Collect<'_, '_, '_, '_> {
             self.output.asm.emit(Inst::ExpectDistinct { left: start, right, refusal, otherwise });
         }
         self.output.asm.emit(Inst::Copy { to, from: start });
-        // One try needs no counting: where it fails, all have failed.
+        // One try needs no counting: if it fails, all have failed.
         if begin.tries != Tries::Some(1) {
             self.try_again(begin, to, start);
         }
@@ -87,7 +87,8 @@ impl Collect<'_, '_, '_, '_> {
         self.row(Cell::Set { target, value: begin.claim.clone() });
     }
 
-    /// The way back for what fails: to the next halfedge, until it is the one at the start.
+    /// The retry: goes on to the next halfedge, until that is the first one again or all tries are
+    /// used.
     fn try_again(&mut self, begin: &Begin, to: Reg, start: Reg) {
         let (first, again) = (self.output.asm.label(), self.output.asm.label());
         let tried = match begin.tries {
@@ -113,7 +114,7 @@ impl Collect<'_, '_, '_, '_> {
         self.fail = again;
     }
 
-    /// Whether a path is empty: then what follows it is what it begins with.
+    /// Computes whether a path is empty: it is if its first halfedge is what follows it.
     pub(super) fn is_empty(&mut self, EmptyPath { path, next, .. }: EmptyPath) {
         let Some(home) = self.registers.home_of_empty(path) else {
             return;

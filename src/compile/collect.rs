@@ -142,7 +142,7 @@ impl Collect<'_, '_, '_, '_> {
         self.output.asm.release(mark);
     }
 
-    /// The condition that all of these paths, which may be empty, are.
+    /// The register of whether all of these paths, each of which may be empty, are empty.
     pub(super) fn are_empty(&mut self, paths: &[NameId]) -> Reg {
         let all = self.output.asm.constant_bool(true);
         paths.iter().fold(all, |left, &path| {
@@ -226,7 +226,8 @@ impl Collect<'_, '_, '_, '_> {
         values.collect()
     }
 
-    /// The expression in terms of what is the same at every index, which is computed here.
+    /// Computes the parts of an expression that are the same at every index; the expression in
+    /// terms of them.
     fn hoisted(&mut self, expr: &Expr, at_each_index: bool) -> Expr {
         if !at_each_index {
             return expr.clone();
@@ -281,7 +282,7 @@ impl Collect<'_, '_, '_, '_> {
         self.output.asm.emit(Inst::ExpectRoom { room, refusal, otherwise: self.fail });
     }
 
-    /// A buffer that is empty here: an attempt that failed may have filled it.
+    /// A buffer, cleared here: a failed attempt may have filled it.
     pub(super) fn buffer(&mut self) -> u16 {
         let buffer = self.output.asm.buffer();
         self.output.asm.emit(Inst::BufferClear { buffer });

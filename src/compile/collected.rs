@@ -1,9 +1,9 @@
-//! The results of phase 1 for the phases behind it.
+//! Results of phase 1 for the later phases.
 
 use super::registers::{Home, Registers};
 use crate::rewrite::Reg;
 
-/// The results of phase 1 for the others.
+/// The results of phase 1 for the later phases.
 pub(super) struct Collected {
     pub registers: Registers,
     /// For each path and fan that moves, its halfedges.
@@ -12,18 +12,18 @@ pub(super) struct Collected {
     pub values: Vec<Home>,
 }
 
-/// The place of the halfedges of a path or fan.
+/// The buffers with the halfedges of a path or fan.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Run {
-    /// All of them; of a family those of every index, one after the other.
+    /// All halfedges; for a family, those of every index, one after the other.
     pub buffer: u16,
-    /// Of a family, where those of each index end.
+    /// For a family, a buffer with the end of the halfedges of each index.
     pub ends: Option<u16>,
 }
 
 /// The kind of test for a claim about families.
 pub(super) enum Around {
-    /// A register says whether it holds.
+    /// The register of whether it holds.
     Holds(Reg),
     /// All slots of a buffer must differ.
     Distinct(u16),

@@ -1,7 +1,7 @@
 //! The guard: tests of the result before it is written. All of it belongs to phase 1.
 //!
-//! What the mesh itself is asked is asked first. Then the pointers of phase 3 are set on a preview,
-//! the others are asked of it, and all is put back.
+//! Questions that the mesh itself can answer are asked first. Then the pointers of phase 3 are set
+//! on a preview, the other tests are made on it, and the preview is undone.
 
 use super::collect::Collect;
 use super::collected::{Collected, Run};
@@ -13,13 +13,13 @@ use crate::lower::{GuardTest, Operation, PreviewReads, Question};
 use crate::mesh::OrbitCondition;
 use crate::rewrite::{Cell, Inst, Phase, Question as Query, Reg};
 
-/// What is known of a test before the preview.
+/// The state of a test before the preview.
 enum Known {
-    /// Whether it holds.
+    /// The register of whether it holds.
     Answer(Reg),
     /// The buffer of the halfedges along which the preview is asked.
     Along(u16),
-    /// What the preview is asked.
+    /// Nothing: the preview is asked for this condition.
     Nothing { condition: OrbitCondition, of: NameId, at: Option<NameId> },
 }
 
@@ -51,7 +51,7 @@ impl Collect<'_, '_, '_, '_> {
         self.output.asm.release(mark);
     }
 
-    /// What is read of the mesh for a test before the preview.
+    /// Reads from the mesh what a test needs before the preview.
     fn known(&mut self, test: &GuardTest, collected: &Collected) -> Known {
         match test.question {
             Question::NotAdjacent(ends) => {
@@ -81,7 +81,7 @@ impl Collect<'_, '_, '_, '_> {
                 }),
             }
         }
-        // They are shown where they are executed.
+        // The rows are shown where the writes are executed.
         let mut rows = Vec::new();
         Reassign {
             output: self.output,

@@ -3,7 +3,7 @@
 use super::registers::Registers;
 use crate::rewrite::{Assembler, Inst, Label, Mark, Reg};
 
-/// A loop over the indices, to be ended.
+/// A loop over the indices that has been begun.
 pub(super) struct IndexLoop {
     begin: Label,
     end: Label,
@@ -12,7 +12,7 @@ pub(super) struct IndexLoop {
 }
 
 impl Registers {
-    /// Begins what is done for each index. The registers taken inside are given back.
+    /// Begins a loop over the indices. The registers taken inside are released at its end.
     pub fn begin_index_loop(&mut self, asm: &mut Assembler) -> IndexLoop {
         let indices = IndexLoop {
             begin: asm.label(),
@@ -29,7 +29,7 @@ impl Registers {
         indices
     }
 
-    /// Ends what is done for each index.
+    /// Ends a loop over the indices.
     pub fn end_index_loop(&mut self, asm: &mut Assembler, indices: IndexLoop) {
         asm.emit(Inst::Jump { to: indices.begin });
         asm.bind(indices.end);

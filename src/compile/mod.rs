@@ -1,9 +1,9 @@
-//! A proved operation to a plan, and typed expressions to register code.
+//! Compilation of proved operations to plans, and of typed expressions to register code.
 //!
-//! [`compile`] takes what only the checker makes, so an unproved operation cannot run. It
-//! lays out the four phases (collect, allocate, reassign, erase) twice: as code for the
-//! machine, and as a table to read. The table is exhaustive; the code leaves out what
-//! provably does not change.
+//! [`compile`] takes a value that only the checker makes, so an unproved operation cannot run. It
+//! lays out the four phases (collect, allocate, reassign, erase) twice: as code for the machine,
+//! and as a table to read. The table is exhaustive; the code leaves out what provably does not
+//! change.
 
 mod operation;
 mod output;

@@ -20,10 +20,11 @@ use crate::source::Sources;
 /// Compiles a proved operation.
 ///
 /// `sources` gives the words of its expressions for the table; `functions` are those of the
-/// program, all of which know the same texts.
+/// program, all of which share the same texts.
 ///
 /// # Errors
-/// [`TooLarge`] when the diagrams need more registers, or more reasons to refuse, than there can be.
+/// [`TooLarge`] if the diagrams need more registers, or more reasons to refuse, than code can
+/// number.
 pub fn compile(
     proved: &Proved,
     sources: &Sources,
@@ -47,7 +48,7 @@ pub fn compile(
         output.asm.bind(next_rule);
     }
     output.asm.emit(Inst::Refuse);
-    // The last number is that of all that have none.
+    // `u16::MAX` is also the number of every refusal beyond the range.
     if output.refusals.len() > usize::from(u16::MAX) {
         return Err(TooLarge);
     }
@@ -114,7 +115,7 @@ fn alternative(
     (stage, matched)
 }
 
-/// The homes of the names of `before` when all has matched.
+/// The homes of the names of `before` after matching.
 fn matched(output: &Output, drawing: &Drawing, registers: &Registers) -> Matched {
     let rule = drawing.rule;
     let names = (0..rule.names.len() as u32).map(NameId);

@@ -24,7 +24,7 @@ pub(super) struct Output<'a> {
     pub sources: &'a Sources,
     pub places: Vec<Span>,
     pub refusals: Vec<Refusal>,
-    /// Their numbers: an operation of hundreds of names has tens of thousands.
+    /// The number of each refusal: an operation with hundreds of names has tens of thousands.
     numbers: HashMap<Refusal, u16>,
 }
 
@@ -45,7 +45,7 @@ impl<'a> Output<'a> {
         self.places.len() as u32 - 1
     }
 
-    /// The number of a refusal; the same for equal ones.
+    /// The number of a refusal; equal refusals share one.
     pub fn refusal(&mut self, reason: String, phase: Phase) -> u16 {
         let refusal = Refusal { reason, phase };
         let next = u16::try_from(self.refusals.len()).unwrap_or(u16::MAX);

@@ -17,16 +17,17 @@ pub(super) struct Reassign<'o, 's, 'd, 'r> {
     pub registers: Registers,
     pub collected: &'d Collected,
     pub values: &'d [Value<'d>],
-    /// The place where the pointers are set.
+    /// The target of the writes.
     pub target: WriteTarget,
     pub rows: &'r mut Vec<Row>,
 }
 
 impl Reassign<'_, '_, '_, '_> {
-    /// The code of the whole phase. All that is stored has been loaded before the first
-    /// store: the selects in between read registers only.
+    /// The code of the whole phase. All values to store have been loaded before the first store:
+    /// the selects in between read only registers.
     pub fn emit(mut self) {
-        // Of each loop of paths that may be empty, the first halfedges of those that are not.
+        // For each loop of paths that may be empty, the buffer of the first halfedges of those that
+        // are not.
         let mut linked = Vec::new();
         for reassignment in self.drawing.reassignments() {
             self.indexed(reassignment.at_each_index, |this| {
@@ -46,7 +47,7 @@ impl Reassign<'_, '_, '_, '_> {
         self.registers.element(&mut self.output.asm, name)
     }
 
-    /// Does something, at each index if that is wanted.
+    /// Emits code, in a loop over the indices if `at_each_index`.
     pub(super) fn indexed(&mut self, at_each_index: bool, what: impl FnOnce(&mut Self)) {
         let indices = at_each_index.then(|| self.registers.begin_index_loop(&mut self.output.asm));
         what(self);
@@ -95,7 +96,7 @@ impl Reassign<'_, '_, '_, '_> {
                 self.set(target, self.word(*vertex).into(), store);
             }
             Write::Hole { face, is_hole, changes } => {
-                // The preview knows nothing of what is new.
+                // On the preview it is set for new faces, too.
                 let is_set = *changes || self.target != WriteTarget::Mesh;
                 let store = Inst::StoreHole { face: self.element(*face), hole: *is_hole };
                 let target = format!("{}.hole", self.word(*face));
@@ -190,7 +191,7 @@ impl Reassign<'_, '_, '_, '_> {
                 asm.bind(skip);
             }
         });
-        // From here on an index counts the paths that are there.
+        // From here on the index counts the paths that are not empty.
         let cycle = self.registers.cycle.replace(heads);
         self.indexed(true, |this| {
             let [tail, head] =
@@ -199,7 +200,7 @@ impl Reassign<'_, '_, '_, '_> {
                 let next = period[(at + 1) % period.len()];
                 let [last, first] = [("last", path), ("first", next)]
                     .map(|(end, path)| format!("{end}({})", this.word(path)));
-                // The first two lines link all.
+                // The stores of the first path run at each index, and link all.
                 let store = |field, halfedge, value| {
                     (at == 0).then_some(Inst::Store { field, halfedge, value })
                 };

@@ -1,4 +1,4 @@
-//! Registers of the names of a rule: in the window, or, one slot for each index, in a buffer.
+//! Registers of the names of a rule: in the window or, with one slot for each index, in a buffer.
 
 use std::collections::HashMap;
 
@@ -8,12 +8,13 @@ use crate::diagram::{Drawing, Expr, ExprKind, Kind, NameId};
 use crate::rewrite::{Assembler, Inst, Reg};
 use crate::source::Span;
 
-/// The home of a name.
+/// The place where the value of a name is held.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Home {
     /// In a register.
     Reg(Reg),
-    /// For each index of the cycle in a buffer; this is the member so far from the index.
+    /// In a buffer, with a slot for each index of the cycle; this is the member `shift` after the
+    /// index.
     Member {
         /// The buffer.
         buffer: u16,
@@ -29,11 +30,11 @@ pub(super) struct Registers {
     lasts: Vec<Home>,
     /// For each path that may be empty, whether it is.
     empty: Vec<Option<Home>>,
-    /// The members at index 0 that are known before their families are.
+    /// The registers of members at index 0 that are known before their families are bound.
     begun: HashMap<NameId, Reg>,
     /// A buffer as long as the cycle, once a family is bound.
     pub cycle: Option<u16>,
-    /// The index, inside of what is done for each.
+    /// The index, inside a loop over the indices.
     index: Option<Reg>,
     /// Members that an expression reads.
     loaded: HashMap<NameId, Reg>,
@@ -44,7 +45,7 @@ pub(super) struct Registers {
 }
 
 impl Registers {
-    /// Gives each name its home; a parameter that is drawn keeps its own.
+    /// Assigns each name a home; a parameter that is drawn keeps its own register.
     pub fn new(asm: &mut Assembler, drawing: &Drawing, params: &[Reg]) -> Self {
         let rule = drawing.rule;
         let count = rule.names.len();
@@ -131,7 +132,7 @@ impl Registers {
         self.empty[path.index()]
     }
 
-    /// The register of a home; that of a member is loaded, at index 0 where there is no index.
+    /// The register of a home; a member is loaded, at index 0 outside a loop over the indices.
     pub fn read(&self, asm: &mut Assembler, home: Home) -> Reg {
         match home {
             Home::Reg(reg) => reg,
@@ -164,12 +165,12 @@ impl Registers {
         *self.begun.entry(name).or_insert_with(|| asm.reg())
     }
 
-    /// Enters or leaves what is done for each index.
+    /// Enters or leaves a loop over the indices.
     pub fn set_index(&mut self, index: Option<Reg>) {
         self.index = index;
     }
 
-    /// The index, inside of what is done for each.
+    /// The index, inside a loop over the indices.
     pub fn index(&self) -> Option<Reg> {
         self.index
     }
@@ -198,7 +199,7 @@ impl Registers {
         self.first_place = first;
     }
 
-    /// The places given out since they were last taken.
+    /// The places given out since the last call.
     pub fn take_places(&mut self) -> Vec<Span> {
         std::mem::take(&mut self.places)
     }
@@ -208,7 +209,7 @@ impl Scope for Registers {
     fn element(&self, name: NameId) -> Reg {
         match self.home(name) {
             Home::Reg(reg) => reg,
-            // `load_members` has been there.
+            // `load_members` has loaded it.
             Home::Member { .. } => self.loaded.get(&name).copied().unwrap_or(Reg(0)),
         }
     }

@@ -1,4 +1,4 @@
-//! The halfedges of paths and fans that move, collected while the mesh is as it was.
+//! The halfedges of paths and fans that move, collected while the mesh is unchanged.
 
 use super::collect::Collect;
 use super::collected::Run;

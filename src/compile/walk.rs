@@ -1,4 +1,4 @@
-//! Families in phase 1: the walk that binds them, and what is claimed of all of them at once.
+//! Families in phase 1: the walk that binds them, and claims about all of their members at once.
 
 use super::collect::Collect;
 use super::collected::Around;
@@ -99,12 +99,12 @@ impl Collect<'_, '_, '_, '_> {
                 self.registers.end_index_loop(&mut self.output.asm, indices);
                 Around::Holds(self.not(all))
             }
-            // The others speak of one index.
+            // The other claims are about one index.
             _ => Around::Holds(self.output.asm.constant_bool(true)),
         }
     }
 
-    /// A buffer with all these elements, and all members of the families among them.
+    /// A buffer with all these elements, and for a family with all of its members.
     fn all_of(&mut self, names: &[NameId]) -> u16 {
         let to = self.buffer();
         for &name in names {
@@ -118,7 +118,7 @@ impl Collect<'_, '_, '_, '_> {
         to
     }
 
-    /// Tests the room for new elements of a kind: so many once, and so many for each index.
+    /// Tests for room for new elements of a kind: `once`, and `each` for every index.
     pub(super) fn room_around(&mut self, kind: Kind, [once, each]: [u16; 2], refusal: u16) {
         let (Some(kind), Some(cycle)) = (kind_of_element(kind), self.registers.cycle) else {
             return;

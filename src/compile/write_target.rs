@@ -1,4 +1,4 @@
-//! Targets of the writes of phase 3: the mesh, or first a preview of it, for a guard to look at.
+//! Targets of the writes of phase 3: the mesh, or before that a preview for a guard to look at.
 
 use crate::diagram::Pointer;
 use crate::lower::{PreviewReads, StarWalk};
@@ -8,12 +8,12 @@ use crate::rewrite::{ElementField, HalfedgeField, Inst};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum WriteTarget {
     Mesh,
-    /// The preview of the mesh that guards look at, as far as they do.
+    /// A preview of the mesh, as far as guards read it.
     Preview(PreviewReads),
 }
 
 impl WriteTarget {
-    /// The same store, there; none if nobody reads it.
+    /// The same store on this target; `None` if nothing reads it.
     pub fn aim(self, inst: Inst) -> Option<Inst> {
         let Self::Preview(reads) = self else {
             return Some(inst);

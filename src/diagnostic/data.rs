@@ -5,13 +5,13 @@ use crate::source::Span;
 /// The severity of a diagnostic.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Severity {
-    /// The program means something, but probably not what was wanted.
+    /// The program is valid, but probably not what was intended.
     Warning,
     /// The program cannot be used.
     Error,
 }
 
-/// A place, and what to say there.
+/// A place with a text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Label {
     /// The place.
@@ -25,33 +25,33 @@ pub struct Label {
 pub struct Edit {
     /// The span that is replaced; empty to insert.
     pub span: Span,
-    /// The text that stands there afterwards.
+    /// The replacement text.
     pub text: String,
 }
 
-/// A change that surely removes the diagnostic.
+/// A change that is certain to resolve the diagnostic.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fix {
-    /// The change, as an imperative: "insert `edge e2: c | c'`".
+    /// The change, in the imperative: "insert `edge e2: c | c'`".
     pub title: String,
     /// The replacements; they do not overlap.
     pub edits: Vec<Edit>,
 }
 
-/// Something to tell the person who wrote the program.
+/// A message to the author of the program.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostic {
     /// Its severity.
     pub severity: Severity,
     /// A stable name in kebab case, which `hedgerow explain` documents.
     pub code: &'static str,
-    /// One line, lower case, understandable alone.
+    /// One line in lower case that can be understood on its own.
     pub message: String,
-    /// The place it is about: the first label is the primary one.
+    /// The places it is about; the first label is the primary one.
     pub labels: Vec<Label>,
-    /// Remarks that help to understand it.
+    /// Remarks that explain it.
     pub notes: Vec<String>,
-    /// Changes that surely mend it.
+    /// Changes that are certain to resolve it.
     pub fixes: Vec<Fix>,
 }
 
@@ -71,13 +71,13 @@ impl Diagnostic {
         Self { severity, code, message, labels, notes: Vec::new(), fixes: Vec::new() }
     }
 
-    /// Says something at the primary place.
+    /// Sets the text at the primary place.
     pub fn saying(mut self, text: impl Into<String>) -> Self {
         self.labels[0].text = text.into();
         self
     }
 
-    /// Points at one more place.
+    /// Adds a label at another place.
     pub fn label(mut self, span: Span, text: impl Into<String>) -> Self {
         self.labels.push(Label { span, text: text.into() });
         self

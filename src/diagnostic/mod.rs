@@ -1,8 +1,9 @@
 //! Diagnostics as data: a code, a message, places, notes and fixes.
 //!
-//! Every layer that can fail turns its failures into [`Diagnostic`]s in one place;
-//! [`render`] prints them to a terminal, [`explain`] says what a code means. A message is one line, lower case, and can be
-//! understood alone; labels point; a fix is offered only when it is surely right.
+//! Every layer that can fail turns its failures into [`Diagnostic`]s in one place; [`render`]
+//! prints them to a terminal, [`explain`] documents a code. A message is one line in lower case
+//! that can be understood on its own; labels point at places; a fix is offered only when it is
+//! certainly right.
 
 mod data;
 mod explain;

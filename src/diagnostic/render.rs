@@ -1,7 +1,7 @@
 //! Diagnostics on a terminal.
 //!
-//! A diagnostic may come from anywhere and point anywhere: spans are clamped to their text
-//! and to whole characters, and places in files that are not there are left out.
+//! A diagnostic may point anywhere: spans are clamped to their text and to whole characters, and
+//! places in unknown files are left out.
 
 use super::data as diagnostic;
 use super::shown::{showable, shown};
@@ -12,18 +12,18 @@ use std::collections::BTreeMap;
 use std::fmt;
 use std::ops::Range;
 
-/// The longest line that is shown, in bytes; of longer ones only the place is told.
+/// The maximum length of a line that is shown, in bytes; for longer ones only the place is given.
 const WIDEST: usize = 400;
 
-/// The greatest number of places that are drawn and say nothing; the message names more.
+/// The maximum number of labels without text that are drawn.
 const MOST_SILENT: usize = 4;
 
 /// The style of printing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Rendering {
-    /// True to colour.
+    /// True to print in colour.
     pub colour: bool,
-    /// The greatest number of diagnostics to print; the rest is counted.
+    /// The maximum number of diagnostics to print; the rest is counted.
     pub most: usize,
 }
 
@@ -45,7 +45,7 @@ pub fn render(diagnostics: &[Diagnostic], sources: &Sources, how: Rendering) -> 
     out
 }
 
-/// The line about the diagnostics that are not printed.
+/// The line that counts the diagnostics that are not printed.
 fn rest(left: &[Diagnostic]) -> String {
     let errors = left.iter().filter(|left| left.is_error()).count();
     let warnings = left.len() - errors;
@@ -59,7 +59,7 @@ fn rest(left: &[Diagnostic]) -> String {
     format!("… and {}\n", parts.join(" and "))
 }
 
-/// A place as `ariadne` wants it, in characters.
+/// A span as `ariadne` expects it, in characters.
 type SourceRange = (FileId, Range<usize>);
 
 struct Page<'s> {
@@ -91,7 +91,7 @@ impl Page<'_> {
         self.line("");
     }
 
-    /// The places of labels in words.
+    /// Prints labels as text, without the source.
     fn listed(&mut self, labels: &[diagnostic::Label]) {
         for label in in_order(labels) {
             let place = place_in_words(label.span, self.texts.sources);
@@ -102,8 +102,8 @@ impl Page<'_> {
         }
     }
 
-    /// The text with its labels; nothing where no label points into a text, or where a line
-    /// is too long to be looked at.
+    /// The source with its labels; `None` if the primary label points into no source, or if a line
+    /// is too long to show.
     fn drawn(&mut self, labels: &[diagnostic::Label], colour: Color) -> Option<String> {
         let (primary, _) = labels.split_first()?;
         let place = self.texts.place(primary.span)?;
@@ -154,7 +154,7 @@ impl Page<'_> {
     }
 }
 
-/// Labels in the order of their places, the file of the first label first: so each file is
+/// Labels in the order of their places, the file of the first label first, so that each file is
 /// shown once.
 fn in_order(labels: &[diagnostic::Label]) -> Vec<&diagnostic::Label> {
     let home = labels.first().map(|primary| primary.span.file);
@@ -187,14 +187,14 @@ fn source_of(sources: &Sources, file: FileId) -> Option<&Source> {
     known.then(|| sources.get(file))
 }
 
-/// The texts in the form `ariadne` reads, each made once.
+/// The sources in the form that `ariadne` reads, each converted once.
 struct Texts<'s> {
     sources: &'s Sources,
     read: BTreeMap<FileId, ariadne::Source>,
 }
 
 impl Texts<'_> {
-    /// A span as a place in its text: within it, on whole characters.
+    /// A span clamped to its text and to whole characters.
     fn place(&self, span: Span) -> Option<SourceRange> {
         let text = source_of(self.sources, span.file)?.text();
         let start = text.floor_char_boundary(span.start as usize);
@@ -204,7 +204,7 @@ impl Texts<'_> {
         Some((span.file, before..before + within))
     }
 
-    /// True if the first or the last line of a span is longer than anyone reads.
+    /// True if the first or the last line of a span is longer than [`WIDEST`].
     fn is_wide(&self, span: Span) -> bool {
         let Some(source) = source_of(self.sources, span.file) else {
             return false;

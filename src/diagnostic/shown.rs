@@ -1,12 +1,12 @@
-//! Text as it may be shown.
+//! Text that is safe to show on a terminal.
 //!
-//! Names, reasons, file names and what programs print come from others. On a terminal an escape
-//! sequence among them could move the cursor, hide lines or set the clipboard, and a change of the
+//! Names, reasons, file names and the output of programs are untrusted. On a terminal, an escape
+//! sequence in them could move the cursor, hide lines or set the clipboard, and a change of the
 //! direction of writing could make a text look like another.
 
 use std::borrow::Cow;
 
-/// A text of which nothing is left that a terminal would obey but line ends and tabs.
+/// A text without the characters that control a terminal, except line ends and tabs.
 pub fn shown(text: &str) -> Cow<'_, str> {
     match text.chars().all(|character| showable(character) == character) {
         true => Cow::Borrowed(text),
@@ -14,8 +14,8 @@ pub fn shown(text: &str) -> Cow<'_, str> {
     }
 }
 
-/// A character as it may be shown: none that moves the cursor or turns the direction of writing,
-/// and none that ends a line but `\n`.
+/// A character, or its replacement if it would move the cursor, change the direction of writing, or
+/// end a line other than with `\n`.
 pub(super) fn showable(character: char) -> char {
     match character {
         '\n' | '\t' => character,

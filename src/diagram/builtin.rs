@@ -1,11 +1,12 @@
-//! The functions of the language: their words, what they mean, take, give, and look at.
+//! The builtin functions of the language: their words, meanings, overloads, and the part of the
+//! mesh that they traverse.
 //!
-//! Each row of the table is a word. Register code and emitted code find what they spell by the
-//! [`Builtin`] of a call.
+//! Each row of the table is a word. Register code and emitted code are chosen by the [`Builtin`] of
+//! a call.
 
 use super::Type;
 
-/// A function, by the types that it is called with.
+/// A function for particular types of arguments.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Builtin {
     DegreeVertex,
@@ -30,7 +31,7 @@ pub enum Builtin {
     MixVector,
     Dot,
     Cross,
-    /// The third component of the vector product, in the plane.
+    /// The third component of the cross product of two vectors in the plane.
     CrossPlane,
     /// The zero vector stays zero.
     Normalize,
@@ -38,7 +39,7 @@ pub enum Builtin {
     Angle,
     AngleCorner,
     Cotangent,
-    /// By how much the surface turns at an edge; zero on the boundary.
+    /// The angle by which the surface turns at an edge; zero on the boundary.
     DihedralAngle,
     AbsInt,
     AbsReal,
@@ -59,7 +60,7 @@ pub enum Builtin {
     Pow,
     Floor,
     Ceil,
-    /// Half to even.
+    /// Rounds half to even.
     Round,
     Random,
     RandomInt,
@@ -71,13 +72,13 @@ pub enum Builtin {
     Transpose,
     Inverse,
     Determinant,
-    /// What the matrix takes to the vector.
+    /// The vector that the matrix maps to the given one.
     Solve,
     IsNan,
     IsFinite,
 }
 
-/// The type that a function wants at one place.
+/// The type that a function takes as an argument.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Wanted {
     /// A value of one type.
@@ -86,10 +87,10 @@ pub enum Wanted {
     Point,
 }
 
-/// The part of the mesh that a function goes around.
+/// The part of the mesh that a function traverses.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Extent {
-    /// Not more than a few elements.
+    /// At most a few elements.
     Bounded,
     /// The orbit of the first argument, a vertex or a face.
     Orbit,
@@ -102,7 +103,7 @@ pub enum Extent {
 pub struct Overload {
     /// The types it takes.
     pub wanted: &'static [Wanted],
-    /// The type it gives.
+    /// The type of its result.
     pub result: Type,
     /// The function.
     pub builtin: Builtin,
@@ -110,7 +111,7 @@ pub struct Overload {
 }
 
 impl Builtin {
-    /// The part of the mesh that it goes around.
+    /// The part of the mesh that it traverses.
     pub fn extent(self) -> Extent {
         let mut ways = FUNCTIONS.iter().flat_map(|(_, _, ways)| *ways);
         ways.find(|way| way.builtin == self).map_or(Extent::Bounded, |way| way.extent)
@@ -122,7 +123,7 @@ impl Builtin {
     }
 }
 
-/// The ways to call a function; none if there is no such function.
+/// The overloads of a function; empty if there is no such function.
 pub fn overloads(name: &str) -> &'static [Overload] {
     let found = FUNCTIONS.iter().find(|(known, ..)| *known == name);
     found.map_or(&[], |(.., overloads)| overloads)
@@ -168,7 +169,7 @@ const fn at_ends(wanted: &'static [Wanted], result: Type, builtin: Builtin) -> O
 }
 
 /// The functions by name, each with its meaning and its overloads. The constructors and the
-/// aggregates stand apart.
+/// aggregates are not among them.
 const FUNCTIONS: &[(&str, &str, &[Overload])] = &[
     (
         "degree",

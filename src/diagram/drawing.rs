@@ -1,8 +1,8 @@
 //! The places of the names of a rule, on each side.
 //!
-//! A [`View`] is the index of one side: the loop and place of each halfedge and path, the
-//! edge of each halfedge, the statement of each element. Where a name stands twice the first
-//! place counts; that it may not is for the checker to say.
+//! A [`View`] is the index of one side: the loop and position of each halfedge and path, the edge
+//! of each halfedge, the statement of each element. If a name occurs twice, the first place counts;
+//! the checker reports the second.
 
 use super::{Edge, Kind, Loop, NameId, Ref, Rule, Side, Spoke, Star};
 use crate::source::Span;
@@ -81,8 +81,8 @@ impl<'a> Drawing<'a> {
 
     /// The vertex a halfedge or path starts at after.
     ///
-    /// An outer halfedge starts where its vertex statement says, else where its drawn
-    /// twin ends, else where it did.
+    /// An outer halfedge starts where its vertex statement says, else where its drawn twin ends,
+    /// else where it starts before.
     pub fn origin_after(&self, item: NameId) -> Option<NameId> {
         let view = &self.after;
         view.loop_origin(item)
@@ -116,8 +116,9 @@ impl<'a> Drawing<'a> {
         !alone && self.before.loop_origin(path) == self.before.loop_target(path)
     }
 
-    /// The same of some match: where an `alias` lets its ends be one, and in a rule that was
-    /// unrolled on a cycle of some size, since the members of a family are one where it is short.
+    /// True if a path may be empty in some match: also where an `alias` lets its ends be one
+    /// vertex, and in an unrolled rule, since the members of a family coincide where the cycle is
+    /// short.
     pub fn is_empty_somewhere(&self, path: NameId) -> bool {
         let rule = self.rule;
         let view = &self.before;
@@ -218,7 +219,7 @@ impl<'a> View<'a> {
         self.side.stars.get(self.statement[vertex.index()]?)
     }
 
-    /// The loop a halfedge or path stands in.
+    /// The loop a halfedge or path is in.
     pub fn loop_of_item(&self, item: NameId) -> Option<&'a Loop> {
         Some(&self.side.loops[self.place[item.index()]?.0])
     }
@@ -234,18 +235,18 @@ impl<'a> View<'a> {
         Some(items[step(position, items.len())].item.name)
     }
 
-    /// The item that follows in the loop: a halfedge or path.
+    /// The next halfedge or path in the loop.
     pub fn item_after(&self, item: NameId) -> Option<NameId> {
         self.neighbor(item, |position, count| (position + 1) % count)
     }
 
-    /// The item that precedes in the loop.
+    /// The previous halfedge or path in the loop.
     pub fn item_before(&self, item: NameId) -> Option<NameId> {
         self.neighbor(item, |position, count| (position + count - 1) % count)
     }
 
-    /// The spoke that comes next around its vertex, counterclockwise, if the loops tell: the
-    /// twin of what precedes it.
+    /// The next spoke around its vertex, counterclockwise, if the loops determine it: the twin of
+    /// the item that precedes it.
     pub fn spoke_behind(&self, spoke: NameId) -> Option<NameId> {
         self.twin(self.item_before(spoke)?)
     }
@@ -275,7 +276,7 @@ impl<'a> View<'a> {
         Some(items[(position + 1) % items.len()].from.name)
     }
 
-    /// The edge statement a halfedge stands in.
+    /// The edge statement that lists a halfedge.
     pub fn pairing(&self, halfedge: NameId) -> Option<&'a Edge> {
         Some(&self.side.edges[self.pairing[halfedge.index()]?.0])
     }
@@ -297,7 +298,7 @@ impl<'a> View<'a> {
         Some(self.side.stars[star].vertex.name)
     }
 
-    /// The end of the last statement, behind which one more can be written.
+    /// The end of the last statement, after which one more can be written.
     pub fn end_of_statements(&self) -> Option<Span> {
         let loops = self.side.loops.iter().map(|orbit| orbit.span);
         let edges = self.side.edges.iter().map(|edge| edge.span);

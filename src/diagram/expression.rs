@@ -1,7 +1,7 @@
-//! Typed expressions: what a `require` asks, an assignment sets, a script computes.
+//! Typed expressions: the values of conditions, of assignments and in scripts.
 //!
-//! An int stands where a real is wanted only through an explicit [`Unary::ToReal`], so
-//! that lowering an expression never guesses.
+//! An int is used as a real only through an explicit [`Unary::ToReal`], so that lowering an
+//! expression never guesses.
 
 use super::{Builtin, NameId};
 use crate::source::Span;
@@ -99,7 +99,7 @@ pub struct Expr {
 }
 
 impl Expr {
-    /// Shows the expression and all its parts, in no particular order.
+    /// Calls `look` for the expression and all its parts, in no particular order.
     pub fn each<'e>(&'e self, look: &mut impl FnMut(&'e Expr)) {
         let mut open = vec![self];
         while let Some(expr) = open.pop() {
@@ -108,7 +108,7 @@ impl Expr {
         }
     }
 
-    /// Shows the parts of the expression, of an aggregate the collection last.
+    /// Calls `look` for the parts of the expression; for an aggregate, the collection comes last.
     pub fn parts<'e>(&'e self, look: &mut dyn FnMut(&'e Expr)) {
         match &self.kind {
             ExprKind::Follow(_, inner)
@@ -153,8 +153,8 @@ pub enum ExprKind {
     Text(String),
     /// A drawn element of the rule (in operations only).
     Element(NameId),
-    /// The element of a family at the free index plus a constant: `v[i+1]`. There is none
-    /// in a rule that was unrolled.
+    /// The element of a family at the free index plus a constant: `v[i+1]`. There is none in an
+    /// unrolled rule.
     Member(NameId, i32),
     /// A parameter of the op by its position (values and elements that a rule does
     /// not draw); in scripts, a variable by its number.
@@ -163,11 +163,11 @@ pub enum ExprKind {
     Follow(Pointer, Box<Expr>),
     /// `v.position`, an attribute.
     Read(Access, Box<Expr>),
-    /// `v.position.x`: the part of a vector or matrix from this number on. A matrix lies
-    /// column by column, so its columns are parts, too.
+    /// `v.position.x`: the part of a vector or matrix that begins at this number. Matrices are
+    /// stored column by column, so their columns are parts, too.
     Component(u8, Box<Expr>),
-    /// `vec3(x, y, z)`, `vec4(p, 1)`: a vector, or a matrix by its columns, from parts that
-    /// together are as long.
+    /// `vec3(x, y, z)`, `vec4(p, 1)`: a vector, or a matrix by its columns, from parts with as many
+    /// components in total.
     Vector(Vec<Expr>),
     /// An operator with one operand.
     Unary(Unary, Box<Expr>),
@@ -181,11 +181,11 @@ pub enum ExprKind {
     Fold(Box<Fold>),
     /// A function of the program, by its number there, and an argument for each parameter.
     Invoke(u32, Vec<Expr>),
-    /// An operation of the program, by its number, that is asked and not applied, with its
-    /// arguments: as a bool whether it would apply, as a text why it would refuse.
+    /// An operation of the program, by its number, with its arguments, which is tested and not
+    /// applied: as a bool, whether it would apply; as a text, why it would refuse.
     Try(u32, Vec<Expr>),
-    /// `let x = …` in a block that is a value: the variable's number, what it is, and the
-    /// value of the block.
+    /// `let x = …` in a block that is a value: the variable's number, its value, and the value of
+    /// the block.
     Let(u32, Box<Expr>, Box<Expr>),
 }
 
@@ -208,7 +208,7 @@ pub enum Pointer {
 }
 
 impl Pointer {
-    /// The word behind the dot.
+    /// The word after the dot.
     pub fn word(self) -> &'static str {
         match self {
             Self::Next => "next",
@@ -239,16 +239,15 @@ pub struct Attribute {
     pub name: String,
     /// The span of its name.
     pub span: Span,
-    /// Its doc comment, a line each.
+    /// The lines of its doc comment.
     pub docs: Vec<String>,
     /// The type of the elements that have it.
     pub element: Type,
     /// The type of its values.
     pub ty: Type,
-    /// The constant that an element begins with. Without one, an op gives each new element its
-    /// value.
+    /// The constant that a new element gets. Without one, an op gives each new element its value.
     pub default: Option<Expr>,
-    /// True if it is scratch, gone when the run is over.
+    /// True if it is temporary, and removed when the run is over.
     pub private: bool,
 }
 
@@ -333,7 +332,7 @@ pub enum Collection {
     FaceEdges(Expr),
     /// `f.ears`, the order in which corners are cut off, the best shaped first
     FaceEars(Expr),
-    /// `f.patch`, the same with the least bend
+    /// `f.patch`, the same for the triangulation that bends the least
     FacePatch(Expr),
     /// `e.vertices`
     EdgeVertices(Expr),
@@ -384,14 +383,14 @@ pub struct Fold {
     pub variable: u32,
     /// The collection it runs over.
     pub collection: Collection,
-    /// Which elements count.
+    /// The condition that selects elements.
     pub filter: Option<Expr>,
     /// The value of each; for `count` of elements, `true`.
     pub body: Expr,
 }
 
-/// The function of an aggregate. Of nothing: `sum` and `count` are zero; `mean`, `min`, `max`,
-/// `argmin` and `argmax` are a run-time error.
+/// The function of an aggregate. Without elements, `sum` and `count` are zero; `mean`, `min`,
+/// `max`, `argmin` and `argmax` are a run-time error.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum FoldFunction {
     Mean,
@@ -409,7 +408,7 @@ pub enum FoldFunction {
 }
 
 impl FoldFunction {
-    /// True if one body may tell the result, so that others are not looked at.
+    /// True if one body may decide the result, so that the others are not evaluated.
     pub fn ends_early(self) -> bool {
         matches!(self, Self::Any | Self::All)
     }

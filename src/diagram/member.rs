@@ -1,7 +1,7 @@
-//! Around the cycle of a rule that was unrolled: its members turned, and their indices.
+//! Turns of an unrolled rule around its cycle, and the indices of its members.
 //!
-//! Turning all names of an unrolled rule by one index gives the same rule again, so whatever
-//! is found out at index 0 holds at every index. In a rule without families nothing turns.
+//! Turning all names of an unrolled rule by one index gives the same rule again, so what holds at
+//! index 0 holds at every index. In a rule without families nothing turns.
 
 use super::{NameId, Ref, Role, Rule, Side, Spoke};
 
@@ -21,7 +21,7 @@ impl Rule {
         matches!(self.name(name).role, Role::Member { .. })
     }
 
-    /// The index of a member; 0 of anything else.
+    /// The index of a member; 0 for any other name.
     pub fn index(&self, name: NameId) -> u32 {
         match self.name(name).role {
             Role::Member { index, .. } => index,
@@ -29,7 +29,7 @@ impl Rule {
         }
     }
 
-    /// The index of a member, counted from the nearest side: -1 is the last before 0.
+    /// The index of a member, counted from the nearer end of the cycle: -1 is the last before 0.
     pub fn offset(&self, name: NameId) -> i64 {
         let (index, size) = (self.index(name), self.size().unwrap_or(1));
         match index <= size / 2 {
@@ -38,8 +38,8 @@ impl Rule {
         }
     }
 
-    /// The member of the same family that is `by` further around the cycle; anything else
-    /// stays what it is.
+    /// The member of the same family that is `by` further around the cycle; any other name is
+    /// unchanged.
     pub fn turned(&self, name: NameId, by: i64) -> NameId {
         let (Role::Member { index, .. }, Some(size)) = (self.name(name).role, self.size()) else {
             return name;
@@ -48,7 +48,7 @@ impl Rule {
         NameId(name.0 - index + around as u32)
     }
 
-    /// The member at index 0 of the same family; of anything else the name itself.
+    /// The member at index 0 of the same family; any other name is unchanged.
     pub fn first_member(&self, name: NameId) -> NameId {
         self.turned(name, -i64::from(self.index(name)))
     }
@@ -58,8 +58,8 @@ impl Rule {
         self.index(name) == 0
     }
 
-    /// The most that a subscript adds to the index, or takes from it; `each` adds one, for
-    /// the way from a period to the next.
+    /// The largest number that a subscript adds to the index, or subtracts from it; at least one,
+    /// since `each` leads from a period to the next.
     pub fn span_of_subscripts(&self) -> u32 {
         let mut widest = 1;
         let mut see = |mention: &Ref| widest = widest.max(mention.shift.unsigned_abs());

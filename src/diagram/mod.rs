@@ -1,8 +1,8 @@
-//! An operation as data: the orbits of its two sides, and what is asked and set.
+//! An operation as data: the orbits of its two sides, its conditions and its assignments.
 //!
-//! Names are resolved: each has one [`Kind`] and an index, and every mention of it
-//! is a [`Ref`] with its place. Paths and fans without a name have got one of their own.
-//! Whether the drawing makes sense is the business of [`check`](crate::check).
+//! Names are resolved: each has one [`Kind`] and an index, and every mention of it is a [`Ref`]
+//! with its place. Paths and fans without a name are given one. Whether the drawing makes sense is
+//! decided by [`check`](crate::check).
 
 mod builtin;
 mod drawing;

@@ -62,13 +62,13 @@ impl NameId {
 /// A name of a rule.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Name {
-    /// The word, or for what has no name a description: "the path of `f0`".
+    /// The word, or a description if there is no name: "the path of `f0`".
     pub text: String,
     /// Its kind.
     pub kind: Kind,
-    /// True if a person gave the name; what is drawn without one is not named.
+    /// True if the author gave the name.
     pub named: bool,
-    /// One element or run, or one for each index.
+    /// Whether it is one element or run, or one for each index.
     pub role: Role,
     /// The place where it is first mentioned.
     pub span: Span,
@@ -81,7 +81,7 @@ pub enum Role {
     Single,
     /// One for each index: `h[i]`.
     Family,
-    /// In a rule that was unrolled, the one of a family at an index.
+    /// In an unrolled rule, the member of a family at an index.
     Member {
         /// The family, by its number in the rule with families.
         family: NameId,
@@ -90,7 +90,7 @@ pub enum Role {
     },
 }
 
-/// A letter, or if that is taken with the first number with which it is not.
+/// A letter, or if that is taken, the letter with the first number that makes it free.
 pub fn free_name(letter: &str, is_taken: impl Fn(&str) -> bool) -> String {
     let numbered = (0..).map(|number: usize| format!("{letter}{number}"));
     let mut words = std::iter::once(letter.to_owned()).chain(numbered);
@@ -129,7 +129,7 @@ pub struct Op {
     pub name: String,
     /// The span of its name.
     pub name_span: Span,
-    /// Its doc comment, a line each.
+    /// The lines of its doc comment.
     pub docs: Vec<String>,
     /// Its parameters.
     pub params: Vec<Param>,
@@ -150,7 +150,7 @@ pub enum Property {
     Triangles,
     /// Every face stays a quad, if all were.
     Quads,
-    /// V - E + F stays what it is, with holes among the faces.
+    /// V - E + F stays the same, with holes among the faces.
     Euler,
     /// The holes keep their number, and each its vertices.
     Boundary,
@@ -161,7 +161,7 @@ pub enum Property {
 }
 
 impl Property {
-    /// All properties, but that every mesh stays a map.
+    /// All properties, except that every mesh stays a map.
     pub const ALL: [Property; 7] = [
         Property::Triangles,
         Property::Quads,
@@ -194,24 +194,23 @@ pub struct Param {
     pub span: Span,
     /// Its type.
     pub ty: Type,
-    /// Its default, which names nothing but earlier parameters.
+    /// Its default, which refers to nothing but earlier parameters.
     pub default: Option<Expr>,
 }
 
 /// One alternative.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rule {
-    /// Its name, where it has one.
+    /// Its name, if it has one.
     pub label: Option<String>,
-    /// The subject of the example, where it is no rule of a program but an example of what an op
-    /// does.
+    /// The mesh of the example, if this is not a rule of a program but an example of an op.
     pub example: Option<Example>,
     /// All its names, in order of first mention: elements, paths and fans.
     pub names: Vec<Name>,
     /// The index of its families, if it has any.
     pub cycle: Option<Cycle>,
-    /// For each parameter of the op, the name it binds; `None` for a value, or for an
-    /// element this rule does not draw. A family is bound where its index is 0.
+    /// For each parameter of the op, the name it binds; `None` for a value, or for an element this
+    /// rule does not draw. A family is bound at index 0.
     pub params: Vec<Option<NameId>>,
     /// The name it returns.
     pub result: Option<Ref>,
@@ -219,7 +218,7 @@ pub struct Rule {
     pub before: Side,
     /// The conditions, in order.
     pub requires: Vec<Require>,
-    /// The level that the mesh has, and that it must have again afterwards.
+    /// The level that the mesh has, and must have again afterwards.
     pub guard: Option<(Level, Span)>,
     /// Names that may stand for one element.
     pub aliases: Vec<Alias>,
@@ -254,7 +253,7 @@ impl Rule {
         &self.names[id.index()]
     }
 
-    /// A name that nothing has here.
+    /// A name that is not used here.
     pub fn free_name(&self, letter: &str) -> String {
         free_name(letter, |wanted| {
             self.names.iter().any(|name| name.text.split('[').next() == Some(wanted))
@@ -266,7 +265,7 @@ impl Rule {
         self.name(id).quoted()
     }
 
-    /// The element or run that a name stands for.
+    /// The kind of a name.
     pub fn kind(&self, id: NameId) -> Kind {
         self.name(id).kind
     }
@@ -284,13 +283,13 @@ impl Rule {
     }
 }
 
-/// The subject of an example of an op.
+/// The mesh of an example of an op.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Example {
     /// The name of the mesh: "a cube".
     pub mesh: &'static str,
     /// The positions of the vertices before and after, by name, if the mesh is flat and no two of
-    /// them lie at one place; y points up.
+    /// them coincide; y points up.
     pub places: [Vec<Option<[f64; 2]>>; 2],
 }
 
@@ -321,13 +320,13 @@ pub struct Side {
     pub edges: Vec<Edge>,
     /// Cycles of spokes.
     pub stars: Vec<Star>,
-    /// Names that `keep` mentions; their statements stand among the others.
+    /// Names that `keep` mentions; their statements are among the others.
     pub kept: Vec<Ref>,
     /// From the keyword to the closing brace.
     pub span: Span,
 }
 
-/// Which loops a statement stands for.
+/// The loops that a statement stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum LoopKind {
     /// An interior face.
@@ -341,16 +340,16 @@ pub enum LoopKind {
 /// A cycle of `next`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Loop {
-    /// Which loops it stands for.
+    /// The loops that it stands for.
     pub kind: LoopKind,
     /// The face.
     pub face: Ref,
-    /// Its halfedges and paths, in order; the origin of the first ends the last. With `each`
-    /// one period of them, or in an unrolled rule all of them.
+    /// Its halfedges and paths, in order; the last ends at the origin of the first. With `each` one
+    /// period of them, or in an unrolled rule all of them.
     pub items: Vec<LoopItem>,
     /// True if it is drawn with `each`.
     pub each: bool,
-    /// The vertex written at the end; the origin of the first item, in a good drawing.
+    /// The vertex written at the end; in a valid drawing, the origin of the first item.
     pub end: Ref,
     /// The whole statement.
     pub span: Span,
@@ -407,7 +406,7 @@ pub struct Require {
     pub condition: Expr,
     /// The reason for a refusal.
     pub reason: String,
-    /// In a rule that was unrolled, the index that a free index stands for.
+    /// In an unrolled rule, the value of the free index.
     pub index: Option<u32>,
     /// The whole statement.
     pub span: Span,

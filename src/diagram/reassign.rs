@@ -1,40 +1,40 @@
 //! Phase 3 of an operation, reassign: the pointers that `after` gives to named elements, and which
 //! of them change.
 //!
-//! Whoever writes the phase down, as code for the machine, as C++ or Rust, or as a table, spells
-//! this list and decides nothing.
+//! The writers of the phase, as code for the machine, as C++ or Rust, or as a table, spell this
+//! list and decide nothing.
 
 use super::{Drawing, Edge, Kind, Loop, LoopItem, LoopKind, NameId, Pointer};
 
-/// Writes that are done one after the other: once, or at each index of the cycle.
+/// Writes in order: once, or at each index of the cycle.
 #[derive(Clone, Debug)]
 pub struct Reassignment {
     pub at_each_index: bool,
     pub writes: Vec<Write>,
 }
 
-/// A pointer, or those of a run of halfedges, and what it is after.
+/// A write to a pointer, or to those of a run of halfedges.
 #[derive(Clone, Debug)]
 pub enum Write {
     /// A pointer of a halfedge; one that does not change provably has the value before.
     Halfedge { pointer: Pointer, of: Operand, value: Operand, changes: bool },
-    /// A pointer of a halfedge that stays as it was, whatever that is.
+    /// A pointer of a halfedge that keeps its value, whatever that is.
     AsItWas { pointer: Pointer, of: NameId },
-    /// The halfedge of a vertex, an edge or a face. One that is kept stays right as it was, which
-    /// need not be the value.
+    /// The halfedge of a vertex, an edge or a face. One that is kept stays valid, but need not be
+    /// the value.
     Anchor { pointer: Pointer, of: NameId, value: Option<Operand>, keeps: bool },
     /// The face of all halfedges of a path.
     FaceAlong { path: NameId, face: NameId, changes: bool },
     /// The vertex of all spokes of a fan.
     VertexAround { fan: NameId, vertex: NameId, changes: bool },
-    /// Whether a face is a hole. A new one is none, until it is said.
+    /// Whether a face is a hole. A new face is not one by default.
     Hole { face: NameId, is_hole: bool, changes: bool },
-    /// `next` and `prev` between the paths of a loop with `each`, all of which may be empty: those
-    /// that are not are linked in their order. Matching has tested that there is one.
+    /// `next` and `prev` between the paths of a loop with `each`, all of which may be empty: the
+    /// nonempty ones are linked in order. Matching has tested that there is one.
     LinkPaths { face: NameId, period: Vec<NameId> },
 }
 
-/// An element that is written to, or that a pointer gets.
+/// An element that is written to, or that a pointer is set to.
 #[derive(Clone, Debug)]
 pub enum Operand {
     Named(NameId),
@@ -42,17 +42,17 @@ pub enum Operand {
     First(Vec<NameId>),
     /// The last halfedge of the first of these that is not empty.
     Last(Vec<NameId>),
-    /// The first halfedge of the first path that is not empty in a loop of [`Write::LinkPaths`].
+    /// The first halfedge of the first nonempty path in a loop of [`Write::LinkPaths`].
     FirstLinked {
         face: NameId,
         path: NameId,
     },
-    /// The first halfedge of some member of a family of paths that is not empty.
+    /// The first halfedge of some nonempty member of a family of paths.
     FirstOfSome(NameId),
 }
 
 impl Operand {
-    /// The name that it is told by: the first of those that it may be.
+    /// The name that represents it: the first of those that it may be.
     pub fn name(&self) -> NameId {
         match self {
             Self::Named(name) | Self::FirstOfSome(name) => *name,
@@ -63,8 +63,8 @@ impl Operand {
 }
 
 impl Drawing<'_> {
-    /// The whole of phase 3 but for positions and attributes: loop by loop, then edges, outer
-    /// halfedges, fans and vertices. Of a family the member at index 0 stands for all.
+    /// All of phase 3 except for positions and attributes: loop by loop, then edges, outer
+    /// halfedges, fans and vertices. The member of a family at index 0 represents all.
     pub fn reassignments(&self) -> Vec<Reassignment> {
         let rule = self.rule;
         let first = |name: &NameId| rule.is_first(*name);
@@ -128,8 +128,8 @@ impl Drawing<'_> {
         self.rule.kind(item) == Kind::Path && self.is_empty_somewhere(item)
     }
 
-    /// The first halfedge from the item at `at` on: its own, or if it is an empty path, that of
-    /// what follows.
+    /// The first halfedge from the item at `at` on: its own, or if it is an empty path, that of the
+    /// items after it.
     fn first_from(&self, items: &[NameId], at: usize) -> Operand {
         self.there(items, at, 1, Operand::First)
     }
@@ -161,7 +161,7 @@ impl Drawing<'_> {
         }
     }
 
-    /// The pointers of the item at `at`, and of what begins the next one.
+    /// The pointers of the item at `at`, and of the start of the next one.
     fn item(&self, orbit: &Loop, at: usize) -> impl Iterator<Item = Write> {
         let items = names(orbit);
         let after = (at + 1) % items.len();
@@ -188,8 +188,8 @@ impl Drawing<'_> {
         vec![set(Pointer::Vertex, name, origin, moves), set(Pointer::Face, name, face, changes)]
     }
 
-    /// The halfedge of a face, and whether it is a hole. A face keeps its halfedge as long as
-    /// nothing has left its loop.
+    /// The halfedge of a face, and whether it is a hole. A face keeps its halfedge if nothing has
+    /// left its loop.
     fn face(&self, orbit: &Loop, first: Operand) -> impl Iterator<Item = Write> {
         let face = orbit.face.name;
         let before = self.before.loop_of_face(face);
@@ -204,7 +204,7 @@ impl Drawing<'_> {
         [Some(anchor), is_said.then_some(hole)].into_iter().flatten()
     }
 
-    /// An edge and its two halfedges. It keeps its halfedge as long as both of them stay.
+    /// An edge and its two halfedges. It keeps its halfedge if both of them stay.
     fn edge(&self, statement: &Edge) -> Vec<Write> {
         let edge = statement.edge.name;
         let [left, right] = statement.halfedges.map(|half| half.name);
@@ -231,7 +231,7 @@ impl Drawing<'_> {
             let changes = self.origin_before(half) != Some(origin);
             writes.push(set(Pointer::Vertex, half, origin, changes));
         }
-        // A path may end with it, or hold it.
+        // A path may end with it, or contain it.
         if self.rule.names_of(Kind::Path).next().is_none() {
             let pointers = [Pointer::Next, Pointer::Prev, Pointer::Face];
             writes.extend(pointers.map(|pointer| Write::AsItWas { pointer, of: half }));
@@ -239,7 +239,7 @@ impl Drawing<'_> {
         writes
     }
 
-    /// A vertex keeps its halfedge as long as none of its spokes has left.
+    /// A vertex keeps its halfedge if none of its spokes has left.
     fn vertex(&self, vertex: NameId) -> Option<Write> {
         let is_drawn = self.after.mention(vertex).is_some() && self.erased(vertex).is_none();
         let keeps = self.keeps_its_spokes(vertex);
@@ -253,7 +253,7 @@ impl Drawing<'_> {
     }
 
     /// A halfedge that starts at a vertex after: a named spoke; else the first of a path that
-    /// cannot be empty; else what a path that may be begins with, be it what follows it.
+    /// cannot be empty; else the first of a path that may be, or of the items after it.
     fn spoke_of(&self, vertex: NameId) -> Option<Operand> {
         let rule = self.rule;
         if let Some(half) = self.spoke_after(vertex) {

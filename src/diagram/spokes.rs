@@ -1,10 +1,10 @@
-//! Which halfedges start at a vertex: what its `halfedge` may be.
+//! The halfedges that start at a vertex, one of which is its `halfedge`.
 
 use super::{Drawing, Kind, Loop, NameId, Ref, Spoke};
 
 impl Drawing<'_> {
-    /// True if all that started at a vertex before still does after, so that its `halfedge` stays
-    /// right, whichever it is.
+    /// True if everything that started at a vertex before still does after, so that its `halfedge`
+    /// stays valid, whichever it is.
     pub fn keeps_its_spokes(&self, vertex: NameId) -> bool {
         let rule = self.rule;
         let stays =
@@ -40,9 +40,9 @@ impl Drawing<'_> {
         paths.min_by_key(|&path| self.is_empty_somewhere(path))
     }
 
-    /// The beginnings of a path in `after`: the path itself, and while all before may be empty,
-    /// what follows it in its loop. Where it is empty its two ends are one vertex, so whatever is
-    /// the first of these that is there starts at its vertex, under whichever name.
+    /// The possible starts of a path in `after`: the path itself, and while all so far may be
+    /// empty, the items that follow it in its loop. The two ends of an empty path are one vertex,
+    /// so the first of these that is not empty starts at its vertex, under whichever name.
     pub fn heads_after(&self, path: NameId) -> Vec<NameId> {
         let size = self.rule.size().unwrap_or(1) as usize;
         let period = |orbit: &Loop| orbit.items.len() / if orbit.each { size } else { 1 };

@@ -1,15 +1,15 @@
-//! Families, written out for one size.
+//! Families, unrolled to one size.
 //!
-//! A family stands for one element, or run, per index of a cycle. A statement with a free
-//! index holds for all of it, and `each` repeats its period once per index:
+//! A family is one element, or run, per index of a cycle. A statement with a free index holds for
+//! all of it, and `each` repeats its period once per index:
 //!
 //! ```text
 //!   face f: each i { v[i] -h[i]-> }        face f: v[0] -h[0]-> v[1] -h[1]-> v[2] -h[2]-> v[0]
 //!   edge e[i]: h[i] | k[i+1]               edge e[0]: h[0] | k[1]   edge e[1]: h[1] | k[2]   …
 //! ```
 //!
-//! On a cycle of `n` a rule with families means no more and no less than the same rule
-//! unrolled to `n`, which has no families.
+//! On a cycle of `n` a rule with families means exactly the same as the rule unrolled to `n`, which
+//! has no families.
 
 use std::borrow::Cow;
 
@@ -19,28 +19,28 @@ use super::{
     Spoke, Star,
 };
 
-/// The names of the members of families.
+/// The naming of the members of families.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Naming {
     /// By their numbers: `h[0]`, `h[1]`, `h[2]`.
     Numbers,
-    /// As the rule would write them where the index is 0: `h[i]`, `h[i+1]`, `h[i-1]`.
+    /// Relative to index 0: `h[i]`, `h[i+1]`, `h[i-1]`.
     Relative,
 }
 
-/// A rule without families that was one with families.
+/// A rule with families, unrolled to one without.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Unrolled {
-    /// The rule; its cycle tells the size.
+    /// The rule; its cycle has the size.
     pub rule: Rule,
-    /// For each name of the rule with families, its first name here.
+    /// The first name here of each name of the rule with families.
     first: Vec<u32>,
     size: u32,
 }
 
 impl Unrolled {
-    /// Writes out a rule for cycles of `size`, which is 1 or more. A rule without families
-    /// stays what it is.
+    /// Unrolls a rule for cycles of `size`, which is 1 or more. A rule without families is
+    /// unchanged.
     pub fn new(rule: &Rule, size: u32, naming: Naming) -> Self {
         let size = size.max(1);
         let mut first = Vec::new();
@@ -70,8 +70,8 @@ impl Unrolled {
         unrolled
     }
 
-    /// The name here of a name of the rule with families; of a family, the member at `index`,
-    /// counted around the cycle.
+    /// The name here of a name of the rule with families; of a family, the member at `index` modulo
+    /// the size.
     pub fn member(&self, name: NameId, index: i64) -> NameId {
         let first = self.first[name.index()];
         match self.rule.names.get(first as usize).map(|name| name.role) {
@@ -110,7 +110,7 @@ fn subscript(index: u32, size: u32, naming: Naming, letter: &str) -> String {
     }
 }
 
-/// The name of a member; of what has no name, the description with the subscript inside.
+/// The name of a member; if it has no name, the description with the subscript inside.
 fn called(family: &super::Name, subscript: String) -> String {
     match family.text.strip_suffix('`') {
         Some(text) if !family.named => format!("{text}[{subscript}]`"),
@@ -122,8 +122,7 @@ fn called(family: &super::Name, subscript: String) -> String {
 const DRAWN: u32 = 4;
 
 impl Rule {
-    /// The rule as pictures show it: a family as a few members, called by how far they are from
-    /// the index.
+    /// The rule as pictures show it: a family as a few members, named relative to the index.
     pub fn to_draw(&self) -> Cow<'_, Rule> {
         match self.has_families() {
             true => Cow::Owned(Unrolled::new(self, DRAWN, Naming::Relative).rule),
@@ -132,7 +131,7 @@ impl Rule {
     }
 }
 
-/// Writes the statements out.
+/// Unrolls the statements.
 struct Writer<'a> {
     source: &'a Rule,
     unrolled: &'a Unrolled,

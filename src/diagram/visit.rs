@@ -1,9 +1,9 @@
-//! Every part of an expression in turn, to be changed.
+//! Traversal of an expression, to change its parts.
 
 use super::{Collection, Expr, ExprKind};
 
 impl Expr {
-    /// Calls back with each part of the expression, the whole first, to change it.
+    /// Calls `change` for each part of the expression, the whole first.
     pub fn visit_mut(&mut self, change: &mut impl FnMut(&mut ExprKind)) {
         change(&mut self.kind);
         match &mut self.kind {

@@ -1,8 +1,8 @@
 //! Places of the nodes of `after`.
 //!
-//! A vertex keeps its place, unless the operation moves it to one that the drawing tells, as the
-//! middle of an edge that is collapsed. Nodes of `after` only are placed between those that are
-//! there already, where their assignment puts them if it says so.
+//! A vertex keeps its place unless the operation moves it to one that the drawing determines, such
+//! as the midpoint of a collapsed edge. Nodes that are only in `after` are placed among the
+//! existing ones, at the position that an assignment gives, if there is one.
 
 use glam::DVec2;
 
@@ -14,7 +14,7 @@ use super::figure::{Figure, Node};
 use super::layout::{NEAR, pulls, settle, stretch};
 use super::routing::{bend_beside, bend_paths};
 
-/// The places of the nodes on the side `after`; those that it does not show keep theirs.
+/// The places of the nodes on the side `after`; nodes that it does not show keep theirs.
 pub(super) fn places_after(figure: &Figure, before: &[Option<DVec2>]) -> Vec<Option<DVec2>> {
     let all_stay = || placed(figure, before, before.to_vec());
     if let Some(moved) = moved_on_mesh(figure, before) {
@@ -32,17 +32,17 @@ pub(super) fn places_after(figure: &Figure, before: &[Option<DVec2>]) -> Vec<Opt
     }
 }
 
-/// The places with those that the operation moves, if it moves any. Paths that begin or end there
-/// have to be bent anew.
+/// The places after the operation's moves; `None` if it moves nothing. Paths that begin or end at a
+/// moved node lose the places of their bends.
 fn moved(figure: &Figure, before: &[Option<DVec2>]) -> Option<Vec<Option<DVec2>>> {
-    // Parts happen to stand side by side: what lies between them is nowhere.
+    // Parts are laid out side by side arbitrarily: a point between them has no meaning.
     if parts(figure, &figure.before).len() > 1 {
         return None;
     }
     let mut places = before.to_vec();
     for (name, to) in assigned(figure, before) {
         let nodes: Vec<_> = figure.nodes_of(name).collect();
-        // What is drawn twice has no one place.
+        // A vertex that is drawn several times has no single place.
         if let [node] = nodes[..]
             && before[node].is_some_and(|from| (from - to).length() > NEAR)
         {
@@ -65,7 +65,7 @@ fn moved(figure: &Figure, before: &[Option<DVec2>]) -> Option<Vec<Option<DVec2>>
     (places != before).then_some(places)
 }
 
-/// The number of strands that cross, and of loops that are turned inside out.
+/// The number of pairs of strands that cross, plus the number of loops turned inside out.
 fn faults(figure: &Figure, places: &[Option<DVec2>]) -> usize {
     let side = &figure.after;
     let at = |node: &usize| places[*node].unwrap_or_default();
@@ -83,7 +83,7 @@ fn faults(figure: &Figure, places: &[Option<DVec2>]) -> usize {
     faults + outlines.filter(|outline| area(outline) < 0.0).count()
 }
 
-/// Places what has no place yet.
+/// Places the nodes that have no place yet.
 fn placed(
     figure: &Figure,
     before: &[Option<DVec2>],
@@ -107,7 +107,7 @@ fn placed(
     for (place, at) in places.iter_mut().zip(&all) {
         *place = place.or(*at);
     }
-    // What hangs together with nothing stands in a row below.
+    // Nodes that are connected to nothing go in a row below.
     let low = places.iter().flatten().map(|at| at.y).fold(0.0, f64::max);
     let mut x = 0.0;
     for (node, place) in places.iter_mut().enumerate() {
@@ -120,7 +120,7 @@ fn placed(
     places
 }
 
-/// Places the new vertices that part an edge in two, on it.
+/// Places the new vertices that split an edge on that edge.
 fn cut_edges(figure: &Figure, places: &mut [Option<DVec2>]) {
     for strand in figure.after.strands.iter().filter(|strand| !strand.is_path) {
         let mut earlier = figure.before.strands.iter();

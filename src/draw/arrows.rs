@@ -1,10 +1,10 @@
-//! Lines and arrows, by what becomes of an element.
+//! Lines and arrows, styled by the status of an element.
 
 use super::curve::{Curve, left};
 use super::shape::{Group, Ink, Path, Stroke};
 use super::status::Status;
 
-/// The line with which something is drawn.
+/// The stroke for an element with the given status.
 pub(super) fn stroke(status: Status, width: f64) -> Stroke {
     let mut stroke = Stroke::solid(Ink::Of(status), width);
     match status {
@@ -15,7 +15,7 @@ pub(super) fn stroke(status: Status, width: f64) -> Stroke {
     stroke
 }
 
-/// Draws a line; what is new as with a marker behind it.
+/// Draws a line; a new element has a highlight behind it.
 pub(super) fn draw(group: &mut Group, path: Path, status: Status, width: f64) {
     if status == Status::New {
         let mut band = Stroke::solid(Ink::Of(status), width + 5.0);
@@ -34,7 +34,7 @@ pub(super) fn harpoon(group: &mut Group, curve: &Curve, status: Status) {
     group.fill(Path::around(&corners), Ink::Of(status));
 }
 
-/// The head of an arrow, which stands out on the side of the face.
+/// The barb of a harpoon, on the side of its face.
 pub(super) fn head(curve: &Curve) -> Curve {
     let (tip, way) = curve.at(f64::MAX);
     Curve::through([tip - way * 10.0 + left(way) * 5.5, tip])

@@ -1,19 +1,18 @@
-//! The places that assignments tell: `m.position = (v0.position + v1.position) / 2`.
+//! The positions that assignments determine: `m.position = (v0.position + v1.position) / 2`.
 //!
-//! Only what can be read off the picture is computed; numbers that come from outside stand
-//! for a half.
+//! Only what the picture determines is computed; numbers that come from outside count as one half.
 
 use glam::DVec2;
 
 use super::figure::Figure;
 use crate::diagram::{Access, Binary, Builtin, Expr, ExprKind, NameId, Unary};
 
-/// The number that stands for one from outside.
+/// The value assumed for a number from outside.
 const SOME: f64 = 0.5;
-/// The greatest depth to which an expression is read.
+/// The maximum depth of expressions that are evaluated.
 const DEPTH: usize = 64;
 
-/// For each assignment of a position the vertex and the place, if it can be told.
+/// The vertex and the place of each assignment of a position that can be evaluated.
 pub(super) fn assigned(figure: &Figure, places: &[Option<DVec2>]) -> Vec<(NameId, DVec2)> {
     let scene = Scene { figure, places };
     let assignments = figure.drawing.rule.assignments.iter();
@@ -83,7 +82,7 @@ impl Scene<'_> {
         }
     }
 
-    /// The middle of an edge or face of `before`.
+    /// The centroid of an edge or face of `before`.
     fn middle(&self, of: &Expr) -> Option<DVec2> {
         let ExprKind::Element(name) = of.kind else {
             return None;

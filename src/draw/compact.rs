@@ -1,8 +1,8 @@
-//! A picture as a small SVG, for viewers that limit the size of an image, as editors do.
+//! A picture as a compact SVG, for viewers that limit the size of an image, as editors do.
 //!
-//! It shows the same as [`Picture::svg`], in about half of the letters: steps count fifths of a
-//! unit, colours stand once, in a style sheet, and nothing has a name. Viewers that read no
-//! style sheets are not served.
+//! It shows the same as [`Picture::svg`] in about half as many characters: coordinates are in
+//! fifths of a unit, colours are given once, in a style sheet, and elements have no ids. Viewers
+//! without style sheets are not supported.
 
 use std::fmt::Write;
 
@@ -11,10 +11,10 @@ use super::steps::{Grain, data};
 use super::svg::escaped;
 use super::words::Words;
 
-/// The number of steps to a unit.
+/// The number of steps per unit.
 const STEPS: f64 = 5.0;
 const GRAIN: Grain = Grain { parts: STEPS, measure: 1.0, slack: 2 };
-/// The width at which it is shown, in units: hovers are small, and more than that they cut.
+/// The maximum width at which it is shown, in units: hovers are small, and crop what is wider.
 const WIDEST: f64 = 460.0;
 /// The number of steps to the size of a letter.
 const EM: f64 = 125.0;
@@ -52,7 +52,7 @@ impl Picture {
     }
 }
 
-/// The colours of one time of day.
+/// Writes the classes of a colour scheme: 0 is light, 1 is dark.
 fn write_inks(text: &mut String, time: usize) {
     for ink in Ink::ALL {
         let (name, colour) = (name(ink), ink.colours()[time]);
@@ -63,7 +63,7 @@ fn write_inks(text: &mut String, time: usize) {
     }
 }
 
-/// The letter of an ink.
+/// The one-letter class of an ink.
 fn name(ink: Ink) -> char {
     ink.class().chars().next().unwrap_or('x')
 }
@@ -113,7 +113,7 @@ fn write_stroke(more: &mut String, stroke: Stroke) {
     }
 }
 
-/// A length in steps; what is no number is 0.
+/// A length in steps; NaN becomes 0.
 fn steps(length: f64) -> i64 {
     (length * STEPS).round() as i64
 }

@@ -1,8 +1,8 @@
-//! Components: nodes along strands, strands along loops, loops along strands.
+//! Connected components: of nodes along strands, and of strands and loops along each other.
 
 use super::figure::{Figure, Node, Side};
 
-/// Makes one of two groups; a group has the number of its least member.
+/// Merges the groups of `a` and `b`; a group has the number of its least member.
 pub(super) fn join(group: &mut [usize], a: usize, b: usize) {
     let (a, b) = (group[a], group[b]);
     for of in group {
@@ -12,7 +12,7 @@ pub(super) fn join(group: &mut [usize], a: usize, b: usize) {
     }
 }
 
-/// The nodes of a side that hang together along strands; only what is shown.
+/// The nodes of each connected component of a side, along strands; only nodes that are shown.
 pub(super) fn parts(figure: &Figure, side: &Side) -> Vec<Vec<usize>> {
     let mut part: Vec<usize> = (0..figure.nodes.len()).collect();
     for strand in &side.strands {
@@ -35,7 +35,7 @@ pub(super) fn parts(figure: &Figure, side: &Side) -> Vec<Vec<usize>> {
     roots.map(nodes).filter(|nodes| !nodes.is_empty()).collect()
 }
 
-/// For each strand the block it lies in: loops that share strands are of one block.
+/// The block of each strand: loops that share strands are in one block.
 pub(super) fn strand_blocks(side: &Side) -> Vec<usize> {
     let mut block: Vec<usize> = (0..side.strands.len()).collect();
     for orbit in &side.loops {
@@ -46,7 +46,8 @@ pub(super) fn strand_blocks(side: &Side) -> Vec<usize> {
     block
 }
 
-/// The blocks of loops in a part, each with its loops only, and the nodes around them.
+/// The blocks of loops in a part: for each, the side with only its loops, and the nodes around
+/// them.
 pub(super) fn blocks(side: &Side, part: &[usize]) -> Vec<(Side, Vec<usize>)> {
     let block = strand_blocks(side);
     let mut blocks: Vec<(usize, Side, Vec<usize>)> = Vec::new();

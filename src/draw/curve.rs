@@ -5,7 +5,7 @@
 
 use glam::DVec2;
 
-/// The distance between the points of a bent curve, about.
+/// The approximate distance between the points of a smooth curve.
 const STEP: f64 = 4.0;
 
 /// A polyline of at least two points.
@@ -15,7 +15,7 @@ pub(super) struct Curve {
 }
 
 impl Curve {
-    /// The polyline through `points`; of fewer than two points a curve of no length.
+    /// The polyline through `points`; for fewer than two points, a curve of length zero.
     pub fn through(points: impl IntoIterator<Item = DVec2>) -> Self {
         let mut points: Vec<_> = points.into_iter().collect();
         let last = points.last().copied().unwrap_or(DVec2::ZERO);
@@ -35,7 +35,7 @@ impl Curve {
         let mut samples = vec![points[0]];
         for at in 0..count - 1 {
             let (from, to) = (points[at], points[at + 1]);
-            // At the ends it goes on as the parabola through the last three points.
+            // At the ends it continues as the parabola through the last three points.
             let before = if at == 0 { (from - to) * 3.0 + points[2] } else { points[at - 1] };
             let behind =
                 if at + 2 < count { points[at + 2] } else { (to - from) * 3.0 + points[at - 1] };
@@ -67,7 +67,7 @@ impl Curve {
         &self.points
     }
 
-    /// Its pieces.
+    /// Its segments.
     pub fn segments(&self) -> impl Iterator<Item = [DVec2; 2]> + '_ {
         self.points.windows(2).map(|pair| [pair[0], pair[1]])
     }
@@ -77,12 +77,12 @@ impl Curve {
         self.segments().map(|[a, b]| (b - a).length()).sum()
     }
 
-    /// The same, walked from its end.
+    /// The same curve in the opposite direction.
     pub fn reversed(&self) -> Self {
         Self::through(self.points.iter().rev().copied())
     }
 
-    /// The point that lies `along` it, and the direction there.
+    /// The point at the arc length `along`, and the direction there.
     pub fn at(&self, along: f64) -> (DVec2, DVec2) {
         let mut left = along.max(0.0);
         let mut last = (self.points[0], DVec2::X);
@@ -111,7 +111,7 @@ impl Curve {
         self.at(f64::MAX).1
     }
 
-    /// The part between two lengths.
+    /// The part between two arc lengths.
     pub fn cut(&self, from: f64, to: f64) -> Self {
         let mut points = vec![self.at(from).0];
         let mut along = 0.0;
@@ -125,7 +125,7 @@ impl Curve {
         Self::through(points)
     }
 
-    /// Every point moved to the left.
+    /// Every point moved to the left by `distance`.
     pub fn offset(&self, distance: f64) -> Self {
         let count = self.points.len();
         let piece = |at: usize| (self.points[at + 1] - self.points[at]).normalize_or_zero();
@@ -137,7 +137,7 @@ impl Curve {
     }
 }
 
-/// To the left of a direction.
+/// A direction turned left by a quarter turn.
 pub(super) fn left(direction: DVec2) -> DVec2 {
     DVec2::new(direction.y, -direction.x)
 }
@@ -152,7 +152,7 @@ pub(super) fn angle(direction: DVec2) -> f64 {
     (-direction.y).atan2(direction.x)
 }
 
-/// The angle counterclockwise from one angle to another: over 0, up to a full turn.
+/// The counterclockwise angle from one angle to another: above 0, up to a full turn.
 pub(super) fn turn(from: f64, to: f64) -> f64 {
     let turn = (to - from).rem_euclid(std::f64::consts::TAU);
     if turn < 1e-9 { std::f64::consts::TAU } else { turn }

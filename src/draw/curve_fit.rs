@@ -1,21 +1,21 @@
-//! Points as few lines and parabolas, no farther from them than anybody sees.
+//! Points approximated by few lines and parabolas, with no visible deviation.
 //!
-//! A run of points is a line if all lie on it, else the parabola between its ends that leaves
-//! and arrives in the directions of the points, if all lie on that; else it is halved, as
-//! D. H. Douglas and T. K. Peucker do ("Algorithms for the reduction of the number of
-//! points", 1973). Where points have a corner, halving finds it.
+//! A run of points becomes a line if all lie on it; else the parabola between its ends that leaves
+//! and arrives in the directions of the points, if all lie on that; else it is split at the point
+//! farthest from the line (D. H. Douglas and T. K. Peucker, "Algorithms for the reduction of the
+//! number of points", 1973), which finds corners.
 
 use glam::DVec2;
 
 use super::curve::distance;
 use super::shape::Path;
 
-/// The distance that a line may be from where it should be.
+/// The largest deviation, too small to be seen.
 const UNSEEN: f64 = 0.08;
-/// At how many places a parabola is compared with its points.
+/// The number of segments as which a parabola is compared with its points.
 const PIECES: usize = 12;
 
-/// Goes on along a run of points, from the first, where the path stands.
+/// Extends the path along a run of points, the first of which is its current end.
 pub(super) fn follow(path: &mut Path, points: &[DVec2]) {
     let &[first, ref rest @ .., last] = points else {
         return;
@@ -28,12 +28,12 @@ pub(super) fn follow(path: &mut Path, points: &[DVec2]) {
     if let Some(by) = bend(points) {
         return path.curve_to(by, last);
     }
-    // A corner is the farthest point; of what is round, any place will do.
+    // A corner is the farthest point; on a smooth curve any point will do.
     follow(path, &points[..=farthest + 1]);
     follow(path, &points[farthest + 1..]);
 }
 
-/// The point that the parabola along some points bends to, if it lies on them.
+/// The control point of the parabola along some points, if they lie on it.
 fn bend(points: &[DVec2]) -> Option<DVec2> {
     let &[first, second, third, .., last] = points else {
         return None;

@@ -1,8 +1,9 @@
-//! Places of the vertices of an example: one that was done to a mesh, not drawn by a person.
+//! Places of the vertices of an example: an operation applied to an actual mesh, not drawn by a
+//! person.
 //!
-//! On a flat mesh they lie where they do there. On another one they are placed as those of any
-//! drawing; what the op moves to a place that the drawing does not tell goes to the middle of its
-//! neighbours.
+//! On a flat mesh the vertices have their positions there. On any other mesh they are laid out as
+//! in any drawing, and a vertex that the op moves to a place that the drawing does not determine
+//! goes to the centroid of its neighbours.
 
 use glam::DVec2;
 
@@ -10,7 +11,7 @@ use super::assigned::assigned;
 use super::figure::{Figure, Node};
 use crate::diagram::{Access, NameId};
 
-/// The places of a flat mesh, in units of half its height or width.
+/// The places on a flat mesh, in units of half its larger extent.
 pub(super) fn flat(figure: &Figure) -> Option<Vec<Option<DVec2>>> {
     let places = on_mesh(figure, 0)?;
     let is_flat = |node: &Node| match *node {
@@ -40,7 +41,7 @@ fn on_mesh<'f>(figure: &'f Figure, side: usize) -> Option<impl Fn(NameId) -> Opt
     })
 }
 
-/// The places with those that the operation moves, if it was done to a mesh.
+/// The places after the operation's moves, if it was applied to a mesh.
 pub(super) fn moved_on_mesh(
     figure: &Figure,
     before: &[Option<DVec2>],
@@ -66,7 +67,7 @@ pub(super) fn moved_on_mesh(
         (Node::Vertex(name), Some(on_mesh)) => on_mesh(name).or(at),
         (Node::Vertex(name), None) if is_set(name) && !is_outside(node) => {
             let told = told.iter().find(|(of, _)| *of == name);
-            // What is new must not lie where something else does: that is seen to later.
+            // New vertices must not coincide with others: they are placed later.
             told.map(|(_, at)| *at).filter(|_| at.is_some())
         }
         _ => at,

@@ -12,7 +12,7 @@ use super::shape::{Ink, Path, Stroke};
 use crate::diagram::{LoopKind, NameId};
 
 impl Panel<'_> {
-    /// The colour of what lies on both sides of an edge.
+    /// The background colour around an edge.
     pub(super) fn ground(&self, edge: NameId) -> Ink {
         let mut strands = self.side.strands.iter();
         let at = strands.position(|strand| strand.edge == Some(edge));
@@ -38,7 +38,7 @@ impl Panel<'_> {
         corners
     }
 
-    /// The inside of a loop, and its name.
+    /// Draws the inside of a loop, and adds its name.
     pub(super) fn face(&mut self, orbit: &Orbit) {
         let group = self.group(orbit.face);
         let outline = self.outline(orbit);
@@ -77,7 +77,7 @@ impl Panel<'_> {
         });
     }
 
-    /// The middle of a loop: where its name has most room; none if it is the outside.
+    /// The place inside a loop with the most room for its name; `None` if the loop is the outside.
     pub(super) fn middle(&self, orbit: &Orbit) -> Option<DVec2> {
         let outline = self.outline(orbit);
         if area(&outline) <= 0.0 {
@@ -88,7 +88,7 @@ impl Panel<'_> {
         best.map(|spot| spot.at)
     }
 
-    /// The outlines of the loops that run around something inside of a polygon.
+    /// The islands in a polygon: the outlines of the loops inside it that run clockwise.
     fn islands(&self, outline: &[DVec2]) -> Vec<Vec<DVec2>> {
         let outlines = self.side.loops.iter().map(|orbit| self.outline(orbit));
         let is_island =

@@ -1,11 +1,11 @@
-//! Families: one sector stands out, the others are faded and have no names.
+//! Families: one sector stands out, the others are faded and have no labels.
 //!
-//! The members that stand out are what the statements say where the index is 0: its members, and
-//! those of the next index that it hangs together with. What belongs to no family always does.
+//! The members that stand out are those that the statements of index 0 mention: the members of
+//! index 0, and those of the next index connected to them. A name of no family always stands out.
 
 use crate::diagram::{NameId, Rule, Side, Spoke};
 
-/// For each name whether it stands out.
+/// Whether each name stands out.
 pub(super) fn sector(rule: &Rule) -> Vec<bool> {
     let Some(size) = rule.size() else {
         return vec![true; rule.names.len()];
@@ -20,7 +20,7 @@ pub(super) fn sector(rule: &Rule) -> Vec<bool> {
     strong
 }
 
-/// Shows every name that the statements of index 0 mention.
+/// Calls `see` for every name that the statements of index 0 mention.
 fn mentions(rule: &Rule, side: &Side, size: usize, see: &mut dyn FnMut(NameId)) {
     for orbit in side.loops.iter().filter(|orbit| rule.is_first(orbit.face.name)) {
         let count = match orbit.each {
@@ -31,7 +31,7 @@ fn mentions(rule: &Rule, side: &Side, size: usize, see: &mut dyn FnMut(NameId)) 
             see(item.from.name);
             see(item.item.name);
         }
-        // Where the last of them ends.
+        // The vertex where the last of them ends.
         see(orbit.items[count % orbit.items.len().max(1)].from.name);
     }
     for edge in side.edges.iter().filter(|edge| rule.is_first(edge.edge.name)) {

@@ -7,15 +7,15 @@ use crate::diagram::{NameId, Spoke, Star};
 
 /// The radius of a fan.
 pub(super) const FAN: f64 = 34.0;
-/// The angle that is left free beside a spoke, and how wide a fan spreads at most.
+/// The angle left free beside a spoke, and the maximum angle of a fan.
 const FREE: f64 = 0.32;
 const WIDEST: f64 = 2.0;
 
 /// The loops, spokes and fans around a vertex.
 pub(super) struct Around {
-    /// The directions of all that ends there.
+    /// The directions of all strands that end there.
     pub drawn: Vec<f64>,
-    /// The sectors that lie in loops, counterclockwise from one angle to another: no fan does.
+    /// The sectors inside loops, counterclockwise from one angle to another: no fan lies there.
     pub corners: Vec<[f64; 2]>,
 }
 
@@ -26,8 +26,8 @@ impl Around {
     }
 }
 
-/// For each fan of a vertex with a name the angles it spreads between. `spoke` tells the
-/// direction of a halfedge, `wish` one that a fan would like.
+/// The angles that each fan of a vertex spreads between. `spoke` gives the direction of a halfedge,
+/// `wish` the preferred direction of a fan.
 pub(super) fn fans(
     star: &Star,
     around: &Around,
@@ -66,7 +66,7 @@ pub(super) fn fans(
                 gap - 0.8 * off
             }
         };
-        // Between two spokes, as many gaps as fans and rests: each has its own.
+        // If there are as many gaps between two spokes as fans and rests, each has its own.
         let is_known = |at: usize| known(at % count).is_some();
         let earlier = (1..count).take_while(|step| !is_known(at + count - step));
         let later = (1..count).take_while(|step| !is_known(at + step));
@@ -93,7 +93,7 @@ pub(super) fn fans(
     fans
 }
 
-/// The gaps that some angles leave in a sector, each as where it begins and ends, from `from` on.
+/// The gaps that some angles leave in a sector, each as its start and end relative to `from`.
 fn gaps<'a>(from: f64, width: f64, angles: impl Iterator<Item = &'a f64>) -> Vec<[f64; 2]> {
     let cuts = angles.map(|&angle| turn(from, angle));
     let mut cuts: Vec<_> = cuts.filter(|&cut| cut < width - 1e-6).collect();

@@ -1,10 +1,10 @@
-//! A rule as figures: nodes to be placed, strands between them, loops along the strands.
+//! A rule as figures: nodes to place, strands between them, loops along the strands.
 //!
-//! A strand is an edge, with one halfedge or two, or a path. A path bends at three nodes of
-//! its own, an edge from a vertex to itself at two; edges between the same two vertices bend
-//! at one each. The nodes of both sides are numbered together, so that what is on both sides
-//! has one place. Nothing is assumed of the drawing: a name that stands twice is taken where
-//! it stands first, and an end that nothing tells is a loose node.
+//! A strand is an edge, with one halfedge or two, or a path. A path bends at three nodes of its
+//! own, an edge from a vertex to itself at two; edges between the same two vertices bend at one
+//! each. The nodes of both sides share one numbering, so that what is on both sides has one place.
+//! A drawing may be malformed: of a name that occurs twice the first occurrence counts, and an end
+//! without a known vertex is a loose node.
 
 use super::split_vertices;
 use crate::diagram::{Drawing, Edge, Kind, LoopKind, NameId, View};
@@ -15,7 +15,7 @@ pub(super) enum Node {
     Vertex(NameId),
     /// A bend of a strand.
     Bend,
-    /// An end that no name tells.
+    /// An end without a known vertex.
     Loose,
 }
 
@@ -32,7 +32,7 @@ impl Dart {
         2 * self.strand + usize::from(!self.forward)
     }
 
-    /// The dart of a number.
+    /// The dart with the given number.
     pub fn of(index: usize) -> Self {
         Self { strand: index / 2, forward: index.is_multiple_of(2) }
     }
@@ -45,7 +45,7 @@ pub(super) struct Strand {
     pub edge: Option<NameId>,
     /// The halfedge or path that runs along it, and the one that runs back.
     pub items: [Option<NameId>; 2],
-    /// From end to end.
+    /// Its nodes, from end to end.
     pub nodes: Vec<usize>,
     /// True if it is a path.
     pub is_path: bool,
@@ -57,7 +57,7 @@ impl Strand {
         [self.nodes[0], self.nodes[self.nodes.len() - 1]]
     }
 
-    /// Its name on both sides.
+    /// The name that identifies it on both sides.
     fn key(&self) -> Option<NameId> {
         self.edge.or(self.items[0])
     }
@@ -71,14 +71,14 @@ pub(super) struct Orbit {
     pub darts: Vec<Dart>,
 }
 
-/// One side.
+/// One side of a rule.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Side {
     pub strands: Vec<Strand>,
     pub loops: Vec<Orbit>,
     /// The vertices that are drawn.
     pub shown: Vec<NameId>,
-    /// For each name the first dart it runs along.
+    /// The first dart of each name.
     pub darts: Vec<Option<Dart>>,
 }
 
@@ -92,7 +92,7 @@ impl Side {
         nodes
     }
 
-    /// The nodes around a loop, each strand without its end.
+    /// The nodes around a loop, each strand without its last node.
     pub fn around(&self, darts: &[Dart]) -> Vec<usize> {
         let mut nodes = Vec::new();
         for &dart in darts {
@@ -102,7 +102,7 @@ impl Side {
         nodes
     }
 
-    /// For each dart the loop it lies in.
+    /// The loop that each dart lies in.
     pub fn loop_of(&self) -> Vec<Option<usize>> {
         let mut of = vec![None; 2 * self.strands.len()];
         for (at, orbit) in self.loops.iter().enumerate() {
@@ -226,7 +226,7 @@ impl<'a> Figure<'a> {
         side
     }
 
-    /// Halfedges that only a vertex statement lists.
+    /// Adds the halfedges that only a vertex statement lists.
     fn put_stubs(&mut self, side: &mut Side, view: &View, earlier: Option<&Side>) {
         for star in &view.side().stars {
             for spoke in &star.spokes {
@@ -269,7 +269,8 @@ impl<'a> Figure<'a> {
         });
     }
 
-    /// Gives strands the nodes at which they bend: those they had, where they can keep them.
+    /// Adds the nodes at which strands bend: those of `earlier` for unchanged strands, else new
+    /// ones.
     fn bend(&mut self, side: &mut Side, earlier: Option<&Side>) {
         let parallel: Vec<_> = (0..side.strands.len())
             .map(|at| {

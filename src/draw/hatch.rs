@@ -1,4 +1,4 @@
-//! Hatching, by which holes are told from faces.
+//! Hatching, which distinguishes holes from faces.
 
 use glam::DVec2;
 
@@ -6,10 +6,10 @@ use super::curve::{Curve, distance, left};
 
 /// The distance between two lines.
 const APART: f64 = 8.0;
-/// The distance from the outline the hatching around a figure begins.
+/// The distance from the outline at which the hatching around a figure begins.
 const ASIDE: f64 = 20.0;
 
-/// Slanted lines inside a polygon, but for the islands in it.
+/// Slanted lines inside a polygon, except in its islands.
 pub(super) fn hatch(outline: &[DVec2], islands: &[Vec<DVec2>]) -> Vec<Curve> {
     let slant = DVec2::new(1.0, -1.0).normalize();
     let across = DVec2::new(1.0, 1.0).normalize();
@@ -26,7 +26,7 @@ pub(super) fn hatch(outline: &[DVec2], islands: &[Vec<DVec2>]) -> Vec<Curve> {
         outline.iter().copied().zip(next.copied())
     });
     let sides: Vec<_> = sides.collect();
-    // Half a line off, so that no line runs through a corner of a tidy picture.
+    // Offset by half a distance, so that no line passes through a corner of a tidy picture.
     let first = (low / APART).floor() as i64;
     let last = (high / APART).ceil() as i64;
     for step in first..=last {
@@ -50,7 +50,7 @@ pub(super) fn hatch(outline: &[DVec2], islands: &[Vec<DVec2>]) -> Vec<Curve> {
     lines
 }
 
-/// Short lines on the outside of a polygon that is a hole all around.
+/// Short lines along the outside of a polygon that is surrounded by a hole.
 pub(super) fn ticks(outline: &[DVec2]) -> Vec<Curve> {
     let Some(&first) = outline.first() else {
         return Vec::new();
@@ -63,7 +63,7 @@ pub(super) fn ticks(outline: &[DVec2]) -> Vec<Curve> {
         let from = at + left(way) * ASIDE;
         [from, from + slant * 9.0]
     };
-    // In a corner of the hole there is room for those of one side only.
+    // In a corner of the hole there is room for the ticks of one side only.
     let is_free = |ends: &[DVec2; 2]| {
         let far = |end: DVec2| around.segments().all(|side| distance(end, side) > 0.85 * ASIDE);
         ends.iter().all(|&end| far(end))

@@ -1,4 +1,4 @@
-//! Room for texts: boxes that may not overlap, lines they should not cover.
+//! Placement of texts: boxes must not overlap each other, and should not cover lines.
 
 use glam::DVec2;
 
@@ -6,38 +6,38 @@ use super::curve::Curve;
 use super::letters::Label;
 use super::shape::TextBox;
 
-/// The cost of a box on a box, of a box on a line, and a unit of distance from the best place.
+/// The costs of a box on a box, and of a box on a line.
 const ON_BOX: f64 = 1000.0;
 const ON_LINE: f64 = 40.0;
-/// The air that a box has around it, and how much it would like to have between it and others.
+/// The minimum gap between boxes, and the preferred one.
 const AIR: f64 = 1.5;
 const WIDE_AIR: f64 = 8.0;
-/// The cost of having none of that.
+/// The cost of a gap of zero; it falls to zero at the preferred gap.
 const CLOSE: f64 = 10.0;
 
-/// A place a text may have, and what it costs to stand there.
+/// A candidate place for a text, and its cost.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Spot {
     pub at: DVec2,
     pub cost: f64,
 }
 
-/// The boxes and lines that are drawn already.
+/// The boxes and lines drawn so far.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Room {
     lines: Vec<([DVec2; 2], f64)>,
     boxes: Vec<(DVec2, DVec2)>,
-    /// The texts that have been put.
+    /// The texts placed so far.
     pub texts: Vec<TextBox>,
 }
 
 impl Room {
-    /// Keeps texts away from a curve, by its half width.
+    /// Registers a curve with its half width, to keep texts away from it.
     pub fn draw(&mut self, curve: &Curve, half_width: f64) {
         self.lines.extend(curve.segments().map(|segment| (segment, half_width)));
     }
 
-    /// The cost of putting a text somewhere.
+    /// The cost of placing a text at `at`.
     pub fn cost(&self, at: DVec2, label: &Label) -> f64 {
         let boxes = label.boxes().into_iter();
         boxes.map(|(by, half)| self.cost_of_box(at + by, half)).sum()
@@ -58,7 +58,7 @@ impl Room {
         boxes + ON_LINE * (lines.count().min(6) as f64)
     }
 
-    /// The best of some spots.
+    /// The spot with the lowest total cost.
     pub fn best(&self, label: &Label, spots: &[Spot]) -> Spot {
         let mut best = Spot { at: DVec2::ZERO, cost: f64::MAX };
         for spot in spots {
@@ -70,7 +70,7 @@ impl Room {
         best
     }
 
-    /// Puts a text.
+    /// Places a text.
     pub fn put(&mut self, text: &str, label: &Label, at: DVec2) {
         for (by, half) in label.boxes() {
             self.boxes.push((at + by, half));
@@ -113,7 +113,7 @@ fn touches([a, b]: [DVec2; 2], center: DVec2, half: DVec2) -> bool {
     low <= high
 }
 
-/// The distance from the middle of a box to where it ends in a direction.
+/// The distance from the center of a box to its border in a direction.
 pub(super) fn reach(half: DVec2, direction: DVec2) -> f64 {
     let x = half.x / direction.x.abs().max(1e-9);
     let y = half.y / direction.y.abs().max(1e-9);

@@ -10,10 +10,10 @@ use super::letters::Label;
 
 /// The radius of a vertex.
 pub(super) const DOT: f64 = 4.5;
-/// The fineness with which a face is searched for room.
+/// The resolution of the grid on which a face is searched for room.
 const GRID: u32 = 24;
 
-/// The spots beside an arrow, inside before outside.
+/// The spots on the left of an arrow; those near it and near its middle cost least.
 pub(super) fn beside(arrow: &Curve, label: &Label) -> Vec<Spot> {
     let length = arrow.length();
     let mut spots = Vec::new();
@@ -35,7 +35,7 @@ pub(super) fn beside(arrow: &Curve, label: &Label) -> Vec<Spot> {
     spots
 }
 
-/// Points inside a polygon but in none of the islands in it, and how far each is from the sides.
+/// Points inside a polygon but outside its islands, each with its distance from the sides.
 fn inner_points(outline: &[DVec2], islands: &[Vec<DVec2>]) -> Vec<(DVec2, f64)> {
     let (low, high) = outline
         .iter()
@@ -64,13 +64,13 @@ fn inner_points(outline: &[DVec2], islands: &[Vec<DVec2>]) -> Vec<(DVec2, f64)> 
         .collect()
 }
 
-/// The radius of the widest circle inside a polygon, about.
+/// The approximate radius of the largest circle inside a polygon.
 pub(super) fn widest_circle(outline: &[DVec2]) -> f64 {
     let points = inner_points(outline, &[]).into_iter();
     points.map(|(_, room)| room).fold(0.0, f64::max)
 }
 
-/// Spots inside a polygon, but in none of the islands in it, those with most room first.
+/// Spots inside a polygon but outside its islands; the more room a spot has, the less it costs.
 pub(super) fn inner_spots(outline: &[DVec2], islands: &[Vec<DVec2>]) -> Vec<Spot> {
     let points = inner_points(outline, islands);
     let most = points.iter().map(|(_, room)| *room).fold(0.0, f64::max);
@@ -78,7 +78,7 @@ pub(super) fn inner_spots(outline: &[DVec2], islands: &[Vec<DVec2>]) -> Vec<Spot
     let good: Vec<_> = good.map(|(at, _)| *at).collect();
     let center = good.iter().copied().sum::<DVec2>() / good.len().max(1) as f64;
     let mut all = Vec::new();
-    // Of a ring the middle is no part.
+    // The middle of a ring is not part of it.
     if islands.is_empty() {
         all.push(Spot { at: center, cost: 0.0 });
     }
@@ -101,7 +101,7 @@ pub(super) fn widest_gap(angles: &[f64]) -> f64 {
     best.1
 }
 
-/// The radius that keeps a text off a vertex.
+/// The distance from a vertex at which a text clears its dot.
 pub(super) fn beyond_dot(label: &Label, way: DVec2) -> f64 {
     DOT + 5.0 + reach(label.half, way)
 }

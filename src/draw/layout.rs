@@ -1,9 +1,9 @@
 //! Places of the nodes of a figure.
 //!
-//! The outside becomes a convex polygon, what lies inside goes to the middle of its neighbours
-//! (W. T. Tutte, "How to draw a graph", 1963), with a node in every loop to hold it open:
-//! then no two strands cross. The edge an operation is called with lies across, from left to
-//! right. Lengths are in units of the polygon's radius. What `after` does otherwise is in
+//! The outside becomes a convex polygon, and each inner node goes to the centroid of its neighbours
+//! (W. T. Tutte, "How to draw a graph", 1963), with a node in every loop to hold it open: then no
+//! two strands cross. The edge an operation is called with is horizontal, from left to right.
+//! Lengths are in units of the polygon's radius. Where `after` differs is in
 //! [`after_layout`](super::after_layout).
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -19,7 +19,7 @@ use super::figure::{Dart, Figure, Node, Side};
 use super::outer::outside;
 use crate::diagram::NameId;
 
-/// The number of times the middles are taken.
+/// The number of relaxation sweeps.
 const SWEEPS: usize = 600;
 /// The length of a path, as a multiple of an edge's.
 const PATH_WEIGHT: f64 = 2.0;
@@ -41,7 +41,7 @@ pub(super) fn places(figure: &Figure) -> [Vec<DVec2>; 2] {
     })
 }
 
-/// The places of `before`: what hangs together stands side by side.
+/// The places of `before`: connected components stand side by side.
 fn parts_in_a_row(figure: &Figure) -> Vec<Option<DVec2>> {
     let mut places = vec![None; figure.nodes.len()];
     let parts = parts(figure, &figure.before);
@@ -59,8 +59,8 @@ fn parts_in_a_row(figure: &Figure) -> Vec<Option<DVec2>> {
     places
 }
 
-/// Turns a figure so that the edge an operation is called with lies level, if no corner of the
-/// outside sees to that.
+/// Turns a figure so that the edge an operation is called with is horizontal, unless the outside
+/// determines its direction.
 fn level_main(figure: &Figure, places: &mut [Option<DVec2>]) {
     let side = &figure.before;
     let Some(main) = main_dart(figure).filter(|_| figure.drawing.rule.size().is_none()) else {
@@ -75,7 +75,7 @@ fn level_main(figure: &Figure, places: &mut [Option<DVec2>]) {
     };
     let is_inside = !ends.iter().any(|end| ring.contains(end));
     let times = |end: &usize| ring.iter().filter(|node| *node == end).count();
-    // An edge that the outside passes on both sides may lie anywhere.
+    // An edge with the outside on both sides may have any direction.
     let is_between = ends.iter().all(|end| times(end) > 1);
     if (is_inside || is_between) && (to - from).length() > NEAR {
         let turn = DVec2::from_angle((to - from).angle_to(DVec2::X));
@@ -85,7 +85,7 @@ fn level_main(figure: &Figure, places: &mut [Option<DVec2>]) {
     }
 }
 
-/// Turns a figure with families so that the sector that stands out lies at the bottom.
+/// Turns a figure with families so that the sector that stands out is at the bottom.
 fn turn_sector(figure: &Figure, places: &mut [Option<DVec2>]) {
     let rule = figure.drawing.rule;
     if rule.size().is_none() {
@@ -119,7 +119,8 @@ fn turn_sector(figure: &Figure, places: &mut [Option<DVec2>]) {
     }
 }
 
-/// The dart that lies across: that of the first parameter that has one.
+/// The dart that is drawn horizontally: that of the first parameter that has one, or else the first
+/// dart of the first loop.
 fn main_dart(figure: &Figure) -> Option<Dart> {
     let rule = figure.drawing.rule;
     let named = rule.params.iter().flatten().find_map(|&name| {
@@ -130,8 +131,8 @@ fn main_dart(figure: &Figure) -> Option<Dart> {
     named.or_else(|| figure.before.loops.first()?.darts.first().copied())
 }
 
-/// Places what hangs together: the loops that hang together along edges one after the other,
-/// each on the far side of the vertex that it shares with those before.
+/// Places a connected component: its blocks one after the other, each on the far side of the vertex
+/// that it shares with those before.
 fn place_blocks(figure: &Figure, part: &[usize], places: &mut [Option<DVec2>]) {
     let among = |node: usize| part.contains(&node);
     let mut blocks = blocks(&figure.before, part).into_iter();
@@ -205,8 +206,8 @@ fn place_part(
         if simple {
             all[node] = Some(direction(angle));
         } else {
-            // A node that is passed twice cannot stand at two places: a ring around the
-            // figure holds it open instead.
+            // A node that is passed twice cannot be in two places: a ring around the figure holds
+            // it open instead.
             pulls.push((node, all.len()));
             all.push(Some(direction(angle) * 1.5));
         }
@@ -218,7 +219,7 @@ fn place_part(
     }
 }
 
-/// The node that all strands of a part begin or end at, if there are several.
+/// The node that is an end of all strands of a part, if the part has more than two nodes.
 fn center_of_star(side: &Side, part: &[usize]) -> Option<usize> {
     let strands = side.strands.iter();
     let strands: Vec<_> = strands.filter(|strand| part.contains(&strand.nodes[0])).collect();
@@ -226,7 +227,7 @@ fn center_of_star(side: &Side, part: &[usize]) -> Option<usize> {
     (part.len() > 2 && !strands.is_empty()).then(|| part.iter().find(is_center).copied()).flatten()
 }
 
-/// Makes spurs, and edges from a vertex to itself, so long that they can be read.
+/// Lengthens spurs, and edges from a vertex to itself, so that they are readable.
 pub(super) fn stretch(side: &Side, places: &mut [Option<DVec2>], is_fixed: &dyn Fn(usize) -> bool) {
     let degree = |node: usize| {
         let ends = side.strands.iter().flat_map(|strand| strand.ends());
@@ -256,7 +257,8 @@ pub(super) fn stretch(side: &Side, places: &mut [Option<DVec2>], is_fixed: &dyn 
         let away = middle - root;
         if away.length() < SPUR {
             let away = away.normalize_or(DVec2::X) * SPUR;
-            // A loop that consists of it lies inside; another one goes on outside of it.
+            // A loop that consists only of this strand lies inside; any other loop is outside of
+            // it.
             let sign = match [sides(2 * at), sides(2 * at + 1)] {
                 [Some(1), _] | [None, _] => 1.0,
                 [Some(_), _] => -1.0,
@@ -268,7 +270,7 @@ pub(super) fn stretch(side: &Side, places: &mut [Option<DVec2>], is_fixed: &dyn 
     }
 }
 
-/// For each node of the outside its angle.
+/// The angle of each node of the outside.
 fn angles(figure: &Figure, side: &Side, outside: &[Dart], ring: &[usize]) -> Vec<f64> {
     let mut weights = Vec::new();
     for dart in outside {
@@ -302,7 +304,7 @@ fn angles(figure: &Figure, side: &Side, outside: &[Dart], ring: &[usize]) -> Vec
             }
         }
         (main, ends) => {
-            // The main dart at the bottom, else a side.
+            // The main dart is at the bottom, or else some side.
             let start = ends.map_or(0, |[from, _]| from);
             let lead = match main {
                 Some(dart) if is_outside(dart) => side.strands[dart.strand].nodes.len() - 1,
@@ -324,7 +326,8 @@ pub(super) fn pulls(side: &Side) -> Vec<(usize, usize)> {
     pairs.map(|pair| (pair[0], pair[1])).collect()
 }
 
-/// Moves what has no place yet to the middle of what pulls at it.
+/// Moves the nodes without a place to the centroid of the nodes that pull at them. Each loop gets a
+/// center, appended to `places`.
 pub(super) fn settle(side: &Side, places: &mut Vec<Option<DVec2>>, pulls: &[(usize, usize)]) {
     let mut pulls = pulls.to_vec();
     for orbit in &side.loops {

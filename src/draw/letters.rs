@@ -1,8 +1,8 @@
-//! Letters as outlines, so that a picture looks the same on a machine without fonts.
+//! Letters as outlines, so that a picture looks the same on machines without fonts.
 //!
-//! A line of `letters/italic.txt` and `letters/upright.txt` is a character's code, its width
-//! and its outline, a thousand units to the em, y up. Only the outlines are data; kerning
-//! and hinting are left to typesetters. A character that is not there is drawn as a box.
+//! A line of `letters/italic.txt` and `letters/upright.txt` is a character's code, its width and
+//! its outline, in thousandths of an em, y up. There is no kerning and no hinting. A missing
+//! character is drawn as a box.
 
 use glam::DVec2;
 use std::sync::LazyLock;
@@ -16,10 +16,10 @@ pub(super) enum Style {
     Upright,
 }
 
-/// The height of capitals and ascenders are, and how deep descenders, in ems.
+/// The height of capitals and ascenders, and the depth of descenders, in ems.
 const ASCENT: f64 = 0.68;
 const DESCENT: f64 = 0.2;
-/// The size of a subscript, and how deep it stands.
+/// The size of a subscript, and how far it is lowered, in ems.
 const SUBSCRIPT: f64 = 0.72;
 const DROP: f64 = 0.17;
 
@@ -58,7 +58,7 @@ fn outline(text: &str) -> Vec<(char, Vec<f64>)> {
     steps.into_iter().map(|(step, text)| (step, numbers(&text))).collect()
 }
 
-/// A letter that has been set: which, where its line begins, and how large it is.
+/// A typeset letter: its style, character, origin and size.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Glyph {
     pub style: Style,
@@ -67,28 +67,28 @@ pub(super) struct Glyph {
     pub size: f64,
 }
 
-/// The outline of a letter that is a thousand units large, y down.
+/// The outline of a letter at a thousand units to the em, y down.
 pub(super) fn letter(style: Style, code: char) -> Path {
     let mut setting = Setting::default();
     setting.add(code.encode_utf8(&mut [0; 4]), style, 1000.0, 0.0);
     setting.path
 }
 
-/// A text that has been set: its outline with the middle of its box at zero.
+/// A typeset text: its outline, with the center of its box at zero.
 #[derive(Clone, Debug)]
 pub(super) struct Label {
     /// The outline.
     pub path: Path,
-    /// The same letter by letter, not turned.
+    /// The same letter by letter, before rotation.
     pub glyphs: Vec<Glyph>,
-    /// Half its width and half its height, not turned.
+    /// Half its width and half its height, before rotation.
     pub half: DVec2,
-    /// By how many degrees it is turned, with the hands of a clock.
+    /// Its rotation in degrees, clockwise.
     pub turn: i32,
 }
 
 impl Label {
-    /// The same text turned so that it runs along a direction, but never upside down.
+    /// The same text turned to run along a direction, but never upside down.
     pub fn turned_along(mut self, way: DVec2) -> Self {
         let way = match way.x < -1e-6 || (way.x.abs() <= 1e-6 && way.y > 0.0) {
             true => -way,
@@ -99,12 +99,13 @@ impl Label {
         self
     }
 
-    /// The rotation by which it is turned.
+    /// Its rotation, as a unit vector.
     pub fn rotation(&self) -> DVec2 {
         DVec2::from_angle(f64::from(self.turn).to_radians())
     }
 
-    /// The boxes it fills side by side, as middles and halves: one, or several if it is slanted.
+    /// The boxes it fills side by side, as centers and half sizes: one, or several if it is
+    /// slanted.
     pub fn boxes(&self) -> Vec<(DVec2, DVec2)> {
         let along = self.rotation();
         let wide = along.abs() * self.half.x + along.perp().abs() * self.half.y;
@@ -117,21 +118,21 @@ impl Label {
             true => DVec2::new(piece.x / 2.0, wide.y.min(self.half.y + piece.y.abs() / 2.0)),
             false => DVec2::new(wide.x.min(self.half.y + piece.x / 2.0), piece.y.abs() / 2.0),
         };
-        // A little less than a piece each, so that they do not overlap.
+        // Slightly smaller than a piece, so that they do not overlap.
         let half = half - 1e-6;
         let middle = |at: usize| piece * (at as f64 - (count - 1.0) / 2.0);
         (0..count as usize).map(|at| (middle(at), half)).collect()
     }
 }
 
-/// The same letters elsewhere.
+/// The same letters, moved.
 pub(super) fn moved(glyphs: &[Glyph], by: DVec2) -> Vec<Glyph> {
     let glyphs = glyphs.iter().map(|&glyph| Glyph { at: glyph.at + by, ..glyph });
     glyphs.collect()
 }
 
-/// Sets a name: letters in italics, digits behind them and what stands in brackets as a
-/// subscript, primes raised.
+/// Typesets a name: letters in italics, trailing digits and the text in brackets as a subscript,
+/// primes raised.
 pub(super) fn name(text: &str, size: f64) -> Label {
     let (text, index) = match text.split_once('[') {
         Some((text, index)) => (text, index.trim_end_matches(']')),
@@ -140,7 +141,7 @@ pub(super) fn name(text: &str, size: f64) -> Label {
     let stem = text.trim_end_matches('\'');
     let primes = text.len() - stem.len();
     let letters = stem.trim_end_matches(|c: char| c.is_ascii_digit());
-    // A name of digits only, or none, has nothing to stand under.
+    // A name of digits only, or an empty one, has nothing to be a subscript of.
     let (letters, digits) = match letters.is_empty() {
         true => (stem, ""),
         false => stem.split_at(letters.len()),
@@ -170,7 +171,7 @@ pub(super) fn name(text: &str, size: f64) -> Label {
     setting.label(size)
 }
 
-/// Sets a line of words.
+/// Typesets a line of words.
 pub(super) fn words(text: &str, style: Style, size: f64) -> Label {
     let mut setting = Setting::default();
     setting.add(text, style, size, 0.0);

@@ -1,11 +1,11 @@
-//! Diagrams and small meshes as pictures.
+//! Pictures of operations and small meshes.
 //!
-//! [`draw_op`] makes a [`Picture`] of an operation as a textbook has it: before and after side
-//! by side, the same vertex at the same place, halfedges as arrows inside their faces, and
-//! what is kept, reassigned, new and erased told apart by colour and by stroke. A picture is
-//! written as SVG or PNG. Texts are outlines of letters that come along, so no fonts are
-//! needed. [`text_op`] draws with characters, `page` makes a page of many, and [`draw_mesh`]
-//! shows a mesh. Nothing is assumed of a drawing, proved or not: there is always a picture.
+//! [`draw_op`] makes a [`Picture`] of an operation as in a textbook: before and after side by side,
+//! the same vertex at the same place, halfedges as arrows inside their faces; colour and stroke
+//! distinguish what is kept, reassigned, new and erased. A picture is written as SVG or PNG. Texts
+//! are built-in outlines of letters, so no fonts are needed. [`text_op`] draws with characters,
+//! `page` makes a page of many operations, and [`draw_mesh`] shows a mesh. Any drawing has a
+//! picture, proved or not.
 
 // What is drawn.
 mod after_layout;
@@ -43,7 +43,7 @@ pub mod raster;
 mod view;
 pub mod viridis;
 
-// What it is written as.
+// Output formats.
 mod compact;
 mod page;
 mod png;

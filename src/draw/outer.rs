@@ -1,22 +1,22 @@
-//! Which loop goes around a figure.
+//! The outside of a figure.
 //!
-//! The drawn loops are polygons glued along their edges; the sides that are not drawn form
-//! walks around what is glued. The longest of them is the outside. Where everything is drawn,
-//! as on a closed surface, a hole goes outside, or else the longest loop; and so does a hole
-//! alone that runs around several pieces.
+//! The drawn loops are polygons glued along their edges; the sides that are in no loop form walks
+//! around the result. The longest walk is the outside. Where all sides are in loops, as on a closed
+//! surface, the outside is a hole, or else the longest loop. A hole that is the only loop and runs
+//! around several pieces is the outside as well.
 
 use super::figure::{Dart, Orbit, Side};
 use crate::diagram::LoopKind;
 
-/// The strands around the outside, clockwise; none if there is no loop at all. Only loops
-/// with a node in `among` count.
+/// The darts around the outside, clockwise; empty if there is no loop. Only loops and walks whose
+/// first node is in `among` count.
 pub(super) fn outside(side: &Side, among: &dyn Fn(usize) -> bool) -> Vec<Dart> {
     let counts = |darts: &[Dart]| {
         let first = darts.first();
         first.is_some_and(|&dart| among(side.nodes(dart)[0]))
     };
     let walks: Vec<_> = walks(side).into_iter().filter(|walk| counts(walk)).collect();
-    // A hole around pieces that it holds together is seen from the pieces.
+    // A hole around several pieces is itself the outside.
     let is_around = |orbit: &Orbit| orbit.kind == LoopKind::Hole && walks.len() > 1;
     if let [orbit] = &side.loops[..]
         && is_around(orbit)
@@ -63,7 +63,7 @@ fn walks(side: &Side) -> Vec<Vec<Dart>> {
         while !seen[dart] {
             seen[dart] = true;
             walk.push(Dart::of(dart));
-            // Around the vertex at its end, through the corners that are drawn.
+            // Turns around the vertex at its end, through the corners that are drawn.
             let mut spoke = dart ^ 1;
             for _ in 0..count {
                 match before[spoke] {

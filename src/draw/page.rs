@@ -1,5 +1,5 @@
-//! One page for a whole file: each operation with its picture, its comment, what was proved of
-//! it, and its plan.
+//! An HTML page for a whole file: each operation with its picture, its doc comment, what was proved
+//! about it, and its plan.
 
 use std::fmt::Write;
 
@@ -11,11 +11,11 @@ use super::svg::escaped;
 pub struct Section {
     /// Its name.
     pub name: String,
-    /// Its doc comment, a line each.
+    /// The lines of its doc comment.
     pub docs: Vec<String>,
     /// Its picture, if its diagrams can be read.
     pub picture: Option<Picture>,
-    /// The verdict, a paragraph each.
+    /// The paragraphs of the verdict.
     pub verdict: Vec<String>,
     /// The table of its plan, if it is proved.
     pub plan: Option<String>,
@@ -63,7 +63,7 @@ pub fn page(title: &str, sections: &[Section]) -> String {
     text
 }
 
-/// Writes a doc comment: paragraphs, and fenced blocks as they are.
+/// Writes a doc comment: paragraphs, and fenced blocks verbatim.
 fn write_docs(text: &mut String, docs: &[String]) {
     let mut paragraph = String::new();
     let mut fenced = false;

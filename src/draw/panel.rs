@@ -1,6 +1,6 @@
-//! One side of a rule, drawn: first the lines, then the texts where the lines leave room.
+//! Drawing of one side of a rule: first the lines, then the texts where the lines leave room.
 //!
-//! The elements of each kind are drawn beside it: [`faces`](super::faces),
+//! The kinds of elements have modules of their own: [`faces`](super::faces),
 //! [`strands`](super::strands) and [`stars`](super::stars).
 
 use glam::DVec2;
@@ -17,15 +17,15 @@ use crate::diagram::{Kind, NameId};
 /// The size of the letters.
 pub(super) const LETTERS: f64 = 17.0;
 pub(super) const SMALL_LETTERS: f64 = 14.0;
-/// The distance that the hatching of a hole around a figure reaches.
+/// The distance to which the hatching of a hole around a figure reaches.
 const TICKS: f64 = 40.0;
 
-/// A side while it is drawn.
+/// A side that is being drawn.
 pub(super) struct Panel<'a> {
     pub figure: &'a Figure<'a>,
     pub side: &'a Side,
     pub is_after: bool,
-    /// For each name whether it stands out.
+    /// Whether each name stands out.
     strong: Vec<bool>,
     /// The fans of the earlier panel.
     pub earlier: Vec<(usize, NameId, [f64; 2])>,
@@ -38,7 +38,7 @@ pub(super) struct Panel<'a> {
     pub texts: Vec<Text>,
     /// The hatching of holes.
     pub hatched: Vec<Hatched>,
-    /// The room that is taken.
+    /// The space that is taken.
     pub room: Room,
 }
 
@@ -51,7 +51,7 @@ pub(super) struct Hatched {
 }
 
 impl Hatched {
-    /// True if it may reach a place.
+    /// True if it may cover a place.
     fn reaches(&self, at: DVec2) -> bool {
         let next = self.outline.iter().cycle().skip(1);
         let mut sides = self.outline.iter().zip(next);
@@ -62,18 +62,18 @@ impl Hatched {
     }
 }
 
-/// A text that waits for its spot.
+/// A text that has no place yet.
 pub(super) struct Text {
     group: usize,
     name: NameId,
     label: Label,
     spots: Vec<Spot>,
-    /// The ground that sets it off from the lines below it.
+    /// The background that separates it from the lines below it.
     pub ground: Option<Ink>,
 }
 
 impl<'a> Panel<'a> {
-    /// Draws everything but the texts: `before`, or `after` an earlier panel.
+    /// Draws everything but the texts: `before`, or `after` if there is an earlier panel.
     pub fn new(
         figure: &'a Figure<'a>,
         earlier: Option<&Panel>,
@@ -120,7 +120,7 @@ impl<'a> Panel<'a> {
         &self.side.shown
     }
 
-    /// The nodes at which a vertex is drawn: where strands end, or its only one.
+    /// The nodes at which a vertex is drawn: those where strands end, or else its first.
     pub fn dots(&self, vertex: NameId) -> Vec<usize> {
         let ends: Vec<_> = self.side.strands.iter().flat_map(Strand::ends).collect();
         let dots = self.figure.nodes_of(vertex);
@@ -143,7 +143,7 @@ impl<'a> Panel<'a> {
         count
     }
 
-    /// The curves of the strands that end at a node, each from there.
+    /// The curves of the strands that end at a node, each starting there.
     pub fn spokes(&self, node: usize) -> Vec<Curve> {
         let mut spokes = Vec::new();
         for (strand, curve) in self.side.strands.iter().zip(&self.curves) {
@@ -179,7 +179,7 @@ impl<'a> Panel<'a> {
         corners
     }
 
-    /// Puts the texts, the vertices' at their places, and hands out what was drawn.
+    /// Places the texts, those of the vertices where `vertices` says, and returns what was drawn.
     pub fn finish(mut self, vertices: &[(usize, Label, [DVec2; 2])]) -> (Vec<Group>, Room) {
         let side = usize::from(self.is_after);
         for &vertex in &self.side.shown {
@@ -190,7 +190,7 @@ impl<'a> Panel<'a> {
             }
         }
         let mut texts = std::mem::take(&mut self.texts);
-        // Those with the fewest places to go come first.
+        // Texts with the fewest spots come first.
         texts.sort_by_key(|text| text.spots.len());
         for text in texts {
             let at = self.room.best(&text.label, &text.spots).at;
@@ -202,7 +202,7 @@ impl<'a> Panel<'a> {
         (self.groups, self.room)
     }
 
-    /// Writes the name of something; where it stands, a hole is not hatched.
+    /// Writes the name of an element; holes are not hatched behind it.
     pub fn write(&mut self, group: usize, of: NameId, label: &Label, at: DVec2) {
         let word = &self.figure.drawing.rule.name(of).text;
         self.room.put(word, label, at);
@@ -221,7 +221,7 @@ impl<'a> Panel<'a> {
         Status::of(&self.figure.drawing, name)
     }
 
-    /// A group for the shapes of a name; its number.
+    /// Adds a group for the shapes of a name, and returns its index.
     pub fn group(&mut self, name: NameId) -> usize {
         let of = self.figure.drawing.rule.name(name);
         let status = self.status(name).word();
@@ -239,7 +239,7 @@ impl<'a> Panel<'a> {
         self.strong[name.index()]
     }
 
-    /// A text for a name, to be put where there is room; what is faded has none.
+    /// Adds a text for a name, to be placed where there is room; faded elements have none.
     pub fn text(
         &mut self,
         group: usize,
@@ -268,7 +268,7 @@ impl<'a> Panel<'a> {
         if dart.forward { curve.clone() } else { curve.reversed() }
     }
 
-    /// Dots of ends that have no name.
+    /// The places of ends that have no name.
     pub fn loose(&self) -> Vec<DVec2> {
         let strands = self.side.strands.iter().flat_map(Strand::ends);
         let loose = strands.filter(|&end| self.figure.nodes[end] == Node::Loose);

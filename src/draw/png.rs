@@ -1,4 +1,4 @@
-//! A picture as PNG, drawn in the colours of the day.
+//! A picture as PNG, in its light colours.
 
 use std::fmt::{self, Display};
 
@@ -10,7 +10,7 @@ use tiny_skia::{
 use super::raster::Image;
 use super::shape::{FADED, Ink, Paint, Path, Picture, Step};
 
-/// The largest side of an image.
+/// The maximum width and height of an image.
 const MOST_PIXELS: f64 = 16_384.0;
 
 /// The reason why a picture cannot be an image.
@@ -36,7 +36,7 @@ impl Picture {
         pixmap.encode_png().map_err(|_| TooLarge { width, height })
     }
 
-    /// The picture as pixels, with `scale` of them to a unit: how many there are in a row, and all
+    /// The picture as pixels, with `scale` pixels to a unit: the number of pixels in a row, and all
     /// of them, row by row, as red, green and blue.
     pub fn rgb(&self, scale: f64) -> Result<(usize, Vec<[u8; 3]>), TooLarge> {
         let pixmap = self.pixmap(scale)?;
@@ -94,7 +94,7 @@ impl Picture {
 }
 
 impl Image {
-    /// The image as the crate has it; `None` if it is too large.
+    /// The image as a pixmap of `tiny_skia`; `None` if it is too large.
     fn pixmap(&self) -> Option<Pixmap> {
         let bytes = self.pixels.iter().flatten().copied().collect();
         Pixmap::from_vec(bytes, IntSize::from_wh(self.side, self.side)?)

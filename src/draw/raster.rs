@@ -1,24 +1,23 @@
-//! Polygons in space as pixels: of what covers a pixel, the nearest is seen.
+//! Rasterization of polygons in space: each pixel shows the nearest one.
 //!
-//! Each pixel keeps how near what it shows is (E. Catmull, "A subdivision algorithm for computer
-//! display of curved surfaces", 1974, where it is called a z-buffer), so that faces hide each other
-//! whatever their order, also where they pass through each other. Four pixels become one in the
-//! end, which smooths lines.
+//! Each pixel stores the depth of what it shows (the z-buffer of E. Catmull, "A subdivision
+//! algorithm for computer display of curved surfaces", 1974), so that faces hide each other in any
+//! order, and also where they intersect. Finally four pixels become one, which smooths lines.
 
 use std::mem;
 
 use glam::{DVec2, DVec3};
 
-/// A square image: rows of pixels, red, green, blue and opacity, colours multiplied by opacity.
+/// A square image: rows of pixels as red, green, blue and opacity, with premultiplied colours.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Image {
-    /// The number of pixels of a row, and how wide it is in the picture.
+    /// The number of pixels in a row, and the width in the picture.
     pub side: u32,
     pub size: f64,
     pub pixels: Vec<[u8; 4]>,
 }
 
-/// A square of pixels that is drawn on.
+/// A square of pixels to draw on.
 pub struct Raster {
     side: usize,
     near: Vec<f32>,
@@ -28,12 +27,12 @@ pub struct Raster {
 /// The place of a pixel on a polygon.
 pub struct Sample<'a> {
     pub at: DVec2,
-    /// The weight of each corner; together one.
+    /// The weight of each corner; the weights add up to one.
     pub weights: &'a [f64],
 }
 
 impl Raster {
-    /// A square that nothing is drawn on, for an image half as large.
+    /// An empty raster, for an image with half its side.
     pub fn new(image: u32) -> Self {
         let side = 2 * image as usize;
         Self { side, near: vec![f32::NEG_INFINITY; side * side], pixels: vec![[0; 4]; side * side] }
@@ -44,7 +43,7 @@ impl Raster {
         self.side as f64
     }
 
-    /// Draws a polygon: places in pixels, z towards the viewer.
+    /// Draws a polygon; its corners are in pixels, with z towards the viewer.
     pub fn polygon(&mut self, corners: &[DVec3], colour: &dyn Fn(&Sample) -> [u8; 3]) {
         let flat: Vec<_> = corners.iter().map(|corner| corner.truncate()).collect();
         let mut weights = vec![0.0; corners.len()];
@@ -74,7 +73,7 @@ impl Raster {
         }
     }
 
-    /// The image that has been drawn, to be so wide in a picture; each pixel the mean of four.
+    /// The drawn image, to be `size` wide in a picture; each pixel is the mean of four.
     pub fn image(mut self, size: f64) -> Image {
         let side = self.side / 2;
         let pixels = mem::take(&mut self.pixels);
@@ -91,11 +90,11 @@ impl Raster {
     }
 }
 
-/// The pixels whose middles lie between the least and the largest of some numbers.
+/// The pixels whose centers lie between the least and the greatest of some numbers.
 fn span(values: impl Iterator<Item = f64>, side: usize) -> std::ops::Range<usize> {
     let none = (f64::INFINITY, f64::NEG_INFINITY);
     let (low, high) = values.fold(none, |(low, high), x| (low.min(x), high.max(x)));
-    // What is no number, or negative, becomes zero.
+    // NaN and negative numbers become zero.
     let pixel = |value: f64| ((value - 0.5).ceil() as usize).min(side);
     pixel(low)..pixel(high)
 }
@@ -106,8 +105,7 @@ pub(super) fn sides(corners: &[DVec2]) -> impl Iterator<Item = [DVec2; 2]> + '_ 
 }
 
 /// The mean value coordinates of a place (M. S. Floater, "Mean value coordinates", 2003): in a
-/// triangle the usual ones; in other polygons they are continuous, and between two corners on
-/// a side.
+/// triangle the barycentric ones; in other polygons they are continuous, and linear along a side.
 pub fn weigh(at: DVec2, corners: &[DVec2], weights: &mut [f64]) {
     if let &[a, b, c] = corners {
         let whole = (b - a).perp_dot(c - a);

@@ -1,8 +1,8 @@
-//! Bends of the strands of `after` that are not as they were.
+//! Routing of the strands of `after` that have changed.
 //!
-//! A path that gets other ends keeps its shape, turned and flatter, unless it would
-//! cross something then, or run around what is no part of its loop: then it is an arc that does
-//! not. A path that closes becomes a petal on the side where it was.
+//! A path that gets other ends keeps its shape, turned and flattened, unless it would then cross
+//! something, or enclose what is not part of its loop: then it becomes an arc that does not. A path
+//! that closes becomes a petal on the side where it was.
 
 use std::f64::consts::PI;
 
@@ -11,19 +11,19 @@ use glam::DVec2;
 use super::curve::{Curve, angle, area, cross, inside, left, turn};
 use super::figure::{Figure, Node, Side, Strand};
 
-/// The factor by which a path is flattened that keeps its shape.
+/// The factor by which a path that keeps its shape is flattened.
 const FLATTER: f64 = 0.7;
-/// The heights of the arcs that are tried, as parts of their widths.
+/// The heights of the arcs that are tried, relative to their widths.
 const HEIGHTS: [f64; 6] = [0.45, -0.45, 0.25, -0.25, 0.8, -0.8];
 /// Ends nearer to each other than this have no direction.
 const NEAR: f64 = 0.12;
 /// The length and the width of the petal of a path that closes.
 const PETAL: f64 = 1.35;
 const SPREAD: f64 = 1.05;
-/// The angle, in radians, that the middle of a petal keeps from all else that ends at its vertex.
+/// The angle, in radians, between the middle of a petal and any other strand at its vertex.
 const CLEAR: f64 = 1.5;
 
-/// Bends the paths that get other ends, or whose ends are moved; `before` are the earlier places.
+/// Bends the paths that get other ends, or whose ends move; `before` holds the earlier places.
 pub(super) fn bend_paths(figure: &Figure, before: &[Option<DVec2>], places: &mut [Option<DVec2>]) {
     let known: Vec<_> = before.iter().flatten().collect();
     let center = known.iter().copied().sum::<DVec2>() / known.len().max(1) as f64;
@@ -50,11 +50,11 @@ pub(super) fn bend_paths(figure: &Figure, before: &[Option<DVec2>], places: &mut
     }
 }
 
-/// The strands that stand already.
+/// The strands placed so far.
 struct Scene<'a> {
     side: &'a Side,
     places: &'a [Option<DVec2>],
-    /// The middle of it all.
+    /// The centroid of the earlier places.
     center: DVec2,
 }
 
@@ -67,7 +67,7 @@ impl Scene<'_> {
         if was.length() > NEAR {
             let back = DVec2::new(was.x, -was.y) / was.length_squared();
             let moved = old.iter().map(|&at| {
-                // Along and aside of the way from end to end.
+                // Along and across the direction from end to end.
                 let at = back.rotate(at - old[0]);
                 a + (b - a).rotate(DVec2::new(at.x, at.y * FLATTER))
             });
@@ -89,7 +89,7 @@ impl Scene<'_> {
         let last = old.len() - 1;
         let inner = &old[1..last];
         let middle = inner.iter().copied().sum::<DVec2>() / inner.len().max(1) as f64;
-        // Also away from the middle of the figure, which leaves room between two petals.
+        // Also away from the middle of the figure, to leave room between two petals.
         let outward = (middle - self.center).normalize_or_zero();
         let away = (middle - root).normalize_or(DVec2::X) + outward;
         let away = away.normalize_or(DVec2::X);
@@ -102,9 +102,9 @@ impl Scene<'_> {
         };
         let steps = (0..=15).flat_map(|step| [step, -step]);
         let best = steps.min_by(|a, b| worth(a).total_cmp(&worth(b)));
-        // Angles turn against the hands of a clock, rotations of a picture with them.
+        // Angles are counterclockwise, rotations of a picture clockwise.
         let away = away.rotate(DVec2::from_angle(-0.1 * f64::from(best.unwrap_or(0))));
-        // No further than the path went before.
+        // No further than the path reached before.
         let far = old.iter().map(|at| (*at - root).length());
         let far = far.fold(0.0, f64::max).clamp(PETAL / 2.0, PETAL);
         let place = |at: usize| {
@@ -115,7 +115,7 @@ impl Scene<'_> {
         (0..=last).map(place).collect()
     }
 
-    /// The angles at which all else leaves the vertex that a strand closes at.
+    /// The angles at which the other strands leave the vertex where a strand closes.
     fn directions(&self, strand: usize) -> Vec<f64> {
         let root = self.side.strands[strand].nodes[0];
         let mut angles = Vec::new();
@@ -138,8 +138,8 @@ impl Scene<'_> {
         strand.nodes.iter().map(|&node| self.places[node]).collect()
     }
 
-    /// The faults of a path along some points: what it crosses, and what lies inside its loop that
-    /// is no part of it.
+    /// The number of faults of a path along some points: strands it crosses, loops it turns inside
+    /// out, and strands inside its loop that are not part of it.
     fn faults(&self, path: usize, points: &[DVec2]) -> usize {
         let curve = Curve::smooth(points);
         let known = |at: usize| match at == path {
@@ -184,8 +184,8 @@ impl Scene<'_> {
     }
 }
 
-/// Bends what is bent in `after` only: strands side by side apart, strands from a vertex
-/// to itself away from the middle.
+/// Bends what bends in `after` only: parallel strands apart, strands from a vertex to itself away
+/// from the middle.
 pub(super) fn bend_beside(figure: &Figure, places: &mut [Option<DVec2>]) {
     let side = &figure.after;
     let is_new = |node: &usize| {
@@ -213,7 +213,7 @@ pub(super) fn bend_beside(figure: &Figure, places: &mut [Option<DVec2>]) {
                 places[bend] = Some(a + away.rotate(DVec2::from_angle(angle)) * 0.6);
             }
         } else {
-            // Away from a loop on one side only; else in turns.
+            // Away from a loop on one side only; otherwise the signs alternate.
             let drawn = [2 * at, 2 * at + 1].map(|dart| loops[dart].is_some());
             let sign = match (drawn, before) {
                 ([true, false], 0) => -1.0,

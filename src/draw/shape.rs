@@ -15,7 +15,7 @@ use super::status::Status;
 pub(super) enum Step {
     Move(DVec2),
     Line(DVec2),
-    /// A parabola: the point it bends to, and its end.
+    /// A parabola: its control point and its end.
     Curve(DVec2, DVec2),
     Close,
 }
@@ -67,14 +67,15 @@ impl Path {
         path
     }
 
-    /// The path of a wave around a curve, which begins and ends on it.
+    /// A wave around a curve, which begins and ends on it.
     pub fn waved(curve: &Curve, height: f64, wavelength: f64) -> Self {
         let mut path = Self::default();
         let length = curve.length();
         let halves = 2.0 * (length / wavelength).round().max(1.0);
         path.move_to(curve.at(0.0).0);
         for half in 0..halves as usize {
-            // The first and the last are lower, so that it leaves its ends smoothly.
+            // The first and the last half wave are lower, so that the wave leaves its ends
+            // smoothly.
             let is_last = half == 0 || half + 1 == halves as usize;
             let high = if is_last { height } else { 2.0 * height };
             let sign = if half % 2 == 0 { 1.0 } else { -1.0 };
@@ -96,7 +97,7 @@ impl Path {
         path
     }
 
-    /// A box with cut corners, a little larger than a text around zero.
+    /// A box with cut corners, slightly larger than a text centered at zero.
     pub fn plate(label: &Label) -> Self {
         let mut path = Self::default();
         let (half, cut) = (label.half + AIR, 2.0 * AIR);
@@ -104,7 +105,7 @@ impl Path {
         path.polygon(corners.into_iter().flat_map(|(x, y)| {
             let corner = half * DVec2::new(x, y);
             let [across, down] = [DVec2::new(x * cut, 0.0), DVec2::new(0.0, y * cut)];
-            // Each corner from the side that the way around comes from.
+            // At each corner, the cut that comes first on the way around.
             match x == y {
                 true => [corner - down, corner - across],
                 false => [corner - across, corner - down],
@@ -116,7 +117,7 @@ impl Path {
     /// A circle.
     pub fn circle(center: DVec2, radius: f64) -> Self {
         let mut path = Self::default();
-        // Eight parabolas differ from a circle by less than anybody sees.
+        // Eight parabolas have no visible deviation from a circle.
         let bend = radius / (std::f64::consts::PI / 8.0).cos();
         let at = |eighths: f64, radius: f64| {
             center + DVec2::from_angle(eighths * std::f64::consts::FRAC_PI_4) * radius
@@ -130,7 +131,7 @@ impl Path {
         path
     }
 
-    /// The same path elsewhere.
+    /// The same path, moved.
     pub fn moved(&self, by: DVec2) -> Self {
         self.mapped(|at| at + by)
     }
@@ -151,23 +152,23 @@ impl Path {
     }
 }
 
-/// The ink of a line or an area: a meaning, with a colour in light and in dark.
+/// The ink of a line or an area: a meaning, with a light and a dark colour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(super) enum Ink {
-    /// The ground.
+    /// The background.
     Paper,
     /// The inside of a face.
     Face,
-    /// The ink of what is there for orientation only.
+    /// Elements that are shown for orientation only.
     Muted,
-    /// A colour that means a number; the same by day and by night.
+    /// A colour that represents a number; the same in light and in dark.
     Colour([u8; 3]),
-    /// An element, by what becomes of it.
+    /// An element, by its status.
     Of(Status),
 }
 
 impl Ink {
-    /// The inks that change between day and night.
+    /// The inks that differ between light and dark.
     pub const ALL: [Ink; 7] = [
         Ink::Paper,
         Ink::Face,
@@ -178,8 +179,8 @@ impl Ink {
         Ink::Of(Status::Erased),
     ];
 
-    /// Its colour by day and by night. Blue, green and vermilion after M. Okabe and K. Ito,
-    /// "Color universal design", 2008, darkened or lightened for contrast.
+    /// Its light and its dark colour. Blue, green and vermilion after M. Okabe and K. Ito, "Color
+    /// universal design", 2008, darkened or lightened for contrast.
     pub fn colours(self) -> [u32; 2] {
         match self {
             Ink::Paper => [0xffffff, 0x15181d],
@@ -193,7 +194,7 @@ impl Ink {
         }
     }
 
-    /// The class it has in an SVG.
+    /// Its class in an SVG.
     pub fn class(self) -> &'static str {
         match self {
             Ink::Paper => "paper",
@@ -214,10 +215,10 @@ pub(super) enum Paint {
     Stroke(Stroke),
 }
 
-/// The width of the ground that is shown around a text that stands on a line.
+/// The width of the background around a text on a line.
 const AIR: f64 = 2.0;
 
-/// The opacity of what stands back.
+/// The opacity of faded groups.
 pub(super) const FADED: f64 = 0.28;
 
 /// A line: its ink, width, dashes and opacity. Its ends are round.
@@ -225,7 +226,7 @@ pub(super) const FADED: f64 = 0.28;
 pub(super) struct Stroke {
     pub ink: Ink,
     pub width: f64,
-    /// Length of a dash and of a gap.
+    /// The lengths of a dash and of a gap.
     pub dash: Option<[f64; 2]>,
     pub opacity: f64,
 }
@@ -242,9 +243,9 @@ impl Stroke {
 pub(super) struct Shape {
     pub path: Path,
     pub paint: Paint,
-    /// Of a text, the letters that the path is the outline of, before they are turned.
+    /// The letters of a text before rotation; the path is their outline.
     pub glyphs: Vec<Glyph>,
-    /// By how many degrees they are turned, with the hands of a clock, and around what.
+    /// The rotation of the letters in degrees, clockwise, and its center.
     pub turn: Option<(i32, DVec2)>,
 }
 
@@ -256,7 +257,7 @@ pub(super) struct Group {
     /// The title that a viewer shows: "halfedge a, reassigned".
     pub title: String,
     pub shapes: Vec<Shape>,
-    /// True if it stands back behind the others.
+    /// True if it is drawn faded.
     pub is_faded: bool,
 }
 
@@ -266,7 +267,7 @@ impl Group {
         Self { id, title, ..Self::default() }
     }
 
-    /// An area; areas that are filled alike, one after the other, are one path.
+    /// Adds an area; consecutive areas with the same ink are one path.
     pub fn fill(&mut self, path: Path, ink: Ink) {
         match self.shapes.last_mut() {
             Some(last) if last.paint == Paint::Fill(ink) && last.glyphs.is_empty() => {
@@ -276,7 +277,7 @@ impl Group {
         }
     }
 
-    /// A text, its middle at a place.
+    /// Adds a text, centered at a place.
     pub fn write(&mut self, label: &Label, at: DVec2, ink: Ink) {
         self.shapes.push(Shape {
             path: label.path.moved(at),
@@ -286,7 +287,7 @@ impl Group {
         });
     }
 
-    /// A line; lines that are drawn alike, one after the other, are one path.
+    /// Adds a line; consecutive lines with the same stroke are one path.
     pub fn stroke(&mut self, path: Path, stroke: Stroke) {
         match self.shapes.last_mut() {
             Some(last) if last.paint == Paint::Stroke(stroke) => last.path.steps.extend(path.steps),
@@ -298,7 +299,7 @@ impl Group {
         self.shapes.push(Shape { path, paint, glyphs: Vec::new(), turn: None });
     }
 
-    /// The same group elsewhere.
+    /// The same group, moved.
     pub fn moved(mut self, by: DVec2) -> Self {
         for shape in &mut self.shapes {
             shape.path = shape.path.moved(by);
@@ -309,14 +310,14 @@ impl Group {
     }
 }
 
-/// A text of a picture, and the box it fills; a slanted one fills several side by side.
+/// A text of a picture, and the box it fills; a slanted text fills several side by side.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TextBox {
     /// The text.
     pub text: String,
-    /// Its left upper corner.
+    /// Its upper left corner.
     pub from: [f64; 2],
-    /// Its right lower corner.
+    /// Its lower right corner.
     pub to: [f64; 2],
 }
 
@@ -325,7 +326,7 @@ pub struct TextBox {
 pub struct Picture {
     pub(super) title: String,
     pub(super) size: DVec2,
-    /// The image below the groups, in the upper left.
+    /// The image below the groups, in the upper left corner.
     pub(super) image: Option<Image>,
     pub(super) groups: Vec<Group>,
     pub(super) texts: Vec<TextBox>,
@@ -343,8 +344,8 @@ impl Picture {
         &self.texts
     }
 
-    /// The number of pairs of edges and paths that cross; none, wherever the pattern is planar and
-    /// keeps its places.
+    /// The number of pairs of edges and paths that cross; zero if the pattern is planar and keeps
+    /// its places.
     pub fn crossings(&self) -> usize {
         self.crossings
     }

@@ -17,19 +17,20 @@ use super::shape::{Group, Ink, Path, Picture, Step, Stroke, TextBox};
 use super::status::Status;
 use crate::diagram::{Drawing, NameId, Op, Rule};
 
-/// The room around everything, and between the two sides.
+/// The margin around everything, and the minimum and maximum gap between the two sides.
 const MARGIN: f64 = 26.0;
 const BETWEEN: f64 = 112.0;
 const MOST_BETWEEN: f64 = 260.0;
 /// The size of captions.
 const CAPTION: f64 = 15.0;
-/// By how much better places on each side must be than one on both, for a name to have them.
+/// How much cheaper a separate place on each side must be than one on both, for a name to have two.
 const APART: f64 = 14.0;
-/// The factor by which a figure is enlarged whose texts overlap, and how often.
+/// The factor by which a figure with overlapping texts is enlarged, and the maximum number of
+/// times.
 const GROWTH: f64 = 1.15;
 const TRIES: usize = 8;
 
-/// The room between two columns, and how many rules there are at least if there are two.
+/// The gap between two columns, and the minimum number of rules for two columns.
 const GUTTER: f64 = 84.0;
 const MANY: usize = 4;
 
@@ -38,7 +39,7 @@ pub fn draw_op(op: &Op) -> Picture {
     drawn(op, 1)
 }
 
-/// Draws an operation for a slide or a sheet of its own: many rules stand two by two.
+/// Draws an operation for a slide or a sheet of its own, with many rules in two columns.
 pub fn draw_sheet(op: &Op) -> Picture {
     drawn(op, if op.rules.len() < MANY { 1 } else { 2 })
 }
@@ -85,7 +86,7 @@ fn drawn(op: &Op, columns: usize) -> Picture {
         let height = heights.fold(0.0, f64::max);
         for (column, (below, row)) in beside.into_iter().enumerate() {
             let left = MARGIN + column as f64 * (sheet.column() + GUTTER);
-            // Of rows of one height the middles are at one height.
+            // Rows beside each other are centered at the same height.
             let top = sheet.y + (height - (row.high - row.low)) / 2.0;
             if column > 0 {
                 let x = left - GUTTER / 2.0;
@@ -97,7 +98,7 @@ fn drawn(op: &Op, columns: usize) -> Picture {
     }
 }
 
-/// One side of a rule, and from where to where it reaches.
+/// One side of a rule, and its bounds.
 struct Half {
     groups: Vec<Group>,
     texts: Vec<TextBox>,
@@ -164,7 +165,7 @@ impl Row {
             let (low, high) = bounds(&groups, &room).unwrap_or_default();
             Half { groups, texts: room.texts, low, high }
         });
-        // A side with nothing on it has no height of its own.
+        // An empty side has no height of its own.
         let seen = sides.iter().filter(|side| side.low != side.high);
         let low = seen.clone().map(|side| side.low.y).reduce(f64::min);
         let high = seen.map(|side| side.high.y).reduce(f64::max);
@@ -179,8 +180,8 @@ impl Row {
     }
 }
 
-/// The names of the vertices, with their places on both sides: the same, where neither side is
-/// in the way.
+/// The names of the vertices, with their places on both sides: the same on both, unless the vertex
+/// moves or something is in the way.
 fn vertex_labels(figure: &Figure, panels: &[Panel; 2]) -> Vec<(usize, Label, [DVec2; 2])> {
     let rule = figure.drawing.rule;
     let mut rooms = [panels[0].room.clone(), panels[1].room.clone()];
@@ -233,8 +234,8 @@ fn vertex_labels(figure: &Figure, panels: &[Panel; 2]) -> Vec<(usize, Label, [DV
     labels
 }
 
-/// The number of units of a picture to the radius of the figure: so many that edges are long and
-/// faces wide enough for arrows and names.
+/// The scale in picture units per radius of the figure: edges become long enough, and faces wide
+/// enough, for arrows and names.
 fn scale(figure: &Figure, places: &[Vec<DVec2>; 2]) -> f64 {
     let mut scale: f64 = 128.0;
     let is_named = |name: NameId| figure.drawing.rule.name(name).named;
@@ -256,7 +257,7 @@ fn scale(figure: &Figure, places: &[Vec<DVec2>; 2]) -> f64 {
                 let nodes = side.nodes(*dart).into_iter();
                 let curve = Curve::smooth(&nodes.map(|node| places[node]).collect::<Vec<_>>());
                 let points = curve.points();
-                // A few places along a curve tell its shape.
+                // A few points along a curve give its shape.
                 let step = (points.len() / 6).max(1);
                 points[..points.len() - 1].iter().copied().step_by(step).collect::<Vec<_>>()
             });
@@ -269,14 +270,14 @@ fn scale(figure: &Figure, places: &[Vec<DVec2>; 2]) -> f64 {
             want(wide, widest_circle(&outline.collect::<Vec<_>>()));
         }
     }
-    // Of families a sector has names; the others may be narrow.
+    // Only one sector of a family has names; the others may be narrow.
     match figure.drawing.rule.size() {
         Some(_) => scale.min(250.0),
         None => scale.min(320.0),
     }
 }
 
-/// The corners of the box around all that is drawn.
+/// The corners of the box around everything that is drawn.
 fn bounds(groups: &[Group], room: &Room) -> Option<(DVec2, DVec2)> {
     let steps = groups.iter().flat_map(|group| &group.shapes).flat_map(|shape| &shape.path.steps);
     let points = steps.flat_map(|step| match *step {
@@ -294,7 +295,7 @@ fn bounds(groups: &[Group], room: &Room) -> Option<(DVec2, DVec2)> {
 
 struct Sheet {
     picture: Picture,
-    /// The widths of the columns, and of what is between them.
+    /// The widths of the two sides, and of the gap between them.
     widths: [f64; 2],
     between: f64,
     columns: usize,
@@ -371,7 +372,7 @@ impl Sheet {
     }
 
     fn words(&mut self, text: &str, style: Style, size: f64, ink: Ink, at: DVec2) {
-        // A long name is set smaller rather than into the figures.
+        // A long name is made smaller, so that it does not cover the figures.
         let mut label = words(text, style, size);
         let most = self.between / 2.0 - 6.0;
         if label.half.x > most {
@@ -400,7 +401,7 @@ impl Sheet {
         self.picture.groups.push(group);
     }
 
-    /// Adds the legend and takes the measure.
+    /// Adds the legend and sets the size.
     fn finish(mut self) -> Picture {
         let columns = self.columns as f64;
         let width = columns * self.column() + (columns - 1.0) * GUTTER;

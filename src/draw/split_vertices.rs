@@ -1,10 +1,9 @@
-//! Vertices that are drawn twice, as those of a pillow that is cut open.
+//! Vertices that are drawn twice, like those of a pillow that is cut open.
 //!
-//! Vertices that the outside passes twice: where loops that hang together along edges meet again at
-//! a vertex, and what lies between them is not drawn, the outside passes the vertex twice. With one
-//! dot for it the loops would have to be bent around each other; two dots of the same name are what
-//! a textbook has. A vertex whose spokes are listed has one dot, since their order is drawn around
-//! it.
+//! Where loops that are connected along edges meet again at a vertex, and what lies between them is
+//! not drawn, the outside passes the vertex twice. With one dot for it the loops would have to be
+//! bent around each other; textbooks draw two dots of the same name. A vertex whose spokes are
+//! listed has one dot, since their order is drawn around it.
 
 use std::collections::BTreeMap;
 
@@ -12,10 +11,11 @@ use super::components::{join, strand_blocks};
 use super::figure::{Dart, Figure, Node, Side};
 use crate::diagram::NameId;
 
-/// The positions of the start (`true`) and the end of each item at such a vertex lie.
+/// The node at the start (`true`) and at the end (`false`) of each item at such a vertex.
 pub(super) type Copies = BTreeMap<(NameId, bool), usize>;
 
-/// Gives the vertices of `before` that are drawn twice a second node, and strands to it.
+/// Gives the vertices of `before` that are drawn several times more nodes, and moves strands to
+/// them.
 pub(super) fn split(figure: &mut Figure, side: &mut Side) -> Copies {
     let (sector, block) = (sectors(side), strand_blocks(side));
     let rule = figure.drawing.rule;
@@ -30,7 +30,7 @@ pub(super) fn split(figure: &mut Figure, side: &mut Side) -> Copies {
         if listed.contains(&name) {
             continue;
         }
-        // For each sector its node; the first of each block stays.
+        // The node of each sector; the first sector of each block keeps the vertex's own.
         let mut nodes: BTreeMap<usize, usize> = BTreeMap::new();
         let mut seen = Vec::new();
         for &end in &ends {
@@ -56,7 +56,7 @@ pub(super) fn split(figure: &mut Figure, side: &mut Side) -> Copies {
     copies
 }
 
-/// Leads the strands of `after` to the nodes where they were.
+/// Moves the strands of `after` to the nodes that they have in `before`.
 pub(super) fn follow(figure: &Figure, side: &mut Side, copies: &Copies) {
     let sector = sectors(side);
     for node in 0..figure.nodes.len() {
@@ -90,7 +90,7 @@ fn put(side: &mut Side, end: usize, node: usize) {
     }
 }
 
-/// The items that start or end there.
+/// The items that start (`true`) or end there.
 fn items(side: &Side, end: usize) -> impl Iterator<Item = (NameId, bool)> {
     let [along, back] = side.strands[end / 2].items;
     let is_start = end.is_multiple_of(2);
@@ -98,8 +98,8 @@ fn items(side: &Side, end: usize) -> impl Iterator<Item = (NameId, bool)> {
     items.into_iter().flatten()
 }
 
-/// For each end of a strand the sector of its vertex: ends with a drawn corner between them
-/// are in one.
+/// The sector of each end of a strand: ends with a drawn corner between them are in the same
+/// sector.
 fn sectors(side: &Side) -> Vec<usize> {
     let mut sector: Vec<usize> = (0..2 * side.strands.len()).collect();
     let start = |dart: Dart| 2 * dart.strand + usize::from(!dart.forward);

@@ -14,8 +14,8 @@ use super::status::Status;
 use crate::diagram::NameId;
 
 impl Panel<'_> {
-    /// The directions in which the fans spread; one that has been drawn before, as near to there as
-    /// may be.
+    /// The angles that the fans spread between; a fan of the earlier panel stays as close to its
+    /// direction as possible.
     pub(super) fn spread(&self) -> Vec<(usize, NameId, [f64; 2])> {
         let view =
             if self.is_after { &self.figure.drawing.after } else { &self.figure.drawing.before };
@@ -66,7 +66,7 @@ impl Panel<'_> {
         }
     }
 
-    /// The name of a fan; it comes before all others, since it has but one place.
+    /// Writes the name of a fan before all other texts, since it has the fewest places to go.
     fn fan_name(&mut self, group: usize, fan: NameId, center: DVec2, middle: f64) {
         let word = self.figure.drawing.rule.name(fan);
         if !word.named || !self.stands_out(fan) {
@@ -88,7 +88,7 @@ impl Panel<'_> {
         self.write(group, fan, &label, at);
     }
 
-    /// The dot of a vertex, or its dots; the number of its group.
+    /// Draws the dots of a vertex, and returns the index of its group.
     pub(super) fn vertex(&mut self, vertex: NameId) -> usize {
         let status = self.status(vertex);
         let index = self.group(vertex);

@@ -9,7 +9,8 @@ use crate::diagram::{Drawing, Kind, LoopKind, NameId, Rule};
 pub(super) enum Status {
     /// It is the same on both sides.
     Kept,
-    /// It is on both sides, but hangs together with others.
+    /// It is on both sides, but its connectivity differs or, for a vertex, an attribute is
+    /// assigned.
     Reassigned,
     /// It is only in `after`.
     New,
@@ -17,7 +18,7 @@ pub(super) enum Status {
     Erased,
 }
 
-/// The fates of the names of a rule, in words: `kept`, `reassigned`, `new` or `erased`.
+/// The statuses of the names of a rule, in words: `kept`, `reassigned`, `new` or `erased`.
 pub fn fates(rule: &Rule) -> BTreeMap<&str, &'static str> {
     let drawing = Drawing::new(rule);
     let names = rule.names.iter().zip(0..).map(|(name, at)| (name, NameId(at)));
@@ -25,7 +26,7 @@ pub fn fates(rule: &Rule) -> BTreeMap<&str, &'static str> {
 }
 
 impl Status {
-    /// All, in the order of a legend.
+    /// All statuses, in the order of a legend.
     pub const ALL: [Status; 4] = [Status::Kept, Status::Reassigned, Status::New, Status::Erased];
 
     /// The word for it.
@@ -84,12 +85,12 @@ fn edge_moves(drawing: &Drawing, edge: NameId) -> bool {
     before != after
 }
 
-/// True if other halfedges and paths follow each other around a face, or it becomes a hole.
+/// True if the halfedges and paths around a face change, or whether it is a hole.
 fn loop_changes(drawing: &Drawing, face: NameId) -> bool {
     let around = |view: &crate::diagram::View| {
         let orbit = view.loop_of_face(face)?;
         let mut items: Vec<_> = orbit.items.iter().map(|item| item.item.name).collect();
-        // The loop may be written from any of its vertices on.
+        // The loop may be written starting at any of its vertices.
         let first = items.iter().enumerate().min_by_key(|(_, item)| **item);
         let first = first.map_or(0, |(at, _)| at);
         items.rotate_left(first);

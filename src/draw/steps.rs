@@ -1,23 +1,23 @@
-//! The steps of a path as SVG writes them, in as few letters as may be.
+//! The steps of a path as SVG writes them, in as few characters as possible.
 
 use glam::DVec2;
 
 use super::shape::{Path, Step};
 
-/// The way numbers of a path are written.
+/// The format in which the numbers of a path are written.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Grain {
-    /// Into how many parts a unit is divided; places are rounded to parts.
+    /// The number of parts to a unit; places are rounded to parts.
     pub parts: f64,
-    /// The factor by which numbers are multiplied.
+    /// The number of parts that is written as 1.
     pub measure: f64,
-    /// The number of parts by which a curve may bend elsewhere than it should, to be written as one
-    /// that goes on smoothly.
+    /// The number of parts by which a control point may be off, for the curve to be written as a
+    /// smooth continuation.
     pub slack: i64,
 }
 
-/// The steps of a path, each but the first relative to the one before. The places are rounded,
-/// not the steps, so that nothing adds up.
+/// The steps of a path, each but the first relative to the one before. The places are rounded, not
+/// the steps, so that errors do not add up.
 pub(super) fn data(path: &Path, grain: Grain) -> String {
     let mut data = Steps { grain, ..Steps::default() };
     for step in &path.steps {
@@ -38,9 +38,9 @@ struct Steps {
     text: String,
     last: Option<char>,
     at: [i64; 2],
-    /// The start of the last polygon: to close it leads back there.
+    /// The start of the current polygon, where closing it leads.
     began: [i64; 2],
-    /// The control point of a curve that goes on smoothly.
+    /// The control point of a smooth continuation.
     smooth: Option<[i64; 2]>,
 }
 
@@ -88,12 +88,12 @@ impl Steps {
     }
 
     fn number(&mut self, way: i64, is_first: bool) {
-        // A sign parts two numbers as well as a space does.
+        // A sign separates two numbers as well as a space does.
         if !is_first && way >= 0 {
             self.text.push(' ');
         }
         let number = (way as f64 / self.grain.measure).to_string();
-        // The zero before a point says nothing.
+        // The zero before a decimal point is redundant.
         let is_part = (way.abs() as f64) < self.grain.measure;
         self.text.push_str(&number.replacen("0.", ".", usize::from(is_part)));
     }

@@ -16,14 +16,14 @@ use super::status::Status;
 const ASIDE: f64 = 10.5;
 /// The distance that arrows keep from each other at a corner.
 const BETWEEN: f64 = 5.0;
-/// A fan between spokes further apart than this keeps clear of their arrows.
+/// The gap between spokes, in radians, below which arrows keep clear of a fan in it.
 const WIDE: f64 = 3.4;
-/// The part of an arrow that is left out at its ends.
+/// The minimum and maximum length trimmed from an arrow at an end.
 const LEAST_TRIM: u16 = 12;
 const MOST_TRIM: u16 = 140;
 
 impl Panel<'_> {
-    /// The line of an edge or path, and the name of the edge.
+    /// Draws the line of an edge or path, and adds the name of the edge.
     pub(super) fn strand(&mut self, at: usize) {
         let strand = &self.side.strands[at];
         let curve = self.curves[at].clone();
@@ -32,8 +32,8 @@ impl Panel<'_> {
         };
         let status = match strand.edge {
             Some(edge) => self.status(edge),
-            // An edge that is not drawn itself is what its halfedge is, new or erased; else
-            // nothing is said of it.
+            // An edge that is not listed is drawn with its halfedge's status; but that its halfedge
+            // is reassigned says nothing about the edge.
             None => match self.status(of) {
                 Status::Reassigned if !strand.is_path => Status::Kept,
                 status => status,
@@ -55,7 +55,7 @@ impl Panel<'_> {
             let length = curve.length();
             let is_straight = strand.nodes.len() == 2;
             self.text(group, edge, SMALL_LETTERS, |label| {
-                // What is too wide to stand between the halfedges runs along them.
+                // A name that is too wide to fit between the halfedges runs along them.
                 let way = curve.start_direction();
                 let [wide, high] = [label.half.x * way.y.abs(), label.half.y * way.x.abs()];
                 let is_wide = wide > ASIDE - 4.0 || wide + high > ASIDE - 2.0;
@@ -75,7 +75,7 @@ impl Panel<'_> {
         }
     }
 
-    /// The halfedges or paths along a strand.
+    /// Draws the halfedges or paths along a strand.
     pub(super) fn items(&mut self, at: usize) {
         let strand = &self.side.strands[at];
         let pairs: Vec<_> = strand.items.into_iter().zip([true, false]).collect();
@@ -108,7 +108,7 @@ impl Panel<'_> {
         }
     }
 
-    /// The parts of a dart that are left out at its ends, so that it keeps clear of its neighbours.
+    /// The lengths trimmed from a dart at its ends, so that it keeps clear of its neighbours.
     fn trims(&self, dart: Dart) -> [f64; 2] {
         let orbit = self.side.loops.iter().find_map(|orbit| {
             let at = orbit.darts.iter().position(|other| *other == dart)?;
@@ -120,7 +120,7 @@ impl Panel<'_> {
         let count = orbit.darts.len();
         let neighbor = |step: usize| self.along(orbit.darts[(at + step) % count]);
         let (here, before, behind) = (self.along(dart), neighbor(count - 1), neighbor(1));
-        // Of the neighbours, which may be itself, the halves that are near.
+        // The near halves of the neighbours, either of which may be the dart itself.
         let (middle, end) = (before.length() / 2.0, before.length());
         let before = before.cut(middle, end);
         let behind = behind.cut(0.0, behind.length() / 2.0);
@@ -128,7 +128,7 @@ impl Panel<'_> {
         [clear(&aside, &before, ASIDE), clear(&aside.reversed(), &behind, ASIDE)]
     }
 
-    /// The same for a halfedge outside of all loops: up to the next spoke on its left.
+    /// The same for a dart outside of all loops: up to the next spoke on its left.
     fn outer_trims(&self, dart: Dart) -> [f64; 2] {
         let curve = self.along(dart);
         let nodes = self.side.nodes(dart);
@@ -152,7 +152,7 @@ impl Panel<'_> {
     }
 }
 
-/// The part of an arrow that is left out at a corner, until it is as far from the neighbour as from
+/// The length trimmed from an arrow at a corner, so that it is as far from the neighbour as from
 /// its own edge, and clear of the arrow on that side of the neighbour.
 fn clear(arrow: &Curve, neighbor: &Curve, side: f64) -> f64 {
     let other = neighbor.offset(side);

@@ -1,7 +1,7 @@
 //! A picture as SVG.
 //!
-//! Colours stand in the attributes, so that any viewer shows them; a style sheet changes them
-//! where a viewer asks for dark. Coordinates are rounded here and nowhere else.
+//! Colours are in attributes, so that any viewer shows them; a style sheet overrides them in dark
+//! mode. Coordinates are rounded only when they are written.
 
 use std::fmt::Write;
 
@@ -110,14 +110,14 @@ fn write_stroke(text: &mut String, path: &Path, stroke: Stroke) {
 /// Coordinates of pictures are rounded to tenths.
 const TENTHS: Grain = Grain { parts: 10.0, measure: 10.0, slack: 1 };
 
-/// A number with at most one digit behind the point; what is no number is 0.
+/// A number with at most one decimal place; 0 if it is not finite.
 fn number(value: f64) -> f64 {
     let rounded = (value * 10.0).round() / 10.0;
-    // Adding zero makes an end of `-0`.
+    // Adding zero turns `-0` into `0`.
     if rounded.is_finite() { rounded + 0.0 } else { 0.0 }
 }
 
-/// A text inside XML.
+/// Escapes a text for XML.
 pub(super) fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }

@@ -1,8 +1,8 @@
-//! An operation as text, for terminals and editors: lines of box characters, names on them.
+//! An operation as text, for terminals and editors: lines of box-drawing characters, with names.
 //!
-//! The places are those of the picture. A halfedge is its
-//! name with an arrow, inside its face; a fan is its name as the language writes it, `*S`, beside
-//! its vertex. Lines below tell what is new and what is erased.
+//! The layout is that of the picture. A halfedge is its name with an arrow, inside its face; a fan
+//! is its name as the language writes it, `*S`, beside its vertex. The lines below list what is new
+//! and what is erased.
 
 use glam::DVec2;
 
@@ -13,17 +13,17 @@ use super::panel::Panel;
 use super::status::Status;
 use crate::diagram::{Drawing, Kind, LoopKind, NameId, Op, Rule};
 
-/// The number of characters to the width of a side, about, and how many the radius of a figure is,
-/// at least and at most.
+/// The approximate width of a side in characters, and the minimum and maximum number of characters
+/// to the radius of a figure.
 const WIDTH: f64 = 35.0;
 const UNIT: [f64; 2] = [16.0, 24.0];
-/// The proportions of a character, wide and high.
+/// The scale of the axes: a character is twice as high as it is wide.
 const SLIM: DVec2 = DVec2::new(1.0, 0.5);
 /// The largest drawing in characters, across and down.
 const MOST: DVec2 = DVec2::new(160.0, 80.0);
-/// The radius of the figure that the places are those of.
+/// The radius of the figure before it is scaled to characters.
 const RADIUS: f64 = 250.0;
-/// The distance from its vertex a fan is written.
+/// The distance from its vertex at which a fan is written.
 const FAN: DVec2 = DVec2::new(4.5, 2.0);
 /// The text between the two sides.
 const BETWEEN: &str = "    =>    ";
@@ -69,7 +69,7 @@ fn text_rule(rule: &Rule) -> String {
         canvas.side(&panel, &grid);
         canvas.lines()
     });
-    // Nothing is shown of rows that are empty on both sides.
+    // Rows above and below that are empty on both sides are omitted.
     let is_used = |row: &usize| !before[*row].is_empty() || !after[*row].is_empty();
     let rows = (0..before.len()).find(is_used).unwrap_or(0)
         ..(0..before.len()).rfind(is_used).map_or(0, |last| last + 1);
@@ -98,7 +98,7 @@ fn text_rule(rule: &Rule) -> String {
     text
 }
 
-/// The names of a status, of a family the first; what has no name is counted.
+/// The names with a status, of a family only the first; elements without a name are counted.
 fn told(figure: &Figure, status: Status) -> String {
     let rule = figure.drawing.rule;
     let of = (0..rule.names.len() as u32).map(NameId);
@@ -110,7 +110,7 @@ fn told(figure: &Figure, status: Status) -> String {
         true => Vec::new(),
         false => vec![names.join(" ")],
     };
-    // Every edge has its two halfedges.
+    // Halfedges are not counted: every edge has two.
     for (kind, one, more) in [
         (Kind::Vertex, "vertex", "vertices"),
         (Kind::Edge, "edge", "edges"),
@@ -126,7 +126,7 @@ fn told(figure: &Figure, status: Status) -> String {
     parts.join(", ")
 }
 
-/// The grid of characters on which a picture is written.
+/// The mapping from places in a picture to characters.
 struct Grid {
     scale: DVec2,
     by: DVec2,
@@ -142,7 +142,7 @@ struct Canvas {
     width: i64,
     height: i64,
     cells: Vec<char>,
-    /// Which cells hold letters.
+    /// Whether each cell holds a letter.
     taken: Vec<bool>,
 }
 
@@ -223,13 +223,14 @@ impl Canvas {
 
     fn draw(&mut self, curve: &Curve, is_path: bool) {
         let steps = (curve.length() * 4.0).clamp(1.0, 4000.0) as usize;
-        // One mark a row where a line is slanted, in its middle, or it would be as thick as wide.
+        // One mark per row in the middle of a slanted line, or it would be several characters
+        // thick.
         let mut slanted: Option<(DVec2, char)> = None;
         let mut flat: Option<f64> = None;
         for step in 0..=steps {
             let (at, way) = curve.at(curve.length() * step as f64 / steps as f64);
             let slope = (way.y * 2.0).abs() / way.x.abs().max(1e-9);
-            // A flat line goes down or up in steps.
+            // A flat line changes rows in steps.
             let is_flat = slope <= 0.7;
             let is_step = flat.is_some_and(|row| row != at.y.round());
             flat = is_flat.then_some(at.y.round());
@@ -263,7 +264,7 @@ impl Canvas {
         }
     }
 
-    /// Writes a text around a place, or at the nearest free one up to some steps away.
+    /// Writes a text centered at a place, or at the nearest free one up to `steps` away.
     fn write(&mut self, text: &str, at: DVec2, steps: i64) {
         let length = text.chars().count() as i64;
         let (x, y) = (at.x.round() as i64 - length / 2, at.y.round() as i64);
@@ -294,7 +295,7 @@ impl Canvas {
         }
     }
 
-    /// Takes lines away from the sides of a name, so that they do not read as letters.
+    /// Removes line marks beside a name, so that they do not read as letters.
     fn clear(&mut self, sides: [usize; 2]) {
         for side in sides {
             if !self.taken[side] && self.cells[side] != '─' {
@@ -309,7 +310,7 @@ impl Canvas {
     }
 }
 
-/// The arrow of a direction.
+/// The arrow character of a direction.
 fn arrow(way: DVec2) -> char {
     let eighth = (way.y * 2.0).atan2(way.x) / std::f64::consts::FRAC_PI_4;
     let arrows = ['→', '↘', '↓', '↙', '←', '↖', '↑', '↗'];

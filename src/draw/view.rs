@@ -1,9 +1,9 @@
-//! A mesh as it is seen from afar: faces shaded by where they look, edges, its boundary, and
-//! an attribute in colour.
+//! A mesh seen from a distance: faces shaded by their orientation, edges, the boundary, and an
+//! attribute in colour.
 //!
-//! Surfaces hide each other pixel by pixel (see [`raster`](super::raster)). Each face draws its
-//! half of its edges, so that what hides the face hides them too. What has no place is not
-//! drawn.
+//! Visibility is decided per pixel (see [`raster`](super::raster)). Each face draws its half of its
+//! edges, so that what hides the face hides them too. Faces with a corner at no finite position are
+//! not drawn.
 
 use glam::{DVec2, DVec3};
 
@@ -16,11 +16,11 @@ use crate::mesh::{ColumnId, ElementKind, FaceId, HalfedgeId, Mesh, Value};
 /// The view of a mesh.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
-    /// The direction from which it is seen, from the middle of the mesh.
+    /// The direction from the middle of the mesh to the viewer.
     pub from: DVec3,
     /// The width and height of the picture, without a legend.
     pub size: f64,
-    /// The attribute that is shown in colour: a number, a vector or matrix by its length, a
+    /// The attribute that is shown in colour: a number, the length of a vector or matrix, or a
     /// truth value as 0 or 1.
     pub attribute: Option<ColumnId>,
 }
@@ -31,18 +31,18 @@ impl Default for View {
     }
 }
 
-/// The part of a picture that is left free on each side.
+/// The fraction of a picture that is left free on each side.
 const FREE: f64 = 0.05;
-/// The widths of lines: of edges at most, and of the boundary, in units of the picture.
+/// The maximum widths of the lines of edges and of the boundary, in units of the picture.
 const EDGE: f64 = 1.1;
 const BOUNDARY: f64 = 2.4;
-/// Pictures up to this size have more pixels than units.
+/// Pictures up to this size have two pixels per unit.
 const FINE: f64 = 2048.0;
 /// The width of a legend.
 const LEGEND: f64 = 110.0;
 
 const FACE: [u8; 3] = [178, 205, 236];
-/// Of faces whose edges have the colours.
+/// The colour of faces, and of values that are not finite, where an attribute is shown.
 const PALE: [u8; 3] = [226, 230, 236];
 const LINE: [u8; 3] = [22, 30, 40];
 const ON_BOUNDARY: [u8; 3] = [0xc2, 0x41, 0x0c];
@@ -108,7 +108,7 @@ impl Colours {
         })
     }
 
-    /// The number of an element; no number if there is none.
+    /// The value of an element as a number; NaN if it has none.
     fn number(&self, mesh: &Mesh, index: u32) -> f64 {
         mesh.value(self.column, index).map_or(f64::NAN, Value::magnitude)
     }
@@ -124,13 +124,13 @@ impl Colours {
 /// Half the widths of lines, in pixels.
 struct Pen {
     edge: f64,
-    /// An edge that has a colour.
+    /// An edge that shows a value.
     coloured: f64,
     boundary: f64,
 }
 
 impl Pen {
-    /// Lines that leave something of small faces: `unit` is how many pixels a unit has.
+    /// Line widths that leave small faces visible; `unit` is the number of pixels per unit.
     fn new(faces: &[Seen], unit: f64) -> Self {
         let mut lengths = (0.0, 0.0);
         for face in faces {
@@ -139,7 +139,7 @@ impl Pen {
             }
         }
         let mean = lengths.0 / f64::max(lengths.1, 1.0);
-        // Of very small faces there would be nothing but lines.
+        // Very small faces would be covered by their edges.
         let edge = if mean < 2.0 * unit { 0.0 } else { (mean * 0.06).min(EDGE * unit) };
         Self {
             edge: edge / 2.0,
@@ -149,7 +149,7 @@ impl Pen {
     }
 }
 
-/// The directions of a picture, and that towards the viewer.
+/// The axes of a picture, the direction towards the viewer, and that of the light.
 struct Eye {
     right: DVec3,
     down: DVec3,
@@ -170,7 +170,7 @@ impl Eye {
     }
 }
 
-/// A face as it is seen.
+/// A projected face.
 struct Seen {
     face: FaceId,
     halfedges: Vec<HalfedgeId>,
@@ -180,7 +180,7 @@ struct Seen {
     bright: f64,
 }
 
-/// A face without how near it is.
+/// The corners of a face without their depth.
 fn flat(corners: &[DVec3]) -> Vec<DVec2> {
     corners.iter().map(|at| at.truncate()).collect()
 }
@@ -200,7 +200,7 @@ impl Seen {
             corners.push(DVec3::new(at.dot(eye.right), at.dot(eye.down), at.dot(eye.near)));
         }
         let normal = mesh.normal(face);
-        // The inside of a mesh with a boundary is darker.
+        // Back faces, which show the inside of a mesh with a boundary, are darker.
         let (normal, most) = match normal.dot(eye.near) < 0.0 {
             true => (-normal, 0.6),
             false => (normal, 1.0),
@@ -253,7 +253,7 @@ impl Seen {
         colours: Option<&Colours>,
         pen: &Pen,
     ) -> Option<(f64, [u8; 3])> {
-        // All of such a line lies in its only face.
+        // A boundary line lies entirely in its only face.
         let is_on_boundary = mesh.is_boundary_halfedge(mesh.twin(half));
         let index = colours.and_then(|colours| match colours.kind {
             ElementKind::Edge => Some((colours, mesh.edge(half).0)),
@@ -276,7 +276,7 @@ impl Seen {
         })
     }
 
-    /// A colour in the light that falls on the face; less of it where colours have a meaning.
+    /// A colour shaded by the light on the face; less strongly where colours represent values.
     fn shaded(&self, colour: [u8; 3], strength: f64) -> [u8; 3] {
         let bright = 1.0 - strength * (1.0 - self.bright);
         colour.map(|part| (f64::from(part) * bright).round().clamp(0.0, 255.0) as u8)

@@ -1,7 +1,8 @@
-//! Colours for numbers: dark blue for the least, yellow for the largest.
+//! Colours for numbers: dark blue for the least, yellow for the greatest.
 //!
 //! The colours are those of S. van der Walt and N. Smith, "A better default colormap for
-//! Matplotlib", 2015, which grow brighter evenly, also in grey and for the colour-blind.
+//! Matplotlib", 2015, whose brightness increases evenly, also in greyscale and for colour-blind
+//! viewers.
 
 use glam::DVec2;
 
@@ -9,15 +10,15 @@ use super::letters::{Style, words};
 use super::shape::{Group, Ink, Path};
 use super::status::Status;
 
-/// At even distances.
+/// Samples at equal distances.
 const COLOURS: [u32; 9] =
     [0x440154, 0x472d7b, 0x3b528b, 0x2c728e, 0x21918c, 0x28ae80, 0x5ec962, 0xaddc30, 0xfde725];
-/// The number of stripes of a legend, how large it is, and how large its letters.
+/// The number of stripes in a legend, its size, and that of its letters.
 const STRIPES: usize = 48;
 const BAR: DVec2 = DVec2::new(16.0, 240.0);
 const LETTERS: f64 = 14.0;
 
-/// The colour of a part between 0 and 1.
+/// The colour of a fraction between 0 and 1.
 pub fn viridis(part: f64) -> [u8; 3] {
     let last = COLOURS.len() - 1;
     let along = part.clamp(0.0, 1.0) * last as f64;
@@ -30,7 +31,7 @@ pub fn viridis(part: f64) -> [u8; 3] {
     [mix(1), mix(2), mix(3)]
 }
 
-/// The numbers that are shown.
+/// The range of the numbers that are shown.
 #[derive(Clone, Copy, Debug)]
 pub struct Range {
     low: f64,
@@ -38,7 +39,7 @@ pub struct Range {
 }
 
 impl Range {
-    /// From the least to the largest of some numbers; those that are not finite do not count.
+    /// The range of some numbers; those that are not finite do not count.
     pub fn of(numbers: impl Iterator<Item = f64>) -> Option<Self> {
         let finite = numbers.filter(|number| number.is_finite());
         finite.fold(None, |range, number| {
@@ -53,8 +54,8 @@ impl Range {
         viridis(if wide > 0.0 { (number - self.low) / wide } else { 0.5 })
     }
 
-    /// A bar of the colours around a place, with a title above and the numbers at its ends; of
-    /// one number only a square.
+    /// A colour bar around a place, with a title above and the numbers at its ends; for a single
+    /// number only a square.
     pub(super) fn legend(self, title: &str, center: DVec2) -> Group {
         let mut group = Group::default();
         let write = |group: &mut Group, text: &str, style: Style, y: f64| {
@@ -77,7 +78,7 @@ impl Range {
         for stripe in 0..STRIPES {
             let [from, to] = [stripe, stripe + 1].map(|at| top.y + at as f64 * high);
             let mut path = Path::default();
-            // A little more, so that there is no seam.
+            // Slightly overlapping, so that there is no seam.
             let corners = [(0.0, from), (BAR.x, from), (BAR.x, to + 0.5), (0.0, to + 0.5)];
             path.polygon(corners.map(|(x, y)| DVec2::new(top.x + x, y)));
             let part = 1.0 - (stripe as f64 + 0.5) / STRIPES as f64;
@@ -91,7 +92,7 @@ impl Range {
     }
 }
 
-/// A number in few letters: four digits, and a power of ten if it is very large or small.
+/// A number with four significant digits, and a power of ten if it is very large or small.
 pub fn number(value: f64) -> String {
     let rounded: f64 = format!("{value:.3e}").parse().unwrap_or(value);
     let text = match rounded.abs() {

@@ -1,9 +1,9 @@
-//! Definitions of an SVG, written once and used wherever they stand: letters, and the words made of
-//! them.
+//! Definitions of an SVG, written once and referenced wherever they occur: letters, and the words
+//! made of them.
 //!
-//! A name stands on both sides of an operation and in each of its rules, and most of a picture's
-//! words share their letters. Both SVG writers define them alike; where a word is used, only its
-//! place and its colour are said.
+//! A name occurs on both sides of an operation and in each of its rules, and most words of a
+//! picture share letters. Both SVG writers use these definitions; a use of a word gives only its
+//! place and its colour.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
@@ -14,7 +14,8 @@ use super::letters::{Glyph, Style, letter as outline};
 use super::shape::Picture;
 use super::steps::{Grain, data};
 
-/// A letter of a word: which, how far right and down of the first, and its size, in tenths.
+/// A letter of a word: its style, its character, and, in tenths, its offset right and down from the
+/// first letter and its size.
 type Set = (Style, char, [i64; 3]);
 
 /// The words of a picture, each with its number.
@@ -29,8 +30,8 @@ pub(super) struct Words<'a> {
 }
 
 impl<'a> Words<'a> {
-    /// Collects the words of a picture whose writer counts so many steps a unit, and so many
-    /// in the size of a letter.
+    /// Collects the words of a picture, for a writer with `steps` steps to a unit, which defines
+    /// letters at a size of `em`.
     pub fn of(picture: &Picture, prefix: &'a str, steps: f64, em: f64) -> Self {
         let mut numbers = BTreeMap::new();
         for shape in picture.groups.iter().flat_map(|group| &group.shapes) {
@@ -42,12 +43,12 @@ impl<'a> Words<'a> {
         Self { prefix, steps, em, numbers }
     }
 
-    /// The definitions of letters and words; `link` is the attribute that names an original.
+    /// The definitions of letters and words; `link` is the attribute that references a definition.
     pub fn definitions(&self, link: &str) -> String {
         let Self { prefix, steps, em, .. } = self;
         let letters = self.numbers.keys().flatten();
         let letters: BTreeSet<_> = letters.map(|&(style, code, _)| (style, code)).collect();
-        // Without a colour: they take that of the place where they are used.
+        // Without a colour: they inherit that of their use.
         let mut text = String::from("<defs>\n");
         for (style, code) in letters {
             let grain = Grain { parts: em / 1000.0, measure: 1.0, slack: 1 };
@@ -57,7 +58,8 @@ impl<'a> Words<'a> {
         }
         for (word, number) in &self.numbers {
             let _ = write!(text, "<g id=\"{prefix}w{number}\">");
-            // Letters of one size are scaled together, and stand where they do before that.
+            // Consecutive letters of one size are scaled together; their places are relative to
+            // that scale.
             for run in word.chunk_by(|(_, _, a), (_, _, b)| a[2] == b[2]) {
                 let size = run[0].2[2] as f64;
                 let scale = (size * steps / em * 1000.0).round() / 10_000.0;
@@ -81,14 +83,14 @@ impl<'a> Words<'a> {
         text
     }
 
-    /// The id of the word that some letters make, and where it begins, in steps.
+    /// The id of the word that some letters make, and its origin in steps.
     pub fn used(&self, glyphs: &[Glyph]) -> (String, [f64; 2]) {
         let number = self.numbers.get(&set(glyphs)).copied().unwrap_or(0);
         let at = glyphs.first().map_or(DVec2::ZERO, |first| first.at);
         (format!("{}w{number}", self.prefix), self.place(at))
     }
 
-    /// The turn of a word where it is used, if there is one.
+    /// The rotation of a word where it is used, if there is one.
     pub fn turned(&self, turn: Option<(i32, DVec2)>) -> String {
         turn.map_or_else(String::new, |(turn, around)| {
             let [x, y] = self.place(around);
@@ -96,14 +98,14 @@ impl<'a> Words<'a> {
         })
     }
 
-    /// A place in steps: tenths of a unit, as everything.
+    /// A place in steps, rounded to tenths of a unit.
     fn place(&self, at: DVec2) -> [f64; 2] {
-        // Adding zero makes an end of `-0`.
+        // Adding zero turns `-0` into `0`.
         at.to_array().map(|length| (length * 10.0).round() * self.steps / 10.0 + 0.0)
     }
 }
 
-/// Letters as places from the first.
+/// Letters with their offsets from the first.
 fn set(glyphs: &[Glyph]) -> Vec<Set> {
     let tenths = |length: f64| (length * 10.0).round() as i64;
     let first = glyphs.first().map_or(DVec2::ZERO, |first| first.at);

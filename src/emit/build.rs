@@ -1,4 +1,4 @@
-//! A proved operation to a routine: its four phases, rule by rule.
+//! Translation of a proved operation to a routine: its four phases, rule by rule.
 
 use std::collections::BTreeSet;
 
@@ -15,8 +15,8 @@ use crate::check::{Proof, Proved};
 use crate::diagram::{Access, Binary, Drawing, Rule, Type};
 use crate::lower::{Condition, Element, Operation, Step, Tries, Value};
 
-/// The routine of a proved operation, and the functions that it calls; of those, the attributes
-/// that they look at are told by number.
+/// The routine of a proved operation, and the functions that it calls; `looks` gives the attributes
+/// that a function looks at.
 pub(super) fn routine(
     proved: &Proved,
     functions: &[Option<String>],
@@ -63,8 +63,8 @@ pub(super) fn routine(
     Ok((Routine { signature, rules }, all_calls))
 }
 
-/// Finds the columns of the attributes that are used, and makes sure of those that the functions
-/// look at that are called.
+/// Finds the columns of the attributes that are used, and refuses a mesh without those that the
+/// called functions look at.
 pub(super) fn columns(names: &Names, seen: BTreeSet<u32>) -> Vec<Statement> {
     let used = names.used_attributes().cloned().map(Statement::Column);
     let seen = seen.into_iter().filter_map(|it| names.unused_attribute(it));
@@ -83,7 +83,7 @@ fn alternative(
     let mut rest = phases(&drawing, &operation, conventions, names)?;
     let steps = &operation.matching.steps;
     let mut matching = Matching { drawing: &drawing, conventions, names };
-    // From the last attempt outwards: each holds all that comes after it.
+    // From the last attempt outwards: each contains everything after it.
     let mut end = steps.len();
     for (at, step) in steps.iter().enumerate().rev() {
         let Step::Begin(begin) = step else {
@@ -107,7 +107,7 @@ fn alternative(
     Ok(body)
 }
 
-/// Everything that comes after matching: the questions, and phases 2 to 4.
+/// The statements after matching: the conditions, and phases 2 to 4.
 fn phases(
     drawing: &Drawing,
     operation: &Operation,
@@ -164,7 +164,7 @@ fn phases(
     Ok(body)
 }
 
-/// A statement, done for each index if that is wanted.
+/// A statement, repeated for each index if `at_each_index`.
 fn indexed(at_each_index: bool, names: &Names, statement: Statement) -> Statement {
     match at_each_index {
         true => Statement::IndexLoop { indices: names.indices(), body: vec![statement] },
@@ -172,7 +172,7 @@ fn indexed(at_each_index: bool, names: &Names, statement: Statement) -> Statemen
     }
 }
 
-/// The statements that allocate everything new; a family at its first member.
+/// The statements that allocate everything new; a family is given by its first member.
 pub(super) fn allocation(created: &[Element], names: &Names) -> Vec<Statement> {
     let allocate = |&Element { name, kind, at_each_index }: &Element| {
         let name = names.word(name).to_string();
@@ -184,7 +184,7 @@ pub(super) fn allocation(created: &[Element], names: &Names) -> Vec<Statement> {
     created.iter().map(allocate).collect()
 }
 
-/// The conditions that an `and` joins; they are asked one by one, in the same order.
+/// The conditions that an `and` joins; they are tested one by one, in the same order.
 fn conjuncts(term: Term, parts: &mut Vec<Term>) {
     match term {
         Term::Binary(Binary::And, left, right) => {
@@ -195,7 +195,8 @@ fn conjuncts(term: Term, parts: &mut Vec<Term>) {
     }
 }
 
-/// Evaluates the right-hand sides, on the mesh as it was; what sets them.
+/// Evaluates the right-hand sides on the mesh before any change, and returns the statements that
+/// assign them.
 fn values(
     rule: &Rule,
     values: &[Value],

@@ -1,12 +1,12 @@
-//! The functions of the language in Rust and C++, side by side.
+//! The builtin functions of the language in Rust and C++, side by side.
 //!
-//! `{0}` stands for the first argument. In C++ `[{0}.halfedge]` is a pointer as the style reads it,
-//! and a function that is written out is called by its name alone, in Rust too.
+//! `{0}` stands for the first argument. In C++ `[{0}.halfedge]` is a pointer, spelled as the style
+//! reads it, and a support function is called by its name alone, as in Rust.
 
 use crate::diagram::Builtin;
 
-/// The call of a function in Rust and in C++; nothing for those that are told with the type that they
-/// are of, or with the type of reals, or not emitted.
+/// The call of a builtin in Rust and in C++; empty for builtins whose call depends on the type of
+/// their arguments or on that of reals, or that are not emitted.
 pub(super) fn spelled(builtin: Builtin) -> [&'static str; 2] {
     match builtin {
         Builtin::DegreeVertex => ["mesh.degree({0}) as i64", "degree({0})"],
@@ -80,7 +80,7 @@ pub(super) fn spelled(builtin: Builtin) -> [&'static str; 2] {
     }
 }
 
-/// A call with its arguments in their places.
+/// A call with its arguments filled in.
 pub(super) fn with_arguments(call: &str, args: &[String]) -> String {
     let mut parts = call.split('{');
     let mut text = parts.next().unwrap_or_default().to_string();

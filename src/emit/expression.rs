@@ -1,4 +1,4 @@
-//! Typed expressions to terms.
+//! Translation of typed expressions to terms.
 
 use super::NotEmitted;
 use super::matrix::{is_wide, negated, operated, type_of_call};
@@ -24,7 +24,7 @@ pub(super) fn parameters(
     params.iter().zip(words).map(parameter).collect()
 }
 
-/// Writes expressions.
+/// Translates expressions.
 pub(super) struct Expressions<'n> {
     pub names: &'n mut Names,
 }
@@ -69,7 +69,7 @@ impl Expressions<'_> {
                 negated(expr.ty, self.term(operand)?)
             }
             ExprKind::Unary(Unary::ToReal, operand) => match &operand.kind {
-                // Exact: an int of the source that stands for a real.
+                // Exact: an integer literal that is used as a real.
                 ExprKind::Int(value) => Term::Real(*value as f64),
                 ExprKind::Unary(Unary::NegateInt, inner) => match inner.kind {
                     ExprKind::Int(value) => Term::Real(-(value as f64)),
@@ -132,8 +132,8 @@ impl Expressions<'_> {
         })
     }
 
-    /// The expression with names for what is the same each time it is computed; their values are
-    /// computed in `body`.
+    /// The expression with names for the parts that have the same value each time; `body` computes
+    /// these values.
     pub fn once(
         &mut self,
         expr: &Expr,
@@ -161,7 +161,7 @@ fn wanted(part: &Expr) -> &'static str {
     }
 }
 
-/// The element that a collection lies around, and the kind of walk; none for one of the whole mesh.
+/// The element that a collection lies around, and the kind of walk; `None` for other collections.
 pub(super) fn around(collection: &Collection) -> Option<(Around, &Expr)> {
     Some(match collection {
         Collection::VertexHalfedges(v) => (Around::VertexHalfedges, v),
@@ -183,7 +183,7 @@ pub(super) fn around(collection: &Collection) -> Option<(Around, &Expr)> {
     })
 }
 
-/// A collection that lies around no element, in words.
+/// A collection for which there is no [`Around`], in words.
 pub(super) fn collection_words(collection: &Collection) -> &'static str {
     match collection {
         Collection::FaceEars(_) => "`ears` of a face",
@@ -192,8 +192,8 @@ pub(super) fn collection_words(collection: &Collection) -> &'static str {
     }
 }
 
-/// True if a value is finite for all finite positions of ordinary size: sums, differences, means
-/// and mixtures, and quotients by a number that is written out and not zero.
+/// True if a value is finite for all finite positions of ordinary size: sums, differences,
+/// products, means and mixtures, and quotients by a literal that is not zero.
 pub(super) fn is_surely_finite(expr: &Expr) -> bool {
     match &expr.kind {
         ExprKind::Int(_) | ExprKind::Read(Access::Position, _) => true,

@@ -1,7 +1,7 @@
 //! The guard: tests of the result before it is written.
 //!
-//! The pointers of phase 3 are noted on a preview of the mesh, as far as a test reads them, and each
-//! test looks at one orbit of the preview, as the machine does.
+//! The pointers of phase 3 that a test reads are noted on a preview of the mesh, and each test
+//! looks at one orbit of the preview, as the machine does.
 
 use std::collections::BTreeSet;
 
@@ -14,14 +14,14 @@ use super::term::{Function, Term};
 use crate::diagram::{Builtin, Drawing, Kind};
 use crate::lower::{GuardTest, Operation, PreviewReads, Question, StarWalk};
 
-/// The tests of a guard, in order; those that look at a preview as a block with one of its own.
+/// The tests of a guard, in order; if any of them reads a preview, all are in one block with it.
 pub(super) fn tests(
     drawing: &Drawing,
     operation: &Operation,
     names: &Names,
     conventions: Conventions<'_>,
 ) -> Vec<Statement> {
-    // What is named within the block is free again behind it.
+    // Names declared within the block are free again after it.
     let names = &mut names.clone();
     let name = names.fresh("preview");
     let mut tests = Tests { drawing, names, preview: name.clone(), body: Vec::new() };
@@ -97,7 +97,7 @@ impl Tests<'_, '_> {
         self.body.push(Statement::Refuse { when, reason: test.refusal.clone() });
     }
 
-    /// The condition that the result is not as it has to be.
+    /// The condition that the result violates the test.
     fn breaks(&self, question: Question) -> Term {
         let (word, elements) = match question {
             Question::NotAdjacent(ends) => {

@@ -1,4 +1,4 @@
-//! Terms as text: what C++ and Rust spell alike, and where brackets are needed.
+//! Terms as text: what C++ and Rust have in common, and where brackets are needed.
 
 use super::term::{Attribute, Fold, Function, IndexLoop, Term};
 use crate::diagram::{Binary, Pointer, Unary};
@@ -33,7 +33,7 @@ impl Spelled {
         Self::new(text, Level::Whole)
     }
 
-    /// The text, in brackets unless it binds so tightly.
+    /// The text, in brackets if it binds less tightly than `level`.
     pub fn at(self, level: Level) -> String {
         match self.level >= level {
             true => self.text,
@@ -42,7 +42,7 @@ impl Spelled {
     }
 }
 
-/// A language: all that it spells in its own way.
+/// A target language: everything that it spells in its own way.
 pub(super) trait Language {
     fn real(&self, value: f64) -> Spelled;
     fn int(&self, value: i64) -> Spelled;
@@ -54,7 +54,7 @@ pub(super) trait Language {
     fn vector(&mut self, parts: [Spelled; 3]) -> Spelled;
     fn choice(&mut self, condition: Spelled, then: Spelled, otherwise: Spelled) -> Spelled;
     fn to_real(&mut self, of: Spelled) -> Spelled;
-    /// A function of the emitted text or of the language; `name` is one of `support`.
+    /// A builtin function of the language, or a support function of the emitted text.
     fn call(&mut self, function: Function, args: Vec<Spelled>) -> Spelled;
     /// A function of the program.
     fn invoke(&mut self, name: &str, args: Vec<Spelled>) -> Spelled;
@@ -65,7 +65,7 @@ pub(super) trait Language {
     fn some(&mut self, indices: &IndexLoop, condition: &Term) -> Spelled;
 }
 
-/// The conditions under which an element has no turn: it is gone, or a filter leaves it out.
+/// The conditions under which an element is skipped: it is gone, or a filter rejects it.
 pub(super) fn skipped(
     language: &mut impl Language,
     gone: Option<String>,
@@ -76,7 +76,7 @@ pub(super) fn skipped(
     gone.into_iter().chain(others).collect()
 }
 
-/// The name of a pointer where elements of all kinds have their pointers side by side.
+/// The name of a pointer where it has to be unique among the pointers of all kinds of elements.
 pub(super) fn field(pointer: Pointer) -> &'static str {
     match pointer {
         Pointer::VertexHalfedge => "vertex_halfedge",
@@ -141,8 +141,8 @@ pub(super) fn spell(language: &mut impl Language, term: &Term) -> Spelled {
     }
 }
 
-/// A place so far from an index, or from 0, counted around a list. What is below zero on the
-/// way is not, as sizes have no sign.
+/// The index at a distance from `index`, or from 0, modulo the size of a list. Intermediate results
+/// are never negative, since sizes are unsigned.
 fn place(index: Option<&str>, shift: i64, size: &str) -> String {
     let far = shift.unsigned_abs();
     match (index, shift) {
@@ -176,12 +176,12 @@ fn unary(language: &mut impl Language, operator: Unary, of: &Term) -> Spelled {
     {
         return infix(language, "!=", Level::Compare, [left, right]);
     }
-    // Not another sign right behind: `--x` is something else.
+    // In brackets if it has a sign itself: `--x` would mean something else.
     let of = spell(language, of).at(Level::Whole);
     Spelled::new(format!("{sign}{of}"), Level::Prefix)
 }
 
-/// The opposite of a comparison or of several conditions, without a `not` in front of it.
+/// The negation of a comparison or of joined conditions, without a `not` in front of it.
 fn turned(term: &Term) -> Option<Term> {
     let (operator, left, right) = match term {
         Term::Binary(operator, left, right) => (*operator, left, right),
@@ -242,13 +242,13 @@ fn infix(language: &mut impl Language, symbol: &str, level: Level, sides: [&Term
     Spelled::new(format!("{left} {symbol} {right}"), level)
 }
 
-/// A number with all its digits, and a point, unless it is a large power of ten; or what is said
-/// instead of one that is infinite, and of one that is none.
+/// A number with all its digits, and with a decimal point or an exponent; `infinite` stands for
+/// infinity, and `none` for NaN.
 pub(super) fn number(value: f64, [infinite, none]: [&str; 2]) -> Spelled {
     signed(value, format!("{:?}", value.abs()), [infinite, none])
 }
 
-/// The same as a number of half as many bits, in C++.
+/// The same for a `float` in C++.
 pub(super) fn short_number(value: f64, [infinite, none]: [&str; 2]) -> Spelled {
     let short = value as f32;
     signed(short.into(), format!("{:?}f", short.abs()), [infinite, none])

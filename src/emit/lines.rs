@@ -9,12 +9,12 @@ pub(super) struct Lines {
 }
 
 impl Lines {
-    /// An empty text whose blocks are indented by so many spaces.
+    /// An empty text whose blocks are indented by `unit` spaces.
     pub fn new(unit: usize) -> Self {
         Self { unit, ..Self::default() }
     }
 
-    /// A line.
+    /// Adds a line.
     pub fn line(&mut self, text: &str) {
         if !text.is_empty() {
             self.text.push_str(&" ".repeat(self.depth * self.unit));
@@ -23,25 +23,25 @@ impl Lines {
         self.text.push('\n');
     }
 
-    /// A line that opens a block.
+    /// Adds a line that opens a block.
     pub fn open(&mut self, text: &str) {
         self.line(text);
         self.depth += 1;
     }
 
-    /// A line that closes a block.
+    /// Adds a line that closes a block.
     pub fn close(&mut self, text: &str) {
         self.depth = self.depth.saturating_sub(1);
         self.line(text);
     }
 
-    /// A line that closes a block and opens another one.
+    /// Adds a line that closes a block and opens another one.
     pub fn reopen(&mut self, text: &str) {
         self.close(text);
         self.depth += 1;
     }
 
-    /// An empty line, unless a block has just begun.
+    /// Adds an empty line, unless a block has just begun or there is one already.
     pub fn blank(&mut self) {
         let last = self.text.trim_end_matches('\n');
         if !last.ends_with('{') && !self.text.ends_with("\n\n") {
@@ -54,7 +54,7 @@ impl Lines {
         self.text
     }
 
-    /// A comment of words, broken where lines would become too long.
+    /// Adds a comment, wrapped where lines would become too long.
     pub fn comment(&mut self, mark: &str, text: &str) {
         let text = &plain(text);
         let width = 96usize.saturating_sub(self.depth * self.unit + mark.len() + 1).max(20);
@@ -73,8 +73,8 @@ impl Lines {
     }
 }
 
-/// A line of comment. One that ended with a backslash would swallow the next line in C++, so
-/// something stands behind it.
+/// A comment line. A backslash at its end would continue it on the next line in C++, so something
+/// is put behind it.
 pub(super) fn comment(mark: &str, text: &str) -> String {
     let text = plain(text);
     let text = text.trim_end();
@@ -84,8 +84,8 @@ pub(super) fn comment(mark: &str, text: &str) -> String {
     }
 }
 
-/// A text on one line, without what compilers do not take in comments: control characters, and
-/// those that turn the direction of writing.
+/// A text on one line, without what compilers reject in comments: control characters, and those
+/// that change the direction of writing.
 fn plain(text: &str) -> String {
     let is_indexed = |c: char| {
         matches!(c, '\u{61c}' | '\u{200e}'..='\u{200f}' | '\u{202a}'..='\u{202e}')

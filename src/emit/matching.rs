@@ -8,7 +8,7 @@ use crate::check::matching::{Bound, Claim, Source};
 use crate::diagram::{Drawing, Kind, LoopKind, NameId, Pointer, Type};
 use crate::lower::{self, Begin, EmptyPath, Step, Walk};
 
-/// Writes what matching does.
+/// Emits the statements of matching.
 pub(super) struct Matching<'d, 'n> {
     pub drawing: &'d Drawing<'d>,
     pub conventions: Conventions<'d>,
@@ -32,7 +32,7 @@ impl Matching<'_, '_> {
         body
     }
 
-    /// The halfedge to begin with, where further ones would match alike.
+    /// Binds the halfedge to begin with, where no other has to be tried.
     fn begin(&mut self, begin: &Begin, body: &mut Vec<Statement>) {
         let element = self.term(begin.element);
         if let (Some(reason), true) = (&begin.isolated, self.conventions.isolated_vertices) {
@@ -57,7 +57,7 @@ impl Matching<'_, '_> {
         self.named(self.ty(bound), word.to_string(), value, member)
     }
 
-    /// A name for a value, or for those of each index.
+    /// Binds a name to a value, or to the list of its values at each index.
     fn named(&self, ty: Type, name: String, value: Term, member: bool) -> Statement {
         match member {
             true => Statement::Gather { ty, name, indices: self.names.indices(), item: value },
@@ -65,13 +65,13 @@ impl Matching<'_, '_> {
         }
     }
 
-    /// Makes a term; of members, what stands for each index.
+    /// Makes a term; if `member`, the term for each index.
     fn indexed(&mut self, member: bool, make: impl FnOnce(&Matching) -> Term) -> Term {
         let (drawing, conventions) = (self.drawing, self.conventions);
         self.names.for_each(member, |names| make(&Matching { drawing, conventions, names }))
     }
 
-    /// Walks an orbit once around and deals its halfedges out to the families of a period.
+    /// Walks an orbit once around and distributes its halfedges among the families of a period.
     fn walk(&mut self, walk: &Walk, body: &mut Vec<Statement>) {
         let ty = Type::Halfedge;
         let function = match walk.around_vertex {
@@ -116,7 +116,7 @@ impl Matching<'_, '_> {
         }
     }
 
-    /// The emptiness of paths, and the tests.
+    /// Binds whether paths are empty, and emits the tests.
     pub fn empty_paths_and_tests(&mut self, matching: &lower::Matching) -> Vec<Statement> {
         let mut body = Vec::new();
         for &EmptyPath { path, next, at_each_index } in &matching.empty_paths {
@@ -148,7 +148,7 @@ impl Matching<'_, '_> {
         body
     }
 
-    /// A list of what stands at each index, index by index.
+    /// A list of elements: those that are no members, then the members index by index.
     fn listed(&mut self, ty: Type, members: &[NameId], body: &mut Vec<Statement>) -> Term {
         let list = self.names.fresh("all");
         let rule = self.drawing.rule;

@@ -1,7 +1,7 @@
-//! Values that a mesh class may have no type for: vectors of two and four components, matrices.
+//! Values that a mesh class may have no type for: vectors of two and four components, and matrices.
 //!
-//! Vectors of three components are everywhere, and are spelled with operators. What is computed
-//! of the others is told with the type that it is computed of, so that each language can spell it.
+//! Vectors of three components always have a type, and are spelled with operators. An operation on
+//! the others carries the type of its operands, so that each language can spell it.
 
 use super::NotEmitted;
 use super::expression::Expressions;
@@ -13,7 +13,7 @@ pub(super) fn is_wide(ty: Type) -> bool {
     ty != Type::Vec3 && (ty.is_vector() || ty.is_matrix())
 }
 
-/// Something that is computed of values of a type.
+/// An operation on values of a type.
 fn of(operation: Operation, ty: Type, args: Vec<Term>) -> Term {
     Term::Call(Function::Of(operation, ty), args)
 }
@@ -28,7 +28,7 @@ pub(super) fn operated(operator: Binary, ty: Type, sides: [Term; 2]) -> Term {
     of(Operation::Operator(operator), ty, sides.into())
 }
 
-/// The type that tells how a function is spelled, if it is one of such values.
+/// The type that determines the spelling of a builtin, if it is one of such values.
 pub(super) fn type_of_call(builtin: Builtin, args: &[Expr], result: Type) -> Option<Type> {
     let first = args.first()?.ty;
     match builtin {
@@ -70,7 +70,7 @@ impl Expressions<'_> {
                 terms.push(term);
                 continue;
             }
-            // What is computed would be computed for each of its parts.
+            // A computed term is repeated for each of its parts.
             for at in 0..part.ty.size() {
                 terms.push(match part.ty {
                     Type::Vec3 => Term::Component(at, Box::new(term.clone())),

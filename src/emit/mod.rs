@@ -1,14 +1,14 @@
 //! Proved operations as pointer code in other languages.
 //!
-//! `cpp` makes the classic four-phase function over a pointer-based halfedge mesh, `rust` a
-//! plain function over [`crate::mesh`]. Both spell the same routine, which is built from
-//! [`crate::lower`] and not from the machine's code: the names of the drawing stay, tests and
-//! assignments that change nothing are left out, and a guard becomes tests on a preview of the mesh.
+//! `cpp` makes the classic four-phase function over a pointer-based halfedge mesh, `rust` a plain
+//! function over [`crate::mesh`]. Both spell the same routine, which is built from [`crate::lower`]
+//! and not from the machine's code: the names of the drawing are kept, tests and assignments that
+//! change nothing are left out, and a guard becomes tests on a preview of the mesh.
 //!
-//! Operations in steps call others, all or nothing; `steps` makes routines of them, and of the
-//! functions that they call.
+//! Operations in steps call others, and apply whole or not at all; `steps` makes routines of them,
+//! and of the functions that they call.
 //!
-//! The code assumes a mesh in order, and of the level of the guard, where there is one.
+//! The code assumes a valid mesh, which is of the level of the guard if there is one.
 
 mod selection;
 
@@ -49,7 +49,7 @@ pub struct NotEmitted {
     pub what: String,
     /// Its place in the source.
     pub span: Span,
-    /// The reason why not, if it is not only since there is no code for it.
+    /// The reason, if it is not just that there is no code for it.
     pub why: Option<String>,
 }
 

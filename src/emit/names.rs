@@ -1,8 +1,8 @@
-//! Names of the elements of a drawing in code.
+//! Names in code for the elements of a drawing.
 //!
-//! A name stays what it is wherever that is possible. A prime becomes `_`; a word that the
-//! languages keep to themselves, and one that is taken, get something behind them. A family is
-//! a list of its name, and a member a place in it: `h[i]`, `h[(i + 1) % n]`.
+//! A name is kept wherever possible. A prime becomes `_`; reserved words, and words that are taken,
+//! get a suffix. A family is a list with its name, and a member an entry of it: `h[i]`,
+//! `h[(i + 1) % n]`.
 
 use std::collections::BTreeSet;
 
@@ -12,8 +12,8 @@ use super::term::{Attribute, IndexLoop, Term};
 use crate::diagram::{self, Kind, NameId, Op, Role, Rule, Type};
 use crate::resolve::Variable;
 
-/// The name of a function of the program in code: in C++ it stands beside those that are written
-/// out.
+/// The name of a function of the program in code: in C++ it must differ from those of the support
+/// functions.
 pub(super) fn invoked(name: &str) -> String {
     match cpp::is_written_out(name) {
         true => format!("{name}_"),
@@ -27,30 +27,30 @@ pub(super) struct Names {
     words: Vec<String>,
     lasts: Vec<String>,
     empties: Vec<String>,
-    /// Of each member, how far it is from the index.
+    /// The distance of each member from the index.
     shifts: Vec<Option<i64>>,
-    /// Of each member at index 0 that is known before its family is, its word.
+    /// The word of each member at index 0 that is bound before its family.
     begun: Vec<Option<String>>,
-    /// The index of the cycle, and how many there are.
+    /// The index of the cycle, and its size.
     indices: IndexLoop,
-    /// True if this is inside of what is done for each index.
+    /// True inside of a repetition for each index.
     is_indexed: bool,
     params: Vec<String>,
     folds: Vec<(u32, String)>,
     /// The attributes of the program, and whether the rule uses them.
     attributes: Vec<(Attribute, bool)>,
-    /// The functions of the program that have a value, by number, and those that are called.
+    /// The names of the functions that have a value, by number, and the functions that are called.
     functions: Vec<Option<String>>,
     calls: BTreeSet<u32>,
     /// The names of the variables of steps in the program.
     variables: Vec<String>,
     taken: BTreeSet<String>,
-    /// The names that the mesh class keeps to itself.
+    /// The names that the mesh class reserves.
     kept: Vec<String>,
 }
 
 impl Names {
-    /// Names for everything that a rule draws. Parameters are called the same in all rules.
+    /// Names for everything that a rule draws. Parameters have the same names in all rules.
     pub fn new(op: &Op, rule: &Rule, functions: &[Option<String>], kept: &[String]) -> Self {
         let count = rule.names.len();
         let mut names = Self::without(count, functions, kept);
@@ -75,8 +75,8 @@ impl Names {
         names
     }
 
-    /// Names for steps or a function: parameters first, which are known from the beginning. Some
-    /// words are taken already.
+    /// Names for steps or a function: the parameters come first among the variables, and are named
+    /// at once. The words in `taken` are not available.
     pub fn of_body(
         variables: &[Variable],
         params: usize,
@@ -110,17 +110,17 @@ impl Names {
         }
     }
 
-    /// The words that are taken now, to go back to.
+    /// The words that are taken, for [`Self::back_to`].
     pub fn mark(&self) -> BTreeSet<String> {
         self.taken.clone()
     }
 
-    /// Lets go of all words that were not taken then: they had meaning in one block only.
+    /// Releases all words that were not taken at the mark: their scope was one block.
     pub fn back_to(&mut self, mark: BTreeSet<String>) {
         self.taken = mark;
     }
 
-    /// No names yet, of so many.
+    /// No names yet, for a rule of `count` names.
     fn without(count: usize, functions: &[Option<String>], kept: &[String]) -> Self {
         Self {
             words: Vec::new(),
@@ -141,14 +141,14 @@ impl Names {
         }
     }
 
-    /// The name of a function of the program that is called, if it has a value.
+    /// The name of a function of the program, which counts as called; `None` if it has no value.
     pub fn call(&mut self, number: u32) -> Option<String> {
         let name = self.functions.get(number as usize)?.clone()?;
         self.calls.insert(number);
         Some(name)
     }
 
-    /// The functions that were called.
+    /// Takes the functions that were called.
     pub fn take_calls(&mut self) -> BTreeSet<u32> {
         std::mem::take(&mut self.calls)
     }
@@ -158,7 +158,7 @@ impl Names {
         let is_member = rule.is_member(id);
         self.shifts.push(is_member.then(|| rule.offset(id)));
         if is_member && !rule.is_first(id) {
-            // The list of the family has its name from the first member.
+            // The list of the family is named after its first member.
             let first = rule.first_member(id).index();
             for words in [&mut self.words, &mut self.lasts, &mut self.empties] {
                 words.push(words[first].clone());
@@ -187,7 +187,7 @@ impl Names {
         self.empties.push(empty);
     }
 
-    /// A name that is not taken yet, as near as can be to the one that is wanted.
+    /// A name that is not taken yet, as close as possible to the one that is wanted.
     pub fn fresh(&mut self, wanted: &str) -> String {
         let word = plain(wanted);
         let mut free = unreserved(&word, &self.kept);
@@ -206,12 +206,12 @@ impl Names {
         self.fresh(free.unwrap_or(&wanted[0]))
     }
 
-    /// Lets go of a name that has meaning in one block only, so that it can be used again.
+    /// Releases a name whose scope was one block.
     pub fn release(&mut self, word: &str) {
         self.taken.remove(word);
     }
 
-    /// The word for an element, and for the first halfedge of a path; of a family, of the list.
+    /// The word for an element, or for the first halfedge of a path; of a family, that of its list.
     pub fn word(&self, name: NameId) -> &str {
         &self.words[name.index()]
     }
@@ -226,7 +226,7 @@ impl Names {
         &self.empties[path.index()]
     }
 
-    /// An element; of a path its first halfedge.
+    /// The term of an element; of a path, that of its first halfedge.
     pub fn term(&self, name: NameId) -> Term {
         self.place(name, &self.words)
     }
@@ -249,7 +249,7 @@ impl Names {
         }
     }
 
-    /// The entry of a list so far from the index; from 0 where nothing is done for each index.
+    /// The entry of a list at a distance from the index, or from 0 outside of a repetition.
     pub fn member(&self, list: &str, shift: i64) -> Term {
         Term::Member {
             list: list.to_string(),
@@ -259,8 +259,8 @@ impl Names {
         }
     }
 
-    /// The word for a member at index 0 that is known before its family is; of anything else
-    /// its own.
+    /// The word for a member at index 0 that is bound before its family; for any other name its own
+    /// word.
     pub fn begin(&mut self, name: NameId) -> String {
         if self.shifts[name.index()].is_none() {
             return self.words[name.index()].clone();
@@ -273,12 +273,12 @@ impl Names {
         word
     }
 
-    /// The index of the cycle, and how many there are.
+    /// The index of the cycle, and its size.
     pub fn indices(&self) -> IndexLoop {
         self.indices.clone()
     }
 
-    /// Makes something that is about a name: of a member, what stands for each index.
+    /// Makes something, inside of the repetition for each index if `repeated`.
     pub fn for_each<T>(&mut self, repeated: bool, make: impl FnOnce(&mut Self) -> T) -> T {
         let outer = self.enter_index(repeated);
         let made = make(self);
@@ -286,24 +286,24 @@ impl Names {
         made
     }
 
-    /// Enters what is done for each index, if it is; tells where this was before.
+    /// Enters the repetition for each index if `repeated`, and returns the previous state.
     pub fn enter_index(&mut self, repeated: bool) -> bool {
         let outer = self.is_indexed;
         self.is_indexed |= repeated;
         outer
     }
 
-    /// Goes back to where this was before.
+    /// Restores the state that [`Self::enter_index`] returned.
     pub fn leave_index(&mut self, outer: bool) {
         self.is_indexed = outer;
     }
 
-    /// True if this is inside of what is done for each index.
+    /// True inside of a repetition for each index.
     pub fn is_indexed(&self) -> bool {
         self.is_indexed
     }
 
-    /// A parameter, or the variable of an aggregate.
+    /// The word of a parameter, of the variable of an aggregate, or of a variable.
     pub fn local(&self, number: u32) -> &str {
         let fold = self.folds.iter().rev().find(|fold| fold.0 == number);
         match fold {
@@ -326,14 +326,14 @@ impl Names {
         word
     }
 
-    /// An attribute of the program, which the rule uses; a function knows of none.
+    /// An attribute of the program, which counts as used; `None` if it is not declared.
     pub fn attribute(&mut self, number: u32) -> Option<Attribute> {
         let (attribute, is_used) = self.attributes.get_mut(number as usize)?;
         *is_used = true;
         Some(attribute.clone())
     }
 
-    /// An attribute of the program that others use, unless this does so too.
+    /// An attribute of the program, unless it is used here.
     pub fn unused_attribute(&self, number: u32) -> Option<&Attribute> {
         let (attribute, is_used) = self.attributes.get(number as usize)?;
         (!is_used).then_some(attribute)
@@ -345,14 +345,14 @@ impl Names {
         used.map(|(attribute, _)| attribute)
     }
 
-    /// Names a variable of a function.
+    /// Names a variable, or a value that is computed once.
     pub fn bind(&mut self, number: u32, wanted: &str) -> String {
         let word = self.fresh(wanted);
         self.folds.push((number, word.clone()));
         word
     }
 
-    /// The parameters of the op.
+    /// The words of the parameters.
     pub fn params(&self) -> &[String] {
         &self.params
     }

@@ -1,7 +1,7 @@
 //! Phase 3, reassign: every pointer that changes, halfedge by halfedge.
 //!
-//! Paths that change their loop and fans that change their vertex are walked first, while
-//! `next` and `twin` are still what they were.
+//! Paths that change their loop and fans that change their vertex are walked first, while `next`
+//! and `twin` still have their old values.
 
 use super::conventions::Conventions;
 use super::names::Names;
@@ -10,7 +10,7 @@ use super::term::{IndexLoop, Term};
 use super::walks::{fan_walk, path_walk};
 use crate::diagram::{Drawing, Kind, NameId, Operand, Pointer, Type, Write};
 
-/// The statements of the phase, but for the attributes.
+/// The statements of the phase, except for the attributes.
 pub(super) fn statements(
     drawing: &Drawing,
     names: &mut Names,
@@ -35,7 +35,7 @@ pub(super) fn statements(
     let Reassign { walks, links, mut sets, .. } = reassign;
     let mut statements = walks;
     statements.extend(links);
-    // Halfedge by halfedge, then what points at them.
+    // Halfedge by halfedge, then the other elements.
     sets.sort_by_key(|set| set.order);
     let (each, once): (Vec<_>, Vec<_>) = sets.into_iter().partition(|set| set.at_each_index);
     statements.extend(once.into_iter().map(|set| set.statement));
@@ -46,8 +46,7 @@ pub(super) fn statements(
     statements
 }
 
-/// A pointer that is set, and where it stands in the code: by halfedge and pointer, those of
-/// other elements last.
+/// A pointer that is set, and its place in the code: by halfedge and pointer, other elements last.
 struct Set {
     order: (usize, usize),
     at_each_index: bool,
@@ -61,15 +60,15 @@ struct Reassign<'d, 'n> {
     conventions: Conventions<'d>,
     /// Walks along paths and fans.
     walks: Vec<Statement>,
-    /// Loops of paths that may be empty.
+    /// The linking of loops of paths that may be empty.
     links: Vec<Statement>,
-    /// Of each such loop the first halfedge of a path that is not.
+    /// The first halfedge of the first nonempty path of each such loop.
     linked: Vec<(NameId, Term)>,
     sets: Vec<Set>,
 }
 
 impl Reassign<'_, '_> {
-    /// Does something, at each index if that is wanted.
+    /// Runs `what`, inside of the repetition for each index if `at_each_index`.
     fn indexed<T>(&mut self, at_each_index: bool, what: impl FnOnce(&mut Self) -> T) -> T {
         let outer = self.names.enter_index(at_each_index);
         let made = what(self);
@@ -90,7 +89,7 @@ impl Reassign<'_, '_> {
             Write::Anchor { pointer, of, value, keeps } if !keeps || exhaustive => {
                 let element = self.names.term(*of);
                 let value = match value {
-                    // One that is kept is set to a halfedge with a name, else to what it is.
+                    // One that is kept is set to a named halfedge, or else to its current value.
                     Some(Operand::Named(half)) => self.names.term(*half),
                     Some(Operand::FirstOfSome(path)) if !keeps => {
                         return self.anchor_of_some(*pointer, element, *path);
@@ -129,8 +128,8 @@ impl Reassign<'_, '_> {
         }));
     }
 
-    /// A pointer of a halfedge that is told by a name: of each `next` first, then `twin`,
-    /// `vertex`, `edge`, `face`.
+    /// Sets a pointer of a named halfedge: of each `next` first, then `prev`, `twin`, `vertex`,
+    /// `edge`, `face`.
     fn halfedge(&mut self, pointer: Pointer, name: NameId, of: Term, value: Term) {
         let rank = match pointer {
             Pointer::Prev if !self.conventions.prev => return,
@@ -144,7 +143,7 @@ impl Reassign<'_, '_> {
         self.push((name.index(), rank), Statement::Set { pointer, of, value });
     }
 
-    /// What is set of another element than a halfedge: of vertices first, then of edges.
+    /// Writes to an element other than a halfedge: vertices first, then edges, then faces.
     fn other(&mut self, pointer: Pointer, statement: Statement) {
         let rank = match pointer {
             Pointer::VertexHalfedge => 0,
@@ -173,7 +172,7 @@ impl Reassign<'_, '_> {
         }
     }
 
-    /// What is at an end of the first item that is not empty.
+    /// The end of the first item that is not empty.
     fn there(&self, items: &[NameId], end: impl Fn(NameId) -> Term) -> Term {
         let (last, others) = items.split_last().expect("an operand has items");
         others
@@ -182,7 +181,7 @@ impl Reassign<'_, '_> {
             .fold(end(*last), |term, &item| self.names.empty(item).then(term, end(item)))
     }
 
-    /// The halfedge of an element, where some member of a family of paths is not empty.
+    /// Sets the halfedge of an element to that of a nonempty member of a family of paths.
     fn anchor_of_some(&mut self, pointer: Pointer, of: Term, path: NameId) {
         self.indexed(true, |this| {
             let condition = this.names.empty(path).not();
@@ -191,7 +190,7 @@ impl Reassign<'_, '_> {
         });
     }
 
-    /// Links the paths of a loop that are not empty; the first halfedge of the first of them.
+    /// Links the nonempty paths of a loop, and returns the first halfedge of the first of them.
     fn link_paths(&mut self, period: &[NameId]) -> Term {
         let [firsts, lasts] = ["firsts", "lasts"].map(|wanted| self.names.fresh(wanted));
         for name in [&firsts, &lasts] {
@@ -212,7 +211,7 @@ impl Reassign<'_, '_> {
         });
         let indices = self.names.indices();
         self.links.push(Statement::IndexLoop { indices: indices.clone(), body });
-        // From here on an index counts the paths that are there.
+        // From here on an index counts the nonempty paths.
         let indices = IndexLoop { index: indices.index, size: self.names.fresh("runs") };
         let member = |list: &String, shift| Term::Member {
             list: list.clone(),

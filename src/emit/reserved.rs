@@ -1,14 +1,13 @@
-//! Words that names in emitted code must not be.
+//! Words that cannot be names in emitted code.
 //!
-//! Names are the same in C++ and Rust, so what either language keeps to itself is kept from both.
+//! Names are the same in C++ and Rust, so words that either language reserves are avoided in both.
 
 use std::collections::BTreeSet;
 use std::sync::LazyLock;
 
 use super::rust;
 
-/// Keywords of C++ up to C++23, with the alternative tokens and the words that have meaning in
-/// places.
+/// Keywords of C++ up to C++23, with the alternative tokens and the contextual keywords.
 const CPP: &str = "
     alignas alignof and and_eq asm atomic_cancel atomic_commit atomic_noexcept auto bitand bitor
     bool break case catch char char16_t char32_t char8_t class co_await co_return co_yield compl
@@ -20,15 +19,15 @@ const CPP: &str = "
     switch synchronized template this thread_local throw true try typedef typeid typename typeof
     union unsigned using virtual void volatile wchar_t while xor xor_eq";
 
-/// Keywords of Rust up to its edition of 2024, those that it keeps for later included.
+/// Keywords of Rust up to the 2024 edition, including those that are reserved for later use.
 const RUST: &str = "
     Self abstract as async await become box break const continue crate do dyn else enum extern
     false final fn for gen if impl in let loop macro macro_rules match mod move mut override priv
     pub raw ref return safe self static struct super trait true try type typeof union unsafe
     unsized use virtual where while yield";
 
-/// Macros in small letters: of the standard headers, of compilers, of systems and of libraries
-/// that courses and applications bring along. Those in capitals are told by their letters.
+/// Macros that are not in capitals: of the standard headers, of compilers, of systems and of
+/// libraries that courses and applications use. Those in capitals are recognized as such.
 const MACROS: &str = "
     assert errno stdin stdout stderr offsetof setjmp va_arg va_copy va_end va_start alloca
     complex imaginary noreturn unix linux i386 vax sun mips hppa
@@ -37,7 +36,7 @@ const MACROS: &str = "
     signals slots emit foreach forever check verify require check_if verify_if
     L_tmpnam L_ctermid P_tmpdir None Bool Status Success Always Complex Expects Ensures";
 
-/// Types and values that stand in emitted code without a namespace.
+/// Types and values that emitted code uses without a namespace.
 const USED: &str = "
     main std mesh hedgerow journal was abs
     new_vertex new_halfedge new_edge new_face erase size_t ptrdiff_t int8_t int16_t int32_t int64_t
@@ -51,23 +50,24 @@ static RESERVED: LazyLock<BTreeSet<&str>> = LazyLock::new(|| {
     lists.flat_map(str::split_whitespace).chain(rust::written_out()).collect()
 });
 
-/// True if a word belongs to a language, to a macro, or to emitted code itself.
+/// True if a word is reserved by a language, a macro, or emitted code itself.
 pub(super) fn is_reserved(word: &str) -> bool {
     RESERVED.contains(word) || is_like_a_macro(word)
 }
 
-/// True if a word is one of C++ itself.
+/// True if a word is a keyword of C++.
 pub(super) fn is_keyword_of_cpp(word: &str) -> bool {
     CPP.split_whitespace().any(|known| known == word)
 }
 
-/// True if a word is written as macros are: in capitals, two of them at least.
+/// True if a word looks like a macro: all capitals, at least two of them.
 fn is_like_a_macro(word: &str) -> bool {
     let capitals = word.chars().filter(char::is_ascii_uppercase).count();
     capitals > 1 && !word.contains(|c: char| c.is_lowercase()) && !word.ends_with('_')
 }
 
-/// A word that is free, as near as can be to the one that is wanted; a style keeps some more.
+/// A word that is not reserved, as close as possible to the one that is wanted; `kept` are the
+/// words that a style reserves.
 pub fn unreserved(word: &str, kept: &[String]) -> String {
     match is_reserved(word) || kept.iter().any(|known| known == word) {
         true => format!("{word}_"),
@@ -75,8 +75,8 @@ pub fn unreserved(word: &str, kept: &[String]) -> String {
     }
 }
 
-/// A name of a program as one word: primes, spaces (of a result without a name) and what compilers
-/// keep to themselves are no part of it.
+/// A name of the program as one word, without primes, spaces (of a result without a name), and the
+/// underscores that are reserved for compilers.
 pub fn plain(name: &str) -> String {
     let primes = name.chars().rev().take_while(|c| *c == '\'').count();
     let stem = name.trim_end_matches('\'').replace(['\'', ' '], "_");
@@ -85,7 +85,7 @@ pub fn plain(name: &str) -> String {
         1 => format!("{stem}_"),
         _ => format!("{stem}_{primes}"),
     };
-    // Two underscores in a row, and one at the beginning, belong to the compiler in C++.
+    // In C++, double underscores and a leading one are reserved for the compiler.
     while word.contains("__") {
         word = word.replace("__", "_");
     }

@@ -1,9 +1,9 @@
-//! A routine: pointer code without the spelling of any language.
+//! A routine: pointer code that is independent of the syntax of any language.
 //!
-//! A small imperative language with just what operations need: names that are bound once,
-//! pointers that are followed and set, tests that refuse, walks along loops and around
-//! vertices, and what is done for each index of a family. [`build`](super::build) writes it; a
-//! printer per language spells it.
+//! A small imperative language with just what operations need: names that are bound once, pointers
+//! that are followed and set, tests that refuse, walks along loops and around vertices, and
+//! repetition for each index of a family. [`build`](super::build) creates it; a printer per
+//! language spells it.
 
 use super::term::{Around, Attribute, IndexLoop, Parameter, Term};
 use super::whole::{Call, Form, Held, Target};
@@ -16,18 +16,18 @@ pub(super) struct Signature {
     pub name: String,
     /// Its name in the program.
     pub declared: String,
-    /// Its doc comment, a line each.
+    /// The lines of its doc comment.
     pub docs: Vec<String>,
     /// Its parameters.
     pub params: Vec<Parameter>,
-    /// The type of its result; without one it tells whether it applied.
+    /// The type of its result; without one it returns whether it applied.
     pub result: Option<Type>,
-    /// The first parameter that is an element and surely outlives it.
+    /// The first parameter that is an element and certainly outlives the operation.
     pub given: Option<Parameter>,
 }
 
 impl Signature {
-    /// Makes the element that was given the result, if there is none, of these bodies.
+    /// Makes the given element the result of these bodies, if they have none.
     pub fn give_back<'b>(&mut self, bodies: impl Iterator<Item = &'b mut Vec<Statement>>) {
         if let (None, Some(given)) = (self.result, &self.given) {
             self.result = Some(given.ty);
@@ -49,30 +49,30 @@ pub(super) struct Routine {
 pub(super) struct Helper {
     /// Its name.
     pub name: String,
-    /// Its doc comment, a line each.
+    /// The lines of its doc comment.
     pub docs: Vec<String>,
     /// Its parameters.
     pub params: Vec<Parameter>,
-    /// The type of its value, if it gives one.
+    /// The type of its value, if it has one.
     pub result: Option<Type>,
     /// True if it changes the mesh.
     pub changes: bool,
-    /// True if it may refuse on the way; what it has done then is for its caller to undo.
+    /// True if it may refuse midway; its caller then undoes what it has done.
     pub refuses: bool,
-    /// Its statements; every way through them gives the value.
+    /// Its statements; every path through them returns the value.
     pub body: Vec<Statement>,
 }
 
 /// One alternative of a routine.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Alternative {
-    /// Its name, where it has one.
+    /// Its name, if it has one.
     pub label: Option<String>,
     /// Its statements.
     pub body: Vec<Statement>,
 }
 
-/// Makes every end of statements give a name.
+/// Makes every `Return` without a result return a name.
 fn give_back(body: &mut [Statement], name: &str) {
     for statement in body {
         if let Statement::Return { result: result @ None } = statement {
@@ -87,36 +87,36 @@ fn give_back(body: &mut [Statement], name: &str) {
 /// A statement.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Statement {
-    /// A line in words.
+    /// A comment.
     Comment(String),
     /// An empty line.
     Blank,
-    /// A name for the column of an attribute; refuses a mesh without it.
+    /// Binds the column of an attribute; refuses a mesh without it.
     Column(Attribute),
-    /// A name for a value.
+    /// Binds a value.
     Bind { ty: Type, name: String, value: Term },
-    /// Tries the halfedges of an element in turn; what is refused in the body goes on with the
-    /// next one.
+    /// Tries the halfedges of an element in turn; a refusal in the body continues with the next
+    /// one.
     Attempt { kind: Kind, element: String, halfedge: String, body: Vec<Statement> },
-    /// Refuses the place.
+    /// Refuses if a condition holds.
     Refuse { when: Term, reason: String },
-    /// A list that grows.
+    /// Binds a list that can grow.
     List { ty: Type, name: String, items: Vec<Term> },
     /// Adds to a list.
     Push { list: String, item: Term },
-    /// A name for a list.
+    /// Binds a list.
     BindList { ty: Type, name: String, value: Term },
-    /// A name for the number of elements of a list.
+    /// Binds the length of a list.
     Size { name: String, list: String },
-    /// A name for the list of what stands for each index.
+    /// Binds the list of the values at each index.
     Gather { ty: Type, name: String, indices: IndexLoop, item: Term },
-    /// Does something for each index.
+    /// Repeats the body for each index.
     IndexLoop { indices: IndexLoop, body: Vec<Statement> },
-    /// Gives it another value.
+    /// Changes the value of a variable.
     Change { name: String, value: Term },
-    /// For each halfedge of a walk.
+    /// Repeats the body for each halfedge of a walk.
     Walk { walk: HalfedgeWalk, body: Vec<Statement> },
-    /// A preview of the mesh, and a block in which what is new, and what is set, is noted on it.
+    /// A preview of the mesh, and a block whose allocations and writes are noted on it.
     Preview { preview: String, body: Vec<Statement> },
     /// Allocates an element.
     New { kind: Kind, name: String },
@@ -132,39 +132,39 @@ pub(super) enum Statement {
     SetAttribute { attribute: Attribute, element: Term, value: Term },
     /// Erases an element.
     Erase { kind: Kind, element: Term },
-    /// The value of a function.
+    /// Returns the value of a function.
     Give(Term),
-    /// Done.
+    /// Returns from an operation that has applied.
     Return { result: Option<Term> },
 
-    // Only steps and functions have those that follow.
-    /// A variable, with its first value.
+    // Only steps and functions have the statements that follow.
+    /// Defines a variable with its first value.
     Variable { place: Target, value: Term },
-    /// Calls what changes the mesh, and must do it.
+    /// Makes a call that changes the mesh and must succeed.
     Must { call: Call, place: Option<Target> },
     /// Calls an operation, which may refuse.
     May { call: Call },
-    /// Calls an operation, and goes on as it applied or refused.
+    /// Calls an operation, and branches on whether it applied.
     Apply { call: Call, place: Option<Parameter>, then: Vec<Self>, otherwise: Vec<Self> },
-    /// Goes on as a condition holds or does not.
+    /// Branches on a condition.
     Choose { condition: Term, then: Vec<Self>, otherwise: Vec<Self> },
-    /// So many times.
+    /// Repeats the body `count` times.
     Repeat { index: String, count: Term, body: Vec<Self> },
-    /// As long as a condition holds.
+    /// Repeats the body while a condition holds.
     While { condition: Term, body: Vec<Self> },
-    /// For the elements around one that are there when the loop begins.
+    /// Repeats the body for the elements around one that exist when the loop begins.
     For {
         variable: Parameter,
         around: Around,
         element: Term,
-        /// True if the body may erase some of them; those have no turn.
+        /// True if the body may erase some of them; those are skipped.
         may_go: bool,
         filter: Option<Term>,
         body: Vec<Self>,
     },
-    /// A loop whose writes are put off to its end.
+    /// A loop whose writes are deferred to its end.
     Update { visit: Box<Self>, held: Vec<Held> },
-    /// Puts a write off.
+    /// Defers a write.
     Hold { list: String, element: Term, value: Term },
     /// `break`
     Break,
@@ -174,7 +174,7 @@ pub(super) enum Statement {
     Move {
         vertex: Term,
         value: Term,
-        /// True if it surely is.
+        /// True if it is known to be finite.
         is_finite: bool,
     },
     /// Refuses a mesh without an attribute.
@@ -187,19 +187,19 @@ pub(super) enum Statement {
     Leave,
 }
 
-/// A walk over halfedges. Nothing that it follows is written while it goes on, but the
-/// `face` or `vertex` of the halfedges themselves.
+/// A walk over halfedges. While it runs, nothing that it follows is written; only the `face` or
+/// `vertex` of the halfedges themselves may be.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct HalfedgeWalk {
     /// The name of the halfedge.
     pub halfedge: String,
     /// The step from one to the next.
     pub step: Step,
-    /// The first.
+    /// The first halfedge.
     pub from: Term,
-    /// The halfedge behind the last; if it is the first, the walk is empty.
+    /// The halfedge after the last; if it is the first, the walk is empty.
     pub until: Term,
-    /// True if a walk whose end is its start goes all the way around instead.
+    /// True if a walk that ends where it starts goes all the way around instead.
     pub around: bool,
 }
 
@@ -208,11 +208,11 @@ pub(super) struct HalfedgeWalk {
 pub(super) enum Step {
     /// `h.next`, along a loop.
     Next,
-    /// `h.twin.next`, clockwise around a vertex: no `prev` is needed.
+    /// `h.twin.next`, clockwise around a vertex, which needs no `prev`.
     Clockwise,
 }
 
-/// The statements inside of one; `$of` is the method that tells them.
+/// The statements inside of one; `$of` is the method that returns them.
 macro_rules! bodies {
     ($statement:expr, $of:ident) => {
         match $statement {
@@ -233,7 +233,7 @@ macro_rules! bodies {
 }
 
 impl Statement {
-    /// The statement that does something only where a condition holds.
+    /// A statement that runs only if a condition holds.
     pub fn when(condition: Term, then: Vec<Self>) -> Self {
         Self::Choose { condition, then, otherwise: Vec::new() }
     }
@@ -243,7 +243,7 @@ impl Statement {
         bodies!(self, bodies)
     }
 
-    /// The statements inside of it, to be changed.
+    /// The statements inside of it, mutably.
     pub fn bodies_mut(&mut self) -> Vec<&mut Vec<Self>> {
         bodies!(self, bodies_mut)
     }
@@ -256,8 +256,7 @@ impl Statement {
         }
     }
 
-    /// The statement with other bodies in the place of its own, if they are carried out on the mesh:
-    /// what is foreseen is not.
+    /// The statement with its bodies replaced, if they run on the mesh: those of a preview do not.
     pub fn with_bodies(mut self, mut made: impl FnMut(Vec<Self>) -> Vec<Self>) -> Self {
         if !matches!(self, Self::Preview { .. }) {
             for body in self.bodies_mut() {
@@ -276,7 +275,7 @@ impl Statement {
         }
     }
 
-    /// Tells the types of everything that is named, bodies included.
+    /// Reports the types of everything that is named, bodies included.
     pub fn types(&self, see: &mut dyn FnMut(Type)) {
         self.terms(&mut |term| term.folds(&mut |fold| see(fold.variable.ty)));
         match self {
@@ -304,7 +303,7 @@ impl Statement {
         self.bodies().into_iter().flatten().for_each(|inner| inner.types(see));
     }
 
-    /// Asks about every name that it reads, bodies included.
+    /// Reports every name that it reads, bodies included.
     pub fn names(&self, see: &mut dyn FnMut(&str)) {
         self.terms(&mut |term| term.names(see));
         match self {
@@ -321,7 +320,7 @@ impl Statement {
         self.bodies().into_iter().flatten().for_each(|inner| inner.names(see));
     }
 
-    /// Shows its own terms, without those of its bodies.
+    /// Reports its own terms, without those of its bodies.
     fn terms(&self, see: &mut dyn FnMut(&Term)) {
         match self {
             Self::Bind { value: term, .. }
@@ -374,7 +373,7 @@ impl Statement {
     }
 }
 
-/// Leaves out the names that are bound and never read: binding has no effect but its name.
+/// Removes bindings of names that are never read: a binding has no other effect.
 pub(super) fn without_unread(body: Vec<Statement>) -> Vec<Statement> {
     let mut read = std::collections::BTreeSet::new();
     let mut kept = Vec::new();

@@ -1,4 +1,4 @@
-//! Which operations of a program are emitted.
+//! The operations of a program that are emitted.
 
 use crate::check::Proved;
 use crate::resolve::{Program, Steps};
@@ -9,13 +9,13 @@ use crate::source::Sources;
 pub struct Selection<'p> {
     /// The program: its functions, attributes, and operations in steps.
     pub program: &'p Program,
-    /// For each operation, its proof, if it is drawn and has one.
+    /// The proof of each operation, if it is drawn and has one.
     pub proved: &'p [Option<Proved>],
     /// The operations, by number.
     pub ops: &'p [usize],
-    /// The texts, for the comments in them.
+    /// The source texts, for the comments in them.
     pub sources: &'p Sources,
-    /// True if pointers are set that do not change.
+    /// True if pointers that do not change are set, too.
     pub exhaustive: bool,
 }
 
@@ -25,7 +25,7 @@ impl<'p> Selection<'p> {
         self.proved.get(op)?.as_ref()
     }
 
-    /// The steps of an operation that is done in steps.
+    /// The steps of an operation in steps.
     pub(super) fn steps(&self, op: usize) -> Option<&'p Steps> {
         self.program.ops.get(op)?.steps.as_ref()
     }

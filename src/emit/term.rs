@@ -1,4 +1,4 @@
-//! Values in pointer code: names, pointers that are followed, places in lists, conditions.
+//! Values in pointer code: names, pointers that are followed, entries of lists, conditions.
 
 use crate::diagram::{Binary, Builtin, FoldFunction, Pointer, Type, Unary};
 
@@ -7,12 +7,12 @@ use crate::diagram::{Binary, Builtin, FoldFunction, Pointer, Type, Unary};
 pub(super) struct Parameter {
     pub name: String,
     pub ty: Type,
-    /// The value where a call gives none; it may speak of earlier parameters.
+    /// The value if a call gives none; it may refer to earlier parameters.
     pub default: Option<Term>,
 }
 
 impl Parameter {
-    /// One without a default.
+    /// A parameter without a default.
     pub fn new(name: String, ty: Type) -> Self {
         let default = None;
         Self { name, ty, default }
@@ -32,7 +32,7 @@ impl Parameter {
 pub(super) struct IndexLoop {
     /// The name of the index, which runs from 0.
     pub index: String,
-    /// The name of how many there are.
+    /// The name of the number of indices.
     pub size: String,
 }
 
@@ -43,7 +43,7 @@ pub(super) struct Attribute {
     pub declared: String,
     /// Its name in code.
     pub name: String,
-    /// The name of its column, where attributes lie in columns.
+    /// The name of its column, where attributes are stored in columns.
     pub column: String,
     /// The type of the elements that have it.
     pub element: Type,
@@ -75,7 +75,7 @@ pub(super) enum Term {
     Invoke(String, Vec<Term>),
     If(Box<Term>, Box<Term>, Box<Term>),
     Fold(Box<Fold>),
-    /// The entry of a list so far from the index, counted around; without an index, from 0.
+    /// The entry of a list at `shift` from the index, modulo its size; without an index, from 0.
     Member {
         list: String,
         index: Option<String>,
@@ -116,51 +116,51 @@ pub(super) enum Around {
 /// A function that is called.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Function {
-    /// One of the language.
+    /// A builtin.
     Builtin(Builtin),
-    /// Something that is computed of values of this type.
+    /// An operation on values of this type.
     Of(Operation, Type),
-    /// True if going along a loop from the first halfedge the second comes before the third.
+    /// True if, along a loop from the first halfedge, the second comes before the third.
     InOrderAlongLoop,
     /// The same around a vertex, counterclockwise.
     InOrderAroundVertex,
-    /// True if no element stands twice in a list.
+    /// True if no element occurs twice in a list.
     AllDiffer,
-    /// True if all parts of a vector are finite.
+    /// True if all components of a vector are finite.
     IsFinite,
     /// True if no halfedge starts at a vertex.
     IsIsolated,
-    /// The halfedges of a loop, from one on.
+    /// The halfedges of a loop, starting at one.
     LoopFrom,
-    /// The halfedges around a vertex, counterclockwise from one on.
+    /// The halfedges around a vertex, counterclockwise, starting at one.
     SpokesFrom,
-    /// Every so manieth of a list: the list, the first, the step.
+    /// Every nth entry of a list: the list, the first index, the step.
     Every,
-    /// A list turned so that its first stands at an index.
+    /// A list rotated so that its first entry is at an index.
     Turned,
     /// The number of elements of a list.
     Length,
-    /// The rest after division.
+    /// The number of elements of a list modulo an int.
     Remainder,
     /// True if the halfedges of a list follow each other along their loop, once around.
     AllInOrderAlongLoop,
     /// The same around a vertex, counterclockwise.
     AllInOrderAroundVertex,
-    /// The answer of a preview to a question of this name: of the preview and of elements.
+    /// The answer of a preview to a question with this name, about elements.
     OfPreview(&'static str),
 }
 
-/// The computations with vectors and matrices, where their type tells how it is spelled.
+/// The operations on vectors and matrices whose spelling depends on their type.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Operation {
     /// An operator with two sides; the type is that of the left one.
     Operator(Binary),
     Negate,
-    /// A function of the language.
+    /// A builtin.
     Builtin(Builtin),
-    /// A value of the type, by its parts or columns.
+    /// A value of the type, from its parts or columns.
     Make,
-    /// A value of the type, by a vector that is one part shorter, and that part.
+    /// A value of the type, from a vector with one part less, and that part.
     Extend,
     /// The first parts, as a vector of that type.
     First(Type),
@@ -220,7 +220,7 @@ impl Term {
         Self::Some(indices, Box::new(self))
     }
 
-    /// Shows its parts.
+    /// Reports its parts.
     fn parts<'t>(&'t self, see: &mut dyn FnMut(&'t Term)) {
         match self {
             Self::Name(_) | Self::Bool(_) | Self::Int(_) | Self::Real(_) | Self::Member { .. } => {}
@@ -243,7 +243,7 @@ impl Term {
         }
     }
 
-    /// Shows every aggregate in it.
+    /// Reports every aggregate in it.
     pub fn folds(&self, see: &mut dyn FnMut(&Fold)) {
         if let Self::Fold(fold) = self {
             see(fold);
@@ -251,7 +251,7 @@ impl Term {
         self.parts(&mut |part| part.folds(see));
     }
 
-    /// Asks about every name in it.
+    /// Reports every name in it.
     pub fn names(&self, see: &mut dyn FnMut(&str)) {
         match self {
             Self::Name(name) => see(name),
@@ -270,7 +270,7 @@ impl Term {
 }
 
 impl IndexLoop {
-    /// Asks about the names that it reads.
+    /// Reports the names that it reads.
     pub fn names(&self, see: &mut dyn FnMut(&str)) {
         see(&self.size);
     }

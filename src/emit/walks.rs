@@ -6,7 +6,7 @@ use super::routine::{HalfedgeWalk, Statement, Step};
 use super::term::Term;
 use crate::diagram::{Drawing, NameId, Pointer, Spoke};
 
-/// The walk along a path, from its first halfedge to what follows it in `before`.
+/// The walk along a path, from its first halfedge up to the item after it in `before`.
 pub(super) fn along_path(
     drawing: &Drawing,
     names: &Names,
@@ -50,7 +50,7 @@ fn setting(
     Some(Statement::Walk { walk, body: vec![set] })
 }
 
-/// The walk over the spokes of a fan, clockwise: from behind the spoke that follows it to the
+/// The walk over the spokes of a fan, clockwise: from after the spoke that follows it up to the
 /// spoke that precedes it.
 pub(super) fn along_fan(
     drawing: &Drawing,
@@ -65,7 +65,7 @@ pub(super) fn along_fan(
     Some(along_spokes(drawing, names, vertex, (spokes, at), halfedge))
 }
 
-/// The walk over the run of spokes that stands at a place of a vertex statement.
+/// The walk over the run of spokes at a place of a vertex statement.
 pub(super) fn along_spokes(
     drawing: &Drawing,
     names: &Names,

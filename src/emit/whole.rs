@@ -1,17 +1,17 @@
-//! Operations in steps, and what their statements speak of: calls of what changes the mesh,
-//! variables that change, and writes that are put off.
+//! Operations in steps, and what their statements use: calls that change the mesh, variables that
+//! change, and deferred writes.
 
 use super::routine::{Signature, Statement};
 use super::term::{Attribute, Term};
 use crate::diagram::{Level, Type};
 
-/// An operation that calls others, all or nothing.
+/// An operation that calls others, and applies whole or not at all.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Whole {
     pub signature: Signature,
     /// The tests before anything is done.
     pub asks: Vec<Statement>,
-    /// The level that the mesh has to have in the end.
+    /// The level that the mesh must have in the end.
     pub level: Level,
     /// The statements that do it.
     pub body: Vec<Statement>,
@@ -20,7 +20,7 @@ pub(super) struct Whole {
 /// A call of an operation, or of a function that changes the mesh.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Call {
-    /// The name of what is called.
+    /// The name of the called operation or function.
     pub name: String,
     pub args: Vec<Term>,
     pub of: Called,
@@ -31,24 +31,24 @@ pub(super) struct Call {
 pub(super) enum Called {
     /// An operation with a result.
     Operation,
-    /// One without.
+    /// An operation without a result.
     Plain,
     /// A function that may refuse.
     Refusing,
-    /// A function that does not.
+    /// A function that cannot refuse.
     Sure,
 }
 
-/// The writes to one attribute that are put off.
+/// The deferred writes to one attribute.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Held {
-    /// The list of them.
+    /// The name of their list.
     pub list: String,
     /// The type of the elements.
     pub element: Type,
     /// The type of the values.
     pub ty: Type,
-    /// The attribute; none for positions.
+    /// The attribute; `None` for positions.
     pub attribute: Option<Attribute>,
 }
 
@@ -63,10 +63,10 @@ pub(super) struct Target {
 /// The form of an assignment: to a variable that exists, or to a new one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Form {
-    /// It is new, and keeps this value.
+    /// A new variable that keeps this value.
     Fixed,
-    /// It is new, and will change.
+    /// A new variable that will change.
     Changing,
-    /// It is there.
+    /// An existing variable.
     Known,
 }

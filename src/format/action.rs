@@ -1,4 +1,4 @@
-//! Statements of code, and the blocks they stand in.
+//! Statements of code, and their blocks.
 
 use super::printer::{Block, Doc, HANG, INDENT, Lines, Printer, joined, laid_out, line, nil, text};
 use crate::source::Span;
@@ -19,8 +19,8 @@ impl Printer<'_> {
         })
     }
 
-    /// Two braces, and what `inside` puts between them; `may_be_short` if it could stand on
-    /// one line.
+    /// Two braces, with the lines that `inside` puts between them; `may_be_short` if they could be
+    /// on one line.
     pub(super) fn braces(
         &mut self,
         span: Span,
@@ -167,7 +167,7 @@ impl Printer<'_> {
     /// A value whose lines after the first are indented.
     fn hung(&mut self, value: &Expr, width: usize) -> Doc {
         match value.kind {
-            // Its branches stand in line with the statement.
+            // Its branches are indented like the statement.
             tree::ExprKind::If { .. } => self.value(value, width),
             _ => self.value(value, width).nest(HANG).group(),
         }

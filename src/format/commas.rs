@@ -1,12 +1,12 @@
-//! Commas between the names of a list, `erase b, e, h`: they may be written, and formatting takes
-//! them out, with blanks in their place so that all else stays where it is.
+//! Commas between the names of a list, `erase b, e, h`: they are allowed, and formatting replaces
+//! them with blanks, so that all positions stay the same.
 
 use crate::syntax::tree::{Condition, Item, Side, Statement};
 use crate::syntax::{Parsed, TokenKind};
 use std::borrow::Cow;
 use std::ops::Range;
 
-/// The text without such commas, and what it says; those of items with mistakes stay.
+/// The text without such commas, and its parse; items with errors keep theirs.
 pub(super) fn without_commas<'t>(
     source: &'t str,
     parsed: &'t Parsed,
@@ -30,7 +30,7 @@ pub(super) fn without_commas<'t>(
     (Cow::Owned(text), Cow::Owned(plain))
 }
 
-/// The places of lists of names, in order.
+/// The ranges of lists of names, in order.
 fn lists(parsed: &Parsed) -> Vec<Range<usize>> {
     let mut lists = Vec::new();
     for item in &parsed.tree.items {

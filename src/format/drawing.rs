@@ -1,4 +1,4 @@
-//! Drawings: one statement a line, in columns; edges may share a line.
+//! Drawings: one statement per line, in columns; edges may share a line.
 
 use super::grid::aligned;
 use super::printer::{
@@ -7,10 +7,10 @@ use super::printer::{
 use crate::source::Span;
 use crate::syntax::tree::{Name, Side, Spoke, Statement};
 
-/// The text between two edges that share a line, besides the space between all cells.
+/// The text between two edges that share a line, in addition to the space between all cells.
 const BETWEEN_EDGES: &str = "   ";
 
-/// Which statements are aligned with one another.
+/// The class of a statement; statements of one class are aligned.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Class {
     Loop,
@@ -21,23 +21,23 @@ enum Class {
     Assignment,
 }
 
-/// A statement without a value: its keyword, what it is about, and its cells.
+/// A statement without a value: its keyword, its subject, and its cells.
 struct Outline {
     class: Class,
     /// The name before the colon.
     name: Option<Span>,
-    /// The ends of the cells behind it.
+    /// The ends of the cells after it.
     ends: Vec<u32>,
     span: Span,
 }
 
-/// A statement, ready for a grid or complete.
+/// A written statement: cells for a grid, or complete lines.
 enum Written {
     Cells(Class, Vec<String>),
     Lines(Lines),
 }
 
-/// Statements of one class that follow one another.
+/// Consecutive statements of one class.
 struct Run {
     class: Class,
     rows: Vec<Row>,
@@ -45,7 +45,7 @@ struct Run {
 
 /// Statements that share a line.
 struct Row {
-    /// The line that stands for it, which holds the comment behind it.
+    /// The index of its placeholder line, which holds the comment after it.
     place: usize,
     /// The cells of each statement.
     statements: Vec<Vec<String>>,
@@ -73,7 +73,7 @@ impl Printer<'_> {
             let shares_line = self.line_ends(self.taken_end(), self.next_start()) == 0;
             let known = lines.len();
             self.gap(lines);
-            // A blank line parts; a comment does not.
+            // A blank line ends a run; a comment does not.
             if lines[known..].iter().any(String::is_empty) {
                 finish(run.take(), lines, width);
             }
@@ -144,7 +144,7 @@ impl Printer<'_> {
         target.append(self.equals(value, width))
     }
 
-    /// A statement with comments in it, each with a line end.
+    /// A statement with comments in it, each followed by a line break.
     fn flowing(&mut self, outline: &Outline) -> Doc {
         let mut docs = vec![self.token()];
         if let Some(name) = outline.name {
@@ -157,8 +157,8 @@ impl Printer<'_> {
     }
 }
 
-/// Puts the lines of a run where they belong, aligned over all of them. Edges that share a line
-/// which would be too long get a line each.
+/// Replaces the placeholders of a run with its lines, aligned over all of them. Edges on a shared
+/// line that would be too long get a line each.
 fn finish(run: Option<Run>, lines: &mut Lines, width: usize) {
     let Some(mut run) = run else { return };
     let grids = loop {
@@ -175,7 +175,7 @@ fn finish(run: Option<Run>, lines: &mut Lines, width: usize) {
             break grids;
         }
     };
-    // From the last on, so that the places before stay right.
+    // From last to first, so that the earlier places stay valid.
     for (row, grid) in run.rows.iter().zip(grids).rev() {
         let comments = std::mem::take(&mut lines[row.place]);
         let mut new = Lines::new();
@@ -291,7 +291,7 @@ impl Outline {
         Self { class, name, ends, span }
     }
 
-    /// The same behind `each i {`, given where the index stands and where the period begins.
+    /// The same after `each i {`, given the span of the index and the start of the period.
     fn over(self, each: Option<(Span, u32)>) -> Self {
         let Some((index, first)) = each else {
             return self;

@@ -1,4 +1,4 @@
-//! The white space that formatting exchanges, gap by gap, as editors want it.
+//! The white space that formatting changes, gap by gap, as edits for an editor.
 
 use super::commas::without_commas;
 use super::safe::{Refusal, kept};
@@ -7,23 +7,22 @@ use crate::source::{FileId, LineTable, Span};
 use crate::syntax::Parsed;
 use std::ops::Range;
 
-/// Some white space of a text, and what is to stand there.
+/// A range of white space, and its replacement.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Edit {
-    /// The bytes to take out.
+    /// The bytes to remove.
     pub range: Range<usize>,
-    /// The text to put there.
+    /// The text to insert.
     pub text: String,
 }
 
-/// The changes that formatting makes in a text that has been read, in order; the edits do not
-/// overlap.
+/// The changes that formatting makes to a parsed text, in order; the edits do not overlap.
 ///
 /// # Errors
 ///
-/// If the result would differ from the text in anything but white space: a mistake of this
-/// program. (Whether it would be formatted differently once more is not looked at here, where
-/// somebody waits; [`format`](super::format) looks.)
+/// If the result would differ from the text in anything but white space and commas between names: a
+/// bug in this program. (Whether formatting again would change the result is not checked here,
+/// since the caller waits; [`format`](super::format) checks it.)
 pub fn edits(file: FileId, source: &str, parsed: &Parsed) -> Result<Vec<Edit>, Refusal> {
     let (formatted, again) = kept(file, source, parsed)?;
     let (plain, said) = without_commas(source, parsed);
@@ -39,7 +38,8 @@ pub fn edits(file: FileId, source: &str, parsed: &Parsed) -> Result<Vec<Edit>, R
     Ok(edits.collect())
 }
 
-/// The changes that formatting makes on some lines, counted from 0; the last one is included.
+/// The changes that formatting makes on some lines, counted from 0; the end of `lines` is
+/// exclusive.
 ///
 /// # Errors
 ///
@@ -52,7 +52,7 @@ pub fn edits_of_lines(
 ) -> Result<Vec<Edit>, Refusal> {
     let table = LineTable::new(source);
     let start = table.start(lines.start).unwrap_or(source.len());
-    // The indentation of the first line is behind the line end before it.
+    // The indentation of the first line follows the line break before it.
     let start = start.saturating_sub(1);
     let end = table.start(lines.end).unwrap_or(source.len());
     let mut edits = edits(file, source, parsed)?;
@@ -60,7 +60,7 @@ pub fn edits_of_lines(
     Ok(edits)
 }
 
-/// The gaps before each token and comment, and behind the last.
+/// The gaps before each token and comment, and after the last.
 fn gaps(text: &str, words: Words) -> Vec<Range<usize>> {
     let end = Span::new(FileId(0), text.len(), text.len());
     let mut at = 0;

@@ -1,4 +1,4 @@
-//! A whole file: items with a blank line between them; what cannot be read stays as it is.
+//! A whole file: items separated by blank lines; what cannot be parsed is unchanged.
 
 use super::printer::{Lines, Printer, WIDTH};
 use super::remark;
@@ -36,8 +36,8 @@ pub(super) fn formatted(source: &str, parsed: &Parsed) -> String {
     with_line_ends_of(source, page.end())
 }
 
-/// All lines end as the first line of the source does, also where nothing else is changed:
-/// what comes first may be another line the next time.
+/// Ends all lines as the first line of the source ends, even where nothing else changes: another
+/// line may be the first the next time.
 fn with_line_ends_of(source: &str, text: String) -> String {
     let first = source.find('\n').unwrap_or(0);
     let end = if source[..first].ends_with('\r') { "\r\n" } else { "\n" };
@@ -52,11 +52,11 @@ fn with_line_ends_of(source: &str, text: String) -> String {
 
 /// The places at which something is wrong.
 struct Stays {
-    /// Of diagnostics: where they begin and where they end.
+    /// The starts and ends of diagnostics.
     told: Vec<usize>,
-    /// Of characters that belong to nothing.
+    /// The characters that belong to no token or comment.
     left: Vec<usize>,
-    /// Items of which words were exchanged.
+    /// The items in which foreign syntax was replaced.
     mended: Vec<Range<usize>>,
 }
 
@@ -77,7 +77,7 @@ impl Stays {
             let first = places.partition_point(|&place| place < start);
             places.get(first).is_some_and(|&place| place < end)
         };
-        // What lacks at the end of an item may be told of the place where the next begins.
+        // What is missing at the end of an item may be reported where the next begins.
         let mut mended = self.mended.iter();
         inside(&self.told, end + 1)
             || inside(&self.left, end)
@@ -91,9 +91,9 @@ struct Page<'t> {
     text: String,
     /// The lines that can still be aligned.
     lines: Lines,
-    /// Up to where the source is written.
+    /// The position up to which the source is written.
     done: usize,
-    /// The number of lines of the item that was written last, if it was one that could be read.
+    /// The number of lines of the item that was written last, if it could be parsed.
     after: Option<usize>,
 }
 
@@ -120,7 +120,7 @@ impl Page<'_> {
         self.done = self.printer.taken_end();
     }
 
-    /// Takes the source as it is, up to a place.
+    /// Copies the source verbatim up to a place.
     fn verbatim(&mut self, to: usize) {
         self.finish();
         let taken = self.printer.verbatim(self.done, to);

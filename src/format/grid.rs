@@ -1,14 +1,14 @@
-//! Columns: cells of consecutive lines, padded so that they stand one below the other.
+//! Columns: cells of consecutive lines, padded so that they are aligned.
 
 use super::printer::{Lines, width_of};
 
-/// The greatest number of characters by which the widest cell of a column may exceed the narrowest.
+/// The maximum number of characters by which the widest cell of a column may exceed the narrowest.
 ///
-/// Beyond that a column is mostly holes, and reads worse than lines that are not aligned.
+/// Beyond that a column is mostly empty, and less readable than lines that are not aligned.
 const MOST_PADDING: usize = 8;
 
-/// Lines of cells as lines of text. Lines that follow one another are aligned as far as their
-/// cells are of similar width; the last cell of a line is never padded.
+/// Lines of cells as lines of text. Consecutive lines are aligned as long as their cells have
+/// similar widths; the last cell of a line is never padded.
 pub(super) fn aligned(rows: &[Vec<String>]) -> Lines {
     let mut lines = Lines::with_capacity(rows.len());
     let mut rest = rows;
@@ -21,7 +21,7 @@ pub(super) fn aligned(rows: &[Vec<String>]) -> Lines {
     lines
 }
 
-/// The number of rows from the first on that share columns, and how wide the columns are.
+/// The number of leading rows that share columns, and the widths of the columns.
 fn run(rows: &[Vec<String>]) -> (usize, Vec<usize>) {
     let mut narrowest: Vec<usize> = Vec::new();
     let mut widest: Vec<usize> = Vec::new();

@@ -6,7 +6,7 @@ use crate::syntax::TokenKind as T;
 use crate::syntax::tree::{Attr, Condition, Item, Name, Op, Param, Rule, Steps};
 
 impl Printer<'_> {
-    /// An item without what is said about it before.
+    /// An item without the comments before it.
     pub(super) fn item(&mut self, item: &Item, width: usize) -> Lines {
         let doc = match item {
             Item::Use(_) => self.spaced_token().append(self.token()),
@@ -159,7 +159,7 @@ impl Printer<'_> {
         joined(docs)
     }
 
-    /// `steps { … }`, and what is asked before
+    /// `steps { … }`, and the conditions before it
     fn steps(&mut self, steps: &Steps, lines: &mut Lines, width: usize) {
         self.conditions(&steps.conditions, lines, width);
         self.gap(lines);

@@ -1,16 +1,16 @@
-//! Text to the same text, written as drawings are meant to be read.
+//! Formatting: the same program, written so that its drawings are easy to read.
 //!
-//! Names, colons, arrows and bars of consecutive statements of a drawing stand in columns; code is
-//! indented by braces and broken where a line would be longer than [`WIDTH`]. What the author
-//! decides stays: blank lines (one at most), edges that share a line, and blocks of one
-//! statement that stand on one line. Only white space changes: every token and every comment
-//! comes out as it went in, which is looked at each time before anything is answered, and
-//! formatting twice changes nothing, which [`format()`] looks at, too.
+//! Names, colons, arrows and bars of consecutive statements of a drawing are aligned in columns;
+//! code is indented by braces and broken where a line would be longer than [`WIDTH`]. The author's
+//! choices are kept: blank lines (at most one), edges that share a line, and blocks of one
+//! statement that are on one line. Only white space and commas between names change: every other
+//! token and every comment is kept, which is checked before anything is returned, and formatting
+//! twice changes nothing, which [`format()`] checks, too.
 //!
-//! An item with a mistake in it stays as it is, so a file can be formatted while it is typed.
+//! An item with an error in it is unchanged, so a file can be formatted while it is being typed.
 //!
-//! [`format()`] answers with a whole text, [`edits`] and [`edits_of_lines`] with the white space to
-//! exchange, for editors.
+//! [`format()`] returns a whole text, [`edits`] and [`edits_of_lines`] the white space to replace,
+//! for editors.
 
 mod printer;
 

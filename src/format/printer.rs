@@ -1,44 +1,43 @@
-//! The hand that writes: takes tokens and comments in their order, and lays out what is made
-//! of them.
+//! The printer: takes tokens and comments in order, and lays out the documents made of them.
 //!
-//! A statement is a document in the sense of Ph. Wadler, "A prettier printer", 2003; it is
-//! laid out as soon as it is complete, and stands in the next larger one as finished lines.
+//! A statement is a document in the sense of Ph. Wadler, "A prettier printer", 2003; it is laid out
+//! as soon as it is complete, and becomes part of the next larger one as finished lines.
 
 use crate::source::Span;
 use crate::syntax::{Comment, Token, TokenKind};
 use pretty::{DocAllocator, DocBuilder, RcAllocator};
 
-/// The greatest length of a line before it is broken, in characters.
+/// The maximum length of a line before it is broken, in characters.
 pub const WIDTH: usize = 100;
 
 /// The indentation of a block.
 pub(super) const INDENT: usize = 2;
 
-/// The indentation of a line that goes on.
+/// The indentation of a continuation line.
 pub(super) const HANG: isize = 4;
 
-/// Something that can still be laid out in several ways.
+/// A document that can still be laid out in several ways.
 pub(super) type Doc = DocBuilder<'static, RcAllocator>;
 
-/// Finished lines, without line ends and without the indentation of what they stand in.
+/// Finished lines, without line breaks and without the indentation of their surroundings.
 pub(super) type Lines = Vec<String>;
 
-/// Some text that is never broken.
+/// A text that is never broken.
 pub(super) fn text(words: impl Into<String>) -> Doc {
     RcAllocator.text(words.into())
 }
 
-/// A space or a line end.
+/// A space or a line break.
 pub(super) fn line() -> Doc {
     RcAllocator.line()
 }
 
-/// Nothing or a line end.
+/// Nothing or a line break.
 pub(super) fn soft() -> Doc {
     RcAllocator.line_()
 }
 
-/// A line end.
+/// A line break.
 pub(super) fn hard() -> Doc {
     RcAllocator.hardline()
 }
@@ -48,8 +47,8 @@ pub(super) fn nil() -> Doc {
     RcAllocator.nil()
 }
 
-/// Documents one after the other, joined in pairs, and the pairs in pairs: a chain of them would be
-/// dropped by as many nested calls.
+/// Documents one after the other, joined in pairs, and the pairs in pairs: dropping a chain of them
+/// would nest as many calls.
 pub(super) fn joined(mut docs: Vec<Doc>) -> Doc {
     while docs.len() > 1 {
         let mut rest = docs.into_iter();
@@ -65,7 +64,7 @@ pub(super) fn joined(mut docs: Vec<Doc>) -> Doc {
     docs.pop().unwrap_or_else(nil)
 }
 
-/// A document as lines of a width.
+/// The lines of a document at a width.
 pub(super) fn laid_out(doc: Doc, width: usize) -> Lines {
     let text = doc.into_doc().pretty(width).to_string();
     text.lines().map(|line| line.trim_end().to_owned()).collect()
@@ -76,7 +75,7 @@ pub(super) fn width_of(text: &str) -> usize {
     text.chars().count()
 }
 
-/// Takes tokens and comments in their order.
+/// Takes tokens and comments in order.
 pub(super) struct Printer<'t> {
     pub(super) source: &'t str,
     tokens: &'t [Token],
@@ -88,7 +87,7 @@ pub(super) struct Printer<'t> {
 }
 
 impl<'t> Printer<'t> {
-    /// A hand at the start of a text.
+    /// A printer at the start of a text.
     pub fn new(source: &'t str, tokens: &'t [Token], comments: &'t [Comment]) -> Self {
         Self { source, tokens, comments, at: 0, comment: 0 }
     }
@@ -98,7 +97,7 @@ impl<'t> Printer<'t> {
         self.tokens.get(self.at).map(|token| token.kind)
     }
 
-    /// The start of the next token; behind the last, the end of the text.
+    /// The start of the next token; after the last, the end of the text.
     pub fn next_start(&self) -> usize {
         let next = self.tokens.get(self.at);
         next.map_or(self.source.len(), |token| token.span.start as usize)
@@ -112,13 +111,13 @@ impl<'t> Printer<'t> {
         token.max(comment).unwrap_or(0) as usize
     }
 
-    /// True if a comment stands inside of a span, or before it and not taken yet.
+    /// True if a comment is inside of a span, or before it and not taken yet.
     pub fn has_comment(&self, span: Span) -> bool {
         let next = self.comments.get(self.comment);
         next.is_some_and(|comment| comment.span.start < span.end)
     }
 
-    /// The line ends between two places of the text.
+    /// The number of line breaks between two places of the text.
     pub fn line_ends(&self, from: usize, to: usize) -> usize {
         let between = self.source.get(from..to).unwrap_or("");
         between.matches('\n').count()
@@ -129,7 +128,8 @@ impl<'t> Printer<'t> {
         self.line_ends(span.start as usize, span.end as usize) == 0
     }
 
-    /// Takes the next token; comments before it go in front of it, each with a line end.
+    /// Takes the next token, after the comments before it, each of which is followed by a line
+    /// break.
     pub fn token(&mut self) -> Doc {
         let tight = matches!(
             self.peek(),
@@ -149,7 +149,7 @@ impl<'t> Printer<'t> {
         joined(docs)
     }
 
-    /// Takes all tokens up to the end of a span as they are, behind the comments before them.
+    /// Takes all tokens up to the end of a span verbatim, after the comments before them.
     pub fn uncut(&mut self, span: Span) -> Doc {
         let comments = self.comments_before_next().into_iter();
         let mut docs: Vec<Doc> = comments.map(|comment| text(comment).append(hard())).collect();
@@ -194,7 +194,7 @@ impl<'t> Printer<'t> {
         joined(docs)
     }
 
-    /// Takes everything up to a place as it is.
+    /// Takes everything up to a place verbatim.
     pub fn verbatim(&mut self, from: usize, to: usize) -> &'t str {
         let before = |span: Span| span.end as usize <= to;
         while self.tokens.get(self.at).is_some_and(|t| before(t.span)) {
@@ -206,7 +206,7 @@ impl<'t> Printer<'t> {
         self.source.get(from..to).unwrap_or("")
     }
 
-    /// Takes the next comment, if it stands before the next token.
+    /// Takes the next comment, if it is before the next token.
     fn pending_comment(&mut self) -> Option<&'t str> {
         let limit = self.next_start();
         let comment = self.comments.get(self.comment)?;
@@ -217,7 +217,7 @@ impl<'t> Printer<'t> {
         self.source.get(comment.span.range())
     }
 
-    /// Takes the comments behind the last token on its line, two spaces before each.
+    /// Takes the comments after the last token on its line, two spaces before each.
     pub fn comments_of_line(&mut self) -> String {
         let mut taken = String::new();
         while let Some(comment) = self.comments.get(self.comment)
@@ -231,8 +231,8 @@ impl<'t> Printer<'t> {
         taken
     }
 
-    /// Takes the comments before the next token, as lines: those of the last line go to its
-    /// end, the others stand alone. Of blank lines one stays, but none at the start.
+    /// Takes the comments before the next token, as lines: those on the last line are appended to
+    /// it, the others get lines of their own. One blank line is kept, but none at the start.
     pub fn gap(&mut self, lines: &mut Lines) {
         let behind = self.comments_of_line();
         if let Some(last) = lines.last_mut() {
@@ -269,11 +269,11 @@ impl<'t> Printer<'t> {
 pub(super) struct Block {
     /// The comments before the opening brace.
     pub above: Lines,
-    /// The comments behind the opening brace, on its line.
+    /// The comments after the opening brace, on its line.
     pub opening: String,
     /// The lines inside.
     pub lines: Lines,
-    /// True if the author wrote it on one line, and it can stand there.
+    /// True if the author wrote it on one line, and it can be on one.
     pub short: bool,
 }
 
@@ -302,7 +302,7 @@ impl Block {
         }
     }
 
-    /// The block on one line if it is short and everything up to the next line end fits.
+    /// The block on one line if it is short and everything up to the next line break fits.
     pub fn doc(&self) -> Doc {
         if self.short { self.long().flat_alt(self.one_line()).group() } else { self.long() }
     }

@@ -1,8 +1,8 @@
-//! Comments at the ends of consecutive lines, one below the other.
+//! Alignment of comments at the ends of consecutive lines.
 
 use super::printer::{Lines, width_of};
 
-/// Aligns the comments behind lines that follow one another with the same indentation.
+/// Aligns the comments at the ends of consecutive lines with the same indentation.
 pub(super) fn align(lines: &mut Lines) {
     let mut from = 0;
     while from < lines.len() {
@@ -30,7 +30,7 @@ fn pad(lines: &mut [String]) {
     }
 }
 
-/// The indentation of a line and where its comment begins, if one stands behind something.
+/// The indentation of a line and the start of its comment, if there is one after something else.
 fn parts(line: &str) -> Option<(usize, usize)> {
     let indent = line.len() - line.trim_start().len();
     let mut quoted = false;

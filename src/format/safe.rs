@@ -1,4 +1,4 @@
-//! The door: nothing is answered that lost a word, or that would look different next time.
+//! Checks of the result: no token or comment is lost, and formatting again would change nothing.
 
 use super::commas::without_commas;
 use super::file::formatted;
@@ -8,16 +8,16 @@ use crate::source::FileId;
 use crate::syntax::{Lexed, Parsed, lex, parse, parse_again};
 use std::fmt;
 
-/// A text, formatted.
+/// A formatted text.
 #[derive(Clone, Debug)]
 pub struct Formatted {
     /// The new text.
     pub text: String,
-    /// The mistakes in the old one; where something is, it stayed as it was.
+    /// The errors in the old one; items with errors are unchanged.
     pub diagnostics: Vec<Diagnostic>,
 }
 
-/// The reason why a text is left alone: a mistake of the formatter, noticed in time.
+/// The reason why a text is not formatted: a bug in the formatter, detected in time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Refusal {
     /// A token or a comment would change, at this byte of the text.
@@ -37,12 +37,13 @@ impl fmt::Display for Refusal {
 
 impl std::error::Error for Refusal {}
 
-/// Formats a text. Items with mistakes stay as they are.
+/// Formats a text. Items with errors are unchanged.
 ///
 /// # Errors
 ///
-/// If the result would differ from the text in anything but white space, or would be formatted
-/// differently once more. Both are mistakes of this program; the text should be left as it is.
+/// If the result would differ from the text in anything but white space and commas between names,
+/// or formatting it again would change it. Both are bugs in this program; the text should be left
+/// as it is.
 pub fn format(file: FileId, source: &str) -> Result<Formatted, Refusal> {
     let parsed = parse(file, source);
     let (text, _) = kept(file, source, &parsed)?;
@@ -55,7 +56,7 @@ pub fn format(file: FileId, source: &str) -> Result<Formatted, Refusal> {
     Ok(Formatted { text, diagnostics: parsed.diagnostics })
 }
 
-/// The new text, which has all words of the old one, and these words in it.
+/// The new text and its tokens, which have been checked to be those of the old one.
 pub(super) fn kept(
     file: FileId,
     source: &str,
@@ -71,8 +72,8 @@ pub(super) fn kept(
     Ok((text, again))
 }
 
-/// The first place where two texts differ in more than white space: a place in the first, or behind
-/// its end.
+/// The first place where two texts differ in more than white space: a place in the first, or its
+/// end.
 fn first_difference(old: Words, new: Words) -> Option<usize> {
     let (mut olds, mut news) = (old.all(), new.all());
     loop {

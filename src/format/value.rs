@@ -1,4 +1,4 @@
-//! Values: broken at the operators that bind least, and behind commas.
+//! Values: broken at the operators of lowest precedence, and after commas.
 
 use super::action::headed;
 use super::printer::{Doc, HANG, Printer, joined, line, nil, text};
@@ -78,7 +78,7 @@ impl Printer<'_> {
         }
     }
 
-    /// Operands with operators of one rank between them.
+    /// Operands with operators of the same precedence between them.
     fn chain(&mut self, op: BinaryOp, value: &Expr, width: usize) -> Doc {
         let rank = rank_of(op);
         let mut operands = Vec::new();
@@ -162,7 +162,7 @@ fn in_parentheses(value: &Expr) -> bool {
     }
 }
 
-/// True if a comparison is never parted from the value.
+/// True if there is never a line break between a comparison operator and the value.
 fn is_short(value: &Expr) -> bool {
     use ExprKind::{Bool, Int, Name, Real};
     matches!(value.kind, Bool(_) | Int(_) | Real(_) | Name(_))

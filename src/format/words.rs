@@ -11,7 +11,7 @@ pub(super) struct Words<'t> {
     comments: &'t [Comment],
 }
 
-/// The kind of a token or comment.
+/// A token or a comment.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Word<'t> {
     Token(TokenKind, &'t str),
@@ -19,12 +19,12 @@ pub(super) enum Word<'t> {
 }
 
 impl<'t> Words<'t> {
-    /// The words of a text that has been read.
+    /// The words of a parsed text.
     pub(super) fn of(source: &'t str, parsed: &'t Parsed) -> Self {
         Self { source, tokens: &parsed.tokens, comments: &parsed.comments }
     }
 
-    /// The words of a text of which no more is known.
+    /// The words of a text that has only been lexed.
     pub(super) fn lexed(source: &'t str, lexed: &'t Lexed) -> Self {
         Self { source, tokens: &lexed.tokens, comments: &lexed.comments }
     }
@@ -39,7 +39,7 @@ impl<'t> Words<'t> {
         let said = move |span: Span| self.source.get(span.range()).unwrap_or("");
         self.spans().map(move |(span, what)| {
             let word = match what {
-                // A foreign comment may run over lines, which may end otherwise.
+                // A foreign comment may span several lines, whose line breaks may change.
                 Ok(kind @ TokenKind::Foreign) => {
                     Word::Token(kind, said(span).lines().next().unwrap_or("").trim_end())
                 }

@@ -1,4 +1,4 @@
-//! The verdict on a text that is to solve a lesson.
+//! The check whether a text solves a lesson.
 
 use std::fmt;
 use std::ops::ControlFlow;
@@ -15,9 +15,9 @@ const NEAR: f64 = 1e-9;
 /// The reason why a text does not solve a lesson.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Rejection {
-    /// The common mistake that it is, if it is one.
+    /// The common mistake that was made, if it is one.
     pub mistake: Option<Mistake>,
-    /// In words, what is still missing.
+    /// The reason, in words.
     pub why: String,
 }
 
@@ -35,13 +35,13 @@ impl std::error::Error for Rejection {}
 /// Compares a text with the program of a lesson.
 ///
 /// # Errors
-/// The faults that are left, and whether one is a mistake of the lesson: one whose program is wrong
-/// in the same way, or does the same.
+/// The first difference, and the mistake of the lesson that was made, if any: one whose program
+/// fails in the same way, or does the same.
 pub fn judge(lesson: &Lesson, text: &str) -> Result<(), Rejection> {
     judge_file(lesson, &format!("{}.hedge", lesson.name), text)
 }
 
-/// The same for the text of a file, whose name is in what is said of it.
+/// As [`judge`], for the text of a file, whose name appears in the messages.
 ///
 /// # Errors
 /// As of [`judge`].
@@ -60,7 +60,7 @@ pub fn judge_file(lesson: &Lesson, file: &str, text: &str) -> Result<(), Rejecti
     })
 }
 
-/// The operations and scripts of the one program do the same in the other.
+/// Checks that the operations and scripts of one program do the same in another.
 fn same(wanted: &Result<Program, Error>, given: &Result<Program, Error>) -> Result<(), String> {
     let wanted = wanted.as_ref().map_err(Error::to_string)?;
     let given = given.as_ref().map_err(Error::to_string)?;
@@ -93,7 +93,7 @@ fn meshes() -> [(&'static str, Mesh); 8] {
     ]
 }
 
-/// Both operations do the same at every element.
+/// Checks that both operations do the same at every element.
 fn same_op(
     [(wanted, op), (given, yours)]: [(&Program, &Op); 2],
     name: &str,
@@ -133,7 +133,7 @@ fn same_op(
             (Ok(Outcome::Applied(_) | Outcome::Refused(_)), Err(error)) => {
                 return Err(format!("{}: {}", place(), error.message()));
             }
-            // Not a mesh that the operation is for.
+            // The wanted operation fails on this mesh.
             (Err(error), Ok(_)) => {
                 return Err(format!("{}: it should not: {}", place(), error.message()));
             }
@@ -143,7 +143,7 @@ fn same_op(
     Ok(())
 }
 
-/// Both scripts do the same to a mesh.
+/// Checks that both scripts do the same to a mesh.
 fn same_script(
     [(wanted, script), (given, yours)]: [(&Program, &Script); 2],
     name: &str,
@@ -163,17 +163,17 @@ fn same_script(
     }
 }
 
-/// The words for a mesh that is not the wanted one.
+/// The message about a mesh that differs from the wanted one.
 fn another(wanted: &Mesh, given: &Mesh) -> String {
     let difference = difference(given, wanted, NEAR);
     format!("the mesh should be another one afterwards. Compared with that one: {difference}")
 }
 
-/// Stops what comes to no end.
+/// Stops scripts that do not terminate.
 struct Patience(u32);
 
 impl Patience {
-    /// The most looks at a script: on small meshes a good one needs a few.
+    /// The most looks at a script: on small meshes a correct one needs few.
     const MOST: u32 = 20_000;
 
     fn look(&mut self) -> ControlFlow<()> {

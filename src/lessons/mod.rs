@@ -1,10 +1,10 @@
-//! Lessons: a short text, a program with a gap, and whether a gap is filled well.
+//! Lessons: a short text, a program with a gap, and a check of how the gap is filled.
 //!
-//! A lesson is a file of [`texts`](self): a title, the mesh that it is tried on, the text in
-//! Markdown, and the program as it should be in the end. Between `//{` and `//}` stands what is
-//! left out; lines that begin with `//|` stand there instead at first. Below stand the mistakes of
-//! hand-written operations that the lesson is about, seventeen in all lessons together: a title, a
-//! text, and how the solution is changed by it, as lines with `-`, `+` or a space before them.
+//! A lesson is a file of [`texts`](self): a title, the mesh to try it on, the text in Markdown, and
+//! the complete program. What is left out at first is between `//{` and `//}`; lines that begin
+//! with `//|` are shown instead of it. After that come the mistakes of hand-written operations that
+//! the lesson is about, seventeen in all lessons together: a title, a text, and a diff of the
+//! solution, as lines with `-`, `+` or a space before them.
 //!
 //! A text solves a lesson if it does what the lesson's own program does: every operation is proved,
 //! applies and refuses at the same elements of small meshes, and leaves the same mesh; every script
@@ -25,9 +25,9 @@ pub struct Lesson {
     pub mesh: &'static str,
     /// Its text, in Markdown.
     pub text: &'static str,
-    /// The program that is given, with its gap.
+    /// The program with its gap.
     pub program: String,
-    /// The program as it should be.
+    /// The complete program.
     pub(crate) solution: String,
     /// The common mistakes that it is about.
     pub mistakes: Vec<Mistake>,

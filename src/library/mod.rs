@@ -1,12 +1,13 @@
 //! The standard library: operations and algorithms written in the language itself.
 //!
 //! The files below `std/` are part of the program, and `use "std/triangle.hedge"` finds them
-//! wherever it runs. They are what people read first, so they are kept as texts to be read:
-//! what each file is for stands at its head, what each operation does above it.
+//! wherever it runs. Users read them first, so they are kept readable: the head of each file says
+//! what it is for, and the comment above each operation what it does.
 //!
-//! Beside them lie targets: files of styles, which say how C++ is spelled for a mesh class.
+//! Beside them are targets: style files, which say how C++ is spelled for a mesh class.
 //!
-//! Here are the names and the texts, nothing else; a program that uses one reads it as any other file.
+//! This module has the names and the texts only; a program that uses a library file reads it like
+//! any other file.
 
 mod shelf;
 

@@ -1,4 +1,4 @@
-//! Which files there are.
+//! The files of the library.
 
 /// The prefix of the names of all files of the library.
 pub const FOLDER: &str = "std/";
@@ -44,7 +44,7 @@ impl LibraryFile {
     }
 }
 
-/// For which mesh classes C++ is emitted: files of styles.
+/// The mesh classes for which C++ is emitted: style files.
 const TARGETS: &[LibraryFile] =
     &[LibraryFile { name: "std/scotty3d.target", text: include_str!("std/scotty3d.target") }];
 
@@ -53,19 +53,19 @@ pub fn targets() -> impl Iterator<Item = LibraryFile> {
     TARGETS.iter().copied()
 }
 
-/// The target of a name: `std/scotty3d.target`, for short also `scotty3d`.
+/// The target with the given name: `std/scotty3d.target`, or `scotty3d` for short.
 pub fn target(name: &str) -> Option<LibraryFile> {
     let inner = name.strip_prefix(FOLDER).unwrap_or(name);
     let short = inner.strip_suffix(".target").unwrap_or(inner);
     targets().find(|target| target.short_name() == short)
 }
 
-/// All files, in the order in which they are best read.
+/// All files, in the recommended reading order.
 pub fn files() -> impl Iterator<Item = LibraryFile> {
     FILES.iter().copied()
 }
 
-/// The file of a name: `std/triangle.hedge`, for short also `std/triangle` and `triangle`.
+/// The file with the given name: `std/triangle.hedge`, or `std/triangle` or `triangle` for short.
 pub fn file(name: &str) -> Option<LibraryFile> {
     files().find(|file| {
         let shorter = file.name.strip_suffix(".hedge").unwrap_or(file.name);

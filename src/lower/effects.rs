@@ -1,5 +1,5 @@
-//! Effects of the operations and functions of a program on the mesh, by themselves or through
-//! others.
+//! Effects of the operations and functions of a program on the mesh, direct or through what they
+//! call.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -13,13 +13,13 @@ use crate::source::Span;
 pub struct Effects {
     /// True if it writes to the mesh.
     pub changes: bool,
-    /// True if it may stop before its end, and what was done is to be undone.
+    /// True if it may stop before its end, so that its changes have to be undone.
     pub refuses: bool,
-    /// The kinds of elements that it may erase, by their types' words.
+    /// The kinds of elements that it may erase, by the words of their types.
     pub erases: BTreeSet<&'static str>,
     /// The attributes that it reads or writes.
     pub attributes: BTreeSet<u32>,
-    /// The operations that it calls or asks, each with the first place.
+    /// The operations that it calls or asks about, each with the first place where it does.
     pub ops: BTreeMap<usize, Span>,
     /// Those that it calls.
     pub calls: BTreeSet<usize>,
@@ -35,7 +35,8 @@ pub struct AllEffects {
 }
 
 impl AllEffects {
-    /// The drawn operations are those with a proof, by number.
+    /// The effects of all parts of a program; `proved` holds, by number, the proofs of the drawn
+    /// operations.
     pub fn of(program: &Program, proved: &[Option<Proved>]) -> Self {
         let mut all = Self::default();
         for op in 0..program.ops.len().max(proved.len()) {
@@ -64,7 +65,7 @@ impl AllEffects {
         all
     }
 
-    /// Hands on what is done by what is called; tells whether that was something new.
+    /// Passes the effects of what is called on to the callers; returns whether anything changed.
     fn spread(&mut self) -> bool {
         let mut changed = false;
         for at in 0..self.ops.len() + self.functions.len() {
@@ -113,14 +114,14 @@ impl AllEffects {
 }
 
 impl Effects {
-    /// The effects of statements by themselves.
+    /// The effects of statements, without those of what they call.
     pub fn of_block(block: &[Statement]) -> Self {
         let mut effects = Self::default();
         block.iter().for_each(|one| one.each(&mut |statement| effects.note(statement)));
         effects
     }
 
-    /// The effects of an operation in steps by itself.
+    /// The effects of an operation in steps, without those of what it calls.
     pub fn of_steps(steps: &Steps) -> Self {
         let mut effects = Self::of_block(&steps.body.block);
         steps.requires.iter().for_each(|require| effects.see(&require.condition));
@@ -132,7 +133,7 @@ impl Effects {
             StatementKind::Write { attribute, .. } => {
                 self.changes = true;
                 match attribute {
-                    // One that is not finite is refused.
+                    // A position that is not finite is refused.
                     Access::Position => self.refuses = true,
                     Access::Declared(number) => _ = self.attributes.insert(*number),
                 }
@@ -148,7 +149,7 @@ impl Effects {
         statement.values(&mut |value| self.see(value));
     }
 
-    /// Adds what a value does.
+    /// Adds the effects of a value.
     pub fn see(&mut self, value: &Expr) {
         value.each(&mut |part| match &part.kind {
             ExprKind::Try(op, _) => _ = self.ops.entry(*op as usize).or_insert(part.span),

@@ -1,8 +1,8 @@
 //! The tests of a guard: the conditions of its level that the proof left open.
 //!
-//! Each is asked of the result before it is written: the pointers of phase 3 are set on a preview of
-//! the mesh, as far as a test reads them, and the test looks at one orbit of the preview. Where the
-//! mesh itself has the answer, it is asked.
+//! Each is tested on the result before that is written: the pointers of phase 3 that a test reads
+//! are set on a preview of the mesh, and the test looks at one orbit of the preview. Where the mesh
+//! itself has the answer, the mesh is asked.
 
 use crate::check::guard::{Obligation, Statement};
 use crate::diagram::{Drawing, Kind, NameId, Pointer};
@@ -12,15 +12,15 @@ use crate::mesh::OrbitCondition;
 #[derive(Clone, Debug)]
 pub struct Guard {
     pub tests: Vec<GuardTest>,
-    /// The pointers of the preview that they read; none if no test looks at it.
+    /// The pointers of the preview that the tests read; `None` if no test looks at the preview.
     pub reads: Option<PreviewReads>,
 }
 
-/// A test, in order.
+/// A test of a guard.
 #[derive(Clone, Debug)]
 pub struct GuardTest {
     pub question: Question,
-    /// True if it is asked at every index, though its names are those of one.
+    /// True if it is asked at every index, though its names are members at one index.
     pub at_each_index: bool,
     /// The condition, without backticks.
     pub claim: String,
@@ -31,7 +31,7 @@ pub struct GuardTest {
 /// A question about the result.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Question {
-    /// No edge of the mesh as it is joins two vertices.
+    /// No edge of the current mesh joins two vertices.
     NotAdjacent([NameId; 2]),
     /// A condition holds for an element of the preview, or for two.
     Holds { condition: OrbitCondition, of: NameId, at: Option<NameId> },
@@ -39,7 +39,7 @@ pub enum Question {
     OneHoleAlong(NameId),
 }
 
-/// The pointers of a preview that tests read. None reads edges.
+/// The pointers of a preview that tests read. No test reads edges.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct PreviewReads {
     /// Walks around vertices.
@@ -48,14 +48,14 @@ pub struct PreviewReads {
     loops: bool,
     /// The vertices where halfedges start.
     origins: bool,
-    /// In which loops they lie, and which of these are holes.
+    /// The loops in which halfedges lie, and which of these are holes.
     faces: bool,
 }
 
 /// The way around a vertex from one spoke to the next.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StarWalk {
-    /// `h.prev.twin`; it tells where a spoke ends by the halfedge before the last.
+    /// `h.prev.twin`; the target of that spoke is the origin of `h.prev`.
     Counterclockwise,
     /// `h.twin.next`
     Clockwise,
@@ -90,7 +90,7 @@ impl PreviewReads {
         }
     }
 
-    /// True if a pointer is read, by tests that walk around vertices in this way.
+    /// True if tests that walk around vertices in this way read a pointer.
     pub fn reads(self, pointer: Pointer, walk: StarWalk) -> bool {
         let clockwise = walk == StarWalk::Clockwise;
         match pointer {
@@ -105,14 +105,14 @@ impl PreviewReads {
         }
     }
 
-    /// True if it is read which faces are holes.
+    /// True if tests read which faces are holes.
     pub fn reads_holes(self) -> bool {
         self.faces
     }
 }
 
 impl Guard {
-    /// The tests that obligations leave.
+    /// The tests for the obligations that the proof left open.
     pub fn new(drawing: &Drawing, obligations: &[Obligation]) -> Self {
         let rule = drawing.rule;
         let open = obligations.iter().filter(|obligation| obligation.is_test());
@@ -156,9 +156,9 @@ fn question(drawing: &Drawing, statement: &Statement) -> Question {
     Question::Holds { condition, of, at }
 }
 
-/// The ends of a halfedge of `after`, if they would be joined twice exactly if they are joined now:
-/// no edge that is drawn joins them before, and after it only that of the halfedge; edges that are
-/// not drawn end where they did.
+/// The ends of a halfedge of `after`, if another edge would join them exactly if one joins them
+/// now: no drawn edge joins them before, and after only that of the halfedge; edges that are not
+/// drawn keep their ends.
 fn ends_without_edge(drawing: &Drawing, halfedge: NameId) -> Option<[NameId; 2]> {
     let rule = drawing.rule;
     let ends = [drawing.origin_after(halfedge)?, drawing.target_after(halfedge)?];

@@ -1,10 +1,10 @@
-//! Parts of a value that are the same every time it is computed: for each index of a family, for
-//! each element of an aggregate. They are computed before, and get names; else `centroid(f)`
-//! would go around the face at each of its corners.
+//! Hoisting of the parts of a value that are the same every time it is computed: at each index of a
+//! family, or for each element of an aggregate. They are computed before the loop, and get names;
+//! otherwise `centroid(f)` would walk around the face at each of its corners.
 
 use crate::diagram::{Binary, Expr, ExprKind, FoldFunction, Rule};
 
-/// A value that is taken apart.
+/// A value with the parts that do not vary split off.
 #[derive(Clone, Debug)]
 pub struct Hoisted {
     /// The parts that are computed before, in order, with numbers that no variable has.
@@ -13,8 +13,8 @@ pub struct Hoisted {
     pub rest: Expr,
 }
 
-/// Takes a value apart; `repeated` if it is computed at each index. Calls of functions that may
-/// draw random numbers stay where they are: `random_calls` says whether the program's may.
+/// Splits a value; `repeated` if it is computed at each index. Calls of functions that may draw
+/// random numbers are not hoisted: `random_calls` tells whether the functions of the program may.
 pub fn hoist(expr: &Expr, repeated: bool, rule: Option<&Rule>, random_calls: bool) -> Hoisted {
     let mut finder = Finder { rule, random_calls, bound: Vec::new(), found: Vec::new() };
     finder.look(expr, repeated, true);
@@ -33,14 +33,14 @@ pub fn hoist(expr: &Expr, repeated: bool, rule: Option<&Rule>, random_calls: boo
 struct Finder<'e> {
     rule: Option<&'e Rule>,
     random_calls: bool,
-    /// The variables of the aggregates around.
+    /// The variables of the enclosing aggregates.
     bound: Vec<u32>,
     found: Vec<&'e Expr>,
 }
 
 impl<'e> Finder<'e> {
-    /// Finds the largest such parts: of what is computed again and again, and surely or where
-    /// nothing can go wrong.
+    /// Finds the largest parts to hoist: those that are computed repeatedly, and that are either
+    /// always computed or cannot fail.
     fn look(&mut self, expr: &'e Expr, repeated: bool, surely: bool) {
         let computes = |part: &Expr| {
             matches!(part.kind, ExprKind::Call(..) | ExprKind::Fold(_) | ExprKind::Invoke(..))
@@ -74,13 +74,13 @@ impl<'e> Finder<'e> {
                 }
                 self.bound.pop();
             }
-            // What a block binds is known inside of it only.
+            // What a block binds is known only inside it.
             ExprKind::Let(..) | ExprKind::Try(..) => {}
             _ => expr.parts(&mut |part| self.look(part, repeated, surely)),
         }
     }
 
-    /// True if a part alone is another one each time.
+    /// True if a part by itself may differ each time.
     fn varies(&self, part: &Expr) -> bool {
         match &part.kind {
             ExprKind::Element(name) => self.rule.is_some_and(|rule| rule.is_member(*name)),
@@ -101,7 +101,7 @@ fn some(expr: &Expr, is_it: impl Fn(&Expr) -> bool) -> bool {
     found
 }
 
-/// True if a part alone may have no value.
+/// True if a part by itself may have no value.
 fn may_stop(part: &Expr) -> bool {
     match &part.kind {
         ExprKind::Binary(operator, ..) => matches!(operator, Binary::Div | Binary::Mod),

@@ -1,12 +1,12 @@
-//! Phase 1, collect: the way to each name, and what is tested.
+//! Phase 1, collect: how each name is found, and what is tested.
 
 use super::symmetric::is_symmetric;
 use super::words;
 use crate::check::matching::{self, Bound, Claim, Source};
 use crate::diagram::{Drawing, Kind, NameId, Pointer};
 
-/// Matching: the names are bound in order, then it is asked which paths are empty, then all is
-/// tested.
+/// Matching: the names are bound in order, then paths are checked for being empty, then all tests
+/// are made.
 #[derive(Clone, Debug)]
 pub struct Matching {
     pub steps: Vec<Step>,
@@ -17,7 +17,7 @@ pub struct Matching {
 /// A step that binds names.
 #[derive(Clone, Debug)]
 pub enum Step {
-    /// A name is that of a parameter.
+    /// The name of a parameter.
     Given(NameId),
     Begin(Begin),
     Walk(Walk),
@@ -32,24 +32,24 @@ pub enum Step {
 #[derive(Clone, Debug)]
 pub struct Begin {
     pub element: NameId,
-    /// The halfedge that is bound; of a family that of index 0; of a path the first.
+    /// The halfedge that is bound; for a family, that at index 0; for a path, its first.
     pub halfedge: NameId,
-    /// The pointer of the element to the first that is tried.
+    /// The pointer of the element to the first halfedge that is tried.
     pub first: Pointer,
-    /// The pointers from one that is tried to the next.
+    /// The pointers from one halfedge that is tried to the next.
     pub step: &'static [Pointer],
     pub tries: Tries,
     /// The reason to refuse an element without halfedges, if there can be one.
     pub isolated: Option<String>,
-    /// The halfedges that may be it: `e.halfedge, or its twin`.
+    /// The halfedges that it may be: `e.halfedge, or its twin`.
     pub claim: String,
 }
 
-/// The number of halfedges of an element that are tried, if what follows fails.
+/// The number of halfedges of an element that are tried while matching fails.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Tries {
     All,
-    /// The first of them: further ones would match alike.
+    /// Only this many: further ones would match alike.
     Some(u16),
 }
 
@@ -57,13 +57,13 @@ pub enum Tries {
 #[derive(Clone, Debug)]
 pub struct Walk {
     pub orbit: NameId,
-    /// True if it is that of a vertex; else a loop.
+    /// True for the star of a vertex, false for a loop.
     pub around_vertex: bool,
-    /// The families of a period, that of the known halfedge first, and how far each is turned.
+    /// The families of a period, that of the known halfedge first, each with its offset.
     pub families: Vec<(NameId, i64)>,
     /// The test that the halfedges make whole periods, if a period is longer than one.
     pub is_whole: Option<WalkTest>,
-    /// The test that it is as long as the families before; none if this is the first.
+    /// The test that the orbit is as long as the families bound before; `None` for the first walk.
     pub fits: Option<WalkTest>,
 }
 
@@ -74,7 +74,7 @@ pub struct WalkTest {
     pub refusal: String,
 }
 
-/// A path that may be empty: then it begins with what follows it.
+/// A path that may be empty: it is if its first halfedge is what follows it.
 #[derive(Clone, Copy, Debug)]
 pub struct EmptyPath {
     pub path: NameId,
@@ -93,7 +93,7 @@ pub struct Test {
 }
 
 impl Matching {
-    /// Of a rule with families it speaks of the rule unrolled.
+    /// For a rule with families, `drawing` is that of the rule unrolled.
     pub fn new(drawing: &Drawing, proved: &[matching::Step]) -> Self {
         let rule = drawing.rule;
         let (mut steps, mut tests) = (Vec::new(), Vec::new());

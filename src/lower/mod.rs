@@ -1,12 +1,12 @@
-//! A program, decided for all that spell it.
+//! Lowering: decisions that all back ends share.
 //!
-//! Of a proved operation: what is asked, in which order and why it is refused. Register code, C++,
-//! Rust and the table of an operation spell the lists that are made here, and decide nothing of it
-//! again. The pointers that phase 3 sets are listed by
+//! For a proved operation: what is tested, in which order, and the reasons to refuse. Register
+//! code, C++, Rust and the table of an operation are written from the lists that are made here, and
+//! decide none of it again. The pointers that phase 3 sets are listed by
 //! [`Drawing::reassignments`](crate::diagram::Drawing::reassignments).
 //!
-//! Of the statements of scripts, functions and operations in steps: which variables they use, what
-//! they call, and what that does to a mesh.
+//! For the statements of scripts, functions and operations in steps: the variables that they use,
+//! what they call, and their effects on a mesh.
 
 mod guard;
 mod hoist;

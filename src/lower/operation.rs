@@ -7,7 +7,7 @@ use crate::diagram::{Access, Drawing, Expr, Kind, NameId, Ref};
 /// A rule, phase by phase. Phase 3 begins with
 /// [`Drawing::reassignments`](crate::diagram::Drawing::reassignments); the values come last.
 ///
-/// Of a family the member at index 0 stands for all.
+/// For a family, the member at index 0 stands for all.
 #[derive(Clone, Debug)]
 pub struct Operation<'r> {
     pub matching: Matching,
@@ -20,7 +20,7 @@ pub struct Operation<'r> {
     pub result: Option<NameId>,
 }
 
-/// A condition of the program.
+/// A condition that a rule requires.
 #[derive(Clone, Debug)]
 pub struct Condition<'r> {
     pub condition: &'r Expr,
@@ -51,7 +51,7 @@ impl<'r> Operation<'r> {
     pub fn new(drawing: &Drawing<'r>, proof: &Proof) -> Self {
         let rule = drawing.rule;
         let requires = rule.requires.iter();
-        // What holds at index 0 is asked at every index.
+        // The condition at index 0 is tested at every index.
         let requires = requires.filter(|require| require.index.is_none_or(|index| index == 0));
         let values = rule.assignments.iter().filter(|set| rule.is_first(set.target.name));
         let elements = |list: &[Ref]| {

@@ -1,6 +1,6 @@
 //! Drawings that look alike from both sides of an edge.
 //!
-//! Turned by half a turn, such a drawing is itself with other names, as that of a flip:
+//! A half turn maps such a drawing to itself with other names, as for a flip:
 //!
 //! ```text
 //!        v2                 v3              v0 <-> v1    a <-> d    f0 <-> f1
@@ -14,13 +14,13 @@
 //!        v3                 v2
 //! ```
 //!
-//! Where it does not match from one halfedge of the edge on, it does not from the other, and where
-//! its guard refuses, the result would be the same mesh from the other. So one is tried.
+//! If matching fails from one halfedge of the edge, it fails from the other; and if the guard
+//! refuses, the result from the other would be the same mesh. So only one is tried.
 
 use crate::diagram::{Drawing, Kind, NameId, View};
 
-/// Whether a rule draws the same from both halfedges of an edge on, asks nothing that could tell
-/// them apart, and sets nothing that may be refused.
+/// Whether a rule looks the same from both halfedges of an edge, tests nothing that could tell them
+/// apart, and sets nothing that may be refused.
 pub(super) fn is_symmetric(drawing: &Drawing, halfedge: NameId) -> bool {
     let rule = drawing.rule;
     let names = || (0..rule.names.len() as u32).map(NameId);
@@ -43,14 +43,14 @@ pub(super) fn is_symmetric(drawing: &Drawing, halfedge: NameId) -> bool {
 /// The turn, as far as it is known.
 struct Turn<'d> {
     drawing: &'d Drawing<'d>,
-    /// By name the name that it becomes.
+    /// For each name, the name that it becomes.
     images: Vec<Option<NameId>>,
-    /// Names whose surroundings have not been looked at.
+    /// Names whose neighbors have not been compared yet.
     open: Vec<NameId>,
 }
 
 impl Turn<'_> {
-    /// Whether a name can become another; both may be none.
+    /// Whether a name can become another; both may be `None`.
     fn maps(&mut self, name: Option<NameId>, image: Option<NameId>) -> bool {
         let (Some(name), Some(image)) = (name, image) else {
             return name.is_none() && image.is_none();
@@ -74,7 +74,7 @@ impl Turn<'_> {
             let Some(image) = self.images[name.index()] else {
                 return false;
             };
-            // To turn twice is to leave everything as it is.
+            // Turning twice is the identity.
             if self.images[image.index()].is_some_and(|back| back != name)
                 || ![&drawing.before, &drawing.after]
                     .into_iter()

@@ -9,7 +9,7 @@ use crate::resolve::{Statement, StatementKind};
 #[derive(Clone, Debug, Default)]
 pub struct Variables {
     read: BTreeSet<u32>,
-    /// The number of statements that set each; a loop sets its own.
+    /// The number of statements that set each; a loop sets its own variable.
     sets: BTreeMap<u32, u32>,
 }
 
@@ -48,8 +48,8 @@ impl Variables {
         self.sets.get(&variable).copied().unwrap_or(0)
     }
 
-    /// True if no statement of a part of these sets a variable that another one sets, or a
-    /// parameter; these are the first.
+    /// True if the variables that a part of these statements sets are set nowhere else, and none is
+    /// a parameter; parameters have the first numbers.
     pub fn stay_within(&self, part: &[Statement], params: usize) -> bool {
         let here = Self::of(part).sets;
         here.iter().all(|(&at, &count)| at as usize >= params && count == self.sets(at))

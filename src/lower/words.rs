@@ -12,7 +12,7 @@ pub fn bound(drawing: &Drawing, bound: Bound) -> String {
     }
 }
 
-/// A pointer as one writes it: `a.next`.
+/// A pointer as it is written: `a.next`.
 pub fn source(drawing: &Drawing, source: Source) -> String {
     let pointers: Vec<_> = source.pointers().iter().map(|pointer| pointer.word()).collect();
     format!("{}.{}", bound(drawing, source.from()), pointers.join("."))

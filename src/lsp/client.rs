@@ -1,4 +1,4 @@
-//! The client: what it can do, and what it wants.
+//! The client: its capabilities and its settings.
 
 use gen_lsp_types::{ClientCapabilities, InitializeParams};
 use serde::Deserialize;
@@ -11,7 +11,7 @@ use super::position::Encoding;
 pub(super) struct Client {
     /// The unit that a column counts.
     pub(super) encoding: Encoding,
-    /// The capabilities that it tells.
+    /// Its capabilities.
     pub(super) can: ClientCapabilities,
     /// The settings it asks for.
     pub(super) settings: Settings,
@@ -23,16 +23,16 @@ pub(super) struct Client {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub(super) enum HoverPicture {
-    /// As the client is known to like it.
+    /// As an image if the client is known to draw it, else as text.
     #[default]
     Auto,
     /// As an image.
     Svg,
-    /// With letters.
+    /// As text.
     Text,
 }
 
-/// The settings of the section `hedgerow`; what is missing or wrong is as it is by default.
+/// The settings of the section `hedgerow`; missing or invalid ones have their defaults.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Settings {
     /// `hover.picture`: `auto`, `svg` or `text`.
@@ -92,8 +92,8 @@ impl Client {
         }
     }
 
-    /// True if the client shows what is published. Most that can ask for diagnostics, too, would
-    /// show all of them twice.
+    /// True if the client shows published diagnostics. Most clients that can also request them
+    /// would show them all twice.
     pub(super) fn shows_published(&self) -> bool {
         let text = self.can.text_document.as_ref();
         text.is_some_and(|text| text.publish_diagnostics.is_some())
@@ -126,7 +126,7 @@ impl Client {
         window.and_then(|window| window.show_document.as_ref()).is_some_and(|show| show.support)
     }
 
-    /// True if symbols may stand in one another.
+    /// True if symbols may be nested.
     pub(super) fn nests_symbols(&self) -> bool {
         let text = self.can.text_document.as_ref();
         let symbols = text.and_then(|text| text.document_symbol.as_ref());

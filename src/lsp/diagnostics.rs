@@ -1,4 +1,4 @@
-//! Diagnostics: published when a text is understood, and answered when they are asked for.
+//! Diagnostics: published when a text is analyzed, and answered on request.
 
 use gen_lsp_types::*;
 use serde_json::json;
@@ -14,8 +14,8 @@ const EXPLAINED: &str =
     "https://github.com/hedgerow-lang/hedgerow/blob/main/src/diagnostic/explained.md";
 
 impl Server {
-    /// Proves one more op of a document that changed, or publishes what is wrong with it;
-    /// false if there is nothing to do.
+    /// Proves one more op of a document that changed, or publishes its diagnostics; false if there
+    /// is nothing to do.
     pub(super) fn publish_next(&mut self) -> bool {
         let unpublished = self.documents.iter_mut();
         let next = unpublished.into_iter().find(|document| !document.is_published);
@@ -60,11 +60,11 @@ impl Server {
     }
 }
 
-/// Everything that is wrong with a document; if that is nothing, the names that nothing reads.
+/// All diagnostics of a document; if there is no error, also the names that nothing reads.
 pub(super) fn diagnostics(document: &Document) -> Vec<Diagnostic> {
     let told = document.snapshot().diagnostics();
     let mut all = protocol(document, &told);
-    // What is broken may be what reads them.
+    // Broken code may be what reads them.
     if told.iter().all(|told| told.severity != Severity::Error) {
         let unused = unused(document.snapshot());
         all.extend(unused.iter().map(|unused| faint(document, unused)));
@@ -72,7 +72,7 @@ pub(super) fn diagnostics(document: &Document) -> Vec<Diagnostic> {
     all
 }
 
-/// A name that is shown faint.
+/// The hint that a name is not read: editors show it faint.
 fn faint(document: &Document, Unused { span, name, what }: &Unused) -> Diagnostic {
     Diagnostic {
         range: document.range(*span),
@@ -88,8 +88,8 @@ fn protocol(document: &Document, told: &[diagnostic::Diagnostic]) -> Vec<Diagnos
     told.iter().map(|told| diagnostic(document, told)).collect()
 }
 
-/// A diagnostic in the protocol's form. Notes stand below the message; labels are places
-/// beside it.
+/// A diagnostic in the protocol's form. Notes follow the message; labels become related
+/// information.
 pub(super) fn diagnostic(document: &Document, told: &diagnostic::Diagnostic) -> Diagnostic {
     let mut message = told.message.clone();
     for note in &told.notes {

@@ -1,8 +1,8 @@
 //! The diagram of the op under a cursor: on request, and on a page that follows the cursor.
 //!
-//! The protocol does not tell where the cursor is. But clients ask about that place all the
-//! time, for actions, highlights and hovers; and one that wants to can send
-//! `hedgerow/cursor`, with a document and a position.
+//! The protocol does not report where the cursor is. But clients send that place all the time, with
+//! requests for actions and highlights; and a client may send `hedgerow/cursor`, with a document
+//! and a position.
 
 use gen_lsp_types::{Position, TextDocumentIdentifier, Uri};
 use serde::{Deserialize, Serialize};
@@ -14,8 +14,7 @@ use super::server::Server;
 use crate::analysis::{OpCard, op_card, op_here, op_named};
 use crate::draw::draw_op;
 
-/// The subject of `hedgerow/diagram` and `hedgerow/cursor` are about: the op at a position, or of a
-/// name.
+/// The parameters of `hedgerow/diagram` and `hedgerow/cursor`: the op at a position, or of a name.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub(super) struct DiagramParams {
@@ -34,7 +33,7 @@ pub(super) struct Diagram {
     name: String,
     /// The picture.
     svg: String,
-    /// True if it is of the text as it stands; else of the last that could be read.
+    /// True if it is of the current text; else of the last that could be read.
     is_current: bool,
     /// True if the op is proved.
     proved: bool,
@@ -67,7 +66,7 @@ impl Server {
         }
     }
 
-    /// The cursor is here: the preview, if it is open, shows the op around it.
+    /// Shows the op around the cursor in the preview, if that is open.
     pub(super) fn follow(&mut self, uri: &Uri, offset: usize) {
         let Some(document) = self.documents.get(uri) else {
             return;
@@ -87,7 +86,7 @@ impl Server {
         }
     }
 
-    /// The address of the preview, which is opened if it is not.
+    /// The address of the preview, which is opened if it is not open yet.
     pub(super) fn preview_address(&mut self) -> Result<String, Refusal> {
         if self.preview.is_none() {
             let opened = DiagramPage::open();

@@ -1,8 +1,8 @@
 //! A page on this machine that shows the diagram under the cursor, for any editor.
 //!
-//! It listens on the loopback address only, on a port that the system chooses, and answers
-//! two questions: the page, and what is to be shown now. Requests under another name than
-//! that of this machine are refused, so that no page of the web can read along.
+//! It listens on the loopback address only, on a port that the system chooses, and serves two
+//! things: the page, and what it shows now. Requests with the `Host` of another machine are
+//! refused, so that no web page can read along.
 
 use std::io::{self, BufRead, BufReader, Read, Write};
 use std::net::{Ipv4Addr, SocketAddr, TcpListener, TcpStream};
@@ -11,9 +11,9 @@ use std::time::Duration;
 
 use serde::Serialize;
 
-/// The greatest part of a request that is read.
+/// The most bytes of a request that are read.
 const LONGEST_REQUEST: u64 = 16 * 1024;
-/// The time that a client may take to say what it wants.
+/// The timeout for reading a request and for writing its answer.
 const PATIENCE: Duration = Duration::from_secs(5);
 
 /// The content of the page.
@@ -27,7 +27,7 @@ pub(super) struct Shown {
     pub(super) svg: String,
 }
 
-/// The content, and how often that has changed.
+/// The content, and the number of its changes.
 #[derive(Debug, Default)]
 struct Current {
     count: u64,
@@ -51,9 +51,9 @@ impl DiagramPage {
         std::thread::Builder::new().name("preview".into()).spawn(move || {
             for stream in listener.incoming().flatten() {
                 let shared = Arc::clone(&shared);
-                // One that does not come to the point keeps nobody else waiting.
+                // A slow client does not block the others.
                 let answered = std::thread::Builder::new().spawn(move || {
-                    // A client that is gone misses nothing.
+                    // A client that has disconnected needs no answer.
                     let _ = answer(stream, address, &shared);
                 });
                 drop(answered);
@@ -67,7 +67,7 @@ impl DiagramPage {
         format!("http://{}/", self.address)
     }
 
-    /// Shows something else.
+    /// Replaces the content.
     pub(super) fn show(&self, shown: Shown) {
         let mut current = self.current.lock().unwrap_or_else(PoisonError::into_inner);
         if current.shown != shown {
@@ -118,7 +118,7 @@ fn answer(mut stream: TcpStream, address: SocketAddr, current: &Mutex<Current>) 
     )
 }
 
-/// The content as it is now; for a page that has it, only its number.
+/// The current content; for a page that has it, only its number.
 fn shown(current: &Mutex<Current>, seen: Option<u64>) -> String {
     let current = current.lock().unwrap_or_else(PoisonError::into_inner);
     let shown = (seen != Some(current.count)).then_some(&current.shown);

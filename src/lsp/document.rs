@@ -12,7 +12,7 @@ use super::position::{Encoding, Lines};
 use crate::analysis::Snapshot;
 use crate::source::Span;
 
-/// A document: its text, and what is understood of it.
+/// A document: its text, and the analysis of that.
 #[derive(Debug)]
 pub(super) struct Document {
     uri: Uri,
@@ -22,15 +22,15 @@ pub(super) struct Document {
     encoding: Encoding,
     files: Files,
     snapshot: OnceCell<Rc<Snapshot>>,
-    /// The snapshot of an earlier text, from which the next one learns.
+    /// The snapshot of an earlier text, whose results the next one reuses.
     earlier: Option<Rc<Snapshot>>,
     /// True if diagnostics have been published for this version.
     pub(super) is_published: bool,
-    /// Since when nothing has been published of it, if nothing has.
+    /// The time of opening, until the diagnostics so far have been published early once.
     waiting_since: Option<Instant>,
 }
 
-/// The time that a person looks at a new document before something is said of it.
+/// The time after which the diagnostics so far of a new document are published.
 const PATIENCE: Duration = Duration::from_millis(500);
 
 impl Document {
@@ -46,13 +46,12 @@ impl Document {
             snapshot: OnceCell::new(),
             earlier: None,
             is_published: false,
-            // A browser has no such clock; there all is published as soon as it is proved.
+            // A browser has no such clock; there diagnostics are published only when all is proved.
             waiting_since: (!cfg!(target_family = "wasm")).then(Instant::now),
         }
     }
 
-    /// True if it is time to publish what is known, since nothing has been for a while: that is so
-    /// once.
+    /// True if the diagnostics so far are due to be published, as proving takes a while: only once.
     pub(super) fn is_kept_waiting(&mut self) -> bool {
         let is_due = self.waiting_since.is_some_and(|since| since.elapsed() > PATIENCE);
         if is_due {
@@ -65,7 +64,7 @@ impl Document {
         &self.uri
     }
 
-    /// Its name by those that use it.
+    /// The name by which other programs use it.
     pub(super) fn name(&self) -> String {
         name(&self.uri)
     }
@@ -78,7 +77,7 @@ impl Document {
         &self.text
     }
 
-    /// Takes in changes, in order: each is about the text that the ones before have made.
+    /// Applies changes in order: each refers to the text that the previous ones have made.
     pub(super) fn change(&mut self, version: i32, changes: Vec<TextDocumentContentChangeEvent>) {
         for change in changes {
             match change {
@@ -98,7 +97,7 @@ impl Document {
         self.forget();
     }
 
-    /// Has the text read again, as what it depends on may have changed.
+    /// Discards the snapshot, as the text or what it depends on may have changed.
     pub(super) fn forget(&mut self) {
         if let Some(snapshot) = self.snapshot.take() {
             self.earlier = Some(snapshot);

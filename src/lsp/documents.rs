@@ -33,7 +33,7 @@ impl Documents {
         self.open.values()
     }
 
-    /// Has those read again that use a file of this name.
+    /// Discards the snapshots of documents that use a file of this name.
     pub(super) fn file_changed(&mut self, name: &str) {
         for document in self.open.values_mut() {
             if document.uses(name) {

@@ -1,5 +1,5 @@
-//! The files that programs use: as they stand in open documents, else as the client gives them, else
-//! as the reader has them.
+//! The files that programs use: the texts of open documents, else those that the client gives, else
+//! those of the reader.
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
@@ -33,11 +33,11 @@ impl fmt::Debug for Files {
     }
 }
 
-/// The name of a document in messages, and by those that use it.
+/// The name of a document in messages, and for the programs that use it.
 pub(super) fn name(of: &Uri) -> String {
     match uri::path(of) {
         Some(path) => path.display().to_string().replace('\\', "/"),
-        // As a path that a program uses is put together: without empty steps.
+        // Without empty components, as the paths of used programs are joined.
         None => of.0.replace("//", "/"),
     }
 }
@@ -48,14 +48,14 @@ impl Files {
         Self { open, given, rest: Rc::new(RefCell::new(rest)) }
     }
 
-    /// The text of an open document.
+    /// Sets the text of an open document.
     pub(super) fn hold(&self, uri: &Uri, text: &str) {
         let held = Held { uri: uri.clone(), text: text.into() };
         self.open.borrow_mut().insert(name(uri), held);
     }
 
-    /// The text of a file that no document is open for, from a client whose files cannot be read; or
-    /// that there is none.
+    /// Sets the text of a file that is not open, from a client whose files cannot be read; `None`
+    /// if there is no such file any more.
     pub(super) fn give(&self, uri: &Uri, text: Option<&str>) {
         let mut given = self.given.borrow_mut();
         match text {
@@ -69,7 +69,7 @@ impl Files {
         self.open.borrow().contains_key(name)
     }
 
-    /// The document is closed: from now on its file counts.
+    /// Forgets the text of a closed document: from now on its file counts.
     pub(super) fn release(&self, uri: &Uri) {
         self.open.borrow_mut().remove(&name(uri));
     }

@@ -1,4 +1,4 @@
-//! Hovers, as Markdown for people.
+//! Hovers, as Markdown.
 
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
@@ -11,7 +11,7 @@ use crate::analysis::element::Element;
 use crate::analysis::{Card, OpCard, RuleVerdict, Word, hover};
 use crate::draw::{draw_op, text_op};
 
-/// The largest image that clients draw, as text of the Markdown.
+/// The largest image that clients draw, in bytes of its text in the Markdown.
 const LARGEST_IMAGE: usize = 70_000;
 
 impl Server {
@@ -67,14 +67,14 @@ fn op_text(op: &OpCard, images: bool) -> String {
     text
 }
 
-/// An image that stands in the Markdown itself, if it is small enough.
+/// An image that is embedded in the Markdown, if it is small enough.
 fn image(svg: &str, name: &str) -> Option<String> {
     let data = BASE64_STANDARD.encode(svg);
     (data.len() < LARGEST_IMAGE)
         .then(|| format!("![{name}, before and after](data:image/svg+xml;base64,{data})\n"))
 }
 
-/// The verdict, a line for each rule; or what is wrong.
+/// The verdict, a line for each rule; or the errors.
 pub(super) fn verdict(op: &OpCard) -> String {
     if let Some(steps) = &op.verdict.steps {
         let calls: Vec<_> = steps.calls.iter().map(|op| format!("`{op}`")).collect();

@@ -9,11 +9,11 @@ use super::subprocess::Subprocess;
 use super::{files, uri};
 use crate::analysis::{Offer, lenses, op_card, op_named};
 
-/// Shows the diagram of an op in the preview: document, op.
+/// Shows the diagram of an op in the preview. Arguments: document, op.
 pub(super) const SHOW_DIAGRAM: &str = "hedgerow.showDiagram";
-/// Runs a test: document, name.
+/// Runs a test. Arguments: document, name.
 pub(super) const RUN_TEST: &str = "hedgerow.runTest";
-/// Runs a script: document, name, mesh, where to write the result.
+/// Runs a script. Arguments: document, name, mesh, file for the result.
 pub(super) const RUN_SCRIPT: &str = "hedgerow.runScript";
 
 impl Server {
@@ -107,7 +107,7 @@ impl Server {
         Ok(Some(json!(address)))
     }
 
-    /// Has the process run a command of `hedgerow`; what comes of it is told when it ends.
+    /// Queues a command of `hedgerow` for the process to run; the result is reported when it ends.
     fn run(&mut self, arguments: Vec<String>) -> Value {
         let shown = format!("hedgerow {}", arguments.join(" "));
         self.errands.push(Subprocess { arguments });

@@ -1,4 +1,4 @@
-//! Hello: what the server can do.
+//! Initialization: the capabilities of the server.
 
 use gen_lsp_types::*;
 use serde_json::{Value, json};
@@ -10,7 +10,7 @@ use super::tokens::{MODIFIERS, TYPES};
 use super::workspace::Workspace;
 
 impl Server {
-    /// The first request. What a client leaves out, or says with `null`, counts as nothing.
+    /// Answers `initialize`. Parameters that are missing or `null` count as absent.
     pub(super) fn initialize(&mut self, mut params: Value) -> InitializeResult {
         if let Value::Object(fields) = &mut params {
             fields.retain(|_, value| !value.is_null());
@@ -41,8 +41,8 @@ impl Server {
                 }
                 .into(),
             ),
-            // Asked for, diagnostics are always answered; but they are offered only to those
-            // who would see none otherwise.
+            // Requested diagnostics are always answered; but they are offered only to clients that
+            // do not show published ones.
             diagnostic_provider: (!self.client.shows_published()).then(|| {
                 DiagnosticOptions {
                     identifier: Some("hedgerow".into()),

@@ -1,10 +1,10 @@
-//! Markdown that quotes what others wrote.
+//! Markdown that quotes untrusted text.
 //!
-//! A doc comment may come from a file that somebody else wrote, and a client may follow a link,
-//! load an image or draw HTML. So of its Markdown only what arranges text is kept: paragraphs,
-//! lists, headings, emphasis, code. Brackets, angle brackets and addresses are escaped wherever a
-//! client would look for a link, an image or a tag. What is code is decided here, line by line, and
-//! written such that no client can see it otherwise: a backtick that opens no code on its own
+//! A doc comment may come from a file by someone else, and a client may follow a link, load an
+//! image or draw HTML. So of its Markdown only what arranges text is kept: paragraphs, lists,
+//! headings, emphasis, code. Brackets, angle brackets and addresses are escaped wherever a client
+//! would look for a link, an image or a tag. What is code is decided here, line by line, and
+//! written such that no client can interpret it otherwise: a backtick that opens no code on its own
 //! line is escaped, too.
 
 /// Lines of a doc comment, without links, images and HTML.
@@ -18,7 +18,7 @@ pub fn quoted(lines: &[String]) -> Vec<String> {
         let ticks = start.len() - start.trim_start_matches('`').len();
         match fence {
             Some(open) if ticks >= open && start.trim_end().len() == ticks => {
-                // At the margin no list and no quotation is around it.
+                // At the margin it is in no list and no quotation.
                 quoted.push("`".repeat(open));
                 fence = None;
             }
@@ -31,14 +31,15 @@ pub fn quoted(lines: &[String]) -> Vec<String> {
             None => quoted.push(prose(&line)),
         }
     }
-    // What is not closed would swallow what comes behind the comment.
+    // An open fence would swallow what follows the comment.
     quoted.extend(fence.map(|open| "`".repeat(open)));
     quoted
 }
 
 /// A line outside of fences: all is escaped but code that begins and ends in it.
 pub fn prose(line: &str) -> String {
-    // A line of dashes would make a table of the line before, whose bars go before code.
+    // A line of dashes would make the previous line the head of a table, whose bars take precedence
+    // over code.
     let is_rule = line.contains('-') && line.chars().all(|letter| " :-|\t".contains(letter));
     if is_rule {
         return format!("\\{}", line.trim_start());
@@ -80,7 +81,7 @@ pub fn prose(line: &str) -> String {
     out
 }
 
-/// The end of the code that `mark` begins: behind the next run of just as many backticks.
+/// The end of the code that `mark` begins: after the next run of exactly as many backticks.
 fn end_of_code(text: &str, mark: &str) -> Option<usize> {
     let mut at = 0;
     while let Some(start) = text[at..].find('`') {

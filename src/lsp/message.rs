@@ -1,8 +1,8 @@
-//! Messages as they stand on a stream: a header, and a body of JSON.
+//! Messages on a stream: a header, and a body of JSON.
 //!
-//! A header that cannot be read ends the conversation, since nobody knows where the next
-//! message begins. A body is another matter: its length is known, so what is wrong with it is
-//! answered, and the conversation goes on.
+//! An invalid header ends the conversation, since the beginning of the next message is unknown. The
+//! length of an invalid body is known, so it is answered with an error, and the conversation goes
+//! on.
 
 use std::io::{self, BufRead, Read, Write};
 
@@ -17,7 +17,7 @@ const LONGEST_HEADER: u64 = 4096;
 pub enum Heard {
     /// A message.
     Message(Message),
-    /// Something else, and the error that answers it.
+    /// An invalid message, and the error that answers it.
     Refused(Spoken),
 }
 
@@ -26,7 +26,7 @@ pub enum Heard {
 pub enum Spoken {
     /// A message.
     Message(Message),
-    /// An error about what is no message. Its id may be one that no request can have.
+    /// An error about an invalid message. Its id may be one that no request can have.
     Error { id: Value, code: ErrorCode, why: String },
 }
 
@@ -45,11 +45,11 @@ impl Spoken {
     }
 }
 
-/// Reads what comes next; `None` at the end.
+/// Reads the next message; `None` at the end.
 ///
 /// # Errors
 ///
-/// Fails if the stream breaks, or has no header where one is due.
+/// Fails if the stream breaks, or a header is missing or invalid.
 pub fn read(input: &mut impl BufRead) -> io::Result<Option<Heard>> {
     let Some(body) = body(input)? else { return Ok(None) };
     Ok(Some(match serde_json::from_slice(&body) {
@@ -61,8 +61,8 @@ pub fn read(input: &mut impl BufRead) -> io::Result<Option<Heard>> {
     }))
 }
 
-/// The bytes of the next body. However long it claims to be, there is no more room taken for it
-/// than has come.
+/// The bytes of the next body. Memory is taken only for bytes that have arrived, whatever length
+/// the header claims.
 fn body(input: &mut impl BufRead) -> io::Result<Option<Vec<u8>>> {
     let invalid = |text: String| io::Error::new(io::ErrorKind::InvalidData, text);
     let mut length = None;
@@ -108,7 +108,7 @@ fn message(value: Value) -> Heard {
         id => id.is_string(),
     };
     if let Some(id) = id.as_ref().filter(|id| !is_id(id)) {
-        // The id of a number comes back as it came, so that somebody may know it again.
+        // A number is returned as it came, so that the client may recognize it.
         let id = if id.is_number() { id.clone() } else { Value::Null };
         return refused(id, "an id is a text or a whole number of 32 bits");
     }

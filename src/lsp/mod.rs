@@ -1,14 +1,13 @@
-//! The language server: the Language Server Protocol, translated.
+//! The language server, which speaks the Language Server Protocol.
 //!
-//! [`Server`] takes messages and makes messages; [`serve`] carries them over standard input
-//! and output. Every answer is computed in [`analysis`](crate::analysis) as plain data, for
-//! whatever text an editor holds; here it only gets positions and the protocol's names. One
-//! loop owns the documents. Requests are answered in the order they come in, one that is
-//! cancelled before its turn is not; between messages, ops are proved one by one, and when
-//! all are, diagnostics are published. What is asked about all ops of a document waits until then,
-//! and keeps no other question waiting.
+//! [`Server`] takes and returns messages; [`serve`] carries them over standard input and output.
+//! Every answer is computed in [`analysis`](crate::analysis) as plain data, for whatever text an
+//! editor holds; here only positions and names are converted to those of the protocol. One loop
+//! owns the documents. Requests are answered in order of arrival, except those that are cancelled
+//! before their turn; between messages, ops are proved one by one, and when all are, diagnostics
+//! are published. Requests about all ops of a document wait until then, without blocking others.
 
-// What comes and goes.
+// Messages and streams.
 pub mod message;
 mod stdio;
 
@@ -20,7 +19,7 @@ mod requests;
 
 mod notifications;
 
-// What is known of the client and its texts.
+// The client and its documents.
 mod client;
 mod document;
 mod documents;
@@ -43,7 +42,7 @@ mod navigation;
 mod symbols;
 mod tokens;
 
-// What happens beside the conversation.
+// Work besides requests and answers.
 mod diagram_page;
 mod progress;
 mod subprocess;

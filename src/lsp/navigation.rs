@@ -1,4 +1,4 @@
-//! From a name to where it is declared and mentioned, and renaming it.
+//! Definitions, references, highlights and renaming.
 
 use std::collections::HashMap;
 
@@ -41,7 +41,7 @@ impl Server {
         Ok(Some(found))
     }
 
-    /// Reads the programs that are not open, if they may name what stands at a place.
+    /// Reads the programs that are not open, if they may mention the name at a place.
     fn read_others(&mut self, at: &TextDocumentPositionParams) -> Result<(), Refusal> {
         let (document, offset) = self.place(at)?;
         if shared(document.snapshot(), offset).is_some() {
@@ -128,7 +128,7 @@ impl Server {
         Ok(Some(self.workspace_edit(&changes)))
     }
 
-    /// Tries what a rename does to the programs that it changes, and to those that use them.
+    /// Tries a rename on the programs that it changes, and on those that use them.
     fn try_renamed(
         &self,
         changes: &[(&Document, Vec<diagnostic::Edit>)],
@@ -149,7 +149,7 @@ impl Server {
         Ok(())
     }
 
-    /// Changes of programs; of those that are open for their versions, if the client heeds that.
+    /// Changes of programs; with the versions of those that are open, if the client supports that.
     pub(super) fn workspace_edit(
         &self,
         changes: &[(&Document, Vec<diagnostic::Edit>)],

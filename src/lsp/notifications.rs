@@ -25,7 +25,7 @@ struct FileParams {
 }
 
 impl Server {
-    /// Takes in a notification; one that cannot be read, or that nobody knows, is let be.
+    /// Handles a notification; an invalid or unknown one is ignored.
     pub(super) fn notice(&mut self, notice: Notice) {
         use LspNotificationMethod as Method;
         let params = notice.params;
@@ -55,14 +55,14 @@ impl Server {
         }
     }
 
-    /// Files that no client has open have changed on the disk.
+    /// Handles changes of watched files on disk.
     fn watched(&mut self, params: DidChangeWatchedFilesParams) {
         for change in params.changes {
             self.file_changed(&name(&change.uri));
         }
     }
 
-    /// Asks the client to say when a program changes on the disk.
+    /// Asks the client to report when a program changes on disk.
     fn watch_files(&mut self) {
         if !self.client.watches_files() {
             return;
@@ -112,7 +112,7 @@ impl Server {
         if self.documents.close(&uri).is_some() {
             self.files.release(&uri);
             self.file_changed(&name(&uri));
-            // What was wrong with it is no longer shown.
+            // Clears its diagnostics.
             self.tell::<PublishDiagnosticsNotification>(PublishDiagnosticsParams {
                 uri,
                 version: None,
@@ -121,7 +121,8 @@ impl Server {
         }
     }
 
-    /// Clients that can be asked send no settings, the others send all.
+    /// Updates the settings: clients that can be asked for them send none here, the others send
+    /// all.
     fn configuration_changed(&mut self, params: &Value) {
         if self.client.has_configuration() {
             self.ask_for_settings();

@@ -1,8 +1,8 @@
-//! From positions of the protocol to bytes, and back.
+//! Conversion between positions of the protocol and byte offsets.
 //!
 //! A line ends with `\n`, `\r\n` or `\r` alone. A column counts UTF-8 bytes, UTF-16 units or
-//! characters, as agreed with the client. A position that is in no text is moved to the
-//! nearest one before it that is: to the end of its line, or the start of its character.
+//! characters, as agreed with the client. A position outside of the text is moved to the nearest
+//! one before it that exists: to the end of its line, or the start of its character.
 
 use gen_lsp_types::{Position, PositionEncodingKind, Range};
 
@@ -11,7 +11,7 @@ use gen_lsp_types::{Position, PositionEncodingKind, Range};
 pub enum Encoding {
     /// Bytes.
     Utf8,
-    /// UTF-16 units: what every client can do.
+    /// UTF-16 units, which every client supports.
     #[default]
     Utf16,
     /// Characters.
@@ -19,7 +19,7 @@ pub enum Encoding {
 }
 
 impl Encoding {
-    /// The encoding that is agreed with a client that offers these: bytes if it can.
+    /// The encoding for a client that offers these: UTF-8 if possible.
     pub fn agreed(offered: &[PositionEncodingKind]) -> Self {
         if offered.contains(&PositionEncodingKind::UTF8) {
             Self::Utf8
@@ -103,13 +103,13 @@ impl Lines {
         Position { line: narrow(line), character: narrow(character) }
     }
 
-    /// The range of two bytes.
+    /// The range between two bytes.
     pub fn range(&self, text: &str, range: std::ops::Range<usize>) -> Range {
         Range { start: self.position(text, range.start), end: self.position(text, range.end) }
     }
 }
 
-/// The protocol counts in 32 bits; no text that is longer is taken in.
+/// A count in the 32 bits of the protocol; larger ones saturate.
 pub fn narrow(count: usize) -> u32 {
     u32::try_from(count).unwrap_or(u32::MAX)
 }

@@ -1,4 +1,4 @@
-//! Progress, where many ops wait to be proved.
+//! Progress reports while many ops wait to be proved.
 
 use gen_lsp_types::*;
 use serde_json::json;
@@ -7,7 +7,7 @@ use super::server::{Asked, Server};
 
 /// The number of ops that have to wait before progress is worth showing.
 const MANY: usize = 24;
-/// After how many ops it is shown anew.
+/// The number of ops between two reports.
 const STEP: usize = 8;
 
 /// Progress that the client shows.
@@ -18,7 +18,7 @@ pub(super) struct Progress {
 }
 
 impl Server {
-    /// Some ops of a document are looked at, and there are so many.
+    /// Reports how many ops of a document have been examined, and of how many.
     pub(super) fn report_progress(&mut self, done: usize, all: usize) {
         match &self.progress {
             None if all - done > MANY && self.client.shows_progress() => {
@@ -39,7 +39,7 @@ impl Server {
         }
     }
 
-    /// The client is ready to show progress.
+    /// Begins the progress, since the client is ready to show it.
     pub(super) fn progress_created(&mut self) {
         if let Some(progress) = &mut self.progress {
             progress.is_open = true;
@@ -47,7 +47,7 @@ impl Server {
         }
     }
 
-    /// All is proved.
+    /// Ends the progress, since all is proved.
     pub(super) fn end_progress(&mut self) {
         if self.progress.as_ref().is_some_and(|progress| progress.is_open) {
             self.tell_progress(json!({ "kind": "end" }));

@@ -1,4 +1,4 @@
-//! Which answer belongs to which request.
+//! Dispatch of requests to the functions that answer them.
 
 use gen_lsp_types::*;
 use gen_lsp_types::{LspRequestMethod as Method, Request as Question, Uri};
@@ -10,7 +10,7 @@ use serde_json::Value;
 use super::document::Document;
 use super::server::{Server, Stage};
 
-/// The reason why a request gets no answer.
+/// The reason why a request fails.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Refusal {
     /// The kind of failure.
@@ -20,12 +20,12 @@ pub(super) struct Refusal {
 }
 
 impl Refusal {
-    /// The request makes no sense.
+    /// A request that makes no sense.
     pub(super) fn invalid(why: impl Into<String>) -> Self {
         Self { code: ErrorCode::InvalidParams as i32, why: why.into() }
     }
 
-    /// The request makes sense, and there is a reason not to do it.
+    /// A request that makes sense, but cannot be carried out.
     pub(super) fn failed(why: impl Into<String>) -> Self {
         Self { code: ErrorCode::RequestFailed as i32, why: why.into() }
     }

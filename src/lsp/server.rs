@@ -1,4 +1,4 @@
-//! Messages in, messages out.
+//! The server: takes messages and returns messages.
 
 use std::collections::VecDeque;
 
@@ -20,28 +20,28 @@ use crate::analysis::Reader;
 /// The stage of the conversation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Stage {
-    /// Nothing has been said.
+    /// Not initialized.
     Silent,
-    /// Both sides know what the other can do.
+    /// Initialized.
     Ready,
-    /// The client has no more questions.
+    /// The client has sent `shutdown`.
     ShutDown,
-    /// The process may end, with this exit code.
+    /// The client has sent `exit`: the process may end, with this exit code.
     Gone(u8),
 }
 
-/// A question to the client that is not answered yet.
+/// A request to the client that is not answered yet.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Asked {
     /// Its settings.
     Settings,
-    /// A place to show progress.
+    /// A token for progress.
     Progress,
-    /// Something of which only a failure matters, and not even that.
+    /// Anything whose answer is ignored.
     Other,
 }
 
-/// The language server, without streams: it takes messages and makes messages.
+/// The language server, without streams: takes messages and returns messages.
 #[derive(Debug)]
 pub struct Server {
     pub(super) stage: Stage,
@@ -53,7 +53,7 @@ pub struct Server {
     pub(super) progress: Option<Progress>,
     pub(super) errands: Vec<Subprocess>,
     waiting: VecDeque<Message>,
-    /// Requests that are answered when all of their document is proved.
+    /// Requests that are answered when all ops of their document are proved.
     deferred: Vec<Request>,
     outgoing: Vec<Message>,
     pub(super) asked: Vec<(RequestId, Asked)>,
@@ -61,8 +61,7 @@ pub struct Server {
 }
 
 impl Server {
-    /// A server to which nobody has spoken yet. The reader gives it the files that no client
-    /// has open.
+    /// A server that is not initialized. The reader gives it the files that no client has open.
     pub fn new(reader: Box<dyn Reader>) -> Self {
         Self {
             files: Files::new(reader),
@@ -81,8 +80,8 @@ impl Server {
         }
     }
 
-    /// Takes in a message. It is answered by [`work`](Self::work) when its turn comes; only
-    /// a cancellation acts at once, on what is still waiting.
+    /// Takes in a message. [`work`](Self::work) handles it in its turn; only a cancellation takes
+    /// effect at once, on requests that are still waiting.
     pub fn accept(&mut self, message: Message) {
         match message {
             Message::Notification(notice)
@@ -113,9 +112,8 @@ impl Server {
         self.outgoing.push(answer.into());
     }
 
-    /// Does one piece of work: answers the next message, or, when none waits, proves an op
-    /// or publishes diagnostics. The answer is what to send; nothing at all if there is
-    /// nothing to do.
+    /// Does one piece of work: handles the next message or, if none waits, proves an op or
+    /// publishes diagnostics. Returns the messages to send; `None` if there is nothing to do.
     pub fn work(&mut self) -> Option<Vec<Message>> {
         if !self.outgoing.is_empty() {
             return Some(std::mem::take(&mut self.outgoing));
@@ -143,7 +141,7 @@ impl Server {
         Some(std::mem::take(&mut self.outgoing))
     }
 
-    /// The exit code, once the client has said that the process may end.
+    /// The exit code, once the client has sent `exit`.
     pub fn exit_code(&self) -> Option<u8> {
         match self.stage {
             Stage::Gone(code) => Some(code),
@@ -156,9 +154,9 @@ impl Server {
         Some(self.documents.get(&uri.into())?.text())
     }
 
-    /// True if a request is about all ops of a document, and not all of them have been looked at.
-    /// To answer at once would keep all others waiting: between messages they are proved one by
-    /// one.
+    /// True if a request is about all ops of a document, and not all of them have been examined.
+    /// Answering at once would block all other requests: instead, ops are proved one by one between
+    /// messages.
     fn needs_proofs(&self, request: &Request) -> bool {
         let method = LspRequestMethod::from(request.method.as_str());
         let asks_all = matches!(
@@ -217,7 +215,7 @@ impl Server {
         }
     }
 
-    /// The commands that are to be run beside the server, each once.
+    /// Takes the commands that are to be run beside the server: each is returned once.
     pub fn errands(&mut self) -> Vec<Subprocess> {
         std::mem::take(&mut self.errands)
     }
@@ -233,7 +231,7 @@ impl Server {
         self.documents.iter().chain(self.workspace.closed())
     }
 
-    /// Has all programs read again that use a file of this name.
+    /// Discards the snapshots of all programs that use a file of this name.
     pub(super) fn file_changed(&mut self, name: &str) {
         self.documents.file_changed(name);
         self.workspace.file_changed(name);
@@ -251,7 +249,7 @@ impl Server {
         self.outgoing.push(notice.into());
     }
 
-    /// Asks the client something.
+    /// Sends a request to the client.
     pub(super) fn ask<R: gen_lsp_types::Request>(&mut self, params: R::Params, asked: Asked)
     where
         R::Params: Serialize,

@@ -1,5 +1,4 @@
-//! The server on streams: on standard input and output, or on any two, one message after the
-//! other.
+//! The server on streams: on standard input and output, or on any two.
 
 use std::io::{self, BufRead, Write, stdin, stdout};
 use std::sync::mpsc::{Receiver, Sender, TryRecvError, channel};
@@ -11,11 +10,12 @@ use super::message::{Heard, Spoken, read};
 use super::server::Server;
 use crate::analysis::{Disk, Reader};
 
-/// Speaks the protocol on standard input and output until the client says that it is enough.
+/// Serves a client on standard input and output until it exits or disconnects; returns the exit
+/// code.
 ///
 /// # Errors
 ///
-/// Fails if a stream breaks, or carries something else than the protocol.
+/// Fails if a stream breaks, or has an invalid header.
 pub fn serve() -> io::Result<u8> {
     let (said, heard) = channel();
     let (speak, spoken) = channel::<Spoken>();
@@ -35,18 +35,18 @@ pub fn serve() -> io::Result<u8> {
     });
     let code = converse(&heard, &speak);
     drop((heard, speak));
-    // Where nothing can be written any more, nobody waits for what is still read.
+    // If writing has failed, the reader is not waited for.
     ended(writer)?;
     ended(reader)?;
     Ok(code)
 }
 
-/// Speaks the protocol on two streams: a message is read when all that came before is done. The
+/// Serves a client on two streams: a message is read when all work on those before is done. The
 /// reader gives the files that no client has open; commands are not run.
 ///
 /// # Errors
 ///
-/// Fails if a stream breaks, or carries something else than the protocol.
+/// Fails if a stream breaks, or has an invalid header.
 pub fn serve_on(
     mut input: impl BufRead,
     mut output: impl Write,
@@ -76,12 +76,13 @@ fn ended(thread: JoinHandle<io::Result<()>>) -> io::Result<()> {
     done.unwrap_or_else(|_| Err(io::Error::other("a stream was given up")))
 }
 
-/// Answers until the client is gone; the exit code says whether it took its leave.
+/// Serves a client until it exits or disconnects; the exit code is 0 if it sent `shutdown` before
+/// `exit`.
 fn converse(said: &Receiver<Heard>, speak: &Sender<Spoken>) -> u8 {
     let mut server = Server::new(Box::new(Disk));
     let mut idle = false;
     loop {
-        // All that waits is taken in first, so that a cancellation is seen in time.
+        // All waiting messages are taken in first, so that a cancellation takes effect in time.
         let heard = match idle {
             true => said.recv().map_err(|_| TryRecvError::Disconnected),
             false => said.try_recv(),
@@ -106,7 +107,7 @@ fn converse(said: &Receiver<Heard>, speak: &Sender<Spoken>) -> u8 {
             let speak = speak.clone();
             thread::spawn(move || {
                 for message in errand.run() {
-                    // A client that is gone does not want to know.
+                    // A client that has disconnected needs no answer.
                     let _ = speak.send(Spoken::Message(message));
                 }
             });

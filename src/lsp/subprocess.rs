@@ -16,7 +16,7 @@ pub struct Subprocess {
 }
 
 impl Subprocess {
-    /// Runs the command to its end; the messages tell the client what came of it.
+    /// Runs the command to its end; returns messages that report the result to the client.
     pub(super) fn run(&self) -> Vec<Message> {
         let shown = format!("hedgerow {}", self.arguments.join(" "));
         let program = std::env::current_exe();

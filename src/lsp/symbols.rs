@@ -1,4 +1,4 @@
-//! The outline of documents, what can be folded, and what a selection grows to.
+//! Symbols of documents and of the workspace, folding ranges and selection ranges.
 
 use gen_lsp_types::*;
 
@@ -7,7 +7,7 @@ use super::requests::Answer;
 use super::server::Server;
 use crate::analysis::{Entry, EntryKind, around, folds, outline};
 
-/// The largest number of symbols of a workspace that are answered at once.
+/// The most symbols of a workspace in one answer.
 const MOST_SYMBOLS: usize = 500;
 
 fn kind(kind: EntryKind) -> SymbolKind {
@@ -114,7 +114,7 @@ fn nested(document: &Document, entry: &Entry) -> DocumentSymbol {
     }
 }
 
-/// Clients do not take an empty name.
+/// A name as it is shown: clients reject empty ones.
 fn shown(name: &str) -> String {
     if name.trim().is_empty() { "(no name)".into() } else { name.to_owned() }
 }

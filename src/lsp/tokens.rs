@@ -1,6 +1,5 @@
-//! Semantic tokens. An element of a drawing is a variable that its modifiers tell more of:
-//! its kind, and whether it is new, erased or outer. Clients that know nothing of them colour
-//! it as a variable.
+//! Semantic tokens. An element of a drawing is a variable with modifiers: its kind, and whether it
+//! is new, erased or outer. Clients that do not know them colour it as a variable.
 
 use gen_lsp_types::*;
 
@@ -10,7 +9,7 @@ use super::server::Server;
 use crate::analysis::{Class, Coloured, tokens};
 use crate::diagram::Kind;
 
-/// The types, by their numbers.
+/// The types, by their indices.
 pub(super) const TYPES: [&str; 13] = [
     "keyword",
     "type",
@@ -70,7 +69,7 @@ fn encoded(document: &Document, part: std::ops::Range<usize>) -> SemanticTokens 
     });
     let data = inside.filter_map(|token| {
         let range = document.range(token.span);
-        // A text that is not closed, or a comment with a lone `\r`, may reach over a line end.
+        // A text that is not closed, or a comment with a lone `\r`, may span lines.
         if range.start.line != range.end.line {
             return None;
         }

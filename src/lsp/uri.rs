@@ -1,15 +1,15 @@
-//! URIs of files. A document keeps the URI its client gave it, letter by letter.
+//! URIs of files. A document keeps exactly the URI that its client gave it.
 
 use std::path::{Path, PathBuf};
 
 use gen_lsp_types::Uri;
 use percent_encoding::{AsciiSet, NON_ALPHANUMERIC, percent_decode_str, utf8_percent_encode};
 
-/// The characters that are written as it is in the path of a URI.
+/// The characters that are percent-encoded in the path of a URI.
 const WRITTEN: &AsciiSet =
     &NON_ALPHANUMERIC.remove(b'/').remove(b'-').remove(b'_').remove(b'.').remove(b'~');
 
-/// The path of a `file:` URI; nothing for other schemes.
+/// The path of a `file:` URI; `None` for other schemes.
 pub fn path(uri: &Uri) -> Option<PathBuf> {
     let rest = uri.0.strip_prefix("file://")?;
     let (_, path) = rest.split_at(rest.find('/')?);

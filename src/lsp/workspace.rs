@@ -1,8 +1,8 @@
-//! The programs of the workspace that no client has open: what they name counts, too, where a
-//! name is looked for everywhere.
+//! The programs of the workspace that are not open: their mentions of a name count, too, when it is
+//! looked up everywhere.
 //!
-//! They are read when such a question comes, from the folders of the workspace and along the
-//! `use` of the documents; one that has not changed since is not read again.
+//! They are read when such a request comes, from the folders of the workspace and along the `use`
+//! of the open documents; one that has not changed since is not analyzed again.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -26,7 +26,7 @@ pub(super) struct Workspace {
 }
 
 impl Workspace {
-    /// The workspace that a client says hello with: its folders, or else its root.
+    /// The workspace in the parameters of `initialize`: its folders, or else its root.
     pub(super) fn new(hello: &Value) -> Self {
         let folders = hello.get("workspaceFolders").and_then(Value::as_array);
         let folders = folders.into_iter().flatten();
@@ -38,14 +38,14 @@ impl Workspace {
         Self { folders: uris.map(|uri| Uri(uri.to_owned())).collect(), closed: BTreeMap::new() }
     }
 
-    /// Folders come and go.
+    /// Removes and adds folders.
     pub(super) fn change(&mut self, change: WorkspaceFoldersChangeEvent) {
         let gone: Vec<_> = change.removed.into_iter().map(|gone| gone.uri.0).collect();
         self.folders.retain(|folder| !gone.contains(&folder.0));
         self.folders.extend(change.added.into_iter().map(|new| new.uri));
     }
 
-    /// Reads what is not open, as it is now.
+    /// Reads the current texts of programs that are not open.
     pub(super) fn read(&mut self, open: &Documents, files: &Files, encoding: Encoding) {
         let mut wanted = BTreeSet::new();
         for folder in &self.folders {
@@ -82,7 +82,7 @@ impl Workspace {
         changed.iter().for_each(|name| self.file_changed(name));
     }
 
-    /// Has those read again that use a file of this name.
+    /// Discards the snapshots of those that use a file of this name.
     pub(super) fn file_changed(&mut self, name: &str) {
         for document in self.closed.values_mut() {
             if document.uses(name) {

@@ -1,8 +1,8 @@
-//! The neighbors of all vertices, in lists: for loops that ask for them again and again while the
-//! mesh keeps its pointers.
+//! Adjacency lists of all vertices, for loops that read them repeatedly while the pointers of the
+//! mesh stay the same.
 //!
-//! To walk around a vertex is to wait for one halfedge after the other; a list is read at once. To
-//! make the lists, some vertices are walked around side by side, so that their waits overlap.
+//! A walk around a vertex waits for memory at each halfedge; a list is contiguous. To make the
+//! lists, several vertices are walked around in step, so that their waits overlap.
 
 use std::ops::Range;
 
@@ -10,19 +10,19 @@ use super::connectivity::Mesh;
 use super::id::{HalfedgeId, VertexId};
 use super::parallel;
 
-/// For each vertex the vertices where its spokes end, in the order of [`Mesh::spokes`] (compressed
-/// sparse rows). An erased or isolated vertex has none.
+/// For each vertex the targets of its spokes, in the order of [`Mesh::spokes`] (compressed sparse
+/// rows). An erased or isolated vertex has none.
 #[derive(Debug)]
 pub(crate) struct Adjacency {
-    /// Where the list of each vertex begins, and at last where all end.
+    /// The start of the list of each vertex, and at last the end of all lists.
     starts: Vec<u32>,
     neighbors: Vec<u32>,
 }
 
-/// The number of vertices that are walked around side by side.
+/// The number of vertices that are walked around in step.
 const LANES: usize = 8;
 
-/// The number of neighbors up to which that is done.
+/// The greatest degree up to which that is done.
 const FEW: usize = 16;
 
 /// The fewest vertices that are worth a thread.
@@ -33,17 +33,17 @@ const LEAST: usize = 10_000;
 struct Lane {
     start: HalfedgeId,
     at: HalfedgeId,
-    /// The twin of `at`, as the step there tells.
+    /// The twin that `at` should have, according to the step that led to it.
     twin: HalfedgeId,
     count: usize,
-    /// The neighbors after the first, and at last the first.
+    /// The neighbors from the second on, and at last the first.
     found: [u32; FEW],
     is_done: bool,
 }
 
 impl Adjacency {
-    /// The lists of a mesh; `None` if its pointers do not lead around all vertices, or there is no
-    /// memory.
+    /// The lists of a mesh; `None` if its pointers do not lead around all vertices, or memory runs
+    /// out.
     pub(crate) fn of(mesh: &Mesh) -> Option<Self> {
         let parts = parallel::parts(mesh.vertices.len(), LEAST);
         let lists = parallel::map(parts, |range| Self::of_range(mesh, range));
@@ -61,7 +61,7 @@ impl Adjacency {
         Some(all)
     }
 
-    /// The most bytes that the lists of a mesh take.
+    /// An upper bound on the bytes that the lists of a mesh take.
     pub(crate) fn bytes(mesh: &Mesh) -> usize {
         (mesh.vertices.len() + 1 + mesh.halfedges.len()) * size_of::<u32>()
     }
@@ -71,7 +71,7 @@ impl Adjacency {
         self.starts.len() - 1
     }
 
-    /// Where the lists begin, and the neighbors in them.
+    /// Pointers to the starts of the lists and to the neighbors.
     pub(crate) fn tables(&self) -> [*const u32; 2] {
         [self.starts.as_ptr(), self.neighbors.as_ptr()]
     }
@@ -79,7 +79,7 @@ impl Adjacency {
     fn of_range(mesh: &Mesh, range: Range<usize>) -> Option<Self> {
         let (mut starts, mut neighbors) = (Vec::new(), Vec::new());
         starts.try_reserve_exact(range.len() + 1).ok()?;
-        // Most vertices have six.
+        // Most vertices have six neighbors.
         neighbors.try_reserve(6 * range.len()).ok()?;
         starts.push(0);
         for some in mesh.vertices[range].chunks(LANES) {
@@ -123,12 +123,12 @@ impl Lane {
         Some(())
     }
 
-    /// Appends what it has found.
+    /// Appends the neighbors that were found.
     fn give(&self, mesh: &Mesh, to: &mut Vec<u32>) -> Option<()> {
         let begin = to.len();
         if self.at == self.start {
             to.try_reserve(self.count).ok()?;
-            // The halfedge where it began is known only now.
+            // The twin that the first halfedge should have is known only now.
             if self.count > 0 && mesh.halfedges.get(self.start.index())?.twin != self.twin {
                 return None;
             }
@@ -138,7 +138,7 @@ impl Lane {
             for spoke in mesh.spokes_from(self.start) {
                 to.try_reserve(1).ok()?;
                 to.push(mesh.get_vertex(mesh.get_twin(spoke)?)?.0);
-                // Of a mesh in order there are no more.
+                // A valid mesh has no more.
                 if to.len() > mesh.halfedges.len() {
                     return None;
                 }

@@ -1,4 +1,4 @@
-//! Allocation of elements, and their erasure.
+//! Allocation and erasure of elements.
 //!
 //! An erased element leaves its slot *pending*: nothing reuses it until [`Mesh::recycle`]
 //! says that no one still holds the id. After that the slot is free, and the next
@@ -45,7 +45,7 @@ impl Mesh {
         id
     }
 
-    /// Marks the vertex dead. Erasing twice is erasing once.
+    /// Marks the vertex dead. Erasing it again has no effect.
     pub fn erase_vertex(&mut self, v: VertexId) {
         if self.vertex_alive(v) {
             if self.journal.is_open() {
@@ -92,8 +92,8 @@ impl Mesh {
         }
     }
 
-    /// Frees the slots of everything erased so far. The caller knows that no one still
-    /// holds an id of those. While a journal is open, one might, and nothing is freed.
+    /// Frees the slots of everything erased so far. The caller must know that no one still holds an
+    /// id of those. An open journal may, so while one is open, nothing is freed.
     pub fn recycle(&mut self) {
         if self.journal.may_roll_back() {
             return;
@@ -106,7 +106,7 @@ impl Mesh {
         }
     }
 
-    /// The elements that have been erased and not recycled, in the order in which it was.
+    /// The elements that have been erased and not recycled, in the order of erasure.
     pub fn erased(&self, kind: ElementKind) -> &[u32] {
         &self.slots[kind as usize].pending
     }
@@ -121,8 +121,8 @@ impl Mesh {
         )
     }
 
-    /// True if so many new elements can be put behind all others, by kind: no slot is free, and no
-    /// journal notes it.
+    /// True if the given numbers of new elements, by kind, can be appended to the tables: no slot
+    /// is free, and no journal or history notes writes.
     #[cfg(feature = "native")]
     #[inline]
     pub(crate) fn can_append(&self, counts: [usize; 4]) -> bool {
@@ -134,8 +134,8 @@ impl Mesh {
             })
     }
 
-    /// Adds so many new elements behind all others, as the `add_` functions do one by one, where that
-    /// can be: the number of the first.
+    /// Appends `count` new elements to a table, as that many calls of its `add_` function would,
+    /// and returns the number of the first. Requires [`Mesh::can_append`].
     #[cfg(feature = "native")]
     #[inline]
     pub(crate) fn append(&mut self, kind: ElementKind, count: usize) -> u32 {
@@ -157,8 +157,8 @@ impl Mesh {
         first as u32
     }
 
-    /// A free slot, or the one after the last. The caller has asked `can_add` where
-    /// the id space could run out.
+    /// A free slot, or the one after the last. The caller has checked `can_add` where the id space
+    /// could run out.
     #[inline]
     fn take_slot(&mut self, kind: ElementKind) -> u32 {
         let new = self.capacity(kind);
@@ -184,7 +184,7 @@ impl Mesh {
     }
 }
 
-/// Writes a record to its slot, which is in the table or the one after its end.
+/// Writes a record to its slot, which is in the table or one past its end.
 #[inline]
 fn put<T>(table: &mut Vec<T>, index: usize, record: T) {
     match table.get_mut(index) {

@@ -1,4 +1,4 @@
-//! Meshes as arrays: the list of positions and polygons that other programs know.
+//! Meshes as arrays: lists of positions and polygons, as other programs use them.
 
 use std::fmt;
 
@@ -11,11 +11,11 @@ use super::polygons::Polygons;
 use super::records::HalfedgeRecord;
 
 impl Mesh {
-    /// The mesh of a list of triangles by the numbers of their corners, counterclockwise. Vertex
-    /// `i` is number `i` of the list, and so are faces.
+    /// The mesh of a list of triangles, each the indices of its corners, counterclockwise. Vertices
+    /// and faces are numbered as in the lists.
     ///
     /// # Errors
-    /// The list is no mesh: see [`BuildError`].
+    /// The list is not a mesh: see [`BuildError`].
     pub fn from_triangles(
         positions: &[[f64; 3]],
         triangles: &[[u32; 3]],
@@ -24,8 +24,8 @@ impl Mesh {
         Self::from_owned_polygons(positions, &Polygons::from_triangles(triangles))
     }
 
-    /// The positions of all living vertices, and the polygons of all faces that are no holes, in
-    /// the order of their ids, by places in the list of positions.
+    /// The positions of all living vertices, and the polygons of all faces that are not holes, in
+    /// the order of their ids. Corners are indices into the list of positions.
     pub fn to_polygons(&self) -> (Vec<DVec3>, Polygons) {
         let mut numbers = vec![0; self.capacity(ElementKind::Vertex)];
         let mut positions = Vec::with_capacity(self.vertex_count());
@@ -44,10 +44,10 @@ impl Mesh {
         (positions, polygons)
     }
 
-    /// The positions of the living vertices and the triangles, as [`Mesh::to_polygons`] has them.
+    /// The positions of the living vertices and the triangles, as in [`Mesh::to_polygons`].
     ///
     /// # Errors
-    /// The first face that has not three sides.
+    /// The first face that does not have three sides.
     #[allow(clippy::type_complexity)]
     pub fn to_triangles(&self) -> Result<(Vec<[f64; 3]>, Vec<[u32; 3]>), NotATriangle> {
         let (positions, polygons) = self.to_polygons();
@@ -59,19 +59,19 @@ impl Mesh {
         Ok((positions, triangles.collect::<Result<_, _>>()?))
     }
 
-    /// The positions of all slots of vertices, living or dead: the place is the id.
+    /// The positions of all vertex slots, living or dead, indexed by id.
     pub fn positions(&self) -> &[DVec3] {
         &self.positions
     }
 
-    /// The pointers of all slots of halfedges, living or dead: the place is the id. What is not
-    /// alive ([`Mesh::halfedge_alive`]) has no meaning.
+    /// The records of all halfedge slots, living or dead, indexed by id. Those that are not alive
+    /// ([`Mesh::halfedge_alive`]) have no meaning.
     pub fn halfedge_records(&self) -> &[HalfedgeRecord] {
         &self.halfedges
     }
 }
 
-/// A face that has not three sides.
+/// A face that does not have three sides.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NotATriangle(pub FaceId);
 

@@ -1,9 +1,9 @@
 //! Typed columns of attributes, one value per slot of an element kind.
 //!
-//! A column is made with a default; every slot has it until a value is written, and
-//! has it again when the slot is given to a new element. Columns are found by name
-//! once and read by [`ColumnId`] afterwards. Positions are no column: every vertex has
-//! one and the mesh keeps them apart.
+//! A column is made with a default; every slot has it until a value is written, and has it again
+//! when the slot is given to a new element. Columns are found by name once and read by [`ColumnId`]
+//! afterwards. Positions are not a column: every vertex has one, and the mesh stores them
+//! separately.
 
 use std::fmt;
 use std::hint::black_box;
@@ -24,7 +24,7 @@ pub trait Attribute: Copy + Sized {
     fn slice_mut(data: &mut ColumnData) -> Option<&mut [Self]>;
 }
 
-/// Declares the attribute types: one line makes a value, a column and the ways between.
+/// Declares the attribute types: one line makes a value, a column and the conversions.
 macro_rules! attribute_types {
     ($($variant:ident($type:ty) $name:literal;)*) => {
         /// The type of a column.
@@ -40,7 +40,7 @@ macro_rules! attribute_types {
         pub enum ColumnData { $($variant(Vec<$type>)),* }
 
         impl AttributeType {
-            /// All of them.
+            /// All types.
             pub const ALL: &'static [Self] = &[$(Self::$variant),*];
 
             pub fn name(self) -> &'static str {
@@ -49,8 +49,8 @@ macro_rules! attribute_types {
         }
 
         impl Value {
-            /// The value as one number, to be shown in colour: a vector or matrix by its length, a
-            /// truth value as 0 or 1.
+            /// The value as one number, to be shown in colour: a vector or matrix by its length
+            /// (Frobenius norm), a truth value as 0 or 1.
             pub fn magnitude(self) -> f64 {
                 match self {
                     Self::Bool(holds) => f64::from(u8::from(holds)),
@@ -75,22 +75,22 @@ macro_rules! attribute_types {
                 match self { $(Self::$variant(_) => AttributeType::$variant),* }
             }
 
-            /// The number of them.
+            /// The number of values.
             pub fn len(&self) -> usize {
                 match self { $(Self::$variant(xs) => xs.len()),* }
             }
 
-            /// True if there are none.
+            /// True if there are no values.
             pub fn is_empty(&self) -> bool {
                 self.len() == 0
             }
 
-            /// Shows all values, in order.
+            /// Calls `see` with each value, in order.
             pub fn each(&self, mut see: impl FnMut(Value)) {
                 match self { $(Self::$variant(xs) => xs.iter().for_each(|&x| see(Value::$variant(x)))),* }
             }
 
-            /// Reads a value, so that it is at hand later.
+            /// Reads a value, to bring it into the caches.
             pub(super) fn touch(&self, index: usize) {
                 match self { $(Self::$variant(xs) => { black_box(xs.get(index).copied()); })* }
             }
@@ -99,7 +99,7 @@ macro_rules! attribute_types {
                 match self { $(Self::$variant(xs) => xs.get(index).copied().map(Value::$variant)),* }
             }
 
-            /// False when the index or the type is not the column's.
+            /// Returns false if the index or the type is not the column's.
             pub(super) fn set(&mut self, index: usize, value: Value) -> bool {
                 match (self, value) {
                     $((Self::$variant(xs), Value::$variant(x)) => match xs.get_mut(index) {
@@ -117,12 +117,12 @@ macro_rules! attribute_types {
                 }
             }
 
-            /// Makes room for so many more values; whether it could.
+            /// Reserves room for `more` further values; false if there is no memory.
             pub(super) fn reserve(&mut self, more: usize) -> bool {
                 match self { $(Self::$variant(xs) => xs.try_reserve_exact(more).is_ok()),* }
             }
 
-            /// The memory that one value takes, and all of them, in bytes.
+            /// The bytes that one value takes, and those that all take.
             fn bytes(&self) -> [usize; 2] {
                 match self {
                     $(Self::$variant(xs) => {
@@ -193,7 +193,7 @@ attribute_types! {
 }
 
 impl AttributeType {
-    /// The number of numbers a value that is made of.
+    /// The number of components of a value.
     pub fn width(self) -> usize {
         match self {
             Self::Bool | Self::Int | Self::Real => 1,
@@ -207,7 +207,7 @@ impl AttributeType {
 }
 
 impl Value {
-    /// The reals a value is made of, matrices column by column; none of a bool or an int.
+    /// The reals that make up a value, matrices column by column; none for a bool or an int.
     pub fn reals(&self) -> &[f64] {
         match self {
             Self::Bool(_) | Self::Int(_) => &[],
@@ -220,8 +220,8 @@ impl Value {
         }
     }
 
-    /// The value that is made of these reals, the other way around from [`Value::reals`];
-    /// `None` if they are too many or too few, or the type is not made of reals.
+    /// The value made of these reals, the inverse of [`Value::reals`]; `None` if they are too many
+    /// or too few, or the type is not made of reals.
     pub fn from_reals(ty: AttributeType, reals: &[f64]) -> Option<Self> {
         match (ty, reals) {
             (AttributeType::Real, &[x]) => Some(Self::Real(x)),
@@ -267,7 +267,7 @@ pub struct ColumnId {
     pub(super) place: u32,
 }
 
-/// A column of that name is there already, with values of another type.
+/// A column of that name exists already, with values of another type.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ColumnConflict {
     pub kind: ElementKind,
@@ -302,8 +302,8 @@ impl Column {
         self.default.attribute_type()
     }
 
-    /// True if a program can say the name. Columns with other names are scratch and bookkeeping,
-    /// and go into no file.
+    /// True if a program can contain the name. Columns with other names are scratch or bookkeeping,
+    /// and are not written to files.
     pub fn is_sayable(&self) -> bool {
         let of_name = |c: char| c.is_alphanumeric() || c == '_' || c == '\'';
         self.name.chars().all(of_name)
@@ -332,17 +332,17 @@ impl Columns {
         }
     }
 
-    /// The memory that they take, in bytes.
+    /// The bytes that the columns take.
     pub(super) fn bytes(&self) -> usize {
         self.0.iter().map(|column| column.data.bytes()[1]).sum()
     }
 
-    /// The memory that the values of one element take.
+    /// The bytes that the values of one element take.
     pub(super) fn bytes_of_one(&self) -> usize {
         self.0.iter().map(|column| column.data.bytes()[0]).sum()
     }
 
-    /// Makes room for so many more values in each; whether it could.
+    /// Reserves room for `more` further values in each column; false if there is no memory.
     pub(super) fn reserve(&mut self, more: usize) -> bool {
         self.0.iter_mut().all(|column| column.data.reserve(more))
     }

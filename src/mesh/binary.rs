@@ -1,7 +1,7 @@
-//! Meshes as bytes: all tables as they are, so that what is done next gives the same ids.
+//! Meshes as bytes: all tables as they are, so that later operations allocate the same ids.
 //!
-//! A dump is a text to read, and gives the slots of erased elements back in any order; this is for
-//! programs that send a mesh to another process, or keep it for later.
+//! A dump is readable text, and does not keep the order in which erased slots are reused; this
+//! format is for programs that send a mesh to another process or store it.
 //!
 //! ```text
 //! magic, version, checksum of all that follows
@@ -13,8 +13,8 @@
 //! number of columns; each: kind, name, type, default, values
 //! ```
 //!
-//! Numbers are little-endian. Nothing is believed: bytes from anywhere become a valid mesh or an
-//! error, and never more memory than they are long.
+//! Numbers are little-endian. The input is not trusted: any bytes give a valid mesh or an error,
+//! and take memory in proportion to their length.
 
 use std::fmt;
 
@@ -35,18 +35,18 @@ const VERSION: u32 = 1;
 /// The greatest number of attributes that are read.
 const MOST_COLUMNS: u32 = 1 << 12;
 
-/// The reason why bytes are no mesh.
+/// The reason why bytes are not a mesh.
 #[derive(Clone, Debug, PartialEq)]
 pub enum BinaryError {
-    /// They are something else.
+    /// They do not begin with the magic number.
     NotAMesh,
-    /// They are of another version; this one.
+    /// They have this version of the format, which cannot be read.
     Version(u32),
-    /// They end too early, or have been changed on their way.
+    /// They end too early, or their checksum does not match.
     Damaged,
-    /// They say something that cannot be, in words.
+    /// Their content is inconsistent; the text says how.
     Malformed(&'static str),
-    /// The tables are in order, but no mesh.
+    /// The tables can be read, but are not a valid mesh.
     Invalid(Invalid),
 }
 
@@ -66,8 +66,8 @@ impl fmt::Display for BinaryError {
 
 impl std::error::Error for BinaryError {}
 
-/// The sum of bytes that tells damage: Fletcher's, over words of four bytes (J. Fletcher, "An
-/// Arithmetic Checksum for Serial Transmissions", 1982). It is no protection against intent.
+/// A checksum that detects damage: Fletcher's, over words of four bytes (J. Fletcher, "An
+/// Arithmetic Checksum for Serial Transmissions", 1982). It does not protect against forgery.
 fn checksum(bytes: &[u8]) -> u64 {
     let (words, rest) = bytes.as_chunks::<4>();
     let mut last = [0; 4];
@@ -80,7 +80,7 @@ fn checksum(bytes: &[u8]) -> u64 {
     sum ^ sums.rotate_left(32)
 }
 
-/// The bytes of a mesh. Journals that are open are not among them.
+/// The bytes of a mesh. Open journals are not included.
 pub fn write_bytes(mesh: &Mesh) -> Vec<u8> {
     let mut bytes = Vec::with_capacity(64 + 32 * mesh.halfedges.len() + 32 * mesh.vertices.len());
     bytes.extend(MAGIC);
@@ -140,10 +140,10 @@ fn put_value(bytes: &mut Vec<u8>, value: Value) {
     }
 }
 
-/// The mesh of bytes.
+/// Reads a mesh from its bytes.
 ///
 /// # Errors
-/// They are not those of a valid mesh: see [`BinaryError`].
+/// The bytes are not those of a valid mesh: see [`BinaryError`].
 pub fn read_bytes(bytes: &[u8]) -> Result<Mesh, BinaryError> {
     let mut reader = Reader(bytes);
     if reader.take::<8>().is_none_or(|magic| magic != MAGIC) {
@@ -186,7 +186,7 @@ impl<'b> Reader<'b> {
         Some(first)
     }
 
-    /// So many values of so many bytes each.
+    /// The next `values` values, of `COUNT` bytes each.
     fn all<const COUNT: usize>(&mut self, values: usize) -> Result<&'b [[u8; COUNT]], BinaryError> {
         let length = values.checked_mul(COUNT).ok_or(BinaryError::Damaged)?;
         let bytes = self.bytes(length).ok_or(BinaryError::Damaged)?;
@@ -256,7 +256,8 @@ impl<'b> Reader<'b> {
         Ok(mesh)
     }
 
-    /// The slots of a kind that have no element: all of them, each once.
+    /// Reads the slots of a kind that have no element; together the lists must have each of them
+    /// once.
     fn slots(&mut self, mesh: &mut Mesh, kind: ElementKind) -> Result<(), BinaryError> {
         let wrong =
             || BinaryError::Malformed("the lists of free slots are not those without elements");

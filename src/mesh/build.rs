@@ -1,13 +1,12 @@
-//! Making a mesh from a list of polygons.
+//! Construction of a mesh from a list of polygons.
 //!
-//! Corner `i` of the list becomes halfedge `i`, polygon `i` becomes face `i`, vertex `i`
-//! stays vertex `i`. Twins are found by sorting the halfedges into one bucket per
-//! vertex, the smaller of their ends, and each small bucket by the larger end; there is
-//! no map of edges. What is left without a twin runs along a boundary: it gets a new
-//! one, and these close to holes, whose ids come after those of the polygons.
+//! Corner `i` of the list becomes halfedge `i`, polygon `i` becomes face `i`, vertex `i` stays
+//! vertex `i`. Twins are found by sorting the halfedges into one bucket per vertex, the smaller of
+//! their ends, and each small bucket by the larger end; there is no map of edges. A halfedge left
+//! without a twin runs along a boundary: it gets a new one, and these new ones form holes, whose
+//! ids come after those of the polygons.
 //!
-//! The list is either a mesh, or refused with the first place where it is none:
-//! nothing is repaired here.
+//! A list that is not a mesh is rejected with the first fault found; nothing is repaired here.
 
 use std::sync::atomic::AtomicU32;
 use std::sync::atomic::Ordering::Relaxed;
@@ -29,7 +28,7 @@ impl Mesh {
         Self::from_owned_polygons(positions.to_vec(), polygons)
     }
 
-    /// As [`Mesh::from_polygons`], taking the positions over instead of copying them.
+    /// As [`Mesh::from_polygons`], but takes the positions instead of copying them.
     pub fn from_owned_polygons(
         positions: Vec<DVec3>,
         polygons: &Polygons,
@@ -37,7 +36,7 @@ impl Mesh {
         Self::build(positions, polygons).map_err(|(error, _)| error)
     }
 
-    /// As [`Mesh::from_owned_polygons`], giving the positions back if there is no mesh.
+    /// As [`Mesh::from_owned_polygons`], but returns the positions if there is no mesh.
     pub(super) fn build(
         positions: Vec<DVec3>,
         polygons: &Polygons,
@@ -53,15 +52,16 @@ impl Mesh {
         }
     }
 
-    /// True if the mesh is what the list of its polygons says, so that files of polygons can hold
-    /// it. A surface whose edges differ in their ends is; of other meshes the list is read again.
+    /// True if the list of its polygons determines the mesh, so that files of polygons can hold it.
+    /// This is so for a surface in which no two edges have the same ends; other meshes are rebuilt
+    /// from their list and compared.
     pub fn is_polygons(&self) -> bool {
         if is_surface_of_single_edges(self) {
             return true;
         }
         let (positions, polygons) = self.to_polygons();
-        // The list has an edge for each pair of corners in a row. Where the mesh has no more,
-        // each of its edges is one of these, and all else follows.
+        // The list gives an edge for each pair of consecutive corners. If the mesh has no more,
+        // each of its edges is one of these, and the rest follows.
         let rebuilt = Self::from_owned_polygons(positions, &polygons);
         rebuilt.is_ok_and(|rebuilt| rebuilt.edge_count() == self.edge_count())
     }
@@ -98,7 +98,7 @@ fn check_polygons(positions: &[DVec3], polygons: &Polygons) -> Result<(), BuildE
 }
 
 impl BuildError {
-    /// The fault of a polygon by itself. `sorted` is room to work in.
+    /// The fault of a single polygon. `sorted` is scratch space.
     pub(super) fn of_polygon(
         polygon: usize,
         corners: &[u32],
@@ -124,7 +124,7 @@ impl BuildError {
     }
 }
 
-/// A corner that comes twice. `sorted` is room to work in.
+/// A corner that occurs twice. `sorted` is scratch space.
 fn repeated(corners: &[u32], sorted: &mut Vec<u32>) -> Option<u32> {
     if corners.len() <= 8 {
         let earlier = |(i, v): (usize, &u32)| corners[..i].contains(v).then_some(*v);
@@ -139,11 +139,11 @@ fn repeated(corners: &[u32], sorted: &mut Vec<u32>) -> Option<u32> {
 /// The fewest elements that are worth a thread.
 const LEAST: usize = 4096;
 
-/// A mesh on its way. Halfedges are numbers here: the inner ones, one for each corner, and behind
-/// them the outer ones along the boundary. Their records are made last, when all is known.
+/// A mesh under construction. Halfedges are numbers here: first the inner ones, one for each
+/// corner, then the outer ones along the boundary. Their records are made last, when all is known.
 struct Builder<'p> {
     loops: Loops<'p>,
-    /// The twins of the inner halfedges, [`NONE`] along the boundary until it has its own.
+    /// The twins of the inner halfedges; [`NONE`] along the boundary until outer ones are made.
     twins: Vec<AtomicU32>,
     /// The twins of the outer halfedges.
     boundary: Vec<u32>,
@@ -155,7 +155,7 @@ struct Builder<'p> {
 /// The loops of outer halfedges.
 #[derive(Default)]
 struct Holes {
-    /// What follows each outer halfedge, what is before it, and its hole.
+    /// The next, the previous and the hole of each outer halfedge.
     next: Vec<u32>,
     prev: Vec<u32>,
     hole: Vec<u32>,
@@ -194,11 +194,12 @@ impl<'p> Builder<'p> {
         }
     }
 
-    /// Pairs the halfedges that run between the same vertices, and finds the first of each vertex.
+    /// Pairs the halfedges that run between the same vertices, and finds the first halfedge of each
+    /// vertex.
     fn find_twins(&mut self) -> Result<(), BuildError> {
         let inner = self.inner();
         self.twins = parallel::collect(inner, LEAST, |_| AtomicU32::new(NONE));
-        // Each part of the vertices goes through all sides for its own.
+        // Each task scans all sides for those of its range of vertices.
         let firsts = parallel::map(Sides::parts(self.vertices.len(), inner), |part| {
             let sides = Sides::gather(&self.loops, part.clone());
             sides.edges().try_for_each(|edge| self.join(edge))?;
@@ -214,8 +215,8 @@ impl<'p> Builder<'p> {
         Ok(())
     }
 
-    /// Makes twins of the halfedges that run between the same two vertices, if they are
-    /// two; one alone stays without.
+    /// Makes twins of two halfedges that run between the same two vertices; a single one stays
+    /// without a twin.
     fn join(&self, edge: &[(u32, u32)]) -> Result<(), BuildError> {
         let polygon = |h: u32| self.loops.polygon(h) as usize;
         match *edge {
@@ -243,7 +244,7 @@ impl<'p> Builder<'p> {
         self.loops.polygon(outer.map_or(h, |outer| self.boundary[outer])) as usize
     }
 
-    /// Gives the halfedges along the boundary their twins, and closes these to holes.
+    /// Makes twins for the halfedges along the boundary, and links these into holes.
     fn close_holes(&mut self) -> Result<(), BuildError> {
         let inner = self.inner();
         let boundary = parallel::map(parallel::parts(inner, LEAST), |part| {
@@ -282,9 +283,10 @@ impl<'p> Builder<'p> {
         Ok(())
     }
 
-    /// Checks that each vertex's halfedge reaches all the others.
+    /// Checks that the halfedge of each vertex reaches all others that start there.
     fn check_fans(&self) -> Result<(), BuildError> {
-        // A walk stays at its vertex, so the walks reach all halfedges together or miss some.
+        // A walk stays at its vertex, so either the walks together reach all halfedges or some are
+        // missed.
         let reached = parallel::map(parallel::parts(self.vertices.len(), LEAST), |part| {
             let mut reached = 0;
             self.vertices[part].iter().for_each(|&first| self.walk(first, |_| reached += 1));
@@ -394,7 +396,7 @@ impl Builder<'_> {
         }
     }
 
-    /// All records, of polygons with `N` corners each: as [`Self::record`], polygon by polygon.
+    /// All records, for polygons with `N` corners each: as [`Self::record`], polygon by polygon.
     fn records_of_alike<const N: usize>(&self, edges: &EdgeNumbers) -> Vec<HalfedgeRecord> {
         let (corners, _) = self.loops.corners().as_chunks::<N>();
         let (twins, _) = self.twins.as_chunks::<N>();
@@ -425,7 +427,7 @@ impl Builder<'_> {
     }
 }
 
-/// Numbers of edges: by the first of their halfedges.
+/// The numbers of the edges, in the order of their first halfedges.
 struct EdgeNumbers {
     /// A bit for each halfedge that is the first of its edge.
     bits: Vec<u64>,

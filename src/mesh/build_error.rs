@@ -1,4 +1,4 @@
-//! Reasons why a list of polygons is no mesh, in the numbers of the list.
+//! Reasons why a list of polygons is not a mesh, in terms of the list.
 
 use std::fmt;
 
@@ -6,8 +6,8 @@ use glam::DVec3;
 
 use super::id::ElementKind;
 
-/// The reason why a list of polygons is no mesh. Polygons and vertices go by their places in the
-/// lists, from 0.
+/// The reason why a list of polygons is not a mesh. Polygons and vertices are given by their
+/// indices in the lists, from 0.
 #[derive(Clone, Debug, PartialEq)]
 pub enum BuildError {
     TooLarge {
@@ -30,17 +30,17 @@ pub enum BuildError {
         polygon: usize,
         vertex: u32,
     },
-    /// Three polygons or more at one edge; the first three.
+    /// Three or more polygons share an edge; the first three.
     EdgeUsedThrice {
         ends: [u32; 2],
         polygons: [usize; 3],
     },
-    /// Two polygons have the same corners in the same order. Only [`Faults`](super::Faults) tells it
-    /// from [`Self::SameDirection`].
+    /// Two polygons have the same corners in the same order. Only [`Faults`](super::Faults)
+    /// distinguishes it from [`Self::SameDirection`].
     Doubled {
         polygons: [usize; 2],
     },
-    /// Two polygons run along an edge the same way: they disagree about which side is up.
+    /// Two polygons run along an edge in the same direction: their orientations disagree.
     SameDirection {
         from: u32,
         to: u32,

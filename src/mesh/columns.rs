@@ -5,8 +5,8 @@ use super::connectivity::Mesh;
 use super::id::ElementKind;
 
 impl Mesh {
-    /// Adds a column with `default` in every slot. If one of that name and type is
-    /// there, it is returned as it stands.
+    /// Adds a column with `default` in every slot. If there is one of that name and type, returns
+    /// it unchanged.
     pub fn add_column(
         &mut self,
         kind: ElementKind,
@@ -22,7 +22,7 @@ impl Mesh {
             };
         }
         let mut data = default.column(self.capacity(kind));
-        // It grows with the tables.
+        // Room for as many values as the tables have room for elements.
         data.reserve(self.reserved(kind));
         let columns = &mut self.columns[kind as usize].0;
         columns.push(Column { name: name.to_owned(), default, data });
@@ -31,8 +31,8 @@ impl Mesh {
         Ok(id)
     }
 
-    /// Says what new elements get from now on. False, and nothing changed, when the type is
-    /// not the column's.
+    /// Sets the value that new elements get. Returns false, and changes nothing, if the type is not
+    /// the column's.
     #[must_use]
     pub fn set_default(&mut self, id: ColumnId, default: Value) -> bool {
         self.note_default(id);
@@ -46,21 +46,21 @@ impl Mesh {
         }
     }
 
-    /// Puts the default into every slot. No journal notes it: it is for scratch.
+    /// Fills every slot with the default, without a note in the journal: for scratch columns.
     pub(crate) fn clear_column(&mut self, id: ColumnId) {
         if let Some(column) = self.columns[id.kind as usize].0.get_mut(id.place as usize) {
             column.data.fill(column.default);
         }
     }
 
-    /// Takes a column away. Ids of other columns of its kind mean nothing any more.
+    /// Removes a column. Ids of other columns of its kind are invalid afterwards.
     pub fn remove_column(&mut self, id: ColumnId) {
         if let Some(column) = self.take_column(id) {
             self.note_removed(id, column);
         }
     }
 
-    /// Takes a column away; nobody notes it.
+    /// Removes a column, without a note in the journal.
     pub(super) fn take_column(&mut self, id: ColumnId) -> Option<Column> {
         let columns = &mut self.columns[id.kind as usize].0;
         (columns.len() > id.place as usize).then(|| columns.remove(id.place as usize))
@@ -77,14 +77,14 @@ impl Mesh {
         columns.map(move |(place, column)| (ColumnId { kind, place: place as u32 }, column))
     }
 
-    /// The columns of all kinds that go into files.
+    /// The columns of all kinds that are written to files.
     pub fn sayable_columns(&self) -> impl Iterator<Item = (ColumnId, &Column)> {
         let all = ElementKind::ALL.into_iter();
         let all = all.flat_map(|kind| self.columns(kind));
         all.filter(|(_, column)| column.is_sayable())
     }
 
-    /// `None` for the column of another mesh that this one does not have.
+    /// The column; `None` if the id is one of another mesh and this one has no such column.
     pub fn column(&self, id: ColumnId) -> Option<&Column> {
         self.columns[id.kind as usize].0.get(id.place as usize)
     }
@@ -97,8 +97,8 @@ impl Mesh {
         self.column(id)?.data.get(index as usize)
     }
 
-    /// Writes the value of a living element. False, and nothing written, when the
-    /// element does not live or the type is not the column's.
+    /// Writes the value of a living element. Returns false, and writes nothing, if the element is
+    /// not alive or the type is not the column's.
     #[must_use]
     pub fn set_value(&mut self, id: ColumnId, index: u32, value: Value) -> bool {
         self.note_value(id, index);
@@ -114,15 +114,16 @@ impl Mesh {
         self.column(id)?.data.get(index as usize)
     }
 
-    /// Writes to a slot, living or dead; nothing if there is none, or of another type.
+    /// Writes to a slot, living or dead; does nothing if there is none or the type is another. Not
+    /// noted in the journal.
     pub(super) fn put_value(&mut self, id: ColumnId, index: u32, value: Value) {
         if let Some(column) = self.columns[id.kind as usize].0.get_mut(id.place as usize) {
             column.data.set(index as usize, value);
         }
     }
 
-    /// Gives a column all its values, one for each slot; nothing if they are of another type or
-    /// number.
+    /// Replaces all values of a column, one for each slot; does nothing if their type or number is
+    /// another.
     pub fn set_values(&mut self, id: ColumnId, data: ColumnData) {
         let fits = |column: &Column| {
             column.attribute_type() == data.attribute_type() && column.data.len() == data.len()
@@ -133,42 +134,41 @@ impl Mesh {
         }
     }
 
-    /// Puts the values of a column back.
+    /// Replaces all values of a column, without a note in the journal.
     pub(super) fn put_values(&mut self, id: ColumnId, data: ColumnData) {
         if let Some(column) = self.columns[id.kind as usize].0.get_mut(id.place as usize) {
             column.data = data;
         }
     }
 
-    /// Exchanges all values of a column.
+    /// Exchanges all values of a column with `data`.
     pub(super) fn swap_values(&mut self, id: ColumnId, data: &mut ColumnData) {
         if let Some(column) = self.columns[id.kind as usize].0.get_mut(id.place as usize) {
             std::mem::swap(&mut column.data, data);
         }
     }
 
-    /// Exchanges the default of a column.
+    /// Exchanges the default of a column with `default`.
     pub(super) fn swap_default(&mut self, id: ColumnId, default: &mut Value) {
         if let Some(column) = self.columns[id.kind as usize].0.get_mut(id.place as usize) {
             std::mem::swap(&mut column.default, default);
         }
     }
 
-    /// Puts a column back where it was.
+    /// Inserts a column where it was before its removal.
     pub(super) fn put_column(&mut self, id: ColumnId, column: Column) {
         let columns = &mut self.columns[id.kind as usize].0;
         columns.insert(columns.len().min(id.place as usize), column);
     }
 
-    /// All values of a column by slot, dead slots included; `None` when the type is
-    /// another.
+    /// All values of a column by slot, dead slots included; `None` if the type is another.
     #[inline]
     pub fn values<T: Attribute>(&self, id: ColumnId) -> Option<&[T]> {
         T::slice(&self.column(id)?.data)
     }
 
-    /// As [`Column::data`], after a call of [`Mesh::note_value`]; `None` for the column of
-    /// another mesh.
+    /// The values of a column, for writing. The caller first calls [`Mesh::note_value`] for each
+    /// value that it writes. `None` for the column of another mesh.
     #[doc(hidden)]
     #[inline]
     pub fn column_data_mut(&mut self, id: ColumnId) -> Option<&mut ColumnData> {

@@ -1,11 +1,12 @@
-//! The pieces a mesh falls into: sets of halfedges that `next` and `twin` connect.
+//! The pieces of a mesh: its connected components, sets of halfedges connected by `next` and
+//! `twin`.
 //!
 //! An isolated vertex belongs to no piece.
 
 use super::connectivity::Mesh;
 use super::id::{ElementKind, HalfedgeId};
 
-/// The halfedges of each piece. On any table; pieces come in the order of their first
+/// The halfedges of each piece, also of a broken mesh. Pieces are in the order of their first
 /// halfedges.
 pub(super) fn components(mesh: &Mesh) -> Vec<Vec<HalfedgeId>> {
     let mut seen = vec![false; mesh.capacity(ElementKind::Halfedge)];

@@ -1,6 +1,6 @@
 //! The tables of a mesh and the pointers in them.
 //!
-//! This file keeps tables, not laws; `validate` tells whether they are in order.
+//! Nothing is checked here; `validate` tells whether the tables are in order.
 
 use glam::DVec3;
 
@@ -35,8 +35,8 @@ impl Mesh {
         }
     }
 
-    /// The number of slots, living or dead; every living id is below it. For faces it
-    /// spans faces and holes.
+    /// The number of slots, living or dead; every living id is below it. For faces it includes
+    /// holes.
     #[inline]
     pub fn capacity(&self, kind: ElementKind) -> usize {
         match kind {
@@ -69,7 +69,7 @@ impl Mesh {
     }
 }
 
-/// Life.
+/// Which elements are alive.
 impl Mesh {
     /// True if `index` is the number of a living element. Holes count as faces here.
     pub fn is_alive(&self, kind: ElementKind, index: u32) -> bool {

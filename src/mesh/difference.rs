@@ -1,5 +1,5 @@
-//! Differences between two meshes, in the order in which a person would look: how many elements
-//! there are, where vertices lie, which edges and faces are between them.
+//! Differences between two meshes, in the order in which a person would look for them: the numbers
+//! of elements, the positions of vertices, the edges and faces between these.
 
 use std::collections::{HashMap, HashSet};
 use std::fmt;
@@ -9,14 +9,14 @@ use glam::DVec3;
 use super::connectivity::Mesh;
 use super::id::{EdgeId, FaceId, VertexId};
 
-/// The first difference between two meshes, told of the first one.
+/// The first difference between two meshes, in terms of the first mesh.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Difference {
-    /// There are more or fewer of some elements.
+    /// The numbers of some elements differ.
     Counts(Vec<Count>),
     /// Vertices lie where the other mesh has none.
     Elsewhere {
-        /// The number of them.
+        /// The number of these vertices.
         vertices: usize,
         /// The first of them.
         first: VertexId,
@@ -30,16 +30,16 @@ pub enum Difference {
         /// Its position.
         position: DVec3,
     },
-    /// The other mesh has no edge between such ends.
+    /// The other mesh has no edge between the corresponding vertices.
     Edge(EdgeId, [VertexId; 2]),
-    /// The other mesh has no such face, or hole, between such corners.
+    /// The other mesh has no such face, or hole, with the corresponding corners.
     Face(FaceId, Vec<VertexId>),
-    /// Vertices, edges and faces are the same, but hang together in another way; or vertices lie
-    /// on one another, so that nothing can be told apart by where it is.
+    /// Vertices, edges and faces are the same, but connected differently; or vertices coincide, so
+    /// that elements cannot be told apart by position.
     Connected,
 }
 
-/// Two numbers of elements, of the one mesh and the other.
+/// The numbers of some elements in the two meshes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Count {
     what: &'static str,
@@ -93,8 +93,8 @@ impl fmt::Display for Difference {
     }
 }
 
-/// The first difference between two meshes of which it is known that they are not the same,
-/// where each coordinate may be off by `tolerance`.
+/// The first difference between two meshes that are known not to be the same, where each coordinate
+/// may be off by `tolerance`.
 pub fn difference(ours: &Mesh, theirs: &Mesh, tolerance: f64) -> Difference {
     let counts = [
         ("vertices", Mesh::vertex_count as fn(&Mesh) -> usize),
@@ -165,14 +165,14 @@ fn other_face(ours: &Mesh, theirs: &Mesh, partner: &Partners) -> Option<Differen
     Some(Difference::Face(face, ours.face_vertices(face).collect()))
 }
 
-/// The corners of a face, turned so that the least comes first.
+/// The corners of a face, rotated so that the least comes first.
 fn from_the_least(mut corners: Vec<VertexId>) -> Vec<VertexId> {
     let least = (0..corners.len()).min_by_key(|&at| corners[at]);
     corners.rotate_left(least.unwrap_or(0));
     corners
 }
 
-/// The vertices of a mesh by the cell of a grid in which they lie, to find those near a point.
+/// The vertices of a mesh, by the cells of a grid, to find those near a point.
 struct Cells<'m> {
     mesh: &'m Mesh,
     tolerance: f64,
@@ -189,13 +189,14 @@ impl<'m> Cells<'m> {
         cells
     }
 
-    /// A cell is wider than the tolerance, so what is near lies in it or in one beside it.
+    /// The cell of a point. Cells are wider than the tolerance, so vertices near a point lie in its
+    /// cell or an adjacent one.
     fn cell(&self, p: DVec3) -> [i64; 3] {
         let width = 2.0 * self.tolerance.max(f64::MIN_POSITIVE);
         p.to_array().map(|x| (x / width).floor() as i64)
     }
 
-    /// The first vertex that lies near a point.
+    /// The first vertex, by id, that lies near a point.
     fn near(&self, p: DVec3) -> Option<VertexId> {
         let [x, y, z] = self.cell(p);
         let steps = [-1_i64, 0, 1];

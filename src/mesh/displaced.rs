@@ -1,43 +1,44 @@
-//! Values that were left behind: attributes of corners that have moved since they were read.
+//! Stale values: attributes of corners whose halfedges have moved since they were read.
 //!
 //! A texture coordinate belongs to a corner: a vertex in a face. Its halfedge keeps it when an
-//! operation moves the halfedge to another corner, and a new halfedge has the default. Neither
-//! is what the corner should have, unless the operation has set it, or the vertex had that value
-//! in another face as well. So the places and values of a mesh are noted when it is read, and
-//! looked at when it is written. Meshes without such attributes have nothing to note.
+//! operation moves the halfedge to another corner, and a new halfedge has the default. Neither is
+//! the value that the corner should have, unless the operation has set it, or the vertex had that
+//! value in another face as well. So the places and values of a mesh are noted when it is read, and
+//! compared when it is written. Meshes without such attributes have nothing to note.
 
 use super::attribute::{ColumnId, Value};
 use super::connectivity::Mesh;
 use super::id::{ElementKind, FaceId, HalfedgeId, VertexId};
 
-/// The attributes of vertices that belong to a surface, as those of corners do.
+/// The attributes of vertices that describe the surface, as those of corners do.
 const OF_SURFACE: [&str; 3] = ["uv", "normal", "color"];
 
-/// The positions and values of the attributes of corners when a mesh was read, and the values of those
-/// of edges and faces that a program does not know.
+/// The places and attributes of corners when a mesh was read, and the attributes of edges and faces
+/// that the program does not know.
 #[derive(Clone, Debug, Default)]
 pub struct Places {
     columns: Vec<(ColumnId, String, Vec<Option<Value>>)>,
     unknown: Vec<(ColumnId, String, Vec<Option<Value>>)>,
-    /// The vertex and the face of each halfedge that lies in no hole.
+    /// The vertex and the face of each halfedge, `None` in a hole; empty if no halfedge has
+    /// attributes.
     corners: Vec<Option<(VertexId, FaceId)>>,
 }
 
-/// The number of corners of the faces of a mesh have a value of an attribute that that is not
-/// theirs.
+/// The number of corners that have a value of an attribute that is not their own.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Displaced {
     /// The name of the attribute.
     pub attribute: String,
-    /// The corners that have kept the value of a place that they have left.
+    /// The number of corners that have kept the value of a place that they have left.
     pub kept: usize,
-    /// The corners that are new and have the default.
+    /// The number of corners that are new and have the default.
     pub defaulted: usize,
-    /// The number of faces with such corners, of how many.
+    /// The number of faces with such corners, and that of all faces.
     pub faces: [usize; 2],
 }
 
-/// New edges or faces that have the default of an attribute that the file has, and the program not.
+/// New edges or faces that have the default of an attribute that the file has and the program does
+/// not know.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Unset {
     pub kind: ElementKind,
@@ -48,8 +49,8 @@ pub struct Unset {
 }
 
 impl Places {
-    /// Notes the attributes of corners that a mesh has, those of vertices that are written for
-    /// corners, and of edges and faces those that a program does not know by kind and name.
+    /// Notes the attributes of corners, those of vertices that describe the surface, and those of
+    /// edges and faces that a program does not know by kind and name.
     pub fn of(mesh: &Mesh, is_known: impl Fn(ElementKind, &str) -> bool) -> Self {
         let values = |id: ColumnId| {
             let all = 0..mesh.capacity(id.kind) as u32;
@@ -72,15 +73,15 @@ impl Places {
         Self { columns, unknown, corners }
     }
 
-    /// The attributes that some corners have a value of that is not theirs, now that the mesh has
-    /// changed. A value that has been set since counts as theirs.
+    /// The attributes of which some corners have a value that is not their own, now that the mesh
+    /// has changed. A value that has been set since counts as their own.
     pub fn displaced(&self, mesh: &Mesh) -> Vec<Displaced> {
         let columns = self.columns.iter();
         let told = columns.map(|(id, name, values)| self.of_column(mesh, *id, name, values));
         told.filter(|told| told.kept + told.defaulted > 0).collect()
     }
 
-    /// The attributes that new edges or faces have the default of, though nobody has chosen it.
+    /// The attributes of which new edges or faces have the default because nothing has set them.
     pub fn unset(&self, mesh: &Mesh) -> Vec<Unset> {
         let count = |(id, name, values): &(ColumnId, String, Vec<Option<Value>>)| {
             let column = mesh.column(*id).filter(|column| column.name() == name)?;
@@ -99,8 +100,7 @@ impl Places {
         self.unknown.iter().filter_map(count).collect()
     }
 
-    /// The corners that there were, each with the number of its halfedge, in the order of their
-    /// vertices.
+    /// The noted corners, sorted by vertex, each with the index of its halfedge.
     fn by_vertex(&self) -> Vec<(VertexId, usize)> {
         let corners = self.corners.iter().enumerate();
         let corners = corners.filter_map(|(index, corner)| Some(((*corner)?.0, index)));
@@ -145,7 +145,7 @@ impl Places {
                 };
                 let was = values.get(index as usize).copied().flatten();
                 let is = mesh.value(id, index);
-                // A vertex has no other place than its own.
+                // A vertex, unlike a halfedge, cannot move to another place.
                 let is_its_own = match id.kind {
                     ElementKind::Halfedge => place == corner(mesh, h) || had(vertex, is),
                     _ => was == is,
@@ -164,7 +164,7 @@ impl Places {
     }
 }
 
-/// The place of a halfedge that lies in no hole.
+/// The place of a halfedge; `None` if it lies in a hole.
 fn corner(mesh: &Mesh, h: HalfedgeId) -> Option<(VertexId, FaceId)> {
     let face = mesh.get_face(h)?;
     (!mesh.get_is_hole(face)?).then_some((mesh.get_vertex(h)?, face))

@@ -1,14 +1,14 @@
 //! Equality of two meshes up to renumbering.
 //!
-//! That is: there is a way to pair the elements of one mesh with those of the other that
-//! respects every pointer, the holes, and the positions as far as asked. Which halfedge
-//! an element stores as its own is no part of that, nor are attribute columns.
+//! That is: the elements of one mesh can be paired with those of the other such that every pointer,
+//! the holes, and the positions (as far as asked) agree. Which of its halfedges an element stores
+//! is not compared, nor are attribute columns.
 //!
-//! A connected map is rigid: where one halfedge goes, all others follow. So for each
-//! piece of the one mesh a seed is paired with each promising halfedge of the other in
-//! turn, and the two are walked in step until they disagree. A halfedge is promising if
-//! it has the same *color*, a hash of its surroundings (and of positions, if these must
-//! be equal) that renumbering does not change; the seed has the rarest one.
+//! A connected map is rigid: the image of one halfedge determines those of all others. So for each
+//! piece of one mesh, a seed is paired with each promising halfedge of the other in turn, and the
+//! two are walked in step until they disagree. A halfedge is promising if it has the same *color*,
+//! a hash of its surroundings (and of positions, if these must be equal) that does not depend on
+//! the numbering; the seed has the rarest color.
 
 use glam::DVec3;
 
@@ -22,8 +22,8 @@ pub fn equal_up_to_renumbering(a: &Mesh, b: &Mesh) -> bool {
     Comparison { a, b, positions: Positions::Equal }.holds()
 }
 
-/// As [`equal_up_to_renumbering`], but each coordinate may be off by `tolerance`. Where
-/// points lie so close together that several would do, the first is taken.
+/// As [`equal_up_to_renumbering`], but each coordinate may be off by `tolerance`. Where several
+/// points are close enough, the first is taken.
 pub fn same_up_to_renumbering(a: &Mesh, b: &Mesh, tolerance: f64) -> bool {
     Comparison { a, b, positions: Positions::Within(tolerance) }.holds()
 }
@@ -77,7 +77,7 @@ impl Comparison<'_> {
         }
         let mut pairing = Pairing::new(self);
         let mut used = vec![false; theirs.len()];
-        // Being the same is transitive, so a piece may take the first that is.
+        // Equality is transitive (but for a tolerance), so a piece may take the first that matches.
         ours.iter().all(|piece| {
             let first = theirs.partition_point(|p| p.signature < piece.signature);
             let alike = theirs[first..].iter().take_while(|p| p.signature == piece.signature);
@@ -159,13 +159,13 @@ impl Comparison<'_> {
     }
 }
 
-/// Which element of `a` is which of `b`, so far.
+/// The pairs of elements of `a` and `b` so far.
 struct Pairing<'c> {
     comparison: &'c Comparison<'c>,
     tables: [PairTable; 4],
 }
 
-/// The pairs of one kind, both ways, and those made since the last attempt began.
+/// The pairs of one kind, in both directions, and those made since the last attempt began.
 struct PairTable {
     forth: Vec<u32>,
     back: Vec<u32>,
@@ -199,7 +199,7 @@ impl<'c> Pairing<'c> {
         Self { comparison, tables: ElementKind::ALL.map(table) }
     }
 
-    /// Pairs all of one piece with all of another, or nothing.
+    /// Pairs all elements of one piece with all of another, or none.
     fn match_piece(&mut self, ours: &Piece, theirs: &Piece) -> bool {
         let rarest = ours.halfedges.chunk_by(|a, b| a.0 == b.0).min_by_key(|chunk| chunk.len());
         let Some(&[(color, seed), ..]) = rarest else {
@@ -210,7 +210,7 @@ impl<'c> Pairing<'c> {
         alike.into_iter().any(|&(_, candidate)| self.walk(seed, candidate))
     }
 
-    /// Walks both meshes in step from a pair of halfedges. Undone if they disagree.
+    /// Walks both meshes in step from a pair of halfedges. Undoes its pairs if they disagree.
     fn walk(&mut self, seed: HalfedgeId, candidate: HalfedgeId) -> bool {
         let mut open = vec![(seed, candidate)];
         let mut agrees = self.pair(ElementKind::Halfedge, seed.0, candidate.0).is_some();
@@ -236,8 +236,8 @@ impl<'c> Pairing<'c> {
         agrees
     }
 
-    /// As [`PairTable::pair`], of living elements that are alike; what does not live
-    /// agrees with what does not live.
+    /// As [`PairTable::pair`], for living elements that are alike; two ids that are not alive
+    /// agree.
     fn pair(&mut self, kind: ElementKind, x: u32, y: u32) -> Option<bool> {
         let Comparison { a, b, positions } = *self.comparison;
         match (a.is_alive(kind, x), b.is_alive(kind, y)) {

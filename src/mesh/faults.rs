@@ -1,4 +1,4 @@
-//! All that keeps polygons from being a mesh, by kind.
+//! All faults that keep polygons from being a mesh, by kind.
 
 use glam::DVec3;
 
@@ -21,12 +21,13 @@ pub struct FaultKind {
     pub count: usize,
 }
 
-/// The number of faults of a kind that are told.
+/// The number of faults of a kind that are listed.
 const TOLD: usize = 3;
 
 impl Faults {
-    /// Looks for all faults. Polygons that are faulty by themselves, or there twice, are left out where
-    /// those of edges and vertices are looked for, and vertices at faulty edges are not called pinched.
+    /// Finds all faults. Polygons that are faulty in themselves, and repeats of others, are left
+    /// out of the checks of edges and vertices, and vertices at faulty edges are not reported as
+    /// pinched.
     pub fn of(positions: &[DVec3], polygons: &Polygons) -> Self {
         let mut faults = Self { kinds: Vec::new() };
         for (v, &position) in (0..).zip(positions).filter(|(_, at)| !at.is_finite()) {
@@ -98,7 +99,7 @@ impl Faults {
             }
             ends(edge[0].1).into_iter().for_each(|v| at_fault[v as usize] = true);
         }
-        // By the polygons concerned, as one comes upon them in the file.
+        // In the order in which the faults show when the polygons are read one by one.
         faulty.sort_by_key(|fault| match fault {
             BuildError::SameDirection { polygons, .. } => polygons[1],
             BuildError::EdgeUsedThrice { polygons, .. } => polygons[2],

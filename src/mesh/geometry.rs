@@ -1,9 +1,8 @@
 //! Lengths, areas, normals and centers.
 //!
-//! All are total: what has no length, area or direction gives zero, never a NaN made
-//! by dividing by zero. Faces need be neither flat nor convex; area and normal come
-//! from the vector area (Newell's method), which is half the sum of the cross products
-//! along the loop.
+//! All are defined for any mesh: what has no length, area or direction gives zero, never a NaN from
+//! a division by zero. Faces need be neither flat nor convex; area and normal come from the vector
+//! area (Newell's method), which is half the sum of the cross products along the loop.
 
 use glam::DVec3;
 
@@ -23,17 +22,17 @@ impl Mesh {
         self.get_edge_halfedge(e).map_or(0.0, |h| self.vector(h).length())
     }
 
-    /// Normal to the face, as long as its area.
+    /// The vector normal to the face whose length is its area.
     #[inline]
     pub fn vector_area(&self, f: FaceId) -> DVec3 {
         match self.triangle(f) {
-            // The zero is what the sum of other polygons begins with.
+            // The sum for other polygons begins with zero too, so both give the same bits.
             Some([a, b, c]) => (DVec3::ZERO + (b - a).cross(c - a)) / 2.0,
             None => self.vector_area_of_any(f),
         }
     }
 
-    /// The corners of a face of three sides.
+    /// The corners of a face with three sides.
     #[inline]
     fn triangle(&self, f: FaceId) -> Option<[DVec3; 3]> {
         let first = self.get_face_halfedge(f)?;
@@ -43,7 +42,7 @@ impl Mesh {
         if c.next != first || a.next == first || b.next == first {
             return None;
         }
-        // One by one: an array of what may not be there goes through memory.
+        // One by one: an array of options would go through memory.
         let (a, b) = (self.get_position(a.vertex)?, self.get_position(b.vertex)?);
         Some([a, b, self.get_position(c.vertex)?])
     }

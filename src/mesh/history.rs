@@ -1,31 +1,31 @@
-//! The states that a mesh goes through, step by step, to go back and forth among them.
+//! A history of the states of a mesh, step by step, to go back and forth among them.
 //!
-//! A recorder notes what is written as a [journal](super::journal) does. To go to a state is to put
-//! back what was written between it and the one that is shown, and costs that, however large the
-//! mesh is and however many steps lie before. Each note that is put back becomes the note of what
-//! was there instead, so the same notes lead both ways.
+//! A recorder notes writes as a [journal](super::journal) does. To go to a state is to put back
+//! what was written between it and the current one, and costs that, however large the mesh is and
+//! however many steps lie before. Each note that is put back becomes the note of what it replaced,
+//! so the same notes lead both ways.
 //!
-//! A history has the last steps, as many as fit into a limit of memory.
+//! A history keeps the last steps, as many as fit into a limit of memory.
 
 use super::connectivity::Mesh;
 use super::notes::{Note, Recorder};
 
-/// States of a mesh, each a step from the next, and the one that is shown.
+/// Successive states of a mesh, and the one that is shown.
 #[derive(Clone, Debug, Default)]
 pub struct History {
     mesh: Mesh,
     notes: Vec<Note>,
     /// Where the notes of each step end.
     ends: Vec<usize>,
-    /// The number of steps that were taken before.
+    /// The number of steps before the oldest state.
     first: u64,
-    /// The number of steps that have been taken where the mesh is shown.
+    /// The number of steps from the oldest state to the one that is shown.
     at: usize,
 }
 
 impl Mesh {
-    /// Records a history from now on: of the last steps as many as fit into so many bytes. Nothing
-    /// else is different.
+    /// Starts recording a history of the last steps, as many as fit into `most` bytes. Nothing else
+    /// changes.
     pub fn record_history(&mut self, most: usize) {
         self.journal.recorder = Some(Box::new(Recorder { most, ..Recorder::default() }));
     }
@@ -37,7 +37,7 @@ impl Mesh {
         self.journal.recorder.is_some()
     }
 
-    /// A step ends, if a history is recorded.
+    /// Ends a step, if a history is recorded and no journal is open.
     #[inline]
     pub fn end_step(&mut self) {
         if self.journal.recorder.is_some() && !self.journal.may_roll_back() {
@@ -49,7 +49,8 @@ impl Mesh {
     fn record_step(&mut self) {
         let notes = &mut self.journal.notes;
         let Some(recorder) = &mut self.journal.recorder else { return };
-        // The first note about a record tells what it was; the others what stood there in between.
+        // The first note about a record holds its value before the step; the others, values in
+        // between.
         let start = recorder.ends.last().copied().unwrap_or(0);
         let mut end = start;
         recorder.seen.clear();
@@ -74,8 +75,8 @@ impl Mesh {
         }
     }
 
-    /// Ends the recording. What was written behind the last step belongs to that. `None` if no
-    /// history was recorded.
+    /// Ends the recording. Writes after the last step belong to that step. `None` if no history was
+    /// recorded.
     pub fn take_history(&mut self) -> Option<History> {
         let recorder = self.journal.recorder.take()?;
         let Recorder { mut ends, first, .. } = *recorder;
@@ -91,12 +92,12 @@ impl Mesh {
 }
 
 impl History {
-    /// The numbers of the first and the last state: so many steps have been taken there.
+    /// The numbers of steps that lead to the first and to the last state.
     pub fn span(&self) -> [u64; 2] {
         [self.first, self.first + self.ends.len() as u64]
     }
 
-    /// The mesh after so many steps; `None` if that is not among the states.
+    /// The mesh after `step` steps; `None` if that is not among the states.
     pub fn go(&mut self, step: u64) -> Option<&Mesh> {
         let to = usize::try_from(step.checked_sub(self.first)?).ok()?;
         if to > self.ends.len() {

@@ -1,9 +1,9 @@
-//! The names of elements: newtypes over `u32`, one per kind.
+//! The ids of elements: newtypes over `u32`, one per kind.
 //!
-//! An id is only a number: it says nothing about which mesh it belongs to or whether
-//! the element lives. Two numbers are set aside: [`VertexId::NONE`] and its sisters
-//! stand for "no element", and the number before it marks the slot of an erased
-//! element inside the tables of a mesh, where no reader can see it.
+//! An id is only a number: it does not say which mesh it belongs to or whether the element is
+//! alive. Two numbers are reserved: that of [`VertexId::NONE`] and its counterparts stands for "no
+//! element", and the one before it marks the slot of an erased element inside the tables of a mesh,
+//! where no reader can see it.
 
 use std::fmt;
 
@@ -116,7 +116,7 @@ impl HalfedgeId {
     pub(super) const DEAD: Self = Self(u32::MAX - 1);
 }
 
-/// The number of ids a kind can have: all of `u32` but the two set aside.
+/// The number of ids that a kind can have: all of `u32` but the two reserved.
 pub(super) const ID_SPACE: usize = u32::MAX as usize - 1;
 
 /// An element of any kind, for messages.

@@ -1,4 +1,4 @@
-//! Identity of two meshes, table by table.
+//! Bitwise equality of two meshes, table by table.
 
 use glam::DVec3;
 
@@ -6,13 +6,14 @@ use super::attribute::ColumnId;
 use super::connectivity::Mesh;
 use super::id::ElementKind;
 
-/// True if the same ids live in both meshes and their tables agree bit for bit: pointers, holes,
-/// positions and columns.
+/// True if the same ids are alive in both meshes and their tables agree bit for bit: pointers,
+/// holes, positions and columns.
 pub fn identical(a: &Mesh, b: &Mesh) -> bool {
     same_tables(a, b) && ElementKind::ALL.into_iter().all(|kind| same_columns(a, b, kind))
 }
 
-/// The same but for columns that are scratch or bookkeeping, and the order of the others.
+/// As [`identical`], except for columns that are scratch or bookkeeping and the order of the
+/// others.
 pub fn identical_but_for_scratch(a: &Mesh, b: &Mesh) -> bool {
     let sayable = |mesh: &Mesh| mesh.sayable_columns().count();
     same_tables(a, b)

@@ -7,9 +7,9 @@ use super::records::HalfedgeRecord;
 impl Mesh {
     /// True if every law of [`super::validate`] holds.
     ///
-    /// Where neighbors agree on their names, a name belongs to whole orbits; where moreover the
-    /// orbits in which elements have their halfedges are as long together as there are halfedges,
-    /// there are no others.
+    /// If adjacent halfedges name the same element, each orbit names a single one. If moreover the
+    /// orbits of the elements' own halfedges have as many halfedges in total as the mesh, there are
+    /// no other orbits.
     pub(super) fn is_in_order(&self) -> bool {
         let mut halfedges = 0;
         for (id, record) in (0..).zip(&self.halfedges) {
@@ -41,7 +41,7 @@ impl Mesh {
             && record.twin != h
             && next.face == record.face
             && twin.edge == record.edge
-            // The spoke after the next halfedge is the twin.
+            // The twin is the spoke after the next halfedge.
             && next.vertex == twin.vertex
             && self.vertex_alive(record.vertex)
             && self.edge_alive(record.edge)
@@ -75,7 +75,7 @@ impl Mesh {
         }) && spokes == halfedges
     }
 
-    /// Counts the halfedges of an orbit; false if it does not close.
+    /// Counts the halfedges of an orbit; returns false if it does not close.
     #[inline]
     fn orbit(
         &self,

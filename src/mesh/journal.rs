@@ -1,17 +1,17 @@
-//! The journal of what was written, so that it can be undone.
+//! The journal of writes, to undo them.
 //!
-//! While a journal is open, each writer first notes the record that it writes to. To roll back
-//! is to put the notes back, the last first, and costs what was written, however large the mesh
-//! is. Nothing is noted while none is open.
+//! While a journal is open, each writer first notes the record that it writes to. Rolling back puts
+//! the notes back, the last first, and costs what was written, however large the mesh is. Nothing
+//! is noted while none is open.
 //!
 //! ```text
 //! open_journal ──> write … ──> roll_back      as if nothing had been
 //!                         └──> keep           as if there had been no journal
 //! ```
 //!
-//! Journals nest: each ends what was begun last. No slot is freed while one is open, so that
-//! an id means one element throughout. A [history](super::history) notes the same, and slots are
-//! freed as they are without.
+//! Journals nest: the last opened ends first. No slot is freed while one is open, so that an id
+//! means one element throughout. A [history](super::history) makes the same notes, but slots are
+//! freed as they are without it.
 
 use std::mem::swap;
 
@@ -25,22 +25,22 @@ use super::notes::{Bookmark, Journal, Note, Written};
 use super::records::{FaceState, HalfedgeRecord, Slots};
 
 impl Mesh {
-    /// From now on, until the mark is given back, what is written is noted.
+    /// Opens a journal: writes are noted until its bookmark is given back.
     pub fn open_journal(&mut self) -> Bookmark {
         self.journal.open += 1;
         Bookmark(self.journal.notes.len())
     }
 
-    /// Ends the journal: what was written since stays.
+    /// Ends the journal and keeps what was written since.
     pub fn keep(&mut self, _mark: Bookmark) {
         self.journal.open = self.journal.open.saturating_sub(1);
-        // A journal around this one may yet be rolled back, and this with it.
+        // A journal around this one may still be rolled back, and this one with it.
         if !self.journal.is_open() {
             self.journal.notes.clear();
         }
     }
 
-    /// Ends the journal: the mesh is bit for bit what it was when it was opened.
+    /// Ends the journal and restores the mesh, bit for bit, as it was when the journal was opened.
     pub fn roll_back(&mut self, mark: Bookmark) {
         let Bookmark(start) = mark;
         while self.journal.notes.len() > start {
@@ -51,12 +51,12 @@ impl Mesh {
         self.journal.open = self.journal.open.saturating_sub(1);
     }
 
-    /// Ends all journals: what was written stays.
+    /// Ends all journals and the recording of a history; what was written stays.
     pub(crate) fn keep_all(&mut self) {
         self.journal = Journal::default();
     }
 
-    /// The elements that were written since the journal was opened.
+    /// The elements whose records or positions were written since the journal was opened.
     pub fn written_since(&self, mark: &Bookmark) -> Footprint {
         let mut footprint = Footprint::default();
         let notes = self.journal.notes.get(mark.0..).unwrap_or_default();
@@ -72,8 +72,8 @@ impl Mesh {
         footprint
     }
 
-    /// Tells what was written since the journal was opened and is not what it was, some of it
-    /// several times.
+    /// Calls `tell` with what has been written since the journal was opened and has changed, with
+    /// some of it several times.
     pub fn each_written(&self, mark: &Bookmark, mut tell: impl FnMut(Written)) {
         let notes = self.journal.notes.get(mark.0..).unwrap_or_default();
         for note in notes {
@@ -119,7 +119,8 @@ impl Mesh {
                     tell(Written::Column);
                 }
                 Note::Grown(kind) => tell(Written::Grown(*kind)),
-                // Their records have been noted before; the others stand in no open journal.
+                // Taken and erased slots have notes of their records as well; the others do not
+                // occur while a journal is open.
                 Note::Taken(..)
                 | Note::Erased(..)
                 | Note::Shrunk(_)
@@ -145,7 +146,8 @@ impl Mesh {
         }
     }
 
-    /// Puts a note back. It is then what there was, and put back again it undoes that.
+    /// Puts a note back. The note then holds what it replaced, so putting it back again undoes
+    /// that.
     pub(super) fn put_back(&mut self, note: &mut Note) {
         match note {
             Note::Vertex(v, record) => swap(&mut self.vertices[v.index()], record),
@@ -216,7 +218,7 @@ impl Mesh {
         }
     }
 
-    /// Takes the slot at the end of a table away.
+    /// Removes the slot at the end of a table.
     fn drop_last(&mut self, kind: ElementKind) {
         match kind {
             ElementKind::Vertex => {
@@ -234,7 +236,7 @@ impl Mesh {
         self.columns[kind as usize].shrink(len);
     }
 
-    /// Puts a slot at the end of a table, as a new element has it.
+    /// Appends a slot to a table, with the values of a new element.
     pub(super) fn add_last(&mut self, kind: ElementKind) {
         match kind {
             ElementKind::Vertex => {
@@ -253,11 +255,11 @@ impl Mesh {
     }
 }
 
-/// The notes that writers make before they write. Each is to be called while a journal is open
-/// only.
+/// The notes that writers make before they write. Those that do not check it themselves may be
+/// called only while a journal is open.
 impl Mesh {
-    /// The record of an element is about to be written by somebody else than the mesh. To be called
-    /// at any time.
+    /// Notes the record of an element before it is written by code other than the methods of the
+    /// mesh. May be called at any time.
     #[cfg(feature = "native")]
     #[inline]
     pub(crate) fn note_element(&mut self, kind: ElementKind, id: u32) {
@@ -271,7 +273,7 @@ impl Mesh {
         }
     }
 
-    /// The same for a position.
+    /// As `note_element`, for a position.
     #[cfg(feature = "native")]
     #[inline]
     pub(crate) fn note_place(&mut self, v: VertexId) {
@@ -310,7 +312,7 @@ impl Mesh {
         self.journal.notes.push(Note::Position(v, position));
     }
 
-    /// To be called before a column is written to as a whole, for each slot.
+    /// Notes a value before it is written. May be called at any time.
     #[inline]
     pub fn note_value(&mut self, column: ColumnId, index: u32) {
         if self.journal.is_open()
@@ -320,7 +322,7 @@ impl Mesh {
         }
     }
 
-    /// All values of a column may be written.
+    /// Notes all values of a column before any of them may be written.
     pub(super) fn note_values(&mut self, column: ColumnId) {
         if self.journal.is_open()
             && let Some(data) = self.column(column).map(Column::data)
@@ -330,7 +332,7 @@ impl Mesh {
         }
     }
 
-    /// The default of a column is another from now on.
+    /// Notes the default of a column before it changes.
     pub(super) fn note_default(&mut self, column: ColumnId) {
         if self.journal.is_open()
             && let Some(default) = self.column(column).map(Column::default_value)
@@ -339,14 +341,14 @@ impl Mesh {
         }
     }
 
-    /// A column has been added.
+    /// Notes that a column has been added.
     pub(super) fn note_added(&mut self, id: ColumnId) {
         if self.journal.is_open() {
             self.journal.notes.push(Note::Added(id));
         }
     }
 
-    /// A column has been taken away.
+    /// Notes that a column has been removed.
     pub(super) fn note_removed(&mut self, id: ColumnId, column: Column) {
         if self.journal.is_open() {
             self.journal.notes.push(Note::Removed(id, Box::new(column)));
@@ -358,7 +360,7 @@ impl Mesh {
         self.journal.notes.push(Note::Grown(kind));
     }
 
-    /// A free slot is taken: all that it holds will be written.
+    /// Notes that a free slot is taken, and all that it holds, since all of that will be written.
     #[cold]
     pub(super) fn note_taken(&mut self, kind: ElementKind, slot: u32) {
         self.journal.notes.push(Note::Taken(kind, slot));
@@ -377,13 +379,13 @@ impl Mesh {
         }
     }
 
-    /// An element is erased, its record noted.
+    /// Notes that an element is erased; the caller notes its record.
     #[cold]
     pub(super) fn note_erased(&mut self, kind: ElementKind, slot: u32) {
         self.journal.notes.push(Note::Erased(kind, slot));
     }
 
-    /// All pending slots of a kind are freed.
+    /// Notes that all pending slots of a kind are freed.
     pub(super) fn note_recycled(&mut self, kind: ElementKind) {
         let count = self.slots[kind as usize].pending.len() as u32;
         if count > 0 {

@@ -1,12 +1,12 @@
-//! The kernel around an edge: where one vertex could stand for both ends.
+//! The kernel around an edge: where one vertex could replace both ends.
 //!
-//! Contract an edge, and the faces at its ends become the star of one vertex, whose border
-//! stays: the *link polygon*. The places from which all of a polygon is seen are its
-//! *kernel*, the intersection of the half-planes to the left of its sides; a polygon that
-//! has one is *star-shaped*. A vertex in the kernel turns no triangle of its star over.
+//! Contracting an edge turns the faces at its ends into the star of one vertex; their border, the
+//! *link polygon*, stays. The *kernel* of a polygon is the set of points from which all of it is
+//! visible, the intersection of the half-planes to the left of its sides; a polygon that has one is
+//! *star-shaped*. A vertex in the kernel flips no triangle of its star.
 //!
-//! Made by cutting a rectangle with one half-plane after the other, as I. E. Sutherland and
-//! G. W. Hodgman, *Reentrant polygon clipping*, 1974, cut a polygon. That takes n² steps for n
+//! It is computed by clipping a rectangle with one half-plane after the other, as I. E. Sutherland
+//! and G. W. Hodgman, *Reentrant polygon clipping*, 1974, clip a polygon. That takes n² steps for n
 //! sides; D. T. Lee and F. P. Preparata, *An optimal algorithm for finding the kernel of a
 //! polygon*, 1979, take n, which would not pay for the few sides of a link.
 
@@ -15,14 +15,13 @@ use glam::{DVec2, DVec3};
 use super::connectivity::Mesh;
 use super::id::{EdgeId, HalfedgeId, VertexId};
 
-/// A kernel with less than this share of the area of its rectangle is none: so thin, it is
-/// made of rounding errors.
+/// A kernel with less than this share of the area of the bounding rectangle counts as none: being
+/// so thin, it is made of rounding errors.
 const THINNEST: f64 = 1e-12;
 
 impl Mesh {
-    /// The centroid of the kernel of the link polygon of an edge, of the area of the kernel;
-    /// `None` if the polygon has no kernel, or if an end lies on the boundary, so that the
-    /// link is no polygon.
+    /// The area centroid of the kernel of the link polygon of an edge; `None` if the polygon has no
+    /// kernel, or if an end lies on the boundary, so that the link is not a polygon.
     ///
     /// ```text
     ///      u---t                u---t
@@ -34,8 +33,8 @@ impl Mesh {
     ///        y---z                y---z
     /// ```
     ///
-    /// A link that is not flat is looked at along its normal (Newell's method), and the
-    /// centroid lies in the plane through the mean of its corners.
+    /// A link that is not flat is projected along its normal (Newell's method), and the centroid
+    /// lies in the plane through the mean of its corners.
     pub fn kernel_centroid(&self, e: EdgeId) -> Option<DVec3> {
         let corners = self.link_polygon(e)?;
         let plane = Plane::of(&corners)?;
@@ -60,7 +59,7 @@ impl Mesh {
         Some(corners)
     }
 
-    /// The starts of the halfedges to the left of a spoke that have no end among `ends`.
+    /// The origins of the halfedges after a spoke in its loop, up to the first that ends in `ends`.
     fn far_side(&self, spoke: HalfedgeId, ends: [VertexId; 2]) -> impl Iterator<Item = DVec3> {
         let sides = self.loop_from(spoke).skip(1);
         let sides = sides.take_while(move |&side| {
@@ -71,7 +70,7 @@ impl Mesh {
     }
 }
 
-/// A plane with coordinates of its own.
+/// A plane with its own coordinates.
 struct Plane {
     origin: DVec3,
     right: DVec3,
@@ -79,14 +78,14 @@ struct Plane {
 }
 
 impl Plane {
-    /// That of a polygon, which is counterclockwise in it; `None` if it has no normal.
+    /// The plane of a polygon, which is counterclockwise in it; `None` if it has no normal.
     fn of(corners: &[DVec3]) -> Option<Self> {
         let first = *corners.first()?;
         let ahead = corners.iter().cycle().skip(1);
         let twice_area: DVec3 =
             corners.iter().zip(ahead).map(|(&p, &q)| (p - first).cross(q - first)).sum();
         let normal = twice_area.try_normalize()?;
-        // For a polygon in the plane of x and y these are x and y, without rounding.
+        // For a polygon in the xy plane these are the x and y axes, without rounding.
         let right = match normal.x.abs() < 0.9 {
             true => DVec3::X.reject_from_normalized(normal).try_normalize()?,
             false => DVec3::Y.reject_from_normalized(normal).try_normalize()?,

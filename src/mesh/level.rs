@@ -1,9 +1,8 @@
-//! Levels: meanings of a valid mesh beyond its tables.
+//! Levels: conditions on a valid mesh beyond the laws of its tables.
 //!
-//! `map` asks nothing more than the laws of `validate`. `surface` is what other mesh
-//! libraries check. `simple` is what makes triangles and edges sets of vertices, as in
-//! a simplicial complex. An isolated vertex is no part of the surface and is fine at
-//! every level.
+//! `map` requires nothing more than the laws of `validate`. `surface` is what other mesh libraries
+//! check. `simple` is what makes triangles and edges sets of vertices, as in a simplicial complex.
+//! An isolated vertex is not part of the surface and is allowed at every level.
 
 use std::fmt;
 
@@ -18,8 +17,7 @@ use super::validate::validate;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Level {
-    /// Every orbit is in order, but a face may have two sides and an edge end where it
-    /// begins.
+    /// Every orbit is in order, but a face may have two sides and an edge may end where it begins.
     Map,
     /// Faces and holes have 3 halfedges or more. Vertices have 2 spokes or more, a face around
     /// them and at most one corner in a hole. Edges have a face on one side at least.
@@ -115,9 +113,9 @@ pub fn validate_level(mesh: &Mesh, level: Level) -> Result<(), BelowLevel> {
     validate_level_of_valid(mesh, level)
 }
 
-/// The same for a mesh that is valid.
+/// As [`validate_level`], for a mesh known to be valid.
 pub(crate) fn validate_level_of_valid(mesh: &Mesh, level: Level) -> Result<(), BelowLevel> {
-    // Most meshes are found to be what they should be sooner than what they are not.
+    // Most meshes pass, and that is found sooner than why one does not.
     if level >= Level::Simple && is_surface_of_single_edges(mesh) {
         return faces_differ_in_corners(mesh);
     }
@@ -132,8 +130,8 @@ pub(crate) fn validate_level_of_valid(mesh: &Mesh, level: Level) -> Result<(), B
     Ok(())
 }
 
-/// The level that a mesh has, no higher than one that is wanted, if [`Mesh::from_polygons`] made it
-/// and nothing has changed it: then it is a surface, and its edges differ in their ends.
+/// The level of a mesh, at most `wanted`, if [`Mesh::from_polygons`] made it and nothing has
+/// changed it: then it is a surface, and no two edges have the same ends.
 pub(crate) fn level_of_polygons(mesh: &Mesh, wanted: Level) -> Level {
     match wanted {
         Level::Simple if faces_differ_in_corners(mesh).is_ok() => Level::Simple,
@@ -141,9 +139,9 @@ pub(crate) fn level_of_polygons(mesh: &Mesh, wanted: Level) -> Level {
     }
 }
 
-/// True if a mesh, which has to be valid, is of level surface, and each edge joins two vertices
-/// that no other joins: in one walk along each loop and two passes over the halfedges. That edges have a
-/// face, and vertices, follows; so does that edges end elsewhere than they begin.
+/// True if a mesh, which must be valid, is of level surface and no two edges have the same ends,
+/// found in one walk along each loop and two passes over the halfedges. It follows that each edge
+/// has a face, that each vertex has one, and that no edge ends where it begins.
 pub(super) fn is_surface_of_single_edges(mesh: &Mesh) -> bool {
     let faces = parallel::parts(mesh.capacity(ElementKind::Face), LEAST);
     let meet_once = parallel::map(faces, |part| {
@@ -178,7 +176,7 @@ impl EachSide for Edges<'_> {
     fn each_side(&self, mut see: impl FnMut(u32, u32, u32)) {
         for (h, record) in (0..).zip(&self.0.halfedges) {
             if record.lives() && HalfedgeId(h) < record.twin {
-                // The target stands beside it.
+                // The target: the next halfedge is usually adjacent in memory.
                 see(h, record.vertex.0, self.0.vertex(record.next).0);
             }
         }
@@ -188,7 +186,7 @@ impl EachSide for Edges<'_> {
 /// The fewest elements that are worth a thread.
 const LEAST: usize = 4096;
 
-/// True if no number comes twice. Their order may change.
+/// True if no number occurs twice. May reorder them.
 fn are_distinct(numbers: &mut [u32]) -> bool {
     if numbers.len() <= 8 {
         return numbers.iter().enumerate().all(|(i, number)| !numbers[..i].contains(number));
@@ -210,7 +208,7 @@ pub fn highest_level(mesh: &Mesh) -> Result<Level, Invalid> {
     Ok(highest)
 }
 
-// The checks below are asked of valid meshes only.
+// The checks below are for valid meshes only.
 
 fn is_surface(mesh: &Mesh) -> Result<(), BelowLevel> {
     loops_have_three_sides(mesh)?;
@@ -299,7 +297,7 @@ fn edges_are_single(mesh: &Mesh) -> Result<(), BelowLevel> {
     Ok(())
 }
 
-/// Asked of surfaces whose edges differ in their ends.
+/// For surfaces in which no two edges have the same ends.
 fn faces_differ_in_corners(mesh: &Mesh) -> Result<(), BelowLevel> {
     // Two triangles with the same corners have the same edges, since no others join those.
     for edge in mesh.edges() {

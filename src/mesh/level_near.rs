@@ -1,17 +1,17 @@
-//! The levels, asked only where a mesh has changed.
+//! Checks of the levels only where a mesh has changed.
 //!
-//! If a mesh had a level, and only the pointers of known elements were written since, then it
-//! has the level still if nothing is wrong at those elements. For whatever breaks a level is an
-//! orbit that is not as it was: a face that now meets a vertex twice does so with a halfedge
-//! that was written, a vertex that has lost its spokes has a neighbor whose `next` was, and so
-//! on. So it is enough to look at the orbits of what was written, all of each.
+//! If a mesh had a level and only the pointers of known elements have been written since, it still
+//! has the level if its conditions hold at those elements. For a violation shows in an orbit that
+//! has changed: a face that now meets a vertex twice does so with a halfedge that was written, a
+//! vertex that has lost its spokes has a neighbor whose `next` was, and so on. So it is enough to
+//! check all orbits of what was written.
 
 use super::connectivity::Mesh;
 use super::id::{EdgeId, FaceId, HalfedgeId, VertexId};
 use super::level::{BelowLevel, Level};
 
-/// Elements that were written since a mesh was known to have a level. Some may be listed
-/// twice, and some may live no more.
+/// Elements that were written since a mesh was known to have a level. Some may be listed twice, and
+/// some may have been erased.
 #[derive(Clone, Debug, Default)]
 pub struct Footprint {
     pub vertices: Vec<VertexId>,
@@ -26,7 +26,7 @@ impl Footprint {
         self.vertices.len() + self.halfedges.len() + self.edges.len() + self.faces.len()
     }
 
-    /// True if none is.
+    /// True if no element is listed.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
@@ -83,7 +83,7 @@ fn orbits(mesh: &Mesh, written: &Footprint) -> Footprint {
         faces: written.faces.clone(),
     };
     let written_halfedges = written.halfedges.iter().copied();
-    // A face that becomes a hole is written itself, and matters to all that lie on it.
+    // A face that becomes a hole is written itself, which affects all elements along it.
     let on_faces = written.faces.iter().flat_map(|&f| mesh.face_halfedges(f));
     for h in written_halfedges.chain(on_faces) {
         near.vertices.extend(mesh.get_vertex(h));
@@ -132,7 +132,7 @@ fn star_is_sound(mesh: &Mesh, vertex: VertexId) -> Result<(), BelowLevel> {
     }
 }
 
-/// The spokes of a vertex lead to different vertices, and none back.
+/// The spokes of a vertex lead to different vertices, none of them back to it.
 fn neighbors_differ(mesh: &Mesh, vertex: VertexId) -> Result<(), BelowLevel> {
     let mut reached: Vec<_> = mesh.spokes(vertex).map(|h| (mesh.target(h), mesh.edge(h))).collect();
     reached.sort_unstable();
@@ -147,7 +147,7 @@ fn neighbors_differ(mesh: &Mesh, vertex: VertexId) -> Result<(), BelowLevel> {
     }
 }
 
-/// No face around a corner of a face has the same corners.
+/// No other face around a corner of a face has the same corners.
 fn corners_differ_nearby(mesh: &Mesh, face: FaceId) -> Result<(), BelowLevel> {
     let corners = sorted_corners(mesh, face);
     let Some(&corner) = corners.first() else {

@@ -1,10 +1,9 @@
 //! The link condition: which edges of a mesh may be collapsed.
 //!
-//! After T. K. Dey, H. Edelsbrunner, S. Guha, D. Nekhayev, *Topology preserving edge
-//! contraction*, 1999: contracting the edge `ab` keeps the topology exactly if the
-//! links of its ends meet in the link of `ab` only, `Lk a ∩ Lk b = Lk ab`, a boundary
-//! being coned off to one further vertex. For polygons it is what the condition is for: the
-//! result is simple again.
+//! After T. K. Dey, H. Edelsbrunner, S. Guha, D. Nekhayev, *Topology preserving edge contraction*,
+//! 1999: contracting the edge `ab` keeps the topology exactly if the links of its ends meet in the
+//! link of `ab` only, `Lk a ∩ Lk b = Lk ab`, a boundary being coned off to one further vertex. For
+//! polygons the condition is stated by its purpose: the result is simple again.
 
 use super::connectivity::Mesh;
 use super::id::{EdgeId, FaceId, HalfedgeId, VertexId};
@@ -16,7 +15,7 @@ const SMALL_STAR: usize = 24;
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Side {
     Hole,
-    /// A triangle, by the corner that is no end of the edge.
+    /// A triangle, by the corner that is not an end of the edge.
     Triangle(VertexId),
     Polygon(FaceId),
 }
@@ -40,10 +39,10 @@ impl Mesh {
     /// * no face but those at `e` has both ends as corners;
     /// * both ends lie on a boundary only if `e` does, and then its hole has more than
     ///   three sides;
-    /// * no two faces have the same corners but for the ends: of triangle meshes only a
+    /// * no two faces have the same corners apart from the ends: of triangle meshes only a
     ///   tetrahedron passes the above and fails here.
     ///
-    /// It is false for an edge that does not live.
+    /// It is false for an edge that is not alive.
     pub fn link_condition(&self, e: EdgeId) -> bool {
         self.contracts(e).unwrap_or(false)
     }
@@ -76,8 +75,8 @@ impl Mesh {
         if hole.is_some_and(|(hole, _)| self.loop_from(hole).take(4).count() < 4) {
             return Some(false);
         }
-        // What neighbors both ends is a tip, so a triangle at an end that has the corners of
-        // another face without the ends has a tip among its own.
+        // Each common neighbor of the ends is a tip, so a triangle at an end that has the corners
+        // of another face, apart from the ends, has a tip among its own.
         let is_tip = |v: VertexId| tips.contains(&Some(v));
         let concerns = |spoke: HalfedgeId| match self.is_triangle(spoke) {
             true => {
@@ -134,7 +133,7 @@ impl Mesh {
         halves.into_iter().flatten().any(|h| self.get_face(h) == Some(face))
     }
 
-    /// True if two faces have the same corners, but for some.
+    /// True if two faces have the same corners, apart from `but`; false if `g` is a hole.
     fn same_corners(&self, f: FaceId, g: FaceId, but: [VertexId; 2]) -> bool {
         if self.get_is_hole(g) != Some(false) {
             return false;

@@ -1,7 +1,7 @@
-//! A look at the surroundings of elements that are needed soon.
+//! Prefetching of the surroundings of elements that are needed soon.
 //!
-//! Who works on a large mesh here and there waits for memory, one pointer after the other. Around
-//! several elements at once the waits overlap, and what has been read is at hand when its turn comes.
+//! Scattered accesses to a large mesh wait for memory, one pointer after the other. Around several
+//! elements at once the waits overlap, and what has been read is in the caches when it is needed.
 
 use std::hint::black_box;
 
@@ -9,27 +9,28 @@ use super::attribute::ColumnId;
 use super::connectivity::Mesh;
 use super::id::{ElementKind, HalfedgeId};
 
-/// The number of halfedges from which on a mesh is larger than the caches near a processor.
+/// The number of halfedges from which on a mesh is larger than the caches of a core.
 const LARGE: usize = 50_000;
 
-/// The number of spokes up to which a star is looked at.
+/// The number of spokes of a star that are read at most.
 const FEW: usize = 12;
 
-/// The halfedge of an element, and another where the star of another vertex begins.
+/// The halfedge of an element, and one at which the star of a second vertex begins.
 type Starts = [HalfedgeId; 2];
 
 impl Mesh {
     /// The number of elements that are looked at together.
     pub(crate) const TOGETHER: usize = 8;
 
-    /// True if it is larger than the caches near a processor, so that to look ahead pays.
+    /// True if the mesh is larger than the caches of a core, so that looking ahead pays.
     pub(crate) fn is_large(&self) -> bool {
         self.halfedges.len() >= LARGE
     }
 
-    /// Reads around elements: the stars of their vertices (of two of a face)
-    /// and the attributes there in `columns`. `see` is told which elements are there. What does not
-    /// live is passed over.
+    /// Reads around elements: the stars of their vertices (of two of a face) and the attributes
+    /// there in `columns`. `see` is called with the elements there. Ids without a slot and erased
+    /// vertices, edges and faces are skipped; for an erased halfedge, the pointers that it had are
+    /// followed.
     pub(crate) fn look_around(
         &self,
         kind: ElementKind,
@@ -57,7 +58,7 @@ impl Mesh {
         self.look_at_stars(&starts, columns, &mut see);
     }
 
-    /// Walks around the origins of the halfedges, all a step at a time.
+    /// Walks around the origins of the halfedges, all in step.
     fn look_at_stars(
         &self,
         starts: &[Starts; Mesh::TOGETHER],

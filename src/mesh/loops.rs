@@ -1,8 +1,8 @@
-//! The loops of a list of polygons: what follows each of their corners.
+//! The loops of a list of polygons: the next and the previous corner of each corner.
 
 use super::polygon_sides::EachSide;
 
-/// Polygons whose corners are asked for their neighbours.
+/// Polygons that give the neighbours of each of their corners.
 pub(super) struct Loops<'p> {
     /// The vertices of the corners, and where the polygons end.
     corners: &'p [u32],
@@ -12,7 +12,7 @@ pub(super) struct Loops<'p> {
 
 enum Shape {
     Triangles,
-    /// All polygons have so many corners.
+    /// All polygons have this number of corners.
     Alike(u32),
     /// The polygon of each corner.
     Mixed(Vec<u32>),
@@ -41,7 +41,7 @@ impl<'p> Loops<'p> {
         self.ends.len()
     }
 
-    /// The number of corners of each polygon, if all have so many.
+    /// The number of corners of each polygon, if it is the same for all.
     pub(super) fn alike(&self) -> Option<u32> {
         match self.shape {
             Shape::Triangles => Some(3),
@@ -72,7 +72,7 @@ impl<'p> Loops<'p> {
         polygon.checked_sub(1).map_or(0, |before| self.ends[before] as u32)
     }
 
-    /// The corner behind another in its polygon.
+    /// The corner after another in its polygon.
     #[inline]
     pub(super) fn next(&self, corner: u32) -> u32 {
         let behind = corner + 1;
@@ -107,7 +107,7 @@ impl<'p> Loops<'p> {
         }
     }
 
-    /// The vertices that the side from a corner runs between.
+    /// The vertices between which the side from a corner runs.
     #[inline]
     pub(super) fn ends(&self, corner: u32) -> [u32; 2] {
         [corner, self.next(corner)].map(|corner| self.corners()[corner as usize])

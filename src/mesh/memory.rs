@@ -1,7 +1,8 @@
-//! Memory of a mesh, and room for more elements before they come.
+//! Memory of a mesh, and room reserved for further elements.
 //!
-//! Counted is what the tables, the columns and the journal have taken, used or not yet. Tables
-//! grow here by half a limit's rest at most, so that it is come near to but not passed.
+//! The memory of the tables, the columns and the journal is counted by capacity, used or not. To
+//! approach a limit without passing it, a table takes no more than half of what is left, unless it
+//! needs more.
 
 use glam::DVec3;
 
@@ -10,7 +11,7 @@ use super::id::{ElementKind, HalfedgeId};
 use super::records::{FaceState, HalfedgeRecord};
 
 impl Mesh {
-    /// The memory that it takes, in bytes.
+    /// The memory that the mesh takes, in bytes.
     pub fn bytes(&self) -> usize {
         let tables = self.halfedges.capacity() * size_of::<HalfedgeRecord>()
             + [&self.vertices, &self.edges, &self.faces].map(Vec::capacity).iter().sum::<usize>()
@@ -25,8 +26,8 @@ impl Mesh {
             + self.journal.bytes()
     }
 
-    /// Makes room for so many more elements of each kind, without taking more than so many bytes
-    /// in all. Whether there is room then.
+    /// Makes room for `more` further elements of each kind, without taking more than `limit` bytes
+    /// in total. Returns whether there is room.
     #[inline]
     pub fn make_room(&mut self, more: [usize; 4], limit: impl FnOnce() -> usize) -> bool {
         let fits = ElementKind::ALL.into_iter().zip(more).all(|(kind, more)| {
@@ -63,7 +64,7 @@ impl Mesh {
         true
     }
 
-    /// The number of further slots that fit without taking memory.
+    /// The number of further slots that fit without allocation.
     #[inline]
     pub(super) fn reserved(&self, kind: ElementKind) -> usize {
         let room = match kind {

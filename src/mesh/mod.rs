@@ -1,12 +1,12 @@
-//! Halfedge meshes: what the language works on, knowing nothing of the language.
+//! Halfedge meshes: what the language works on, independent of the language.
 //!
 //! A mesh is three kinds of orbit of halfedges. Every halfedge lies in one cycle of
 //! `next`, its face; in one pair of `twin`s, its edge; and in one cycle of next-spoke,
 //! counterclockwise `h -> h.prev.twin`, its vertex. Boundaries are loops too: a hole is
 //! a face with a flag, so that on a valid mesh no pointer of a halfedge is missing.
 //!
-//! The tables store what they are told. Whether they are a mesh is for `validate` to
-//! say, and how good a mesh for the levels. Operations are not here.
+//! The tables store whatever is written. `validate` checks whether they are a mesh, and the levels
+//! how regular a mesh. Operations are not here.
 
 // The tables.
 mod allocation;
@@ -23,7 +23,7 @@ mod records;
 #[cfg(feature = "native")]
 pub(crate) mod tables;
 
-// What can be asked of them.
+// Queries.
 #[cfg(feature = "native")]
 mod adjacency;
 mod component;
@@ -46,7 +46,7 @@ mod summary;
 pub mod validate;
 mod walk;
 
-// Where meshes come from and where they go.
+// Construction, conversion and files.
 mod arrays;
 mod binary;
 mod build;
@@ -61,7 +61,7 @@ mod polygons;
 mod repair;
 pub mod shape;
 
-/// The vectors and matrices of positions and attributes.
+/// The crate of the vectors and matrices of positions and attributes.
 pub use glam;
 
 #[cfg(feature = "native")]

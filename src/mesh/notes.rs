@@ -13,26 +13,26 @@ use super::records::{FaceState, HalfedgeRecord};
 #[must_use = "a journal that is open ends by `roll_back` or `keep`"]
 pub struct Bookmark(pub(super) usize);
 
-/// Something that is not what it was when a journal was opened.
+/// Something that has changed since a journal was opened.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Written<'j> {
-    /// The pointers of a halfedge, which were these.
+    /// The pointers of a halfedge; they were these.
     Pointers(HalfedgeId, &'j HalfedgeRecord),
     /// The `halfedge` of a vertex, an edge or a face.
     Halfedge(ElementKind, u32),
     /// A position, or whether a face is a hole.
     Value(ElementKind, u32),
-    /// The value of an attribute, which was this.
+    /// The value of an attribute; it was this.
     Attribute(ColumnId, u32, Value),
-    /// The life of a slot: if it has a living element, or which.
+    /// Whether a slot has a living element.
     Life(ElementKind, u32),
-    /// There are more slots of a kind.
+    /// The number of slots of a kind.
     Grown(ElementKind),
     /// An attribute as a whole.
     Column,
 }
 
-/// A record as it was; put back, it is as it was instead.
+/// The previous value of a record. Putting it back exchanges it with the current one.
 #[derive(Clone, Debug)]
 pub(super) enum Note {
     Vertex(VertexId, HalfedgeId),
@@ -43,26 +43,26 @@ pub(super) enum Note {
     Bool(ColumnId, u32, bool),
     Int(ColumnId, u32, i64),
     Real(ColumnId, u32, f64),
-    /// A wider value, elsewhere: notes are many, and small.
+    /// A wider value, boxed to keep notes small: they are many.
     Wide(ColumnId, u32, Box<Value>),
     /// All values of a column.
     Values(ColumnId, Box<ColumnData>),
-    /// The value of new elements in a column.
+    /// The default of a column.
     Default(ColumnId, Box<Value>),
     /// A column has been added.
     Added(ColumnId),
-    /// A column has been taken away.
+    /// A column has been removed.
     Removed(ColumnId, Box<Column>),
-    /// A slot has been added at the end of its table, or taken away there.
+    /// A slot has been added at the end of its table, or removed there.
     Grown(ElementKind),
     Shrunk(ElementKind),
-    /// A free slot has been taken, or freed; its record has been noted before.
+    /// A free slot has been taken, or freed; its record has a note of its own.
     Taken(ElementKind, u32),
     Freed(ElementKind, u32),
-    /// An element has been erased, or brought back; its record has been noted before.
+    /// An element has been erased, or brought back; its record has a note of its own.
     Erased(ElementKind, u32),
     Revived(ElementKind, u32),
-    /// So many pending slots have been freed, or made pending again.
+    /// This number of pending slots has been freed, or made pending again.
     Recycled(ElementKind, u32),
     Held(ElementKind, u32),
 }
@@ -77,7 +77,7 @@ impl Note {
         }
     }
 
-    /// The value of an attribute that it is of.
+    /// The attribute, the index and the value, if the note is of the value of an attribute.
     pub(super) fn as_value(&self) -> Option<(ColumnId, u32, Value)> {
         Some(match self {
             &Self::Bool(column, index, value) => (column, index, Value::Bool(value)),
@@ -88,12 +88,12 @@ impl Note {
         })
     }
 
-    /// True if the numbers of columns may mean others from then on.
+    /// True if column ids may refer to other columns afterwards.
     pub(super) fn is_of_columns(&self) -> bool {
         matches!(self, Self::Added(_) | Self::Removed(..))
     }
 
-    /// The record that it is of, if it is of one that is written in place.
+    /// The record that the note is of, if it is one that is written in place.
     pub(super) fn place(&self) -> Option<(u8, u32, Option<ColumnId>)> {
         Some(match self {
             Self::Vertex(v, _) => (0, v.0, None),
@@ -109,7 +109,7 @@ impl Note {
     }
 }
 
-/// The notes of all journals that are open.
+/// The notes of all open journals.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Journal {
     pub(super) notes: Vec<Note>,
@@ -117,14 +117,14 @@ pub(super) struct Journal {
     pub(super) recorder: Option<Box<Recorder>>,
 }
 
-/// What a history is recorded with.
+/// The state of the recording of a history.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Recorder {
     /// Where the notes of each step end.
     pub(super) ends: Vec<usize>,
-    /// The number of steps that were taken before.
+    /// The number of steps before the oldest state.
     pub(super) first: u64,
-    /// The most bytes of the notes.
+    /// The limit of the notes, in bytes.
     pub(super) most: usize,
     /// The records that the step has written.
     pub(super) seen: HashSet<(u8, u32, Option<ColumnId>)>,
@@ -136,13 +136,13 @@ impl Journal {
         self.notes.capacity() * size_of::<Note>()
     }
 
-    /// True if what is written is noted.
+    /// True if writes are noted.
     #[inline]
     pub(super) fn is_open(&self) -> bool {
         self.open > 0 || self.recorder.is_some()
     }
 
-    /// True if what was written may yet be rolled back.
+    /// True if writes may still be rolled back.
     #[inline]
     pub(super) fn may_roll_back(&self) -> bool {
         self.open > 0

@@ -17,16 +17,16 @@ pub enum OrbitCondition {
     FacesDiffer,
     /// No two edges join a vertex to the same neighbor.
     NeighborsDiffer,
-    /// No other edge has the ends of that of a halfedge.
+    /// No other edge has the ends of that of the halfedge.
     SingleEdge,
     /// No two faces around a vertex have the same set of corners.
     CornersDiffer,
-    /// No other face around a vertex of a face has the same set of corners.
+    /// No other face around a given vertex of a face has the same set of corners as the face.
     CornersOwn,
 }
 
 impl OrbitCondition {
-    /// All of them, in the order in which they are declared.
+    /// All conditions, in the order in which they are declared.
     #[cfg(feature = "native")]
     pub(crate) const ALL: [Self; 10] = [
         Self::ThreeSides,
@@ -41,7 +41,7 @@ impl OrbitCondition {
         Self::CornersOwn,
     ];
 
-    /// The name of the function that asks it.
+    /// The name of the function that tests it.
     pub fn word(self) -> &'static str {
         match self {
             Self::ThreeSides => "three_sides",

@@ -1,5 +1,5 @@
-//! An order of vertices and polygons in which neighbors stand near each other, so that walks find
-//! in the processor's caches what they come to.
+//! An order of vertices and polygons that keeps neighbors close together in memory, so that walks
+//! hit the processor's caches.
 //!
 //! Vertices follow a Hilbert curve through the cube around them, computed as by J. Skilling,
 //! "Programming the Hilbert curve", 2004; polygons follow the first of their vertices.
@@ -25,7 +25,7 @@ pub(super) struct Order {
 }
 
 impl Order {
-    /// An order of a list of polygons; the vertices behind the first `kept` stay where they are.
+    /// An order of a list of polygons; the vertices after the first `kept` keep their places.
     pub(super) fn of(positions: &[DVec3], polygons: &Polygons, kept: usize) -> Self {
         let finite = || positions.iter().copied().filter(|p| p.is_finite());
         let least = finite().fold(DVec3::INFINITY, DVec3::min);
@@ -33,7 +33,7 @@ impl Order {
         let side = (most - least).max_element();
         let scale = f64::from((1_u32 << BITS) - 1) / side;
         let mut keys = parallel::collect(positions.len(), LEAST, |at| {
-            // What is not finite, or all in one place, comes to 0.
+            // A NaN, as when all is in one place, becomes 0; an infinity saturates.
             let place = ((positions[at] - least) * scale).to_array().map(|x| x as u32);
             let key = if at < kept { along_curve(place) } else { u64::MAX };
             (key, at as u32)
@@ -86,7 +86,7 @@ impl Order {
     }
 }
 
-/// The place of a cell along the curve through all cells.
+/// The position of a cell on the curve through all cells.
 fn along_curve(mut cell: [u32; 3]) -> u64 {
     let mut bit = 1 << (BITS - 1);
     while bit > 1 {

@@ -1,9 +1,9 @@
 //! Work on all cores, with the results of one thread.
 //!
-//! Work is cut into parts, and what comes of them is put together in their order; so nothing shows
-//! how many parts there were, or which thread was done first. A pool of threads is made when it is
-//! first wanted. Who calls from within a pool of `rayon` keeps to that pool. Without the feature
-//! `threads` all is done by the thread that asks.
+//! Work is cut into parts, and the results are put together in their order, so the outcome depends
+//! neither on the number of parts nor on the order in which threads finish. A pool of threads is
+//! made when it is first needed. A caller inside a pool of `rayon` stays in that pool. Without the
+//! feature `threads` everything runs on the calling thread.
 
 use std::ops::Range;
 
@@ -18,7 +18,7 @@ pub fn threads() -> usize {
     1
 }
 
-/// True if who asks is one of those who took work.
+/// Whether the caller runs on a thread of a pool.
 #[cfg(feature = "native")]
 pub(crate) fn is_at_work() -> bool {
     #[cfg(feature = "threads")]
@@ -27,8 +27,8 @@ pub(crate) fn is_at_work() -> bool {
     false
 }
 
-/// Lets each worker work on a thread of its own, and does `meanwhile` here, again and again after so
-/// long, until all are done.
+/// Runs `work` for each worker on the threads of the pool, and calls `meanwhile` on this thread at
+/// intervals of `every` until all are done.
 #[cfg(feature = "native")]
 pub(crate) fn each_at_work<W: Send>(
     workers: &mut [W],
@@ -38,7 +38,7 @@ pub(crate) fn each_at_work<W: Send>(
 ) {
     #[cfg(feature = "threads")]
     {
-        // When all senders have been dropped, all are done.
+        // When all senders have been dropped, all workers are done.
         use std::sync::mpsc::{RecvTimeoutError, channel};
         let (sender, receiver) = channel::<()>();
         let senders: Vec<_> = workers.iter().map(|_| sender.clone()).collect();
@@ -68,21 +68,21 @@ pub(crate) fn each_at_work<W: Send>(
     }
 }
 
-/// Ranges that cover the numbers below `count`, some for each thread: of `least` numbers or more
-/// each, since less is not worth a thread.
+/// Ranges that cover the numbers below `count`, several for each thread, with at least `least`
+/// numbers each where there are enough: fewer are not worth a thread.
 pub(crate) fn parts(count: usize, least: usize) -> Vec<Range<usize>> {
     let threads = threads();
     let parts = if threads == 1 { 1 } else { (threads * 4).min(count / least.max(1)).max(1) };
     cut(count, parts)
 }
 
-/// So many ranges of about the same size that cover the numbers below `count`.
+/// `parts` ranges of about the same size that cover the numbers below `count`.
 pub(crate) fn cut(count: usize, parts: usize) -> Vec<Range<usize>> {
     let bound = |part: usize| (count as u128 * part as u128 / parts as u128) as usize;
     (0..parts).map(|part| bound(part)..bound(part + 1)).collect()
 }
 
-/// The answers for all items, in order.
+/// The results for all items, in order.
 pub(crate) fn map<I: Send, T: Send>(items: Vec<I>, work: impl Fn(I) -> T + Sync + Send) -> Vec<T> {
     #[cfg(feature = "threads")]
     if items.len() > 1 && threads() > 1 {
@@ -91,7 +91,7 @@ pub(crate) fn map<I: Send, T: Send>(items: Vec<I>, work: impl Fn(I) -> T + Sync 
     items.into_iter().map(work).collect()
 }
 
-/// The answers for all numbers below `count`, in order; parts have `least` numbers or more.
+/// The results for all numbers below `count`, in order; parts have `least` numbers or more.
 pub(crate) fn collect<T: Send>(
     count: usize,
     least: usize,
@@ -100,7 +100,7 @@ pub(crate) fn collect<T: Send>(
     collect_with_room(count, count, least, work)
 }
 
-/// As [`collect`], in a vector with room for so many.
+/// As [`collect`], in a vector with capacity `room`.
 pub(crate) fn collect_with_room<T: Send>(
     room: usize,
     count: usize,
@@ -120,8 +120,8 @@ pub(crate) fn collect_with_room<T: Send>(
     all
 }
 
-/// Hands the answers for all items to `take`, in order, and takes the next items while others are
-/// worked at. The first error ends it.
+/// Passes the results for all items to `take`, in order, which runs while the next items are worked
+/// on. Stops at the first error.
 pub(crate) fn in_order<I: Send, T: Send, E>(
     items: impl IntoIterator<Item = I>,
     work: impl Fn(I) -> T + Sync,
@@ -150,7 +150,7 @@ pub(crate) fn in_order<I: Send, T: Send, E>(
     items.try_for_each(|item| take(work(item)))
 }
 
-/// What came of parts, one after the other.
+/// The concatenated parts.
 pub(crate) fn joined<T>(parts: Vec<Vec<T>>) -> Vec<T> {
     let size: usize = parts.iter().map(Vec::len).sum();
     let mut parts = parts.into_iter();
@@ -167,17 +167,17 @@ mod pool {
 
     use rayon::{Scope, ThreadPool, ThreadPoolBuilder};
 
-    /// The threads of this process, and the number that was asked for.
+    /// The threads of this process, and the number that was requested.
     struct Pool {
         wanted: Option<NonZeroUsize>,
-        /// With the number of the process: after a fork the threads are those of another.
+        /// With the id of the process: after a fork, the threads are those of the parent.
         made: Option<(u32, usize, Option<Arc<ThreadPool>>)>,
     }
 
     static POOL: Mutex<Pool> = Mutex::new(Pool { wanted: None, made: None });
 
-    /// Says how many threads work is given to from now on; with `None`, as many as `HEDGEROW_THREADS`
-    /// says or, if it says no number, as there are cores. Work that goes on keeps its threads.
+    /// Sets how many threads work is given to; `None` stands for the number in `HEDGEROW_THREADS`
+    /// or, without one, the number of cores. Running work keeps its threads.
     pub fn set_threads(count: Option<NonZeroUsize>) {
         let mut pool = POOL.lock().unwrap_or_else(PoisonError::into_inner);
         (pool.wanted, pool.made) = (count, None);
@@ -191,7 +191,7 @@ mod pool {
         }
     }
 
-    /// Does work with the threads of the pool.
+    /// Runs work on the threads of the pool.
     pub(super) fn within<T: Send>(work: impl FnOnce() -> T + Send) -> T {
         if rayon::current_thread_index().is_some() {
             return work();
@@ -202,7 +202,7 @@ mod pool {
         }
     }
 
-    /// Starts work with the threads of the pool, and does `meanwhile` here.
+    /// Starts work on the threads of the pool, and runs `meanwhile` on this thread.
     pub(crate) fn beside<'s, T>(
         start: impl FnOnce(&Scope<'s>),
         meanwhile: impl FnOnce() -> T,
@@ -236,16 +236,17 @@ mod pool {
         });
         let (threads, made) = match made {
             Some(Ok(made)) => (threads, Some(Arc::new(made))),
-            // One can always go on alone.
+            // Work can always go on without a pool.
             Some(Err(_)) | None => (1, None),
         };
-        // The threads of another process are none of this one's: nobody waits for them.
+        // A pool from before a fork has its threads in the parent process only: it is leaked, not
+        // shut down.
         std::mem::forget(pool.made.take());
         pool.made = Some((process, threads, made.clone()));
         (threads, made)
     }
 
-    /// The bytes of the stack of a thread: as many as the first thread of a program usually has.
+    /// The stack size of a thread in bytes: that which the first thread of a program usually has.
     const STACK: usize = 8 << 20;
 
     /// The most threads that a pool has.

@@ -1,8 +1,8 @@
 //! Reading and writing single fields of a mesh.
 //!
-//! The plain readers and writers take ids that are in range; the `get_` readers take
-//! anything and answer `None` for what does not live. A writer writes one field, and the
-//! mesh may be broken until the last of a group of writes.
+//! The plain readers and writers take ids that are in range; the `get_` readers take any id and
+//! return `None` for elements that are not alive. A writer writes one field, and the mesh may be
+//! broken until the last of a group of writes.
 
 use glam::DVec3;
 
@@ -81,7 +81,7 @@ impl Mesh {
     }
 }
 
-/// Readers of any id: `None` when it is out of range or erased, or leads there.
+/// Readers of any id: `None` if it is out of range or erased, or, for a target, if the twin is.
 impl Mesh {
     #[inline]
     pub fn get_halfedge(&self, h: HalfedgeId) -> Option<&HalfedgeRecord> {
@@ -154,7 +154,7 @@ impl Mesh {
     }
 }
 
-/// Writers: each writes one field of a living element, and nothing follows it.
+/// Writers: each writes one field of a living element, and nothing else.
 impl Mesh {
     #[inline]
     fn halfedge_mut(&mut self, h: HalfedgeId) -> &mut HalfedgeRecord {
@@ -227,7 +227,7 @@ impl Mesh {
         self.set_face_state(f, FaceState::of_living(hole));
     }
 
-    /// Sets the state of a face, and counts the holes.
+    /// Sets the state of a face, and updates the number of holes.
     #[inline]
     pub(super) fn set_face_state(&mut self, f: FaceId, state: FaceState) {
         let before = std::mem::replace(&mut self.face_states[f.index()], state);
@@ -244,10 +244,11 @@ impl Mesh {
     }
 }
 
-/// Exchanges that no journal notes, for what is put back before anybody else looks. Each gives what
-/// stood there; nothing, and nothing is set, if the element is out of range or erased or would seem so.
+/// Exchanges without notes in a journal, for writes that are undone before anything else reads
+/// them. Each returns the previous value; `None`, with nothing written, if the element is out of
+/// range or erased, or if the value is the mark of an erased one.
 impl Mesh {
-    /// Sets a pointer, by its place in [`HalfedgeRecord::pointers`].
+    /// Sets a pointer, by its index in [`HalfedgeRecord::pointers`].
     #[inline]
     pub(crate) fn exchange_pointer(
         &mut self,
@@ -289,7 +290,7 @@ impl Mesh {
         Some(std::mem::replace(place, value))
     }
 
-    /// Says that a face is a hole, or none; it is not counted.
+    /// Sets whether a face is a hole, without updating the number of holes.
     #[inline]
     pub(crate) fn exchange_hole(&mut self, f: FaceId, hole: bool) -> Option<bool> {
         let state = self.face_states.get_mut(f.index())?;

@@ -1,4 +1,4 @@
-//! The sides of polygons, gathered by the two vertices that they run between.
+//! The sides of polygons, grouped by the two vertices that they run between.
 //!
 //! Side `i` runs from corner `i` to the next corner of its polygon. The sides are sorted into
 //! one bucket per vertex, the smaller of their ends, and each small bucket by the larger end;
@@ -8,16 +8,16 @@ use std::ops::Range;
 
 use super::parallel;
 
-/// Sides that can be gone through more than once.
+/// Sides that can be iterated more than once.
 pub(super) trait EachSide {
-    /// Shows each side with the vertices that it runs between, in order.
+    /// Calls `see` with each side and the two vertices that it runs between, in order.
     fn each_side(&self, see: impl FnMut(u32, u32, u32));
 }
 
 /// The fewest sides that are worth a thread.
 const LEAST: usize = 1 << 14;
 
-/// Sides by edges.
+/// Sides, grouped by edge.
 pub(super) struct Sides {
     /// Each side with the larger of its ends.
     sorted: Vec<(u32, u32)>,
@@ -26,7 +26,7 @@ pub(super) struct Sides {
 }
 
 impl Sides {
-    /// The parts of so many vertices for which threads look through all of so many sides.
+    /// The ranges of vertices, one for each thread; each thread scans all sides.
     pub(super) fn parts(vertices: usize, sides: usize) -> Vec<Range<usize>> {
         parallel::cut(vertices, if sides < LEAST { 1 } else { parallel::threads() })
     }
@@ -59,7 +59,8 @@ impl Sides {
         Self { sorted, bounds }
     }
 
-    /// The edges by the smaller of their ends and then the larger: the sides of each, in order.
+    /// The sides of each edge, in order. Edges are ordered by their smaller end, then by the
+    /// larger.
     pub(super) fn edges(&self) -> impl Iterator<Item = &[(u32, u32)]> {
         let mut start = 0;
         self.bounds.iter().flat_map(move |&end| {
@@ -69,7 +70,7 @@ impl Sides {
     }
 }
 
-/// Sorts the sides of a bucket, of which most have about six.
+/// Sorts the sides of a bucket; most buckets have about six.
 fn sort(sides: &mut [(u32, u32)]) {
     if sides.len() > 16 {
         return sides.sort_unstable();

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-/// Polygons by the numbers of their corners, each counterclockwise.
+/// Polygons by the indices of their corners, each counterclockwise.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Polygons {
     corners: Vec<u32>,
@@ -18,8 +18,8 @@ impl Polygons {
         Self { corners: Vec::with_capacity(corners), ends: Vec::with_capacity(polygons) }
     }
 
-    /// Polygons from the corners of all of them, one after the other, and where each ends; the
-    /// ends do not go down, and the last is the number of corners.
+    /// Polygons from the corners of all of them, one after the other, and the end of each; the ends
+    /// ascend, and the last is the number of corners.
     pub(super) fn of_parts(corners: Vec<u32>, ends: Vec<usize>) -> Self {
         debug_assert!(ends.is_sorted() && ends.last().is_none_or(|&end| end == corners.len()));
         Self { corners, ends }
@@ -29,14 +29,14 @@ impl Polygons {
         (self.corners, self.ends)
     }
 
-    /// Polygons from all their corners, one polygon after the other, and for each the place where
-    /// its corners end; `None` if the ends are not in order, or the last is not the end of all.
+    /// Polygons from all their corners, one polygon after the other, and the end of each; `None` if
+    /// the ends are not in order, or the last is not the number of corners.
     pub fn from_parts(corners: Vec<u32>, ends: Vec<usize>) -> Option<Self> {
         let in_order = ends.is_sorted() && ends.last().copied().unwrap_or(0) == corners.len();
         in_order.then_some(Self { corners, ends })
     }
 
-    /// Triangles.
+    /// A list of triangles.
     pub fn from_triangles(triangles: &[[u32; 3]]) -> Self {
         let corners = triangles.as_flattened().to_vec();
         Self { corners, ends: (1..=triangles.len()).map(|count| 3 * count).collect() }
@@ -84,7 +84,7 @@ impl Polygons {
 }
 
 impl Polygons {
-    /// Some polygons, one after the other.
+    /// The polygons of a range, in order.
     pub(super) fn range(&self, range: Range<usize>) -> impl Iterator<Item = &[u32]> + '_ {
         let mut start = range.start.checked_sub(1).map_or(0, |before| self.ends[before]);
         let ends = self.ends[range].iter();

@@ -1,9 +1,9 @@
 //! The rows of the tables of a mesh.
 //!
-//! A halfedge stores its five pointers and its twin side by side (one cache line holds two and a
-//! half halfedges); vertices, edges and faces each store one halfedge of theirs. Whether an
-//! element lives is written inside its own record, so asking costs no further memory access. Which
-//! faces are holes is a table of bytes, small enough to stay in a cache; it says which live as well.
+//! A halfedge stores its six pointers side by side (24 bytes); vertices, edges and faces each store
+//! one of their halfedges. Whether an element is alive is written inside its own record, so testing
+//! it costs no further memory access. Which faces are holes is a table of bytes, small enough to
+//! stay in a cache; it also tells which are alive.
 
 use super::id::{EdgeId, FaceId, HalfedgeId, VertexId};
 
@@ -33,7 +33,7 @@ impl HalfedgeRecord {
         self.next != HalfedgeId::DEAD
     }
 
-    /// Its pointers, in the order in which they are declared.
+    /// The pointers, in the order in which they are declared.
     #[inline]
     pub(crate) fn pointers(&self) -> [u32; 6] {
         let Self { next, prev, twin, vertex, edge, face } = self;
@@ -56,7 +56,7 @@ impl FaceState {
         if hole { Self::Hole } else { Self::Face }
     }
 
-    /// Whether it is a hole, if it lives.
+    /// Whether it is a hole; `None` if it is dead.
     #[inline]
     pub(super) fn is_hole(self) -> Option<bool> {
         (self != Self::Dead).then_some(self == Self::Hole)

@@ -18,10 +18,10 @@ pub struct Summary {
     /// Boundary loops.
     pub holes: usize,
     pub isolated_vertices: usize,
-    /// The law that the mesh breaks, if it breaks one.
+    /// The law that the mesh breaks, if any.
     pub invalid: Option<String>,
     pub level: Option<Level>,
-    /// The reason why the mesh has not the next level.
+    /// The reason why the mesh does not have the next level.
     pub below_next_level: Option<String>,
     /// Missing when the mesh is invalid.
     pub measures: Option<Measures>,
@@ -38,7 +38,7 @@ pub struct AttributeSummary {
     pub ty: &'static str,
 }
 
-/// The measures of a valid mesh. Isolated vertices are left out.
+/// The measures of a valid mesh. Isolated vertices are left out, except from the bounds.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Measures {
     /// V - E + F, holes not counted.
@@ -46,15 +46,15 @@ pub struct Measures {
     pub components: usize,
     /// The number of handles, summed over components, every hole closed by a disk.
     pub genus: usize,
-    /// The numbers of vertices by their number of spokes.
+    /// The numbers of vertices by degree.
     pub degrees: Vec<Bin>,
     /// The numbers of faces by their number of sides. Holes are left out.
     pub face_sizes: Vec<Bin>,
     /// Missing when there are no edges.
     pub edge_lengths: Option<Lengths>,
     pub area: f64,
-    /// What the surface encloses, negative where it is inside out; missing when there is a hole or no
-    /// face. Faces with more than three sides are cut into triangles from their first corner.
+    /// The enclosed volume, negative if the surface is inside out; missing when there is a hole or
+    /// no face. Faces with more than three sides are cut into triangles from their first corner.
     pub volume: Option<f64>,
     /// The corners of the bounding box; missing when there are no vertices.
     pub bounds: Option<[[f64; 3]; 2]>,

@@ -1,7 +1,7 @@
-//! The tables of a mesh as they lie in memory, for code that is made while the program runs.
+//! The tables of a mesh in memory, for code that is generated at run time.
 //!
-//! Addresses are given out, and nothing is read or written through them here. They hold until an
-//! element is added or the mesh is moved.
+//! Addresses are handed out, and nothing is read or written through them here. They are valid until
+//! an element is added or the mesh is moved.
 
 use glam::DVec3;
 
@@ -11,7 +11,7 @@ use super::id::HalfedgeId;
 pub(crate) use super::records::FaceState;
 use super::records::HalfedgeRecord;
 
-/// Where the tables begin, and how many records they have.
+/// The addresses of the tables, and their numbers of records.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub(crate) struct Tables {
@@ -29,23 +29,23 @@ pub(crate) struct Tables {
     pub(crate) holes: *mut usize,
 }
 
-/// What stands in place of the first pointer of an erased element.
+/// The first pointer of an erased element.
 pub(crate) const DEAD: u32 = HalfedgeId::DEAD.0;
 
 impl Mesh {
-    /// Its tables.
+    /// The tables of the mesh.
     #[inline]
     pub(crate) fn tables(&mut self) -> Tables {
         Tables {
             halfedges: self.halfedges.as_mut_ptr(),
             halfedge_count: self.halfedges.len(),
             vertices: self.vertices.as_mut_ptr(),
-            // A vertex has a position.
+            // Each vertex has a position.
             vertex_count: self.vertices.len().min(self.positions.len()),
             edges: self.edges.as_mut_ptr(),
             edge_count: self.edges.len(),
             faces: self.faces.as_mut_ptr(),
-            // A face has a state.
+            // Each face has a state.
             face_count: self.faces.len().min(self.face_states.len()),
             face_states: self.face_states.as_mut_ptr(),
             positions: self.positions.as_mut_ptr(),
@@ -53,7 +53,7 @@ impl Mesh {
         }
     }
 
-    /// Where the values of a column begin, and how many there are.
+    /// The address of the values of a column, and their number.
     #[inline]
     pub(crate) fn values_in_memory(&mut self, column: ColumnId) -> (*mut u8, usize) {
         match self.column_data_mut(column) {
@@ -69,7 +69,7 @@ impl Mesh {
         }
     }
 
-    /// The same for who only reads them.
+    /// As [`Mesh::values_in_memory`], for reading only.
     #[inline]
     pub(crate) fn values_to_read(&self, column: ColumnId) -> (*mut u8, usize) {
         let (start, count) = match self.column(column).map(Column::data) {
@@ -86,13 +86,13 @@ impl Mesh {
         (start.cast_mut(), count)
     }
 
-    /// True if what is written is noted.
+    /// True if writes are noted.
     #[inline]
     pub(crate) fn is_journaled(&self) -> bool {
         self.journal.is_open()
     }
 
-    /// True if so many more elements of each kind fit without taking memory.
+    /// True if `more` further elements of each kind fit without allocation.
     #[inline]
     pub(crate) fn has_room(&self, more: [usize; 4]) -> bool {
         self.can_add(more[0], more[1], more[2], more[3])

@@ -5,9 +5,9 @@
 //! exactly the orbits of `next`, `twin` and next-spoke, each with a halfedge of its own
 //! orbit. A vertex may also be isolated: no halfedge starts at it and it has none.
 //!
-//! Every law can be asked of any table, however broken, and answers in linear time. A
-//! law about orbits relies on the laws before it only for the meaning of its answer.
-//! What more people ask of a surface is in `level`.
+//! Every law can be checked on any table, however broken, in linear time. A law about orbits relies
+//! on the laws before it only for the meaning of its result. Stronger conditions on surfaces are in
+//! `level`.
 
 use super::connectivity::Mesh;
 use super::id::{Element, ElementKind, HalfedgeId};
@@ -15,7 +15,7 @@ use super::invalid::Invalid;
 
 type Law = fn(&Mesh) -> Result<(), Invalid>;
 
-/// The laws, in the order in which they are asked.
+/// The laws, in the order in which they are checked.
 pub const LAWS: [(&str, Law); 7] = [
     ("nothing_points_at_the_dead", nothing_points_at_the_dead),
     ("next_is_permutation", next_is_permutation),
@@ -26,7 +26,7 @@ pub const LAWS: [(&str, Law); 7] = [
     ("positions_are_finite", positions_are_finite),
 ];
 
-/// The first law that the mesh breaks, if any.
+/// Checks all laws; the error is the first one found broken.
 pub fn validate(mesh: &Mesh) -> Result<(), Invalid> {
     match mesh.is_in_order() {
         true => Ok(()),
@@ -83,7 +83,7 @@ pub fn next_is_permutation(mesh: &Mesh) -> Result<(), Invalid> {
     Ok(())
 }
 
-/// `twin` undoes itself and leaves no halfedge where it is.
+/// `twin` undoes itself and maps no halfedge to itself.
 pub fn twin_is_involution(mesh: &Mesh) -> Result<(), Invalid> {
     for halfedge in mesh.halfedges() {
         let twin = mesh.twin(halfedge);
@@ -140,7 +140,7 @@ where
     S: Fn(HalfedgeId) -> Option<HalfedgeId>,
     L: Fn(HalfedgeId) -> Element,
 {
-    /// Checks that elements and orbits correspond one to one, `own` being every element with its
+    /// Checks that elements and orbits correspond one to one; `own` gives every element with its
     /// halfedge.
     fn are(
         &self,

@@ -1,8 +1,7 @@
 //! Walking around faces and vertices.
 //!
-//! Every walk is bounded by the number of halfedge slots and stops where a pointer
-//! leads to nothing living, so that walking a broken mesh ends too. On a mesh in order
-//! a walk visits its orbit once.
+//! Every walk is bounded by the number of halfedge slots and stops at a pointer to nothing living,
+//! so that it ends on a broken mesh too. On a valid mesh a walk visits its orbit once.
 
 use super::connectivity::Mesh;
 use super::id::{EdgeId, FaceId, HalfedgeId, VertexId};
@@ -88,7 +87,7 @@ impl Mesh {
         self.spokes_from(self.get_vertex_halfedge(v).unwrap_or(HalfedgeId::NONE))
     }
 
-    /// The far ends of the spokes, in their order.
+    /// The targets of the spokes, in their order.
     pub fn neighbors(&self, v: VertexId) -> impl Iterator<Item = VertexId> + '_ {
         self.spokes(v).filter_map(|h| self.get_target(h))
     }

@@ -1,4 +1,4 @@
-//! The questions.
+//! The questions to a workbench.
 
 use std::collections::BTreeMap;
 
@@ -11,16 +11,16 @@ use crate::mesh::{Element, ElementKind};
 #[derive(Debug, Deserialize)]
 #[serde(tag = "ask", rename_all = "kebab-case", deny_unknown_fields)]
 pub(super) enum Ask {
-    /// Here is a program, and files that it may use.
+    /// Sets the program, with files that it may use.
     Program {
         name: String,
         text: String,
         #[serde(default)]
         files: BTreeMap<String, String>,
     },
-    /// A mesh that has a name: `icosphere`.
+    /// Sets the mesh to one that has a name: `icosphere`.
     Shape { name: String },
-    /// A mesh file, whose bytes stand beside it; or one of the host.
+    /// Sets the mesh to a file, whose bytes follow the JSON; or to one of the host.
     Mesh {
         name: String,
         #[serde(default)]
@@ -33,7 +33,7 @@ pub(super) enum Ask {
         #[serde(default)]
         attribute: Option<String>,
     },
-    /// At which elements an operation would be applied.
+    /// The elements at which an operation would be applied.
     Places {
         op: String,
         #[serde(default)]
@@ -59,11 +59,11 @@ pub(super) enum Ask {
         #[serde(default)]
         given: Given,
     },
-    /// The script that was run last, up to so many applications.
+    /// The mesh after the first `to` applications of the script that was run last.
     Seek { to: u64 },
-    /// One thing back.
+    /// Undoes a change.
     Undo,
-    /// One thing forward again.
+    /// Redoes a change.
     Redo,
     /// The mesh as a file of this name.
     Save { name: String },
@@ -73,7 +73,7 @@ pub(super) enum Ask {
     Counterexamples,
     /// All lessons.
     Lessons,
-    /// A verdict on a text that is to solve a lesson.
+    /// Whether a text solves a lesson.
     Judge { lesson: String, text: String },
     /// The files of the library.
     Library,

@@ -5,8 +5,8 @@ use serde_json::{Value, json};
 use super::element::shown;
 use crate::mesh::{Element, ElementKind, Invalid, Mesh};
 
-/// The reason why a mesh is none, as pointers `{ from, pointer, to }` between elements that the
-/// mesh before has: where they lie is known.
+/// The reason why a mesh is invalid, as pointers `{ from, pointer, to }` between elements of the
+/// mesh before: only those have known positions.
 pub(super) fn broken(invalid: &Invalid, before: &Mesh) -> Vec<Value> {
     let is_there = |of: &Element| before.is_alive(of.kind, of.index);
     pointers(invalid)

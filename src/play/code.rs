@@ -55,7 +55,7 @@ pub(super) fn code(program: &Program, op: Option<&str>, language: Language) -> M
     }
 }
 
-/// A line of a plan; what changes nothing is marked.
+/// A row of a plan; it is marked whether it is executed.
 fn row(row: &Row) -> Value {
     let executed = row.executed;
     match &row.cell {

@@ -1,14 +1,14 @@
-//! The places of elements: what a page needs to point at them.
+//! The geometry of elements that a page needs to point at them.
 
 use glam::DVec3;
 use serde_json::{Value, json};
 
 use crate::mesh::{EdgeId, Element, ElementKind, FaceId, HalfedgeId, Mesh, VertexId};
 
-/// The distance at which a halfedge is drawn from its edge, towards the middle of its face.
+/// The fraction by which a halfedge is drawn away from its edge, towards the middle of its face.
 const INSIDE: f64 = 0.14;
 
-/// The distance of its name from there.
+/// The fraction of the way from there to the middle of the face at which its name is.
 const FURTHER: f64 = 0.13;
 
 /// An element with a place for its name and a line to draw: the corners of a face, the ends of an
@@ -25,7 +25,7 @@ pub(super) fn shown(mesh: &Mesh, Element { kind, index }: Element) -> Value {
             let [from, to] = ends(mesh, halfedge);
             let face = mesh.face(halfedge);
             let middle = match mesh.is_hole(face) {
-                // Beside the face on the other side: a hole has no inside.
+                // The mirror image of the face on the other side: a hole has no inside.
                 true => {
                     let other = mean(&corners(mesh, mesh.face(mesh.twin(halfedge))));
                     from + to - other

@@ -1,16 +1,16 @@
-//! Places for the vertices of a mesh that has none: counterexamples are made of pointers alone.
+//! Positions for the vertices of a mesh without any: counterexamples consist of pointers alone.
 
 use glam::DVec3;
 
 use crate::mesh::{Mesh, VertexId};
 
-/// The number of rounds in which neighbours pull, and the share of the way.
+/// The number of rounds in which neighbours pull, and the strength of the pull.
 const ROUNDS: usize = 200;
 const PULL: f64 = 0.2;
 
-/// The mesh with its vertices on a sphere, if all of them lie at one place: spread evenly along a
-/// spiral (R. Swinbank and R. J. Purser, "Fibonacci grids: A novel approach to global modelling",
-/// 2006), then pulled towards the middle of their neighbours and back to the sphere.
+/// The mesh with its vertices on a sphere, if all of them coincide: spread evenly along a spiral
+/// (R. Swinbank and R. J. Purser, "Fibonacci grids: A novel approach to global modelling", 2006),
+/// then pulled towards the middle of their neighbours and back to the sphere.
 pub(super) fn laid_out(mesh: &Mesh) -> Mesh {
     let mut mesh = mesh.clone();
     let vertices: Vec<VertexId> = mesh.vertices().collect();

@@ -1,8 +1,8 @@
-//! Questions and answers as bytes: JSON, and what stands beside it.
+//! Questions and answers as bytes: JSON, and binary data after it.
 
 use serde_json::{Value, json};
 
-/// JSON with bytes beside it.
+/// JSON with binary data.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Message {
     /// The question, or the answer.
@@ -17,7 +17,7 @@ impl Message {
         Self { json, bytes: Vec::new() }
     }
 
-    /// An answer that says why there is none.
+    /// An answer that reports an error.
     pub fn error(why: impl Into<String>) -> Self {
         Self::of(json!({ "error": why.into() }))
     }
@@ -25,7 +25,7 @@ impl Message {
     /// Reads the length of the JSON in four bytes, little-endian, the JSON, and the rest.
     ///
     /// # Errors
-    /// In words, what is wrong.
+    /// The reason, in words.
     pub fn read(bytes: &[u8]) -> Result<Self, String> {
         let short = || "the message is too short".to_owned();
         let (length, rest) = bytes.split_first_chunk::<4>().ok_or_else(short)?;
@@ -35,7 +35,7 @@ impl Message {
         Ok(Self { json, bytes: bytes.to_vec() })
     }
 
-    /// The same bytes that [`read`](Self::read) takes.
+    /// The bytes that [`read`](Self::read) takes.
     pub fn write(&self) -> Vec<u8> {
         let text = self.json.to_string();
         let mut all = Vec::with_capacity(4 + text.len() + self.bytes.len());

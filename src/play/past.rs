@@ -13,7 +13,7 @@ pub(super) struct Past {
 }
 
 impl Past {
-    /// Something is done to the mesh, which was this one before.
+    /// Keeps the mesh as it was before a change.
     pub fn keep(&mut self, mesh: Mesh) {
         self.undone.clear();
         self.before.push(mesh);
@@ -23,12 +23,12 @@ impl Past {
         }
     }
 
-    /// The mesh before what was done last.
+    /// The mesh before the last change.
     pub fn last(&self) -> Option<&Mesh> {
         self.before.last()
     }
 
-    /// One thing back: takes the mesh as it is, gives what it was; the same if there is nothing.
+    /// Undoes a change: takes the current mesh, returns the one before; the same if there is none.
     pub fn undo(&mut self, now: Mesh) -> Mesh {
         match self.before.pop() {
             Some(before) => {
@@ -39,7 +39,7 @@ impl Past {
         }
     }
 
-    /// One thing forward again; the same mesh if nothing was undone.
+    /// Redoes a change; returns the same mesh if nothing was undone.
     pub fn redo(&mut self, now: Mesh) -> Mesh {
         match self.undone.pop() {
             Some(after) => {
@@ -50,7 +50,7 @@ impl Past {
         }
     }
 
-    /// The number of changes that can be undone, and of those that can be done again.
+    /// The number of changes that can be undone, and of those that can be redone.
     pub fn depth(&self) -> [usize; 2] {
         [self.before.len(), self.undone.len()]
     }

@@ -1,4 +1,4 @@
-//! Running scripts, and what became of it.
+//! Running scripts, and stepping through their runs.
 
 use std::ops::ControlFlow;
 
@@ -22,13 +22,13 @@ pub(super) struct Ran {
     pub printed: Vec<String>,
     /// The number of operations that were applied.
     pub applied: u64,
-    /// The error, if it is not that the run was to stop there.
+    /// The error, unless it is that the run stopped where it should.
     pub error: Option<Error>,
-    /// The states that the mesh went through, an application from the next.
+    /// The states of the mesh, one application apart.
     pub history: History,
 }
 
-/// The applications of a run that are wanted: up to so many, with a history of the last of them.
+/// The wanted part of a run: up to an application, with a history of the last states.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Wanted {
     pub to: u64,
@@ -36,7 +36,7 @@ pub(super) struct Wanted {
     pub most: usize,
 }
 
-/// Runs a script.
+/// Runs a script up to the wanted application.
 pub(super) fn run(
     session: &mut Session,
     script: &Script,
@@ -72,7 +72,7 @@ impl Workbench {
         let script = self.program.script(name).map_err(|error| error.message().to_owned())?;
         let arguments = Self::arguments(&script.parameters(), given, None)?;
         let before = self.session.mesh().clone();
-        // Random numbers are the same in each run.
+        // A new session, so that random numbers are the same in each run.
         self.set(before.clone());
         self.past.keep(before);
         let wanted = Wanted { to: u64::MAX, most: self.most_history };
@@ -83,7 +83,7 @@ impl Workbench {
         Ok(self.state(answer))
     }
 
-    /// Shows the mesh after so many applications of the script that was run last.
+    /// Sets the mesh to its state after `to` applications of the script that was run last.
     pub(super) fn seek(&mut self, to: u64, host: &mut dyn Host) -> Answer {
         let Some(mut last) = self.last_run.take() else {
             return Err("no script has been run".to_owned());
@@ -96,14 +96,14 @@ impl Workbench {
         Ok(self.state(json))
     }
 
-    /// The mesh after so many applications of a run. Where its history does not reach, the script
-    /// is run again, with a history of what lies around.
+    /// The mesh after `to` applications of a run. If it is not in the history, the script is run
+    /// again, with a history of the states around it.
     fn state_of(&self, last: &mut LastRun, to: u64, host: &mut dyn Host) -> Result<Mesh, String> {
         let [start, end] = last.history.span();
         let half = ((end - start) / 2).max(1);
         let until = |to| if to < last.total { to } else { u64::MAX };
         let around = Wanted { to: until(to.saturating_add(half)), most: self.most_history };
-        // A step that does not fit is shown alone.
+        // A state that does not fit together with others is computed alone.
         let alone = Wanted { to: until(to), most: 0 };
         for wanted in [None, Some(around), Some(alone)] {
             if let Some(wanted) = wanted {
@@ -147,7 +147,7 @@ fn told(ran: &Ran) -> Value {
     })
 }
 
-/// The most lines of what is printed that are kept.
+/// The most printed lines that are kept.
 const MOST_LINES: usize = 2000;
 
 struct Looker<'h> {

@@ -11,10 +11,11 @@ use crate::mesh::{ColumnId, EdgeId, ElementKind, FaceId, HalfedgeId, Mesh};
 ///
 /// - `positions`: three reals for each slot of a vertex;
 /// - `triangles`: three vertices each; `faces`: the face that each is part of;
-/// - `edges`: the ends of each living edge; `edgeIds`: its number; `halfedges`: its two halfedges, of
-///   which the first starts at the first end; `edgeFaces`: their faces; `edgeIsBoundary`: 1 or 0;
+/// - `edges`: the ends of each living edge; `edgeIds`: its number; `halfedges`: its two halfedges,
+///   of which the first starts at the first end; `edgeFaces`: their faces; `edgeIsBoundary`: 1 or
+///   0;
 /// - `loose`: the vertices without an edge;
-/// - `values`: of the attribute, one for each slot of its kind; not a number where there is none.
+/// - `values`: the values of the attribute, one for each slot of its kind; NaN where there is none.
 pub(super) fn view(mesh: &Mesh, attribute: Option<&str>) -> Message {
     let mut arrays = Arrays::default();
     let at = mesh.positions().iter().flat_map(|at| at.to_array());
@@ -98,7 +99,7 @@ fn triangulate(mesh: &Mesh, face: FaceId, to: &mut Vec<u32>) {
             let ears = mesh.ears(face);
             let mut ears = ears.iter().filter_map(|side| places.get(side).copied());
             for _ in 2..count {
-                // At last a triangle is left, of which any corner will do.
+                // In the end a triangle is left, of which any corner will do.
                 let left = || is_cut.iter().position(|is_cut| !is_cut);
                 let Some(at) = ears.next().or_else(left) else {
                     break;
@@ -112,7 +113,7 @@ fn triangulate(mesh: &Mesh, face: FaceId, to: &mut Vec<u32>) {
     }
 }
 
-/// Arrays, one behind the other.
+/// Arrays, one after the other.
 #[derive(Default)]
 struct Arrays {
     list: Vec<Value>,

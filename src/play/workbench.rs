@@ -1,4 +1,4 @@
-//! The workbench, and what it answers.
+//! The workbench and its answers.
 
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
@@ -26,20 +26,21 @@ use crate::mesh::{
 use crate::run::Argument;
 use crate::session::{Op, Outcome, Parameter, Program, Session, Verdict};
 
-/// The surroundings of a workbench: told how far a script is, they may stop it.
+/// The environment of a workbench: it gives files, and may stop a script when notified of progress.
 pub trait Host {
-    /// A script has gone through so many turns of its outermost loop, of so many if that is known.
+    /// Called after some turns of a script's outermost loop, with their number and, if known, the
+    /// total; a break stops the script.
     fn progress(&mut self, _done: u64, _total: Option<u64>) -> ControlFlow<()> {
         ControlFlow::Continue(())
     }
 
-    /// The reader of the files that a program uses and a page does not give.
+    /// The reader of the files that a program uses and a page does not provide.
     fn reader(&self) -> Box<dyn Reader>;
 
-    /// A mesh file that a page names and does not give.
+    /// The bytes of a mesh file that a page names and does not provide.
     ///
     /// # Errors
-    /// In words, why there is none.
+    /// The reason, in words.
     fn mesh(&self, name: &str) -> Result<Vec<u8>, String> {
         Err(format!("{name}: there are no files here"))
     }
@@ -48,14 +49,14 @@ pub trait Host {
 /// A program and a mesh.
 #[derive(Debug)]
 pub struct Workbench {
-    /// The name of the program as it stands, sound or not, and the meshes that it breaks.
+    /// The name of the current program, sound or not, and the meshes that it breaks.
     name: String,
     counterexamples: Vec<Counterexample>,
-    /// The last one of this name that was sound.
+    /// The last sound program of this name.
     pub(super) program: Program,
     pub(super) session: Session,
     pub(super) past: Past,
-    /// True if somebody has chosen the mesh.
+    /// True if the mesh is not the default one, but was set by a question.
     is_chosen: bool,
     /// The script that was run last, if nothing was done since.
     pub(super) last_run: Option<LastRun>,
@@ -85,12 +86,12 @@ fn nothing() -> Program {
     program.expect("an empty program is sound")
 }
 
-/// An answer, or in words why there is none.
+/// An answer, or the reason in words why there is none.
 pub(super) type Answer = Result<Message, String>;
 
 impl Workbench {
-    /// Keeps to a limit of memory, in bytes, for the states that a script goes through: where they
-    /// are more, some are had by running it again.
+    /// Limits the memory, in bytes, for the states that a script goes through: those that do not
+    /// fit are recomputed by running it again.
     pub fn limit_history(&mut self, bytes: usize) {
         self.most_history = bytes;
     }
@@ -147,14 +148,14 @@ impl Workbench {
         }
     }
 
-    /// An answer, with how the mesh is now.
+    /// An answer, with the state of the mesh added.
     pub(super) fn state(&self, mut json: Value) -> Message {
         json["counts"] = counts(self.session.mesh());
         json["past"] = json!(self.past.depth());
         Message::of(json)
     }
 
-    /// Another mesh takes the place of this one, which can be had back.
+    /// Replaces the mesh. It can be undone, except for an untouched default mesh.
     fn replace(&mut self, mesh: Mesh) {
         if std::mem::replace(&mut self.is_chosen, true) || self.past.depth() != [0, 0] {
             self.past.keep(self.session.mesh().clone());
@@ -258,7 +259,7 @@ impl Workbench {
         Ok(Message { json: json!({ "name": name }), bytes })
     }
 
-    /// The arguments of an operation: what is given, and an element for the first parameter that
+    /// The arguments of an operation: the given ones, and an element for the first parameter that
     /// takes one.
     pub(super) fn arguments(
         parameters: &[Parameter<'_>],
@@ -403,7 +404,7 @@ fn lessons_as_data() -> Message {
     Message::of(json!({ "lessons": lessons::all().map(lesson).collect::<Vec<_>>() }))
 }
 
-/// A value of a type.
+/// A JSON value as an argument of a type; `None` if it is none of that type.
 fn argument(value: &Value, ty: &str) -> Option<Argument> {
     let reals = || -> Option<Vec<f64>> { value.as_array()?.iter().map(Value::as_f64).collect() };
     Some(match ty {
@@ -421,7 +422,7 @@ fn argument(value: &Value, ty: &str) -> Option<Argument> {
     })
 }
 
-/// The meshes that have names.
+/// The mesh of a name.
 fn named_shape(name: &str) -> Option<Mesh> {
     Some(match name {
         "tetrahedron" => shape::tetrahedron(),
@@ -437,7 +438,7 @@ fn named_shape(name: &str) -> Option<Mesh> {
     })
 }
 
-/// Files that are given, and those of somebody else.
+/// Files that are given, and those of another reader.
 struct Files<'g> {
     files: &'g BTreeMap<String, String>,
     rest: Box<dyn Reader>,

@@ -1,4 +1,4 @@
-//! Attributes that the files of a program declare.
+//! The attributes that the files of a program declare.
 
 use std::sync::Arc;
 
@@ -12,8 +12,8 @@ use super::scopes::Scopes;
 use super::typing::{Place, Typing};
 use super::unit::Unit;
 
-/// The attributes of all files with their defaults, by number. One that could not be
-/// understood keeps its place; nobody names it.
+/// The attributes of all files with their defaults, by number. An invalid one keeps its index, but
+/// no name refers to it.
 pub(super) fn attributes(
     units: &[Unit],
     declared: &[Declared],

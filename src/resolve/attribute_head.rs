@@ -1,4 +1,4 @@
-//! The declaration of an attribute but for its default.
+//! The declaration of an attribute without its default.
 
 use crate::diagnostic::Diagnostic;
 use crate::diagram::Type;
@@ -10,7 +10,7 @@ use super::report::Report;
 use super::type_name::type_named;
 use super::words::a_type;
 
-/// The declaration of an attribute but for its default.
+/// The declaration of an attribute without its default.
 #[derive(Clone, Debug)]
 pub(super) struct Head {
     pub(super) name: String,
@@ -19,20 +19,20 @@ pub(super) struct Head {
     pub(super) element: Type,
     /// The type of its values.
     pub(super) ty: Type,
-    /// True if only its file sees it.
+    /// True if it is visible in its own file only.
     pub(super) private: bool,
     /// Its number among those of the whole program.
     pub(super) number: u32,
 }
 
 impl Head {
-    /// True if another attribute of the same elements has the name.
+    /// True if `other` has the same name and belongs to the same kind of element.
     pub(super) fn is_named_as(&self, other: &Self) -> bool {
         self.element == other.element && self.name == other.name
     }
 }
 
-/// Reads a declaration; `None` if a diagnostic says what is wrong.
+/// Reads a declaration. `None` means that an error has been reported.
 pub(super) fn head(
     attr: &tree::Attr,
     number: u32,

@@ -1,15 +1,15 @@
-//! The names of the functions of the language.
+//! The names of the built-in functions.
 
 use crate::diagram::{Type, functions};
 
-/// The function that puts a sequence into random order.
+/// The function that puts a sequence in random order.
 pub(super) const SHUFFLE: &str = "shuffle";
 
-/// The types that are made of parts: `vec3(x, y, z)`.
+/// The types that are constructed from components: `vec3(x, y, z)`.
 pub(super) const CONSTRUCTORS: [Type; 5] =
     [Type::Vec2, Type::Vec3, Type::Vec4, Type::Mat3, Type::Mat4];
 
-/// The names of all functions but the aggregates.
+/// The names of all functions except the aggregates.
 pub(super) fn function_names() -> impl Iterator<Item = &'static str> {
     let known = functions().map(|(known, _)| known);
     known.chain(CONSTRUCTORS.map(Type::word)).chain([SHUFFLE])

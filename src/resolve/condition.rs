@@ -1,4 +1,4 @@
-//! Statements beside the drawings: `require`, `guard` and the assignments.
+//! Statements next to the drawings: `require`, `guard`, `alias` and the assignments.
 
 use std::collections::HashMap;
 
@@ -45,7 +45,7 @@ pub(super) fn requires(conditions: &[Condition], op: &str, typing: &mut Typing) 
     requires
 }
 
-/// The level that a rule guards, and where it says so.
+/// The level that a rule guards and the span of its `guard`.
 pub(super) fn guard(conditions: &[Condition], report: &mut Report) -> Option<(Level, Span)> {
     let mut first: Option<Span> = None;
     let mut guard = None;
@@ -100,7 +100,7 @@ pub(super) fn aliases(conditions: &[Condition], names: &Names, report: &mut Repo
     aliases
 }
 
-/// One name of an `alias`, behind the others.
+/// Resolves one name of an `alias`, after `others`.
 fn aliased(name: &tree::Name, others: &[Ref], names: &Names, report: &mut Report) -> Option<Ref> {
     let word = &name.ident.text;
     let Some(id) = names.find(word) else {
@@ -158,12 +158,12 @@ pub(super) fn assignments(
             continue;
         };
         if names.find(&target.ident.text).is_none() && is_listed_new(after, target) {
-            // That it is drawn nowhere is told where it is listed.
+            // The list reports that it is drawn nowhere.
             typing.report.fail();
             continue;
         }
         let Some((target, access, ty)) = assigned(target, attribute, names, typing) else {
-            // What is wrong on the right is told as well.
+            // Errors in the value are reported as well.
             typing.whole(value);
             continue;
         };
@@ -200,7 +200,7 @@ pub(super) fn assignments(
     assignments
 }
 
-/// True if `new` lists a name.
+/// True if a `new` statement lists the name.
 fn is_listed_new(after: &tree::Side, name: &tree::Name) -> bool {
     after.statements.iter().any(|statement| match statement {
         Statement::New(listed, _) => listed.iter().any(|new| new.ident.text == name.ident.text),
@@ -208,7 +208,7 @@ fn is_listed_new(after: &tree::Side, name: &tree::Name) -> bool {
     })
 }
 
-/// The element and the attribute that are assigned.
+/// The element and the attribute that an assignment sets, and the type of the value.
 fn assigned(
     target: &tree::Name,
     attribute_name: &Ident,
@@ -239,7 +239,8 @@ fn assigned(
     Some((target, access, value))
 }
 
-/// The way to draw a parameter of which only an attribute is set, if it has one.
+/// A hint on how to draw a parameter if only an attribute of it is set; `None` if `word` is not a
+/// parameter that is an element.
 fn parameter_drawn(word: &str, names: &Names, typing: &Typing) -> Option<String> {
     names.parameter(word)?;
     let (_, local) = typing.scopes.find(word)?;
@@ -274,7 +275,7 @@ impl Typing<'_> {
             return found;
         }
         if self.declared.has_attribute(&name.text) {
-            // The declaration has been refused already.
+            // The declaration has been rejected already.
             self.report.fail();
             return None;
         }
@@ -316,7 +317,8 @@ impl Typing<'_> {
         None
     }
 
-    /// The cause of the value that a pointer of an element would say, if the word is one.
+    /// The note on how a pointer of an element is changed, if the word names a pointer, which
+    /// cannot be assigned.
     fn not_assigned(&self, ty: Type, word: &str) -> Option<&'static str> {
         let foreign = match foreign_words::field(ty, word) {
             Some(Here::Written(ours)) => ours,

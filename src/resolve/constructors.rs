@@ -1,4 +1,4 @@
-//! Vectors and matrices from their parts: `vec3(x, y, z)`, `vec4(p, 1)`, `mat4(0)`.
+//! Vectors and matrices from their components: `vec3(x, y, z)`, `vec4(p, 1)`, `mat4(0)`.
 
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Binary, Builtin, Expr, ExprKind, Type};
@@ -15,7 +15,7 @@ pub(super) fn constructed(word: &str) -> Option<Type> {
     CONSTRUCTORS.into_iter().find(|ty| ty.word() == word)
 }
 
-/// The ways to make a value of a type, to show.
+/// The forms of the constructor of a type, for messages.
 fn ways(ty: Type) -> &'static [&'static str] {
     match ty {
         Type::Vec2 => &["vec2(x, y)", "vec2(d)", "vec2(v)"],
@@ -47,7 +47,7 @@ impl Typing<'_> {
                 ExprKind::Vector(values)
             }
             (ty, [Type::Real]) if ty.is_vector() => all_alike(ty, values, span),
-            // The first components.
+            // Truncation: the first components.
             (Type::Vec2, [Type::Vec3 | Type::Vec4]) | (Type::Vec3, [Type::Vec4]) => {
                 let mut values = values;
                 ExprKind::Component(0, Box::new(values.pop()?))
@@ -61,7 +61,7 @@ impl Typing<'_> {
         Some(typed(ty, kind, span))
     }
 
-    /// Says that a value cannot be made of this, and of what it can.
+    /// Reports that a value cannot be constructed from these arguments, with the forms that exist.
     fn no_such_value(
         &mut self,
         ty: Type,
@@ -87,19 +87,20 @@ impl Typing<'_> {
     }
 }
 
-/// The vector with this real in every component.
+/// A vector with the same real in every component.
 fn all_alike(ty: Type, mut real: Vec<Expr>, span: Span) -> ExprKind {
     let size = usize::from(ty.size());
     if let [Expr { kind: ExprKind::Real(_), .. }] = real[..] {
         return ExprKind::Vector(vec![real.remove(0); size]);
     }
-    // What is not constant is computed once.
+    // A value that is not constant is computed once.
     let one = typed(Type::Real, ExprKind::Real(1.0), span);
     let ones = typed(ty, ExprKind::Vector(vec![one; size]), span);
     ExprKind::Binary(Binary::ScaleVector, Box::new(ones), Box::new(real.remove(0)))
 }
 
-/// True if reals and shorter vectors, one after the other, are as long as a vector.
+/// True if `types` are at least two reals or vectors whose components together fill a vector of
+/// type `ty`.
 fn fills(ty: Type, types: &[Type]) -> bool {
     let part = |ty: &Type| *ty == Type::Real || ty.is_vector();
     let length: u32 = types.iter().map(|ty| u32::from(ty.size())).sum();

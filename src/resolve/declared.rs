@@ -1,7 +1,7 @@
-//! Declarations: the names of a file, before any of it is understood.
+//! Declarations: the names that are visible in a file, collected before anything is resolved.
 //!
-//! Those are its own items, and the items of the files it uses. Two files that are used may
-//! have items of one name; only to call it is an error then.
+//! These are its own items and the items of the files it uses. Two used files may have items of the
+//! same name; only a call of that name is an error.
 
 use std::cell::RefCell;
 use std::collections::{BTreeMap, HashMap, HashSet};
@@ -27,20 +27,20 @@ use super::words::a_type;
 pub(super) struct Named {
     /// Its kind.
     pub(super) what: What,
-    /// Its number among those of the whole program.
+    /// Its number among the items of its kind in the whole program.
     pub(super) number: usize,
     /// The span of its name.
     pub(super) span: Span,
 }
 
-/// The kind of what can be called.
+/// The kind of a callable item.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum What {
     /// An operation.
     Op,
     /// A function.
     Function,
-    /// A script. Its number is one behind those of the functions.
+    /// A script. Scripts are numbered after the functions.
     Script,
 }
 
@@ -54,41 +54,40 @@ impl What {
     }
 }
 
-/// The names that stand in a file.
+/// The names that are visible in a file.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Declared {
-    /// The items that can be called, by name; of two of one name the first.
+    /// The callable items by name; of two with the same name, the first.
     called: BTreeMap<String, Named>,
-    /// Other items that a used file has under such a name.
+    /// Items of other used files with the same name as one in `called`.
     others: HashMap<String, Span>,
-    /// The functions that are known so far, by name.
+    /// The signatures of functions and scripts, as far as they are known, by name.
     functions: HashMap<String, Rc<FunctionSignature>>,
-    /// The attributes that can be seen.
+    /// The visible attributes.
     attributes: Vec<Head>,
-    /// The names of those that could not be understood.
+    /// The names of attributes whose declaration is invalid.
     lost_attributes: HashSet<String>,
-    /// The attributes of used files that only those see.
+    /// The private attributes of used files.
     hidden: Vec<Head>,
-    /// True if some of what is used is not known.
+    /// True if a used file is missing.
     lacks: bool,
-    /// The meanings of the words behind dots that have been met.
+    /// The meanings of the words after dots that have been seen so far.
     met: RefCell<Fields>,
 }
 
-/// The number of them of what is numbered.
+/// The numbers of items counted so far.
 #[derive(Debug, Default)]
 struct Numbers {
     ops: usize,
     functions: usize,
     scripts: usize,
     attributes: u32,
-    /// The attributes that are not private: each has its name alone, in all files.
+    /// The public attributes, whose names are unique across all files.
     public: Vec<Head>,
 }
 
 impl Declared {
-    /// The declarations of each file of a program; says which names are taken, and which items are
-    /// not understood yet.
+    /// The declarations of each file of a program. Reports duplicate names and invalid attributes.
     pub(super) fn of_all(units: &[Unit], diagnostics: &mut Vec<Diagnostic>) -> Vec<Self> {
         let mut numbers = Numbers::default();
         let own = units.iter().map(|unit| {
@@ -195,11 +194,11 @@ impl Declared {
         }
     }
 
-    /// Takes in what a used file declares. What the file has of its `own` clashes with it.
+    /// Adds the declarations of a used file. Clashes with the file's `own` declarations are errors.
     fn take_in(&mut self, used: &Self, own: &Self, diagnostics: &mut Vec<Diagnostic>) {
         for (name, named) in &used.called {
             if let Some(mine) = own.called.get(name) {
-                // A script of a used file gives way.
+                // An own item shadows a script of a used file.
                 if named.what == What::Script {
                     continue;
                 }
@@ -215,7 +214,7 @@ impl Declared {
         }
         for head in used.attributes.iter().filter(|head| !head.private) {
             match own.attributes.iter().find(|mine| mine.is_named_as(head)) {
-                // Two that are public have been told apart already.
+                // A clash of two public attributes has been reported already.
                 Some(mine) if mine.private => diagnostics.push(clash(mine, head)),
                 _ => self.attributes.push(head.clone()),
             }
@@ -225,7 +224,7 @@ impl Declared {
         self.lost_attributes.extend(lost);
     }
 
-    /// The meaning of a name that is called.
+    /// The callable item of this name.
     pub(super) fn called(&self, name: &str) -> Option<Named> {
         self.called.get(name).copied()
     }
@@ -236,12 +235,12 @@ impl Declared {
         (named.what == What::Op).then_some(named.number)
     }
 
-    /// The function of this name, as far as it is known.
+    /// The signature of the function or script of this name, as far as it is known.
     pub(super) fn function(&self, name: &str) -> Option<&Rc<FunctionSignature>> {
         self.functions.get(name)
     }
 
-    /// Takes in what is known of a function by now, if it can be named here.
+    /// Stores what is currently known of a function if its name refers to it in this file.
     pub(super) fn learn(&mut self, signature: &Rc<FunctionSignature>) {
         let named = self.called(&signature.name);
         if named.is_some_and(|named| named.span == signature.span) {
@@ -250,7 +249,7 @@ impl Declared {
         }
     }
 
-    /// Complains about a name that could mean two things.
+    /// Reports a name that is ambiguous.
     pub(super) fn expect_one(&self, name: &Ident, report: &mut Report) -> Option<()> {
         let (Some(first), Some(other)) = (self.called(&name.text), self.others.get(&name.text))
         else {
@@ -269,13 +268,13 @@ impl Declared {
         None
     }
 
-    /// True if the op, function or script whose name stands here has the name, and not an earlier
+    /// True if the name refers to the op, function or script declared here, and not to an earlier
     /// one.
     pub(super) fn has_its_name(&self, name: &Ident) -> bool {
         self.called(&name.text).is_some_and(|named| named.span == name.span)
     }
 
-    /// The names of all that can be called.
+    /// The names of all callable items.
     pub(super) fn called_names(&self) -> impl Iterator<Item = &str> {
         self.called.keys().map(String::as_str)
     }
@@ -291,12 +290,12 @@ impl Declared {
         self.called(name).is_some_and(|named| named.what == What::Script)
     }
 
-    /// True if the name is that of something to call.
+    /// True if a callable item or a built-in function has this name.
     pub(super) fn is_called(&self, name: &str) -> bool {
         self.called(name).is_some() || is_of_the_language(name)
     }
 
-    /// True if what is called may stand where it cannot be seen.
+    /// True if a used file is missing, so that an unknown name may be declared there.
     pub(super) fn lacks_files(&self) -> bool {
         self.lacks
     }
@@ -306,13 +305,13 @@ impl Declared {
         self.attributes.iter().find(|head| head.name == name).map(|head| head.element)
     }
 
-    /// True if an attribute of this name has been refused, or may stand where it cannot be seen
-    /// yet.
+    /// True if an attribute of this name has been rejected, or may be declared in a used file that
+    /// is missing.
     pub(super) fn has_attribute(&self, name: &str) -> bool {
         self.lacks || self.lost_attributes.contains(name)
     }
 
-    /// The place where a used file declares an attribute of this name that only it sees.
+    /// The place where a used file declares a private attribute of this name.
     pub(super) fn hidden_attribute(&self, element: Type, name: &str) -> Option<Span> {
         let mut hidden = self.hidden.iter();
         let head = hidden.find(|head| head.element == element && head.name == name)?;
@@ -326,7 +325,7 @@ impl Declared {
         Some((Access::Declared(head.number), head.ty))
     }
 
-    /// Remembers what the word behind the dot of a value means, if it means something.
+    /// Records what the word after the dot of a value means, if it means something.
     pub(super) fn meet(&self, of: Type, field: &Ident) {
         let mut known = self.attributes.iter();
         let head = known.find(|head| head.element == of && head.name == field.text);
@@ -335,18 +334,18 @@ impl Declared {
         }
     }
 
-    /// The meanings of the words behind dots that have been met.
+    /// Takes the recorded meanings of the words after dots.
     pub(super) fn take_met(&mut self) -> Fields {
         self.met.take()
     }
 
-    /// The names of the attributes that elements of a type are declared to have.
+    /// The names of the declared attributes of elements of a type.
     pub(super) fn attributes_of(&self, element: Type) -> impl Iterator<Item = &str> {
         let of_element = self.attributes.iter().filter(move |head| head.element == element);
         of_element.map(|head| head.name.as_str())
     }
 
-    /// The attribute whose name stands here.
+    /// The attribute declared at this span.
     pub(super) fn attribute_at(&self, span: Span) -> Option<&Head> {
         self.attributes.iter().find(|head| head.span == span)
     }
@@ -356,7 +355,7 @@ fn is_of_the_language(name: &str) -> bool {
     function_names().chain(fold_names()).any(|known| known == name)
 }
 
-/// The error for an attribute whose name another has.
+/// The error for an attribute whose name is taken by another.
 fn clash(head: &Head, other: &Head) -> Diagnostic {
     let what = format!("{} attribute", a_type(head.element));
     let name = Ident { text: head.name.clone(), span: head.span };
@@ -367,7 +366,7 @@ fn clash(head: &Head, other: &Head) -> Diagnostic {
     }
 }
 
-/// The error for a name that `what` (with its article) has taken.
+/// The error for a name that is taken; `what` is the kind of item, with its article.
 pub(super) fn duplicate(what: &str, name: &Ident, first: Span) -> Diagnostic {
     let message = format!("there is already {what} `{}`", name.text);
     Diagnostic::error("duplicate-name", message, name.span).label(first, "the first is here")

@@ -1,8 +1,8 @@
-//! Nothing may be nested so deeply that walking it overflows the stack.
+//! Limits of nesting, so that walking a tree cannot overflow the stack.
 //!
-//! Two depths count. Whatever is made of an expression is as deep as its tree; chains
-//! like `a + b + c` and `h.next.next` are deep on their left side only, and those are
-//! walked here without recursion. Everything else recurses once a level.
+//! Two depths are bounded. Anything built from an expression is as deep as its tree. Chains like
+//! `a + b + c` and `h.next.next` are deep on their left side only, and are walked here without
+//! recursion; everything else recurses once per level.
 
 use std::ptr;
 
@@ -12,22 +12,22 @@ use crate::syntax::tree::{Block, Expr, ExprKind};
 
 use super::report::Report;
 
-/// The greatest depth of a tree in all.
+/// The maximum depth of a tree.
 const DEEPEST: u32 = 2000;
-/// The number of times a tree may nest otherwise than on the left side of a chain.
+/// The maximum nesting of a tree, not counting the left sides of chains.
 const MOST_NESTED: u32 = 400;
 
-/// True if an expression can be walked; if not, the report says so.
+/// True if an expression is shallow enough to walk; otherwise reports an error.
 pub(super) fn shallow_expr(expr: &Expr, report: &mut Report) -> bool {
     shallow(Part::Expr(expr), report)
 }
 
-/// True if a block can be walked; if not, the report says so.
+/// True if a block is shallow enough to walk; otherwise reports an error.
 pub(super) fn shallow_block(block: &Block, report: &mut Report) -> bool {
     shallow(Part::Block(block), report)
 }
 
-/// Shows a block and all its parts, however deep, in no particular order.
+/// Calls `look` with a block and all its parts, at any depth, in no particular order.
 pub(super) fn each_part<'a>(block: &'a Block, mut look: impl FnMut(Part<'a>)) {
     let mut open = vec![Part::Block(block)];
     while let Some(part) = open.pop() {
@@ -36,7 +36,7 @@ pub(super) fn each_part<'a>(block: &'a Block, mut look: impl FnMut(Part<'a>)) {
     }
 }
 
-/// Shows what lies in a part: in a block, the parts of its statements.
+/// Calls `look` with the children of a part: for a block, the parts of its statements.
 fn inside<'a>(part: Part<'a>, look: &mut dyn FnMut(Part<'a>)) {
     match part {
         Part::Expr(expr) => expr.each_part(look),
@@ -80,7 +80,7 @@ fn too_deep(part: Part) -> Diagnostic {
     }
 }
 
-/// The part on which a chain grows.
+/// The left side of a chain.
 pub(super) fn left_side(expr: &Expr) -> Option<&Expr> {
     match &expr.kind {
         ExprKind::Binary(_, left, _) | ExprKind::Field(left, _) => Some(left),

@@ -12,32 +12,32 @@ use super::mention::path_of;
 use super::names::Names;
 use super::report::Report;
 
-/// Drawing one side of a rule.
+/// The state while one side of a rule is resolved.
 pub(super) struct Drawing<'a> {
     names: &'a Names,
     report: &'a mut Report,
     side: Side,
-    /// The statement of each face, edge and vertex.
+    /// The span of the statement of each face, edge and vertex.
     stated: HashMap<NameId, Span>,
-    /// True if what follows the statement that is drawn could not be read.
+    /// True if the statement after the current one could not be read.
     breaks_off: bool,
-    /// The halfedges that are lacking in the loops drawn here; nothing in `before`.
+    /// The items missing from the loops of `after`; empty for `before`.
     lacking: Vec<Lacking>,
 }
 
-/// Something that stands in a loop of `before`, or is new, and in none of `after`.
+/// A halfedge or path that is in a loop of `before`, or new, and in no loop of `after`.
 struct Lacking {
     item: NameId,
-    /// The vertices at its ends, where they are known and stay.
+    /// The vertices at its ends in `before`; `None` if it is new.
     ends: Option<[NameId; 2]>,
 }
 
-/// True if what stands behind a statement could not be read: it may belong to it.
+/// True if the statement after this one could not be read: it may belong to this one.
 fn breaks_off(side: &tree::Side, at: usize) -> bool {
     matches!(side.statements.get(at + 1), Some(Statement::Broken(_)))
 }
 
-/// The drawing before.
+/// Resolves the drawing `before`.
 pub(super) fn draw_before(side: &tree::Side, names: &Names, report: &mut Report) -> Side {
     let mut drawing = Drawing::new(side, names, report);
     for (at, statement) in side.statements.iter().enumerate() {
@@ -49,7 +49,7 @@ pub(super) fn draw_before(side: &tree::Side, names: &Names, report: &mut Report)
     drawing.side
 }
 
-/// The drawing after; `keep` restates what `before` states.
+/// Resolves the drawing `after`; `keep` restates what `before` states.
 pub(super) fn draw_after(
     side: &tree::Side,
     before: &Side,
@@ -74,7 +74,8 @@ pub(super) fn draw_after(
     drawing.side
 }
 
-/// The halfedges that the loops of `after` lack, as far as they are named.
+/// The named items of `before` and new halfedges that no loop of `after` contains and that are not
+/// erased.
 fn lacking(side: &tree::Side, before: &Side, names: &Names) -> Vec<Lacking> {
     let mut held: HashSet<NameId> = HashSet::new();
     let mut created = Vec::new();
@@ -117,7 +118,7 @@ fn lacking(side: &tree::Side, before: &Side, names: &Names) -> Vec<Lacking> {
     lacking
 }
 
-/// An unnamed path is the one that the loop had before.
+/// Reports an unnamed path in a loop without one in `before`: it stands for that path.
 fn missing_path(l: &Loop, names: &Names, report: &mut Report) {
     let unnamed = |item: &&LoopItem| !names.get(item.item.name).named;
     let Some(item) = l.items.iter().find(unnamed) else {
@@ -144,9 +145,9 @@ impl<'a> Drawing<'a> {
         }
     }
 
-    /// Draws an orbit; `false` if the statement is none.
+    /// Resolves a statement of an orbit; `false` if it is another kind of statement.
     fn orbit(&mut self, statement: &Statement) -> bool {
-        // What has no number or is not whole has been told of before.
+        // Names without a number and incomplete statements have been reported before.
         let drawn = match statement {
             Statement::Loop(l) => self.face(l),
             Statement::Edge { name, halfedges, span } => self.edge(name, halfedges, *span),
@@ -180,7 +181,7 @@ impl<'a> Drawing<'a> {
         Some(mention(id, name))
     }
 
-    /// Notes where something is stated, and complains the second time.
+    /// Records where an element is stated, and reports a second statement.
     pub(super) fn state(&mut self, what: Ref, span: Span) {
         let Some(first) = self.stated.insert(what.name, span) else {
             return;
@@ -218,7 +219,7 @@ impl<'a> Drawing<'a> {
             };
             items.push(LoopItem { from, item });
         }
-        // The parser lets no loop pass without a halfedge and an end.
+        // The parser accepts no loop without a halfedge and an end.
         let first = items.first()?.from;
         let end = match (&l.end, &l.each) {
             (Some(end), _) => self.refer(end)?,
@@ -251,7 +252,7 @@ impl<'a> Drawing<'a> {
         let ([first, ..], Some(end)) = (l.items.as_slice(), &l.end) else {
             return;
         };
-        // That corners of a single loop have a subscript has been told.
+        // Subscripts at the corners of a single loop have been reported.
         if l.name.index.is_none() && l.each.is_none() && first.from.index.is_some() {
             self.report.fail();
             return;
@@ -275,8 +276,8 @@ impl<'a> Drawing<'a> {
             ));
             return;
         }
-        // A vertex that stands here alone is a slip if the other one is drawn before, and so is
-        // one that an item runs back to. To one that is drawn elsewhere the way may be meant.
+        // An end that is first mentioned here is a slip if the other end is known, and so is one
+        // that the last item both leaves and leads to. Otherwise the loop may be meant to go on.
         let stands_alone = |name: &tree::Name| {
             let known = self.names.find(&name.ident.text);
             known.is_none_or(|id| self.names.get(id).span == name.span)
@@ -297,8 +298,8 @@ impl<'a> Drawing<'a> {
         });
     }
 
-    /// The item that closes a gap in a loop, if it is certain: the only thing that runs there, or
-    /// that is left over at all and whose ends are not known.
+    /// The item that closes a gap in a loop, if it is certain: the only missing item with these
+    /// ends, or the only missing item at all if its ends are not known.
     fn lacks(&self, gap: [NameId; 2]) -> Option<NameId> {
         let fitting: Vec<_> = self.lacking.iter().filter(|one| one.ends == Some(gap)).collect();
         match (fitting.as_slice(), self.lacking.as_slice()) {
@@ -329,14 +330,14 @@ impl<'a> Drawing<'a> {
             });
         }
         if spokes.is_empty() {
-            // Nor a vertex without spokes.
+            // The parser accepts no vertex without spokes either.
             return None;
         }
         self.side.stars.push(Star { vertex, spokes, each: star.each.is_some(), span: star.span });
         Some(())
     }
 
-    /// `keep x`: what `before` states of `x`, once more.
+    /// `keep x`: restates what `before` states of `x`.
     fn keep(&mut self, name: &tree::Name, before: &Side) {
         let Some(kept) = self.refer(name) else {
             // The lists report names that are drawn nowhere.

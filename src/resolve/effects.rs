@@ -1,8 +1,8 @@
-//! Effects of functions besides computing a value, found out before any of them is understood.
+//! Side effects of functions, determined before any function is resolved.
 //!
-//! An op may ask a function, but only one that changes nothing, prints nothing and looks at
-//! nothing but what it is given. What a function does, it does itself or through those that it
-//! calls; both is read off the tree.
+//! An op may call a function only if it changes nothing, prints nothing, does not look at the whole
+//! mesh, asks no op and draws no random number. A function has its own effects and those of the
+//! functions that it calls; both are read off the tree.
 
 use crate::source::Span;
 use crate::syntax::Part;
@@ -15,15 +15,15 @@ use super::sequence_names::WHOLE_MESH;
 use super::signature::Effects;
 use super::unit::Unit;
 
-/// The effects of a function as known from its tree.
+/// The effects of a function, from its tree.
 #[derive(Clone, Debug, Default)]
 pub(super) struct TreeEffects {
     pub(super) effects: Effects,
     /// The functions that it calls, by number.
     pub(super) calls: Vec<usize>,
-    /// True if it calls an op, itself or through others.
+    /// True if it calls or asks an op, itself or through other functions.
     pub(super) calls_ops: bool,
-    /// The calls of ops that are only asked.
+    /// The calls of ops that are only asked (`can`, `why`).
     asked: Vec<Span>,
 }
 

@@ -1,8 +1,9 @@
-//! Families: which names of a rule have a subscript, and whether its statements make sense.
+//! Families: which names of a rule have a subscript, and whether its statements use them
+//! consistently.
 //!
-//! A rule has one index. A name has a subscript wherever it stands, or nowhere. A statement
-//! with a free index is about a family, and holds for all of it; `each` repeats its period in
-//! the one orbit of a single name.
+//! A rule has one index. A name has a subscript everywhere or nowhere. A statement with a free
+//! index is about a family and holds for every member; `each` repeats its period in the one orbit
+//! of a single name.
 
 use std::collections::HashMap;
 
@@ -14,21 +15,21 @@ use super::mention::{Mention, mentions};
 use super::report::Report;
 use super::words::quoted;
 
-/// The largest constant that a subscript can add to the index: the checker looks at cycles
-/// that are longer than what one statement spans.
+/// The largest constant that a subscript can add to the index. The checker examines cycles that are
+/// longer than the range of one statement.
 pub(super) const WIDEST: i64 = 4;
 
-/// The index of a rule, as it is being read.
+/// The index of a rule, while it is being read.
 #[derive(Debug, Default)]
 struct Letter {
     first: Option<(String, Span)>,
-    /// Names that have been told to have two forms.
+    /// Names that have been reported to have two forms.
     told: Vec<String>,
-    /// Other letters that have been told.
+    /// Other letters that have been reported.
     others: Vec<String>,
 }
 
-/// Tests the subscripts of a rule; its index, if it has families.
+/// Checks the subscripts of a rule. Returns its index if it has families.
 pub(super) fn read_index(
     rule: &tree::Rule,
     params: &[tree::Param],
@@ -62,8 +63,8 @@ pub(super) fn read_index(
     letter.first.map(|(letter, _)| letter)
 }
 
-/// The mistake in the subscript of a parameter: a halfedge alone says where to begin, since an edge
-/// may be taken in two directions, and around a vertex or face every place is tried.
+/// The error in the subscript of a parameter. Only a halfedge determines where a family begins: an
+/// edge has two directions, and around a vertex or face every starting position is tried.
 fn wrong_beginning(param: &tree::Param, index: &Index) -> Option<String> {
     let is_first = index.variable.is_none() && index.offset == 0;
     match param.ty.text.as_str() {
@@ -76,7 +77,7 @@ fn wrong_beginning(param: &tree::Param, index: &Index) -> Option<String> {
     }
 }
 
-/// The names of `new`, each with whether it has a subscript there.
+/// The names of `new`, each with whether it has a subscript there, and its span.
 fn created(rule: &tree::Rule) -> HashMap<&str, (bool, Span)> {
     let statements = rule.after.iter().flat_map(|side| &side.statements);
     let listed = statements.filter_map(|statement| match statement {
@@ -87,7 +88,7 @@ fn created(rule: &tree::Rule) -> HashMap<&str, (bool, Span)> {
     names.map(|name| (name.ident.text.as_str(), (name.index.is_some(), name.span))).collect()
 }
 
-/// Complains about names of `new` without the subscript that they have wherever they are drawn.
+/// Reports names in `new` that lack the subscript they have wherever they are drawn.
 fn bare_in_new(rule: &tree::Rule, created: &HashMap<&str, (bool, Span)>, report: &mut Report) {
     let drawn: Vec<Mention> =
         [&rule.before, &rule.after].into_iter().flatten().flat_map(mentions).collect();
@@ -134,8 +135,8 @@ fn bare_in_new(rule: &tree::Rule, created: &HashMap<&str, (bool, Span)>, report:
     }
 }
 
-/// True if a name has a subscript here as it has elsewhere. Of a name that has two forms nothing
-/// else is told: what else is wrong with it follows.
+/// Reports a name that has a subscript in one place and none in another. Nothing else is reported
+/// about such a name: further errors follow from this one.
 fn same_form(
     mention: &Mention,
     params: &[tree::Param],
@@ -151,7 +152,7 @@ fn same_form(
     if first.0 == here || !mention.is_named() || is_told {
         return;
     }
-    // That a value is no element is told elsewhere.
+    // A value used as an element is reported elsewhere.
     let param = params.iter().find(|param| param.name.ident.text == word);
     let elements = ["vertex", "halfedge", "edge", "face"];
     if param.is_some_and(|param| !elements.contains(&param.ty.text.as_str())) {
@@ -212,7 +213,7 @@ impl Letter {
         }
     }
 
-    /// The index of the rule, which has one.
+    /// Records the index variable of the rule; reports a second one.
     fn meet(&mut self, variable: &Ident, report: &mut Report) {
         let Some((letter, first)) = &self.first else {
             self.first = Some((variable.text.clone(), variable.span));
@@ -276,7 +277,7 @@ impl Letter {
             });
             return;
         }
-        // The corners of one loop have no index to run with either.
+        // The corners of a single loop have no index either.
         if let Statement::Loop(orbit) = statement
             && !free
         {
@@ -289,7 +290,7 @@ impl Letter {
     }
 }
 
-/// Says how `face f: v[i] -h[i]-> v[i+1]` is drawn all around.
+/// Adds a fix that repeats `v[i] -h[i]-> v[i+1]` with `each`, if the loop is such a period.
 fn repeated(error: Diagnostic, orbit: &tree::Loop) -> Diagnostic {
     let ([first, ..], Some(end)) = (orbit.items.as_slice(), &orbit.end) else {
         return error;
@@ -313,7 +314,7 @@ fn repeated(error: Diagnostic, orbit: &tree::Loop) -> Diagnostic {
     error
 }
 
-/// A run without a name in a period.
+/// A path or fan without a name inside `each`.
 fn unnamed_in_each(statement: &Statement) -> Option<Span> {
     match statement {
         Statement::Loop(orbit) => {
@@ -348,7 +349,7 @@ fn mixed(part: &Name, subject: &Name, free: bool) -> Diagnostic {
     Diagnostic::error("mixed-statement", message, part.span).note(note)
 }
 
-/// True if a name is a family, which an op may not return: it is many elements.
+/// True if a name is a family: many elements, so an op may not return it.
 pub(super) fn is_family(side: &Side, word: &str) -> bool {
     mentions(side).iter().any(|mention| mention.text == word && mention.index.is_some())
 }

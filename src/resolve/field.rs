@@ -1,4 +1,4 @@
-//! Fields: the pointers of an element, its attributes, the components of a vector.
+//! Fields: the pointers and attributes of an element, the components of a vector.
 
 use crate::diagnostic::{Diagnostic, Edit, Fix};
 use crate::diagram::{Expr, ExprKind, Type, Wanted, overloads};
@@ -12,7 +12,7 @@ use super::typed::typed;
 use super::typing::Typing;
 use super::words::{a_type, quoted, short};
 
-/// A field of a type, for lists of them.
+/// A field of a type, for completion lists.
 pub(super) struct Entry {
     pub(super) name: &'static str,
     pub(super) ty: Type,
@@ -32,7 +32,7 @@ pub(super) fn entries_of(ty: Type) -> Vec<Entry> {
     fields_of(ty).iter().map(entry).collect()
 }
 
-/// The function of elements of type `ty` that a word names, here or elsewhere.
+/// The function of elements of type `ty` that a word names, in this language or another.
 fn function_of(ty: Type, word: &str) -> Option<&str> {
     let takes = |function: &str| {
         let mut ways = overloads(function).iter();
@@ -46,7 +46,7 @@ fn function_of(ty: Type, word: &str) -> Option<&str> {
     }
 }
 
-/// Says that `x.length` is written `length(x)`.
+/// Adds the fix that writes `x.length` as `length(x)`.
 fn written_as_call(
     error: Diagnostic,
     function: &str,
@@ -68,7 +68,7 @@ fn written_as_call(
 }
 
 impl Typing<'_> {
-    /// `x.field`; `of_sequences` where a sequence is wanted.
+    /// `x.field`; `of_sequences` is true where a sequence is expected.
     pub(super) fn field(
         &mut self,
         (written, base): (&tree::Expr, Expr),
@@ -103,7 +103,8 @@ impl Typing<'_> {
         })
     }
 
-    /// Says that there is no such field, and what there is; `of_sequences` where one is wanted.
+    /// Reports an unknown field, with the fields that exist; `of_sequences` is true where a
+    /// sequence is expected.
     pub(super) fn unknown_field(
         &mut self,
         written: &tree::Expr,
@@ -112,7 +113,7 @@ impl Typing<'_> {
         of_sequences: bool,
     ) {
         if self.declared.has_attribute(&field.text) {
-            // The declaration has been refused already.
+            // The declaration has been rejected already.
             self.report.fail();
             return;
         }
@@ -136,7 +137,7 @@ impl Typing<'_> {
         }
         let here = foreign_words::field(ty, &field.text);
         let word = (field.text.as_str(), field.span);
-        // What is of the other sort would be an error again.
+        // A suggestion of the other sort would be an error again.
         let fits = |known: &&str| sequences_of(ty).contains(known) == of_sequences;
         let ours = here.filter(|here| match here {
             Here::Written(ours) => fits(ours),
@@ -155,7 +156,7 @@ impl Typing<'_> {
     }
 }
 
-/// An attribute of another file that keeps it to itself.
+/// The error for a private attribute of another file.
 pub(super) fn private(name: &Ident, declared: Span) -> Diagnostic {
     let message = format!("`{}` is private to the file that declares it", name.text);
     Diagnostic::error("unknown-attribute", message, name.span)

@@ -1,4 +1,4 @@
-//! The table of the fields that elements and vectors have without any declaration.
+//! The table of built-in fields of elements, vectors and matrices.
 
 use crate::diagram::{Access, Pointer, Type};
 
@@ -40,7 +40,7 @@ pub(super) fn fields_of(ty: Type) -> &'static [(&'static str, Field)] {
             ("z", Part(2, Real)),
             ("w", Part(3, Real)),
         ],
-        // The columns, as everywhere in graphics.
+        // Matrices are stored by columns, as is usual in graphics.
         Type::Mat3 => &[("x", Part(0, Vec3)), ("y", Part(3, Vec3)), ("z", Part(6, Vec3))],
         Type::Mat4 => &[
             ("x", Part(0, Vec4)),
@@ -52,7 +52,7 @@ pub(super) fn fields_of(ty: Type) -> &'static [(&'static str, Field)] {
     }
 }
 
-/// The attribute of this name that elements of type `ty` have, and the type of its values.
+/// The built-in attribute of this name of elements of type `ty`, and the type of its values.
 pub(super) fn attribute(ty: Type, word: &str) -> Option<(Access, Type)> {
     fields_of(ty).iter().find_map(|(known, field)| match field {
         Field::Attribute(access, value) if *known == word => Some((*access, *value)),
@@ -60,7 +60,7 @@ pub(super) fn attribute(ty: Type, word: &str) -> Option<(Access, Type)> {
     })
 }
 
-/// The names of the attributes that elements of type `ty` have.
+/// The names of the built-in attributes of elements of type `ty`.
 pub(super) fn attributes_of(ty: Type) -> Vec<&'static str> {
     let attribute = |(known, field): &(&'static str, Field)| {
         matches!(field, Field::Attribute(..)).then_some(*known)
@@ -68,7 +68,7 @@ pub(super) fn attributes_of(ty: Type) -> Vec<&'static str> {
     fields_of(ty).iter().filter_map(attribute).collect()
 }
 
-/// True if elements of type `ty` have a field of this name without any declaration.
+/// True if type `ty` has a built-in field or sequence of this name.
 pub(super) fn is_taken(ty: Type, word: &str) -> bool {
     fields_of(ty).iter().any(|(known, _)| *known == word) || sequences_of(ty).contains(&word)
 }

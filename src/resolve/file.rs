@@ -1,4 +1,4 @@
-//! The files of a program: first the names of all items, then the items.
+//! The files of a program: the names of all items are resolved first, then the items.
 
 use std::collections::HashMap;
 
@@ -17,34 +17,35 @@ use super::steps::resolve_steps;
 use super::testing::resolve_test;
 use super::unit::Unit;
 
-/// For each word behind a dot, by its place, where the attribute that it names is declared; `None`
-/// if it is a field of the language. A word is not there if its meaning is not known.
+/// For each word after a dot, by its span, the declaration of the attribute that it names, or
+/// `None` for a built-in field. Words of unknown meaning are missing.
 pub type Fields = HashMap<Span, Option<Span>>;
 
-/// A program, and what is wrong with it.
+/// A program and its diagnostics.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Resolved {
-    /// The program, as far as it could be understood.
+    /// The program, as far as it could be resolved.
     pub program: Program,
-    /// The mistakes, in the order of the text.
+    /// The diagnostics, in the order of the text.
     pub diagnostics: Vec<Diagnostic>,
-    /// The meanings of the words behind dots.
+    /// The meanings of the words after dots.
     pub fields: Fields,
 }
 
-/// Finds what every name of a file means that uses no other, and what type every value has.
+/// Resolves a single file that uses no others: the meaning of every name and the type of every
+/// value.
 ///
-/// Items are resolved one by one: a mistake in one costs no other. Nothing is said
-/// about what the parser has complained of already.
+/// Items are resolved independently: an error in one does not affect the others. What the parser
+/// has already reported is not reported again.
 pub fn resolve(tree: &tree::File) -> Resolved {
     let uses = |item: &Item| matches!(item, Item::Use(_));
     resolve_all(&[Unit { tree, uses: Vec::new(), lacks: tree.items.iter().any(uses) }])
 }
 
-/// The same for the files of a program, the first of which is the program itself.
+/// Resolves the files of a program; the first one is the program itself.
 ///
-/// Functions come before what calls them: first those that call no op, then the ops, which
-/// may ask them, then the functions that call ops, then the steps of ops, then the scripts.
+/// Callees come before callers: first the functions that call no op, then the ops, which may call
+/// them, then the functions that call ops, then the steps of ops, then scripts and tests.
 pub fn resolve_all(units: &[Unit]) -> Resolved {
     let mut diagnostics = Vec::new();
     let declared = Declared::of_all(units, &mut diagnostics);

@@ -1,8 +1,8 @@
-//! Words of other languages and mesh libraries, and what is written for them here.
+//! Words of other languages and mesh libraries, and their equivalents here.
 //!
-//! A newcomer writes `h.opposite`, `len(faces)` or `float`. Such words are too far from ours to
-//! be taken for misspellings, so they stand in tables. Half of them have an equal here, which
-//! is offered as a fix; for the others a sentence says how it is done.
+//! A newcomer writes `h.opposite`, `len(faces)` or `float`. Such words are too far from ours to be
+//! taken for misspellings, so they are listed in tables. About half of them have an equivalent
+//! here, which is offered as a fix; for the others a sentence explains how it is done.
 
 use crate::diagnostic::Diagnostic;
 use crate::diagram::Type;
@@ -14,9 +14,9 @@ use super::suggestion::suggest;
 /// The replacement of a foreign word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Here {
-    /// These words in its place.
+    /// The equivalent in this language.
     Written(&'static str),
-    /// A sentence.
+    /// A sentence that explains how it is done.
     Said(&'static str),
 }
 
@@ -98,7 +98,7 @@ pub(super) fn field(ty: Type, word: &str) -> Option<Here> {
     Some(Written(written))
 }
 
-/// True if a word stands elsewhere for the number of sides of a face, or of edges at a vertex.
+/// True if other languages use the word for the number of sides of a face or of edges at a vertex.
 pub(super) fn is_degree(ty: Type, word: &str) -> bool {
     match word {
         "n" | "degree" | "valence" | "valency" | "size" | "count" | "len" | "num_edges"
@@ -110,7 +110,7 @@ pub(super) fn is_degree(ty: Type, word: &str) -> bool {
     }
 }
 
-/// The replacement of a foreign word that is called.
+/// The replacement of a foreign function name.
 pub(super) fn function(word: &str) -> Option<Here> {
     Some(match word {
         "valence" | "valency" => Written("degree"),
@@ -231,7 +231,7 @@ fn sequence_called(word: &str) -> Option<Here> {
     is_sequence.then_some(Said("a sequence is written without parentheses: `for v in vertices`"))
 }
 
-/// The replacement of a foreign word among values and statements.
+/// The replacement of a foreign word used as a value or statement.
 pub(super) fn name(word: &str) -> Option<Here> {
     Some(match word {
         "PI" | "Pi" => Written("pi"),
@@ -273,15 +273,15 @@ pub(super) fn name(word: &str) -> Option<Here> {
     })
 }
 
-/// True if a variable is declared with this word elsewhere: `int x = 3`, `const x = 3`.
+/// True if other languages declare a variable with this word: `int x = 3`, `const x = 3`.
 pub(super) fn declares(word: &str) -> bool {
     matches!(word, "const" | "auto" | "mut")
         || Type::ALL.iter().any(|ty| ty.word() == word)
         || type_word(word).is_some()
 }
 
-/// Says at the primary place of `diagnostic`, where `word` stands, what is written here for
-/// it; if that is not known, what it was perhaps meant to be.
+/// Adds the replacement of the foreign `word` at `span` to `diagnostic`; if there is none, suggests
+/// the closest of the `candidates`.
 pub(super) fn tell<'a>(
     diagnostic: Diagnostic,
     (word, span): (&str, Span),

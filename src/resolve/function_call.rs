@@ -1,4 +1,4 @@
-//! Calls of functions of the program.
+//! Calls of functions and scripts declared in the program.
 
 use std::rc::Rc;
 
@@ -17,7 +17,7 @@ use super::typed::typed;
 use super::typing::{Place, Typing};
 use super::words::{a_type, arguments};
 
-/// The call of a function.
+/// A call of a function.
 struct Invocation {
     number: u32,
     signature: Rc<FunctionSignature>,
@@ -25,7 +25,7 @@ struct Invocation {
 }
 
 impl Typing<'_> {
-    /// The value of a function of the program, if the name means one.
+    /// The value of a call, if the name means a function or script of the program.
     pub(super) fn invoked(
         &mut self,
         function: &Ident,
@@ -87,7 +87,7 @@ impl Typing<'_> {
         Some(Invocation { number: named.number as u32, signature, args })
     }
 
-    /// The arguments of a call, those left out as well.
+    /// The arguments of a call, with defaults for those left out.
     pub(super) fn arguments(
         &mut self,
         name: &str,
@@ -102,7 +102,7 @@ impl Typing<'_> {
                     let whose = format!("`{}` of `{name}`", param.name);
                     self.expression_as(arg, ty, &whose)
                 }
-                // Of unknown type, or one too many.
+                // A parameter of unknown type, or one argument too many.
                 Some((_, None)) | None => self.expression(arg),
             };
             values.push(value);
@@ -117,7 +117,7 @@ impl Typing<'_> {
         values.into_iter().collect()
     }
 
-    /// Complains about a wrong number of arguments.
+    /// Reports a wrong number of arguments.
     fn right_argument_count(
         &mut self,
         name: &str,
@@ -126,7 +126,7 @@ impl Typing<'_> {
         span: Span,
     ) -> Option<()> {
         let most = params.len();
-        // A parameter before one without a default cannot be left out either.
+        // A parameter before a required one cannot be left out either.
         let required = params.iter().rposition(|param| !param.optional);
         let least = required.map_or(0, |place| place + 1);
         if (least..=most).contains(&given) {
@@ -155,7 +155,7 @@ impl Typing<'_> {
         None
     }
 
-    /// Complains about a function that does here what it must not.
+    /// Reports a function whose effects are not allowed in this place.
     fn expect_allowed(
         &mut self,
         signature: &FunctionSignature,
@@ -199,7 +199,7 @@ impl Typing<'_> {
 }
 
 impl Scripting<'_> {
-    /// The call of a function as a statement.
+    /// A call of a function as a statement.
     pub(super) fn called_alone(
         &mut self,
         function: &Ident,
@@ -225,7 +225,7 @@ impl Scripting<'_> {
         Some(StatementKind::Call { function: number, args, result })
     }
 
-    /// Complains about a value that nobody wants.
+    /// Reports a value that is not used.
     pub(super) fn unused(&mut self, ty: Type, span: Span) {
         let message = "this value is not used";
         let error = Diagnostic::error("unused-value", message, span)

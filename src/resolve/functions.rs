@@ -1,8 +1,8 @@
-//! All functions of a program: in which order they are understood.
+//! All functions of a program, and the order in which they are resolved.
 //!
-//! The type of a function's value need not be written; then its body is resolved before those
-//! of the functions that call it. Functions that call each other in a circle, and do not say
-//! what they give, give nothing.
+//! The result type of a function may be omitted; then its body is resolved before the functions
+//! that call it. Functions that call each other in a cycle without a written result type return
+//! nothing.
 
 use std::rc::Rc;
 
@@ -20,16 +20,16 @@ use super::unit::Unit;
 
 /// The functions of a program, by number.
 pub(super) struct Functions<'t> {
-    /// The declarations of each file. It learns of functions as they are understood.
+    /// The declarations of each file, updated as functions are resolved.
     pub(super) declared: Vec<Declared>,
     items: Vec<Pending<'t>>,
     diagnostics: Vec<Diagnostic>,
 }
 
-/// A function on its way.
+/// A function that is being resolved.
 struct Pending<'t> {
     tree: &'t tree::Fn,
-    /// The file, by its place.
+    /// The index of its file.
     home: usize,
     found: TreeEffects,
     signature: Rc<FunctionSignature>,
@@ -73,15 +73,14 @@ impl<'t> Functions<'t> {
         Self { declared, items, diagnostics: Vec::new() }
     }
 
-    /// Resolves the bodies of those that are wanted, each after those whose value it has to
-    /// know.
+    /// Resolves the bodies of the wanted functions, each after those whose result type it needs.
     pub(super) fn resolve(&mut self, ops: &[Signature], wanted: impl Fn(&TreeEffects) -> bool) {
         let mut left: Vec<usize> =
             (0..self.items.len()).filter(|&at| wanted(&self.items[at].found)).collect();
         while !left.is_empty() {
             let mut ready = left.clone();
             ready.retain(|&at| !self.waits(at));
-            // Nothing is ready: some call each other in a circle.
+            // None is ready: some call each other in a cycle.
             let cycles = ready.is_empty();
             if cycles {
                 ready = left.iter().copied().filter(|&at| self.in_a_circle(at)).collect();
@@ -96,7 +95,7 @@ impl<'t> Functions<'t> {
         }
     }
 
-    /// True if the value of a function depends on itself.
+    /// True if the result type of a function depends on itself.
     fn in_a_circle(&self, at: usize) -> bool {
         let mut seen = vec![false; self.items.len()];
         let mut open = vec![at];
@@ -114,7 +113,7 @@ impl<'t> Functions<'t> {
         false
     }
 
-    /// True if a function calls one whose value is not known yet.
+    /// True if a function calls one whose result type is not known yet.
     fn waits(&self, at: usize) -> bool {
         let mut calls = self.items[at].found.calls.iter();
         calls.any(|&called| self.items[called].signature.result == Value::Open)
@@ -137,7 +136,7 @@ impl<'t> Functions<'t> {
         self.give(at, value);
     }
 
-    /// Now it is known what a function gives.
+    /// Sets the result of a function if it is still open.
     fn give(&mut self, at: usize, value: Value) {
         let item = &mut self.items[at];
         if item.signature.result != Value::Open {

@@ -76,12 +76,12 @@ struct Reader<'a> {
     before: &'a Side,
     report: &'a mut Report,
     listed: HashMap<(&'static str, &'a str), Span>,
-    /// The names that `new` lists and no statement draws.
+    /// The names listed in `new` that no statement draws.
     unused: Vec<&'a tree::Name>,
 }
 
 impl<'a> Reader<'a> {
-    /// True if a name stands in a list for the first time.
+    /// True if a name occurs in a list for the first time; reports a repetition.
     fn first(&mut self, list: &'static str, name: &'a tree::Name) -> bool {
         let key = (list, name.ident.text.as_str());
         let Some(first) = self.listed.get(&key) else {
@@ -101,7 +101,7 @@ impl<'a> Reader<'a> {
             return None;
         }
         if let Some(given) = self.names.parameter(word) {
-            // That a parameter of another kind is drawn is told there.
+            // A parameter drawn as another kind is reported where it is drawn.
             if self.names.find(word).is_none() && self.is_drawn(word) {
                 self.report.fail();
                 return None;
@@ -178,13 +178,13 @@ impl<'a> Reader<'a> {
         self.report.add(error);
     }
 
-    /// True if `before` has a statement of an edge or a face.
+    /// True if `before` states this edge or face.
     fn stated(&self, id: NameId) -> bool {
         let edge = self.before.edges.iter().any(|edge| edge.edge.name == id);
         edge || self.before.loops.iter().any(|l| l.face.name == id)
     }
 
-    /// The number of a listed name, which a statement must have drawn.
+    /// The number of a listed name; reports a name that is drawn nowhere.
     fn drawn(&mut self, list: &str, name: &tree::Name) -> Option<NameId> {
         let word = &name.ident.text;
         let found = self.names.find(word);
@@ -197,12 +197,12 @@ impl<'a> Reader<'a> {
     }
 }
 
-/// A mention, with what its subscript adds.
+/// A reference to a name, with the offset of its subscript.
 pub(super) fn mention(id: NameId, name: &tree::Name) -> Ref {
     let offset = name.index.as_ref().map_or(0, |index| index.offset);
     Ref {
         name: id,
-        // A subscript that is too wide has been refused.
+        // A subscript that is too wide has been rejected.
         shift: i32::try_from(offset).unwrap_or(0),
         span: name.span,
     }

@@ -17,7 +17,7 @@ use super::typing::{Place, Typing};
 /// The constants of the language.
 pub(super) const CONSTANTS: [(&str, f64); 2] = [("pi", PI), ("infinity", f64::INFINITY)];
 
-/// The type of the element that a name stands for.
+/// The type of element that a name of this kind stands for.
 pub(super) fn element_type(kind: Kind) -> Option<Type> {
     match kind {
         Kind::Vertex => Some(Type::Vertex),
@@ -29,7 +29,7 @@ pub(super) fn element_type(kind: Kind) -> Option<Type> {
 }
 
 impl Typing<'_> {
-    /// A name: a variable, a drawn element, a parameter, a constant; the innermost first.
+    /// A name: a variable, a drawn element, a parameter or a constant, the innermost first.
     pub(super) fn name(&mut self, name: &tree::Name) -> Option<Expr> {
         if let Some(index) = &name.index {
             return self.member(name, index);
@@ -138,7 +138,7 @@ impl Typing<'_> {
         None
     }
 
-    /// Says that a name is not known, and what it may have been meant to be.
+    /// Reports an unknown name, and what may have been meant.
     pub(super) fn unknown_name(&mut self, word: &str, span: Span) {
         if WHOLE_MESH.iter().any(|(known, _)| *known == word) {
             let message = format!(
@@ -162,7 +162,7 @@ impl Typing<'_> {
         let error = foreign_words::tell(error, (word, span), here, candidates);
         let is_clear = !error.fixes.is_empty();
         self.report.add(error);
-        // What has a fix is told wherever it is to be mended, all else once.
+        // An error with a fix is reported at every occurrence, any other only once.
         if !is_clear {
             self.report.confuse(word);
         }

@@ -1,7 +1,7 @@
 //! Every mention of a name in a drawing, in the order of the text.
 //!
-//! A mention in a statement gives the name its kind; one in a list does not. A path
-//! without a name is mentioned under the name that its loop lends it.
+//! A mention in a statement gives the name its kind; one in a list does not. An unnamed path is
+//! mentioned under a name derived from its loop.
 
 use std::borrow::Cow;
 
@@ -12,25 +12,25 @@ use crate::syntax::tree::{Arrow, Index, Name, Side, Spoke, Statement};
 /// One mention.
 #[derive(Clone, Debug)]
 pub(super) struct Mention<'a> {
-    /// The word, or the description of a path without a name.
+    /// The word, or the description of an unnamed path.
     pub(super) text: Cow<'a, str>,
-    /// The kind that its place gives it; nothing in a list.
+    /// The kind that its place gives it; `None` in a list.
     pub(super) kind: Option<Kind>,
-    /// Its subscript; a path without a name has that of its loop.
+    /// Its subscript; an unnamed path has that of its loop.
     pub(super) index: Option<&'a Index>,
     /// Its place in the source.
     pub(super) span: Span,
 }
 
 impl Mention<'_> {
-    /// True if a person gave the name.
+    /// True if the name is written in the program.
     pub(super) fn is_named(&self) -> bool {
         matches!(self.text, Cow::Borrowed(_))
     }
 }
 
-/// The name of the one path without a name that the loop of a face may have. No word of
-/// the language looks like it.
+/// The internal name of the one unnamed path that the loop of a face may have. No name of the
+/// language looks like it.
 pub(super) fn path_of(face: &str) -> String {
     format!("the path of `{face}`")
 }

@@ -1,15 +1,14 @@
 //! Tree to program: names, kinds, types.
 //!
-//! [`resolve`] finds for every name of a drawing what kind of element it stands for, for
-//! every expression its type, for every call the op or function it means. What it makes
-//! is a [`Program`]: [diagrams](crate::diagram) for the checker, scripts for the machine.
-//! It assumes nothing of the tree, which may be broken anywhere, and leaves to the checker
-//! whether a drawing makes sense.
+//! [`resolve`] determines for every name of a drawing what kind of element it stands for, for every
+//! expression its type, for every call its op or function. The result is a [`Program`]:
+//! [diagrams](crate::diagram) for the checker, scripts for the machine. It assumes nothing of the
+//! tree, which may be broken anywhere, and leaves it to the checker whether a drawing makes sense.
 //!
-//! An item with an error is lost, and only that item.
+//! An item with an error is dropped, and only that item.
 //!
-//! A program is one file or several. What a file declares can be named in it, and in the files
-//! that use it; those do not pass it on.
+//! A program is one file or several. The declarations of a file are visible in it and in the files
+//! that use it directly, but not beyond them.
 
 mod program;
 mod visit;

@@ -1,4 +1,4 @@
-//! The table of a rule's names: one kind and one number each, shared by both sides.
+//! The table of a rule's names, each with one kind and one number, shared by both sides.
 
 use std::collections::HashMap;
 
@@ -17,9 +17,9 @@ use super::words::a_type;
 pub(super) struct Names {
     list: Vec<Name>,
     numbers: HashMap<String, NameId>,
-    /// By number: whether the name stands in a statement of `before`, or is a parameter.
+    /// By number: whether the name occurs in a statement of `before`, or is a parameter.
     readable: Vec<bool>,
-    /// By number: whether the name stands in a statement of `after`.
+    /// By number: whether the name occurs in a statement of `after`.
     after: Vec<bool>,
     /// The place of each name in `new`.
     created: HashMap<NameId, Span>,
@@ -37,7 +37,7 @@ struct Origin {
 }
 
 impl Names {
-    /// Reads the names of a rule. A name used as two kinds is reported and has the first.
+    /// Reads the names of a rule. A name used as two kinds is reported and keeps the first.
     pub(super) fn of(
         rule: &Rule,
         params: &[Parameter],
@@ -125,13 +125,13 @@ impl Names {
         &self.list[id.index()]
     }
 
-    /// The words that a person may write, in order of first mention.
+    /// The names that are written in the program, in order of first mention.
     pub(super) fn words(&self) -> impl Iterator<Item = &str> {
         let named = self.list.iter().filter(|name| name.named);
         named.map(|name| name.text.as_str())
     }
 
-    /// True if the mesh of before has it, as far as the drawing says.
+    /// True if, by the drawing, it exists before the rewrite.
     pub(super) fn readable(&self, id: NameId) -> bool {
         self.readable[id.index()]
     }
@@ -146,7 +146,7 @@ impl Names {
         self.created.get(&id).copied()
     }
 
-    /// The number of parameters of the op: variables before the first of an aggregate.
+    /// The number of parameters of the op: the first variables, before those of aggregates.
     pub(super) fn params(&self) -> usize {
         self.params.len()
     }
@@ -173,7 +173,7 @@ impl Names {
     }
 }
 
-/// The kind of each name: that of the parameter, else of its first use.
+/// The kind of each name: that of its parameter, otherwise that of its first use.
 fn kinds<'a>(
     params: &[Parameter],
     mentions: impl Iterator<Item = &'a Mention<'a>>,
@@ -194,7 +194,7 @@ fn kinds<'a>(
         let first = first.or_insert(Origin { kind: Ok(kind), span: mention.span, told: false });
         if first.kind != Ok(kind) && !first.told {
             first.told = true;
-            // Ends for halfedges in an edge are one mistake, not two.
+            // Two vertices in place of the halfedges of an edge are one mistake, not two.
             let mistaken = (first.kind, kind);
             match last == Some(mistaken) {
                 true => report.fail(),

@@ -21,14 +21,14 @@ use super::signature::{Returned, Signature};
 use super::steps::steps_signature;
 use super::suggestion::suggest;
 
-/// The greatest number of halfedges that the loops of `before` can name: every pair of them may
-/// have to be told apart.
+/// The maximum number of halfedges and statements in `before`: every pair of halfedges may have to
+/// be proved distinct.
 const MOST_BEFORE: usize = 256;
-/// The same for those of `after`.
+/// The maximum number of halfedges and statements in `after`.
 const MOST_AFTER: usize = 1024;
-/// The greatest number of spokes and listed names of a side.
+/// The maximum number of spokes and listed names of a side.
 const MOST_LISTED: usize = 4096;
-/// The greatest number of rules of an op.
+/// The maximum number of rules of an op.
 const MOST_RULES: usize = 1024;
 
 /// Resolves an op.
@@ -95,7 +95,8 @@ pub(super) fn resolve_op(
     (signature, resolved)
 }
 
-/// The op that draws on both sides what stands in `before`, and nothing else.
+/// A copy of the op whose `after` repeats its `before`, without result, properties, and conditions
+/// other than `alias`.
 fn still(op: &tree::Op) -> tree::Op {
     let mut still = tree::Op { result: None, keeps: Vec::new(), ..op.clone() };
     for rule in &mut still.rules {
@@ -109,7 +110,7 @@ fn is_still(op: &tree::Op) -> bool {
     op.rules.iter().all(|rule| rule.after == rule.before)
 }
 
-/// True if an op has more rules than there can be.
+/// Reports an op with more than the maximum number of rules.
 fn has_too_many_rules(op: &tree::Op, report: &mut Report) -> bool {
     let is_too_much = op.rules.len() > MOST_RULES;
     if is_too_much {
@@ -121,8 +122,8 @@ fn has_too_many_rules(op: &tree::Op, report: &mut Report) -> bool {
     is_too_much
 }
 
-/// True if a side of a rule names more halfedges than there can be: then nothing else is asked of
-/// the op, whose proof would take its time.
+/// Reports a side of a rule that draws too much. Nothing else is then checked in the op, whose
+/// proof would take too long.
 fn draws_too_much(rule: &tree::Rule, report: &mut Report) -> bool {
     let sides = [("before", &rule.before, MOST_BEFORE), ("after", &rule.after, MOST_AFTER)];
     let mut is_too_much = false;
@@ -171,7 +172,7 @@ fn draws_too_much(rule: &tree::Rule, report: &mut Report) -> bool {
     is_too_much
 }
 
-/// A family is many elements, and an op returns one.
+/// Reports a family as a result: it is many elements, and an op returns one.
 fn one_result(name: &Ident, op: &tree::Op, report: &mut Report) {
     let mut sides = op.rules.iter().flat_map(|rule| [&rule.before, &rule.after]);
     if sides.any(|side| side.as_ref().is_some_and(|side| is_family(side, &name.text))) {
@@ -180,7 +181,7 @@ fn one_result(name: &Ident, op: &tree::Op, report: &mut Report) {
     }
 }
 
-/// Two rules of an op have two names.
+/// Reports rules of an op that have the same name.
 fn rule_names(rules: &[tree::Rule], report: &mut Report) {
     let named: Vec<&Ident> = rules.iter().filter_map(|rule| rule.name.as_ref()).collect();
     for (place, name) in named.iter().enumerate() {
@@ -191,7 +192,7 @@ fn rule_names(rules: &[tree::Rule], report: &mut Report) {
     }
 }
 
-/// An op that is drawn returns one of its names, not just something of a kind.
+/// The error for a kind as a result: a drawn op returns one of its names.
 fn kind_returned(kind: Kind, word: &Ident, rules: &[Names]) -> Diagnostic {
     let message =
         format!("`{}` is a kind, and an op that is drawn returns one of its names", word.text);
@@ -210,7 +211,7 @@ fn kind_returned(kind: Kind, word: &Ident, rules: &[Names]) -> Diagnostic {
     }
 }
 
-/// The type of what an op returns: that of its name in the rules.
+/// The result type of an op: the type of the returned name in its rules.
 fn result_type(name: &Ident, rules: &[Names], report: &mut Report) -> Option<Type> {
     let word = &name.text;
     let mut kinds: Vec<Kind> = Vec::new();

@@ -1,4 +1,4 @@
-//! Calls of ops in scripts.
+//! Calls of ops in scripts and functions.
 
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Expr, Type};
@@ -21,14 +21,14 @@ pub(super) struct Applied {
     args: Vec<Expr>,
     /// The name of the op.
     name: String,
-    /// The type of what it returns.
+    /// Its result type.
     pub(super) result: Type,
     span: Span,
 }
 
 impl Applied {
-    /// The statement that stores the result and goes on with `then`, or stops the script at a
-    /// refusal.
+    /// The statement that stores the result and continues with `then`, or stops the script if the
+    /// op refuses.
     pub(super) fn into_variable(self, variable: u32, then: Block) -> StatementKind {
         let refused = Statement { kind: StatementKind::Refused { op: self.op }, span: self.span };
         let asked = Asked { op: self.op, args: self.args, variable: Some(variable) };
@@ -36,7 +36,7 @@ impl Applied {
     }
 }
 
-/// `split(e)`, or `let m = split(e)` behind `if`.
+/// `split(e)`, or `let m = split(e)` after `if`.
 pub(super) struct Asked {
     op: usize,
     args: Vec<Expr>,
@@ -62,7 +62,7 @@ impl Asked {
 }
 
 impl Scripting<'_> {
-    /// True if an expression is the call of an op of this file.
+    /// True if an expression is a call of an op.
     pub(super) fn is_op_call(&self, expr: &tree::Expr) -> bool {
         match &expr.kind {
             tree::ExprKind::Call { function, .. } => {
@@ -72,8 +72,8 @@ impl Scripting<'_> {
         }
     }
 
-    /// The value of an op, if `expr` calls one: `must split(e)`. The inner `None` has its
-    /// reason in the report.
+    /// The result of an op, if `expr` calls one: `must split(e)`. An inner `None` means that an
+    /// error has been reported.
     pub(super) fn applied_value(&mut self, expr: &tree::Expr) -> Option<Option<Applied>> {
         match &expr.kind {
             tree::ExprKind::Must(inner) => match &inner.kind {
@@ -108,7 +108,7 @@ impl Scripting<'_> {
         Some(Applied { op, args, name: function.text.clone(), result, span })
     }
 
-    /// The type of what an op returns, where a value is wanted.
+    /// The result type of an op where a value is required.
     fn result(&mut self, op: usize, span: Span) -> Option<Type> {
         let signature = &self.ops[op];
         match signature.result {
@@ -129,7 +129,7 @@ impl Scripting<'_> {
         }
     }
 
-    /// True if the result of an op can be stored in a variable.
+    /// True if the result of an op has the type of the variable that stores it.
     pub(super) fn result_fits(
         &mut self,
         applied: &Applied,
@@ -179,7 +179,7 @@ impl Scripting<'_> {
         Some(asked?.choosing([then, otherwise]))
     }
 
-    /// The call of an op behind `if`, and its variable in a scope that stays open.
+    /// The call of an op after `if`, with its variable in a scope that stays open.
     fn asked(&mut self, binding: Option<&Ident>, condition: &tree::Expr) -> Option<Asked> {
         let applied = match &condition.kind {
             tree::ExprKind::Call { function, args } => {
@@ -217,7 +217,7 @@ impl Scripting<'_> {
         Some(Asked { op, args, variable })
     }
 
-    /// An op and its arguments, those left out as well.
+    /// An op and its arguments, with defaults for those left out.
     pub(super) fn application(
         &mut self,
         function: &Ident,
@@ -229,7 +229,7 @@ impl Scripting<'_> {
 }
 
 impl Typing<'_> {
-    /// An op and its arguments, those left out as well.
+    /// An op and its arguments, with defaults for those left out.
     pub(super) fn application(
         &mut self,
         function: &Ident,
@@ -251,12 +251,12 @@ impl Typing<'_> {
         Some((number, values))
     }
 
-    /// Says that there is no such op; true if it is known what was meant.
+    /// Reports that there is no such op; true if it is known what was meant.
     fn unknown_op(&mut self, function: &Ident) -> bool {
         let declared = self.declared;
         let word = function.text.as_str();
         if declared.lacks_files() {
-            // What declares it has been refused already.
+            // The missing file has been reported already.
             self.report.fail();
             return false;
         }

@@ -1,4 +1,4 @@
-//! Operators: which types they join, and how ints widen.
+//! Operators: the types they accept, and the widening of ints.
 
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Binary, Expr, ExprKind, Type, Unary};
@@ -9,7 +9,7 @@ use super::typed::{to_real, typed};
 use super::typing::Typing;
 use super::words::{a_type, operator, subject};
 
-/// An operand as it is written, and its value.
+/// An operand as written, and its value.
 type Operand<'a> = (&'a tree::Expr, Expr);
 
 impl Typing<'_> {
@@ -93,15 +93,15 @@ fn not(value: Expr, span: Span) -> Expr {
     typed(Type::Bool, kind, span)
 }
 
-/// The join of two types by an operator.
+/// An operator applied to two types.
 struct Joined {
     binary: Binary,
     ty: Type,
     /// True if ints become reals first.
     widen: bool,
-    /// True if the operands change places.
+    /// True if the operands are swapped.
     swap: bool,
-    /// True if the result is turned around.
+    /// True if the result is negated.
     negate: bool,
 }
 
@@ -119,7 +119,7 @@ impl Joined {
     }
 }
 
-/// The join of two types by `op`, if it does.
+/// The operation for two types of operands, if `op` accepts them.
 fn join(op: BinaryOp, types: [Type; 2]) -> Option<Joined> {
     use Type::{Bool, Int, Real};
     let number = |ty| matches!(ty, Int | Real);
@@ -195,7 +195,7 @@ fn equal([left, right]: [Type; 2]) -> Option<Joined> {
     }
 }
 
-/// The types that an operator wants, in words.
+/// The operand types that an operator requires, in words.
 fn wants(op: BinaryOp) -> &'static str {
     match op {
         BinaryOp::Add | BinaryOp::Subtract => "two numbers, or two vectors or matrices of one type",
@@ -213,7 +213,7 @@ fn wants(op: BinaryOp) -> &'static str {
     }
 }
 
-/// The note where a vertex is computed with and its position is meant.
+/// Adds a note if an operand is a vertex, where its position is probably meant.
 fn place_note(error: Diagnostic, operands: &[(&tree::Expr, &Expr)]) -> Diagnostic {
     let vertex = operands.iter().find(|(_, value)| value.ty == Type::Vertex);
     match vertex.map(|(written, _)| &written.kind) {

@@ -1,4 +1,4 @@
-//! Calls of functions: choosing an overload by the types of the arguments.
+//! Calls of built-in functions: the overload is chosen by the types of the arguments.
 
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Access, Expr, ExprKind, Overload, Type, Wanted, overloads};
@@ -16,7 +16,7 @@ use super::typing::{Place, Typing};
 use super::vocabulary::signatures;
 use super::words::{a_type, arguments, either, subject};
 
-/// The fit of a type to what is wanted.
+/// How well a type fits a parameter.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Fit {
     No,
@@ -34,14 +34,14 @@ fn fit(wanted: Wanted, ty: Type) -> Fit {
     }
 }
 
-/// The fit of all arguments.
+/// The worst fit among the arguments.
 fn fit_all(overload: &Overload, args: &[Expr]) -> Fit {
     let each = overload.wanted.iter().zip(args);
     let fits = each.map(|(wanted, arg)| fit(*wanted, arg.ty));
     fits.min().unwrap_or(Fit::Exact)
 }
 
-/// An argument as the function wants it.
+/// Converts an argument to the type of its parameter.
 fn convert(wanted: Wanted, arg: Expr) -> Expr {
     match (wanted, arg.ty) {
         (Wanted::Is(Type::Real), Type::Int) => to_real(arg),
@@ -87,8 +87,8 @@ impl Typing<'_> {
         }
         if known.is_empty() {
             let is_meant = self.unknown_function(function, span);
-            // The arguments may hold more that is wrong; but such a function may well have
-            // been thought to take a sequence.
+            // The arguments may contain further errors. A sequence is skipped: such a function may
+            // have been expected to take one.
             for arg in args.iter().filter(|arg| is_meant && !is_sequence(arg)) {
                 self.expression(arg);
             }
@@ -100,7 +100,7 @@ impl Typing<'_> {
         let count = given.or(counts.max()).unwrap_or(0);
         self.right_count(function, count, args.len(), span)?;
         let values: Vec<Expr> = values.into_iter().collect::<Option<_>>()?;
-        // The best fit wins, and of several the first.
+        // The best fit wins; among equals, the first.
         let known: Vec<&Overload> =
             known.iter().filter(|way| way.wanted.len() == values.len()).collect();
         let ranked = known.iter().rev().map(|way| (fit_all(way, &values), way));
@@ -118,7 +118,7 @@ impl Typing<'_> {
         }
     }
 
-    /// Complains about a wrong number of arguments.
+    /// Reports a wrong number of arguments.
     pub(super) fn right_count(
         &mut self,
         function: &Ident,
@@ -152,7 +152,7 @@ impl Typing<'_> {
         None
     }
 
-    /// Says which argument leaves no way to call the function.
+    /// Reports the first argument that rules out every remaining overload.
     fn no_overload(
         &mut self,
         function: &Ident,
@@ -189,12 +189,12 @@ impl Typing<'_> {
             }
             left = still;
         }
-        // Unreachable while every overload fits if each of its places does.
+        // Unreachable as long as an overload fits if each of its arguments does.
         self.report.fail();
     }
 
-    /// Says that an expression cannot call this; true if it is known what was meant, so that the
-    /// arguments can be looked at.
+    /// Reports a function that an expression cannot call; true if it is known what was meant, so
+    /// that the arguments can be checked.
     fn unknown_function(&mut self, function: &Ident, span: Span) -> bool {
         let word = function.text.as_str();
         if self.declared.op(word).is_some() {
@@ -208,12 +208,12 @@ impl Typing<'_> {
             return false;
         }
         if self.declared.lacks_files() {
-            // What declares it has been refused already.
+            // The missing file has been reported already.
             self.report.fail();
             return false;
         }
         if mesh_maker(word).is_some() && self.report.is_confused("mesh") {
-            // That a script names no mesh has been told.
+            // That a script cannot name a mesh has been reported.
             self.report.fail();
             return false;
         }
@@ -242,7 +242,7 @@ impl Typing<'_> {
         is_meant
     }
 
-    /// An op rewrites the mesh, so it has no place inside of a computation.
+    /// Reports an op inside an expression: it rewrites the mesh.
     fn op_in_expression(&mut self, op: &str, span: Span) {
         let message = format!("`{op}` is an op; it cannot be called inside of an expression");
         let error = Diagnostic::error("op-in-expression", message, span).note(format!(
@@ -252,7 +252,7 @@ impl Typing<'_> {
         self.report.add(error);
     }
 
-    /// `must f(x)` where a value is wanted.
+    /// Reports `must f(x)` where a value is required.
     pub(super) fn misplaced_must(&mut self, inner: &tree::Expr, span: Span) -> Option<Expr> {
         match &inner.kind {
             tree::ExprKind::Call { function, .. } if self.declared.op(&function.text).is_some() => {

@@ -1,4 +1,4 @@
-//! Parameters and the types that are written in words.
+//! Parameters of ops, functions and scripts, and their defaults.
 
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Expr, Type};
@@ -12,10 +12,10 @@ use super::type_name::type_named;
 use super::typing::{Place, Typing};
 use super::words::a_type;
 
-/// The greatest number of parameters of an item.
+/// The maximum number of parameters of an item.
 const MOST_PARAMETERS: usize = 255;
 
-/// The item whose parameters they are.
+/// The kind of item that has the parameters.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Owner {
     /// An op: elements and values; a default names nothing.
@@ -65,7 +65,7 @@ pub(super) fn parameters(
     understood
 }
 
-/// True if an item may have a parameter of this type.
+/// True if the owner may have a parameter of this type; otherwise reports an error.
 fn allowed(ty: Type, owner: Owner, param: &tree::Param, report: &mut Report) -> bool {
     let (fits, message) = match owner {
         Owner::Function => return true,
@@ -107,7 +107,7 @@ fn default_value(
     typing.whole_as(default, ty, &format!("`{}`", name.text))
 }
 
-/// A parameter as the variable of its number.
+/// A parameter as a variable with the same number.
 pub(super) fn local(parameter: &Parameter) -> Local {
     Local {
         name: parameter.name.clone(),

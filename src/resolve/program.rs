@@ -6,30 +6,29 @@ use crate::diagram::{self, Access, Attribute, Collection, Expr, Param, Type};
 use crate::source::Span;
 use crate::syntax::tree::Digits;
 
-/// Everything one file declares, as far as it could be understood.
+/// Everything the files of a program declare, as far as it could be resolved.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Program {
     /// The attributes that elements have; an [`Access`] names one by its number.
     pub attributes: Arc<[Attribute]>,
-    /// The operations; one that could not be resolved keeps its place, so that
-    /// calls of it are understood.
+    /// The operations. One that could not be resolved keeps its index, so that its calls can be
+    /// resolved.
     pub ops: Vec<Op>,
-    /// The functions; one that could not be resolved keeps its place as well.
+    /// The functions. One that could not be resolved keeps its index as well.
     pub functions: Vec<Function>,
     /// The scripts that could be resolved.
     pub scripts: Vec<Script>,
-    /// All scripts as what can be called, by the numbers behind those of the functions: the place
-    /// of each among the scripts, if it could be resolved.
+    /// For each script, in the order of the numbers that follow those of the functions: its index
+    /// in `scripts`, if it could be resolved.
     pub called_scripts: Vec<Option<usize>>,
     /// The tests that could be resolved.
     pub tests: Vec<Test>,
-    /// The tests that could not be resolved: their names, and where these stand.
+    /// The tests that could not be resolved: name and span.
     pub unread_tests: Vec<(String, Span)>,
 }
 
 impl Program {
-    /// The variables of all its code, with the parameters: of functions, of ops in steps, of
-    /// scripts and of tests.
+    /// The variables, parameters included, of all functions, ops in steps, scripts and tests.
     pub fn variables(&self) -> impl Iterator<Item = &Variable> {
         let functions = self.functions.iter().filter_map(|of| of.body.as_ref());
         let steps = self.ops.iter().filter_map(|op| Some(&op.steps.as_ref()?.body));
@@ -41,43 +40,41 @@ impl Program {
     }
 }
 
-/// An operation, or what is known of one that could not be resolved.
+/// An operation, possibly only partly resolved.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Op {
     /// Its name.
     pub name: String,
     /// The span of its name.
     pub span: Span,
-    /// Its parameters. One whose type could not be understood counts as a real; there is
-    /// no diagram then.
+    /// Its parameters. One of invalid type counts as a real; then there is no diagram.
     pub params: Vec<Param>,
-    /// The type of its result; `None` also if it could not be found out.
+    /// The type of its result; also `None` if the type is unknown.
     pub result: Option<Type>,
-    /// Its diagrams; `None` if they could not be resolved (a diagnostic says why), or if it is
-    /// an op in steps.
+    /// Its diagram; `None` if it could not be resolved (a diagnostic says why) or if this is an op
+    /// in steps.
     pub diagram: Option<diagram::Op>,
-    /// A diagram for contradictions, where they could not be resolved, but what stands in each `before`
-    /// could: the op that draws that on both sides. Whether it contradicts itself can be told
-    /// without the rest.
+    /// A diagram for finding contradictions in `before` alone, if `diagram` is missing but every
+    /// `before` could be resolved: the op that draws `before` on both sides.
     pub still: Option<Box<diagram::Op>>,
-    /// The steps instead, if it is an op in steps that could be resolved.
+    /// The steps, if this is an op in steps that could be resolved.
     pub steps: Option<Steps>,
 }
 
-/// An op that calls others, all or nothing.
+/// An op that calls other ops as one transaction: all or nothing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Steps {
     /// Its doc comment.
     pub docs: Vec<String>,
-    /// The conditions that are tested before, in order.
+    /// The conditions that are tested first, in order.
     pub requires: Vec<diagram::Require>,
-    /// The level of the meshes it is for, and that it keeps.
+    /// The level of mesh that it requires and keeps.
     pub level: diagram::Level,
     /// The statements. Parameters are its first variables.
     pub body: Body,
 }
 
-/// A function, or what is known of one that could not be resolved.
+/// A function, possibly only partly resolved.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Function {
     /// Its name.
@@ -88,9 +85,9 @@ pub struct Function {
     pub docs: Vec<String>,
     /// Its parameters: variables 0, 1, … of the function.
     pub params: Vec<Param>,
-    /// The type of its value, if it gives one.
+    /// The type of its value, if it returns one.
     pub result: Option<Type>,
-    /// The statements; `None` if that could not be resolved (a diagnostic says why).
+    /// The statements; `None` if they could not be resolved (a diagnostic says why).
     pub body: Option<Body>,
 }
 
@@ -99,7 +96,7 @@ pub struct Function {
 pub struct Body {
     /// All its variables, parameters first.
     pub variables: Vec<Variable>,
-    /// Its statements. Every way through them ends with a `Return`, if it gives a value.
+    /// Its statements. If it returns a value, every path through them ends with a `Return`.
     pub block: Block,
 }
 
@@ -116,14 +113,14 @@ pub struct Script {
     pub params: Vec<Param>,
     /// All its variables, parameters first.
     pub variables: Vec<Variable>,
-    /// Its kind.
+    /// Its statements.
     pub body: Block,
 }
 
 /// A test.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Test {
-    /// The mesh that it begins with.
+    /// The mesh that it starts with.
     pub begin: TestMesh,
     /// The meshes that its statements name by number.
     pub meshes: Vec<TestMesh>,
@@ -134,9 +131,9 @@ pub struct Test {
 /// A mesh of a test.
 #[derive(Clone, Debug, PartialEq)]
 pub enum TestMesh {
-    /// One without elements: nothing has been kept there yet.
+    /// An empty mesh: nothing has been kept there yet.
     Empty,
-    /// `grid(3, 4)`; the sizes are such as the constructor can take.
+    /// `grid(3, 4)`; the sizes are in the range that the constructor accepts.
     Made { constructor: String, sizes: Vec<u32> },
     /// `load("cube.obj")`
     Loaded { path: String, span: Span },
@@ -170,33 +167,33 @@ pub struct Statement {
 pub enum StatementKind {
     /// `let x = …`, `var x = …`, `x = …`
     Set { variable: u32, value: Expr },
-    /// `v.position = …` outside of `update`: at once.
+    /// `v.position = …`; takes effect at once, except in `update`.
     Write { target: Expr, attribute: Access, value: Expr },
     /// `repeat n { … }`
     Repeat { count: Expr, body: Block },
     /// `while c { … }`
     While { condition: Expr, body: Block },
-    /// `for x in xs where c { … }`, `update x in xs where c { … }`: elements that exist when the
-    /// loop starts and still exist when their turn comes.
+    /// `for x in xs where c { … }`, `update x in xs where c { … }`: visits the elements that exist
+    /// when the loop starts and still exist when their turn comes.
     For { variable: u32, collection: Collection, filter: Option<Expr>, body: Block, visit: Visit },
-    /// `drain x in xs by key while c { … }`: the element with the least key first, and keys
-    /// kept current. The condition, too, may name the element.
+    /// `drain x in xs by key while c { … }`: takes the element with the least key first and keeps
+    /// keys up to date. The condition may refer to the element too.
     Drain { variable: u32, collection: Collection, key: Expr, condition: Option<Expr>, body: Block },
     /// `if c { … } else { … }`
     If { condition: Expr, then: Block, otherwise: Block },
-    /// The call of an op, with an argument for each parameter; defaults are filled in, and
-    /// refusals are counted. `if let m = split(e) { … } else { … }`; without a variable,
-    /// `if split(e) { … }`. The variable is set before `then` and keeps its value after the
-    /// statement, so `let m = must split(e)` is this with an empty `then` and, as `otherwise`,
-    /// [`StatementKind::Refused`]. Of `split(e)` as a statement both are empty.
+    /// A call of an op, with an argument for each parameter: defaults are filled in. Refusals are
+    /// counted. `if let m = split(e) { … } else { … }`; without a variable, `if split(e) { … }`.
+    /// The variable is set before `then` and keeps its value after the statement, so
+    /// `let m = must split(e)` has an empty `then` and [`StatementKind::Refused`] as `otherwise`.
+    /// For the statement `split(e)` both are empty.
     Apply { op: usize, args: Vec<Expr>, variable: Option<u32>, then: Block, otherwise: Block },
     /// `print a, b`
     Print(Vec<Print>),
     /// `assert c else "…"`
     Assert { condition: Expr, reason: String },
-    /// `require c else "…"`, in the steps of an op: it refuses unless the condition holds
+    /// `require c else "…"`, in the steps of an op: the op refuses unless the condition holds.
     Require { condition: Expr, reason: String },
-    /// The op called last has refused, and must not: the script stops with its reason
+    /// The op called last, under `must`, has refused: the script stops with its reason.
     Refused { op: usize },
     /// `let start = mesh`, in tests
     KeepMesh { mesh: u16 },
@@ -204,14 +201,14 @@ pub enum StatementKind {
     AssertMesh { mesh: u16, same: bool, reason: String },
     /// `assert refuses(flip(e), "…")`, in tests
     AssertRefuses { op: usize, args: Vec<Expr>, reason: Option<String> },
-    /// `break`, of the innermost loop
+    /// `break`, out of the innermost loop.
     Break,
-    /// `continue`, with the innermost loop
+    /// `continue`, with the next turn of the innermost loop.
     Continue,
-    /// `return`, `return x`: of the function or script
+    /// `return`, `return x`, from the function or script.
     Return(Option<Expr>),
-    /// The call of a function as a statement, with an argument for each parameter. Its value,
-    /// of this type, is dropped.
+    /// A call of a function as a statement, with an argument for each parameter. Its value, of type
+    /// `result`, is dropped.
     Call { function: u32, args: Vec<Expr>, result: Option<Type> },
 }
 
@@ -222,12 +219,12 @@ pub enum Visit {
     InOrder,
     /// `for x in shuffle(xs)`
     Shuffled,
-    /// `update x in xs`: a `Write` in the body is kept back to the end. The body only computes,
-    /// writes and chooses.
+    /// `update x in xs`: the `Write`s of the body are deferred to the end. The body only computes,
+    /// writes and branches.
     Update,
 }
 
-/// A piece of what `print` prints, one behind the other.
+/// A piece of the output of `print`; pieces are printed one after the other.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Print {
     /// A text.

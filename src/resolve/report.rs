@@ -1,8 +1,8 @@
-//! Reports: the messages about one item, and whether the item is lost.
+//! Reports: the diagnostics of one item, and whether the item has failed.
 //!
-//! An item may be lost without a word of ours: the parser has spoken already, or
-//! another item that it needs has. Every function that answers `None` here has
-//! left its reason in the [`Report`].
+//! An item may fail without a diagnostic here: the parser has reported it already, or another item
+//! that it needs has failed. Every function of `resolve` that returns `None` has recorded the
+//! reason in the [`Report`].
 
 use crate::diagnostic::Diagnostic;
 
@@ -11,12 +11,12 @@ use crate::diagnostic::Diagnostic;
 pub(super) struct Report {
     diagnostics: Vec<Diagnostic>,
     failed: bool,
-    /// Names of which enough has been said.
+    /// Names about which nothing more is reported.
     confused: Vec<String>,
 }
 
 impl Report {
-    /// Takes in a diagnostic; an error loses the item.
+    /// Adds a diagnostic; an error marks the item as failed.
     pub(super) fn add(&mut self, diagnostic: Diagnostic) {
         self.failed |= diagnostic.is_error();
         let begins = |word: &String| {
@@ -29,32 +29,32 @@ impl Report {
         }
     }
 
-    /// Takes in no more of what is said of a name.
+    /// Drops further diagnostics whose message starts with this name.
     pub(super) fn confuse(&mut self, word: &str) {
         self.confused.push(word.to_owned());
     }
 
-    /// True if enough has been said of a name.
+    /// True if nothing more is reported about this name.
     pub(super) fn is_confused(&self, word: &str) -> bool {
         self.confused.iter().any(|known| known == word)
     }
 
-    /// True if something has been said with this note.
+    /// True if a diagnostic has this note.
     pub(super) fn says(&self, note: &str) -> bool {
         self.diagnostics.iter().any(|told| told.notes.iter().any(|known| known == note))
     }
 
-    /// Loses the item without a word, since the reason stands elsewhere.
+    /// Marks the item as failed without a diagnostic: the reason is reported elsewhere.
     pub(super) fn fail(&mut self) {
         self.failed = true;
     }
 
-    /// True if the item is lost.
+    /// True if the item has failed.
     pub(super) fn failed(&self) -> bool {
         self.failed
     }
 
-    /// The messages.
+    /// The diagnostics.
     pub(super) fn into_diagnostics(self) -> Vec<Diagnostic> {
         self.diagnostics
     }

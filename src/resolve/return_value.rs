@@ -1,30 +1,31 @@
-//! The values that statements may return.
+//! The type of value that statements may return.
 
 use crate::source::Span;
 
 use super::signature::{FunctionSignature, Value};
 
-/// The values that the statements at hand may return.
+/// The type of value that the current statements may return.
 #[derive(Clone, Debug)]
 pub(super) struct Returns {
     /// The name of the function; `None` in a script.
     pub(super) function: Option<String>,
     pub(super) value: Value,
-    /// The first `return`, which decides where no type is written.
+    /// The first `return`, which determines the type if none is written.
     pub(super) first: Option<Span>,
-    /// True if the type must be written for a value to be returned.
+    /// True if the function is in a call cycle, so that it can return a value only if the type is
+    /// written.
     pub(super) cycles: bool,
-    /// The place for the type, if it is not.
+    /// The place to insert the result type, if it is not written.
     pub(super) head: Option<Span>,
 }
 
 impl Returns {
-    /// Nothing: the statements of a script.
+    /// No value: the statements of a script.
     pub(super) fn nothing() -> Self {
         Self { function: None, value: Value::Nothing, first: None, cycles: false, head: None }
     }
 
-    /// The result by the signature of a function.
+    /// The value given by the signature of a function.
     pub(super) fn of_function(signature: &FunctionSignature, cycles: bool) -> Self {
         Self {
             function: Some(signature.name.clone()),
@@ -38,7 +39,7 @@ impl Returns {
         }
     }
 
-    /// The result of the function, now that all of it has been seen.
+    /// The result of the function, after all of it has been resolved.
     pub(super) fn value(&self) -> Value {
         match self.value {
             Value::Open => Value::Nothing,

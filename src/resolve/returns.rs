@@ -13,7 +13,7 @@ use super::typed::to_real;
 use super::words::a_type;
 
 impl Scripting<'_> {
-    /// The body of a function: a value at its end is what it gives.
+    /// The body of a function: a value at its end is its result.
     pub(super) fn body(&mut self, block: &tree::Block) -> Block {
         self.typing.scopes.enter();
         let mut statements = Block::new();
@@ -48,7 +48,7 @@ impl Scripting<'_> {
         statements.extend(kind.map(|kind| Statement { kind, span }));
     }
 
-    /// True if an expression at the end of a function is its value, and no statement.
+    /// True if an expression at the end of a function is its value, not a statement.
     fn is_value(&self, value: &tree::Expr) -> bool {
         match &value.kind {
             tree::ExprKind::Call { function, .. } if function.text == "print" => false,
@@ -125,7 +125,7 @@ impl Scripting<'_> {
         }
     }
 
-    /// A value as the function gives it.
+    /// A returned value, converted to the result type.
     fn fitting(&mut self, written: &tree::Expr, value: Expr, name: &str) -> Option<Expr> {
         let first = *self.returns.first.get_or_insert(written.span);
         match self.returns.value {
@@ -174,7 +174,7 @@ impl Scripting<'_> {
     }
 }
 
-/// True if no way leads to the end of a block.
+/// True if control never reaches the end of a block.
 pub(super) fn ends(block: &[Statement]) -> bool {
     block.last().is_some_and(|last| match &last.kind {
         StatementKind::Return(_) => true,
@@ -191,7 +191,7 @@ pub(super) fn ends(block: &[Statement]) -> bool {
     })
 }
 
-/// True if a block leaves the loop around it.
+/// True if a block breaks out of the loop around it.
 fn breaks(block: &[Statement]) -> bool {
     block.iter().any(|statement| match &statement.kind {
         StatementKind::Break => true,

@@ -1,4 +1,4 @@
-//! A function: its signature, and its body.
+//! A function: its signature and its body.
 
 use std::rc::Rc;
 
@@ -47,8 +47,8 @@ pub(super) fn written_signature(
     }
 }
 
-/// The signature of a script, for its calls. What its defaults are it finds out itself, so where a
-/// call leaves a parameter out, anything of the type will do.
+/// The signature of a script, for its calls. The script evaluates its own defaults, so for a
+/// parameter that a call leaves out, any value of the type will do.
 pub(super) fn script_signature(script: &tree::Script) -> FunctionSignature {
     let span = script.name.span;
     let params = script.params.iter().map(|param| {
@@ -67,7 +67,7 @@ pub(super) fn script_signature(script: &tree::Script) -> FunctionSignature {
     }
 }
 
-/// Some value of a type that a script takes.
+/// Some value of a type that a script parameter can have.
 fn zero(ty: Type, span: Span) -> Expr {
     let kind = match ty {
         Type::Bool => ExprKind::Bool(false),
@@ -81,8 +81,8 @@ fn zero(ty: Type, span: Span) -> Expr {
     typed(ty, kind, span)
 }
 
-/// Resolves the body of a function, and with it the type of its value, if that is not written.
-/// One that is not written and that `cycles`, because the body needs it, is nothing.
+/// Resolves the body of a function, and with it its result type, if that is not written. If
+/// `cycles`, the body itself depends on that type; then the function returns nothing.
 pub(super) fn resolve_function(
     function: &tree::Fn,
     signature: &Rc<FunctionSignature>,
@@ -107,7 +107,7 @@ pub(super) fn resolve_function(
     (value, resolved)
 }
 
-/// Resolves the statements of a function, or the steps of an op and what it asks before.
+/// Resolves the statements of a function, or the steps of an op and its conditions.
 pub(super) fn resolve_body(
     (asked, written): (Option<&[tree::Condition]>, &tree::Block),
     signature: &FunctionSignature,
@@ -142,7 +142,7 @@ pub(super) fn resolve_body(
         report.add(error);
     }
     if report.failed() {
-        // What it would give may be what could not be read.
+        // The part that failed may have determined the result.
         let is_open = value == Value::Nothing && signature.result == Value::Open;
         let value = if is_open { Value::Unknown } else { value };
         return (value, requires, None);

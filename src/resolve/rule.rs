@@ -1,4 +1,4 @@
-//! A rule: its two drawings, what it asks and what it sets.
+//! A rule: its two drawings, its conditions and its assignments.
 
 use std::sync::Arc;
 
@@ -61,12 +61,12 @@ pub(super) fn resolve_rule(
 
     let result = match (&context.op.result, context.result) {
         (Some(name), Returned::Element(_)) => returned(name, rule, &names, &lists.erased, report),
-        // Of a result that is no element the op has complained.
+        // The op has reported a result that is not an element.
         _ => None,
     };
     let params = context.params.iter();
     let params = params.map(|param| {
-        // A value of the name of a drawn element is an error by now.
+        // A value with the name of a drawn element has been reported as an error.
         names.find(&param.name).filter(|_| param.ty.is_some_and(|ty| ty.is_element()))
     });
     Some(Rule {

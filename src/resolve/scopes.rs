@@ -14,7 +14,7 @@ pub(super) struct Local {
     pub(super) name: String,
     /// The place of its declaration.
     pub(super) span: Span,
-    /// Its type; `None` if its declaration could not be understood.
+    /// Its type; `None` if its declaration could not be resolved.
     pub(super) ty: Option<Type>,
     /// The kind of its binding.
     pub(super) binding: Binding,
@@ -25,7 +25,7 @@ pub(super) struct Local {
 pub(super) enum Binding {
     /// `var`: it may be set.
     Var,
-    /// `let`, and where that word stands.
+    /// `let`, with the span of the keyword.
     Let(Span),
     /// A parameter.
     Parameter,
@@ -33,11 +33,11 @@ pub(super) enum Binding {
     Head,
 }
 
-/// All variables of an item, and which of them can be seen.
+/// All variables of an item, and which of them are visible.
 #[derive(Debug, Default)]
 pub(super) struct Scopes {
     locals: Vec<Local>,
-    /// The variables of each name that can be seen, innermost last.
+    /// The visible variables of each name, innermost last.
     visible: HashMap<String, Vec<u32>>,
     /// The variables that each open block has declared.
     open: Vec<Vec<u32>>,
@@ -59,7 +59,7 @@ impl Scopes {
         }
     }
 
-    /// Declares a variable in the innermost block and gives its number.
+    /// Declares a variable in the innermost block and returns its number.
     pub(super) fn declare(&mut self, local: Local) -> u32 {
         let number = self.locals.len() as u32;
         let same = self.visible.entry(local.name.clone()).or_default();
@@ -71,7 +71,7 @@ impl Scopes {
         number
     }
 
-    /// The variable that a name means here.
+    /// The visible variable of this name.
     pub(super) fn find(&self, name: &str) -> Option<(u32, &Local)> {
         let number = *self.visible.get(name)?.last()?;
         Some((number, &self.locals[number as usize]))
@@ -84,7 +84,7 @@ impl Scopes {
         here.then_some(local)
     }
 
-    /// The names that can be seen, in order of declaration.
+    /// The visible names, in order of declaration.
     pub(super) fn names(&self) -> impl Iterator<Item = &str> {
         (0..).zip(&self.locals).filter_map(|(number, local)| {
             let numbers = self.visible.get(&local.name)?;

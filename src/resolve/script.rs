@@ -19,24 +19,24 @@ use super::test_meshes::Meshes;
 use super::typing::{Place, Typing};
 use super::words::not_held;
 
-/// Resolving the statements of one script.
+/// The state while the statements of a script, function, test or op in steps are resolved.
 pub(super) struct Scripting<'a> {
     pub(super) typing: Typing<'a>,
-    /// The ops of the file, by number.
+    /// The ops of the program, by number.
     pub(super) ops: &'a [Signature],
-    /// The number of loops that are open here.
+    /// The number of enclosing loops.
     pub(super) loops: u32,
-    /// True if an `update` is open here.
+    /// True inside an `update`.
     pub(super) updating: bool,
-    /// The values that `return` gives.
+    /// The type of value that `return` gives.
     pub(super) returns: Returns,
-    /// The name of the op whose steps these are, if they are.
+    /// The name of the op, if these are the steps of one.
     pub(super) steps_of: Option<&'a str>,
     /// The meshes of the test, if this is one.
     pub(super) testing: Option<Meshes>,
 }
 
-/// The head of `for` or `update`, and what it repeats.
+/// The head of a `for` or `update`, and its body.
 struct Loop<'a> {
     variable: &'a Ident,
     sequence: &'a tree::Expr,
@@ -75,7 +75,7 @@ pub(super) fn resolve_script(
 }
 
 impl<'a> Scripting<'a> {
-    /// The beginning of something that runs: its parameters are known, and it gives nothing.
+    /// The initial state, with the parameters declared and no result.
     pub(super) fn beginning(
         params: &[Parameter],
         ops: &'a [Signature],
@@ -131,7 +131,7 @@ impl Scripting<'_> {
                 continue;
             }
             match &action.kind {
-                // A block in a block is nothing but a scope.
+                // A block in a block is only a scope.
                 ActionKind::Block(inner) => statements.extend(self.block(inner)),
                 _ if self.testing.is_some() => {
                     statements.extend(
@@ -144,7 +144,7 @@ impl Scripting<'_> {
         }
     }
 
-    /// A statement, perhaps one that only tests have.
+    /// A statement in a test, possibly one that only tests have.
     fn tested(&mut self, action: &Action) -> Option<StatementKind> {
         match self.testing_action(action) {
             Some(of_test) => of_test,
@@ -152,7 +152,7 @@ impl Scripting<'_> {
         }
     }
 
-    /// A statement; `None` if the report has the reason.
+    /// A statement; `None` if an error has been reported.
     pub(super) fn action(&mut self, action: &Action) -> Option<StatementKind> {
         if self.updating && !self.may_update(action) {
             return None;

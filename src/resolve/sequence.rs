@@ -31,7 +31,7 @@ fn around(base: Expr, word: &str) -> Result<Collection, Expr> {
     Ok(make(base))
 }
 
-/// True if an expression names a sequence, of the mesh or around an element.
+/// True if an expression names a sequence of the whole mesh or around an element.
 pub(super) fn is_sequence(expr: &tree::Expr) -> bool {
     let around = [Type::Vertex, Type::Edge, Type::Face];
     match &expr.kind {
@@ -76,7 +76,7 @@ impl Typing<'_> {
         }
     }
 
-    /// All elements of one kind: for scripts only.
+    /// All elements of one kind; allowed in scripts only.
     fn whole_mesh(&mut self, word: &str, collection: Collection, span: Span) -> Option<Collection> {
         let message = match self.place {
             Place::Script => return Some(collection),
@@ -92,13 +92,14 @@ impl Typing<'_> {
         None
     }
 
-    /// An expression that is none of the forms of a sequence.
+    /// Reports an expression that is not a sequence.
     fn no_sequence(&mut self, expr: &tree::Expr) -> Option<Collection> {
         let value = self.expression(expr)?;
         self.not_a_sequence(expr, value.ty, value.ty)
     }
 
-    /// Says so, and what sequences there are of the type `of`, or else of the mesh.
+    /// Reports an expression of type `ty` that is not a sequence, with the sequences of the type
+    /// `of`, otherwise those of the mesh.
     fn not_a_sequence(&mut self, expr: &tree::Expr, ty: Type, of: Type) -> Option<Collection> {
         let message = format!("{} is {}, not a sequence", subject(expr), a_type(ty));
         let error = Diagnostic::error("not-a-sequence", message, expr.span);
@@ -147,7 +148,7 @@ impl Typing<'_> {
         Some(typed(ty, ExprKind::Fold(Box::new(fold)), expr.span))
     }
 
-    /// `count(edges)`: how many elements there are.
+    /// `count(edges)`: the number of elements.
     pub(super) fn count(
         &mut self,
         function: &Ident,
@@ -196,7 +197,7 @@ impl Typing<'_> {
         None
     }
 
-    /// The type of an aggregate, and its body as it wants it.
+    /// The type of an aggregate, and its body converted to the type that it aggregates.
     fn fold_body(
         &mut self,
         fold: FoldFunction,

@@ -1,4 +1,4 @@
-//! The words for sequences of elements, and for the aggregates over them.
+//! The names of sequences of elements and of the aggregates over them.
 
 use crate::diagram::{Collection, FoldFunction, Type};
 

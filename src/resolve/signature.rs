@@ -1,28 +1,28 @@
-//! Signatures: all that a call has to know of what it calls.
+//! Signatures: what a call has to know about its callee.
 
 use crate::diagram::{self, Expr, Param, Type};
 use crate::source::Span;
 
 use super::program;
 
-/// A parameter, as far as it is understood.
+/// A parameter, as far as it could be resolved.
 #[derive(Clone, Debug)]
 pub(super) struct Parameter {
     /// Its name.
     pub(super) name: String,
     /// The span of its name.
     pub(super) span: Span,
-    /// Its type, if there is such a type.
+    /// Its type, if it is valid.
     pub(super) ty: Option<Type>,
     /// True if a call may leave it out.
     pub(super) optional: bool,
-    /// Its default, if it could be understood.
+    /// Its default, if it could be resolved.
     pub(super) default: Option<Expr>,
 }
 
 impl Parameter {
-    /// The parameter as others see it. One whose type is unknown counts as a real: its
-    /// item cannot be used, but calls of it should still be counted right.
+    /// The parameter in the resolved program. One of unknown type counts as a real: its item cannot
+    /// be used, but the number of arguments of its calls can still be checked.
     pub(super) fn param(&self) -> Param {
         Param {
             name: self.name.clone(),
@@ -45,7 +45,7 @@ pub(super) struct Signature {
 }
 
 impl Signature {
-    /// The op at this name: drawn, or without a diagram, which its steps will take the place of.
+    /// The op with this name span and diagram; an op in steps has none, and gets its steps later.
     pub(super) fn op(&self, name: Span, diagram: Option<diagram::Op>) -> program::Op {
         program::Op {
             name: self.name.clone(),
@@ -66,7 +66,7 @@ pub(super) enum Returned {
     Nothing,
     /// An element.
     Element(Type),
-    /// Something, but it could not be found out what.
+    /// An element of unknown type.
     Unknown,
 }
 
@@ -91,24 +91,24 @@ pub(super) struct FunctionSignature {
     pub(super) params: Vec<Parameter>,
     /// The type of its value.
     pub(super) result: Value,
-    /// Its effects besides.
+    /// Its side effects.
     pub(super) effects: Effects,
 }
 
-/// The type of what a function gives.
+/// The result type of a function.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Value {
     /// Nothing.
     Nothing,
     /// A value.
     Of(Type),
-    /// Something; its body has yet to say what.
+    /// To be determined by its body.
     Open,
-    /// It could not be found out.
+    /// It could not be determined.
     Unknown,
 }
 
-/// The effects of a function, each with a place that does it.
+/// The side effects of a function, each with the place of one occurrence.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Effects {
     /// It calls an op, or sets attributes.
@@ -119,12 +119,12 @@ pub(super) struct Effects {
     pub(super) looks: Option<Span>,
     /// It asks an op.
     pub(super) asks: Option<Span>,
-    /// It takes random numbers.
+    /// It draws random numbers.
     pub(super) draws: Option<Span>,
 }
 
 impl Effects {
-    /// The effects of a script that is called here.
+    /// All effects at once, for a script that is called here.
     pub(super) fn all(here: Span) -> Self {
         let here = Some(here);
         Self { changes: here, prints: here, looks: here, asks: here, draws: here }

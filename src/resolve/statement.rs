@@ -1,4 +1,4 @@
-//! Statements of a script that are no loops: variables, attributes, choices, output.
+//! Statements of a script other than loops: variables, attributes, choices, output.
 
 use crate::diagnostic::{Diagnostic, Edit, Fix};
 use crate::diagram::{Expr, ExprKind, Type};
@@ -17,7 +17,7 @@ use super::type_name::type_named;
 use super::typed::to_real;
 use super::words::{a_type, short, subject};
 
-/// The greatest number of statements beside one that are taken for words of another language.
+/// The maximum number of statements after one on its line that are taken for foreign syntax.
 const MOST_BESIDE: usize = 100;
 
 impl Scripting<'_> {
@@ -70,8 +70,8 @@ impl Scripting<'_> {
         }
     }
 
-    /// True if a variable is declared as in another language, `int x = 3`: that reads as two
-    /// statements, the name of a type and an assignment. Tells so, once.
+    /// True if a variable is declared as in other languages, `int x = 3`, which parses as two
+    /// statements: the name of a type and an assignment. Reports it once.
     pub(super) fn declared_elsewhere(&mut self, action: &Action, next: Option<&Action>) -> bool {
         let (ActionKind::Expr(word), Some(next)) = (&action.kind, next) else {
             return false;
@@ -100,9 +100,9 @@ impl Scripting<'_> {
         true
     }
 
-    /// Words of another language that read as statements of their own, one behind the other on a
-    /// line: `throw "no"`, `-- a comment`. Tells of the first, and how many of the `rest` go with
-    /// it.
+    /// Foreign syntax that parses as several statements, one after the other on a line:
+    /// `throw "no"`, `-- a comment`. Reports the first, and returns how many of the `rest` belong
+    /// to it.
     pub(super) fn foreign_words(&mut self, action: &Action, rest: &[Action]) -> Option<usize> {
         if !matches!(action.kind, ActionKind::Print(_) | ActionKind::Expr(_)) {
             return None;
@@ -143,7 +143,7 @@ impl Scripting<'_> {
         let ActionKind::Expr(next) = &beside.first()?.kind else {
             return None;
         };
-        // A call may be a statement of its own.
+        // A call may be a separate statement.
         if matches!(next.kind, tree::ExprKind::Call { .. } | tree::ExprKind::Must(_)) {
             return None;
         }
@@ -159,7 +159,7 @@ impl Scripting<'_> {
         Some(count)
     }
 
-    /// Declares what was taken for a variable, so that it is told once only that it is none.
+    /// Declares what was taken for a variable, so that it is reported as unknown only once.
     fn assumed(&mut self, name: &Ident, ty: Option<Type>) {
         self.typing.scopes.declare(Local {
             name: name.text.clone(),
@@ -266,7 +266,7 @@ impl Scripting<'_> {
         Some(StatementKind::Write { target, attribute, value })
     }
 
-    /// Says how a component is set: with the whole vector.
+    /// Adds the fix for the assignment of a component: assigning the whole vector.
     fn whole_vector(
         &self,
         error: Diagnostic,
@@ -303,7 +303,7 @@ impl Scripting<'_> {
         error
     }
 
-    /// `if c { … } else { … }`, also with an op
+    /// `if c { … } else { … }`, where `c` may be the call of an op.
     pub(super) fn choice(
         &mut self,
         binding: Option<&Ident>,
@@ -375,7 +375,7 @@ impl Scripting<'_> {
         Some(kind)
     }
 
-    /// An expression that stands alone: the call of an op, or a mistake.
+    /// An expression as a statement: the call of an op or a function, or a mistake.
     pub(super) fn alone(&mut self, expr: &tree::Expr) -> Option<StatementKind> {
         match &expr.kind {
             tree::ExprKind::Call { function, args }
@@ -408,7 +408,8 @@ impl Scripting<'_> {
         }
     }
 
-    /// True if a statement may stand in `update`, which keeps the mesh's connectivity.
+    /// True if a statement is allowed in `update`, which leaves the connectivity unchanged;
+    /// otherwise reports an error.
     pub(super) fn may_update(&mut self, action: &Action) -> bool {
         let span = match &action.kind {
             ActionKind::Let { value, .. } | ActionKind::Assign { value, .. } => match &value.kind {
@@ -432,7 +433,7 @@ impl Scripting<'_> {
     }
 }
 
-/// True if a part of an operation could not be read, which the parser has said.
+/// True if an operand could not be read, which the parser has reported.
 fn is_broken(expr: &tree::Expr) -> bool {
     match &expr.kind {
         tree::ExprKind::Broken => true,
@@ -442,7 +443,7 @@ fn is_broken(expr: &tree::Expr) -> bool {
     }
 }
 
-/// A name and nothing else.
+/// The identifier, if the expression is only a name.
 fn plain_name(expr: &tree::Expr) -> Option<&Ident> {
     match &expr.kind {
         tree::ExprKind::Name(name) if name.index.is_none() => Some(&name.ident),
@@ -450,7 +451,7 @@ fn plain_name(expr: &tree::Expr) -> Option<&Ident> {
     }
 }
 
-/// The error for a variable that is not to be set again.
+/// The error for a variable that cannot be assigned, if it is one.
 fn fixed(name: &Ident, local: &Local) -> Option<Diagnostic> {
     let word = &name.text;
     let what = match local.binding {

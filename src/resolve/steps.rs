@@ -1,7 +1,7 @@
-//! An op in steps: one that calls others instead of drawing, all or nothing.
+//! An op in steps: it calls other ops instead of drawing, as one transaction (all or nothing).
 //!
-//! Its signature is known with those of the other ops; its body is understood later, when all
-//! that it may call is.
+//! Its signature is resolved with those of the other ops; its body later, when everything that it
+//! may call is resolved.
 
 use std::rc::Rc;
 
@@ -22,8 +22,7 @@ use super::signature::{Returned, Signature};
 use super::type_name::type_named;
 use super::words::a_type;
 
-/// The signature of an op in steps, for its calls, and the op needs to know, and the op without its
-/// steps.
+/// The signature of an op in steps, for its calls, and the op without its steps.
 pub(super) fn steps_signature(
     op: &tree::Op,
     steps: &tree::Steps,
@@ -76,7 +75,7 @@ pub(super) fn steps_signature(
     (signature, resolved)
 }
 
-/// Resolves the steps of an op; `None` if something is wrong with them.
+/// Resolves the steps of an op; `None` if an error has been reported.
 pub(super) fn resolve_steps(
     op: &tree::Op,
     steps: &tree::Steps,

@@ -23,8 +23,8 @@ pub fn closest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) ->
     best.map(|(_, candidate)| candidate)
 }
 
-/// Says at the primary place of `diagnostic` what `word`, which stands at `span`, was
-/// perhaps meant to be, and offers to write it.
+/// Labels the primary place of `diagnostic` with the candidate closest to `word`, if there is one,
+/// and adds the fix that writes it at `span`.
 pub(super) fn suggest<'a>(
     diagnostic: Diagnostic,
     word: &str,

@@ -8,6 +8,6 @@ use super::program::TestMesh;
 #[derive(Debug, Default)]
 pub(super) struct Meshes {
     pub(super) all: Vec<TestMesh>,
-    /// Those that were given a name.
+    /// The name and the number of each kept mesh.
     pub(super) kept: Vec<(Ident, u16)>,
 }

@@ -1,4 +1,4 @@
-//! Tests: the mesh that one begins with, and what only a test can ask.
+//! Tests: the mesh that a test starts with, and the statements that only tests have.
 //!
 //! ```text
 //! test "a flip there and back" {
@@ -24,7 +24,7 @@ use super::suggestion::suggest;
 use super::test_meshes::Meshes;
 use super::words::{arguments, quoted};
 
-/// The constructors of meshes: the name, and the least that each of its sizes can be.
+/// The constructors of meshes: the name, and the minimum of each size.
 pub(super) const CONSTRUCTORS: [(&str, &[i64]); 13] = [
     ("tetrahedron", &[]),
     ("cube", &[]),
@@ -41,7 +41,7 @@ pub(super) const CONSTRUCTORS: [(&str, &[i64]); 13] = [
     ("pillow", &[3]),
 ];
 
-/// The message about a constructor of a mesh that is called where none is made.
+/// The message about a mesh constructor that is called outside of a test.
 pub(super) fn mesh_maker(word: &str) -> Option<Here> {
     let makes = word == "load" || CONSTRUCTORS.iter().any(|(known, _)| *known == word);
     makes.then_some(Here::Said(
@@ -50,7 +50,7 @@ pub(super) fn mesh_maker(word: &str) -> Option<Here> {
     ))
 }
 
-/// The greatest size, and how often an icosphere is split at most.
+/// The maximum size, and the maximum number of subdivisions of an icosphere.
 const MOST: i64 = 1000;
 const MOST_SPLIT: i64 = 8;
 
@@ -93,7 +93,7 @@ pub(super) fn resolve_test(
     })
 }
 
-/// The right side of `mesh = …`.
+/// The right-hand side of `mesh = …`.
 fn begins(action: &Action) -> Option<&tree::Expr> {
     match &action.kind {
         ActionKind::Assign { target, value } if is_mesh(target) => Some(value),
@@ -106,7 +106,7 @@ fn is_mesh(expr: &tree::Expr) -> bool {
 }
 
 impl Scripting<'_> {
-    /// A statement that only tests have; `None` if this is none.
+    /// A statement that only tests have; `None` if this is another statement.
     pub(super) fn testing_action(&mut self, action: &Action) -> Option<Option<StatementKind>> {
         self.testing.as_ref()?;
         match &action.kind {
@@ -261,7 +261,7 @@ impl Scripting<'_> {
 }
 
 impl Meshes {
-    /// The number of one more mesh.
+    /// Adds a mesh and returns its number.
     fn add(&mut self, mesh: TestMesh) -> u16 {
         self.all.push(mesh);
         u16::try_from(self.all.len() - 1).unwrap_or(u16::MAX)

@@ -1,4 +1,4 @@
-//! Types that are written in words.
+//! Names of types.
 
 use crate::diagnostic::Diagnostic;
 use crate::diagram::Type;
@@ -9,14 +9,14 @@ use super::foreign_words::{self, Here};
 use super::report::Report;
 use super::words::quoted;
 
-/// The type of this name.
+/// The type of this name; reports an unknown one.
 pub(super) fn type_named(word: &Ident, report: &mut Report) -> Option<Type> {
     let found = Type::ALL.into_iter().find(|ty| ty.word() == word.text);
     if found.is_some() {
         return found;
     }
     if word.text.is_empty() {
-        // None is written, and the parser has said so.
+        // The type is missing, and the parser has reported it.
         report.fail();
         return None;
     }

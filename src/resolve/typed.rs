@@ -1,4 +1,4 @@
-//! Typed expressions, put together.
+//! Construction of typed expressions.
 
 use crate::diagram::{Expr, ExprKind, Type, Unary};
 use crate::source::Span;

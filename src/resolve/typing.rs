@@ -1,8 +1,7 @@
-//! Expressions: tree to typed expression.
+//! Expressions: from the tree to typed expressions.
 //!
-//! The walk is over the tree's shape only; what a name, an operator, a field, a
-//! function or a sequence means stands in the modules next to this one. `None` always
-//! means that the report has the reason.
+//! This module walks the tree; the meaning of names, operators, fields, functions and sequences is
+//! in the modules next to it. `None` always means that an error has been reported.
 
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Expr, ExprKind, Type};
@@ -19,7 +18,7 @@ use super::type_name::type_named;
 use super::typed::{to_real, typed};
 use super::words::{a_type, subject};
 
-/// The place of an expression, which decides what it may see.
+/// The place of an expression, which determines what it may refer to.
 #[derive(Clone, Copy)]
 pub(super) enum Place<'a> {
     /// The default of a parameter: constants and earlier parameters.
@@ -30,7 +29,7 @@ pub(super) enum Place<'a> {
     Script,
 }
 
-/// Typing expressions at one place.
+/// The state while expressions in one place are typed.
 pub(super) struct Typing<'a> {
     pub(super) place: Place<'a>,
     pub(super) declared: &'a Declared,
@@ -39,8 +38,7 @@ pub(super) struct Typing<'a> {
     pub(super) report: &'a mut Report,
     /// The ops of the program, by number, as far as they can be asked here.
     pub(super) ops: &'a [Signature],
-    /// True if the function that is called next may change the mesh; it stands as a whole value
-    /// then.
+    /// True if the next function call may change the mesh, because it is a whole value.
     pub(super) may_change: bool,
 }
 
@@ -50,7 +48,7 @@ impl Typing<'_> {
         shallow_expr(expr, self.report).then(|| self.expression(expr)).flatten()
     }
 
-    /// A whole expression of the type that `whose` wants.
+    /// A whole expression, converted to the type `wanted` by `whose`.
     pub(super) fn whole_as(
         &mut self,
         expr: &tree::Expr,
@@ -61,10 +59,10 @@ impl Typing<'_> {
         self.convert(expr, value, wanted, whose)
     }
 
-    /// An expression as part of one whose depth is known. The left side of a chain is
+    /// An expression as part of one whose depth has been checked. The left side of a chain is
     /// walked in a loop, since it may be long.
     pub(super) fn expression(&mut self, expr: &tree::Expr) -> Option<Expr> {
-        // Of a larger value, a call is only a part.
+        // A call inside a larger value is not a whole value.
         self.may_change &= matches!(expr.kind, tree::ExprKind::Call { .. });
         let mut chain = Vec::new();
         let mut inner = expr;
@@ -113,7 +111,7 @@ impl Typing<'_> {
                 self.choice(condition, [then, otherwise], span)
             }
             tree::ExprKind::Aggregate { .. } => self.aggregate(expr),
-            // Chains are taken apart before; the parser has spoken about what is broken.
+            // Chains are handled before; the parser has reported what is broken.
             tree::ExprKind::Binary(..) | tree::ExprKind::Field(..) | tree::ExprKind::Broken => {
                 self.report.fail();
                 None
@@ -121,7 +119,7 @@ impl Typing<'_> {
         }
     }
 
-    /// An expression of the type that `whose` wants.
+    /// An expression, converted to the type `wanted` by `whose`.
     pub(super) fn expression_as(
         &mut self,
         expr: &tree::Expr,
@@ -132,7 +130,7 @@ impl Typing<'_> {
         self.convert(expr, value, wanted, whose)
     }
 
-    /// A value as the type that `whose` wants.
+    /// Converts a value to the type `wanted` by `whose`.
     pub(super) fn convert(
         &mut self,
         expr: &tree::Expr,
@@ -206,7 +204,7 @@ impl Typing<'_> {
         Some(typed(ty, ExprKind::If(condition, then, otherwise), span))
     }
 
-    /// The value of a block that stands in an expression.
+    /// The value of a block in an expression.
     fn block_value(&mut self, block: &tree::Block) -> Option<Expr> {
         let Some((last, others)) = block.statements.split_last() else {
             self.no_value_at(block.span);
@@ -229,7 +227,7 @@ impl Typing<'_> {
     fn value_of(&mut self, action: &tree::Action) -> Option<Expr> {
         match &action.kind {
             tree::ActionKind::Expr(value) => self.expression(value),
-            // A nested `if` with a value reads as a statement to the parser.
+            // The parser reads a nested `if` with a value as a statement.
             tree::ActionKind::If { binding: None, condition, then, otherwise: Some(otherwise) } => {
                 self.choice(condition, [then, otherwise], action.span)
             }

@@ -7,8 +7,8 @@ use crate::syntax::tree;
 pub struct Unit<'t> {
     /// Its tree.
     pub tree: &'t tree::File,
-    /// The files it uses, by their places among the units.
+    /// The files it uses, by their indices among the units.
     pub uses: Vec<usize>,
-    /// True if it uses others that could not be had.
+    /// True if a file that it uses is not available.
     pub lacks: bool,
 }

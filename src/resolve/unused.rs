@@ -1,8 +1,8 @@
-//! Names of `new` that `after` draws nowhere, and the edges that are missing there.
+//! Names in `new` that `after` does not draw, and edge statements that are missing.
 //!
-//! An edge is listed, its halfedges are drawn in their loops, and the statement that pairs
-//! them is forgotten: then two halfedges lack a twin that run between the same vertices, in
-//! opposite directions.
+//! A common mistake: an edge is listed and its halfedges are drawn in their loops, but the
+//! statement that pairs them is forgotten. Then two halfedges without a twin run between the same
+//! vertices in opposite directions.
 
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Kind, NameId, Ref, Role, Side};
@@ -12,20 +12,20 @@ use crate::syntax::tree::{self, Statement};
 use super::names::Names;
 use super::report::Report;
 
-/// Names of `new` that stand nowhere else, and the side that lists them.
+/// Names in `new` that occur nowhere else, and the side that lists them.
 pub(super) struct Unused<'a> {
     /// The names.
     pub(super) listed: Vec<&'a tree::Name>,
-    /// The other names of `new`.
+    /// The other names in `new`.
     pub(super) created: &'a [Ref],
-    /// The side as it is written.
+    /// The side as written.
     pub(super) written: &'a tree::Side,
     /// The elements it draws.
     pub(super) drawn: &'a Side,
 }
 
 impl Unused<'_> {
-    /// Reports each name, with the edge statement that is missing if it is plain.
+    /// Reports each name, with the missing edge statement if it is unambiguous.
     pub(super) fn report(&self, names: &Names, report: &mut Report) {
         let pairs = pairs(&Open::find(self.created, self.drawn, names), names);
         let is_family = |pair: &Pair| names.get(pair.halfedges[0].name).role == Role::Family;
@@ -81,8 +81,8 @@ impl Unused<'_> {
     }
 }
 
-/// A halfedge that stands in a loop of `after` and in no edge statement. Shifts of its ends
-/// are relative to its own.
+/// A new halfedge in a loop of `after` and in no edge statement. The shifts of its ends are
+/// relative to its own.
 struct Open {
     half: Ref,
     from: Ref,
@@ -110,7 +110,7 @@ impl Open {
                 }
                 let to = match orbit.items.get(at + 1) {
                     Some(next) => next.from,
-                    // Behind a period the next one begins.
+                    // After a period the next one begins.
                     None if orbit.each => shifted(orbit.end, 1),
                     None => orbit.end,
                 };
@@ -129,7 +129,7 @@ fn shifted(mention: Ref, by: i32) -> Ref {
     Ref { shift: mention.shift.saturating_add(by), ..mention }
 }
 
-/// The pairs of halfedges that run in opposite directions, if each fits just one other.
+/// The pairs of halfedges that run in opposite directions, if each fits exactly one other.
 fn pairs(open: &[Open], names: &Names) -> Vec<Pair> {
     let mut pairs = Vec::new();
     for (at, one) in open.iter().enumerate() {
@@ -146,8 +146,8 @@ fn pairs(open: &[Open], names: &Names) -> Vec<Pair> {
     pairs
 }
 
-/// The shift that has to be added to the subscript of `two` so that it runs from where `one` ends
-/// to where it starts; nothing if it does not.
+/// The shift to add to the subscript of `two` so that it runs from the end of `one` to its start;
+/// `None` if it does not.
 fn turn(one: &Open, two: &Open, names: &Names) -> Option<i32> {
     let is_family = |name: NameId| names.get(name).role == Role::Family;
     let mut by = None;
@@ -170,7 +170,7 @@ fn turn(one: &Open, two: &Open, names: &Names) -> Option<i32> {
     }
 }
 
-/// A name as it is written.
+/// A name with its subscript, as written.
 fn written(half: Ref, names: &Names) -> String {
     let name = &names.get(half.name);
     match (name.role, half.shift) {
@@ -180,7 +180,7 @@ fn written(half: Ref, names: &Names) -> String {
     }
 }
 
-/// The place where one more statement can be written: behind the last one.
+/// The place to insert another statement: after the last one.
 fn end_of_orbits(after: &Side) -> Option<Span> {
     let loops = after.loops.iter().map(|orbit| orbit.span);
     let edges = after.edges.iter().map(|edge| edge.span);

@@ -1,4 +1,4 @@
-//! The parts of a statement: the blocks inside of it, and the values that it computes.
+//! Traversal of statements: their blocks and the values that they compute.
 
 use super::program::{Block, Print, Statement, StatementKind};
 use crate::diagram::Expr;
@@ -30,13 +30,13 @@ impl Statement {
         one.into_iter().chain(other)
     }
 
-    /// Shows it, and all statements inside of it.
+    /// Calls `see` with this statement and all statements inside it.
     pub fn each<'s>(&'s self, see: &mut dyn FnMut(&'s Statement)) {
         see(self);
         self.blocks().flatten().for_each(|inner| inner.each(see));
     }
 
-    /// Shows the values that it computes itself.
+    /// Calls `see` with the values that it computes itself, not those of statements inside it.
     pub fn values<'s>(&'s self, see: &mut dyn FnMut(&'s Expr)) {
         match &self.kind {
             StatementKind::Set { value, .. } => see(value),

@@ -1,4 +1,4 @@
-//! The words of the language that are no keywords, for completion and explanations.
+//! The words of the language that are not keywords, for completion and explanations.
 
 use crate::diagram::{Type, Wanted, overloads};
 
@@ -9,23 +9,23 @@ use super::sequence_names::{WHOLE_MESH, fold_names, sequences_of};
 use super::testing::CONSTRUCTORS;
 use super::words::a_type;
 
-/// One way to call a function.
+/// A signature of a built-in function.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Signature {
-    /// The types it takes, in words: `vertex`, `real`.
+    /// The names of the types of its parameters: `vertex`, `real`.
     pub takes: Vec<&'static str>,
-    /// The type it gives.
+    /// The type of its result; `None` for `shuffle` and the aggregates.
     pub gives: Option<Type>,
 }
 
-/// Something behind a dot.
+/// A word after a dot.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FieldWord {
     /// The word.
     pub name: &'static str,
     /// Its type; `None` if it is a sequence.
     pub ty: Option<Type>,
-    /// True if it is stored with the element, and can be assigned to.
+    /// True if it is stored with the element and can be assigned.
     pub is_attribute: bool,
 }
 
@@ -40,7 +40,7 @@ pub fn function_words() -> impl Iterator<Item = &'static str> {
     function_names().chain(fold_names().filter(twice))
 }
 
-/// The ways to call a function of the language; none if there is no such function.
+/// The signatures of a built-in function; empty if there is no such function.
 pub fn signatures(function: &str) -> Vec<Signature> {
     for (ty, count) in [(Type::Vec2, 2), (Type::Vec3, 3), (Type::Vec4, 4)] {
         if function == ty.word() {
@@ -82,7 +82,7 @@ fn word(wanted: Wanted) -> &'static str {
     }
 }
 
-/// The fields behind the dot of a value of a type.
+/// The fields and sequences of a value of this type.
 pub fn fields(ty: Type) -> Vec<FieldWord> {
     let values = entries_of(ty).into_iter().map(|entry| {
         let Entry { name, ty, is_attribute } = entry;
@@ -98,13 +98,13 @@ pub fn sequence_words() -> impl Iterator<Item = &'static str> {
     WHOLE_MESH.iter().map(|(word, _)| *word)
 }
 
-/// The words that make a mesh of a test, and the constants.
+/// The words for the meshes of a test, and the constants.
 pub fn mesh_and_constant_words() -> impl Iterator<Item = &'static str> {
     let constants = CONSTANTS.iter().map(|(word, _)| *word);
     CONSTRUCTORS.iter().map(|(word, _)| *word).chain(["load", "refuses", "mesh"]).chain(constants)
 }
 
-/// True if a word is a value wherever nothing else has the name.
+/// True if a word is a constant or `mesh`, unless something else has the name.
 pub fn is_constant(word: &str) -> bool {
     word == "mesh" || CONSTANTS.iter().any(|(known, _)| *known == word)
 }

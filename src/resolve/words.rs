@@ -69,12 +69,12 @@ pub(super) fn operator(op: BinaryOp) -> &'static str {
     }
 }
 
-/// An expression as the subject of a sentence: its text where that is short, else "this".
+/// An expression as the subject of a sentence: its text if that is short, otherwise "this".
 pub(super) fn subject(expr: &Expr) -> String {
     short(expr, 3).map_or_else(|| "this".to_owned(), |text| format!("`{text}`"))
 }
 
-/// The text of a name, a call or a few fields.
+/// The text of a name, a call, or a chain of at most `fields` fields; `None` for anything else.
 pub(super) fn short(expr: &Expr, fields: usize) -> Option<String> {
     match &expr.kind {
         ExprKind::Name(name) if name.index.is_none() => Some(name.ident.text.clone()),
@@ -86,7 +86,7 @@ pub(super) fn short(expr: &Expr, fields: usize) -> Option<String> {
     }
 }
 
-/// The reason of a `require` that gives none.
+/// The reason of a `require` without one.
 pub(super) fn not_held(op: &str) -> String {
     format!("the require of `{op}` does not hold")
 }

@@ -1,14 +1,14 @@
-//! Reading and writing the mesh through registers: nothing is taken on trust.
+//! Checked reads and writes of the mesh through registers.
 //!
-//! A number in a register may name an element that is erased or never was. Reading
-//! through it traps, and so does writing; neither can panic.
+//! A number in a register may be that of an element that is erased or never existed. Reading or
+//! writing through it traps; neither can panic.
 
 use glam::DVec3;
 
 use super::{ElementField, Elements, Fault, HalfedgeField, Walk};
 use crate::mesh::{EdgeId, ElementKind, FaceId, HalfedgeId, Mesh, VertexId};
 
-/// The reason why there is no such element.
+/// The fault of an element that does not exist.
 #[cold]
 pub(super) fn gone(kind: ElementKind, id: u32) -> Fault {
     match id {
@@ -17,7 +17,7 @@ pub(super) fn gone(kind: ElementKind, id: u32) -> Fault {
     }
 }
 
-/// Whether there is such an element.
+/// Fails unless the element exists.
 #[inline]
 pub(super) fn expect_alive(mesh: &Mesh, kind: ElementKind, id: u32) -> Result<(), Fault> {
     match mesh.is_alive(kind, id) {
@@ -26,7 +26,7 @@ pub(super) fn expect_alive(mesh: &Mesh, kind: ElementKind, id: u32) -> Result<()
     }
 }
 
-/// The living vertex of a number.
+/// The living vertex with this number.
 #[inline]
 pub(super) fn vertex(mesh: &Mesh, id: u32) -> Result<VertexId, Fault> {
     match mesh.vertex_alive(VertexId(id)) {
@@ -43,7 +43,7 @@ fn halfedge(mesh: &Mesh, id: u32) -> Result<HalfedgeId, Fault> {
     }
 }
 
-/// The living edge of a number.
+/// The living edge with this number.
 #[inline]
 pub(super) fn edge(mesh: &Mesh, id: u32) -> Result<EdgeId, Fault> {
     match mesh.edge_alive(EdgeId(id)) {
@@ -52,7 +52,7 @@ pub(super) fn edge(mesh: &Mesh, id: u32) -> Result<EdgeId, Fault> {
     }
 }
 
-/// The living face of a number.
+/// The living face with this number.
 #[inline]
 pub(super) fn face(mesh: &Mesh, id: u32) -> Result<FaceId, Fault> {
     match mesh.face_alive(FaceId(id)) {
@@ -61,16 +61,16 @@ pub(super) fn face(mesh: &Mesh, id: u32) -> Result<FaceId, Fault> {
     }
 }
 
-/// A pointer of a halfedge, or why there is none.
+/// A pointer of a halfedge; a fault if the halfedge does not live.
 #[inline]
 pub(super) fn load(mesh: &Mesh, field: HalfedgeField, id: u32) -> Result<u32, Fault> {
     pointer_of(mesh, field, id).ok_or_else(|| gone(ElementKind::Halfedge, id))
 }
 
-/// A pointer of a halfedge, if that lives.
+/// A pointer of a halfedge, if the halfedge lives.
 #[inline]
 pub(super) fn pointer_of(mesh: &Mesh, field: HalfedgeField, id: u32) -> Option<u32> {
-    // One more jump, to one of six loads, would cost more than to take all six.
+    // Loading all six pointers is faster than a jump to one of six loads.
     let record = mesh.get_halfedge(HalfedgeId(id))?;
     Some(record.pointers()[field as usize])
 }
@@ -86,7 +86,7 @@ pub(super) fn load_halfedge(mesh: &Mesh, of: ElementField, id: u32) -> Result<u3
     halfedge.map(|h| h.0).ok_or_else(|| gone(kind, id))
 }
 
-/// Whether an element lives and, if it is a face, is of that sort.
+/// Whether an element lives and, if `of` is faces or holes, is one of these.
 #[inline]
 pub(super) fn lives(mesh: &Mesh, of: Elements, id: u32) -> bool {
     match of {
@@ -120,7 +120,7 @@ pub(super) fn collect_living(mesh: &Mesh, of: Elements, into: &mut Vec<u64>) {
     }
 }
 
-/// A pointer may lead to any slot, or to nothing.
+/// Fails unless a pointer may have this value: the number of any slot, or of no element.
 #[inline]
 fn pointer(mesh: &Mesh, kind: ElementKind, value: u32) -> Result<(), Fault> {
     match value == u32::MAX || (value as usize) < mesh.capacity(kind) {
@@ -192,7 +192,7 @@ pub(super) fn store_all(
     halfedges.iter().try_for_each(|&id| store(mesh, field, id as u32, value))
 }
 
-/// A living vertex and a position that it may have.
+/// Checks that a vertex lives and that a position is finite.
 #[inline]
 pub(super) fn place(mesh: &Mesh, id: u32, position: DVec3) -> Result<(VertexId, DVec3), Fault> {
     let v = vertex(mesh, id)?;
@@ -216,7 +216,7 @@ pub(super) fn add(mesh: &mut Mesh, kind: ElementKind) -> Result<u32, Fault> {
     })
 }
 
-/// Whether there is room for so many new elements of a kind.
+/// Whether there is room for `count` new elements of a kind.
 pub(super) fn has_room(mesh: &Mesh, kind: ElementKind, count: usize) -> bool {
     let of = |this| if kind == this { count } else { 0 };
     mesh.can_add(
@@ -250,7 +250,7 @@ pub(super) fn erase(mesh: &mut Mesh, kind: ElementKind, id: u32) -> Result<(), F
     Ok(())
 }
 
-/// The halfedge after `id`.
+/// The halfedge after `id` on the walk.
 #[inline]
 pub(super) fn step(mesh: &Mesh, walk: Walk, id: u32) -> Result<u32, Fault> {
     match walk {
@@ -262,8 +262,8 @@ pub(super) fn step(mesh: &Mesh, walk: Walk, id: u32) -> Result<u32, Fault> {
     }
 }
 
-/// Appends the halfedges from `from` up to, but without, `until`; the whole cycle if both
-/// are the same.
+/// Appends the halfedges from `from` up to, but without, `until`; the whole cycle if both are the
+/// same.
 pub(super) fn collect(
     mesh: &Mesh,
     walk: Walk,
@@ -282,13 +282,12 @@ pub(super) fn collect(
             break;
         }
     }
-    // Nothing was walked where there are no halfedges at all.
+    // If there are no halfedges at all, the loop has not run.
     halfedge(mesh, from)?;
     Err(Fault::Endless)
 }
 
-/// Whether a walk from `from`, which counts, meets `goal` before it comes to `stop` or
-/// back.
+/// Whether a walk from `from` (included) meets `goal` before it comes to `stop` or back to `from`.
 pub(super) fn meets(
     mesh: &Mesh,
     walk: Walk,

@@ -1,16 +1,16 @@
-//! Computations of single instructions, where a method of the number would not do.
+//! Computations of single instructions for which the number types have no suitable method.
 
 use glam::DVec3;
 
 use super::{Fault, Math};
 
-/// An int, or the trap if it does not fit.
+/// The int, or the fault if it has overflowed.
 #[inline]
 pub(super) fn fits(value: Option<i64>) -> Result<i64, Fault> {
     value.ok_or(Fault::IntOverflow)
 }
 
-/// Rounds towards minus infinity.
+/// The quotient, rounded towards minus infinity.
 #[inline]
 pub fn divide(left: i64, right: i64) -> Result<i64, Fault> {
     if right == 0 {
@@ -21,7 +21,7 @@ pub fn divide(left: i64, right: i64) -> Result<i64, Fault> {
     Ok(quotient - i64::from(inexact && (left < 0) != (right < 0)))
 }
 
-/// Has the sign of the divisor.
+/// The remainder, with the sign of the divisor.
 #[inline]
 pub fn modulo(left: i64, right: i64) -> Result<i64, Fault> {
     if right == 0 {
@@ -65,14 +65,14 @@ pub(super) fn math(math: Math, x: f64) -> f64 {
     }
 }
 
-/// Exact at both ends.
+/// Linear interpolation, exact at both ends.
 #[inline]
 pub(super) fn mix(left: DVec3, right: DVec3, t: f64) -> DVec3 {
     left * (1.0 - t) + right * t
 }
 
-/// The direction, or zero if there is none. Scaled first: the square of a small length
-/// is zero, that of a large one infinite.
+/// The unit vector in the direction of `v`, or zero if there is none. The vector is scaled first:
+/// the square of a small length is zero, that of a large one infinite.
 #[inline]
 pub fn direction(v: DVec3) -> DVec3 {
     let largest = v.abs().max_element();

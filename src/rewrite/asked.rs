@@ -1,9 +1,9 @@
-//! Operations that are asked at all elements again and again, between which the mesh is written.
+//! Operations that are repeatedly asked at all elements, with writes to the mesh in between.
 //!
-//! What is written makes stale the elements whose answers may depend on it, and only those are
-//! asked again. They are found as the changed keys of a `drain` are: by walking back along the
-//! [paths](super::paths) of the question; of an operation that has none, by noting what each answer
-//! reads. Nothing depends on how they are found, but the time.
+//! A write makes the elements stale whose answers may depend on it, and only those are asked again.
+//! They are found as the changed keys of a `drain` are: by walking back along the
+//! [paths](super::paths) of the question, or, if it has none, by noting the reads of each answer.
+//! How they are found affects only the time, not the results.
 
 use std::sync::Arc;
 
@@ -43,12 +43,12 @@ struct Used {
     kind: ElementKind,
     name: String,
     number: u16,
-    /// True if no answer depends on it as long as its values are small.
+    /// Whether no answer depends on it as long as its values are small.
     only_counts: bool,
 }
 
 impl Asked {
-    /// Elements of a kind, none of which has been asked: with the question, if its paths are
+    /// Elements of a kind, none of which has been asked, with the question, if its paths are
     /// bounded, and the attributes that it may read, each with its number.
     pub fn new<'n>(
         kind: ElementKind,
@@ -82,12 +82,12 @@ impl Asked {
         }
     }
 
-    /// Slots have gone: what is in them later is another element.
+    /// Forgets the slots that the mesh no longer has: they may later hold other elements.
     pub fn shrink(&mut self, mesh: &Mesh) {
         self.slots = self.slots.min(mesh.capacity(self.kind));
     }
 
-    /// Something has been written; or it is about to be what it was before.
+    /// Notes a write, or that a write is about to be undone.
     pub fn note(&mut self, mesh: &Mesh, written: Written<'_>) {
         if written == Written::Column {
             return self.forget();
@@ -115,12 +115,12 @@ impl Asked {
         }
     }
 
-    /// The next slot of which the answer is not known. Who does not get one asks again. `window`
-    /// has the values of the parameters.
+    /// The next slot whose answer is not known. If the slot then gets no answer, the caller has to
+    /// make it stale again. `window` has the values of the parameters.
     pub fn next_stale(&mut self, mesh: &Mesh, window: &[u64]) -> Option<u32> {
         let capacity = mesh.capacity(self.kind);
         self.walk_back(mesh, window);
-        // The last one is taken first.
+        // The stack is popped from its end, so the slots come in ascending order.
         for slot in (self.slots.min(capacity)..capacity).rev() {
             self.make_stale(slot as u32);
         }
@@ -147,7 +147,7 @@ impl Asked {
             let slot = window.get(usize::from(variable.0));
             slot.map_or(u32::MAX, |&slot| slot as u32)
         };
-        // Where as much was written as there is, to walk takes longer than to ask.
+        // If more was written than there are elements, walking takes longer than asking all.
         let found = match written.len() > mesh.capacity(self.kind) {
             true => Candidates::All,
             false => walk.candidates(mesh, &question.paths, written, held),
@@ -159,7 +159,7 @@ impl Asked {
         written.clear();
     }
 
-    /// The answer of a slot is not known.
+    /// Makes a slot stale: its answer is not known.
     pub fn make_stale(&mut self, slot: u32) {
         match &mut self.changes {
             Changes::Walked { stale, .. } => stale.push(slot),
@@ -168,7 +168,7 @@ impl Asked {
     }
 }
 
-/// The drains that note what is read.
+/// A drain that notes reads, for elements of a kind.
 fn drains_of(kind: ElementKind) -> Drains {
     Drains::alone(match kind {
         ElementKind::Vertex => Elements::Vertices,
@@ -206,12 +206,12 @@ fn fields_of(
             (column.kind, id, Fields::attribute(used.number))
         }
         Written::Life(kind, id) => (kind, id, Fields::ALL),
-        // Nobody has looked at what was not there.
+        // No answer has read a slot that did not exist.
         Written::Grown(_) | Written::Column => return None,
     })
 }
 
-/// The pointers of a halfedge that differ.
+/// The pointers of a halfedge that have changed.
 fn changed(was: &HalfedgeRecord, now: &HalfedgeRecord) -> Fields {
     use HalfedgeField::{Edge, Face, Next, Prev, Twin, Vertex};
     let differ = [
@@ -229,7 +229,7 @@ fn changed(was: &HalfedgeRecord, now: &HalfedgeRecord) -> Fields {
     fields
 }
 
-/// The place of what was written, as readers are noted there.
+/// The place that was written, for looking up its readers.
 fn place_of(written: Written<'_>) -> Option<Place> {
     Some(match written {
         Written::Pointers(halfedge, _) => Place::Halfedge(halfedge.0),
@@ -260,8 +260,8 @@ fn place(kind: ElementKind, id: u32) -> Place {
 }
 
 impl Machine {
-    /// As [`Machine::ask`], of the element in a slot of those that are asked: what the answer
-    /// depends on is noted where that is not known otherwise.
+    /// Asks as [`Machine::ask`] does, at the element in a slot of `asked`: the reads of the answer
+    /// are noted if the question has no paths.
     pub fn ask_again(
         &mut self,
         mesh: &mut Mesh,

@@ -1,10 +1,10 @@
-//! Writing code: registers, labels, constants, trap places.
+//! The assembler of code: registers, labels, constants, trap places.
 //!
-//! Registers come lowest first, so that whoever asks for the parameters before anything
-//! else finds them at the start of the window. What is taken after a [`Mark`] is given
-//! back when the mark is released; constants are pooled, loaded once at the start of the
-//! code, and never given back. Until [`Assembler::finish`] a [`Label`] is only a number;
-//! there it becomes the index of an instruction.
+//! The lowest free registers are allocated first, so that parameters that are allocated before
+//! anything else are at the start of the window. Registers that are allocated after a [`Mark`] are
+//! freed when the mark is released; constants are pooled, loaded once at the start of the code, and
+//! never freed. Until [`Assembler::finish`] a [`Label`] is only a number; `finish` replaces it by
+//! the index of an instruction.
 
 use std::collections::HashMap;
 use std::fmt;
@@ -21,19 +21,20 @@ pub struct Assembler {
     labels: Vec<Option<u32>>,
     texts: Vec<String>,
     text_numbers: HashMap<String, u32>,
-    /// In the order of first use; the map only finds them.
+    /// In the order of first use; the map is an index of them.
     constants: Vec<(Reg, u64)>,
     constant_registers: HashMap<u64, Reg>,
     registers: Registers,
     buffers: u16,
-    /// The loops that several threads may take.
+    /// The loops that may be run by several threads.
     pub(super) spread: Vec<Turns>,
-    /// Whether a turn is written that keeps values.
+    /// Whether a turn that keeps values is being emitted.
     pub(super) is_in_values: bool,
     too_large: bool,
 }
 
-/// The code would need more registers, buffers, instructions or reasons to refuse than there can be.
+/// The error that code needs more registers, buffers, instructions or refusals than can be
+/// numbered.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TooLarge;
 
@@ -45,17 +46,17 @@ impl fmt::Display for TooLarge {
 
 impl std::error::Error for TooLarge {}
 
-/// The registers taken at some moment, to come back to.
+/// The allocated registers at some moment, to be restored later.
 #[derive(Clone, Copy, Debug)]
 pub struct Mark(usize);
 
 impl Assembler {
-    /// An empty code.
+    /// An assembler of empty code.
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// An empty code that knows some texts by their places in a list.
+    /// An assembler of empty code in which these texts have their places in the list as numbers.
     pub fn knowing(texts: &[String]) -> Self {
         let mut asm = Self::default();
         for text in texts {
@@ -64,17 +65,17 @@ impl Assembler {
         asm
     }
 
-    /// A register.
+    /// Allocates a register.
     pub fn reg(&mut self) -> Reg {
         self.block(1)
     }
 
-    /// Three consecutive registers, for a vector.
+    /// Allocates three consecutive registers, for a vector.
     pub fn vec(&mut self) -> Reg {
         self.block(3)
     }
 
-    /// Consecutive registers. Of none, some register that is not to be used.
+    /// Allocates consecutive registers. If `width` is 0, the result must not be used.
     pub fn block(&mut self, width: u16) -> Reg {
         let reg = self.or_too_large(|registers| registers.take(width));
         self.registers.live.push((reg, width));
@@ -87,17 +88,18 @@ impl Assembler {
         reg.unwrap_or(Reg(0))
     }
 
-    /// The moment, to be released.
+    /// Marks the registers that are allocated now.
     pub fn mark(&self) -> Mark {
         Mark(self.registers.live.len())
     }
 
-    /// Gives back the registers taken since the mark. Marks are released in stack order.
+    /// Frees the registers that have been allocated since the mark. Marks are released in stack
+    /// order.
     pub fn release(&mut self, mark: Mark) {
         self.registers.release(mark);
     }
 
-    /// A buffer, empty when the code starts.
+    /// Allocates a buffer, which is empty when the code starts.
     pub fn buffer(&mut self) -> u16 {
         let buffer = self.buffers;
         match buffer.checked_add(1) {
@@ -107,13 +109,13 @@ impl Assembler {
         buffer
     }
 
-    /// A label that is not bound yet.
+    /// Creates a label that is not bound yet.
     pub fn label(&mut self) -> Label {
         self.labels.push(None);
         Label(self.labels.len() as u32 - 1)
     }
 
-    /// Binds a label to the instruction that comes next.
+    /// Binds a label to the next instruction.
     pub fn bind(&mut self, label: Label) {
         let here = self.insts.len() as u32;
         if let Some(place) = self.labels.get_mut(label.0 as usize) {
@@ -127,7 +129,7 @@ impl Assembler {
         self.insts.push(inst);
     }
 
-    /// The number of the instruction that comes next.
+    /// The number of the next instruction.
     pub fn next_inst(&self) -> u32 {
         self.insts.len() as u32
     }
@@ -164,7 +166,7 @@ impl Assembler {
         self.constant_bits(u64::from(number))
     }
 
-    /// A register that holds these bits; nobody writes to it.
+    /// A register that holds these bits; it must not be written.
     pub fn constant_bits(&mut self, bits: u64) -> Reg {
         if let Some(&reg) = self.constant_registers.get(&bits) {
             return reg;
@@ -175,7 +177,7 @@ impl Assembler {
         reg
     }
 
-    /// The number of a text; the same for equal texts.
+    /// The number of a text; equal texts have the same number.
     pub fn text(&mut self, text: &str) -> u32 {
         if let Some(&number) = self.text_numbers.get(text) {
             return number;
@@ -186,7 +188,7 @@ impl Assembler {
         number
     }
 
-    /// The code. A label that was never bound leads to its end.
+    /// Finishes the code. A label that was never bound leads to its end.
     pub fn finish(self) -> Result<Code, TooLarge> {
         let prologue = self.constants.len();
         let length = prologue + self.insts.len();
@@ -226,21 +228,21 @@ impl Assembler {
     }
 }
 
-/// Which registers are taken.
+/// The register allocator.
 #[derive(Debug, Default)]
 struct Registers {
     taken: Vec<bool>,
-    /// No register below is free.
+    /// No register with a lower number is free.
     first_free: usize,
-    /// One past the highest register ever taken.
+    /// One more than the highest register ever allocated.
     most: u16,
-    /// The registers that a release gives back, in the order in which they were taken.
+    /// The registers that a release frees, in the order of allocation.
     live: Vec<(Reg, u16)>,
 }
 
 impl Registers {
-    /// A register that never was anything else: a constant is loaded before all code that
-    /// used registers that are free by now.
+    /// A register that has never been allocated: a constant is loaded at the start of the code, and
+    /// a register that is free now may be used by code that is already emitted.
     fn take_fresh(&mut self) -> Option<Reg> {
         let most = self.most.checked_add(1)?;
         let start = usize::from(self.most);

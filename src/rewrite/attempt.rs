@@ -1,9 +1,9 @@
-//! Operations that are asked and not applied.
+//! Asking whether an operation would apply, without applying it.
 //!
-//! An operation that is drawn makes all its tests before its first write, so it is run up to
-//! there. One in steps is taken, and undone. Either way the mesh, the counts and the numbers by
-//! chance are what they were. A key of a `drain` that asks notes what the operation reads; what
-//! it writes and undoes is nothing that it depends on.
+//! A drawn operation makes all its tests before its first write, so it is run up to that point. An
+//! operation in steps is applied and then undone. Either way the mesh, the counts and the random
+//! numbers are left unchanged. While the key of a `drain` asks an operation, only the operation's
+//! reads are noted as dependencies of the key; the writes, which are undone, are not.
 
 use std::ops::ControlFlow;
 
@@ -11,15 +11,15 @@ use super::engine::Way;
 use super::{Call, Inst, Machine, Message, Outcome, Plan, Trap, Watch};
 use crate::mesh::Mesh;
 
-/// The numbers of texts that are made while code runs begin here.
+/// The first number of the texts that are made while code runs.
 const SAID: u32 = 1 << 31;
 
-/// The texts that are made while code runs; no two are equal.
+/// Texts that are made while code runs; no two are equal.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Said(Vec<String>);
 
 impl Said {
-    /// The number of a text, among the constant texts if it is one.
+    /// The number of a text: its place in the constant texts if it is one of them.
     pub(super) fn number(&mut self, constant: &[String], text: &str) -> u32 {
         if let Some(known) = constant.iter().position(|known| known == text) {
             return known as u32;
@@ -43,7 +43,7 @@ impl Said {
 }
 
 impl Inst {
-    /// Whether it writes to the mesh.
+    /// Whether the instruction writes to the mesh.
     pub(super) fn writes(&self) -> bool {
         matches!(
             self,
@@ -62,7 +62,7 @@ impl Inst {
         )
     }
 
-    /// True if drains that run are told before it is taken.
+    /// Whether running drains are notified before the instruction is executed.
     #[inline]
     pub(super) fn is_observed_write(&self) -> bool {
         self.writes() || matches!(self, Inst::ReleaseHeld { .. })
@@ -70,7 +70,7 @@ impl Inst {
 }
 
 impl Machine {
-    /// Asks an operation whether it would apply; if not, the number of its reason.
+    /// Asks an operation whether it would apply; if not, the outcome has the number of the reason.
     #[cold]
     pub(super) fn attempt(
         &mut self,
@@ -83,7 +83,7 @@ impl Machine {
         self.consider(mesh, plan, call, watch)
     }
 
-    /// The same for a call that is ready.
+    /// [`attempt`](Self::attempt) for a call that is already set up.
     pub(super) fn consider(
         &mut self,
         mesh: &mut Mesh,
@@ -114,7 +114,7 @@ impl Machine {
         outcome
     }
 
-    /// The reason why an operation refuses, in words; nothing if it does not.
+    /// The reason why an operation refuses, as text; empty if it does not refuse.
     pub(super) fn reason_of(&self, op: u16, outcome: Outcome) -> &str {
         let Outcome::Refused { reason } = outcome else {
             return "";
@@ -124,7 +124,7 @@ impl Machine {
         refusal.map_or("the diagram does not match here", |refusal| &refusal.reason)
     }
 
-    /// A random number below a bound.
+    /// A random number from 0 up to, but without, `bound`.
     pub(super) fn chosen_below(&mut self, bound: i64) -> Result<i64, Message> {
         match u64::try_from(bound) {
             Ok(bound) if bound > 0 => Ok(self.random.below(bound) as i64),
@@ -133,7 +133,7 @@ impl Machine {
     }
 }
 
-/// Somebody who looks on, and is shown nothing that is printed.
+/// A watcher that drops printed lines and passes everything else on.
 struct Silent<'w>(&'w mut dyn Watch);
 
 impl Watch for Silent<'_> {

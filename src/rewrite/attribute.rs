@@ -1,7 +1,7 @@
-//! Declared attributes through registers, and writes that are kept back.
+//! Declared attributes through registers, and deferred writes, which are kept back in a buffer.
 //!
-//! A column holds values of one type, densely. A value in the window takes as many slots
-//! as it has components, matrices column by column, as the language lays them out.
+//! A column is a dense array of values of one type. A value in the window takes one slot for each
+//! component, matrices column by column, as the language lays them out.
 
 use glam::{DMat3, DMat4, DVec2, DVec3, DVec4};
 
@@ -10,21 +10,21 @@ use super::window::Window;
 use super::{Fault, Reg};
 use crate::mesh::{ColumnData, ColumnId, Mesh, VertexId};
 
-/// In the place of an attribute's number: what is kept back is a position.
+/// In place of an attribute's number: a position is kept back.
 pub(super) const POSITION: u32 = u32::MAX;
 
-/// The head of a value that is kept back: the number of slots it takes, and its attribute.
+/// The header of a value that is kept back: its number of slots, and its attribute.
 pub(super) fn header(attribute: u32, width: u16) -> u64 {
     u64::from(width) << 32 | u64::from(attribute)
 }
 
-/// Keeps a position back: a header, the vertex, the slots.
+/// Keeps a position back: appends a header, the vertex and the slots.
 pub(super) fn hold_position(vertex: VertexId, position: DVec3, held: &mut Vec<u64>) {
     held.extend([header(POSITION, 3), u64::from(vertex.0)]);
     held.extend(position.to_array().map(f64::to_bits));
 }
 
-/// The place of an attribute in the mesh.
+/// The column of an attribute in the mesh.
 #[inline]
 pub(super) fn column(columns: &[Option<ColumnId>], attribute: u16) -> Result<ColumnId, Fault> {
     let column = columns.get(usize::from(attribute)).copied().flatten();
@@ -44,7 +44,7 @@ fn width(data: &ColumnData) -> u16 {
     }
 }
 
-/// A living element as an index into its column.
+/// The index of a living element in its column.
 #[inline]
 fn index(mesh: &Mesh, column: ColumnId, id: u32) -> Result<usize, Fault> {
     match mesh.is_alive(column.kind, id) {
@@ -92,7 +92,7 @@ pub(super) fn store(
     put(mesh, column, at, |part| w.bits(Reg(value.0.wrapping_add(part))))
 }
 
-/// Writes a value whose slots are asked for one by one.
+/// Writes a value; `slot` returns its slots.
 #[inline]
 fn put(
     mesh: &mut Mesh,
@@ -129,8 +129,8 @@ fn put(
     Ok(())
 }
 
-/// Keeps the value of an attribute, by its number, of a living element back: a header,
-/// the element, the slots.
+/// Keeps back the value of an attribute of a living element: appends a header, the element and the
+/// slots.
 pub(super) fn hold(
     mesh: &Mesh,
     column: ColumnId,
@@ -148,7 +148,7 @@ pub(super) fn hold(
     Ok(())
 }
 
-/// The values that are kept back, in order: a column, or none for a position; the element; the
+/// The values that are kept back, in order: the column, or `None` for a position; the element; the
 /// slots.
 pub(super) struct Held<'h> {
     columns: &'h [Option<ColumnId>],
@@ -178,7 +178,8 @@ impl<'h> Iterator for Held<'h> {
     }
 }
 
-/// Writes what is kept back, in order.
+/// Writes the values that are kept back, in order, and clears the buffer. Erased elements are
+/// skipped.
 pub(super) fn release(
     mesh: &mut Mesh,
     columns: &[Option<ColumnId>],

@@ -1,14 +1,14 @@
-//! Operations as questions whose answers depend on known paths.
+//! Operations as questions whose answers depend on a bounded set of paths.
 
 use super::paths::Paths;
 use super::reads::question_paths;
 use super::{Code, Inst, Plan, Question, Reg, Unbounded};
 use crate::mesh::{ElementKind, Value};
 
-/// An int is small up to this. The sum of two small ones has one bit more.
+/// The greatest absolute value of a small int. Each sum adds at most one bit.
 const SMALL: u64 = 1 << 40;
 
-/// The greatest number of sums, so that none of small ints is too large.
+/// The greatest number of consecutive sums of small ints that surely do not overflow.
 const MOST_SUMS: usize = 20;
 
 /// Whether a value is a small int.
@@ -16,22 +16,21 @@ pub(super) fn is_small(value: Value) -> bool {
     matches!(value, Value::Int(value) if value.unsigned_abs() <= SMALL)
 }
 
-/// The question whether an operation would be applied, with the paths of what it reads.
+/// The question whether an operation would be applied, with the paths of its reads.
 #[derive(Clone, Debug)]
 pub struct Bounded {
     pub(super) paths: Paths,
     /// The code of the operation up to its first write.
     pub(super) code: Code,
-    /// The attributes that it reads for anything but the values of such that it would count up or
-    /// down.
+    /// The attributes that it reads for anything else than to increase or decrease them.
     asked: Vec<u16>,
 }
 
 impl Bounded {
-    /// The question, asked of the element of a kind in a slot of the window.
+    /// The question, asked of the element of the given kind in a slot of the window.
     ///
     /// # Errors
-    /// Its paths are not bounded, and why.
+    /// The reason, if the paths are not bounded.
     pub fn new(plan: &Plan, kind: ElementKind, slot: usize) -> Result<Self, Unbounded> {
         let paths = question_paths(plan, kind, slot)?;
         let asked = asked_attributes(&plan.code);
@@ -42,14 +41,14 @@ impl Bounded {
         Ok(Self { paths, code, asked })
     }
 
-    /// True if an attribute is read for nothing but to count it up or down: then the answer is the
-    /// same whatever it is, unless it is so large that it cannot be counted.
+    /// Whether an attribute is read only to be increased or decreased: then the answer does not
+    /// depend on its value, unless the value is so large that the sum overflows.
     pub(super) fn only_counts(&self, attribute: u16) -> bool {
         !self.asked.contains(&attribute)
     }
 }
 
-/// The attributes that are read before the last sums, which come before a write.
+/// The attributes that are loaded elsewhere than in a run of sums that ends at a write.
 fn asked_attributes(code: &Code) -> Vec<u16> {
     let load = |inst: &Inst| match *inst {
         Inst::LoadAttribute { attribute, .. } => Some(attribute),
@@ -80,15 +79,16 @@ fn asked_attributes(code: &Code) -> Vec<u16> {
     asked
 }
 
-/// Sums of small ints, one after the other.
+/// A run of sums of small ints.
 struct Sums {
     count: usize,
-    /// The registers that hold sums, or what is small if the attributes are.
+    /// The registers that hold sums, or values that are small if the attributes are.
     small: Vec<Reg>,
 }
 
 impl Sums {
-    /// Takes an instruction in that can fail by nothing but too large a sum.
+    /// Adds an instruction to the run; false if it can fail otherwise than by the overflow of a
+    /// sum.
     fn take(&mut self, inst: &Inst) -> bool {
         let to = match *inst {
             Inst::LoadAttribute { to, .. }
@@ -102,7 +102,7 @@ impl Sums {
                 self.count += 1;
                 to
             }
-            // It asks nothing of them.
+            // It reads no register.
             Inst::ExpectRoom { .. } => return true,
             _ => return false,
         };

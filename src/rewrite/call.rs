@@ -1,4 +1,4 @@
-//! One run of a code: what it may use, and what became of it.
+//! One run of a code: its environment and its outcome.
 
 use super::engine::Way;
 use super::{Code, Function, Phase, Plan, Refusal, Reg, Site, Steps, Trap};
@@ -6,19 +6,19 @@ use super::{Code, Function, Phase, Plan, Refusal, Reg, Site, Steps, Trap};
 /// The end of a run that did not trap.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Outcome {
-    /// It went through; in the code of an operation: it has been applied.
+    /// The code has run to its end; an operation has been applied.
     Applied {
         /// The value that it returned, if any.
         result: Option<u32>,
     },
-    /// The operation does not apply here; the mesh is as it was.
+    /// The operation does not apply here; the mesh is unchanged.
     Refused {
         /// The number of the reason, if one was noted.
         reason: Option<u16>,
     },
 }
 
-/// The depth to which functions may call each other.
+/// The greatest depth of nested calls of functions.
 pub(super) const MOST_CALLS: usize = 1000;
 
 /// One run of a code.
@@ -30,27 +30,27 @@ pub(super) struct Call<'c> {
     pub(super) texts: &'c [String],
     /// The operations that it may call, by number.
     pub(super) plans: &'c [Option<Plan>],
-    /// The number of the operation.
+    /// The number of the running operation.
     pub(super) op: Option<u16>,
-    /// If it is one in steps, what it has besides.
+    /// The steps of the operation, if it is one in steps.
     pub(super) steps: Option<&'c Steps>,
-    /// The number of the function.
+    /// The number of the running function.
     pub(super) function: Option<u16>,
     /// The kind of the code.
     pub(super) way: Way,
-    /// The place where its window begins, and its buffers.
+    /// The start of the window in the stack, and of the buffers in those of the machine.
     pub(super) base: usize,
     pub(super) buffers: usize,
     pub(super) depth: usize,
 }
 
 impl<'c> Call<'c> {
-    /// The code of a script.
+    /// The call of a script.
     pub(super) fn top(code: &'c Code, plans: &'c [Option<Plan>]) -> Self {
         Self::first((code, Way::Script), plans, &[], None)
     }
 
-    /// An operation that nobody calls.
+    /// The call of an operation that is not called by other code.
     pub(super) fn of(plan: &'c Plan, plans: &'c [Option<Plan>]) -> Self {
         Self::first((&plan.code, Way::Whole), plans, &plan.refusals, plan.steps.as_ref())
     }
@@ -77,7 +77,8 @@ impl<'c> Call<'c> {
         }
     }
 
-    /// The call of an operation from this one: everything it uses lies behind.
+    /// The call of an operation from this call; its window and buffers are behind those of this
+    /// one.
     #[inline]
     pub(super) fn calling(&self, op: u16, plan: &'c Plan) -> Self {
         Call {
@@ -104,7 +105,7 @@ impl<'c> Call<'c> {
         self.become_function(number, function);
     }
 
-    /// Becomes the call of a function, wherever its window is.
+    /// Becomes the call of a function, and leaves window and buffers as they are.
     #[inline]
     pub(super) fn become_function(&mut self, number: u16, function: &'c Function) {
         self.code = &function.code;
@@ -112,7 +113,7 @@ impl<'c> Call<'c> {
         self.way = Way::Function;
     }
 
-    /// Of several refusals the one of the latest phase counts, of those the first.
+    /// Notes a refusal. Of several, the first of the latest phase is reported.
     pub(super) fn note(&self, noted: &mut Option<(Phase, u16)>, refusal: u16) {
         let reason = self.refusals.get(usize::from(refusal));
         let phase = reason.map_or(Phase::Match, |reason| reason.phase);
@@ -122,7 +123,7 @@ impl<'c> Call<'c> {
     }
 }
 
-/// The place where a function was called, to go on there.
+/// The state of a caller, to return to.
 #[derive(Debug)]
 pub(super) struct Frame<'c> {
     code: &'c Code,
@@ -130,11 +131,11 @@ pub(super) struct Frame<'c> {
     way: Way,
     pub(super) base: usize,
     buffers: usize,
-    /// The instruction behind the call.
+    /// The instruction after the call.
     pub(super) at: usize,
     /// The register that gets the value.
     pub(super) to: Reg,
-    /// Whether the caller still needs ids.
+    /// Whether the caller holds ids, so that none may be reused.
     pub(super) holds: bool,
 }
 
@@ -145,7 +146,7 @@ impl<'c> Frame<'c> {
         Self { code, function, way, base, buffers, at, to, holds }
     }
 
-    /// Makes a call what it was.
+    /// Restores the call of the caller.
     #[inline]
     pub(super) fn give_back(&self, call: &mut Call<'c>) {
         let Self { code, function, way, base, buffers, .. } = *self;
@@ -154,13 +155,13 @@ impl<'c> Frame<'c> {
 }
 
 impl Trap {
-    /// The trap seen from all running functions, the innermost first.
+    /// Adds the places of all running functions to the trace, the innermost first.
     #[cold]
     pub(super) fn through_all(self, call: &Call<'_>, at: usize, returns: &[Frame<'_>]) -> Self {
         self.through(call, at).through_callers(call, returns)
     }
 
-    /// The trap seen from all functions that have called the one that runs.
+    /// Adds the places of the callers of the running function to the trace.
     #[cold]
     pub(super) fn through_callers(self, call: &Call<'_>, returns: &[Frame<'_>]) -> Self {
         let outer = returns.iter().rev();
@@ -171,7 +172,7 @@ impl Trap {
         })
     }
 
-    /// The trap seen from a call: the instruction at `at` did it.
+    /// Adds a call to the trace: its instruction at `at` trapped.
     #[cold]
     pub(super) fn through(mut self, call: &Call<'_>, at: usize) -> Self {
         self.trace.push(Site { op: call.op, function: call.function, place: call.code.place(at) });

@@ -25,48 +25,49 @@ impl Reg {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Label(pub u32);
 
-/// A flat program.
+/// A flat sequence of instructions.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Code {
     /// The instructions; running past the last one returns.
     pub insts: Vec<Inst>,
-    /// How many of them, the first, load constants into registers that nobody else writes to.
+    /// The number of instructions at the start that load constants into registers that no other
+    /// instruction writes.
     pub constants: usize,
     /// The number of slots of its window.
     pub registers: u16,
     /// The number of buffers it uses.
     pub buffers: u16,
-    /// The reason why each trapping instruction could fail, by its index: see [`Traps`].
+    /// The places in the source of the instructions that can trap: see [`Traps`].
     pub traps: Traps,
     /// The constant texts, by number; no two are equal.
     pub texts: Vec<String>,
     /// The functions that it may call, by number.
     pub functions: Arc<[Function]>,
-    /// The loops that several threads can take, by number.
+    /// The loops that can be run by several threads, by number.
     pub parts: Vec<Option<Part>>,
-    /// The same as native code, from when it has run often.
+    /// The native code, once the code has run often enough.
     pub native: Native,
 }
 
 impl Code {
-    /// True if a drain may run in it.
+    /// Whether a drain may run in this code.
     pub fn drains(&self) -> bool {
         let functions = self.functions.iter().map(|function| &function.code);
         functions.chain([self]).any(Self::opens_drain)
     }
 
-    /// True if it begins a drain itself.
+    /// Whether this code itself begins a drain.
     pub(super) fn opens_drain(&self) -> bool {
         self.insts.iter().any(|inst| matches!(inst, Inst::DrainOpen { .. }))
     }
 
-    /// The code itself, and that of the functions that it calls, directly or through others.
+    /// The code itself, and those of the functions that it calls, directly or indirectly.
     pub fn with_called(&self) -> Vec<&Code> {
         self.with_called_of(&self.functions)
     }
 
-    /// The same where it calls these functions, by their numbers, which a function's code itself does
-    /// not know.
+    /// [`with_called`](Self::with_called) with the given functions, by number; the code of a
+    /// function has no list of its own.
     pub(super) fn with_called_of<'c>(&'c self, functions: &'c [Function]) -> Vec<&'c Code> {
         let mut found = vec![self];
         let mut seen = vec![false; functions.len()];
@@ -85,7 +86,7 @@ impl Code {
         found
     }
 
-    /// True if it may change the mesh itself.
+    /// Whether this code may itself change the mesh.
     pub fn changes(&self) -> bool {
         let changes = |inst: &Inst| {
             inst.writes() || matches!(inst, Inst::Apply { .. } | Inst::ReleaseHeld { .. })
@@ -101,6 +102,6 @@ impl Code {
     }
 }
 
-/// For each instruction that can fail at run time the number of its place in the source:
-/// an index into the spans that whoever made the code keeps. Sorted by instruction.
+/// The number of the place in the source of each instruction that can trap: an index into the spans
+/// that the compiler of the code keeps. Sorted by instruction.
 pub type Traps = Vec<(u32, u32)>;

@@ -1,8 +1,8 @@
-//! The loop that takes one instruction after the other.
+//! The interpreter loop.
 //!
-//! One `match` over all instructions, an arm of a line or two each; what takes more is
-//! in its own file. Registers are never out of range (see the window), jumps out of the
-//! code return, so the loop itself cannot fail but by a trap.
+//! One `match` over all instructions, with an arm of a few lines each; longer implementations are
+//! in files of their own. Registers are never out of range (see the window) and jumps out of the
+//! code return, so the loop itself can fail only by a trap.
 
 use super::access::{self, gone};
 use super::arithmetic::{direction, divide, fits, math, mix, modulo, round};
@@ -21,19 +21,19 @@ use super::{
 };
 use crate::mesh::{ElementKind, Mesh, VertexId, difference, same_up_to_renumbering};
 
-/// The distance up to which coordinates of meshes count as the same.
+/// The distance up to which coordinates of meshes count as equal.
 const NEAR: f64 = 1e-9;
 
-/// The instruction that comes next, and the refusal that counts so far.
+/// The next instruction, and the refusal noted so far.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Place {
     pub(super) at: usize,
     pub(super) noted: Option<(Phase, u16)>,
-    /// How many instructions are taken, if not all.
+    /// The number of instructions to execute, if not all.
     pub(super) steps: usize,
 }
 
-/// The value, or out of the loop with the message.
+/// Evaluates to the value, or breaks out of the loop with the message.
 macro_rules! or_trap {
     ($result:expr) => {
         match $result {
@@ -44,7 +44,7 @@ macro_rules! or_trap {
 }
 
 impl Machine {
-    /// Runs code from a call on. Only if it is `OBSERVED`, drains may run in it.
+    /// Runs the code of a call from its start. Drains may run in it only if `OBSERVED`.
     pub(super) fn execute<const OBSERVED: bool>(
         &mut self,
         mesh: &mut Mesh,
@@ -55,8 +55,9 @@ impl Machine {
         self.execute_from::<OBSERVED, false>(mesh, call, &mut Place::default(), watch)
     }
 
-    /// Runs the code of a call from a place on; or, if it is a `STEP`, takes so many instructions,
-    /// which neither call a function nor end the code, and tells the place where it goes on.
+    /// Runs the code of a call from a place on; or, if `STEP`, executes `place.steps` instructions,
+    /// which neither call a function nor end the code, and sets `place` to where the code
+    /// continues.
     pub(super) fn execute_from<const OBSERVED: bool, const STEP: bool>(
         &mut self,
         mesh: &mut Mesh,
@@ -118,7 +119,7 @@ impl Machine {
                 at = $otherwise.0 as usize;
             }};
         }
-        // The function that runs is done: its caller goes on.
+        // The running function returns to its caller.
         macro_rules! come_back {
             () => {
                 let Some(back) = returns.pop() else {
@@ -132,7 +133,7 @@ impl Machine {
                 look_again!();
             };
         }
-        // Where a loop has run long enough, native code takes the rest of what runs.
+        // When a loop has run long enough, native code takes over the rest of the running code.
         macro_rules! go_on_native {
             () => {
                 if !STEP && self.engine == Engine::Native && !self.is_dry && call.has_looped() {
@@ -141,7 +142,7 @@ impl Machine {
                     let done = self.go_on_native(mesh, call, place, watch);
                     self.frames -= returns.len();
                     match done {
-                        // It is the machine's all the same.
+                        // The machine still has to run it.
                         None => look_again!(),
                         Some(Err(trap)) => return Err(trap.through_callers(&call, &returns)),
                         Some(Ok(Outcome::Applied { .. })) if !returns.is_empty() => {
@@ -731,7 +732,7 @@ impl Machine {
                     look_again!();
                 }
                 Keep { from } => {
-                    // There is room for all.
+                    // Room for all has been reserved.
                     if self.kept.len() == self.kept.capacity() {
                         break Message::NoMemory(self.memory);
                     }
@@ -815,13 +816,13 @@ impl Machine {
         Err(Trap::new(message).through_all(&call, at.saturating_sub(1), &returns))
     }
 
-    /// Copies slots from a register of one window to another window, for which there is room
-    /// then.
+    /// Copies slots from a register of one window to the start of another window, for which it
+    /// makes room.
     pub(super) fn pass(&mut self, base: usize, from: Reg, to: usize, width: u16) {
         reserve(&mut self.stack, to);
         let start = base + usize::from(from.0);
         let end = self.stack.len().min(start + usize::from(width));
-        // A few slots are copied sooner than a call is made that copies any number.
+        // For a few slots, a loop is faster than the call of `copy_within`.
         match end.saturating_sub(start) {
             few @ 0..=4 => {
                 (0..few).for_each(|part| self.stack[to + part] = self.stack[start + part])

@@ -1,10 +1,9 @@
-//! Whether numbers are all different, in time that grows as they do.
+//! Tests of whether numbers are all distinct, in linear time.
 
-/// The number of slots of the table at first.
+/// The initial number of slots of the table.
 const FEW: usize = 64;
 
-/// Numbers that have been seen: a table by their hashes, where what an earlier round has left is no
-/// number.
+/// A hash set of numbers that is cleared in constant time: slots of earlier rounds count as free.
 #[derive(Debug, Default)]
 pub struct Seen {
     round: u32,
@@ -14,7 +13,7 @@ pub struct Seen {
 }
 
 impl Seen {
-    /// Begins a round: nothing has been seen.
+    /// Begins a round: the set is empty.
     pub(super) fn clear(&mut self) {
         self.count = 0;
         self.round = self.round.wrapping_add(1);
@@ -25,7 +24,7 @@ impl Seen {
         }
     }
 
-    /// Sees a number. True if it has not been seen in this round.
+    /// Adds a number. True if it is new in this round.
     #[inline]
     pub(super) fn is_new(&mut self, number: u32) -> bool {
         if 2 * self.count >= self.slots.len() {
@@ -55,7 +54,7 @@ impl Seen {
         }
     }
 
-    /// True if no two numbers are the same.
+    /// Whether no two numbers are equal.
     pub fn are_distinct(&mut self, numbers: &[u32]) -> bool {
         self.clear();
         numbers.iter().all(|&number| self.is_new(number))

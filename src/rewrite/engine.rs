@@ -1,17 +1,17 @@
 //! The ways to run code.
 
-/// What runs code. The results are the same, bit for bit.
+/// The way in which code is run. The results are the same, bit for bit.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Engine {
-    /// The machine takes one instruction after the other, everywhere.
+    /// The machine interprets all code.
     Machine,
-    /// Native code for operations, functions and scripts, from when one has run so often, or its
-    /// loops have taken so many turns, that it pays to compile it: it goes on in the middle of the
-    /// loop. The machine until then, for drains whose keys are found by what they have read, and
-    /// where native code is not available.
+    /// Operations, functions and scripts are compiled to native code once they have run so often,
+    /// or their loops have taken so many turns, that it pays; native code can take over in the
+    /// middle of a loop. The machine runs the code before that, drains whose keys are tracked by
+    /// noting their reads, and everything where native code is not available.
     #[default]
     Native,
-    /// Native code for all that runs, from the first run on.
+    /// All code is compiled to native code at its first run.
     NativeAtOnce,
 }
 
@@ -22,7 +22,7 @@ pub(super) enum Way {
     Script,
     /// A function.
     Function,
-    /// An operation, whole or not at all.
+    /// An operation, all or nothing.
     Whole,
     /// An operation, up to its first write.
     Dry,

@@ -4,7 +4,7 @@ use super::access::load;
 use super::{Fault, HalfedgeField, Span, Walk};
 use crate::mesh::{ElementKind, Mesh};
 
-/// The place of an index in a cycle of `length`, counted around.
+/// The index plus the shift, modulo `length`.
 pub(super) fn place(length: usize, index: i64, shift: i16) -> Result<usize, Fault> {
     let length = i64::try_from(length).unwrap_or(i64::MAX);
     match length {
@@ -13,7 +13,8 @@ pub(super) fn place(length: usize, index: i64, shift: i16) -> Result<usize, Faul
     }
 }
 
-/// Every `period`-th slot from `first` on, turned so that the first stands at the index `turn`.
+/// Appends every `period`-th slot from `first` on, rotated so that the first one is at the index
+/// `turn`.
 pub fn deal(from: &[u64], [first, period]: [u16; 2], turn: i16, to: &mut Vec<u64>) {
     let start = to.len();
     let period = usize::from(period).max(1);
@@ -24,7 +25,7 @@ pub fn deal(from: &[u64], [first, period]: [u16; 2], turn: i16, to: &mut Vec<u64
     }
 }
 
-/// Whether no two slots are the same.
+/// Whether no two slots are equal. Sorts the slots.
 pub(super) fn are_distinct(slots: &mut [u64]) -> bool {
     slots.sort_unstable();
     slots.windows(2).all(|pair| pair[0] != pair[1])
@@ -46,8 +47,7 @@ pub fn part<'b>(
     halfedges.get(start..end).ok_or(Fault::OutOfRange)
 }
 
-/// Whether a walk from the first of the halfedges, once around, meets all others in their
-/// order.
+/// Whether a walk once around from the first of the halfedges meets all others in their order.
 pub(super) fn meets_all(mesh: &Mesh, walk: Walk, halfedges: &[u64]) -> Result<bool, Fault> {
     let Some((&first, rest)) = halfedges.split_first() else {
         return Ok(true);

@@ -7,7 +7,7 @@ use super::{
 };
 use crate::mesh::{ElementKind, OrbitCondition};
 
-/// One instruction. `to` is written; everything else is read.
+/// An instruction. `to` is written; everything else is read.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[rustfmt::skip] // A table, a line each.
 pub enum Inst {
@@ -20,15 +20,15 @@ pub enum Inst {
     Not { to: Reg, from: Reg },
     And { to: Reg, left: Reg, right: Reg },
     Or { to: Reg, left: Reg, right: Reg },
-    /// Two ints, bools, elements or texts.
+    /// Compares two ints, bools, elements or texts.
     Equal { to: Reg, left: Reg, right: Reg },
-    /// Traps, as all arithmetic of ints does, when the result does not fit.
+    /// Traps on overflow, as all arithmetic of ints does.
     AddInt { to: Reg, left: Reg, right: Reg },
     SubInt { to: Reg, left: Reg, right: Reg },
     MulInt { to: Reg, left: Reg, right: Reg },
     /// Rounds towards minus infinity. Traps on zero.
     DivInt { to: Reg, left: Reg, right: Reg },
-    /// Sign of the divisor. Traps on zero.
+    /// The remainder with the sign of the divisor. Traps on zero.
     ModInt { to: Reg, left: Reg, right: Reg },
     NegInt { to: Reg, from: Reg },
     AbsInt { to: Reg, from: Reg },
@@ -37,7 +37,7 @@ pub enum Inst {
     LessInt { to: Reg, left: Reg, right: Reg },
     LessEqualInt { to: Reg, left: Reg, right: Reg },
     IntToReal { to: Reg, from: Reg },
-    /// Half to even. Traps when it does not fit.
+    /// Rounds to the nearest int, half to even. Traps if it does not fit.
     RoundReal { to: Reg, from: Reg },
     AddReal { to: Reg, left: Reg, right: Reg },
     SubReal { to: Reg, left: Reg, right: Reg },
@@ -55,7 +55,7 @@ pub enum Inst {
     SubVec { to: Reg, left: Reg, right: Reg },
     MulVec { to: Reg, left: Reg, right: Reg },
     NegVec { to: Reg, from: Reg },
-    /// A vector by a real.
+    /// Multiplies a vector by a real.
     ScaleVec { to: Reg, left: Reg, right: Reg },
     DivVec { to: Reg, left: Reg, right: Reg },
     MixVec { to: Reg, left: Reg, right: Reg, t: Reg },
@@ -64,40 +64,40 @@ pub enum Inst {
     Cross { to: Reg, left: Reg, right: Reg },
     LengthVec { to: Reg, from: Reg },
     Normalize { to: Reg, from: Reg },
-    /// A value of any width.
+    /// Copies a value of any width.
     CopyWide { to: Reg, from: Reg, width: u8 },
     /// Vectors and matrices of any width, component by component.
     Wide { operation: Lanes, width: u8, to: Reg, left: Reg, right: Reg },
-    /// Square matrices with so many rows, and their vectors. What takes one operand reads
+    /// Square matrices with `size` rows, and their vectors. Operations with one operand read
     /// `left`.
     Matrix { operation: Matrix, size: u8, to: Reg, left: Reg, right: Reg },
 
-    /// By chance: a real from 0 up to 1.
+    /// A random real from 0 up to, but without, 1.
     Random { to: Reg },
-    /// By chance: an int from 0 up to `below`. Traps if there is none.
+    /// A random int from 0 up to, but without, `below`. Traps if there is none.
     RandomInt { to: Reg, below: Reg },
-    /// Puts the slots of a buffer into random order.
+    /// Shuffles the slots of a buffer.
     BufferShuffle { buffer: u16 },
 
-    // Loads. Each traps if the element is none or erased.
+    // Loads. Each traps if there is no element or it is erased.
     Load { field: HalfedgeField, to: Reg, halfedge: Reg },
     LoadHalfedge { of: ElementField, to: Reg, element: Reg },
     LoadHole { to: Reg, face: Reg },
     LoadPosition { to: Reg, vertex: Reg },
     /// A declared attribute, by its number in the machine's table.
     LoadAttribute { attribute: u16, to: Reg, element: Reg },
-    /// The number of slots of a kind, living or dead: the bound of a loop over all.
+    /// The number of slots of a kind, living or erased: the bound of a loop over all.
     Capacity { kind: ElementKind, to: Reg },
-    /// Moves `element` on to the first living one from there on, itself included; jumps
-    /// if there is none.
+    /// Advances `element` to the first living element, starting with itself; jumps if there is
+    /// none.
     NextLiving { of: Elements, element: Reg, otherwise: Label },
-    /// Jumps if an element is erased, or a face no longer of its sort. Never traps.
+    /// Jumps if an element is erased, or if a face has become a hole or a hole a face. Never traps.
     JumpUnlessLiving { of: Elements, element: Reg, to: Label },
     /// True if an element exists. Never traps.
     Alive { kind: ElementKind, to: Reg, element: Reg },
 
     // Questions.
-    /// About the first element, or about both. Traps as loads do.
+    /// A question about the first element, or about both. Traps as loads do.
     Ask { question: Question, to: Reg, elements: [Reg; 2] },
     /// The number of living elements; of faces, without holes.
     Count { kind: ElementKind, to: Reg },
@@ -107,41 +107,41 @@ pub enum Inst {
     Jump { to: Label },
     JumpIf { condition: Reg, to: Label },
     JumpUnless { condition: Reg, to: Label },
-    /// Jumps when two elements or ints differ.
+    /// Jumps if two elements or ints differ.
     JumpUnequal { left: Reg, right: Reg, to: Label },
-    /// Jumps when two elements or ints are equal.
+    /// Jumps if two elements or ints are equal.
     JumpEqual { left: Reg, right: Reg, to: Label },
 
-    // Matching. A test that fails notes its refusal, if none of a later phase is noted
+    // Matching. A test that fails notes its refusal, if none of the same or a later phase is noted
     // yet, and jumps to the next attempt.
-    /// The refusal if two elements differ.
+    /// Fails if two elements differ.
     ExpectEqual { left: Reg, right: Reg, refusal: u16, otherwise: Label },
-    /// The refusal if two elements are the same.
+    /// Fails if two elements are the same.
     ExpectDistinct { left: Reg, right: Reg, refusal: u16, otherwise: Label },
-    /// The refusal if a bool is false.
+    /// Fails if a bool is false.
     Expect { condition: Reg, refusal: u16, otherwise: Label },
-    /// The refusal if a vector has a component that is not finite.
+    /// Fails if a vector has a component that is not finite.
     ExpectFinite { vector: Reg, refusal: u16, otherwise: Label },
-    /// The refusal if the id space has no room for so many new elements.
+    /// Fails if the id space has no room for these new elements.
     ExpectRoom { room: Room, refusal: u16, otherwise: Label },
-    /// Appends the halfedges from `from` up to, but without, `until` to a buffer; the
-    /// whole cycle if both are the same and `whole`, else nothing.
+    /// Appends the halfedges from `from` up to, but without, `until` to a buffer. If both are the
+    /// same: the whole cycle if `whole`, else nothing.
     Collect { walk: Walk, buffer: u16, from: Reg, until: Reg, whole: bool },
     /// Appends the corners of a face to a buffer, as halfedges, in an order in which they can
     /// be cut off.
     CollectEars { triangles: Triangles, buffer: u16, face: Reg },
-    /// Begins a walk once around from `from`: `at` is where it is, `turns` the number of its steps;
-    /// jumps if there is nothing to walk around.
+    /// Begins a walk once around from `from`: `at` is its position, `turns` the number of its
+    /// steps; jumps if `from` is no element.
     WalkBegin { walk: Walk, from: Reg, at: Reg, turns: Reg, otherwise: Label },
-    /// Takes a step of it, and jumps unless it is back. Traps if it has taken more steps than there
-    /// are halfedges.
+    /// Takes a step of the walk, and jumps unless it is back at `from`. Traps if the walk has taken
+    /// as many steps as there are slots of halfedges.
     WalkNext { walk: Walk, from: Reg, at: Reg, turns: Reg, again: Label },
-    /// True if a walk from `from` meets `goal` before `stop` (which ends it). `from` counts; where
-    /// it is also the `stop`, the walk goes once around. It ends when it is back.
+    /// Whether a walk from `from` (included) meets `goal` before it comes to `stop` or back to
+    /// `from`. If `from` is also `stop`, the walk goes once around.
     Meets { walk: Walk, to: Reg, from: Reg, goal: Reg, stop: Reg },
-    // Looking ahead: what would be written is set on the mesh, which tells nobody, asked about, and
-    // put back. Each traps as loads do.
-    /// Begins: nothing is set.
+    // Previews: the values that would be written are set on the mesh without notification, queried,
+    // and restored. Each traps as loads do.
+    /// Begins a preview in which nothing is set.
     PreviewClear,
     /// A number for an element that would be created.
     PreviewNew { to: Reg },
@@ -149,48 +149,48 @@ pub enum Inst {
     PreviewStoreHalfedge { of: ElementField, element: Reg, value: Reg },
     PreviewStoreHole { face: Reg, hole: bool },
     PreviewStoreAll { field: HalfedgeField, buffer: u16, value: Reg },
-    /// True if a condition would hold for an element: a face, vertex or halfedge; `at` is the
-    /// vertex, where it speaks of a face and a vertex.
+    /// Whether a condition would hold for an element: a face, vertex or halfedge; `at` is the
+    /// vertex of a condition about a face and a vertex.
     Foresee { condition: OrbitCondition, to: Reg, element: Reg, at: Reg },
-    /// True if a condition of vertices would hold where the halfedges of a buffer start.
+    /// Whether a condition of vertices would hold for the origins of all halfedges of a buffer.
     ForeseeAlong { condition: OrbitCondition, to: Reg, buffer: u16 },
     PreviewStoreSpan { field: HalfedgeField, span: Span, index: Reg, value: Reg },
-    /// Puts back what was there.
+    /// Restores the old values.
     PreviewUndo,
 
     // Families: a buffer holds one slot for each index of a cycle.
-    /// The next index of a family, from -1 on; jumps when there is none.
+    /// The next index of a family, after -1 at first; jumps if there is none.
     NextIndex { buffer: u16, index: Reg, otherwise: Label },
-    /// `to = buffer[index + shift]`, counted around. Traps if the buffer is empty.
+    /// `to = buffer[index + shift]`, modulo the length. Traps if the buffer is empty.
     Member { buffer: u16, index: Reg, shift: i16, to: Reg },
     /// The `width` slots from `index * width` on. Traps out of range.
     BufferGetWide { buffer: u16, index: Reg, width: u16, to: Reg },
     /// Appends a buffer to another.
     BufferAppend { from: u16, to: u16 },
-    /// Appends every `period`-th slot, from the one at `place` on, to another buffer, turned
-    /// so that what came first stands at the index `turn`.
+    /// Appends every `period`-th slot, from the one at `place` on, to another buffer, rotated so
+    /// that the first one is at the index `turn`.
     BufferDeal { from: u16, to: u16, place: u16, period: u16, turn: i16 },
-    /// The refusal if two slots of a buffer are the same. Leaves the slots in some order.
+    /// Fails if two slots of a buffer are the same. Reorders the slots.
     ExpectAllDistinct { buffer: u16, refusal: u16, otherwise: Label },
-    /// The refusal if the id space has no room for so many new elements of a kind.
+    /// Fails if the id space has no room for `count` new elements of a kind.
     ExpectRoomFor { kind: ElementKind, count: Reg, refusal: u16, otherwise: Label },
-    /// True if a walk from the first halfedge of a buffer, once around, meets all others in their
+    /// Whether a walk once around from the first halfedge of a buffer meets all others in their
     /// order.
     MeetsAll { walk: Walk, to: Reg, buffer: u16 },
-    /// Gives up: the op refuses with the reason noted.
+    /// The op refuses with the noted reason.
     Refuse,
     /// The op has been applied; its result, if any, is in the register.
     Return { result: Option<Reg> },
 
     // Buffers: growing lists of slots, empty at the start of a call.
     BufferClear { buffer: u16 },
-    /// Empties a buffer, and gives its memory back.
+    /// Empties a buffer and frees its memory.
     BufferFree { buffer: u16 },
     BufferPush { buffer: u16, from: Reg },
     BufferLength { buffer: u16, to: Reg },
     /// Traps out of range.
     BufferGet { buffer: u16, to: Reg, index: Reg },
-    /// `to = buffer[index]`, and `index` moves on by one; jumps when nothing is left.
+    /// `to = buffer[index]`, and increments `index`; jumps if no slot is left.
     BufferNext { buffer: u16, index: Reg, to: Reg, otherwise: Label },
     /// Appends all living elements, in order of their ids.
     BufferLiving { of: Elements, buffer: u16 },
@@ -205,64 +205,64 @@ pub enum Inst {
     StoreHole { face: Reg, hole: bool },
     /// Traps if not finite.
     StorePosition { vertex: Reg, value: Reg },
-    /// Keeps a position back in a buffer. Traps if it is not finite or the vertex is
-    /// gone.
+    /// Keeps a position back in a buffer. Traps if it is not finite or the vertex is erased.
     HoldPosition { buffer: u16, vertex: Reg, value: Reg },
     StoreAttribute { attribute: u16, element: Reg, value: Reg },
-    /// Keeps the value of an attribute back in a buffer. Traps if the element is gone.
+    /// Keeps the value of an attribute back in a buffer. Traps if the element is erased.
     HoldAttribute { buffer: u16, attribute: u16, element: Reg, value: Reg },
-    /// Writes what is kept back in a buffer, in order, and clears it. Elements erased in
-    /// the meantime are passed over.
+    /// Writes the values that are kept back in a buffer, in order, and clears it. Elements that
+    /// have been erased since are skipped.
     ReleaseHeld { buffer: u16 },
     /// Writes one pointer of every halfedge in a buffer.
     StoreAll { field: HalfedgeField, buffer: u16, value: Reg },
     /// Writes one pointer of every halfedge in a part of a buffer.
     StoreSpan { field: HalfedgeField, span: Span, index: Reg, value: Reg },
     Erase { kind: ElementKind, element: Reg },
-    /// Lets erased slots be used again: nothing can see them any more.
+    /// Frees erased slots for reuse: nothing refers to them any more.
     Recycle,
 
-    // Drains: loops over elements in the order of keys that are kept current. All but the
-    // first concern the innermost that runs.
-    /// Begins a drain: of all such elements, or of those in a buffer.
+    // Drains: loops over elements in the order of keys that are kept current. All instructions but
+    // the first are about the innermost running drain.
+    /// Begins a drain of all such elements, or of those in a buffer.
     DrainOpen { of: Elements, members: Option<u16> },
-    /// All keys are stale, since what they depend on has changed.
+    /// Marks all keys as stale, since something that they depend on has changed.
     DrainAllStale,
     /// The next element whose key is to be computed; jumps if there is none.
     DrainStale { to: Reg, otherwise: Label },
-    /// Its key, a real. Traps if it is not a number.
+    /// Sets the key of that element, a real. Traps if it is NaN.
     DrainKey { key: Reg },
     /// The element with the least key; jumps if there is none.
     DrainLeast { to: Reg, otherwise: Label },
-    /// That element leaves the queue.
+    /// Removes that element from the queue.
     DrainTake,
     DrainClose,
 
     // Calls.
-    /// Calls a function: arguments in consecutive slots from `args`; its value goes to `to`.
-    /// If `holds`, the caller still needs ids, so that none is given out again meanwhile.
+    /// Calls a function with arguments in consecutive slots from `args`; its value goes to `to`. If
+    /// `holds`, the caller holds ids, so that none is reused during the call.
     Call { function: u16, args: Reg, to: Reg, holds: bool },
-    /// The function is done; its value stands in so many slots from `from`.
+    /// Returns from a function; its value is in `width` slots from `from`.
     Give { from: Reg, width: u16 },
 
     // Operations, progress and output (scripts).
-    /// Applies an op: arguments in consecutive slots from `args`; `applied` becomes a
-    /// bool; the result, if applied, goes to `result`.
+    /// Applies an op with arguments in consecutive slots from `args`; `applied` becomes a bool; the
+    /// result, if applied, goes to `result`.
     Apply { op: u16, args: Reg, applied: Reg, result: Reg },
-    /// Asks an op whether it would apply, and applies nothing: a bool; or, if `why`, the number of
-    /// a text, the reason of its refusal or nothing. Arguments as for `Apply`.
+    /// Asks an op whether it would apply, without applying it: `to` becomes a bool; or, if `why`,
+    /// the number of a text, the reason of its refusal or the empty text. Arguments as for `Apply`.
     Try { op: u16, args: Reg, to: Reg, why: bool },
-    /// The op just called refused, and the script said `must`: traps with its reason.
+    /// Traps with the reason of the op just called, which refused although the script said `must`;
+    /// in an op in steps, refuses with that reason.
     Refused { op: u16 },
-    /// One turn of a loop of the script: `done` of `total`. The watcher may interrupt.
+    /// A turn of a loop of the script: `done` of `total`. The watcher may interrupt.
     Turn { depth: u16, done: Reg, total: Reg },
-    /// One turn of an aggregate over the whole mesh. The watcher may interrupt.
+    /// A turn of an aggregate over the whole mesh. The watcher may interrupt.
     Tick,
-    /// All turns of the loop that follows, each thread some of them, and what they keep back is
-    /// written: see [`Part`](super::Part). Jumps behind the loop, or goes on to it if it is not
-    /// taken in parts.
+    /// Runs all turns of the following loop in parts, on several threads if there are some, and
+    /// writes what they keep back: see [`Part`](super::Part). Jumps behind the loop, or continues
+    /// with it if it is not run in parts.
     Spread { part: u16, end: Label },
-    /// Keeps a slot, for who has spread the loop.
+    /// Keeps a slot, in the part of a loop.
     Keep { from: Reg },
     /// Prints a constant text.
     PrintText { text: u32 },
@@ -275,32 +275,32 @@ pub enum Inst {
     /// Prints a vector or matrix with columns of this size.
     PrintWide { from: Reg, size: u8, columns: u8, digits: RealDigits },
     PrintElement { kind: ElementKind, from: Reg },
-    /// Stops unless the element is there.
+    /// Traps unless the element exists.
     ExpectAlive { kind: ElementKind, from: Reg },
     PrintEnd,
-    /// Prints why an op refused that was called last.
+    /// Prints the reason of the last refusal, which was of this op.
     PrintReason { op: u16 },
-    /// True if the op that was called last refused for this reason.
+    /// Whether the last refusal, which was of this op, was for this reason.
     RefusedFor { op: u16, text: u32, to: Reg },
-    /// Prints how the mesh differs from a kept one (tests).
+    /// Prints the difference of the mesh from a kept one (tests).
     PrintDifference { mesh: u16 },
-    /// Keeps the mesh as it is now, to compare it later (tests).
+    /// Keeps a copy of the mesh, to compare it later (tests).
     MeshKeep { mesh: u16 },
-    /// True if the mesh is one that is kept, up to renumbering (tests).
+    /// Whether the mesh equals a kept one, up to renumbering (tests).
     MeshSame { mesh: u16, to: Reg },
-    /// Traps with a constant text, and with what was printed since the last line ended.
+    /// Traps with a constant text, and with the text printed since the last end of a line.
     FailShowing { text: u32 },
     /// Traps with a constant text: an assertion, or an aggregate of nothing.
     Fail { text: u32 },
 }
 
 impl Inst {
-    /// The instruction it may jump to, by its place.
+    /// The index of the instruction that it may jump to.
     pub fn target(mut self) -> Option<usize> {
         self.target_mut().map(|to| to.0 as usize)
     }
 
-    /// The label of the instruction it may jump to.
+    /// The label of the instruction that it may jump to.
     pub fn target_mut(&mut self) -> Option<&mut Label> {
         match self {
             Inst::Jump { to }
@@ -328,8 +328,8 @@ impl Inst {
     }
 }
 
-/// The pattern of the instructions that make a value that is no element of values in registers, or
-/// jump, and do nothing else.
+/// A pattern of the instructions that only compute a value that is not an element from registers,
+/// or jump.
 #[rustfmt::skip]
 macro_rules! computation {
     () => {

@@ -1,10 +1,10 @@
-//! Knowledge of the level of the mesh while operations change it.
+//! Tracking of the level of the mesh while operations change it.
 //!
-//! An operation with a guard takes for granted that the mesh has its level. Most operations keep
-//! the level; after another one the mesh may have it still, so it is asked anew, where an
-//! operation is called that needs it: near what was written since, or everywhere, once as much
-//! was written as there is. So the asking costs no more than the writing did, and a script that
-//! goes to and fro between such operations is no slower than the operations are.
+//! An operation with a guard requires that the mesh has its level. Most operations keep the level;
+//! after another one the mesh may still have it, so it is validated again when an operation is
+//! called that needs it: near everything written since, or everywhere once more has been written
+//! than there are halfedges. So validation costs no more than the writes did, and a script that
+//! alternates between such operations is not slowed down by more than a constant factor.
 
 use super::{Machine, Message, Plan};
 use crate::mesh::{
@@ -12,24 +12,24 @@ use crate::mesh::{
     validate_level_of_valid,
 };
 
-/// The number of levels that an operation keeps that keeps all.
+/// The number of levels in the list of an operation that keeps all levels.
 const MOST_KEPT: usize = 2;
 
 /// The known level of a mesh.
 #[derive(Clone, Debug)]
 pub(super) struct KnownLevel {
-    /// It has this level.
+    /// The mesh has this level.
     now: Level,
-    /// It had this one before what is `written` was.
+    /// The level that it had before the writes in `written`.
     was: Level,
-    /// It had this one when nothing was written, and has it still while nothing has `lowered` it;
-    /// but what is written need not be known before an operation wants it.
+    /// The level that it had at the start, and still has while no operation has `lowered` it; it is
+    /// used only when an operation needs it, so writes need not be tracked for it.
     at_start: Level,
-    /// Whether it is known to be valid, which operations keep.
+    /// Whether the mesh is known to be valid; operations keep it valid.
     is_valid: bool,
     written: Footprint,
-    /// The number of the operation that was applied last of those that may have lowered the level,
-    /// plus 1; 0 if there is none.
+    /// The number plus 1 of the last applied operation that may have lowered the level; 0 if there
+    /// is none.
     pub(super) lowered: u32,
 }
 
@@ -40,17 +40,17 @@ impl KnownLevel {
         Self { now, was: now, at_start: now, is_valid, written, lowered: 0 }
     }
 
-    /// Of a mesh that has a level before anything is written.
+    /// The known level of a mesh that has this level before anything is written.
     pub(super) fn at_start(level: Level) -> Self {
         Self { at_start: level, is_valid: true, ..Self::new(Level::Map) }
     }
 
-    /// The level that the mesh surely has.
+    /// The level that the mesh is known to have.
     pub(super) fn now(&self) -> Level {
         self.now
     }
 
-    /// Makes sure that the mesh has a level.
+    /// Makes sure that the mesh has a level, validating it if necessary.
     pub(super) fn expect(&mut self, mesh: &Mesh, level: Level) -> Result<(), BelowLevel> {
         if self.now >= level {
             return Ok(());
@@ -77,7 +77,7 @@ impl KnownLevel {
         Ok(())
     }
 
-    /// Whether what an operation writes has to be known when it has been applied.
+    /// Whether the writes of an operation have to be tracked.
     #[inline]
     fn is_lowered_by(&self, plan: &Plan) -> bool {
         if !plan.may_lower() && self.now == self.was {
@@ -86,22 +86,22 @@ impl KnownLevel {
         plan.level_after(self.now) < self.was
     }
 
-    /// Whether the mesh is to be asked before an operation, or what it writes has to be known.
+    /// Whether the mesh has to be validated before an operation, or its writes have to be tracked.
     #[cfg(feature = "native")]
     #[inline]
     fn watches(&self, plan: &Plan) -> bool {
         self.now < plan.level || self.is_lowered_by(plan)
     }
 
-    /// A number for what decides that: the level that the mesh has and the one that it had.
+    /// A number for the state on which this depends: the levels `now` and `was`.
     #[cfg(feature = "native")]
     #[inline]
     pub(super) fn state(&self) -> u64 {
         (self.now as usize * Level::ALL.len() + self.was as usize) as u64
     }
 
-    /// The states, as bits, in which nothing has to be known when an operation is applied; or, if
-    /// it is only asked, before.
+    /// The states, as bits, in which an operation can be applied, or, if `is_asked`, asked, without
+    /// validating the mesh or tracking writes.
     #[cfg(feature = "native")]
     pub(super) fn quiet_states(plan: &Plan, is_asked: bool) -> u64 {
         let of = |now| Level::ALL.map(|was| Self { was, ..Self::new(now) });
@@ -113,7 +113,7 @@ impl KnownLevel {
         quiet.fold(0, |bits, known| bits | 1 << known.state())
     }
 
-    /// An operation has been applied that wrote these.
+    /// Notes that an operation has been applied, with its writes.
     fn lower(&mut self, mesh: &Mesh, plan: &Plan, written: Footprint) {
         self.now = plan.level_after(self.now);
         self.written.append(written);
@@ -125,7 +125,7 @@ impl KnownLevel {
 }
 
 impl Plan {
-    /// Whether a mesh may have a lower level when it has been applied.
+    /// Whether applying the operation may lower the level of a mesh.
     #[inline]
     pub(super) fn may_lower(&self) -> bool {
         self.keeps.len() < MOST_KEPT
@@ -133,7 +133,7 @@ impl Plan {
 }
 
 impl Machine {
-    /// Makes sure that the mesh has the level of an operation that is called.
+    /// Makes sure that the mesh has the level that a called operation requires.
     pub(super) fn expect_level(&mut self, mesh: &Mesh, plan: &Plan) -> Result<(), Message> {
         let known = &mut self.known;
         known.expect(mesh, plan.level).map_err(|below| Message::BelowLevel {
@@ -147,13 +147,13 @@ impl Machine {
         })
     }
 
-    /// The known level at a call within steps, before any of them is taken. What is given
-    /// back is known again when they are undone, or done.
+    /// Begins the steps of an operation; returns the known level from before, to be restored when
+    /// they are done or undone.
     pub(super) fn begin_steps(&mut self, mesh: &Mesh, calls: &[(u16, u16)]) -> KnownLevel {
         let plans = calls.iter().filter_map(|&(op, _)| self.plans.get(usize::from(op))?.as_ref());
         let wanted = plans.map(|plan| plan.level).max().unwrap_or(Level::Map);
         if wanted > self.known.now && wanted <= self.known.was {
-            // Asked before, the answer holds for later calls too.
+            // If the level is validated now, the result is kept for later calls too.
             let _ = self.known.expect(mesh, wanted);
         }
         let KnownLevel { lowered, at_start, is_valid, now, .. } = self.known;
@@ -161,21 +161,21 @@ impl Machine {
         std::mem::replace(&mut self.known, inner)
     }
 
-    /// Whether the mesh is to be asked before an operation, or what it writes has to be known.
+    /// Whether the mesh has to be validated before an operation, or its writes have to be tracked.
     #[cfg(feature = "native")]
     #[inline]
     pub(super) fn watches_level(&self, plan: &Plan) -> bool {
         self.known.watches(plan)
     }
 
-    /// Opens a journal for an operation that is about to be called, if what it writes has to be
-    /// known.
+    /// Opens a journal for an operation that is about to be called, if its writes have to be
+    /// tracked.
     #[inline]
     pub(super) fn begin_op(&self, mesh: &mut Mesh, plan: &Plan) -> Option<Bookmark> {
         self.known.is_lowered_by(plan).then(|| mesh.open_journal())
     }
 
-    /// Ends it.
+    /// Ends the call that [`begin_op`](Self::begin_op) began.
     #[inline]
     pub(super) fn end_op(
         &mut self,

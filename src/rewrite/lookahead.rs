@@ -1,4 +1,5 @@
-//! The look ahead of a drain, around the elements whose turn comes soon.
+//! The lookahead of a drain: memory near the elements that come next is read in advance, so that it
+//! is in the processor's cache.
 
 use super::Elements;
 use super::paths::{Fields, Paths};
@@ -6,20 +7,20 @@ use super::queue::Queue;
 use super::stale::Stale;
 use crate::mesh::{ColumnId, Mesh};
 
-/// The number of elements of which it is known that they have been looked at.
+/// The number of recently visited elements that are remembered.
 const LOOKED_AT: usize = 256;
 
-/// What a drain looks at, and has looked at.
+/// The attributes that a drain's lookahead reads, and the elements that it has visited.
 #[derive(Debug)]
 pub(super) struct Lookahead {
     /// The attributes that the keys read.
     columns: Vec<ColumnId>,
-    /// By the end of their numbers the elements that have been looked at.
+    /// The elements visited last, indexed by the low bits of their numbers.
     looked_at: Box<[u32; LOOKED_AT]>,
 }
 
 impl Lookahead {
-    /// That of a drain whose keys have these paths, in a program with these attributes.
+    /// The lookahead of a drain whose keys have these paths, in a program with these attributes.
     pub(super) fn new(paths: Option<&Paths>, columns: &[Option<ColumnId>]) -> Self {
         let read = (0..).zip(columns).filter_map(|(number, &column)| {
             let (paths, column) = (paths?, column?);
@@ -28,7 +29,8 @@ impl Lookahead {
         Self { columns: read.collect(), looked_at: Box::new([u32::MAX; LOOKED_AT]) }
     }
 
-    /// Looks around the element with the least key and those that are likely to follow, once.
+    /// Reads ahead around the element with the least key and those that are likely to follow it,
+    /// unless they have been visited.
     pub(super) fn look(&mut self, mesh: &Mesh, of: Elements, queue: &Queue, stale: &Stale) {
         if !mesh.is_large() {
             return;

@@ -1,10 +1,9 @@
-//! The machine: a stack of registers, buffers, and what it counts.
+//! The machine: a stack of registers, buffers, and counts.
 //!
-//! It runs any code on any mesh and does not panic: every number that should name an
-//! element is tested where it is used. What it cannot promise is that a trap leaves the
-//! mesh alone: in an operation all that can trap or refuse comes before the first write,
-//! which is the duty of whoever makes the code; a script that traps has done what it did
-//! so far.
+//! It runs any code on any mesh and does not panic: every number that should be that of an element
+//! is tested where it is used. It does not guarantee that a trap leaves the mesh unchanged: in the
+//! code of an operation everything that can trap or refuse must come before the first write, which
+//! the compiler has to ensure; a script that traps keeps its effects so far.
 
 use std::time::Duration;
 
@@ -29,17 +28,17 @@ const DEPTH: usize = 16;
 #[derive(Debug)]
 pub struct Machine {
     pub(super) plans: Plans,
-    /// The columns of the attributes of the program in the mesh, by number.
+    /// The columns of the mesh for the attributes of the program, by number.
     pub(super) columns: Vec<Option<ColumnId>>,
     pub(super) stack: Vec<u64>,
     pub(super) buffers: Vec<Vec<u64>>,
-    /// What the part of a loop has kept; there is room for all values that it will keep, and for the
-    /// writes of most.
+    /// The slots that the part of a loop has kept; there is room for all values that it will keep,
+    /// and for the writes of most parts.
     pub(super) kept: Vec<u64>,
-    /// The preview that guards look at.
+    /// The preview that guards query.
     pub(super) preview: Preview,
     pub(super) drains: Drains,
-    /// The paths of their keys.
+    /// The paths of the keys of the drains.
     pub(super) paths: KeyPaths,
     pub(super) progress: Progress,
     /// The line that is being printed.
@@ -49,56 +48,57 @@ pub struct Machine {
     pub(super) known: KnownLevel,
     /// The reason why the op called last refused.
     pub(super) last_reason: Option<u16>,
-    /// True if the operation that runs is only asked: it ends at its first write.
+    /// Whether the running operation is only asked: it ends at its first write.
     pub(super) is_dry: bool,
-    /// The instruction at which the operation ended that was asked last.
+    /// The instruction at which the operation that was asked last has stopped.
     pub(super) stopped_at: usize,
     /// The source of `random`.
     pub(super) random: RandomNumbers,
-    /// The texts that code has made.
+    /// The texts that code has made while it ran.
     pub(super) said: Said,
-    /// The number of running calls that need that no id is given out again.
+    /// The number of running calls that require that no id is reused.
     pub(super) holding: u32,
     /// Meshes to compare with, by number.
     pub(super) meshes: Vec<Mesh>,
-    /// The elements that were created, if anybody wants to know.
+    /// The elements that were created, if they are to be recorded.
     pub(super) created: Option<Vec<(ElementKind, u32)>>,
-    /// The greatest number of bytes of mesh and lists.
+    /// The limit of the memory of mesh and lists, in bytes.
     pub(super) memory: usize,
     pub(super) engine: Engine,
-    /// The number of functions that native code has called and that are not done, in the operation
-    /// or script that runs.
+    /// The number of functions that native code has called and that have not returned, in the
+    /// running operation or script.
     pub(super) frames: usize,
-    /// The depth of native code that runs.
+    /// The nesting depth of running native code.
     pub(super) depth: usize,
-    /// What the function gave that was done last: its window, the first register, the width.
+    /// The value of the function that returned last: the base of its window, the first register,
+    /// the width.
     pub(super) given: (usize, Reg, u16),
-    /// The kinds and types of the attributes on the mesh of this run, by number, for native code.
+    /// The kinds and types of the attributes on the mesh of this run, by number.
     #[cfg_attr(not(feature = "native"), expect(dead_code, reason = "for native code"))]
     pub(super) types: Vec<Option<(ElementKind, AttributeType)>>,
-    /// Lists for runs of native code, kept to be used again.
+    /// Lists for runs of native code, kept for reuse.
     #[cfg_attr(not(feature = "native"), expect(dead_code, reason = "for native code"))]
     pub(super) scratch: Vec<Scratch>,
-    /// The time that native code has taken to compile.
+    /// The time spent on compiling native code.
     pub(super) compiling: Duration,
-    /// True if other threads read the mesh meanwhile, and nobody writes to it.
+    /// Whether other threads read the mesh at the same time; then nobody writes to it.
     pub(super) is_beside_others: bool,
-    /// The lists of neighbors for loops over all vertices, while no operation is applied.
+    /// The lists of neighbors for loops over all vertices, valid until an operation is applied.
     pub(super) neighbors: Neighbors,
-    /// The machines of other threads, kept to be used again.
+    /// The machines of other threads, kept for reuse.
     #[cfg_attr(not(feature = "native"), expect(dead_code))]
     pub(super) crew: Vec<Machine>,
 }
 
-/// A name, the kind of the elements that it stands for, and their ids.
+/// A name, the kind of the elements that it denotes, and their ids.
 pub type NamedElements<'p> = (&'p str, ElementKind, Vec<u32>);
 
 /// The counts of the calls of an operation.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Count {
-    /// The number that were applied.
+    /// The number of applied calls.
     pub applied: u64,
-    /// The number that were refused, by the number of the reason.
+    /// The number of refused calls, by the number of the reason.
     pub refused: Vec<u64>,
 }
 
@@ -110,8 +110,8 @@ impl Default for Machine {
 }
 
 impl Machine {
-    /// A machine for code that calls these operations. `None` stands for one that has
-    /// not been proved; calling it traps.
+    /// Creates a machine for code that calls these operations. `None` stands for an operation that
+    /// has not been proved; calling it traps.
     pub fn new(plans: &Plans) -> Self {
         let refusals = |plan: &Option<Plan>| plan.as_ref().map_or(0, |plan| plan.refusals.len());
         let count = |plan| Count { applied: 0, refused: vec![0; refusals(plan)] };
@@ -150,25 +150,25 @@ impl Machine {
         }
     }
 
-    /// Says where the mesh of the next run has the attributes of the program, by number.
-    /// Code that uses another attribute traps.
+    /// Sets the columns that the mesh of the next run has for the attributes of the program, by
+    /// number. Code that uses an attribute without a column traps.
     pub fn use_columns(&mut self, columns: Vec<Option<ColumnId>>) {
         self.columns = columns;
     }
 
-    /// Says what runs code from now on.
+    /// Sets the engine for the next runs.
     pub fn use_engine(&mut self, engine: Engine) {
         self.engine = engine;
     }
 
-    /// Says that the mesh of the next run has a level. Where an operation for meshes of a higher
-    /// one is called, or another has been applied that may have left a lower one, the mesh is
-    /// asked; the call traps if it has not got the level.
+    /// Declares that the mesh of the next run has a level. Where an operation for meshes of a
+    /// higher level is called, or an operation has been applied that may have lowered the level,
+    /// the mesh is validated; the call traps if it does not have the level.
     pub fn trust_level(&mut self, level: Level) {
         self.known = KnownLevel::new(level);
     }
 
-    /// Says that the mesh of the next run has a level before anything is written to it.
+    /// Declares that the mesh of the next run has a level before anything is written to it.
     pub(crate) fn begin_at_level(&mut self, level: Level) {
         self.known = KnownLevel::at_start(level);
     }
@@ -178,40 +178,40 @@ impl Machine {
         self.random = RandomNumbers::new(seed);
     }
 
-    /// Gives the meshes that the next run compares with, by number; it may replace them.
+    /// Sets the meshes that the next run compares with, by number; the run may replace them.
     pub fn use_meshes(&mut self, meshes: Vec<Mesh>) {
         self.meshes = meshes;
     }
 
-    /// From now on remembers what each run creates.
+    /// Starts to record the elements that each run creates.
     pub fn remember_created(&mut self) {
         self.created.get_or_insert_default();
     }
 
-    /// From now on remembers that no more.
+    /// Stops recording created elements.
     pub fn forget_created(&mut self) {
         self.created = None;
     }
 
-    /// The elements that the last run created, in that order, if that is remembered. Some of it may
+    /// The elements that the last run created, in order of creation, if this is recorded. Some may
     /// have been erased since.
     pub fn created(&self) -> &[(ElementKind, u32)] {
         self.created.as_deref().unwrap_or_default()
     }
 
-    /// The time that it has taken to compile native code so far.
+    /// The total time spent on compiling native code.
     pub fn compiling(&self) -> Duration {
         self.compiling
     }
 
-    /// The window of the last run: what its registers hold; of a script with loops, nothing to rely
-    /// on.
+    /// The window of the last run: the values of its registers. They are unspecified after a script
+    /// with loops.
     pub fn window(&self) -> &[u64] {
         &self.stack
     }
 
-    /// The alternative of an operation that matched where it was [asked](Self::ask) last and would
-    /// be applied, and the elements that its names stand for; nothing of an operation in steps.
+    /// The alternative of an operation that matched when it was last [asked](Self::ask) and would
+    /// be applied, and the elements that its names denote; `None` for an operation in steps.
     pub fn matched<'p>(&self, plan: &'p Plan) -> Option<(usize, Vec<NamedElements<'p>>)> {
         let stopped = |matched: &Matched| matched.from as usize <= self.stopped_at;
         let rule = plan.matched.iter().rposition(stopped)?;
@@ -226,17 +226,17 @@ impl Machine {
         Some((rule, names.collect()))
     }
 
-    /// The text of a number in that window; the code is that of the run.
+    /// The text of a number in the [window](Self::window); the code is that of the run.
     pub fn text<'t>(&'t self, code: &'t Code, number: u64) -> Option<&'t str> {
         self.said.text(&code.texts, u32::try_from(number).ok()?)
     }
 
-    /// The level that the mesh of the last run surely has now.
+    /// The level that the mesh of the last run is known to have.
     pub fn level(&self) -> Level {
         self.known.now()
     }
 
-    /// Counts anew from here on.
+    /// Resets all counts to zero.
     pub fn clear_counts(&mut self) {
         for count in &mut self.counts {
             count.applied = 0;
@@ -244,7 +244,7 @@ impl Machine {
         }
     }
 
-    /// For each operation what became of the calls so far.
+    /// The counts of the calls of each operation so far.
     pub fn counts(&self) -> &[Count] {
         &self.counts
     }
@@ -268,7 +268,7 @@ impl Machine {
         }
     }
 
-    /// The same for code of which it is known that no drain runs in it, as [`Code::drains`] tells.
+    /// Runs code in which no drain runs, as [`Code::drains`] tells, on the machine.
     pub fn run_without_drains(
         &mut self,
         mesh: &mut Mesh,
@@ -281,12 +281,12 @@ impl Machine {
         self.execute::<false>(mesh, Call::top(code, &plans), watch)
     }
 
-    /// Applies an operation with the arguments in slots. It is not counted.
+    /// Applies an operation with the arguments in slots. The call is not counted.
     pub fn apply(&mut self, mesh: &mut Mesh, plan: &Plan, args: &[u64]) -> Result<Outcome, Trap> {
         self.apply_watched(mesh, plan, args, &mut Unwatched)
     }
 
-    /// The same, while somebody looks on.
+    /// [`apply`](Self::apply) with a watcher.
     pub fn apply_watched(
         &mut self,
         mesh: &mut Mesh,
@@ -299,8 +299,8 @@ impl Machine {
         self.carry_out::<false>(mesh, plan, Call::of(plan, &plans), watch)
     }
 
-    /// Asks if an operation would be applied with the arguments in slots, and if not, why. The mesh
-    /// is as it was, nothing is printed or counted, and there is no result.
+    /// Asks whether an operation would be applied with the arguments in slots, and if not, why. The
+    /// mesh is left unchanged, nothing is printed or counted, and there is no result.
     pub fn ask(
         &mut self,
         mesh: &mut Mesh,
@@ -310,7 +310,7 @@ impl Machine {
     ) -> Result<Outcome, Trap> {
         self.start(mesh, args);
         let plans = Plans::clone(&self.plans);
-        // Native code would not leave what has matched in the window.
+        // Native code would not leave the matched elements in the window.
         let engine = std::mem::replace(&mut self.engine, Engine::Machine);
         let outcome = self.consider(mesh, plan, Call::of(plan, &plans), watch);
         self.engine = engine;
@@ -336,8 +336,8 @@ impl Machine {
         }
     }
 
-    /// The beginning that is the same for an operation that is called and for one that is asked:
-    /// its plan, and the call with the arguments at their place.
+    /// The common start of calling and of asking an operation: returns its plan, and the call, with
+    /// the arguments in its window.
     #[inline]
     pub(super) fn begin_call<'c>(
         &mut self,
@@ -361,7 +361,7 @@ impl Machine {
         Ok((plan, call))
     }
 
-    /// Calls an operation from running code, and counts what becomes of it.
+    /// Calls an operation from running code, and counts the outcome.
     #[inline]
     pub(super) fn call<const OBSERVED: bool>(
         &mut self,
@@ -399,7 +399,7 @@ impl Machine {
         if let Outcome::Refused { reason } = outcome {
             self.last_reason = reason;
         }
-        // What a step does may yet be undone.
+        // The effects of a step may still be undone.
         if caller.op.is_none() && caller.steps.is_none() {
             self.count(op, outcome);
             if applied {
@@ -428,14 +428,14 @@ impl Machine {
         }
     }
 
-    /// The reason why an operation refused, if it was the last to do so.
+    /// The reason of the last refusal, as one of the reasons of this operation.
     pub(super) fn last_reason(&self, op: u16) -> Option<&str> {
         let plan = self.plans.get(usize::from(op))?.as_ref()?;
         let refusal = plan.refusals.get(usize::from(self.last_reason?))?;
         Some(&refusal.reason)
     }
 
-    /// The trap of an operation that refused and must not.
+    /// The trap of an operation that refused although the script said `must`.
     #[cold]
     pub(super) fn must_not_refuse(&self, op: u16) -> Message {
         let plan = self.plans.get(usize::from(op)).and_then(Option::as_ref);
@@ -448,7 +448,7 @@ impl Machine {
 }
 
 impl Trap {
-    /// A trap that no call has put its place to yet.
+    /// A trap with an empty trace: no call has added its place yet.
     pub(super) fn new(message: Message) -> Self {
         Self { message, trace: Vec::new() }
     }

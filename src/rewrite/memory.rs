@@ -1,13 +1,13 @@
-//! The limit of memory that a run keeps to: of the mesh, of lists and of the keys of drains.
+//! The memory limit of a run: for the mesh, the lists and the keys of drains.
 
 use super::drain::Drains;
 use super::{Machine, Message};
 use crate::mesh::{ElementKind, Mesh};
 
-/// The most slots that a write takes that is kept back.
+/// The greatest number of slots of a write that is kept back.
 pub(super) const HELD: usize = 18;
 
-/// The slots that a position takes that is kept back.
+/// The number of slots of a position that is kept back.
 pub(super) const HELD_USUALLY: usize = 5;
 
 /// The memory of a run besides the mesh, and its limit.
@@ -18,13 +18,13 @@ pub(super) struct Budget<'r> {
 }
 
 impl Budget<'_> {
-    /// The memory of lists and of the keys of drains, in bytes.
+    /// The memory used by lists and by the keys of drains, in bytes.
     pub(super) fn taken(&self) -> usize {
         let lists = self.buffers.iter().map(|buffer| buffer.capacity() * size_of::<u64>());
         lists.sum::<usize>().saturating_add(self.drains.bytes())
     }
 
-    /// True if the limit is passed.
+    /// Whether the limit is exceeded.
     pub(super) fn is_passed(&self, mesh: &Mesh) -> bool {
         mesh.bytes().saturating_add(self.taken()) > self.limit
     }
@@ -86,8 +86,8 @@ fn grow(
 }
 
 impl Machine {
-    /// Keeps to a limit of memory, in bytes, for the mesh, for lists and for the keys of drains:
-    /// what would need more traps. There is none at first.
+    /// Limits the memory, in bytes, for the mesh, lists and the keys of drains: exceeding it traps.
+    /// There is no limit at first.
     pub fn limit_memory(&mut self, bytes: usize) {
         self.memory = bytes;
     }

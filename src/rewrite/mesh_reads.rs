@@ -1,4 +1,4 @@
-//! Reads of the mesh on the paths of a key: pointers, orbits, and what a question takes.
+//! Reads of the mesh on the paths of a key: pointers, orbits, and the reads of questions.
 
 use super::paths::{Fields, Node, Step, Unbounded};
 use super::reads::{Nodes, Reads, unite};
@@ -33,7 +33,7 @@ impl Reads<'_> {
         self.steps(nodes, Step::First(of))
     }
 
-    /// All halfedges of the orbits of some.
+    /// All halfedges of the orbits of some halfedges.
     pub(super) fn orbit(&mut self, nodes: &[Node], walk: Walk) -> Result<Nodes, Unbounded> {
         let orbit = self.steps(nodes, Step::Orbit(walk))?;
         match walk {
@@ -53,7 +53,7 @@ impl Reads<'_> {
         self.orbit(&first, Walk::Star)
     }
 
-    /// The positions of where halfedges start.
+    /// Notes reads of the positions of the origins of halfedges.
     fn positions(&mut self, halfedges: &[Node]) -> Result<(), Unbounded> {
         let vertices = self.load(halfedges, HalfedgeField::Vertex)?;
         self.read(&vertices, Fields::POSITION);
@@ -66,7 +66,7 @@ impl Reads<'_> {
         Ok(faces)
     }
 
-    /// Notes the reads of the mesh for an answer; perhaps more.
+    /// Notes the reads of the mesh that the answer to a question depends on, or a superset.
     pub(super) fn ask(
         &mut self,
         question: Question,
@@ -123,8 +123,8 @@ impl Reads<'_> {
         Ok(())
     }
 
-    /// The loops at halfedges with all that is drawn of them: pointers, corners, and the ends
-    /// and loops beyond their edges.
+    /// Notes reads of everything that a question may use of the loops at halfedges: pointers,
+    /// corners, and the ends and loops across their edges.
     fn faces_at(&mut self, halfedges: &[Node]) -> Result<(), Unbounded> {
         let faces = self.holes(halfedges)?;
         self.first(&faces, ElementField::Face)?;

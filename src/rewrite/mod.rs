@@ -1,8 +1,8 @@
 //! The register code, the plan of an operation, and the machine that runs both.
 //!
-//! A proved operation and a script lower to the same flat [`Code`]: typed registers,
-//! explicit loads and stores on the mesh's arrays, jumps, no closures. An [`Assembler`]
-//! writes it; a [`Machine`] runs it on a mesh, where it can as native code ([`Engine`]).
+//! A proved operation and a script lower to the same flat [`Code`]: typed registers, explicit loads
+//! and stores on the mesh's arrays, jumps, no closures. An [`Assembler`] builds it; a [`Machine`]
+//! runs it on a mesh, as native code where possible ([`Engine`]).
 
 mod code;
 mod inst;

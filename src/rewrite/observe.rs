@@ -1,8 +1,8 @@
-//! Observation of the reads and writes of an instruction, for drains to know which keys may have
+//! Observation of the reads and writes of an instruction, so that drains know which keys may have
 //! changed.
 //!
-//! This is asked before an instruction is taken, and only while a drain runs. Reads are noted
-//! while a key is computed that has no [paths](super::paths); more may be noted than is read. Every
+//! This runs before an instruction is executed, and only while a drain runs. Reads are noted while
+//! a key is computed that has no [paths](super::paths); more may be noted than is read. Every
 //! instruction is listed, so that a new one is not forgotten.
 
 use super::access::{load, load_halfedge};
@@ -19,7 +19,7 @@ use crate::mesh::{
     ColumnId, EdgeId, ElementKind, FaceId, HalfedgeId, HalfedgeRecord, Mesh, VertexId,
 };
 
-/// The state on which an instruction is about to work.
+/// The state on which an instruction is about to operate.
 pub(super) struct Scene<'a, 'w> {
     pub(super) mesh: &'a Mesh,
     pub(super) w: &'a Window<'w>,
@@ -49,7 +49,7 @@ impl ElementField {
 }
 
 impl Drains {
-    /// Notes what an instruction writes.
+    /// Notes the writes of an instruction.
     pub(super) fn observe_write(&mut self, inst: &Inst, scene: &Scene) {
         let (mesh, w) = (scene.mesh, scene.w);
         match *inst {
@@ -96,12 +96,12 @@ impl Drains {
                 }
             }
             Inst::Erase { kind, element } => self.erased(mesh, kind, w.id(element)),
-            // What is created is told when it has its number.
+            // Created elements are noted when they have their numbers.
             _ => {}
         }
     }
 
-    /// A pointer of a halfedge is about to be set, perhaps to what it is.
+    /// Notes that a pointer of a halfedge is about to be set, if this changes it.
     pub(super) fn pointer_set(
         &mut self,
         mesh: &Mesh,
@@ -114,19 +114,19 @@ impl Drains {
         }
     }
 
-    /// The halfedge of an element is about to be set, perhaps to what it is.
+    /// Notes that the halfedge of an element is about to be set, if this changes it.
     pub(super) fn first_set(&mut self, mesh: &Mesh, of: ElementField, element: u32, value: u32) {
         if load_halfedge(mesh, of, element) != Ok(value) {
             self.write(mesh, of.kind(), element, Fields::FIRST);
         }
     }
 
-    /// A position is about to be set.
+    /// Notes that a position is about to be set.
     pub(super) fn position_set(&mut self, mesh: &Mesh, vertex: u32) {
         self.write(mesh, ElementKind::Vertex, vertex, Fields::POSITION);
     }
 
-    /// An attribute, by its number, of an element is about to be set.
+    /// Notes that an attribute of an element is about to be set.
     pub(super) fn attribute_set(
         &mut self,
         mesh: &Mesh,
@@ -146,7 +146,7 @@ impl Drains {
         self.read_element(mesh, ElementKind::Halfedge, id);
     }
 
-    /// A halfedge and where it starts.
+    /// Notes reads of a halfedge and of its origin.
     fn read_start<'m>(&mut self, mesh: &'m Mesh, id: HalfedgeId) -> Option<&'m HalfedgeRecord> {
         self.read_halfedge(mesh, id.0);
         let record = mesh.get_halfedge(id)?;
@@ -154,8 +154,8 @@ impl Drains {
         Some(record)
     }
 
-    /// A vertex with its spokes, as a walk around it follows them, and the vertices where they end,
-    /// but not where these lie.
+    /// Notes reads of a vertex and of its spokes with their ends, but not of the positions of the
+    /// ends.
     fn read_spokes(&mut self, mesh: &Mesh, id: u32) {
         self.read(Place::Vertex(id));
         self.read(Place::VertexHalfedge(id));
@@ -169,7 +169,8 @@ impl Drains {
         }
     }
 
-    /// A vertex with its spokes, their ends and the kinds of the loops around it; these loops.
+    /// Notes reads of a vertex with its spokes, their ends and whether the loops around it are
+    /// holes; returns these loops.
     fn read_star(&mut self, mesh: &Mesh, id: u32) -> Vec<u32> {
         self.read(Place::Vertex(id));
         self.read(Place::VertexHalfedge(id));
@@ -188,7 +189,7 @@ impl Drains {
         loops
     }
 
-    /// A loop with its corners.
+    /// Notes reads of a loop with its corners.
     fn read_loop(&mut self, mesh: &Mesh, id: u32) {
         self.read(Place::Face(id));
         self.read(Place::FaceHalfedge(id));
@@ -197,14 +198,15 @@ impl Drains {
         }
     }
 
-    /// The loops around a vertex, with their corners.
+    /// Notes reads of the loops around a vertex, with their corners.
     fn read_loops_around(&mut self, mesh: &Mesh, id: u32) {
         for around in self.read_star(mesh, id) {
             self.read_loop(mesh, around);
         }
     }
 
-    /// An edge with its ends and the kinds of the loops beside it; these ends.
+    /// Notes reads of an edge with its ends and whether the loops beside it are holes; returns the
+    /// ends.
     fn read_edge(&mut self, mesh: &Mesh, id: u32) -> Vec<u32> {
         self.read(Place::Edge(id));
         let half = mesh.get_edge_halfedge(EdgeId(id));
@@ -220,7 +222,7 @@ impl Drains {
         ends
     }
 
-    /// A walk from a halfedge until another; of a cycle all.
+    /// Notes reads of a walk from a halfedge until one of `until`, or once around.
     fn read_walk(&mut self, mesh: &Mesh, walk: Walk, from: u32, until: [u32; 2]) {
         let mut at = from;
         for _ in 0..mesh.capacity(ElementKind::Halfedge) {
@@ -244,7 +246,7 @@ impl Drains {
         }
     }
 
-    /// Notes what an instruction reads.
+    /// Notes the reads of an instruction.
     pub(super) fn observe_read(&mut self, inst: &Inst, scene: &Scene) {
         let (mesh, w) = (scene.mesh, scene.w);
         match *inst {
@@ -263,7 +265,7 @@ impl Drains {
                 self.read_living(mesh, of.kind(), w.id(element));
             }
             Inst::Alive { kind, element, .. } => self.read_living(mesh, kind, w.id(element)),
-            // Which vertices are joined counts as well.
+            // The result also depends on which vertices are adjacent.
             Inst::CollectEars { .. }
             | Inst::Capacity { .. }
             | Inst::NextLiving { .. }
@@ -293,9 +295,9 @@ impl Drains {
                     self.read_walk(mesh, walk, from as u32, [from as u32; 2]);
                 }
             }
-            // What is foreseen tells itself what it reads.
+            // The preview records its own reads.
             Inst::Foresee { .. } | Inst::ForeseeAlong { .. } => {}
-            // Registers, buffers and output alone; writes, and what only ops do.
+            // These use registers, buffers and output only, write, or occur in ops only.
             #[rustfmt::skip]
             computation!() | Inst::Const { .. } | Inst::Copy { .. } | Inst::Select { .. }
             | Inst::ExpectEqual { .. } | Inst::ExpectDistinct { .. } | Inst::Expect { .. }
@@ -328,7 +330,7 @@ impl Drains {
         }
     }
 
-    /// Notes the elements that a preview has looked at.
+    /// Notes the reads of a preview.
     pub(super) fn foreseen(&mut self, mesh: &Mesh, looked: &[Looked]) {
         for &looked in looked {
             match looked {
@@ -364,7 +366,7 @@ impl Drains {
         }
     }
 
-    /// Notes that it is read whether an element lives: one that does not has no place of its own.
+    /// Notes a read of whether an element lives; an erased element has no place of its own.
     fn read_living(&mut self, mesh: &Mesh, kind: ElementKind, id: u32) {
         match mesh.is_alive(kind, id) {
             true => self.read_element(mesh, kind, id),

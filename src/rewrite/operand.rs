@@ -1,8 +1,8 @@
-//! Operands of instructions: pointers, walks, sorts of elements, functions.
+//! Operands of instructions: pointers, walks, kinds of elements, functions.
 
 use crate::mesh::ElementKind;
 
-/// A pointer of a halfedge, in the order of its record.
+/// A pointer of a halfedge, in the order of the fields of its record.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum HalfedgeField {
     Next,
@@ -21,18 +21,18 @@ pub enum ElementField {
     Face,
 }
 
-/// The part of a buffer that belongs to an index: another buffer tells where the parts end.
+/// The part of a buffer that belongs to an index: another buffer holds the ends of the parts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Span {
     /// The buffer of all parts.
     pub buffer: u16,
-    /// For each index the end of its part.
+    /// The buffer of the ends, one for each index.
     pub ends: u16,
-    /// The shift of the index, around the cycle.
+    /// The offset that is added to the index, modulo the length of the cycle.
     pub shift: i16,
 }
 
-/// So many new elements of each kind.
+/// The number of new elements of each kind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Room {
     pub vertices: u16,
@@ -41,7 +41,7 @@ pub struct Room {
     pub faces: u16,
 }
 
-/// The way in which a run of halfedges is walked.
+/// The direction in which halfedges are walked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Walk {
     /// Along a loop: `h.next`.
@@ -50,19 +50,19 @@ pub enum Walk {
     Star,
 }
 
-/// The elements a loop over the whole mesh visits.
+/// The elements that a loop over the whole mesh visits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Elements {
     Vertices,
     Halfedges,
     Edges,
-    /// Faces that are not holes.
+    /// The faces that are not holes.
     Faces,
     Holes,
 }
 
 impl Elements {
-    /// Their kind.
+    /// The kind of the elements.
     pub fn kind(self) -> ElementKind {
         match self {
             Elements::Vertices => ElementKind::Vertex,
@@ -73,12 +73,12 @@ impl Elements {
     }
 }
 
-/// Which triangles a face is cut into.
+/// The way in which a face is triangulated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Triangles {
-    /// The best shaped ear first.
+    /// Cuts off the ear of the best shape first.
     BestShape,
-    /// Those that bend the least, if the face has few sides.
+    /// Minimizes the bending, if the face has few sides.
     LeastBend,
 }
 

@@ -1,8 +1,7 @@
-//! The paths by which a key reaches what it reads, and the walk back along them.
+//! The paths along which a key reaches its reads, and the walk back along them.
 //!
-//! A key is an expression in one element: what it reads lies at the end of paths of pointers and
-//! of loops around orbits that begin at that element. Each step can be taken backwards on a valid
-//! mesh:
+//! A key is an expression in one element: each read is at the end of a path of pointers and of
+//! loops around orbits that begins at that element. On a valid mesh each step can be inverted:
 //!
 //! ```text
 //! h.next  <- its prev         h.vertex <- the spokes of the vertex    v.halfedge <- its vertex
@@ -11,23 +10,22 @@
 //! a loop around an orbit <- the orbit
 //! ```
 //!
-//! So from an element in which a field was written, the walk back along each path that ends at
-//! that field finds the elements whose keys may have changed. All others have the key that they
-//! had.
+//! So from an element in which a field was written, the walk back along each path that ends at that
+//! field finds the elements whose keys may have changed. All other keys are unchanged.
 //!
-//! This is complete though the walk goes over the mesh as it is after the writing. Take a key that
-//! changes, and the first of its reads that returns something else than before. All reads before it
-//! returned the same, so the path up to it is the same now as then: what the read looks at is
-//! reached by it on the mesh as it is now, and the walk back from there finds the key. What was
-//! erased is looked at by no path but that of a variable that still holds it, and an element that
-//! was created counts as written in every field.
+//! This is complete although the walk uses the mesh after the writes. Proof: take a key that
+//! changes, and the first of its reads that returns another value than before. All earlier reads
+//! returned the same values, so the path up to this read is the same before and after the writes:
+//! on the current mesh it leads to the element that is read, and the walk back from there finds the
+//! key. An erased element is reached by no path except that of a variable that still holds it, and
+//! a created element counts as written in every field.
 //!
 //! The paths of a key form a tree: its root is the element, its nodes are sets of elements, and
-//! each step leads from one to the next. Two steps there and back are none. Who follows `next`, or
-//! turns around a vertex, again and again stays in one orbit, and so in one node. A key that
-//! follows pointers without bound otherwise has no tree.
+//! each step leads from one node to another. A step and its inverse cancel. Repeating `next`, or
+//! turning around a vertex, stays in one orbit, and so in one node. A key that otherwise follows
+//! pointers without bound has no tree.
 //!
-//! The same holds of the question whether an operation would be applied, in place of a key.
+//! All this also holds for the question whether an operation would be applied, in place of a key.
 
 use std::fmt;
 
@@ -44,9 +42,9 @@ const MOST_NODES: usize = 500;
 /// The reason why a key has no tree of paths.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unbounded {
-    /// It follows pointers for as long as a condition says, or along very many paths.
+    /// It follows pointers in a loop with a condition, or along too many paths.
     Endless,
-    /// It reads all of the mesh.
+    /// It reads the whole mesh.
     WholeMesh,
     /// A function in it calls itself.
     Recursion,
@@ -54,7 +52,7 @@ pub enum Unbounded {
     Random,
     /// It asks an operation.
     Asks,
-    /// It does more than to compute a value.
+    /// It does more than compute a value.
     Effects,
 }
 
@@ -71,7 +69,7 @@ impl fmt::Display for Unbounded {
     }
 }
 
-/// Fields of an element of some kind: a bit for each.
+/// A set of fields of an element of some kind, one bit for each.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Fields(u32);
 
@@ -82,13 +80,13 @@ impl Fields {
     pub(super) const FIRST: Self = Self(1 << 6);
     pub(super) const HOLE: Self = Self(1 << 7);
     pub(super) const POSITION: Self = Self(1 << 8);
-    /// The field that says if the element exists.
+    /// Whether the element exists.
     pub(super) const LIFE: Self = Self(1 << 9);
     /// All declared attributes.
     pub(super) const ATTRIBUTES: Self = Self(!0 << Self::BEFORE_ATTRIBUTES);
     const BEFORE_ATTRIBUTES: u16 = 10;
 
-    /// A bit for each.
+    /// The bits of the set.
     #[cfg(feature = "native")]
     pub(super) fn bits(self) -> u32 {
         self.0
@@ -108,12 +106,12 @@ impl Fields {
         )
     }
 
-    /// True if they are attributes alone.
+    /// Whether the set is not empty and has attributes only.
     pub(super) fn are_attributes(self) -> bool {
         self.0 != 0 && self.0 & !Self::ATTRIBUTES.0 == 0
     }
 
-    /// A declared attribute. Those with high numbers share a bit.
+    /// A declared attribute. Attributes with high numbers share a bit.
     pub(super) fn attribute(number: u16) -> Self {
         Self(1 << number.saturating_add(Self::BEFORE_ATTRIBUTES).min(31))
     }
@@ -132,7 +130,7 @@ impl Fields {
 /// A step of a path.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Step {
-    /// The element whose key it is.
+    /// The element whose key is computed.
     Start,
     /// The element that a variable holds.
     Variable(Reg),
@@ -144,7 +142,7 @@ pub(super) enum Step {
 }
 
 impl HalfedgeField {
-    /// The pointer that leads back.
+    /// The pointer of the inverse step, if that is a single pointer.
     fn inverse(self) -> Option<Self> {
         match self {
             Self::Next => Some(Self::Prev),
@@ -163,9 +161,9 @@ struct Place {
     parent: Node,
     step: Step,
     depth: u16,
-    /// None where it is not told: a variable may be of any.
+    /// The kind of the elements; `None` if it is not known: a variable may hold any kind.
     kind: Option<ElementKind>,
-    /// The fields of the elements there that are read.
+    /// The fields of the elements at the node that are read.
     reads: Fields,
 }
 
@@ -173,26 +171,26 @@ struct Place {
 #[derive(Clone, Debug)]
 pub(super) struct Paths {
     places: Vec<Place>,
-    /// By kind the places where something is read.
+    /// The nodes where something is read, by kind.
     readers: [Vec<Node>; 4],
-    /// By kind all that is read.
+    /// All fields that are read, by kind.
     read: [Fields; 4],
 }
 
-/// The root.
+/// The root of the tree.
 pub(super) const START: Node = 0;
 
 impl Paths {
-    /// Those of a key that reads nothing of an element of some kind.
+    /// The paths of a key of an element of the given kind that reads nothing so far.
     pub(super) fn new(kind: ElementKind) -> Self {
         let (kind, reads) = (Some(kind), Fields::NONE);
         let start = Place { parent: START, step: Step::Start, depth: 0, kind, reads };
         Self { places: vec![start], readers: Default::default(), read: Default::default() }
     }
 
-    /// The node to which a step leads from another.
+    /// The node to which a step leads from `parent`.
     pub(super) fn child(&mut self, parent: Node, step: Step) -> Result<Node, Unbounded> {
-        // There and back again.
+        // A step and its inverse cancel.
         let from = self.places[usize::from(parent)];
         if let (Step::Pointer(there), Step::Pointer(back)) = (from.step, step)
             && there.inverse() == Some(back)
@@ -223,8 +221,8 @@ impl Paths {
         Ok(self.places.len() as Node - 1)
     }
 
-    /// Where a step from a node stays in an orbit: the node of that, or where its walk starts if
-    /// the same steps have been taken three times.
+    /// If a step from a node stays in an orbit: the node of the orbit, or, when the same steps have
+    /// been taken three times, the node where the walk around the orbit starts.
     fn orbit_of(&self, parent: Node, step: Step) -> Option<(Node, Option<Walk>)> {
         use HalfedgeField::{Next, Prev, Twin};
         let turns: [(Walk, &[HalfedgeField]); 4] = [
@@ -249,7 +247,7 @@ impl Paths {
         })
     }
 
-    /// The node of what a variable holds.
+    /// The node of the element that a variable holds.
     pub(super) fn variable(&mut self, variable: Reg) -> Result<Node, Unbounded> {
         self.child(START, Step::Variable(variable))
     }
@@ -259,7 +257,7 @@ impl Paths {
         self.places[usize::from(node)].reads.add(fields);
     }
 
-    /// Sorts the places by what is read there; nothing is noted after that.
+    /// Indexes the nodes by the kinds of the elements that are read; no read is noted after that.
     pub(super) fn finish(&mut self) {
         for (node, place) in (0..).zip(&self.places) {
             let of = |kind: &ElementKind| place.kind.is_none_or(|this| this == *kind);
@@ -272,13 +270,13 @@ impl Paths {
         }
     }
 
-    /// By kind all that is read.
+    /// All fields that are read, by kind.
     #[cfg(feature = "native")]
     pub(super) fn all_read(&self) -> [Fields; 4] {
         self.read
     }
 
-    /// True if any of the fields is read of any element of the kind.
+    /// Whether any of the fields is read of any element of the kind.
     #[inline]
     pub(super) fn concern(&self, kind: ElementKind, fields: Fields) -> bool {
         self.read[kind as usize].meets(fields)
@@ -293,16 +291,16 @@ pub(super) struct Written {
     pub(super) fields: Fields,
 }
 
-/// The buffers of a walk back, besides the paths; kept for the next one.
+/// The buffers of a walk back, kept for reuse.
 #[derive(Debug, Default)]
 pub(super) struct WalkBack {
-    /// By node the elements there from which the walk goes on.
+    /// By node, the elements from which the walk continues.
     found: Vec<Vec<u32>>,
     orbits: Vec<u32>,
     seen: Seen,
 }
 
-/// Leaves each element once in a list.
+/// Removes duplicates from a list.
 fn leave_once(seen: &mut Seen, list: &mut Vec<u32>) {
     if list.len() > 1 {
         seen.clear();
@@ -318,7 +316,7 @@ pub(super) enum Candidates<'w> {
 }
 
 impl WalkBack {
-    /// Walks back from what was written. `held` tells what a variable holds.
+    /// Walks back from the written elements. `held` returns the element that a variable holds.
     pub(super) fn candidates(
         &mut self,
         mesh: &Mesh,
@@ -337,7 +335,7 @@ impl WalkBack {
                 }
             }
         }
-        // Every node comes behind its parent.
+        // Every node has a greater number than its parent.
         for (node, place) in paths.places.iter().enumerate().skip(1).rev() {
             if self.found[node].is_empty() {
                 continue;
@@ -363,7 +361,7 @@ impl WalkBack {
     }
 }
 
-/// From where a step leads to the elements.
+/// Appends to `to` the elements from which a step leads to those in `from`.
 fn step_back(
     mesh: &Mesh,
     step: Step,

@@ -1,4 +1,4 @@
-//! A compiled operation: its code, and the same as a table to read.
+//! A compiled operation: its code, and the same as a table for people to read.
 
 use std::sync::Arc;
 
@@ -6,42 +6,43 @@ use super::{Code, Reg, Steps};
 use crate::mesh::{ElementKind, Level};
 use crate::source::Span;
 
-/// The plans of the operations of a program, by number; `None` stands for one that is not proved.
+/// The plans of the operations of a program, by number; `None` stands for one that has not been
+/// proved.
 pub type Plans = Arc<[Option<Plan>]>;
 
 /// A compiled operation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plan {
-    /// Its name.
+    /// The name of the operation.
     pub name: String,
-    /// The widths of its parameters in slots: 1, or 3 for a vector. The window begins
-    /// with the parameters, in order.
+    /// The widths of the parameters in slots: 1, or 3 for a vector. The window begins with the
+    /// parameters, in order.
     pub params: Vec<u16>,
-    /// The kind of its result.
+    /// The kind of the result.
     pub result: Option<ElementKind>,
-    /// The level of the meshes it is for: that of its guard.
+    /// The level that its guard requires of a mesh.
     pub level: Level,
-    /// The levels, of those that are more than a map, that a mesh keeps.
+    /// The levels above `Map` that the operation keeps.
     pub keeps: Vec<Level>,
-    /// The code: match, allocate, reassign, erase; whole or not at all.
+    /// The code: match, allocate, reassign, erase; all or nothing.
     pub code: Code,
     /// The places in the source where the code can trap, by the numbers in [`Code::traps`].
     pub places: Vec<Span>,
     /// The reasons why it can refuse, by number.
     pub refusals: Vec<Refusal>,
-    /// Each alternative in four phases, to read; none of an op in steps.
+    /// Each alternative in four phases, as tables; empty for an op in steps.
     pub stages: Vec<Stage>,
-    /// The places where, for each alternative, its names stand when it has matched; none of an op
+    /// By alternative, the registers and buffers of its names when it has matched; empty for an op
     /// in steps.
     pub matched: Vec<Matched>,
-    /// The steps, where it is an op in steps, which calls others, all or nothing.
+    /// The steps of an op in steps, which calls others, all or nothing.
     pub steps: Option<Steps>,
 }
 
 /// The names of an alternative that has matched, before anything is written.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Matched {
-    /// The first instruction behind the matching.
+    /// The first instruction after the matching.
     pub from: u32,
     /// The elements that are named in `before`.
     pub names: Vec<(String, ElementKind, Holder)>,
@@ -57,7 +58,7 @@ pub enum Holder {
 }
 
 impl Plan {
-    /// The highest level that a mesh of some level surely has when the op has been applied.
+    /// The highest level that a mesh of the given level is known to have after the op.
     pub fn level_after(&self, level: Level) -> Level {
         let kept = self.keeps.iter().filter(|&&kept| kept <= level);
         kept.copied().max().unwrap_or(Level::Map)
@@ -67,14 +68,14 @@ impl Plan {
 /// The reason why an op can refuse.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Refusal {
-    /// The reason, as a person reads it: "`f0` is a hole".
+    /// The reason as text: "`f0` is a hole".
     pub reason: String,
-    /// The phase to which the attempt had come; of several attempts the furthest one is reported,
-    /// of equals the first.
+    /// The phase that the attempt reached; of several attempts the one that came furthest is
+    /// reported, and the first of equals.
     pub phase: Phase,
 }
 
-/// The phase to which an attempt came.
+/// The phase that an attempt reached.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Phase {
     /// The diagram does not match.
@@ -107,7 +108,7 @@ pub struct Stage {
 pub struct Row {
     /// The parts: `a.next`, `=`, `c`.
     pub cell: Cell,
-    /// True if the code does it; what provably changes nothing is left out.
+    /// Whether the code does this; a store that provably changes nothing is left out.
     pub executed: bool,
 }
 
@@ -133,6 +134,6 @@ pub enum Cell {
 }
 
 impl Cell {
-    /// The value of a pointer that is kept, whatever it is.
+    /// The text for the value of a pointer that is kept, whatever it is.
     pub const AS_IT_WAS: &'static str = "as it was";
 }

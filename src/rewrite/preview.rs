@@ -1,11 +1,12 @@
-//! The mesh as an operation would leave it, before it is applied.
+//! A preview of the mesh as an operation would leave it, before it is applied.
 //!
-//! A guard asks about the result. So the pointers that the operation would set, as far as it asks
-//! about them, are set on the mesh itself, which tells nobody; then it is asked, and they are put
-//! back. A question about one face or vertex of the result costs what a walk around it costs.
+//! A guard asks about the result. So the pointers that the operation would set, as far as the guard
+//! asks about them, are set on the mesh itself, without notifying journals or drains; the guard
+//! asks the mesh, and the old values are restored. A question about one face or vertex of the
+//! result costs as much as a walk around it.
 //!
-//! New elements have no ids yet. They get numbers from the top of the range, where no
-//! element of the mesh is as long as there is room for them, and records of their own.
+//! New elements have no ids yet. They get numbers from the top of the range, which no element of
+//! the mesh has as long as there is room for the new ones, and records of their own.
 
 use std::cell::{Cell, RefCell};
 
@@ -16,17 +17,17 @@ use crate::mesh::{
     EdgeId, ElementKind, FaceId, HalfedgeId, HalfedgeRecord, Mesh, OrbitCondition, VertexId,
 };
 
-/// The number of the first new element; that of the next one is one less. Those above say that
-/// there is no element, or an erased one.
+/// The number of the first new element; the next one has the number below. The two numbers above
+/// stand for no element and for an erased one.
 const FIRST_NEW: u32 = u32::MAX - 2;
 
-/// What is set, and what is needed to ask about it.
+/// The values that have been set, and buffers for questions about them.
 #[derive(Debug, Default)]
 pub struct Preview {
-    /// What stood where something has been set on the mesh, in that order.
+    /// The old values of everything that has been set on the mesh, in order.
     before: Vec<Before>,
     new: Vec<New>,
-    /// Whether what is read of the mesh is wanted, and that.
+    /// Whether reads of the mesh are recorded, and these reads.
     listens: Cell<bool>,
     looked: RefCell<Vec<Looked>>,
     /// The vertex whose star was walked last, if nothing has been set since.
@@ -42,16 +43,16 @@ pub struct Preview {
 struct Star {
     /// The faces in which they lie.
     faces: Vec<u32>,
-    /// By spoke where the one after it ends.
+    /// By spoke, the vertex where the next spoke ends.
     targets: Vec<u32>,
-    /// Whether all ends differ, if that has been asked.
+    /// Whether all ends differ, if this has been computed.
     targets_differ: Option<bool>,
-    /// Whether no spoke ends where it starts, and all lie in triangles. This reads `next`, which is
-    /// that of the result only where a test walks around loops.
+    /// Whether no spoke ends where it starts, and all lie in triangles. This reads `next`, which
+    /// has its new value only where a test walks around loops.
     has_triangles: bool,
 }
 
-/// What stood somewhere in the mesh.
+/// An old value in the mesh.
 #[derive(Clone, Copy, Debug)]
 enum Before {
     Pointer(HalfedgeField, u32, u32),
@@ -59,7 +60,7 @@ enum Before {
     Hole(u32, bool),
 }
 
-/// A new element: the record of a halfedge, or what another one has.
+/// A new element: the record of a halfedge, or the fields of another element.
 #[derive(Debug)]
 struct New {
     record: HalfedgeRecord,
@@ -67,7 +68,7 @@ struct New {
     hole: bool,
 }
 
-/// The reads of the mesh that a question has made.
+/// A read of the mesh that a question has made.
 #[derive(Clone, Copy, Debug)]
 pub enum Looked {
     Halfedge(u32),
@@ -84,9 +85,9 @@ const NOTHING: HalfedgeRecord = HalfedgeRecord {
     face: FaceId::NONE,
 };
 
-/// The values that would be set.
+/// Setting values.
 impl Preview {
-    /// Begins: nothing is set.
+    /// Begins a preview in which nothing is set.
     pub fn clear(&mut self) {
         self.star_of = None;
         self.before.clear();
@@ -95,11 +96,11 @@ impl Preview {
         self.listens.set(false);
     }
 
-    /// Puts everything back on the mesh.
+    /// Restores everything on the mesh.
     pub fn undo(&mut self, mesh: &mut Mesh) {
         self.star_of = None;
         for before in self.before.drain(..).rev() {
-            // It was there a moment ago.
+            // The element existed when its value was set, so this succeeds.
             match before {
                 Before::Pointer(field, id, value) => {
                     mesh.exchange_pointer(HalfedgeId(id), field as usize, value);
@@ -115,13 +116,13 @@ impl Preview {
         self.new.clear();
     }
 
-    /// A new element.
+    /// Adds a new element, and returns its number.
     pub fn add(&mut self) -> u32 {
         self.new.push(New { record: NOTHING, halfedge: u32::MAX, hole: false });
         FIRST_NEW - (self.new.len() as u32 - 1)
     }
 
-    /// The place of a new element.
+    /// The index of a new element.
     #[inline]
     fn place(&self, id: u32) -> Option<usize> {
         let place = FIRST_NEW.wrapping_sub(id) as usize;
@@ -200,14 +201,14 @@ impl Preview {
     }
 }
 
-/// The mesh that there would be.
+/// Reading the previewed mesh.
 impl Preview {
-    /// From now on tells what is read of the mesh, or no longer.
+    /// Starts or stops recording the reads of the mesh.
     pub fn listen(&mut self, listens: bool) {
         self.listens.set(listens);
     }
 
-    /// The reads of the mesh since it was cleared.
+    /// Takes the reads of the mesh that have been recorded.
     pub fn looked(&mut self) -> Vec<Looked> {
         std::mem::take(self.looked.get_mut())
     }
@@ -245,12 +246,12 @@ impl Preview {
         mesh.get_is_hole(FaceId(face)).ok_or_else(|| gone(ElementKind::Face, face))
     }
 
-    /// True if there is nothing new, and nobody wants to know what is read.
+    /// Whether there is no new element, and reads are not recorded.
     fn is_plain(&self) -> bool {
         self.new.is_empty() && !self.listens.get()
     }
 
-    /// No walk that ends is longer.
+    /// The greatest length of a walk that ends.
     fn longest(&self, mesh: &Mesh) -> usize {
         mesh.capacity(ElementKind::Halfedge) + self.new.len()
     }
@@ -272,7 +273,7 @@ impl Preview {
         Ok(&self.star)
     }
 
-    /// Notes the spokes of a vertex; `record` reads a halfedge.
+    /// Fills `star` with the spokes of a vertex; `record` reads a halfedge.
     #[inline]
     fn walk_spokes<'a>(
         &'a self,
@@ -295,7 +296,8 @@ impl Preview {
             let before = record(spoke.prev.0)?;
             star.faces.push(spoke.face.0);
             star.targets.push(before.vertex.0);
-            // The halfedges behind the spoke and before that which ends at the vertex are one.
+            // In a triangle, the halfedge after the spoke is the one before the halfedge that ends
+            // at the vertex.
             star.has_triangles &= spoke.next == before.prev && before.vertex.0 != vertex;
             at = before.twin.0;
             if at == start {
@@ -305,8 +307,8 @@ impl Preview {
         Err(Fault::Endless)
     }
 
-    /// Notes the origins of the halfedges of a face in `corners`, behind what is there; no
-    /// more than `most`. The number of them.
+    /// Appends the origins of the halfedges of a face to `corners`, at most `most`; returns their
+    /// number.
     fn walk_loop(&mut self, mesh: &Mesh, face: u32, most: usize) -> Result<usize, Fault> {
         let start = self.halfedge(mesh, ElementField::Face, face)?;
         let mut at = start;
@@ -331,10 +333,10 @@ impl Preview {
     }
 }
 
-/// Questions.
+/// Questions about the result.
 impl Preview {
-    /// Whether a condition would hold for an element; `at` is a second one, where the
-    /// condition speaks of two.
+    /// Whether a condition would hold for an element; `at` is the second element of a condition
+    /// about two.
     pub fn foresees(
         &mut self,
         mesh: &Mesh,
@@ -356,7 +358,7 @@ impl Preview {
         }
     }
 
-    /// Whether it would hold for the origin of every halfedge in a buffer.
+    /// Whether a condition would hold for the origin of every halfedge in a buffer.
     pub fn foresees_along(
         &mut self,
         mesh: &Mesh,
@@ -429,8 +431,8 @@ impl Preview {
 
     /// Whether no two faces around a vertex have the same set of corners.
     fn corners_differ(&mut self, mesh: &Mesh, vertex: u32) -> Result<bool, Fault> {
-        // Triangles with a neighbor between one and the next, at least three, all different: two
-        // that follow each other as two others do are the same two.
+        // If all faces are triangles, and the neighbors of the vertex are at least three and
+        // distinct, then each triangle has its own pair of consecutive neighbors.
         let star = self.walk_star(mesh, vertex)?;
         let are_triangles = star.has_triangles && star.faces.len() >= 3;
         if are_triangles && self.neighbors_differ(mesh, vertex)? {

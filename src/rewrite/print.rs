@@ -9,11 +9,12 @@ use crate::mesh::ElementKind;
 /// The number of digits of a real.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RealDigits {
-    /// Six significant ones, and never fewer than stand before the point: `0.333333`, `1234568`.
+    /// Six significant digits, but never fewer than there are before the point: `0.333333`,
+    /// `1234568`.
     Few,
-    /// As many as read back as the same number, and no more: `0.3333333333333333`.
+    /// The fewest digits that read back as the same number: `0.3333333333333333`.
     All,
-    /// So many behind the point: `0.333`.
+    /// This number of digits after the point: `0.333`.
     Behind(u8),
 }
 
@@ -37,23 +38,23 @@ impl Display for RealText {
 }
 
 fn write_all(f: &mut fmt::Formatter<'_>, real: f64) -> fmt::Result {
-    // Zero has no sign for a reader.
+    // -0 is printed as 0.
     let real = if real == 0.0 { 0.0 } else { real };
     let size = real.abs();
-    // Written out, such numbers would be mostly zeros.
+    // Without an exponent such numbers would be mostly zeros.
     match size != 0.0 && size.is_finite() && !(1e-5..1e16).contains(&size) {
         true => write!(f, "{real:e}"),
         false => real.fmt(f),
     }
 }
 
-/// The nearest number with six significant digits, or the nearest whole one where that takes
-/// more of them.
+/// The nearest number with six significant digits, or the nearest whole number where that has more
+/// digits.
 fn rounded(real: f64) -> f64 {
     if !real.is_finite() || (1e5..1e16).contains(&real.abs()) {
         return real.round_ties_even();
     }
-    // Through the decimal text, which is the one way to round decimally.
+    // Decimal rounding needs the decimal text.
     let text = format!("{real:.5e}");
     text.parse().unwrap_or(real)
 }

@@ -1,7 +1,7 @@
 //! Questions about an element that take a walk or a measurement to answer.
 //!
-//! Each asks the mesh, which says how it is meant; here is only which elements are read and
-//! where the answer goes.
+//! The mesh answers each question and documents its meaning; this file only says which registers
+//! hold the elements and which one gets the answer.
 
 use glam::DVec3;
 
@@ -34,7 +34,7 @@ pub enum Question {
 }
 
 impl Question {
-    /// The kind of the elements that it is about.
+    /// The kind of the elements that the question is about.
     #[cfg(feature = "native")]
     pub(super) fn kind(self) -> ElementKind {
         match self {

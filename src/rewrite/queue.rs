@@ -1,38 +1,39 @@
-//! Elements in the order of their keys: a heap that knows where each element stands (Williams,
-//! Algorithm 232: Heapsort, 1964), so that one in the middle can move or leave. Each element has
-//! eight children (Johnson, Priority queues with update and finding minimum spanning trees, 1975),
-//! which fill one line of the processor's cache (LaMarca and Ladner, The influence of caches on the
-//! performance of heaps, 1996): of each key the heap has the first 31 bits, which are all of most
-//! whole numbers, and looks for the rest only where two keys begin alike.
+//! A priority queue of elements by their keys: a heap that knows the place of each element
+//! (Williams, Algorithm 232: Heapsort, 1964), so that an element in the middle can be moved or
+//! removed. Each element has eight children (Johnson, Priority queues with update and finding
+//! minimum spanning trees, 1975), which fill one line of the processor's cache (LaMarca and Ladner,
+//! The influence of caches on the performance of heaps, 1996): the heap stores the first 31 bits of
+//! each key, which determine most whole numbers, and compares the full keys only where these bits
+//! are equal.
 //!
-//! Of equal keys the lower number comes first, so that the order does not depend on how the queue
-//! came about.
+//! Of equal keys the lower element number comes first, so that the order does not depend on the
+//! history of the queue.
 
 use std::hint::black_box;
 
-/// The place of what is not queued.
+/// The place of an element that is not in the queue.
 const NOWHERE: u32 = u32::MAX;
 
 /// The number of children of an element.
 const CHILDREN: usize = 8;
 
-/// The place of the first element: the last in a block of its own, so that siblings share one.
+/// The place of the first element: the last in a block of its own, so that siblings share a block.
 const ROOT: usize = CHILDREN - 1;
 
-/// A number that is ordered as the keys are: from the top 31 bits of the key, a bit that is higher
-/// for keys that go on than for those that end there, if they are positive, and lower if they are
-/// negative; then the element.
+/// A number with the order of the keys: the top 31 bits of the key, then a bit that tells whether
+/// the rest of the key is not zero (set if so for positive keys, cleared if so for negative ones),
+/// then the element.
 #[derive(Clone, Copy, Debug)]
 struct Entry(u64);
 
 impl Entry {
-    /// In the places that are left of a block.
+    /// In the unused places of a block.
     const NONE: Self = Self(u64::MAX);
     const POSITIVE: u64 = 1 << 63;
     const GOES_ON: u64 = 1 << 32;
 
     fn new(id: u32, key: f64) -> Self {
-        // Two zeros are equal.
+        // This makes -0 and 0 equal.
         let bits = (key + 0.0).to_bits();
         let is_negative = key < 0.0;
         let ordered = if is_negative { !bits } else { bits | Self::POSITIVE };
@@ -47,7 +48,8 @@ impl Entry {
         self.0 as u32
     }
 
-    /// True if the key of another begins alike, and both go on.
+    /// Whether another key has the same top bits, and the rest of neither is zero: then the full
+    /// keys have to be compared.
     #[inline]
     fn begins_as(self, other: Self) -> bool {
         let goes_on = (self.0 & Self::GOES_ON == 0) == (self.0 & Self::POSITIVE == 0);
@@ -60,15 +62,15 @@ impl Entry {
 #[repr(align(64))]
 struct Siblings([Entry; CHILDREN]);
 
-/// A queue of elements by number, and their keys, whether they are queued or not.
+/// A queue of elements by number, and the keys of all elements, queued or not.
 #[derive(Debug, Default)]
 pub struct Queue {
-    /// First the block of the root, then by place the children of each element.
+    /// The block of the root, then the children of each element, by its place.
     heap: Vec<Siblings>,
     len: usize,
-    /// By element its place in the heap.
+    /// By element, its place in the heap.
     places: Vec<u32>,
-    /// By element; not a number where there is none.
+    /// By element; NaN if it has no key.
     keys: Vec<f64>,
 }
 
@@ -85,12 +87,12 @@ impl Queue {
         (self.len > 0).then(|| self.entry(ROOT).id())
     }
 
-    /// The children of that element, one of which is the next, and most of which are soon.
+    /// The children of the least element, one of which comes next, and most of which come soon.
     pub(super) fn below_least(&self) -> impl Iterator<Item = u32> {
         self.heap.get(1).into_iter().flat_map(|Siblings(all)| all.iter().map(|entry| entry.id()))
     }
 
-    /// Sets a key. An element whose key changes comes into the queue, whether it was there before
+    /// Sets a key. An element whose key changes is put into the queue, whether it was in it before
     /// or not; an infinite key keeps it out.
     pub fn set(&mut self, id: u32, key: f64) {
         let index = id as usize;
@@ -116,7 +118,7 @@ impl Queue {
         self.settle(at, Entry::new(id, key));
     }
 
-    /// Takes an element out, if it is queued. It comes back when its key changes.
+    /// Removes an element, if it is queued. It comes back when its key changes.
     pub fn remove(&mut self, id: u32) {
         let Some(place) = self.places.get_mut(id as usize) else {
             return;
@@ -134,8 +136,8 @@ impl Queue {
         }
     }
 
-    /// Takes an element out and forgets its key, since it is gone; another may have its number
-    /// later.
+    /// Removes an element and forgets its key, since it has been erased; another element may get
+    /// its number later.
     pub(super) fn forget(&mut self, id: u32) {
         self.remove(id);
         if let Some(key) = self.keys.get_mut(id as usize) {
@@ -143,14 +145,15 @@ impl Queue {
         }
     }
 
-    /// Reads what is known of an element, so that it is at hand later.
+    /// Reads the entries of an element, so that they are in the cache later.
     #[inline]
     pub(super) fn touch(&self, id: u32) {
         black_box(self.keys.get(id as usize).copied());
         black_box(self.places.get(id as usize).copied());
     }
 
-    /// Brings an entry from a place, whose own is to be forgotten, to where it belongs.
+    /// Puts an entry at the place `from`, whose own entry is dropped, and moves it to its place in
+    /// the order.
     fn settle(&mut self, from: usize, entry: Entry) {
         let mut at = from;
         while at > ROOT {
@@ -161,7 +164,7 @@ impl Queue {
             self.set_entry(at, self.entry(parent));
             at = parent;
         }
-        // What has risen is before all that was below.
+        // An entry that has moved up comes before everything below its old place.
         while at >= from {
             let block = at - ROOT + 1;
             let Some(Siblings(all)) = self.heap.get(block) else {

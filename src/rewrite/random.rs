@@ -4,7 +4,7 @@
 //! number generators", 2021. Its state is filled by SplitMix64, after G. Steele, D. Lea and
 //! C. Flood, "Fast splittable pseudorandom number generators", 2014, as its authors advise.
 
-/// A stream of numbers.
+/// A stream of random numbers.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct RandomNumbers(pub [u64; 4]);
 
@@ -33,13 +33,13 @@ impl RandomNumbers {
         result
     }
 
-    /// A real from 0 up to 1, without 1: a multiple of 2^-53.
+    /// A real from 0 up to, but without, 1: a multiple of 2^-53.
     pub fn real(&mut self) -> f64 {
         (self.bits() >> 11) as f64 * (1.0 / (1u64 << 53) as f64)
     }
 
-    /// A number below `bound`, which is not 0, each as likely: D. Lemire, "Fast random integer
-    /// generation in an interval", 2019.
+    /// A uniform number below `bound`, which is not 0: D. Lemire, "Fast random integer generation
+    /// in an interval", 2019.
     pub fn below(&mut self, bound: u64) -> u64 {
         let reject = bound.wrapping_neg() % bound;
         loop {
@@ -50,8 +50,8 @@ impl RandomNumbers {
         }
     }
 
-    /// Puts things into an order, each as likely: R. Fisher and F. Yates, "Statistical tables",
-    /// 1938; in place after R. Durstenfeld, "Algorithm 235", 1964.
+    /// Shuffles a slice, each order being equally likely: R. Fisher and F. Yates, "Statistical
+    /// tables", 1938; in place after R. Durstenfeld, "Algorithm 235", 1964.
     pub fn shuffle<T>(&mut self, things: &mut [T]) {
         for last in (1..things.len()).rev() {
             things.swap(last, self.below(last as u64 + 1) as usize);

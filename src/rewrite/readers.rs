@@ -1,13 +1,13 @@
-//! Readers: for each place of the mesh the elements whose keys depend on it.
+//! Readers: for each place of the mesh, the elements whose keys depend on it.
 //!
-//! A place is a vertex, an edge, a halfedge or a face with what is stored there; but the `halfedge`
-//! of a vertex or a face is a place of its own, since operations often give their neighbours another,
-//! which few keys read, and so are the attributes of a vertex, an edge or a face, which many
-//! operations write and few keys read. All of the mesh is a place too. When something is written at a place, its readers are taken off
-//! and their keys computed anew, by which they are noted again wherever they still read. A
-//! note may outlive its reason: then a key is computed once for nothing.
+//! A place is a vertex, an edge, a halfedge or a face with its fields; but the `halfedge` of a
+//! vertex or a face is a place of its own, since operations often change that of their neighbours
+//! and few keys read it, and so are the attributes of a vertex, an edge or a face, which many
+//! operations write and few keys read. The whole mesh is a place too. When a place is written, its
+//! readers are removed and their keys recomputed, which notes them again wherever they still read.
+//! A note may outlive its reason: then a key is recomputed in vain.
 
-/// The place that a reader can depend on.
+/// A place that a reader can depend on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Place {
     Vertex(u32),
@@ -19,7 +19,7 @@ pub enum Place {
     Face(u32),
     FaceHalfedge(u32),
     FaceAttributes(u32),
-    /// The number of elements, and which.
+    /// The number of elements, and which ones exist.
     Whole,
 }
 
@@ -47,7 +47,7 @@ const NOTHING: u32 = u32::MAX;
 struct List {
     first: u32,
     length: u32,
-    /// At this length a reader may stand in it several times: they are sorted out then.
+    /// At this length duplicates are removed.
     limit: u32,
 }
 
@@ -66,7 +66,7 @@ pub struct Readers {
     pool: Vec<Entry>,
     /// The first of the pool's free entries.
     free: u32,
-    /// By reader the last list it was seen in while that was sorted out.
+    /// By reader, the number of the deduplication that has seen it last.
     seen: Vec<u32>,
     sorted: u32,
 }
@@ -84,7 +84,7 @@ impl Default for Readers {
 }
 
 impl Readers {
-    /// The memory that they take, in bytes.
+    /// The memory that the readers take, in bytes.
     pub fn bytes(&self) -> usize {
         let lists = self.lists.iter().map(|lists| lists.capacity() * size_of::<List>());
         lists.sum::<usize>()
@@ -100,7 +100,7 @@ impl Readers {
             lists.resize(at + 1, EMPTY);
         }
         let list = &mut lists[at];
-        // What a key reads several times, it mostly reads at once.
+        // A key that reads a place several times mostly does so in a row.
         if list.first != NOTHING && self.pool[list.first as usize].reader == reader {
             return;
         }
@@ -123,7 +123,7 @@ impl Readers {
         }
     }
 
-    /// Leaves each reader once in a list.
+    /// Removes duplicate readers from a list.
     fn sort_out(&mut self, kind: usize, at: usize) {
         self.sorted = self.sorted.wrapping_add(1);
         let list = &mut self.lists[kind][at];
@@ -135,7 +135,7 @@ impl Readers {
                 self.seen.resize(reader + 1, 0);
             }
             if std::mem::replace(&mut self.seen[reader], self.sorted) == self.sorted {
-                // The first entry is always new, so there is one before.
+                // The first entry is always new, so there is an entry before this one.
                 self.pool[before as usize].next = next;
                 self.pool[entry as usize].next = self.free;
                 self.free = entry;
@@ -148,7 +148,7 @@ impl Readers {
         list.limit = EMPTY.limit.max(2 * list.length);
     }
 
-    /// Takes all readers off a place.
+    /// Removes all readers of a place, and passes them to `each`.
     pub fn take(&mut self, place: Place, mut each: impl FnMut(u32)) {
         let (kind, at) = place.split();
         let Some(list) = self.lists[kind].get_mut(at) else {

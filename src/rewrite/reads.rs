@@ -1,11 +1,11 @@
-//! Reads of the key of a drain, or of an operation that is asked, as [`Paths`]: the code is run on
-//! sets of paths.
+//! The reads of the key of a drain, or of an operation that is asked, as [`Paths`]: an abstract
+//! interpretation of the code on sets of paths.
 //!
-//! A register that holds an element holds here the nodes of the paths that can lead there; a load
-//! goes a step on, a loop around an orbit one to all of it, and where ways of the code meet, so do
-//! the sets. Functions are followed where they are called. Since a path is as long as its steps,
-//! code that follows pointers in a loop of its own never comes to an end: then the key has no
-//! tree.
+//! A register that holds an element holds here the nodes of the paths that can lead to it; a load
+//! extends each path by a step, a loop around an orbit by a step to the whole orbit, and where
+//! branches of the code meet, the sets are united. Calls are followed into functions. Since a path
+//! is as long as its steps, code that follows pointers in a loop of its own does not reach a fixed
+//! point: then the key has no tree.
 
 use std::collections::BTreeMap;
 
@@ -14,11 +14,11 @@ use super::paths::{Fields, Node, Paths, START, Unbounded};
 use super::{Code, Elements, Function, Inst, Plan, Reg};
 use crate::mesh::ElementKind;
 
-/// The greatest number of instructions that are looked at; a key has dozens, an operation hundreds.
+/// The greatest number of instructions that are visited; a key has dozens, an operation hundreds.
 const MOST_WORK: usize = 50_000;
 
-/// The paths of the key of the drain that the instruction at `open` begins; the code may call
-/// these functions.
+/// The paths of the key of the drain that the instruction at `open` begins; `functions` are those
+/// that the code may call.
 pub(super) fn paths(code: &Code, functions: &[Function], open: usize) -> Result<Paths, Unbounded> {
     let Some(Inst::DrainOpen { of, .. }) = code.insts.get(open) else {
         return Err(Unbounded::Effects);
@@ -37,11 +37,11 @@ pub(super) fn paths(code: &Code, functions: &[Function], open: usize) -> Result<
     Ok(reads.paths)
 }
 
-/// The paths of the question whether an operation would be applied, asked of the element of a kind
-/// in a slot of its window.
+/// The paths of the question whether an operation would be applied, asked of the element of the
+/// given kind in a slot of its window.
 ///
 /// # Errors
-/// It has none, and why.
+/// The reason, if the question has no paths.
 pub(super) fn question_paths(
     plan: &Plan,
     kind: ElementKind,
@@ -67,15 +67,14 @@ pub(super) fn question_paths(
     Ok(reads.paths)
 }
 
-/// Nodes in order, none twice.
+/// Nodes in ascending order, without duplicates.
 pub(super) type Nodes = Vec<Node>;
 
-/// The nodes that registers, behind them buffers, and behind those the pointers of a preview may
-/// hold.
+/// The nodes that registers, buffers and the pointers of a preview may hold, in this order of keys.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct State(BTreeMap<u32, Nodes>);
 
-/// The first number of a buffer, and of a pointer of the preview.
+/// The keys of the first buffer and of the first pointer of the preview.
 const BUFFERS: u32 = 1 << 16;
 const PREVIEW: u32 = 2 << 16;
 
@@ -97,7 +96,7 @@ impl State {
         unite(all, nodes);
     }
 
-    /// The words that the preview has been told of a pointer, of whatever element.
+    /// The values that have been set in the preview for a pointer, of any element.
     pub(super) fn foreseen(&self, pointer: u32) -> Nodes {
         self.0.get(&(PREVIEW | pointer)).cloned().unwrap_or_default()
     }
@@ -110,7 +109,7 @@ impl State {
         self.0.split_off(&PREVIEW);
     }
 
-    /// Takes in what another way brings; whether that is anything new.
+    /// Unites this state with that of another branch; returns whether this has added anything.
     fn join(&mut self, other: &State) -> bool {
         let mut grown = false;
         for (&slot, nodes) in &other.0 {
@@ -128,7 +127,8 @@ impl State {
     }
 }
 
-/// A way of the code comes to a place, from where it is followed if it brings something new.
+/// Unites a state with the one known at an instruction, and puts the instruction on the worklist
+/// `open` if this has added anything.
 fn arrive(before: &mut [Option<State>], at: usize, state: &State, open: &mut Vec<usize>) {
     let is_new = match before.get_mut(at) {
         None => false,
@@ -156,10 +156,10 @@ pub(super) fn unite(all: &mut Nodes, more: &[Node]) -> bool {
 pub(super) struct Reads<'c> {
     pub(super) paths: Paths,
     functions: &'c [Function],
-    /// The functions that run, the innermost last.
+    /// The stack of running functions, the innermost last.
     running: Vec<u16>,
     work: usize,
-    /// Whether it is an operation that is asked, whose first write is where the answer is known.
+    /// Whether the code is an operation that is asked: its answer is known at its first write.
     is_question: bool,
 }
 
@@ -169,8 +169,8 @@ impl<'c> Reads<'c> {
         Self { paths, functions, running: Vec::new(), work: 0, is_question: false }
     }
 
-    /// Runs code up to the key, the answer or the ends of the function; gives what the slots of its
-    /// value may hold.
+    /// Runs code up to the key, the answer or the ends of the function; returns the nodes that the
+    /// slots of its value may hold.
     fn follow(&mut self, code: &Code, start: usize, state: State) -> Result<Vec<Nodes>, Unbounded> {
         let insts = &code.insts;
         let targets: Vec<Option<usize>> = insts.iter().map(|inst| inst.target()).collect();
@@ -180,7 +180,7 @@ impl<'c> Reads<'c> {
                 *is_target = true;
             }
         }
-        // The states at the targets of jumps.
+        // The state before each target of a jump.
         let mut before: Vec<Option<State>> = vec![None; insts.len()];
         let mut value: Vec<Nodes> = Vec::new();
         let mut open = Vec::new();
@@ -225,7 +225,8 @@ impl<'c> Reads<'c> {
         Ok(value)
     }
 
-    /// The nodes that a register may hold. What the key has not set is a variable of the script.
+    /// The nodes that a register may hold. A register that the key has not set is a variable of the
+    /// script.
     pub(super) fn nodes(&mut self, state: &State, reg: Reg) -> Result<Nodes, Unbounded> {
         match state.0.get(&u32::from(reg.0)) {
             Some(nodes) => Ok(nodes.clone()),
@@ -237,7 +238,7 @@ impl<'c> Reads<'c> {
     }
 
     pub(super) fn buffered(&mut self, state: &State, buffer: u16) -> Result<Nodes, Unbounded> {
-        // A list that was made before the key.
+        // The buffer was filled before the key.
         state.buffer(buffer).cloned().ok_or(Unbounded::WholeMesh)
     }
 
@@ -292,7 +293,7 @@ impl<'c> Reads<'c> {
                 state.set(at, self.orbit(&from, walk)?);
                 state.set(turns, Nodes::new());
             }
-            // It stays on the orbit.
+            // The position stays on the orbit.
             Inst::WalkNext { .. } => {}
             Inst::Meets { walk, from, .. } => {
                 let from = self.nodes(state, from)?;
@@ -338,7 +339,7 @@ impl<'c> Reads<'c> {
                     state.set(Reg(to.0.wrapping_add(part)), nodes);
                 }
             }
-            // Which vertices are joined counts as well.
+            // The result also depends on which vertices are adjacent.
             Inst::CollectEars { .. }
             | Inst::Capacity { .. }
             | Inst::NextLiving { .. }
@@ -360,7 +361,8 @@ impl<'c> Reads<'c> {
             | Inst::PreviewStoreSpan { .. }
             | Inst::Foresee { .. }
             | Inst::ForeseeAlong { .. } => self.look_ahead(inst, state)?,
-            // Values that are no elements; tests of them; a line that is not printed.
+            // Values that are not elements; tests of such values; printing, which has no effect
+            // here.
             #[rustfmt::skip]
             computation!() | Inst::NextIndex { .. } | Inst::BufferLength { .. }
             | Inst::Turn { .. } | Inst::ExpectEqual { .. } | Inst::ExpectDistinct { .. }
@@ -370,9 +372,9 @@ impl<'c> Reads<'c> {
             | Inst::PrintInt { .. } | Inst::PrintReal { .. } | Inst::PrintVec { .. }
             | Inst::PrintWide { .. } | Inst::PrintElement { .. } | Inst::BufferFree { .. }
             | Inst::Keep { .. } => {}
-            // Whoever drains still needs ids, so nothing is freed.
+            // The drain still holds ids, so nothing is recycled.
             Inst::Recycle => {}
-            // What neither a key nor an operation that is asked has business with.
+            // Instructions that occur neither in a key nor in an operation up to its first write.
             #[rustfmt::skip]
             Inst::Refuse | Inst::Return { .. } | Inst::NewVertex { .. } | Inst::NewHalfedge { .. }
             | Inst::NewEdge { .. } | Inst::NewFace { .. } | Inst::Store { .. }

@@ -1,9 +1,9 @@
-//! Reads of the preview that guards look at.
+//! Reads of the preview that guards query.
 //!
-//! A pointer of the preview is one that the operation would set, or that of the mesh. What it would
-//! set is not followed for each element alone: of any element it may be any value that is set for
-//! that pointer. So the halfedges of an orbit of the preview lie in the orbits of the mesh in which
-//! the walk begins, or to which such a value leads.
+//! A pointer of the preview has the value that the operation would set, or that of the mesh. The
+//! values that would be set are not tracked per element: a pointer of any element may have any
+//! value that is set for that pointer. So the halfedges of an orbit of the preview are in the
+//! orbits of the mesh in which the walk begins, or to which such a value leads.
 
 use super::paths::{Fields, Node, Unbounded};
 use super::reads::{Nodes, Reads, State, unite};
@@ -11,7 +11,7 @@ use super::{ElementField, HalfedgeField, Inst, Walk};
 use crate::mesh::OrbitCondition;
 use HalfedgeField::{Face, Next, Prev, Twin, Vertex};
 
-/// The number of a pointer of a halfedge, and of the `halfedge` of another element.
+/// The number of a pointer of a halfedge in the preview.
 fn pointer(field: HalfedgeField) -> u32 {
     field as u32
 }
@@ -21,7 +21,7 @@ fn first(of: ElementField) -> u32 {
 }
 
 impl Reads<'_> {
-    /// Notes what would be set, and what a question about that reads.
+    /// Notes the values that would be set, and the reads of a question about the result.
     pub(super) fn look_ahead(&mut self, inst: &Inst, state: &mut State) -> Result<(), Unbounded> {
         match *inst {
             Inst::PreviewClear => state.clear_preview(),
@@ -121,7 +121,7 @@ impl Reads<'_> {
         Ok(reached)
     }
 
-    /// The halfedges of the loops of faces, and that it is read where they start.
+    /// The halfedges of the loops of faces; their origins are noted as read.
     fn loop_ahead(&mut self, state: &State, faces: &[Node]) -> Result<Nodes, Unbounded> {
         let mut starts = self.first_ahead(state, faces, ElementField::Face)?;
         unite(&mut starts, &state.foreseen(pointer(Next)));
@@ -130,7 +130,7 @@ impl Reads<'_> {
         Ok(sides)
     }
 
-    /// The spokes of vertices and the faces there, and that it is read where the spokes end.
+    /// The spokes of vertices and the faces there; the ends of the spokes are noted as read.
     fn star_ahead(
         &mut self,
         state: &State,
@@ -138,7 +138,7 @@ impl Reads<'_> {
     ) -> Result<(Nodes, Nodes), Unbounded> {
         let set_before = state.foreseen(pointer(Prev));
         let mut starts = self.first_ahead(state, vertices, ElementField::Vertex)?;
-        // All twins that would be set are among them.
+        // This includes all twins that would be set.
         unite(&mut starts, &self.load_ahead(state, &set_before, Twin)?);
         let spokes = self.orbit(&starts, Walk::Star)?;
         let before = self.load_ahead(state, &spokes, Prev)?;

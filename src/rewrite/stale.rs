@@ -1,8 +1,8 @@
-//! Elements of which something is to be computed anew.
+//! Elements with something that has to be recomputed.
 
 use std::hint::black_box;
 
-/// A stack of numbers, none of which stands in it twice.
+/// A stack of numbers without duplicates.
 #[derive(Debug, Default)]
 pub(super) struct Stale {
     all: Vec<u32>,
@@ -26,7 +26,7 @@ impl Stale {
         Some(id)
     }
 
-    /// Reads what is known of an element, so that it is at hand later.
+    /// Reads the entry of an element, so that it is in the cache later.
     #[inline]
     pub(super) fn touch(&self, id: u32) {
         black_box(self.is_in.get(id as usize).copied());

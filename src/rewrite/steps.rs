@@ -1,23 +1,23 @@
 //! Operations in steps: they call others, all or nothing.
 //!
-//! The effects of a step are undone if a later one refuses, or if at the end the mesh is not of
-//! the level that it was: a journal of the mesh knows what was written, so both cost no more
-//! than the steps did.
+//! The effects of a step are undone if a later one refuses, or if the mesh does not have its level
+//! at the end: a journal of the mesh has recorded the writes, so both cost no more than the steps
+//! did.
 
 use super::{Call, Machine, Message, Outcome, Plan, Trap, Watch};
 use crate::mesh::{BelowLevel, Mesh, validate_level_near};
 
-/// The additions to the plan of an operation in steps besides its code.
+/// The data that the plan of an operation in steps has in addition.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Steps {
-    /// The operations that it calls, by number. The refusals of each stand among its own, from
-    /// a number on.
+    /// The operations that it calls, each with its number and the number that its first refusal has
+    /// among those of the caller.
     pub calls: Vec<(u16, u16)>,
-    /// The number of the first of the refusals that [`BELOW`] tells, in that order.
+    /// The number of the first of the refusals in [`BELOW`], which are in that order.
     pub below: u16,
 }
 
-/// The reason why a mesh is not of its level any more.
+/// The reasons why a mesh no longer has its level.
 pub const BELOW: [&str; 10] = [
     "the mesh would be broken",
     "a face or hole would have fewer than three sides",
@@ -48,7 +48,7 @@ fn place(below: &BelowLevel) -> u16 {
 }
 
 impl Steps {
-    /// The refusal of an operation that it calls, as its own.
+    /// The number among its own refusals of a refusal of an operation that it calls.
     pub(super) fn refusal_of(&self, op: u16, reason: Option<u16>) -> Option<u16> {
         let called = self.calls.iter().find(|(called, _)| *called == op);
         called.zip(reason).map(|((_, first), reason)| first.saturating_add(reason))
@@ -56,7 +56,7 @@ impl Steps {
 }
 
 impl Machine {
-    /// Runs the code of an operation; if it is one in steps, all of it or nothing.
+    /// Runs the code of an operation; an operation in steps is applied all or nothing.
     pub(super) fn carry_out<const OBSERVED: bool>(
         &mut self,
         mesh: &mut Mesh,
@@ -81,7 +81,7 @@ impl Machine {
         call: Call<'_>,
         watch: &mut dyn Watch,
     ) -> Result<Outcome, Trap> {
-        // Steps that call each other can take long without a loop.
+        // Operations in steps that call each other can run for long without a loop.
         if self.progress.tick(watch).is_break() {
             return Err(Trap::new(Message::Interrupted));
         }
@@ -100,7 +100,7 @@ impl Machine {
             let reason = Some(steps.below.saturating_add(place(&below)));
             outcome = Ok(Outcome::Refused { reason });
         }
-        // Within, other levels may have been passed, and loops been left.
+        // The steps may have changed the known level, and left drains and calls open.
         (self.known, self.holding) = (known, holding);
         self.drains.leave(drains);
         if let Ok(Outcome::Applied { .. }) = outcome {

@@ -1,18 +1,18 @@
-//! Reasons why a run could not go on, and the places.
+//! Traps: the reasons why a run could not continue, and where.
 //!
-//! A trap names places by number; whoever made the code knows the spans. It is not a
-//! refusal: that is an answer, and the run goes on.
+//! A trap refers to places by number; the compiler of the code has their spans. A trap is not a
+//! refusal: a refusal is an answer, and the run continues.
 
 use std::fmt;
 
 use crate::mesh::{ElementKind, Level};
 
-/// A run that could not go on.
+/// The end of a run that could not continue.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Trap {
     /// The reason.
     pub message: Message,
-    /// The places: the innermost call first.
+    /// The call stack, the innermost call first.
     pub trace: Vec<Site>,
 }
 
@@ -23,77 +23,77 @@ pub struct Site {
     pub op: Option<u16>,
     /// The number of the function that ran, in that code; `None` for the code itself.
     pub function: Option<u16>,
-    /// The place of the instruction, if it has one.
+    /// The number of the instruction's place in the source, if it has one.
     pub place: Option<u32>,
 }
 
-/// The reason why a run could not go on.
+/// The reason why a run could not continue.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Message {
     /// The element has been erased, or never was.
     Gone(ElementKind),
-    /// There is none: what an isolated vertex answers when asked for its halfedge.
+    /// There is no element, as for the halfedge of an isolated vertex.
     Missing(ElementKind),
     /// An int is divided by zero.
     DivisionByZero,
     /// An int is out of range.
     IntOverflow,
-    /// A random int is wanted from 0 up to no more than 0.
+    /// The bound of a random int is not positive.
     NothingToChoose,
-    /// What has no nearest int is rounded.
+    /// NaN is rounded to an int.
     RoundsNaN,
-    /// A position would get a component that is no number.
+    /// A position would get a component that is not finite.
     NotFinite,
-    /// The key of a drained element is not a number.
+    /// The key of an element of a drain is NaN.
     KeyNotANumber,
     /// All ids of a kind are in use.
     NoRoom(ElementKind),
-    /// The mesh and the lists would take more memory than so many bytes.
+    /// The mesh and the lists would take more memory than this limit in bytes.
     NoMemory(usize),
-    /// A pointer would be set to what is no element.
+    /// A pointer would be set to a number that is not an element.
     WildPointer(ElementKind),
     /// A list has no such entry.
     OutOfRange,
-    /// A walk does not come to its end: only a broken mesh does this.
+    /// A walk does not end, which happens on a broken mesh only.
     Endless,
-    /// The words of the program itself.
+    /// The program's own text.
     Said(String),
     /// An assertion does not hold.
     Asserted {
-        /// The words of the program.
+        /// The program's text.
         said: String,
-        /// The values that were compared, in words; perhaps nothing.
+        /// The values that were compared, as text; may be empty.
         values: String,
     },
-    /// An op refused that must not.
+    /// An op refused although the script said `must`.
     Refused {
-        /// Its name.
+        /// The name of the op.
         op: String,
-        /// Its reason.
+        /// The reason of the refusal.
         reason: String,
     },
     /// An op with a guard is called on a mesh that is not of its level.
     BelowLevel {
-        /// Its name.
+        /// The name of the op.
         op: String,
-        /// The level.
+        /// The level that the op expects.
         level: Level,
-        /// The fault of the mesh.
+        /// The way in which the mesh violates the level.
         why: String,
-        /// The op applied last that may have made it so.
+        /// The op applied last that may have lowered the level.
         after: Option<String>,
     },
     /// An op without a plan is called.
     Unproved,
     /// Calls are nested too deeply.
     TooDeep,
-    /// The watcher said so.
+    /// The watcher interrupted the run.
     Interrupted,
-    /// The code names a buffer or text that it does not have.
+    /// The code refers to a buffer, text or other item that it does not have.
     Malformed,
 }
 
-/// The reason why an instruction could not be taken. Instructions tell it on every way, so it is
+/// The reason why an instruction failed. Every instruction returns it in its result, so it is
 /// small.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Fault {

@@ -1,27 +1,27 @@
 //! Vectors and matrices of any width.
 //!
-//! Vectors of three components have instructions of their own; what stands here serves
-//! all others. Matrices are square and lie column by column.
+//! Vectors of three components have instructions of their own; this file serves all others.
+//! Matrices are square and stored column by column.
 
 use glam::{DMat3, DMat4, DVec3, DVec4};
 
 use super::Reg;
 use super::window::Window;
 
-/// Computations component by component, or of all components of one or two values.
+/// Computations component by component, or over all components of one or two values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Lanes {
     Add,
     Subtract,
     Multiply,
-    /// By the real on the right.
+    /// Multiplies by the real on the right.
     Scale,
     Divide,
     /// A bool: whether all components are equal.
     Equal,
     /// A real: the sum of the products.
     Dot,
-    /// The left value divided by its length; zero if there is none.
+    /// The left value divided by its length; zero if that is zero or not finite.
     Normalize,
     /// A bool: whether any component of the left value is not a number.
     IsNan,
@@ -32,21 +32,21 @@ pub enum Lanes {
 /// Computations of matrices.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Matrix {
-    /// The real on the left along the diagonal, zero elsewhere.
+    /// The real on the left on the diagonal, zero elsewhere.
     Diagonal,
-    /// Of a matrix with one more row and column: without the last ones.
+    /// The left matrix, which has one more row and column, without the last ones.
     UpperLeft,
-    /// Of two vectors: the left as a column times the right as a row.
+    /// The left vector as a column times the right one as a row.
     Outer,
     Transpose,
     Multiply,
-    /// A matrix on the left by a vector on the right.
+    /// The product of the matrix on the left and the vector on the right.
     Transform,
     Determinant,
-    /// Not a number everywhere if the matrix is singular, as [`Matrix::Solve`] says.
+    /// The inverse; NaN everywhere if the matrix is singular, as for [`Matrix::Solve`].
     Inverse,
-    /// The vector that the matrix on the left takes to the vector on the right; not a
-    /// number everywhere if the matrix is singular.
+    /// The vector that the matrix on the left maps to the vector on the right; NaN everywhere if
+    /// the matrix is singular.
     Solve,
 }
 
@@ -58,7 +58,7 @@ fn set_real(w: &mut Window, to: Reg, part: usize, value: f64) {
     w.set_real(Reg(to.0.wrapping_add(part as u16)), value);
 }
 
-/// Copies so many slots; they may overlap.
+/// Copies `width` slots; they may overlap.
 #[inline]
 pub(super) fn copy(w: &mut Window, to: Reg, from: Reg, width: u8) {
     let move_one = |w: &mut Window, part: u16| {
@@ -114,7 +114,8 @@ pub(super) fn lanes(w: &mut Window, operation: Lanes, width: u8, [to, left, righ
     }
 }
 
-/// Scaled first: the square of a small length is zero, that of a large one infinite.
+/// Divides a value by its length. It is scaled first: the square of a small length is zero, that of
+/// a large one infinite.
 fn normalize(w: &mut Window, to: Reg, from: Reg, width: usize) {
     let parts = (0..width).map(|part| real(w, from, part));
     let largest = parts.clone().fold(0.0, |most: f64, part| most.max(part.abs()));
@@ -129,7 +130,7 @@ fn normalize(w: &mut Window, to: Reg, from: Reg, width: usize) {
     }
 }
 
-/// Writes what is computed of matrices and vectors of one size.
+/// Defines the function that computes with matrices and vectors of one size.
 macro_rules! matrices {
     ($name:ident, $matrix:ident, $vector:ident, $size:literal) => {
         fn $name(w: &mut Window, operation: Matrix, [to, left, right]: [Reg; 3]) {
@@ -184,10 +185,10 @@ fn reals<const N: usize>(w: &Window, from: Reg) -> [f64; N] {
     std::array::from_fn(|part| real(w, from, part))
 }
 
-/// Solves for several right sides at once by Gaussian elimination with partial pivoting
-/// (Golub and Van Loan, Matrix Computations, 1996, section 3.4), which loses less than
-/// an inverse by cofactors. A matrix is singular if a pivot is lost in rounding: no larger
-/// than the number of rows times the rounding of the largest entry.
+/// Solves for several right sides at once by Gaussian elimination with partial pivoting (Golub and
+/// Van Loan, Matrix Computations, 1996, section 3.4), which loses less precision than an inverse by
+/// cofactors. A matrix is singular if a pivot is lost in rounding: no larger than the number of
+/// rows times the machine epsilon times the largest entry.
 pub fn eliminate<const N: usize, const M: usize>(
     mut a: [[f64; N]; N],
     mut b: [[f64; N]; M],
@@ -197,7 +198,8 @@ pub fn eliminate<const N: usize, const M: usize>(
     for k in 0..N {
         let mut pivot = k;
         for row in k + 1..N {
-            // Of equal ones the last; what is not a number ends it below.
+            // Of equal candidates the last one is chosen; a NaN is chosen too, and fails the test
+            // below.
             if a[k][row].abs() >= a[k][pivot].abs() || a[k][row].is_nan() {
                 pivot = row;
             }

@@ -3,47 +3,51 @@
 use std::ops::ControlFlow;
 use std::time::Duration;
 
-/// The number of turns of loops between two looks.
+/// The number of turns of loops between two calls of the watcher.
 pub(super) const TURNS_PER_LOOK: u32 = 256;
 
-/// The fewest slots for which to list their elements takes as long as the turns between two looks.
+/// The number of slots from which listing their elements takes about as long as the turns between
+/// two calls of the watcher.
 pub(super) const LONG_LIST: usize = 10_000;
 
-/// The number of nested loops that a look shows.
+/// The number of nested loops whose progress is reported.
 pub(super) const DEPTHS: usize = 8;
 
-/// Looks on while code runs: sees how far its loops are, may interrupt it, gets what it
-/// prints.
+/// An observer of running code: it is told the progress of loops, may interrupt the run, and gets
+/// the printed lines.
 pub trait Watch {
-    /// The loop at `depth`, 0 the outermost, has done so many turns; of so many, if that
-    /// is known. Called for all running loops now and then, the outermost first.
+    /// Reports that the loop at `depth`, 0 for the outermost, has done `done` turns; of `total`, if
+    /// that is known. Called for all running loops now and then, the outermost first.
     fn turn(&mut self, _depth: u16, _done: u64, _total: Option<u64>) -> ControlFlow<()> {
         ControlFlow::Continue(())
     }
 
-    /// An aggregate over the whole mesh is at work. Called now and then.
+    /// Reports that code of unknown progress, such as an aggregate over the whole mesh, is running.
+    /// Called now and then.
     fn tick(&mut self) -> ControlFlow<()> {
         ControlFlow::Continue(())
     }
 
-    /// True if it wants to know of each operation that is applied; asked at the start of a run.
+    /// Whether [`applied`](Self::applied) is to be called for each operation; asked at the start of
+    /// a run.
     fn follows_operations(&self) -> bool {
         false
     }
 
-    /// A script has applied the operation of this number, and goes on; told to who follows them.
+    /// Reports that a script has applied the operation with this number, if the watcher [follows
+    /// operations](Self::follows_operations).
     fn applied(&mut self, _op: u16) -> ControlFlow<()> {
         ControlFlow::Continue(())
     }
 
-    /// The run is over, and native code has taken so long to compile meanwhile.
+    /// Reports, at the end of a run, the time spent on compiling native code.
     fn compiled(&mut self, _time: Duration) {}
 
-    /// A line, without its end.
+    /// Gets a printed line, without its end.
     fn print(&mut self, _line: &str) {}
 }
 
-/// Nobody looks on.
+/// A watcher that ignores everything.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Unwatched;
 
@@ -57,7 +61,7 @@ pub(super) struct Progress {
     pub(super) loops: [Loop; DEPTHS],
 }
 
-/// How far a loop is: of so many turns, if that is no less than 0.
+/// The progress of a loop; `total` is negative if it is not known.
 #[derive(Clone, Copy, Debug, Default)]
 #[repr(C)]
 pub(super) struct Loop {
@@ -80,7 +84,7 @@ impl Progress {
         self.look_at_turn(watch, depth)
     }
 
-    /// One turn of a loop of which it is known how far it is.
+    /// Counts a turn of a loop whose progress is already stored.
     #[inline]
     pub(super) fn look_at_turn(&mut self, watch: &mut dyn Watch, depth: u16) -> ControlFlow<()> {
         self.turns = self.turns.wrapping_add(1);
@@ -90,7 +94,7 @@ impl Progress {
         }
     }
 
-    /// True if the last turn was one to look at.
+    /// Whether the watcher was called at the last turn.
     #[inline]
     pub(super) fn has_looked(&self) -> bool {
         self.turns.is_multiple_of(TURNS_PER_LOOK)
@@ -105,7 +109,7 @@ impl Progress {
         }
     }
 
-    /// Shows how far a loop is that several threads take: so many turns of so many.
+    /// Reports the progress of a loop that several threads run.
     #[cfg_attr(not(feature = "native"), expect(dead_code))]
     pub(super) fn show(
         &mut self,

@@ -1,21 +1,21 @@
 //! The registers of one call, read and written by type.
 //!
-//! A window always has as many slots as a [`Reg`] can name, whatever its code says it
-//! needs: no register is ever out of range, and the compiler knows it.
+//! A window always has as many slots as a [`Reg`] can address, whatever number its code declares:
+//! no register is ever out of range, and rustc knows it.
 
 use glam::DVec3;
 
 use super::Reg;
 
-/// The number of slots that a register can name.
+/// The number of slots that a register can address.
 pub(super) const SLOTS: usize = 1 << 16;
 
-/// The slots from the base of a call on. What lies behind its own registers belongs to
-/// the calls it makes.
+/// The slots from the base of a call on. Those behind its own registers belong to the calls that it
+/// makes.
 pub(super) struct Window<'a>(&'a mut [u64; SLOTS]);
 
 impl<'a> Window<'a> {
-    /// `None` if the stack is too short; [`reserve`] makes room.
+    /// The window at a base; `None` if the stack is too short; [`reserve`] makes room.
     #[inline]
     pub(super) fn at(stack: &'a mut [u64], base: usize) -> Option<Self> {
         stack.get_mut(base..)?.first_chunk_mut().map(Self)

@@ -1,4 +1,4 @@
-//! In place of native code where it is not built in: the machine runs everything.
+//! A replacement for native code where it is not built in: the machine runs everything.
 
 use super::dispatch::Place;
 use super::{Call, Function, Machine, Outcome, Trap, Watch};
@@ -62,7 +62,7 @@ impl Machine {
         Err(Trap::new(super::Message::Malformed).through(caller, inst))
     }
 
-    /// No loop is spread.
+    /// Does nothing: loops are not spread over threads.
     pub(super) fn spread(
         &mut self,
         _mesh: &mut Mesh,

@@ -1,10 +1,10 @@
-//! Arguments of a call, by order or by name.
+//! Arguments of a call, by position or by name.
 
 use crate::diagnostic::Diagnostic;
 use crate::run::{Argument, Prepared};
 
-/// Arguments of a call: nothing `()`, one value, a tuple of values in the order of the parameters,
-/// or names with values. What is not given takes its default.
+/// The arguments of a call: none (`()`), one value, a tuple of values in the order of the
+/// parameters, or names with values. Parameters without an argument take their defaults.
 ///
 /// ```
 /// # use hedgerow::{Argument, Program, Session};
@@ -23,11 +23,11 @@ use crate::run::{Argument, Prepared};
 /// # }
 /// ```
 pub trait Arguments {
-    /// Gives them, one by one.
+    /// Passes the arguments to `to`, one by one.
     fn give(self, to: &mut Given<'_>);
 }
 
-/// The arguments as given.
+/// The arguments given so far.
 pub struct Given<'g> {
     takes: &'g Prepared,
     values: &'g mut Vec<Option<Argument>>,
@@ -36,19 +36,19 @@ pub struct Given<'g> {
 }
 
 impl<'g> Given<'g> {
-    /// Nothing yet.
+    /// No arguments yet.
     pub(super) fn new(takes: &'g Prepared, values: &'g mut Vec<Option<Argument>>) -> Self {
         values.clear();
         values.resize(takes.params().len(), None);
         Self { takes, values, next: 0, error: None }
     }
 
-    /// The first mistake.
+    /// Ends the list; fails with the first error, if there was one.
     pub(super) fn end(self) -> Result<(), Diagnostic> {
         self.error.map_or(Ok(()), Err)
     }
 
-    /// The value of the next parameter.
+    /// Gives the next parameter a value.
     pub fn next(&mut self, value: impl Into<Argument>) {
         match self.values.get_mut(self.next) {
             Some(place) => *place = Some(value.into()),
@@ -60,7 +60,7 @@ impl<'g> Given<'g> {
         self.next += 1;
     }
 
-    /// The value of the parameter of a name.
+    /// Gives the parameter with the given name a value.
     pub fn named(&mut self, name: &str, value: impl Into<Argument>) {
         if let Err(error) = self.takes.give(name, value.into(), self.values) {
             self.error.get_or_insert(error);

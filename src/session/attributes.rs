@@ -1,17 +1,18 @@
-//! Attributes and positions as arrays, from outside.
+//! Setting attributes and positions from arrays.
 //!
-//! They change no pointers, so that the level of the mesh stays known.
+//! Neither changes pointers, so the level of the mesh stays known.
 
 use super::{Error, Session};
 use crate::mesh::{AttributeType, ColumnData, ElementKind, Value, glam::DVec3};
 
 impl Session {
-    /// Gives an attribute its values, one for each slot of a kind, living or dead. If there is none
-    /// of that name, it is added; new elements have zero then, until a program says otherwise.
+    /// Sets the values of an attribute, one for each slot of a kind, alive or dead. If there is no
+    /// attribute of that name, it is added; its default for new elements is then zero, until a
+    /// program declares another.
     ///
     /// # Errors
-    /// There are too many values or too few (`wrong-argument`), or there is an attribute of that
-    /// name with values of another type (`attribute-conflict`). Nothing has changed.
+    /// The number of values is not that of the slots (`wrong-argument`), or there is an attribute
+    /// of that name with values of another type (`attribute-conflict`). Nothing has changed.
     pub fn set_attribute(
         &mut self,
         kind: ElementKind,
@@ -32,7 +33,7 @@ impl Session {
         Ok(())
     }
 
-    /// Takes an attribute away; whether there was one of that name.
+    /// Removes an attribute. Returns whether there was one of that name.
     pub fn remove_attribute(&mut self, kind: ElementKind, name: &str) -> bool {
         let Some(column) = self.mesh.find_column(kind, name) else {
             return false;
@@ -43,11 +44,12 @@ impl Session {
         true
     }
 
-    /// Gives all slots of vertices, living or dead, a position.
+    /// Sets the positions of all vertices from one position for each slot; those of dead slots are
+    /// ignored.
     ///
     /// # Errors
-    /// There are too many positions or too few, or that of a living vertex is not finite
-    /// (`wrong-argument`). Nothing has changed.
+    /// The number of positions is not that of the slots, or the position of a living vertex is not
+    /// finite (`wrong-argument`). Nothing has changed.
     pub fn set_positions(&mut self, positions: &[DVec3]) -> Result<(), Error> {
         let slots = self.mesh.capacity(ElementKind::Vertex);
         if positions.len() != slots {
@@ -80,7 +82,7 @@ impl Session {
     }
 }
 
-/// The value of new elements in an attribute of which no program says.
+/// The default for new elements of an attribute that no program declares.
 fn zero(ty: AttributeType) -> Value {
     match ty {
         AttributeType::Bool => Value::Bool(false),

@@ -1,17 +1,17 @@
-//! The engine: what calls of one program need besides the mesh, kept from call to call.
+//! The engine: what calls of one program need besides the mesh, kept between calls.
 
 use super::Program;
 use crate::mesh::{ColumnId, Mesh};
 use crate::rewrite::Machine;
 use crate::run::Columns;
 
-/// A machine for a program, and where on the mesh the attributes of that lie.
+/// A machine for a program, and the columns of its attributes on the mesh.
 pub(super) struct Engine {
     pub(super) program: Program,
     pub(super) machine: Machine,
-    /// The columns of the attributes in the mesh, by number.
+    /// The columns of the attributes in the mesh, by attribute number.
     pub(super) columns: Vec<Option<ColumnId>>,
-    /// By number whether the columns of an operation, a script or a function are on the mesh.
+    /// Whether the columns of each operation, script or function are on the mesh, by its number.
     pub(super) bound_ops: Vec<bool>,
     pub(super) bound_scripts: Vec<bool>,
     pub(super) bound_functions: Vec<bool>,
@@ -30,7 +30,7 @@ impl Engine {
         }
     }
 
-    /// The columns are to be looked for anew.
+    /// Forgets the columns, which must be looked up again.
     pub(super) fn unbind(&mut self) {
         self.bound_ops.fill(false);
         self.bound_scripts.fill(false);
@@ -38,7 +38,7 @@ impl Engine {
         self.columns.fill(None);
     }
 
-    /// Takes the scratch attributes of the program off a mesh.
+    /// Removes the scratch attributes of the program from a mesh.
     pub(super) fn release(&self, mesh: &mut Mesh) {
         let parts = &self.program.0;
         let ops = parts.applications.iter().filter_map(|op| op.get()?.as_ref().ok());

@@ -1,4 +1,4 @@
-//! Errors, with the texts to show them.
+//! Errors, with the source texts to show them.
 
 use std::fmt;
 use std::sync::Arc;
@@ -15,8 +15,8 @@ pub(super) const NOWHERE: Span = Span { file: FileId(u32::MAX), start: 0, end: 0
 
 /// The reason why a program cannot be used, or a call was not carried out.
 ///
-/// Shown as text it is what the command line prints, with the places in the program. It is no
-/// refusal: that is an answer.
+/// Its text is what the command line prints, with the places in the program. A refusal is not an
+/// error: it is a regular outcome.
 #[derive(Clone)]
 pub struct Error(Box<Parts>);
 
@@ -28,22 +28,22 @@ struct Parts {
 }
 
 impl Error {
-    /// At least one diagnostic, about these texts.
+    /// An error of at least one diagnostic about these texts.
     pub(super) fn new(diagnostics: Vec<Diagnostic>, sources: &Arc<Sources>) -> Self {
         Self(Box::new(Parts { diagnostics, sources: Arc::clone(sources), report: None }))
     }
 
-    /// One diagnostic.
+    /// An error of one diagnostic.
     pub(super) fn one(diagnostic: Diagnostic, sources: &Arc<Sources>) -> Self {
         Self::new(vec![diagnostic], sources)
     }
 
-    /// One without a place.
+    /// An error of one diagnostic without a place.
     pub(super) fn nowhere(code: &'static str, message: String, sources: &Arc<Sources>) -> Self {
         Self::one(Diagnostic::error(code, message, NOWHERE), sources)
     }
 
-    /// A script that did not come to its end.
+    /// The failure of a script, with its report.
     pub(super) fn failure(failure: Failure, sources: &Arc<Sources>) -> Self {
         let mut error = Self::one(failure.diagnostic, sources);
         error.0.report = Some(failure.report);
@@ -55,12 +55,12 @@ impl Error {
         &self.0.diagnostics
     }
 
-    /// The texts that the diagnostics point into.
+    /// The texts that the diagnostics refer to.
     pub fn sources(&self) -> &Sources {
         &self.0.sources
     }
 
-    /// The stable code of the first diagnostic, in kebab case; `hedgerow explain` tells more.
+    /// The stable code of the first diagnostic, in kebab case; `hedgerow explain` describes it.
     pub fn code(&self) -> &'static str {
         self.0.diagnostics.first().map_or("", |first| first.code)
     }
@@ -70,7 +70,7 @@ impl Error {
         self.0.diagnostics.first().map_or("", |first| &first.message)
     }
 
-    /// The report of a script up to its failure; `None` of other errors.
+    /// The report of a script up to its failure; `None` for other errors.
     pub fn report(&self) -> Option<&Report> {
         self.0.report.as_ref()
     }

@@ -1,4 +1,4 @@
-//! Operations and scripts of a program, to be called.
+//! Operations, scripts and functions of a program, to be called.
 
 use std::fmt;
 use std::sync::Arc;
@@ -13,7 +13,7 @@ use crate::run::{Application, Prepared, UNKNOWN_REASON, prepare, prepare_functio
 
 pub(super) type ApplicationOrError = Result<Application, Diagnostic>;
 
-/// An operation of a program: applied whole, or not at all.
+/// An operation of a program: it is applied completely or not at all.
 #[derive(Clone)]
 pub struct Op {
     pub(super) program: Program,
@@ -117,7 +117,7 @@ impl Op {
         self.index == other.index && self.program.is(&other.program)
     }
 
-    /// The levels, of those that are more than a map, that a mesh keeps.
+    /// The levels above a map that the operation preserves.
     pub fn keeps(&self) -> &[Level] {
         self.application().map_or(&[], |application| &application.plan().keeps)
     }
@@ -133,13 +133,13 @@ impl Op {
         self.application().ok()?.plan().result
     }
 
-    /// The level of the meshes that it is for.
+    /// The level that a mesh must have.
     pub fn level(&self) -> Level {
         self.application().map_or(Level::Map, |application| application.plan().level)
     }
 
-    /// The reasons why it may refuse. The place is the number of the reason; different numbers may
-    /// have the same text, where different tests fail.
+    /// The reasons why it may refuse, by number. Different numbers may have the same text, where
+    /// different tests fail.
     pub fn reasons(&self) -> &[Arc<str>] {
         self.program.0.reasons[self.index].get_or_init(|| {
             let plan = self.application().map(Application::plan);
@@ -158,7 +158,7 @@ impl Script {
         made.as_ref().map_err(|errors| Error::new(errors.clone(), &parts.sources))
     }
 
-    /// Puts its scratch attributes on a mesh back to their defaults.
+    /// Resets its scratch attributes on a mesh to their defaults.
     #[cfg(feature = "play")]
     pub(crate) fn clear_scratch(&self, mesh: &mut crate::mesh::Mesh) {
         if let Ok(prepared) = self.prepared() {
@@ -186,7 +186,7 @@ impl Function {
         &self.item().docs
     }
 
-    /// The type of its value as the language writes it, if it gives one.
+    /// The type of its value as the language writes it, if it returns one.
     pub fn result(&self) -> Option<&'static str> {
         self.result_type().map(Type::word)
     }

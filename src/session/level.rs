@@ -1,7 +1,7 @@
 //! The level that a mesh is known to have.
 //!
-//! To find it out takes a look at the whole mesh; what operations keep is known of each, so one
-//! look is enough for any number of calls.
+//! Finding it requires a pass over the whole mesh; the levels that each operation preserves are
+//! known, so one pass suffices for any number of calls.
 
 use crate::mesh::{Level, Mesh};
 use crate::run::highest_between;
@@ -9,23 +9,23 @@ use crate::run::highest_between;
 /// The level that a mesh is known to have.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Known {
-    /// It surely has this one.
+    /// The mesh certainly has this level.
     has: Level,
-    /// It surely has not this one.
+    /// The mesh certainly lacks this level.
     lacks: Option<Level>,
 }
 
 impl Known {
-    /// Nothing is known, but that it is a mesh.
+    /// Nothing is known except that it is a mesh.
     pub(super) const NOTHING: Self = Self { has: Level::Map, lacks: None };
 
-    /// The level that it surely has.
+    /// The level that it certainly has.
     pub(super) fn level(&self) -> Level {
         self.has
     }
 
-    /// The level that it surely has, after a look at the mesh if that may be lower than what is
-    /// wanted.
+    /// The level that it certainly has, after a check of the mesh if the known level is below
+    /// `wanted`.
     pub(super) fn seek(&mut self, wanted: Level, mesh: &Mesh) -> Level {
         let open = |level: &Level| {
             self.has < *level && *level <= wanted && self.lacks.is_none_or(|lacks| *level < lacks)
@@ -39,7 +39,7 @@ impl Known {
         self.has
     }
 
-    /// Something was done that leaves at least this level.
+    /// Records a change after which the mesh has at least this level.
     pub(super) fn leave(&mut self, level: Level) {
         *self = Self { has: level, lacks: None };
     }

@@ -1,14 +1,14 @@
-//! Undoing what was done since a mark.
+//! Undoing changes back to a mark.
 
 use super::level::Known;
 use super::{Error, Session};
 use crate::mesh::Bookmark;
 
-/// A state of the mesh that can be come back to.
+/// A state of the mesh that can be restored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Mark(u64);
 
-/// The marks of a session, the last one innermost.
+/// The open marks of a session, the innermost last.
 #[derive(Debug, Default)]
 pub(super) struct Marks {
     open: Vec<(Mark, Bookmark, Known)>,
@@ -16,8 +16,8 @@ pub(super) struct Marks {
 }
 
 impl Session {
-    /// Marks the state of the mesh. From now on what is written is noted, which takes time and
-    /// memory by what is written, until the mark is [undone](Self::undo) or [kept](Self::keep).
+    /// Marks the state of the mesh. From then on all writes are recorded, which takes time and
+    /// memory in proportion to them, until the mark is [undone](Self::undo) or [kept](Self::keep).
     pub fn mark(&mut self) -> Mark {
         self.marks.made += 1;
         let mark = Mark(self.marks.made);
@@ -25,26 +25,26 @@ impl Session {
         mark
     }
 
-    /// Makes the mesh what it was at a mark, bit for bit, and ends that and all later ones. Costs
-    /// what was written.
+    /// Restores the mesh to its state at a mark, bit for bit, and ends that mark and all later
+    /// ones. The cost is proportional to what was written.
     ///
     /// # Errors
-    /// The mark has ended, or is another session's (`unknown-mark`).
+    /// The mark has ended, or belongs to another session (`unknown-mark`).
     pub fn undo(&mut self, mark: Mark) -> Result<(), Error> {
         self.end(mark, |session, bookmark, known| {
             session.masks.note(&session.mesh, &bookmark);
             session.mesh.roll_back(bookmark);
             session.masks.shrink(&session.mesh);
             session.known = known;
-            // Columns may have come since.
+            // Columns may have been added since.
             session.engine.unbind();
         })
     }
 
-    /// Ends a mark and all later ones: what was written since stays.
+    /// Ends a mark and all later ones, and keeps what was written since.
     ///
     /// # Errors
-    /// As of [`undo`](Self::undo).
+    /// As for [`undo`](Self::undo).
     pub fn keep(&mut self, mark: Mark) -> Result<(), Error> {
         self.end(mark, |session, bookmark, _| session.mesh.keep(bookmark))
     }
@@ -66,8 +66,8 @@ impl Session {
         Ok(())
     }
 
-    /// Does several things, all or nothing: if they end with an error, or in a panic, the mesh is
-    /// what it was before.
+    /// Does several things, all or nothing: if they end in an error or a panic, the mesh is
+    /// restored to its state before.
     ///
     /// ```
     /// # use hedgerow::{Program, Session, mesh::shape};
@@ -88,7 +88,7 @@ impl Session {
     /// ```
     ///
     /// # Errors
-    /// Those of what is done.
+    /// The errors of `act`.
     pub fn attempt<T, E>(&mut self, act: impl FnOnce(&mut Self) -> Result<T, E>) -> Result<T, E> {
         let mark = self.mark();
         let mut trial = Trial { session: self, mark, fails: true };
@@ -98,7 +98,7 @@ impl Session {
     }
 }
 
-/// Something that is undone when it goes, unless it has not failed.
+/// A guard that undoes everything since its mark when dropped, or keeps it after a success.
 struct Trial<'s> {
     session: &'s mut Session,
     mark: Mark,
@@ -107,7 +107,7 @@ struct Trial<'s> {
 
 impl Drop for Trial<'_> {
     fn drop(&mut self) {
-        // Who has ended the mark himself has decided.
+        // If the caller has ended the mark itself, there is nothing left to do.
         let _ = match self.fails {
             true => self.session.undo(self.mark),
             false => self.session.keep(self.mark),

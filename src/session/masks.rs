@@ -1,4 +1,4 @@
-//! Masks that are kept current while operations change the mesh.
+//! Masks that are kept up to date while operations change the mesh.
 
 use super::questions::Free;
 use super::{Arguments, Error, Op, Session, Verdict};
@@ -21,12 +21,12 @@ pub(super) struct Masks {
 struct Kept {
     name: KeptMask,
     op: Op,
-    /// The arguments, without the one that is asked for all elements.
+    /// The arguments, without that for the parameter that ranges over all elements.
     values: Vec<Option<Argument>>,
     at: usize,
     kind: ElementKind,
     slot: usize,
-    /// The level that the mesh was known to have when the answers were given.
+    /// The level that the mesh was known to have when the verdicts were computed.
     level: Level,
     asked: Asked,
     verdicts: Vec<Verdict>,
@@ -38,29 +38,29 @@ impl Masks {
         !self.all.is_empty()
     }
 
-    /// Notes what was written since a mark; or, if that is about to be undone, that it was.
+    /// Notes what was written since a mark, also when that is about to be undone.
     pub(super) fn note(&mut self, mesh: &Mesh, mark: &Bookmark) {
         for kept in &mut self.all {
             mesh.each_written(mark, |written| kept.asked.note(mesh, written));
         }
     }
 
-    /// What was noted has been undone.
+    /// Adapts to a mesh whose noted writes have been undone.
     pub(super) fn shrink(&mut self, mesh: &Mesh) {
         self.all.iter_mut().for_each(|kept| kept.asked.shrink(mesh));
     }
 
-    /// The mesh may be any other from now on.
+    /// Forgets all verdicts: the mesh may have changed in any way.
     pub(super) fn forget(&mut self) {
         self.all.iter_mut().for_each(|kept| kept.asked.forget());
     }
 }
 
 impl Session {
-    /// Keeps a mask: at which elements an operation would be applied. What operations change later
-    /// is noted, and only what depends on it is asked again, where
-    /// [`kept_mask`](Self::kept_mask) or [`kept_verdicts`](Self::kept_verdicts) wants to know. After
-    /// a script that may change the mesh, and after changes by hand, all is asked anew.
+    /// Keeps a mask: the elements at which an operation would be applied. Later changes by
+    /// operations are noted, and only what depends on them is computed again when
+    /// [`kept_mask`](Self::kept_mask) or [`kept_verdicts`](Self::kept_verdicts) is called. After a
+    /// script that may change the mesh, and after changes by hand, everything is computed again.
     ///
     /// ```
     /// # use hedgerow::{Program, Session, mesh::shape};
@@ -79,7 +79,7 @@ impl Session {
     /// ```
     ///
     /// # Errors
-    /// As of [`mask`](Self::mask).
+    /// As for [`mask`](Self::mask).
     pub fn keep_mask(&mut self, op: &Op, arguments: impl Arguments) -> Result<KeptMask, Error> {
         let Free { application, at, kind, slot } = self.free_parameter(op, arguments)?;
         let names = application.columns().names();
@@ -107,30 +107,31 @@ impl Session {
         }
     }
 
-    /// A mask that is kept, as [`mask`](Self::mask) would give it.
+    /// The current values of a kept mask, as [`mask`](Self::mask) would return them. The session
+    /// switches to the program of the mask.
     ///
     /// # Errors
-    /// It is not kept (`unknown-mask`), or as of [`mask`](Self::mask).
+    /// The mask is not kept (`unknown-mask`), or as for [`mask`](Self::mask).
     pub fn kept_mask(&mut self, mask: KeptMask) -> Result<&[bool], Error> {
         let at = self.bring_up_to_date(mask)?;
         Ok(&self.masks.all[at].applies)
     }
 
-    /// The same as [`verdicts`](Self::verdicts) would give it.
+    /// The current verdicts of a kept mask, as [`verdicts`](Self::verdicts) would return them.
     ///
     /// # Errors
-    /// As of [`kept_mask`](Self::kept_mask).
+    /// As for [`kept_mask`](Self::kept_mask).
     pub fn kept_verdicts(&mut self, mask: KeptMask) -> Result<&[Verdict], Error> {
         let at = self.bring_up_to_date(mask)?;
         Ok(&self.masks.all[at].verdicts)
     }
 
-    /// Keeps a mask no longer.
+    /// Stops keeping a mask.
     pub fn drop_mask(&mut self, mask: KeptMask) {
         self.masks.all.retain(|kept| kept.name != mask);
     }
 
-    /// Asks again what may have changed; the place of the mask.
+    /// Computes again what may have changed. Returns the index of the mask.
     fn bring_up_to_date(&mut self, mask: KeptMask) -> Result<usize, Error> {
         let Some(at) = self.masks.all.iter().position(|kept| kept.name == mask) else {
             let message = "this mask is not kept, or belongs to another session".to_owned();

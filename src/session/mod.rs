@@ -1,12 +1,11 @@
-//! Programs as a library: operations and scripts called from Rust, again and again.
+//! The library interface: operations and scripts called from Rust, repeatedly.
 //!
 //! A [`Program`] is read, proved and compiled once. A [`Session`] has a mesh and what is needed to
-//! call operations and scripts of one program on it without delay: a machine, the columns of
+//! call operations and scripts of one program on it without setup: a machine, the columns of
 //! attributes, the level that the mesh is known to have. A call costs what the machine costs.
 //!
-//! It is assumed that the mesh is valid, as every mesh is that was built from polygons. Nothing
-//! that a caller gives makes a session panic: what does not fit is an [`Error`], and the mesh is as
-//! it was.
+//! The mesh is assumed to be valid, as is every mesh built from polygons. No argument of a caller
+//! makes a session panic: invalid ones give an [`Error`], and the mesh is unchanged.
 
 mod error;
 mod item;

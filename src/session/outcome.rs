@@ -8,9 +8,9 @@ use crate::mesh::Element;
 /// The outcome of a call of an operation.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Outcome {
-    /// It has been applied; the element that it returned, if it returns one.
+    /// It has been applied, with the element that it returned, if it returns one.
     Applied(Option<Element>),
-    /// It does not apply here, and the mesh is as it was.
+    /// It does not apply here, and the mesh is unchanged.
     Refused(Reason),
 }
 
@@ -52,7 +52,7 @@ impl fmt::Display for Reason {
     }
 }
 
-/// The answer if an operation would be applied at an element.
+/// Whether an operation would be applied at an element.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
     /// There is no such element.

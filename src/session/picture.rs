@@ -8,19 +8,19 @@ use crate::diagram;
 use crate::draw::{draw_op, text_op};
 
 impl Op {
-    /// The picture of the operation, before and after, as SVG; of one in steps an example of what
-    /// it does.
+    /// The picture of the operation, before and after, as SVG; for an operation in steps, an
+    /// example of what it does.
     ///
     /// # Errors
-    /// It is one in steps, and none was found (`no-example`).
+    /// The operation is in steps, and no example was found (`no-example`).
     pub fn svg(&self) -> Result<String, Error> {
         Ok(draw_op(&*self.diagram()?).svg())
     }
 
-    /// The same with characters.
+    /// The same picture as text.
     ///
     /// # Errors
-    /// As of [`svg`](Self::svg).
+    /// As for [`svg`](Self::svg).
     pub fn drawn(&self) -> Result<String, Error> {
         Ok(text_op(&*self.diagram()?).trim_end().to_owned())
     }

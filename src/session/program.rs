@@ -15,19 +15,19 @@ use crate::library;
 use crate::run::Prepared;
 use crate::source::{FileId, Sources, Span};
 
-/// A program that is proved and compiled. Copies are cheap and share all of it.
+/// A program that is proved and compiled. Clones are cheap and share everything.
 #[derive(Clone)]
 pub struct Program(pub(super) Arc<Parts>);
 
 type PreparedOrErrors = Result<Prepared, Vec<Diagnostic>>;
 
-/// The parts that copies of a program share.
+/// The parts that clones of a program share.
 pub(super) struct Parts {
     pub(super) sources: Arc<Sources>,
     pub(super) analysis: Analysis,
-    /// The operations, each made ready when it is called first.
+    /// The operations, each prepared on its first call.
     pub(super) applications: Vec<OnceLock<ApplicationOrError>>,
-    /// The reasons for which they refuse, by number.
+    /// The reasons why they may refuse, by number.
     pub(super) reasons: Vec<OnceLock<Arc<[Arc<str>]>>>,
     /// The scripts, likewise.
     pub(super) scripts: Vec<OnceLock<PreparedOrErrors>>,
@@ -36,12 +36,12 @@ pub(super) struct Parts {
 }
 
 impl Program {
-    /// Reads a program from a file, and what it uses. A name such as `std/remesh.hedge` that leads
-    /// to no file means that of the library.
+    /// Reads a program and the files that it uses. A name such as `std/remesh.hedge` that is not
+    /// the path of a file refers to the library.
     ///
     /// # Errors
-    /// The file cannot be read (`missing-file`), or something in the program is wrong; all of it
-    /// is told.
+    /// The file cannot be read (`missing-file`), or the program has errors, all of which are
+    /// reported.
     pub fn load(path: impl AsRef<Path>) -> Result<Self, Error> {
         let path = path.as_ref();
         let shown = path.display().to_string();
@@ -55,28 +55,28 @@ impl Program {
         Self::read(&shown, &text, &mut Disk)
     }
 
-    /// A program from a text; the name is what it is called in messages, and its folder is where
-    /// the files are that it uses.
+    /// Reads a program from a text. The name is used in messages, and the files that the program
+    /// uses are looked up in its folder.
     ///
     /// # Errors
-    /// Something in the program is wrong.
+    /// The program has errors.
     pub fn parse(name: &str, text: &str) -> Result<Self, Error> {
         Self::read(name, text, &mut Disk)
     }
 
-    /// The same, where somebody else has the files that it uses.
+    /// As [`parse`](Self::parse), with the files that the program uses read by `reader`.
     ///
     /// # Errors
-    /// Something in the program is wrong.
+    /// The program has errors.
     pub fn parse_with(name: &str, text: &str, reader: &mut dyn Reader) -> Result<Self, Error> {
         Self::read(name, text, reader)
     }
 
-    /// A program from texts alone, each with its name, the program itself first; what it uses
-    /// besides must be of the library. [`texts`](Self::texts) gives them.
+    /// Reads a program from texts alone, each with its name, the program itself first; anything
+    /// else that it uses must be in the library. [`texts`](Self::texts) returns such texts.
     ///
     /// # Errors
-    /// There are none, or something in the program is wrong.
+    /// There are no texts, or the program has errors.
     pub fn from_texts(texts: &[(String, String)]) -> Result<Self, Error> {
         let mut sources = Sources::new();
         let files: Vec<_> = texts.iter().map(|(name, text)| sources.add(name, text)).collect();
@@ -89,8 +89,8 @@ impl Program {
         }
     }
 
-    /// Names and texts of the program and all that it uses, its own first, those of the library
-    /// left out.
+    /// The names and texts of the program and of all that it uses except the library, its own
+    /// first.
     pub fn texts(&self) -> Vec<(String, String)> {
         let (sources, own) = (&self.0.sources, self.0.analysis.file);
         let others = sources.ids().filter(|&file| file != own);
@@ -108,7 +108,7 @@ impl Program {
         Self::analysed(sources, file, reader)
     }
 
-    /// The same as [`parse_with`](Self::parse_with), and the meshes that its operations break.
+    /// As [`parse_with`](Self::parse_with), with counterexamples: meshes that its operations break.
     #[cfg(feature = "play")]
     pub(crate) fn examined(
         name: &str,
@@ -149,7 +149,7 @@ impl Program {
         })))
     }
 
-    /// The operation of a name: of the file itself, or else of those that it uses.
+    /// The operation with the given name: of the file itself, or else of the files that it uses.
     ///
     /// # Errors
     /// There is none (`unknown-op`).
@@ -164,7 +164,7 @@ impl Program {
         }
     }
 
-    /// The script of a name: of the file itself, or else of those that it uses.
+    /// The script with the given name: of the file itself, or else of the files that it uses.
     ///
     /// # Errors
     /// There is none (`unknown-script`).
@@ -179,7 +179,7 @@ impl Program {
         }
     }
 
-    /// The function of a name: of the file itself, or else of those that it uses.
+    /// The function with the given name: of the file itself, or else of the files that it uses.
     ///
     /// # Errors
     /// There is none (`unknown-function`).
@@ -216,7 +216,7 @@ impl Program {
         seen.map(|(at, _)| at)
     }
 
-    /// The warnings about it.
+    /// The warnings about the program.
     pub fn warnings(&self) -> &[Diagnostic] {
         &self.0.analysis.diagnostics
     }
@@ -227,7 +227,7 @@ impl Program {
         &self.0.analysis
     }
 
-    /// True for an operation or a script that its own file declares, not one that it uses.
+    /// True for an operation or a script that its own file declares, not a file that it uses.
     pub(crate) fn is_own(&self, name: &str) -> bool {
         let analysis = &self.0.analysis;
         let op = analysis.op(name).map(|at| analysis.program.ops[at].span.file);
@@ -240,7 +240,7 @@ impl Program {
         &self.0.sources
     }
 
-    /// True if both are the same program, not only alike.
+    /// True if both are the same program, not merely equal ones.
     pub(super) fn is(&self, other: &Self) -> bool {
         Arc::ptr_eq(&self.0, &other.0)
     }

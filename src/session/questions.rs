@@ -1,4 +1,4 @@
-//! Questions whether operations would be applied; nothing is written.
+//! Questions about whether operations would be applied; nothing is written.
 
 use super::{Arguments, Error, Op, Reason, Session, Verdict};
 use crate::compile::{element_kind, width};
@@ -7,7 +7,7 @@ use crate::mesh::{Element, ElementKind};
 use crate::rewrite::{Outcome, Trap, Unwatched};
 use crate::run::{Application, Argument, Prepared};
 
-/// The parameter of an operation that is asked for all elements.
+/// The parameter of an operation that ranges over all elements.
 pub(super) struct Free<'o> {
     pub(super) application: &'o Application,
     /// Its number.
@@ -17,7 +17,8 @@ pub(super) struct Free<'o> {
     pub(super) slot: usize,
 }
 
-/// The first parameter that is an element and has no value, its kind, and its place in the window.
+/// The first parameter that is an element and has no value: its number, its kind, and its slot in
+/// the window.
 pub(super) fn free_parameter(
     parameters: &Prepared,
     values: &[Option<Argument>],
@@ -44,13 +45,13 @@ impl Op {
     }
 }
 
-/// A match of an operation: what its drawing means at a place.
+/// A match of an operation: the elements that its drawing denotes at a place.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Match {
-    /// The place of the rule that matches, among those of the operation.
+    /// The index of the matching rule among those of the operation.
     pub rule: usize,
-    /// The names of its `before`, with what they stand for: one element each, of a family one for
-    /// each index. None of an operation in steps, which draws none.
+    /// The names of its `before`, each with the elements that it denotes: one, or one for each
+    /// index of a family. Empty for an operation in steps, which has no drawing.
     pub names: Vec<(String, Vec<Element>)>,
 }
 
@@ -58,7 +59,7 @@ impl Session {
     /// True if an operation would be applied.
     ///
     /// # Errors
-    /// As of [`apply`](Self::apply).
+    /// As for [`apply`](Self::apply).
     pub fn can(&mut self, op: &Op, arguments: impl Arguments) -> Result<bool, Error> {
         Ok(self.ask(op, arguments)?.is_none())
     }
@@ -66,16 +67,17 @@ impl Session {
     /// The reason why an operation would refuse, if it would.
     ///
     /// # Errors
-    /// As of [`apply`](Self::apply).
+    /// As for [`apply`](Self::apply).
     pub fn why(&mut self, op: &Op, arguments: impl Arguments) -> Result<Option<Reason>, Error> {
         let refusal = self.ask(op, arguments)?;
         Ok(refusal.map(|reason| self.reason(op, reason)))
     }
 
-    /// The rule of an operation that matches, and what its names stand for; or why it would refuse.
+    /// The rule of an operation that matches, with the elements that its names denote; or why the
+    /// operation would refuse.
     ///
     /// # Errors
-    /// As of [`apply`](Self::apply).
+    /// As for [`apply`](Self::apply).
     pub fn matched(
         &mut self,
         op: &Op,
@@ -94,25 +96,24 @@ impl Session {
         Ok(Ok(Match { rule, names: names.collect() }))
     }
 
-    /// At which elements an operation would be applied: for each slot of the first parameter that
-    /// is an element and is not among the arguments, holes among faces. Where there is no element,
-    /// it would not.
+    /// Whether an operation would be applied, for each slot of the first parameter that is an
+    /// element and is not among the arguments, holes being faces. `false` for dead slots.
     ///
     /// # Errors
-    /// As of [`apply`](Self::apply); or no such parameter is left.
+    /// As for [`apply`](Self::apply); or no such parameter is left.
     pub fn mask(&mut self, op: &Op, arguments: impl Arguments) -> Result<Vec<bool>, Error> {
         self.ask_everywhere(op, arguments, |verdict| verdict == Verdict::Applies)
     }
 
-    /// The same with the reasons.
+    /// As [`mask`](Self::mask), with the reasons.
     ///
     /// # Errors
-    /// As of [`mask`](Self::mask).
+    /// As for [`mask`](Self::mask).
     pub fn verdicts(&mut self, op: &Op, arguments: impl Arguments) -> Result<Vec<Verdict>, Error> {
         self.ask_everywhere(op, arguments, |verdict| verdict)
     }
 
-    /// The number of the refusal, if it is one.
+    /// The refusal, if the operation would refuse, with the number of its reason if that is known.
     fn ask(&mut self, op: &Op, arguments: impl Arguments) -> Result<Option<Option<u16>>, Error> {
         self.expect_own(&op.program)?;
         let application = op.application()?;
@@ -151,7 +152,7 @@ impl Session {
         Ok(answers)
     }
 
-    /// Takes the arguments, and finds the parameter that is asked for all elements.
+    /// Takes the arguments, and finds the parameter that ranges over all elements.
     pub(super) fn free_parameter<'o>(
         &mut self,
         op: &'o Op,
@@ -172,7 +173,7 @@ impl Session {
         self.error(Diagnostic::error("wrong-argument", message, super::error::NOWHERE))
     }
 
-    /// A trap where an operation was asked.
+    /// The error for a trap while an operation was tested at an element.
     pub(super) fn trapped_at(
         &self,
         application: &Application,

@@ -1,4 +1,4 @@
-//! A mesh with all that calls of operations and scripts need.
+//! A mesh with everything that calls of operations and scripts need.
 
 use std::sync::Arc;
 
@@ -12,28 +12,29 @@ use crate::mesh::{Element, ElementKind, Mesh};
 use crate::rewrite::{self, Trap, Unwatched, Watch};
 use crate::run::{self, Application, Argument, Columns, Failure, Prepared, Report};
 
-/// A mesh, and operations and scripts of one program at work on it.
+/// A mesh on which operations and scripts of one program are called.
 ///
 /// # Ids
 ///
-/// An id means one element as long as that lives; what is erased is [gone](Self::is_alive), and to
-/// name it is an error. Ids of erased elements are given to new ones only when
-/// [`recycle`](Self::recycle) says that nobody has them any more, and by scripts, which do so
-/// themselves: after a script has run, ids from before may mean other elements.
+/// An id denotes one element as long as that is alive; after that [`is_alive`](Self::is_alive) is
+/// false, and passing the id is an error. Ids of erased elements are given to new ones only after
+/// [`recycle`](Self::recycle), with which the caller declares that it holds none of them, and by
+/// scripts, which recycle by themselves: after a script has run, ids from before may denote other
+/// elements.
 ///
 /// # Attributes
 ///
-/// The attributes of the program come to the mesh when something is called that uses them, and
+/// The attributes of the program are added to the mesh when something that uses them is called, and
 /// stay there: [`Mesh::find_column`] and [`Mesh::values`] read them. Scratch attributes have their
-/// defaults at the beginning of each call.
+/// defaults at the start of each call.
 ///
 /// # What fails
 ///
-/// An operation that refuses or fails leaves the mesh as it was. A script that fails has done what
-/// it did so far, each step of it whole; [`attempt`](Self::attempt) makes it all or nothing.
+/// An operation that refuses or fails leaves the mesh unchanged. A script that fails keeps what it
+/// did so far, each step of it complete; [`attempt`](Self::attempt) makes it all or nothing.
 pub struct Session {
     pub(super) engine: Engine,
-    /// Those of other programs that have been used.
+    /// The engines of other programs that have been used.
     others: Vec<Engine>,
     pub(super) mesh: Mesh,
     pub(super) known: Known,
@@ -47,7 +48,7 @@ pub struct Session {
 }
 
 impl Session {
-    /// A mesh for a program.
+    /// A session for a program and a mesh.
     pub fn new(program: &Program, mesh: Mesh) -> Self {
         Self {
             engine: Engine::new(program),
@@ -69,9 +70,9 @@ impl Session {
         &self.engine.program
     }
 
-    /// Goes over to another program: from now on its operations, scripts and functions are called.
-    /// The mesh stays, with its attributes but those that are scratch, and so do marks. What calls
-    /// of the program before need is kept, so that to come back costs little.
+    /// Switches to another program: from then on its operations, scripts and functions are called.
+    /// The mesh stays, with its attributes except scratch ones, and so do marks. What calls of the
+    /// previous program need is kept, so that switching back is cheap.
     pub fn use_program(&mut self, program: &Program) {
         if self.engine.program.is(program) {
             return;
@@ -92,7 +93,7 @@ impl Session {
         &self.mesh
     }
 
-    /// The mesh, to be changed by hand. Its level has to be found out anew afterwards.
+    /// The mesh, to be changed by hand. Its level must be determined anew afterwards.
     pub fn mesh_mut(&mut self) -> &mut Mesh {
         self.engine.unbind();
         self.known = Known::NOTHING;
@@ -100,7 +101,7 @@ impl Session {
         &mut self.mesh
     }
 
-    /// The mesh alone, without scratch attributes. What is marked stays.
+    /// The mesh, without scratch attributes. What was written since open marks is kept.
     pub fn into_mesh(mut self) -> Mesh {
         let mut mesh = std::mem::take(&mut self.mesh);
         mesh.keep_all();
@@ -108,7 +109,7 @@ impl Session {
         mesh
     }
 
-    /// A copy of the mesh, without scratch attributes. What is marked stays.
+    /// A copy of the mesh, without scratch attributes and without marks.
     pub fn copy_mesh(&self) -> Mesh {
         let mut mesh = self.mesh.clone();
         mesh.keep_all();
@@ -125,13 +126,13 @@ impl Session {
         copy
     }
 
-    /// Keeps to a limit of memory, in bytes, for the mesh and for lists: what needs more fails with
-    /// `no-room`. There is none at first.
+    /// Limits the memory, in bytes, for the mesh and for lists: what needs more fails with
+    /// `no-room`. There is no limit at first.
     pub fn limit_memory(&mut self, bytes: usize) {
         self.engine.machine.limit_memory(bytes);
     }
 
-    /// Says what runs operations and scripts from now on. The results are the same.
+    /// Sets the engine that runs operations and scripts from now on. The results are the same.
     pub fn use_engine(&mut self, engine: rewrite::Engine) {
         self.engine.machine.use_engine(engine);
         for other in &mut self.others {
@@ -140,8 +141,8 @@ impl Session {
         self.runs_by = engine;
     }
 
-    /// Sets the seed of the random numbers of scripts and functions from now on.
-    /// Without it, they come from 0, and go on from call to call.
+    /// Sets the seed of the random numbers of scripts and functions. By default the seed is 0; the
+    /// sequence continues from call to call.
     pub fn seed(&mut self, seed: u64) {
         self.engine.machine.seed(seed);
     }
@@ -152,8 +153,8 @@ impl Session {
         self.mesh.is_alive(kind, index)
     }
 
-    /// Says that nobody has ids of erased elements any more: new elements may get them. Nothing
-    /// happens while something is marked.
+    /// Declares that the caller holds no ids of erased elements: new elements may get them. Has no
+    /// effect while a mark is open.
     pub fn recycle(&mut self) {
         self.mesh.recycle();
     }
@@ -161,9 +162,9 @@ impl Session {
     /// Applies an operation.
     ///
     /// # Errors
-    /// The arguments do not fit the parameters, an element does not live, the mesh is not of the
-    /// level that the operation is for (`below-level`), or an expression of it has no value here.
-    /// The mesh is as it was.
+    /// The arguments do not fit the parameters, an element is not alive, the mesh lacks the level
+    /// that the operation requires (`below-level`), or an expression of it has no value here. The
+    /// mesh is unchanged.
     pub fn apply(&mut self, op: &Op, arguments: impl Arguments) -> Result<Outcome, Error> {
         self.created.clear();
         self.erased.clear();
@@ -196,8 +197,7 @@ impl Session {
         })
     }
 
-    /// The elements that the last call of [`apply`](Self::apply) has created, in the order in which
-    /// it did.
+    /// The elements that the last call of [`apply`](Self::apply) has created, in order of creation.
     pub fn created(&self) -> &[Element] {
         &self.created
     }
@@ -207,7 +207,7 @@ impl Session {
         &self.erased
     }
 
-    /// Elements that were created and erased by the same call were never there for others.
+    /// Removes elements that the same call created and erased: callers never saw them.
     fn forget_passing(&mut self) {
         let Self { created, erased, mesh, .. } = self;
         if !erased.is_empty() && !created.is_empty() {
@@ -216,21 +216,21 @@ impl Session {
         }
     }
 
-    /// Runs a script. Nobody sees what it prints.
+    /// Runs a script. What it prints is discarded.
     ///
     /// # Errors
-    /// The arguments do not fit the parameters, the mesh is not of the level that the operations
-    /// are for which it calls, or something fails in it. It has done then what it did so far: see
-    /// [`Error::report`] and [`attempt`](Self::attempt).
+    /// The arguments do not fit the parameters, the mesh lacks the level that the operations it
+    /// calls require, or the script fails. What it did so far is kept: see [`Error::report`] and
+    /// [`attempt`](Self::attempt).
     pub fn run(&mut self, script: &Script, arguments: impl Arguments) -> Result<Report, Error> {
         self.run_watched(script, arguments, &mut Unwatched)
     }
 
-    /// Runs a script while somebody looks on: sees how far it is, gets what it prints, and may
-    /// stop it.
+    /// Runs a script with a watcher, which sees its progress, receives what it prints, and may stop
+    /// it.
     ///
     /// # Errors
-    /// As of [`run`](Self::run); or it was stopped (`interrupted`).
+    /// As for [`run`](Self::run); or it was stopped (`interrupted`).
     pub fn run_watched(
         &mut self,
         script: &Script,
@@ -246,8 +246,8 @@ impl Session {
         self.go(prepared, watch)
     }
 
-    /// The same with a history of the last operations that it applies, as many as fit into so many
-    /// bytes.
+    /// As [`run_watched`](Self::run_watched), with a history of the last operations that it
+    /// applies, as many as fit into `most` bytes.
     #[cfg(feature = "play")]
     pub(crate) fn run_recorded(
         &mut self,
@@ -261,7 +261,7 @@ impl Session {
         (outcome, self.mesh.take_history().unwrap_or_default())
     }
 
-    /// Runs what is prepared with the values that are given; its columns are there.
+    /// Runs prepared code with the given values; its columns are on the mesh.
     pub(super) fn go(
         &mut self,
         prepared: &Prepared,
@@ -296,7 +296,7 @@ impl Session {
         }
     }
 
-    /// Looks at the arguments of an operation and makes all ready for it: its slots are filled.
+    /// Checks the arguments of an operation and prepares the call: its slots are filled.
     fn enter<'o>(
         &mut self,
         op: &'o Op,
@@ -309,7 +309,7 @@ impl Session {
         Ok(application)
     }
 
-    /// The program is this session's.
+    /// Fails if the program is not that of this session.
     pub(super) fn expect_own(&self, program: &Program) -> Result<(), Error> {
         if self.engine.program.is(program) {
             return Ok(());
@@ -329,7 +329,7 @@ impl Session {
         given.end().map_err(|error| self.error(error))
     }
 
-    /// Fills the slots of an operation from its values, and sees to level and columns.
+    /// Fills the slots of an operation from its values, and checks the level and binds the columns.
     pub(super) fn make_ready(&mut self, op: &Op, application: &Application) -> Result<(), Error> {
         let parameters = application.parameters();
         // No operation takes a text.
@@ -367,7 +367,7 @@ impl Session {
                 Ok(())
             }
             Err(conflict) => {
-                // Nobody knows which of them are there.
+                // It is unknown which of the columns are on the mesh.
                 self.engine.unbind();
                 Err(self.error(conflict))
             }

@@ -1,4 +1,4 @@
-//! Functions, called at one place or at all elements.
+//! Functions, called once or at all elements.
 
 use super::questions::free_parameter;
 use super::{Arguments, Error, Function, Session};
@@ -8,20 +8,20 @@ use crate::mesh::ElementKind;
 use crate::rewrite::{Message, Trap, Unwatched, Watch};
 use crate::run::{self, Argument};
 
-/// The number of elements between two calls of the watcher.
+/// The watcher is called at ids that are multiples of this.
 const IDS_PER_LOOK: u32 = 1024;
 
-/// The values of a function at all elements of a kind, by their numbers. Where there is no element,
-/// they are `false`, 0, not a number, empty, or none.
+/// The values of a function at all elements of a kind, by id. In dead slots they are `false`, 0,
+/// NaN, empty, or `None`.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Values {
-    /// Truths.
+    /// Truth values.
     Bool(Vec<bool>),
     /// Whole numbers.
     Int(Vec<i64>),
     /// Numbers.
     Real(Vec<f64>),
-    /// Vectors or matrices: so many numbers each, matrices column by column.
+    /// Vectors or matrices: the count of reals of each, and the reals, matrices column by column.
     Reals(usize, Vec<f64>),
     /// Texts.
     Text(Vec<String>),
@@ -30,7 +30,7 @@ pub enum Values {
 }
 
 impl Values {
-    /// Room for values of a type, of each slot one.
+    /// Values of a type, one for each slot, all of them as in dead slots.
     fn new(ty: Type, slots: usize) -> Self {
         match ty {
             Type::Bool => Self::Bool(vec![false; slots]),
@@ -48,7 +48,7 @@ impl Values {
         }
     }
 
-    /// Puts the value in some slots of a window, and the text of that number, to a place.
+    /// Stores at `at` the value held by the slots `window`, which is `text` if it is a text.
     fn put(&mut self, at: usize, window: &[u64], text: Option<&str>) {
         let first = window.first().copied().unwrap_or(0);
         match self {
@@ -82,10 +82,10 @@ impl Values {
 }
 
 impl Session {
-    /// Calls a function; its value, if it gives one.
+    /// Calls a function. Returns its value, if it returns one.
     ///
     /// # Errors
-    /// As of [`run`](Self::run).
+    /// As for [`run`](Self::run).
     pub fn call(
         &mut self,
         function: &Function,
@@ -94,10 +94,10 @@ impl Session {
         self.call_watched(function, arguments, &mut Unwatched)
     }
 
-    /// Calls a function while somebody looks on.
+    /// Calls a function with a watcher.
     ///
     /// # Errors
-    /// As of [`run_watched`](Self::run_watched).
+    /// As for [`run_watched`](Self::run_watched).
     pub fn call_watched(
         &mut self,
         function: &Function,
@@ -117,11 +117,11 @@ impl Session {
         }))
     }
 
-    /// The values of a function at all elements: of the first parameter that is an element and not
-    /// among the arguments, by number, holes among faces.
+    /// The values of a function at all elements of the kind of its first parameter that is an
+    /// element and not among the arguments, by id, holes being faces.
     ///
     /// # Errors
-    /// No such parameter is left, the function gives no value, it may change the mesh
+    /// No such parameter is left, the function returns no value, it may change the mesh
     /// (`changing-function`), or it fails at an element.
     pub fn values(
         &mut self,
@@ -150,7 +150,7 @@ impl Session {
         let Some(first) = living.next() else {
             return Ok(values);
         };
-        // The first call looks at the arguments, and finds out which level the mesh has.
+        // The first call checks the arguments, and determines the level of the mesh.
         self.values[at] = Some(Argument::Element(kind, first));
         self.look(function, watch)?;
         self.take_value(function, &mut values, first as usize);
@@ -162,8 +162,8 @@ impl Session {
         done.map(|()| values)
     }
 
-    /// Calls a function that does not change the mesh at some elements, whose numbers come into a
-    /// slot; the others are filled.
+    /// Calls a function that does not change the mesh at some elements, whose ids are written to
+    /// `slot`; the other slots are filled.
     fn look_everywhere(
         &mut self,
         (function, slot): (&Function, usize),
@@ -210,8 +210,8 @@ impl Session {
         Ok(())
     }
 
-    /// Runs a function that does not change the mesh with the values that are given: what is known
-    /// stays, and no id is given out again.
+    /// Runs a function that does not change the mesh with the given values. The known level stays,
+    /// and the open journal keeps ids from being reused.
     fn look(&mut self, function: &Function, watch: &mut dyn Watch) -> Result<(), Error> {
         let known = self.known;
         let mark = self.mesh.open_journal();
@@ -221,7 +221,7 @@ impl Session {
         done.map(drop)
     }
 
-    /// Takes the value of the function that has run to a place.
+    /// Stores at `at` the value of the function that has just run.
     fn take_value(&self, function: &Function, values: &mut Values, at: usize) {
         let Ok(prepared) = function.prepared() else { return };
         let machine = &self.engine.machine;

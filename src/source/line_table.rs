@@ -1,4 +1,4 @@
-//! From bytes to lines and columns, and back.
+//! Conversion of byte offsets to lines and back.
 
 /// The starts of the lines of a text.
 #[derive(Clone, Debug)]
@@ -7,7 +7,7 @@ pub struct LineTable {
 }
 
 impl LineTable {
-    /// Reads the line ends (`\n`; a `\r` before it belongs to the line) of `text`.
+    /// Finds the line ends (`\n`; a `\r` before it belongs to the line) of `text`.
     pub fn new(text: &str) -> Self {
         let ends = text.bytes().enumerate().filter(|&(_, byte)| byte == b'\n');
         let starts = std::iter::once(0)
@@ -26,7 +26,7 @@ impl LineTable {
         self.starts.partition_point(|&start| start as usize <= offset) - 1
     }
 
-    /// The first byte of a 0-based line, or `None` behind the last line.
+    /// The first byte of a 0-based line, or `None` after the last line.
     pub fn start(&self, line: usize) -> Option<usize> {
         self.starts.get(line).map(|&start| start as usize)
     }

@@ -1,8 +1,7 @@
 //! Files, spans and line tables.
 //!
-//! A [`Span`] is a range of bytes in one file; everything that can be wrong carries one.
-//! [`Sources`] owns the texts and answers where a byte stands, in UTF-8 bytes, in UTF-16
-//! units and in characters. Nothing here knows what the texts say.
+//! A [`Span`] is a range of bytes in one file; every diagnostic carries one. [`Sources`] owns the
+//! texts and translates byte offsets to lines and columns. Nothing here knows what the texts mean.
 
 mod line_table;
 mod sources;

@@ -1,4 +1,4 @@
-//! The texts a run looks at.
+//! The texts that a run reads.
 
 use super::{FileId, LineTable, Span};
 
@@ -47,7 +47,7 @@ impl Sources {
         Self::default()
     }
 
-    /// Takes in a text under a name.
+    /// Adds a text with its name.
     pub fn add(&mut self, name: impl Into<String>, text: impl Into<String>) -> FileId {
         let text = text.into();
         let lines = LineTable::new(&text);
@@ -56,12 +56,12 @@ impl Sources {
         FileId((self.files.len() - 1) as u32)
     }
 
-    /// A text by its id. The id must come from [`Sources::add`] of this collection.
+    /// The text with the given id, which must come from [`Sources::add`] of this collection.
     pub fn get(&self, file: FileId) -> &Source {
         &self.files[file.0 as usize]
     }
 
-    /// The first text of a name.
+    /// The first text with the given name.
     pub fn find(&self, name: &str) -> Option<FileId> {
         self.ids().find(|&file| self.get(file).name() == name)
     }

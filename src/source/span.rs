@@ -43,7 +43,7 @@ impl Span {
         self.start as usize..self.end as usize
     }
 
-    /// True if the byte at `offset` lies inside, or just behind the last byte.
+    /// True if the byte at `offset` lies inside, or directly after the last byte.
     pub fn touches(self, offset: usize) -> bool {
         (self.start as usize..=self.end as usize).contains(&offset)
     }

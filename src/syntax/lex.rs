@@ -1,7 +1,7 @@
-//! Text to tokens, with the comments beside them.
+//! Lexing: from text to tokens, with the comments kept separately.
 //!
-//! Characters that are no token are reported and left out, so that the parser never sees them; a
-//! number or a text with a mistake in it is reported and stays.
+//! Characters that belong to no token are reported and dropped, so that the parser never sees them.
+//! A malformed number or text is reported and kept.
 
 use super::text::{holes, read_text};
 use super::token::{Token, TokenKind};
@@ -10,7 +10,7 @@ use crate::source::{FileId, Span};
 use logos::Logos;
 use std::ops::Range;
 
-/// The greatest number of runs of unknown characters that are reported one by one.
+/// The maximum number of runs of unknown characters that are reported individually.
 const MOST_UNKNOWN: usize = 16;
 
 /// The purpose of a comment.
@@ -18,9 +18,9 @@ const MOST_UNKNOWN: usize = 16;
 pub enum CommentKind {
     /// `// …`
     Plain,
-    /// `/// …`, about the item that follows.
+    /// `/// …`, on the item that follows.
     Doc,
-    /// `//! …`, about the file.
+    /// `//! …`, on the file.
     FileDoc,
 }
 
@@ -34,7 +34,7 @@ pub struct Comment {
 }
 
 impl Comment {
-    /// Its text as read, without slashes and outer spaces.
+    /// Its text, without the slashes, the first space and trailing white space.
     pub fn text(self, source: &str) -> &str {
         let whole = source.get(self.span.range()).unwrap_or("");
         let marks = match self.kind {
@@ -53,7 +53,7 @@ pub struct Lexed {
     pub tokens: Vec<Token>,
     /// Every comment, in order.
     pub comments: Vec<Comment>,
-    /// The mistakes: characters that are no token, and what is wrong with one.
+    /// The errors: characters that belong to no token, and malformed tokens.
     pub diagnostics: Vec<Diagnostic>,
 }
 
@@ -89,7 +89,7 @@ impl Lexed {
             broken_off = false;
             let word = &text[range];
             match kind {
-                // Of a comment of several lines the first is a token, the others are nothing.
+                // The first line of a `/* … */` comment is a token, the others are dropped.
                 TokenKind::Foreign if word.starts_with(['#', '/']) => {
                     let first = word.lines().next().unwrap_or("");
                     let length = first.trim_end().len() as u32;
@@ -106,8 +106,8 @@ impl Lexed {
         }
     }
 
-    /// A text, cut at its values: what stands between them are tokens of their own, and the
-    /// values are read like anything else.
+    /// A text with embedded values, cut at these: the text between them becomes separate tokens,
+    /// and the values are lexed like anything else.
     fn text_with_values(&mut self, span: Span, text: &str, unknown: &mut Vec<Span>) {
         let word = &text[span.range()];
         let holes = holes(word);
@@ -179,7 +179,7 @@ impl Lexed {
         self.diagnostics.push(found);
     }
 
-    /// A text, or a part of one that begins and ends with a mark.
+    /// A text, or a part of one, with its delimiters.
     fn text(&mut self, span: Span, kind: TokenKind, word: &str) {
         self.tokens.push(Token { kind, span });
         for (range, escape) in read_text(word).unknown {
@@ -248,7 +248,7 @@ fn shown(character: char) -> String {
     }
 }
 
-/// The character on a keyboard for a sign that is typeset.
+/// The ASCII character for a typographic quote or prime.
 fn usual(character: char) -> Option<&'static str> {
     Some(match character {
         '\u{2032}' | '\u{2019}' | '\u{2018}' => "'",

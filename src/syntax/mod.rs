@@ -1,8 +1,8 @@
-//! Text to tree: tokens, comments kept, a parser that recovers.
+//! From text to tree: a lexer that keeps comments, and a parser that recovers from errors.
 //!
-//! `parse` never fails: it answers with a tree of what could be read, the tokens and
-//! comments for a formatter, and a diagnostic for everything else. It knows how things are
-//! written and nothing of what they mean; `resolve` takes it from there.
+//! `parse` never fails: it returns a tree of what could be read, the tokens and comments for a
+//! formatter, and a diagnostic for everything else. It deals with syntax only; `resolve` determines
+//! the meaning.
 
 mod token;
 

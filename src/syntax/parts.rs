@@ -1,7 +1,7 @@
 //! Parts of a statement or a value: other values, and blocks.
 //!
-//! A search for something in code, whatever stands around it, walks it by these; who treats
-//! each kind of statement in its own way matches on the [tree](super::tree) instead.
+//! For searches in code, independent of the kinds of statements. Code that handles each kind in its
+//! own way matches on the [tree](super::tree) instead.
 
 use super::tree::{Action, ActionKind, Block, Expr, ExprKind, Shown};
 
@@ -15,7 +15,7 @@ pub enum Part<'t> {
 }
 
 impl Expr {
-    /// Shows the parts of a value, in the order of the text.
+    /// Calls `look` with the direct parts of a value, in the order of the text.
     pub fn each_part<'t>(&'t self, look: &mut dyn FnMut(Part<'t>)) {
         match &self.kind {
             ExprKind::Field(inner, _)
@@ -48,7 +48,7 @@ impl Expr {
 }
 
 impl Action {
-    /// Shows the parts of a statement, in the order of the text.
+    /// Calls `look` with the direct parts of a statement, in the order of the text.
     pub fn each_part<'t>(&'t self, look: &mut dyn FnMut(Part<'t>)) {
         match &self.kind {
             ActionKind::Let { value, .. } | ActionKind::Expr(value) => look(Part::Expr(value)),

@@ -1,4 +1,4 @@
-//! Places of items: an item, and the same item at another place.
+//! The span of an item, and moving an item to another place.
 
 use super::tree::{
     Action, ActionKind, Arrow, Attr, Block, Condition, Expr, ExprKind, Fn, Ident, Index, Item,
@@ -8,7 +8,7 @@ use super::tree::{
 use crate::source::Span;
 
 impl Item {
-    /// The whole of it.
+    /// The span of the whole item.
     pub fn span(&self) -> Span {
         match self {
             Item::Use(item) => item.span,
@@ -22,7 +22,7 @@ impl Item {
     }
 }
 
-/// The item, moved by a number of bytes.
+/// The item with all its spans moved by `by` bytes.
 pub(super) fn moved(item: &Item, by: i32) -> Item {
     let mut item = item.clone();
     if by != 0 {
@@ -31,7 +31,7 @@ pub(super) fn moved(item: &Item, by: i32) -> Item {
     item
 }
 
-/// A thing that has a place.
+/// Something with spans that can be moved.
 trait Shift {
     fn shift(&mut self, by: i32);
 }
@@ -73,7 +73,7 @@ impl Shift for Span {
     }
 }
 
-/// Moves these fields of a node.
+/// Implements `Shift` for nodes by shifting these fields.
 macro_rules! shift {
     ($($node:ty: $($field:ident)*;)*) => {
         $(impl Shift for $node {

@@ -1,16 +1,16 @@
-//! Texts in quotes: their escapes undone.
+//! Texts in quotes: their escapes and embedded values.
 
 use std::ops::Range;
 
-/// A text as it was meant, and the escapes that mean nothing.
+/// The value of a text token, and its unknown escapes.
 pub struct ReadText {
-    /// The text; an unknown escape stands for itself.
+    /// The text; an unknown escape is kept as it is.
     pub value: String,
     /// Unknown escapes and their places within the token.
     pub unknown: Vec<(Range<usize>, String)>,
 }
 
-/// Undoes the escapes of a text token; the closing quote may be missing.
+/// Decodes the escapes of a text token; the closing quote may be missing.
 pub fn read_text(token: &str) -> ReadText {
     let mut read = ReadText { value: String::with_capacity(token.len()), unknown: Vec::new() };
     let mut chars = token.char_indices().skip(1).peekable();
@@ -34,12 +34,12 @@ pub fn read_text(token: &str) -> ReadText {
     read
 }
 
-/// The values in a text token, each a place between braces within it; the last one runs to the
-/// closing quote if its brace is missing.
+/// The embedded values of a text token, as ranges in it. If its brace is missing, the last one
+/// extends to the closing quote.
 pub struct Holes {
-    /// The values between the braces, and before a format.
+    /// The ranges of the values, without braces and formats.
     pub values: Vec<Range<usize>>,
-    /// True if the brace of the last is missing.
+    /// True if the closing brace of the last value is missing.
     pub is_open: bool,
 }
 
@@ -74,10 +74,10 @@ pub fn holes(token: &str) -> Holes {
     holes
 }
 
-/// A value of which the end is not seen yet.
+/// A value whose end has not been found yet.
 struct Hole {
     start: usize,
-    /// The number of braces that are open in it.
+    /// The number of open braces in it.
     depth: usize,
     /// The start of its format.
     format: Option<usize>,

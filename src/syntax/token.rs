@@ -1,9 +1,8 @@
-//! The words of the language, told apart by one automaton.
+//! The tokens of the language, recognized by one automaton.
 //!
-//! A [`Token`] is a kind and a place; its text is read from the source when it is wanted.
-//! Keywords are kept out of names, but the tree takes some of them back where no
-//! statement can begin: after a dot, as a type, and, for the few that are
-//! [soft](TokenKind::is_soft), as any name.
+//! A [`Token`] is a kind and a span; its text is read from the source when it is needed. Keywords
+//! are not names, but the parser accepts some of them where no statement can begin: after a dot, as
+//! a type, and, for the few that are [soft](TokenKind::is_soft), as any name.
 
 use crate::source::Span;
 use logos::Logos;
@@ -18,7 +17,7 @@ pub struct Token {
     pub span: Span,
 }
 
-/// Writes the token kinds: those with a fixed spelling, and the keywords among them.
+/// Declares the token kinds: keywords, marks of fixed spelling, and the rest.
 macro_rules! token_kinds {
     (
         keywords { $($word:literal $keyword:ident)* }
@@ -41,13 +40,13 @@ macro_rules! token_kinds {
             #[regex(r"[0-9]+\.[0-9]+([eE][+-]?[0-9]+)?", priority = 5)]
             #[regex(r"[0-9]+[eE][+-]?[0-9]+", priority = 5)]
             Real,
-            /// A number grown together with a name: `2x`.
+            /// A number directly followed by a name: `2x`.
             #[regex(r"[0-9]+(\.[0-9]+)?\p{XID_Start}\p{XID_Continue}*", priority = 4)]
             #[regex(r"[0-9]+(\.[0-9]+)?_\p{XID_Continue}*", priority = 4)]
             #[regex(r"[0-9]+(\.[0-9]+)?[eE][+-]?[0-9]+\p{XID_Start}\p{XID_Continue}*", priority = 6)]
             BadNumber,
-            /// A sign, a comment, a text or a number of other languages; no rule of the grammar
-            /// takes it.
+            /// A sign, comment, text or number in foreign syntax; no rule of the grammar accepts
+            /// it.
             #[regex(r"[;!%^?&~`∧∨¬≤≥≠×·∗−–—─→⟶➔⇒…∈\u{A0}\u{2007}\u{202F}\u{3000}]|&&", priority = 1)]
             #[regex(r"#[^\n]*", allow_greedy = true)]
             #[regex(r"/\*([^*]|\*+[^*/])*\*+/")]
@@ -59,12 +58,12 @@ macro_rules! token_kinds {
             /// `"text"`
             #[regex(r#""([^"\\\r\n]|\\[^\r\n])*""#)]
             Text,
-            /// A text up to its first value: `"mean {`. The automaton knows whole texts only;
-            /// those with values in them are cut where they are read.
+            /// A text up to its first value: `"mean {`. The automaton recognizes whole texts only;
+            /// the lexer cuts those with embedded values.
             TextHead,
             /// The text between two values of a text: `:.3} and {`.
             TextMiddle,
-            /// A text behind its last value: `}."`.
+            /// The text after the last value of a text: `}."`.
             TextTail,
             /// A text whose line ends before its closing quote.
             #[regex(r#""([^"\\\r\n]|\\[^\r\n])*\\?"#)]
@@ -126,13 +125,13 @@ impl TokenKind {
         self == Self::Word || self.is_keyword()
     }
 
-    /// True if it is a keyword that may also be a name, since it means something only in one place:
-    /// `test` before a text, `private` before `attr`, `by` behind a sequence, `steps` in an op.
+    /// True if it is a keyword that may also be a name, since it is special in one place only:
+    /// `test` before a text, `private` before `attr`, `by` after a sequence, `steps` in an op.
     pub fn is_soft(self) -> bool {
         matches!(self, Self::Test | Self::Private | Self::By | Self::Steps)
     }
 
-    /// True if it can stand where a name is wanted.
+    /// True if it can be used as a name.
     pub fn is_name(self) -> bool {
         self == Self::Word || self.is_soft()
     }

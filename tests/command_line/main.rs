@@ -1,5 +1,5 @@
-//! The binary, as a person or a program meets it: what it answers, its exit codes, and that
-//! no input whatsoever makes it panic or leaves half a file behind.
+//! The binary, as used by a person or a program: its output, its exit codes, and that no input
+//! makes it panic or leave a partly written file behind.
 
 mod advice;
 mod attributes;

@@ -1,6 +1,6 @@
-//! Pictures: those of the examples as committed, and that there is always one.
+//! Pictures: those of the examples match the committed files, and every op has one.
 //!
-//! `UPDATE=1` writes the pictures of the examples anew; look at them then.
+//! `UPDATE=1` rewrites the pictures of the examples; inspect them afterwards.
 
 mod colours;
 mod examples;
@@ -19,14 +19,15 @@ fn folder(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join(name)
 }
 
-/// The operations of the examples, each with the stem of its file, in order.
+/// The drawn operations of the examples, each with the stem of its file, in order.
 fn example_ops() -> Vec<(String, Op)> {
     let ops = ops_in("examples");
     assert!(ops.len() > 8, "only {} operations", ops.len());
     ops
 }
 
-/// Those of the standard library too, of those in steps examples.
+/// The drawn operations of the examples and of the standard library, and the examples shown for its
+/// operations in steps.
 fn shipped_ops() -> Vec<(String, Op)> {
     [example_ops(), ops_in("src/library/std"), steps::shipped()].concat()
 }

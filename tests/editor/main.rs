@@ -1,4 +1,4 @@
-//! The language server: every answer, whole conversations, and what no editor should do.
+//! The language server: every response, whole conversations, and invalid requests.
 
 mod answers;
 mod client;

@@ -1,5 +1,5 @@
-//! What nobody writes on purpose, or only to do harm: broken programs taken all the way, items
-//! beyond all measure, files that are none, streams that carry something else.
+//! Malformed and malicious input: broken programs run through every stage, excessively large items,
+//! paths that are not regular files, streams that are not valid messages.
 
 mod limits;
 #[cfg(unix)]

@@ -1,5 +1,5 @@
-//! Texts: the parser, names and types, the formatter, the grammars beside the parser, the pages
-//! that explain messages, and the layers of the source.
+//! The language: the parser, names and types, the formatter, the grammars next to the parser, the
+//! pages that explain messages, and the layers of the source.
 
 mod diagnostic;
 mod explain;

@@ -1,4 +1,4 @@
-//! The halfedge mesh: built, held to its laws, changed, compared, read and written.
+//! The halfedge mesh: construction, invariants, changes, comparison, reading and writing.
 
 mod arrays;
 mod binary;

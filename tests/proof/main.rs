@@ -1,4 +1,4 @@
-//! The proof: its laws, what it infers, its counterexamples, and that it tells the truth.
+//! The proof: its laws, what it infers, its counterexamples, and its soundness.
 
 mod aliases;
 mod battery;

@@ -1,4 +1,4 @@
-//! Programs on the machine and as native code: both do the same, bit for bit.
+//! Programs on the machine and as native code, with identical results, bit for bit.
 
 use hedgerow::mesh::{Mesh, identical};
 use hedgerow::rewrite::{Engine, Watch};
@@ -13,8 +13,8 @@ impl Watch for Lines {
     }
 }
 
-/// Runs a script on the machine, and again by another engine, and asserts that the meshes, the
-/// lines, the counts and failures are the same.
+/// Runs a script on the machine and again on another engine, and asserts that the meshes, the
+/// printed lines, the counts and the failures are the same.
 pub fn run_on_both(
     prepared: &Prepared,
     mesh: &mut Mesh,

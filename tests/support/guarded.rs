@@ -1,10 +1,10 @@
-//! Operations to guard. Each begins at a halfedge, so that there is one match or none.
+//! Operations to guard. Each starts at a halfedge, so that there is at most one match.
 
 use hedgerow::analysis::Analysis;
 use hedgerow::rewrite::Plan;
 use hedgerow::source::Sources;
 
-/// An operation with `GUARD` in the place of its guard.
+/// An operation with `GUARD` in place of its guard.
 pub struct Op {
     pub name: &'static str,
     pub text: &'static str,

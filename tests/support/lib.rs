@@ -1,5 +1,5 @@
-//! Code shared by the tests: random numbers, small meshes, pages, and a literal reading of the
-//! language that tests hold the checker and the machine against.
+//! Code shared by the tests: random numbers, small meshes, pages, and a literal reference
+//! implementation of the language, with which tests compare the checker and the machine.
 
 pub mod dice;
 pub mod emission;

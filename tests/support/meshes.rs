@@ -1,9 +1,9 @@
-//! Many small meshes, and other choices of the `halfedge` pointers of their elements.
+//! Many small meshes, with different choices of the `halfedge` pointers of their elements.
 
 use glam::DVec3;
 use hedgerow::mesh::{EdgeId, HalfedgeId, Level, Mesh, Polygons, shape, validate_level};
 
-/// A small generator of numbers (splitmix64; S. Vigna, 2015): the same in every run.
+/// A small pseudorandom generator (splitmix64; S. Vigna, 2015): the same in every run.
 #[derive(Clone, Debug)]
 pub struct Dice(pub u64);
 
@@ -42,7 +42,7 @@ fn polygons(mesh: &Mesh) -> Vec<Vec<u32>> {
     faces.map(|face| mesh.face_vertices(face).map(|v| v.0).collect()).collect()
 }
 
-/// A mesh of those faces; `None` if they make none.
+/// The mesh of these faces; `None` if they do not form one.
 fn of_polygons(polygons: &[Vec<u32>]) -> Option<Mesh> {
     // Vertices without a face are left out.
     let mut used: Vec<u32> = polygons.iter().flatten().copied().collect();
@@ -56,8 +56,7 @@ fn of_polygons(polygons: &[Vec<u32>]) -> Option<Mesh> {
     Mesh::from_polygons(&positions, &polygons).ok()
 }
 
-/// Some of the faces of a mesh, and some pairs of polygons glued along an edge, so that
-/// sizes mix.
+/// The mesh of a random subset of the faces of a mesh, if they form one.
 fn parts(mesh: &Mesh, dice: &mut Dice) -> Option<Mesh> {
     let mut chosen = polygons(mesh);
     let keep = 1 + dice.below(chosen.len());
@@ -68,7 +67,7 @@ fn parts(mesh: &Mesh, dice: &mut Dice) -> Option<Mesh> {
     of_polygons(&chosen)
 }
 
-/// Meshes of the level: shapes and parts of them.
+/// Meshes of the level: the shapes and parts of them.
 pub fn meshes(level: Level, dice: &mut Dice) -> Vec<Mesh> {
     let shapes = shapes();
     let mut meshes = Vec::new();
@@ -80,7 +79,7 @@ pub fn meshes(level: Level, dice: &mut Dice) -> Vec<Mesh> {
     meshes
 }
 
-/// Lets every element name any halfedge of its own.
+/// Lets every element point to a random one of its halfedges.
 pub fn shuffle_pointers(mesh: &mut Mesh, dice: &mut Dice) {
     for v in mesh.vertices().collect::<Vec<_>>() {
         let spokes: Vec<HalfedgeId> = mesh.spokes(v).collect();

@@ -1,18 +1,18 @@
-//! Pages: Markdown files in which an input and what is expected of it stand side by side.
+//! Pages: Markdown files that contain inputs and their expected outputs.
 //!
-//! A page is prose with fences. A fence ```` ```hedge ```` is an input; every other fence
-//! with a word behind its ticks is what the suite answers for the last input, and the word
-//! says which answer is meant (`text`, `diagnostics`, …). A fence without a word is prose.
+//! A page is prose with fences. A fence ```` ```hedge ```` is an input. Every other fence with a
+//! word after its ticks is the expected answer of the suite for the last input, and the word
+//! selects the answer (`text`, `diagnostics`, …). A fence without a word is prose.
 //!
-//! With `UPDATE=1` in the environment the expectations are rewritten; read the difference
-//! before it is committed.
+//! With `UPDATE=1` in the environment the expectations are rewritten; review the diff before
+//! committing it.
 
 use std::fs;
 use std::path::Path;
 
-/// One question of a page.
+/// One expectation of a page.
 pub struct Case<'p> {
-    /// The word behind the ticks of the expectation.
+    /// The word after the ticks of the expectation.
     pub kind: &'p str,
     /// The input.
     pub input: &'p str,
@@ -20,8 +20,7 @@ pub struct Case<'p> {
     pub place: &'p str,
 }
 
-/// Holds every page of a folder of `tests` against `answer`, and says how many cases there
-/// were.
+/// Compares every page of a folder of `tests` with `answer`, and returns the number of cases.
 pub fn check(folder: &str, answer: impl Fn(&Case) -> String) -> usize {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(folder);
     let mut pages: Vec<_> = fs::read_dir(&folder)
@@ -48,7 +47,8 @@ pub fn check(folder: &str, answer: impl Fn(&Case) -> String) -> usize {
     count
 }
 
-/// The page with all its expectations answered, what differs, and how many cases it has.
+/// The page with all its expectations replaced by answers, the differences, and the number of
+/// cases.
 fn answered(
     name: &str,
     page: &str,

@@ -1,4 +1,4 @@
-//! Something that may come next.
+//! A completion, and its kind.
 
 use crate::analysis::words::meaning;
 use crate::diagram::Kind;
@@ -17,7 +17,7 @@ pub enum Choice {
     File,
 }
 
-/// Something that may come next.
+/// A completion.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Completion {
     /// The word.
@@ -28,7 +28,7 @@ pub struct Completion {
     pub detail: String,
     /// The text to write, with places to fill as `$1`, `${2:name}`; the word itself if `None`.
     pub snippet: Option<String>,
-    /// The smaller, the likelier.
+    /// The rank: the smaller, the likelier.
     pub rank: u8,
 }
 

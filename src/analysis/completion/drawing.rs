@@ -80,7 +80,7 @@ pub(super) fn of_side(
     found
 }
 
-/// The statements of `before` about which `after` says nothing yet, to be written again.
+/// Completions that restate the statements of `before` that `after` does not mention yet.
 fn open_statements(snapshot: &Snapshot, rule: &Rule, after: &Sketch) -> Vec<Completion> {
     let lists = rule.after.iter().flat_map(|side| &side.statements);
     let erased: Vec<&str> = lists
@@ -107,7 +107,7 @@ fn open_statements(snapshot: &Snapshot, rule: &Rule, after: &Sketch) -> Vec<Comp
     open.collect()
 }
 
-/// The rank of a name as a completion: 0 if the statement accounts for it and nothing does yet.
+/// The rank of a name as a completion: 0 if the statement would account for it and none does yet.
 fn rank(
     snapshot: &Snapshot,
     (id, symbol, kind): (SymbolId, &Symbol, Kind),
@@ -134,7 +134,7 @@ fn rank(
         }
         (Wanted::Path, Kind::Path) => Some(open(own.place(word).is_none())),
         (Wanted::EdgeHalfedge, Kind::Halfedge) => {
-            // In `after` those come first that had a twin, or are new.
+            // In `after`, halfedges that had a twin or are new come first.
             let is_due = !is_after || before.pair(word).is_some() || !before.draws(word);
             Some(open(is_due && own.pair(word).is_none()))
         }

@@ -1,4 +1,4 @@
-//! Which completions belong to which place.
+//! The completions for each context of a cursor.
 
 use super::choice::{Choice, Completion};
 use super::drawing::{drawn, of_side};

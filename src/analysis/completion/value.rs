@@ -50,7 +50,7 @@ pub(super) fn values(snapshot: &Snapshot, offset: usize, start: Start) -> Vec<Co
     found
 }
 
-/// The variables and parameters of the item around a byte; in an op also what it draws.
+/// The variables and parameters of the item around a byte; in an op also the elements it draws.
 fn variables(snapshot: &Snapshot, offset: usize) -> Vec<Completion> {
     let names = snapshot.names();
     let Some((item, node)) = item_near(snapshot, offset) else {
@@ -82,7 +82,7 @@ fn variable(snapshot: &Snapshot, id: SymbolId, symbol: &Symbol) -> Completion {
     }
 }
 
-/// The completions behind the dot of a chain.
+/// The completions after the dot of a chain.
 pub(super) fn of_chain(snapshot: &Snapshot, offset: usize, chain: &[String]) -> Vec<Completion> {
     let Some(ty) = chain_type(snapshot, offset, chain) else {
         return Vec::new();

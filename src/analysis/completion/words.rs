@@ -1,4 +1,4 @@
-//! The words of the language that begin something, each with what to write.
+//! The words of the language that begin something, each with a snippet.
 
 use super::choice::{Choice, Completion};
 

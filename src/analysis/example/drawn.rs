@@ -12,11 +12,11 @@ use crate::mesh::{Element, ElementKind, FaceId, HalfedgeId, Mesh, VertexId};
 use crate::resolve::{Block, ResolvedOp, StatementKind, Steps};
 use crate::source::Span;
 
-/// Positions nearer to each other than this are one.
+/// Positions closer to each other than this are the same.
 const SAME: f64 = 1e-9;
 
-/// The rule that an example is. Elements have the names that the signature gives them; others
-/// have none.
+/// The rule that shows an example. Elements have the names that the op gives to its parameters and
+/// its result; others have none.
 pub(super) fn rule(op: &ResolvedOp, trial: &Trial, patch: &Patch) -> Rule {
     let mut writer = Writer { trial, patch, names: Vec::new(), known: Vec::new() };
     let before = writer.side(&trial.before, Moment::Before);
@@ -66,7 +66,7 @@ fn mention(name: NameId) -> Ref {
     Ref::plain(name, Span::default())
 }
 
-/// True if a name stands on a side.
+/// True if a side draws a name.
 fn stands(side: &Side, name: NameId) -> bool {
     let is = |mention: &Ref| mention.name == name;
     let in_loops = side.loops.iter().any(|orbit| {
@@ -110,9 +110,9 @@ fn returned(steps: &Steps, block: &Block) -> Option<String> {
 /// A mesh element that has a name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Thing {
-    /// An element; a new one may have the number of one that is gone.
+    /// An element; a new one may reuse the index of an erased one.
     Element { of: Element, is_new: bool },
-    /// The part of a hole behind a halfedge that is not drawn.
+    /// The part of a hole that is not drawn, by its first halfedge.
     Path(HalfedgeId),
 }
 
@@ -169,7 +169,7 @@ impl Writer<'_> {
         mention(NameId(at as u32))
     }
 
-    /// Gives a name a word, if it has none and nothing else has that one.
+    /// Gives a name a word if it has none, with primes if the word is taken.
     fn call(&mut self, name: NameId, mut word: String) {
         while self.names.iter().any(|of| of.named && of.text == word) {
             word.push('\'');
@@ -205,7 +205,7 @@ impl Writer<'_> {
     fn orbit(&mut self, mesh: &Mesh, face: FaceId, when: Moment) -> Loop {
         let hidden = &self.patch.hidden;
         let mut around: Vec<_> = mesh.face_halfedges(face).collect();
-        // Behind something that is drawn, so that a path is not cut in two.
+        // Starts after a drawn halfedge, so that a path is not cut in two.
         let drawn = around.iter().rposition(|h| !hidden.contains(h));
         around.rotate_left(drawn.map_or(0, |drawn| (drawn + 1) % mesh.face_size(face)));
         let mut items: Vec<LoopItem> = Vec::new();
@@ -235,7 +235,8 @@ impl Writer<'_> {
         }
     }
 
-    /// The positions of the vertices, if all is flat and no two lie at one place.
+    /// The positions of the vertices, if all are in the plane, nothing is hidden and no two
+    /// coincide.
     fn places(&self) -> [Vec<Option<[f64; 2]>>; 2] {
         let Trial { before, after, .. } = self.trial;
         let is_flat = |mesh: &Mesh| mesh.vertices().all(|v| mesh.position(v).z == 0.0);
@@ -260,7 +261,7 @@ impl Writer<'_> {
         [side(before, Moment::Before), side(after, Moment::After)]
     }
 
-    /// The positions of new vertices, and others moved to.
+    /// Assignments of the positions of vertices that are new or have moved.
     fn positions(&self, before: &Side) -> Vec<Assignment> {
         let Trial { before: was, after, .. } = self.trial;
         let set = self.known.iter().enumerate().filter_map(|(at, thing)| {
@@ -281,7 +282,8 @@ impl Writer<'_> {
         set.collect()
     }
 
-    /// A position, by what is drawn before: between two vertices, or in the middle of a face.
+    /// A position as an expression over `before`: the middle of a face or a point of an edge, if it
+    /// is one, else its coordinates.
     fn position(&self, before: &Side, to: DVec3) -> Expr {
         let was = &self.trial.before;
         let place = |name: NameId| match self.known.get(name.index()) {

@@ -1,10 +1,10 @@
 //! Examples of ops in steps: what the steps do to a small mesh.
 //!
-//! Such an op draws nothing itself. So it is tried on small meshes, at one place after the
-//! other, until it is not refused and changes something; the faces around the place, before
-//! and after, are a drawing like any other. Where it can be done inside of a mesh and at a
-//! boundary, there is one of each. Everything is tried in a fixed order and only so often,
-//! also if the steps would not come to an end.
+//! Such an op draws nothing itself. So it is tried on small meshes, at one place after the other,
+//! until it is not refused and changes something; the faces around the place, before and after, are
+//! a drawing like any other. If it applies both in the interior of a mesh and at a boundary, there
+//! is an example of each. The order of the tries is fixed and their number is limited, which also
+//! bounds steps that do not terminate.
 
 mod drawn;
 mod patch;
@@ -22,11 +22,11 @@ use crate::resolve::Program;
 use crate::rewrite::Plans;
 use crate::source::Span;
 
-/// The reason why nothing shows what an op does.
+/// The reason why an op in steps has no example.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NoExample {
     op: String,
-    /// At how many places it was tried.
+    /// The number of places where it was tried.
     tries: usize,
     /// The most frequent reason against an example.
     because: Option<String>,
@@ -48,7 +48,7 @@ impl fmt::Display for NoExample {
     }
 }
 
-/// Examples of an op in steps as an op that is drawn: a rule for each.
+/// The examples of an op in steps, as a drawn op with a rule for each.
 ///
 /// # Errors
 /// It is not proved, or none was found.
@@ -92,13 +92,13 @@ pub fn example(program: &Program, op: usize, plans: &Plans) -> Result<diagram::O
 struct Found {
     inside: Option<(Worth, Trial, Patch)>,
     at_boundary: Option<(Worth, Trial, Patch)>,
-    /// True if none inside can be better.
+    /// True if no interior example can be better.
     is_perfect: bool,
 }
 
 impl Found {
-    /// Keeps a trial if it is better than what there was; breaks off where nothing better can
-    /// come on this mesh.
+    /// Keeps a trial if it is better than the best so far; breaks if this mesh cannot give a better
+    /// one.
     fn see(&mut self, trial: Trial) -> ControlFlow<()> {
         let Some(patch) = Patch::of(&trial) else {
             return ControlFlow::Continue(());

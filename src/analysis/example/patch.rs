@@ -1,9 +1,9 @@
 //! The part of a mesh that an example shows: the faces at the place, and what has changed.
 //!
-//! A loop is drawn if it meets an element that the op was called with, or if something in it
-//! is not as it was. Outside of them nothing has changed, so both sides have the same outline.
-//! If one of them is a hole, all of a small mesh is drawn; of the hole of a larger one only what
-//! lies along drawn faces, and the rest of it is a path.
+//! A loop is drawn if it touches an element that the op was called with, or if something in it has
+//! changed. Outside of the drawn loops nothing has changed, so both sides have the same outline. If
+//! one of them is a hole, all of a small mesh is drawn; of the hole of a larger mesh, only the part
+//! along drawn faces is drawn, and the rest is a path.
 
 use std::cmp::{Ordering, Reverse};
 use std::collections::BTreeSet;
@@ -13,7 +13,7 @@ use glam::DVec3;
 use super::trial::Trial;
 use crate::mesh::{EdgeId, Element, ElementKind, FaceId, HalfedgeId, Mesh, VertexId};
 
-/// More halfedges than this can nobody look at.
+/// The most halfedges of a drawing that is still readable.
 const MOST: usize = 128;
 /// The greatest number of faces and holes of a small mesh.
 const SMALL: usize = 9;
@@ -22,20 +22,20 @@ const SMALL: usize = 9;
 pub(super) struct Patch {
     /// The faces and holes on each side, those at the place first.
     pub(super) loops: [Vec<FaceId>; 2],
-    /// Of the holes that are drawn in part, the halfedges that are not.
+    /// The halfedges of partly drawn holes that are not drawn.
     pub(super) hidden: BTreeSet<HalfedgeId>,
     holes: usize,
-    /// True if the place is no hole itself, nor a halfedge of one.
+    /// True if the place is neither a hole nor a halfedge of one.
     is_of_face: bool,
     /// True if a hole lies beside the place, not only at a corner of it.
     is_beside_hole: bool,
-    /// True if the outline runs through no vertex twice, and is all there is of the outside.
+    /// True if the outline is a single loop that passes no vertex twice.
     is_plain: bool,
-    /// True if no two vertices lie at one place.
+    /// True if no two vertices coincide.
     pub(super) is_spread: bool,
     /// The number of faces and holes that lie at the place.
     at_place: usize,
-    /// The number of them.
+    /// The number of faces and holes of the mesh.
     all: usize,
 }
 
@@ -52,7 +52,7 @@ pub(super) struct Worth {
 }
 
 impl Patch {
-    /// The drawing of a trial; none if that is too much.
+    /// The patch of a trial; `None` if it is too large to be drawn.
     pub(super) fn of(trial: &Trial) -> Option<Self> {
         let (before, after) = (&trial.before, &trial.after);
         let place: Vec<Element> = trial.place.iter().flatten().copied().collect();
@@ -120,13 +120,13 @@ impl Patch {
         self.holes > 0
     }
 
-    /// True if nothing shows better what is done inside of a mesh.
+    /// True if no interior example can be better.
     pub(super) fn is_perfect(&self) -> bool {
         self.is_plain && self.is_spread && !self.has_hole()
     }
 
-    /// The worth of the patch as an example. Inside of a mesh the first of several will do; at a
-    /// boundary much around the place should be seen, and little elsewhere.
+    /// The worth of the patch as an example. In the interior the first of several will do; at a
+    /// boundary, more of the surroundings of the place is better, and less of the rest.
     pub(super) fn worth(&self) -> Worth {
         Worth {
             is_plain: self.is_plain,
@@ -149,7 +149,7 @@ impl Patch {
         all.sum::<usize>() - self.hidden.len()
     }
 
-    /// Hides of the holes what is the same on both sides and lies along nothing that is drawn.
+    /// Hides the halfedges of holes that are the same on both sides and lie along no drawn face.
     fn hide(&mut self, trial: &Trial) {
         let (before, after) = (&trial.before, &trial.after);
         let is_drawn = |mesh: &Mesh, side: usize, h: HalfedgeId| {
@@ -167,14 +167,14 @@ impl Patch {
         self.hidden = hidden.collect();
     }
 
-    /// True if the edges along which nothing is drawn are one loop that passes no vertex twice.
+    /// True if the edges drawn on one side only form a single loop that passes no vertex twice.
     fn has_plain_outline(&self, mesh: &Mesh) -> bool {
         let is_drawn = |h: HalfedgeId| self.loops[0].contains(&mesh.face(h));
         let halfedges = self.loops[0].iter().flat_map(|&f| mesh.face_halfedges(f));
         let outline: Vec<_> = halfedges.filter(|&h| !is_drawn(mesh.twin(h))).collect();
         let starts: BTreeSet<_> = outline.iter().map(|&h| mesh.vertex(h)).collect();
         let Some(&first) = outline.first() else {
-            // Everything is drawn: a hole goes outside.
+            // Everything is drawn: then one hole is the outside.
             return self.holes == 1;
         };
         let mut length = 0;
@@ -196,7 +196,7 @@ impl Patch {
     }
 }
 
-/// True if no two vertices lie at one place.
+/// True if no two vertices coincide.
 fn is_spread(mesh: &Mesh) -> bool {
     let mut places: Vec<_> = mesh.vertices().map(|v| mesh.position(v)).collect();
     let key = |at: &DVec3| at.to_array();

@@ -1,8 +1,8 @@
-//! The small meshes that ops are shown on, the plainest first.
+//! The small meshes that ops are shown on, the simplest first.
 
 use crate::mesh::{Mesh, shape};
 
-/// A mesh, and what it is called.
+/// A mesh and its name.
 pub(super) struct Stage {
     pub(super) name: &'static str,
     pub(super) mesh: Mesh,
@@ -25,7 +25,7 @@ pub(super) fn closed() -> impl Iterator<Item = Stage> {
     ])
 }
 
-/// Meshes with one: some of squares, some of triangles, others.
+/// Meshes with a boundary, in groups: of squares, of triangles, others.
 pub(super) fn open() -> impl Iterator<Item = Vec<Stage>> {
     let squares = stages([
         ("a grid", shape::grid(3, 2)),

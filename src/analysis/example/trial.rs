@@ -17,17 +17,17 @@ use crate::run::{Application, Applied, Argument};
 
 /// The number of times an op is tried on one mesh.
 const TRIES: usize = 48;
-/// The number of looks that one try may last, and that of all of them.
+/// The most looks of one try, and of all tries together.
 const PATIENCE: u32 = 64;
 const WHOLE_PATIENCE: u32 = 1024;
-/// The number of elements nearby that are tried for a parameter behind the first.
+/// The most nearby elements that are tried for a parameter after the first.
 const NEARBY: usize = 12;
 
-/// An op that was done somewhere, and changed something.
+/// A try in which the op applied and changed something.
 pub(super) struct Trial {
     /// The name of the mesh.
     pub(super) on: &'static str,
-    /// For each parameter its element, if it is one.
+    /// For each parameter its element, if it takes one.
     pub(super) place: Vec<Option<Element>>,
     pub(super) before: Mesh,
     pub(super) after: Mesh,
@@ -46,7 +46,7 @@ pub(super) struct Trials<'p> {
 }
 
 impl<'p> Trials<'p> {
-    /// None yet.
+    /// Prepares the tries of an op.
     pub(super) fn new(program: &'p Program, op: usize, plans: &Plans) -> Result<Self, Diagnostic> {
         Ok(Self {
             application: Application::new(program, op, plans)?,
@@ -65,12 +65,12 @@ impl<'p> Trials<'p> {
     /// The most frequent reason for a refusal.
     pub(super) fn hindrance(&self) -> Option<String> {
         let most = self.hindrances.iter();
-        // Of several the first in the order of the alphabet.
+        // Of several, the first in alphabetical order.
         let most = most.max_by_key(|&(why, times)| (*times, Reverse(why)));
         most.map(|(why, _)| why.clone())
     }
 
-    /// Tries it on a mesh, until somebody has seen enough.
+    /// Tries it at the places of a mesh, until `see` breaks.
     pub(super) fn on(&mut self, stage: &Stage, see: &mut dyn FnMut(Trial) -> ControlFlow<()>) {
         for values in [0, 1] {
             for place in places(&stage.mesh, self.params) {
@@ -131,7 +131,7 @@ impl<'p> Trials<'p> {
     }
 }
 
-/// Attributes do not show.
+/// Removes all attributes, which examples do not show.
 fn drop_columns(mesh: &mut Mesh) {
     for kind in ElementKind::ALL {
         let all: Vec<_> = mesh.columns(kind).map(|(id, _)| id).collect();
@@ -139,7 +139,7 @@ fn drop_columns(mesh: &mut Mesh) {
     }
 }
 
-/// Looks on so often, and then no more.
+/// Breaks after the given number of looks.
 struct Patience(u32);
 
 impl Patience {
@@ -162,8 +162,8 @@ impl Watch for Patience {
     }
 }
 
-/// A value that most ops can do something with, and another one, which keeps apart what others
-/// may let lie at one place.
+/// A value that suits most ops; if `other` is 1 another one, which may separate what the first
+/// leaves at one position.
 fn plain(ty: Type, other: usize) -> Argument {
     let number = [1.0, 0.4][other];
     let parts = |count: usize, is_one: &dyn Fn(usize) -> bool| {
@@ -185,8 +185,8 @@ fn plain(ty: Type, other: usize) -> Argument {
     }
 }
 
-/// The elements that parameters can have: for the first each of the mesh, for others those
-/// nearby, different ones before the same ones.
+/// The elements to try for the parameters: for the first each of the mesh, for others those nearby,
+/// unused ones before used ones.
 fn places(mesh: &Mesh, params: &[Param]) -> Vec<Vec<Option<Element>>> {
     let mut places: Vec<Vec<Option<Element>>> = vec![Vec::new()];
     for param in params {
@@ -223,7 +223,7 @@ fn elements(mesh: &Mesh, kind: ElementKind) -> impl Iterator<Item = Element> + '
     all.filter(|of| mesh.is_alive(of.kind, of.index))
 }
 
-/// A point that tells how near elements are to each other.
+/// The midpoint of an element, to compare distances between elements.
 fn middle(mesh: &Mesh, of: Element) -> DVec3 {
     let mean = |vertices: &mut dyn Iterator<Item = VertexId>| {
         let (sum, count) = vertices
@@ -236,7 +236,7 @@ fn middle(mesh: &Mesh, of: Element) -> DVec3 {
         ElementKind::Vertex => mesh.position(VertexId(of.index)),
         ElementKind::Edge => edge(mesh.edge_halfedge(EdgeId(of.index))),
         ElementKind::Face => face(FaceId(of.index)),
-        // On the side of its face.
+        // Moved towards its face.
         ElementKind::Halfedge => {
             let h = HalfedgeId(of.index);
             edge(h).lerp(face(mesh.face(h)), 0.1)

@@ -5,7 +5,7 @@ use super::walk::SymbolCollector;
 use crate::diagram::Kind;
 use crate::syntax::tree::{Arrow, Condition, Name, Op, Param, Rule, Side, Spoke, Statement};
 
-/// The kind of element that a type in words stands for.
+/// The kind of element that the name of a type stands for.
 fn element_kind(ty: &str) -> Option<Kind> {
     let kinds = [Kind::Vertex, Kind::Halfedge, Kind::Edge, Kind::Face];
     kinds.into_iter().find(|kind| kind.word() == ty)
@@ -18,7 +18,7 @@ impl SymbolCollector<'_> {
             self.param(param);
         }
         if let Some(result) = op.result.as_ref().filter(|_| op.steps.is_none()) {
-            // What it is, the rules say.
+            // Its kind follows from the rules.
             self.element(result, None, Role::Returned);
         }
         for (at, rule) in op.rules.iter().enumerate() {
@@ -60,7 +60,7 @@ impl SymbolCollector<'_> {
         if let Some(name) = &rule.name {
             self.declare(name, SymbolKind::Rule, None);
         }
-        // A rule may be called like one of its elements.
+        // A rule may have the same name as one of its elements.
         self.enter();
         if let Some(before) = &rule.before {
             self.side(before, SideName::Before);

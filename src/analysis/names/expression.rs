@@ -7,7 +7,7 @@ use crate::syntax::Part;
 use crate::syntax::tree::{Expr, ExprKind, Ident, Name};
 
 impl SymbolCollector<'_> {
-    /// All names of an expression.
+    /// Collects all names of an expression.
     pub(super) fn value(&mut self, value: &Expr) {
         match &value.kind {
             ExprKind::Name(name) => {
@@ -38,7 +38,7 @@ impl SymbolCollector<'_> {
         }
     }
 
-    /// All names of a value, or of a block.
+    /// Collects all names of a value, or of a block.
     pub(super) fn part(&mut self, part: Part) {
         match part {
             Part::Expr(value) => self.value(value),
@@ -55,22 +55,22 @@ impl SymbolCollector<'_> {
         }
     }
 
-    /// The index in a subscript.
+    /// Collects the index in a subscript.
     pub(super) fn subscript(&mut self, name: &Name) {
         if let Some(variable) = name.index.as_ref().and_then(|at| at.variable.as_ref()) {
             self.index(variable, Role::Read);
         }
     }
 
-    /// The index that `each` declares.
+    /// Collects the index that `each` declares.
     pub(super) fn each(&mut self, each: Option<&Ident>) {
         if let Some(each) = each {
             self.index(each, Role::Declared);
         }
     }
 
-    /// All names of a sequence. The word for one of the whole mesh means that, whatever else is
-    /// called so.
+    /// Collects all names of a sequence. A word for a sequence of the whole mesh always means that,
+    /// even if something else has the same name.
     pub(super) fn sequence(&mut self, sequence: &Expr) {
         match &sequence.kind {
             ExprKind::Name(name) if sequence_words().any(|word| word == name.ident.text) => {}

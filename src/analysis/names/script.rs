@@ -5,7 +5,7 @@ use super::walk::SymbolCollector;
 use crate::syntax::tree::{Action, ActionKind, Block, ExprKind, Param};
 
 impl SymbolCollector<'_> {
-    /// Parameters, and the body that sees them.
+    /// Collects the names of parameters, and of the body in their scope.
     pub(super) fn routine(&mut self, params: &[Param], body: &Block) {
         self.enter();
         for param in params {
@@ -18,7 +18,7 @@ impl SymbolCollector<'_> {
         self.leave();
     }
 
-    /// A block, a scope of its own.
+    /// Collects the names of a block, which is a scope of its own.
     pub(super) fn block(&mut self, block: &Block) {
         self.enter();
         for action in &block.statements {

@@ -10,7 +10,7 @@ use crate::syntax::tree;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct SymbolId(pub usize);
 
-/// The element or run that a name stands for.
+/// The kind of thing that a name stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SymbolKind {
     /// An op.
@@ -31,7 +31,7 @@ pub enum SymbolKind {
     Index,
     /// A variable of a block or an aggregate.
     Variable,
-    /// Something called that this file does not declare, nor the language.
+    /// Something called that neither this file nor the language declares.
     Elsewhere,
 }
 
@@ -42,7 +42,7 @@ pub struct Symbol {
     pub name: String,
     /// Its kind.
     pub kind: SymbolKind,
-    /// The place of its declaration; of a name of a drawing where it is first drawn or made.
+    /// The place of its declaration; for a name of a drawing, where it is first drawn or made.
     pub definition: Option<Span>,
     /// The type it is declared with, as written.
     pub ty: Option<String>,
@@ -55,10 +55,10 @@ pub struct Symbol {
 }
 
 impl Symbol {
-    /// True if both are seen somewhere, so that they should not be called the same.
+    /// True if both are in scope somewhere, so that they should not have the same name.
     pub fn meets(&self, other: &Self) -> bool {
         if self.item.is_none() || other.item.is_none() {
-            // Attributes stand behind dots.
+            // Attributes occur only after dots.
             let is_attribute = |symbol: &Self| symbol.kind == SymbolKind::Attribute;
             let is_item = self.item.is_none() && other.item.is_none();
             return is_item && !is_attribute(self) && !is_attribute(other);
@@ -130,7 +130,7 @@ pub struct Names {
 }
 
 impl Names {
-    /// Finds the names of a tree, with what is known of the words behind its dots.
+    /// Collects the names of a tree; `fields` are the known meanings of the words after its dots.
     pub fn of(tree: &tree::File, fields: &Fields) -> Self {
         let mut walk = SymbolCollector::new(fields);
         walk.file(tree);

@@ -10,12 +10,12 @@ use crate::syntax::tree::{self, Ident, Item};
 
 /// The walk: what is found so far, and what is in scope.
 pub(super) struct SymbolCollector<'f> {
-    /// The meanings of words behind dots, as far as they are known.
+    /// The meanings of words after dots, as far as they are known.
     fields: &'f Fields,
     found: Names,
-    /// The attributes, which only stand behind dots.
+    /// The attributes, which occur only after dots.
     attributes: Vec<SymbolId>,
-    /// The indices of the rule, which only stand in subscripts.
+    /// The indices of the rule, which occur only in subscripts.
     indices: HashMap<String, SymbolId>,
     /// The declarations around the place of the walk, the innermost last.
     scopes: Vec<HashMap<String, SymbolId>>,
@@ -81,7 +81,7 @@ impl<'f> SymbolCollector<'f> {
         }
     }
 
-    /// The element or run that a name stands for.
+    /// The kind of a symbol.
     pub(super) fn kind(&self, id: SymbolId) -> SymbolKind {
         self.found.symbols[id.0].kind
     }
@@ -92,8 +92,8 @@ impl<'f> SymbolCollector<'f> {
         self.mention(name.span, id, Role::Declared);
     }
 
-    /// The word behind a dot, if it names an attribute. Where that is not known, one of the name
-    /// will be meant.
+    /// Records the word after a dot, if it names an attribute. If that is not known, it is taken
+    /// for the attribute of that name.
     pub(super) fn field(&mut self, name: &Ident) {
         let is_named = |id: &SymbolId| self.found.symbols[id.0].name == name.text;
         let found = match self.fields.get(&name.span).copied() {
@@ -110,7 +110,7 @@ impl<'f> SymbolCollector<'f> {
         }
     }
 
-    /// An attribute that another file declares.
+    /// Adds an attribute that another file declares.
     fn attribute_elsewhere(&mut self, name: &Ident, declared: Option<Span>) -> SymbolId {
         let (item, rule) = (self.item.take(), self.rule.take());
         let id = self.add(&name.text, SymbolKind::Attribute, declared);
@@ -119,7 +119,7 @@ impl<'f> SymbolCollector<'f> {
         id
     }
 
-    /// An index. A rule has one, whichever of its statements names it.
+    /// Records an index. A rule has one symbol for it, whichever of its statements names it.
     pub(super) fn index(&mut self, name: &Ident, role: Role) {
         if let Some(&known) = self.indices.get(&name.text) {
             return self.mention(name.span, known, role);
@@ -129,12 +129,12 @@ impl<'f> SymbolCollector<'f> {
         self.mention(name.span, id, Role::Declared);
     }
 
-    /// Forgets the indices of the rule before.
+    /// Forgets the indices of the previous rule.
     pub(super) fn forget_indices(&mut self) {
         self.indices.clear();
     }
 
-    /// The item of a word: calls mean items, whatever variables are called.
+    /// The item that a word names. Calls refer to items, even if a variable has the same name.
     pub(super) fn find_item(&self, word: &str) -> Option<SymbolId> {
         self.scopes.first()?.get(word).copied()
     }
@@ -155,7 +155,7 @@ impl<'f> SymbolCollector<'f> {
         self.open.pop();
     }
 
-    /// A new name, declared here.
+    /// Adds a name that is declared here.
     pub(super) fn declare(
         &mut self,
         name: &Ident,
@@ -168,7 +168,7 @@ impl<'f> SymbolCollector<'f> {
         id
     }
 
-    /// A new name in the innermost scope.
+    /// Adds a name to the innermost scope.
     fn bring(&mut self, name: &str, kind: SymbolKind, definition: Option<Span>) -> SymbolId {
         let id = self.add(name, kind, definition);
         if let Some(scope) = self.scopes.last_mut() {
@@ -177,7 +177,7 @@ impl<'f> SymbolCollector<'f> {
         id
     }
 
-    /// A new name.
+    /// Adds a name.
     fn add(&mut self, name: &str, kind: SymbolKind, definition: Option<Span>) -> SymbolId {
         let id = SymbolId(self.found.symbols.len());
         self.found.symbols.push(Symbol {
@@ -196,7 +196,7 @@ impl<'f> SymbolCollector<'f> {
         self.found.mentions.push(Mention { span, symbol, role });
     }
 
-    /// A name of a drawing; the first place that gives it a kind does.
+    /// Records a name of a drawing. The first statement that implies a kind determines its kind.
     pub(super) fn element(&mut self, name: &Ident, kind: Option<Kind>, role: Role) {
         let id = match self.find(&name.text) {
             Some(id) if self.is_drawable(id) => id,
@@ -217,7 +217,7 @@ impl<'f> SymbolCollector<'f> {
         matches!(kind, SymbolKind::Element(_) | SymbolKind::Parameter)
     }
 
-    /// The place that makes a name counts as its declaration.
+    /// Makes the place where `new` lists a name its declaration.
     pub(super) fn made_here(&mut self, name: &Ident) {
         if let Some(id) = self.find(&name.text) {
             let symbol = &mut self.found.symbols[id.0];
@@ -228,7 +228,7 @@ impl<'f> SymbolCollector<'f> {
         }
     }
 
-    /// A word that is read or called, if it is declared.
+    /// Records a word that is read or written, if it is declared; false if it is not.
     pub(super) fn read(&mut self, name: &Ident, role: Role) -> bool {
         let Some(id) = self.find(&name.text) else {
             return false;
@@ -237,7 +237,7 @@ impl<'f> SymbolCollector<'f> {
         true
     }
 
-    /// A word that is called, and neither declared here nor part of the language.
+    /// Records a word that is called and is neither declared here nor part of the language.
     pub(super) fn elsewhere(&mut self, name: &Ident) {
         let (item, rule) = (self.item.take(), self.rule.take());
         let id = self.add(&name.text, SymbolKind::Elsewhere, None);

@@ -1,4 +1,4 @@
-//! Names that an `alias` lets be one, proved.
+//! Proofs of rules whose `alias`es let names be one.
 
 use super::closure::{Contradiction, united};
 use super::quotient::Quotient;
@@ -16,26 +16,26 @@ use crate::diagnostic::Diagnostic;
 use crate::diagram::{Drawing, Level, NameId, Op, Rule};
 use crate::source::Span;
 
-/// The greatest number of sets of names that are looked at.
+/// The greatest number of sets of names that are examined.
 const MOST: usize = 400;
 
-/// For how many of them a mesh is looked for that breaks.
+/// The greatest number of these sets for which a mesh that breaks is searched.
 const MOST_SEARCHES: usize = 16;
 
-/// Every way in which names that may be one are, each proved.
+/// Every way in which names that may be one are one, each proved.
 pub(in crate::check) struct Aliased {
     quotients: Vec<Quotient>,
     cases: usize,
 }
 
-/// Proves a rule for all that its `alias`es allow, or says what they must not.
+/// Proves a rule for all that its `alias`es allow, or reports what they must not allow.
 pub(in crate::check) fn allowed(op: &Op, rule: &Rule) -> Result<Aliased, Broken> {
     let mut aliased = Aliased { quotients: Vec::new(), cases: 0 };
     if rule.aliases.is_empty() {
         return Ok(aliased);
     }
     let wanted = wanted(rule);
-    // Of the sets that break a law the first is told that breaks a mesh too.
+    // Of the sets that break a law, the first that also breaks a mesh is reported, if there is one.
     let mut broken: Option<(Problem, Outcome)> = None;
     let mut searches = 0;
     for (names, quotients) in sets(rule, &wanted)? {
@@ -83,8 +83,8 @@ pub(in crate::check) fn allowed(op: &Op, rule: &Rule) -> Result<Aliased, Broken>
     }
 }
 
-/// The names that are one, by an `alias`, in the meshes that match a rule which no mesh matches
-/// with all names distinct; of several such sets the smallest.
+/// The names that are one, by an `alias`, in a mesh that matches a rule which no mesh matches with
+/// all names distinct: the smallest such sets.
 pub(in crate::check) fn drawable_where_one(rule: &Rule) -> Option<Vec<Vec<NameId>>> {
     if rule.has_families() {
         return None;
@@ -102,7 +102,7 @@ fn told(problem: Problem, outcome: Outcome) -> Broken {
     Broken { problems: vec![problem], arcs: None, outcome: Some(outcome) }
 }
 
-/// The pairs that may be one, each with the statement that says so.
+/// The pairs that may be one, each with the span of its `alias`.
 fn wanted(rule: &Rule) -> Vec<([NameId; 2], Span)> {
     let mut wanted: Vec<([NameId; 2], Span)> = Vec::new();
     for alias in &rule.aliases {
@@ -194,7 +194,7 @@ fn breaks(
         .into()
 }
 
-/// Names that an `alias` lists and that no match has as one.
+/// The problem of names that an `alias` lists, but that are one in no match.
 fn never_one(rule: &Rule, pair: [NameId; 2], span: Span) -> Problem {
     let names = words(rule, &[pair.to_vec()]);
     let count = rule.names.len();
@@ -238,14 +238,14 @@ fn impossible_alias(names: &str, why: Option<&String>, span: Span) -> Problem {
 }
 
 impl Aliased {
-    /// The number of cases that were looked at beyond those where all names are distinct.
+    /// The number of cases that were examined beyond those where all names are distinct.
     pub fn cases(&self) -> usize {
         self.cases
     }
 
-    /// The obligations of a level also where names are one. A statement is left to test if it is in
-    /// one of these cases: each is a condition of the level, so asking it once more refuses nothing
-    /// else.
+    /// The obligations of a level, including those where names are one. A statement is tested if it
+    /// has to be tested in one of these cases: each is a condition of the level, so the further
+    /// tests refuse nothing else.
     pub fn obligations(&self, mut found: Vec<Obligation>, level: Level) -> Vec<Obligation> {
         for quotient in &self.quotients {
             let drawing = Drawing::new(&quotient.rule);
@@ -262,7 +262,8 @@ impl Aliased {
         found
     }
 
-    /// Takes from what a rule keeps whatever it does not keep where names are one.
+    /// Removes from the properties that a rule keeps those that it does not keep where names are
+    /// one.
     pub fn keeps_no_more(&self, facts: &mut Facts) {
         for quotient in &self.quotients {
             let drawing = Drawing::new(&quotient.rule);

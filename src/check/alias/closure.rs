@@ -1,9 +1,9 @@
 //! Consequences of names being one.
 //!
-//! Pointers are functions: of one halfedge there is one twin, one origin, one edge, one face.
-//! So what the statements say of either name is said of both, until nothing new follows. Some
-//! consequences leave a choice: two statements of one loop can overlap in several ways, and a
-//! named spoke of a vertex is one of those that its statement lists.
+//! Pointers are functions: a halfedge has one twin, one origin, one edge, one face. So what the
+//! statements say of either name holds for both, which is applied until nothing new follows. Some
+//! consequences leave a choice: two statements of one loop can overlap in several ways, and a named
+//! spoke of a vertex is one of those that its statement lists.
 
 use super::overlap::{Overlap, overlaps};
 use super::quotient::Quotient;
@@ -11,33 +11,34 @@ use crate::check::chain::corners;
 use crate::check::port::{Links, Port};
 use crate::diagram::{Drawing, Edge, Kind, LoopKind, NameId, Spoke, Star};
 
-/// The reason why names cannot be one, or that it was not found out.
+/// The reason why names cannot be one, or why that is not known.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(in crate::check) enum Contradiction {
-    /// No mesh is like that.
+    /// They are one in no mesh.
     Certain(String),
-    /// There are too many ways, or one that is not looked into.
+    /// There are too many ways, or one that is not examined.
     Unclear(String),
 }
 
-/// Something that follows.
+/// A consequence of names being one.
 enum Consequence {
     /// Two names are one.
     One(NameId, NameId),
-    /// A name is one of these, or else there is this to say.
+    /// A name is one of these; if it cannot be, the text is the reason.
     Among(NameId, Vec<NameId>, String),
-    /// Two statements of `before` speak of one loop.
+    /// Two statements of `before` describe one loop.
     Overlap([usize; 2], LoopKind, Vec<Overlap>),
-    /// Two statements of `before` speak of the spokes of one vertex, and name the same ones.
+    /// Two statements of `before` describe the spokes of one vertex, and name the same ones.
     OneStar([usize; 2]),
-    /// Nothing can be like that.
+    /// The names cannot be one.
     Never(Contradiction),
 }
 
-/// The greatest number of ways of one set of names that are looked at.
+/// The greatest number of ways of one set of names that are examined.
 const MOST: usize = 64;
 
-/// A quotient with two more names made one, and all that follows: each way in which it can be.
+/// A quotient with two more names made one, and all that follows: one for each way that is
+/// possible.
 pub(in crate::check) fn united(
     quotient: &Quotient,
     pair: [NameId; 2],
@@ -115,7 +116,7 @@ fn never(why: String) -> Option<Consequence> {
     Some(Consequence::Never(Contradiction::Certain(why)))
 }
 
-/// The first thing that follows.
+/// The first consequence.
 fn consequence(quotient: &Quotient) -> Option<Consequence> {
     of_loops(quotient)
         .or_else(|| of_edges(quotient))
@@ -124,7 +125,7 @@ fn consequence(quotient: &Quotient) -> Option<Consequence> {
         .or_else(|| of_rings(quotient))
 }
 
-/// A halfedge stands in one place of one loop, and a face has one loop.
+/// A halfedge is in one place of one loop, and a face has one loop.
 fn of_loops(quotient: &Quotient) -> Option<Consequence> {
     let rule = &quotient.rule;
     let loops = &rule.before.loops;
@@ -201,7 +202,7 @@ fn partner(edge: &Edge, half: NameId) -> NameId {
     if left == half { right } else { left }
 }
 
-/// A halfedge starts at one vertex, and its twin where it ends.
+/// A halfedge starts at one vertex, and its twin starts where it ends.
 fn of_origins(quotient: &Quotient) -> Option<Consequence> {
     let rule = &quotient.rule;
     let mut origins: Vec<Option<NameId>> = vec![None; rule.names.len()];
@@ -232,7 +233,7 @@ fn of_origins(quotient: &Quotient) -> Option<Consequence> {
     None
 }
 
-/// A vertex has one star, which lists each of its spokes that has a name, once.
+/// A vertex has one star, which lists each of its named spokes once.
 fn of_stars(quotient: &Quotient) -> Option<Consequence> {
     let rule = &quotient.rule;
     let drawing = Drawing::new(rule);
@@ -288,8 +289,7 @@ fn of_stars(quotient: &Quotient) -> Option<Consequence> {
     None
 }
 
-/// The consequence of rings: where spokes close into a ring they are the whole star: any other is
-/// one of them.
+/// Where spokes close into a ring, they are the whole star: any other spoke is one of them.
 fn of_rings(quotient: &Quotient) -> Option<Consequence> {
     let rule = &quotient.rule;
     let drawing = Drawing::new(rule);

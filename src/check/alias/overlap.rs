@@ -1,4 +1,4 @@
-//! The ways in which two statements can speak of one loop.
+//! The ways in which two statements can describe one loop.
 //!
 //! Both go around the same cycle, so each halfedge of one is a halfedge of the other or lies on
 //! one of its paths, and where two paths run side by side they share a piece:
@@ -10,20 +10,20 @@
 
 use crate::diagram::{Kind, Loop, LoopItem, Name, NameId, Ref, Role, Rule};
 
-/// One way.
+/// One way in which two statements can describe one loop.
 #[derive(Clone, Debug)]
 pub(super) struct Overlap {
     /// The loop.
     pub items: Vec<LoopItem>,
     /// The names of the pieces, which follow those of the rule.
     pub pieces: Vec<Name>,
-    /// For each path its pieces and halfedges, in order.
+    /// For each path, its pieces and halfedges, in order.
     pub runs: Vec<(NameId, Vec<LoopItem>)>,
     /// The names that are one: halfedges, and vertices where both statements have a border.
     pub same: Vec<[NameId; 2]>,
 }
 
-/// The greatest number of ways that are looked at.
+/// The greatest number of ways that are examined.
 const MOST: usize = 200;
 
 /// All ways in which two loops can be one; `None` if nothing says where one begins in the
@@ -85,7 +85,7 @@ pub(super) fn overlaps(rule: &Rule, one: &Loop, other: &Loop) -> Option<Vec<Over
     Some(found)
 }
 
-/// An item of a loop, or what lies of a path before or behind the place where reading begins.
+/// An item of a loop, or the part of a path before or behind the place where reading begins.
 #[derive(Clone, Copy)]
 struct Part {
     item: LoopItem,
@@ -109,7 +109,7 @@ struct State {
     pieces: usize,
     /// The items so far of the path that is read.
     open: [Vec<LoopItem>; 2],
-    /// The beginning of the path in which reading began: it is its end.
+    /// The items that were read first, if reading began inside a path: they are its end.
     tail: Vec<LoopItem>,
     runs: Vec<(NameId, Vec<LoopItem>)>,
     same: Vec<[NameId; 2]>,
@@ -133,7 +133,7 @@ impl Search<'_> {
         self.rule.kind(part.item.item.name) == Kind::Path
     }
 
-    /// The vertex from which the next item of both leaves, if a statement has a border here.
+    /// The origin of the next item of both, if a statement has a border here.
     fn from(&mut self) -> Option<Ref> {
         let border = |side: usize| {
             let part = self.part(side)?;
@@ -155,7 +155,7 @@ impl Search<'_> {
         self.state = state;
     }
 
-    /// Goes on in every way.
+    /// Continues in every possible way.
     fn step(&mut self) {
         if self.found.len() > MOST {
             return;
@@ -218,7 +218,7 @@ impl Search<'_> {
     fn end_run(&mut self, side: usize) {
         let Some(part) = self.part(side) else { return };
         if !self.state.inside[side] {
-            // Where an empty path leaves, what follows it does too.
+            // What follows an empty path starts where it does.
             let parts = [&self.left, &self.right][side];
             let next = parts.get(self.state.at[side] + 1).map(|next| next.item.from);
             let next = next.unwrap_or(self.state.items[0].from);

@@ -9,11 +9,11 @@ use crate::diagram::{Kind, Loop, LoopItem, NameId, Ref, Rule, Side, Spoke, Star}
 pub(in crate::check) struct Quotient {
     /// The rule, written with one name for each element.
     pub rule: Rule,
-    /// For each name the one that stands for it.
+    /// For each name, the one that stands for it.
     stands_for: Vec<NameId>,
-    /// For each path that is cut, or holds a halfedge with a name, its pieces.
+    /// For each path that is cut, or holds a named halfedge, its pieces.
     runs: Vec<Option<Vec<LoopItem>>>,
-    /// The statements that the rule would say twice, and not alike.
+    /// Contradictory statements about one element, in words.
     pub clashes: Vec<String>,
 }
 
@@ -21,7 +21,7 @@ impl Quotient {
     /// The rule itself: no two names are one.
     pub fn of(rule: &Rule) -> Self {
         let mut rule = rule.clone();
-        // What is asked of a match says nothing of the drawing.
+        // Conditions on a match do not affect the drawing.
         rule.requires.clear();
         rule.aliases.clear();
         let count = rule.names.len();
@@ -38,7 +38,7 @@ impl Quotient {
         self.stands_for[name.index()]
     }
 
-    /// The items of a path of the rule it comes from; `None` if it is a path still.
+    /// The items of a path of the rule it comes from; `None` if it is still a path.
     pub fn run(&self, path: NameId) -> Option<&[LoopItem]> {
         self.runs[path.index()].as_deref()
     }
@@ -53,8 +53,8 @@ impl Quotient {
         at.map_or(piece, |at| NameId(at as u32))
     }
 
-    /// The names of the rule it comes from that are one, set by set, without edges, which are
-    /// one where their halfedges are, and without fans, which are where their vertices are.
+    /// The names of the rule it comes from that are one, in sets; without edges, which are one
+    /// where their halfedges are, and without fans, which are one where their vertices are.
     pub fn classes(&self, count: usize) -> Vec<Vec<NameId>> {
         let mut classes: Vec<Vec<NameId>> = Vec::new();
         for name in (0..count as u32).map(NameId) {
@@ -186,8 +186,8 @@ impl Quotient {
         Ok(())
     }
 
-    /// The same, ready for the laws: what `after` says twice alike is left out, and what it
-    /// says twice otherwise is noted. No more names can be made one then.
+    /// The same, ready for the laws: repeated statements of `after` are left out, and contradictory
+    /// ones are noted. After this no more names can be made one.
     pub fn finished(mut self) -> Self {
         drop_repetitions(&mut self.rule.after);
         let mut stars: Vec<Star> = Vec::new();
@@ -242,8 +242,8 @@ impl Quotient {
     }
 }
 
-/// The spokes of a statement with names, each with the fan behind it; one without a name where
-/// there is nothing but a fan. Two fans never follow each other in `before`.
+/// The named spokes of a statement, each with the fan behind it; one entry without a name if there
+/// is only a fan. Two fans never follow each other in `before`.
 fn sectors(spokes: &[Spoke]) -> Vec<(Option<NameId>, Option<Spoke>)> {
     let half = |spoke: &Spoke| match spoke {
         Spoke::Halfedge(half) => Some(half.name),
@@ -256,7 +256,7 @@ fn sectors(spokes: &[Spoke]) -> Vec<(Option<NameId>, Option<Spoke>)> {
     if named.is_empty() { vec![(None, fan_at(0))] } else { named }
 }
 
-/// Every mention of a side.
+/// Changes every mention of a side.
 fn mentions(side: &mut Side, change: &impl Fn(&mut Ref)) {
     for orbit in &mut side.loops {
         change(&mut orbit.face);
@@ -281,7 +281,7 @@ fn mentions(side: &mut Side, change: &impl Fn(&mut Ref)) {
     side.kept.iter_mut().for_each(change);
 }
 
-/// Loop items with a path written out. The path leaves from the vertex it left from.
+/// Loop items with a path replaced by its items, which start at the vertex where the path did.
 fn written_out(items: &[LoopItem], path: NameId, run: &[LoopItem]) -> Vec<LoopItem> {
     let written = |item: &LoopItem| match item.item.name == path {
         false => vec![*item],
@@ -296,7 +296,7 @@ fn written_out(items: &[LoopItem], path: NameId, run: &[LoopItem]) -> Vec<LoopIt
     items.iter().flat_map(written).collect()
 }
 
-/// Drops statements that say what an earlier one says.
+/// Drops statements that repeat an earlier one.
 fn drop_repetitions(side: &mut Side) {
     keep_first(&mut side.loops, |one, other| {
         let names = |orbit: &Loop| -> Vec<_> {
@@ -334,7 +334,7 @@ fn keep_first<T>(all: &mut Vec<T>, alike: impl Fn(&T, &T) -> bool) {
     *all = kept;
 }
 
-/// True if a cycle is another one, perhaps begun elsewhere.
+/// True if two cycles are the same up to rotation.
 fn is_turned<T: PartialEq>(one: &[T], other: &[T]) -> bool {
     let count = one.len();
     count == other.len()
@@ -345,8 +345,8 @@ fn is_turned<T: PartialEq>(one: &[T], other: &[T]) -> bool {
             }))
 }
 
-/// The spokes of a vertex of `after` of which two statements speak: where one of them leaves
-/// only a rest, all of the other can lie there.
+/// The spokes of a vertex that two statements of `after` describe, if both have a rest: all of the
+/// second can lie in the rest of the first.
 fn joined(one: &Star, other: &Star) -> Option<Vec<Spoke>> {
     let rest = |star: &Star| {
         let is_rest = |spoke: &Spoke| matches!(spoke, Spoke::Rest(_));

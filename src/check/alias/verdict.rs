@@ -9,11 +9,11 @@ use crate::check::vertices_are_orbits::{self, Rings};
 use crate::check::witness::{self, Counterexample, Outcome};
 use crate::diagram::{Drawing, Kind, NameId, Op, Rule};
 
-/// Names of a rule that are one, and what comes of it.
+/// Names of a rule that are one, and the outcome.
 #[derive(Clone, Debug)]
 pub struct Identification {
-    /// The names, set by set; all others are distinct. Edges are left out: two are one where
-    /// their halfedges are.
+    /// The sets of names that are one; all others are distinct. Edges are left out: two are one
+    /// where their halfedges are.
     pub names: Vec<Vec<NameId>>,
     /// The outcome.
     pub verdict: Verdict,
@@ -26,23 +26,23 @@ pub enum Verdict {
     Fine,
     /// It breaks a mesh.
     Breaks {
-        /// Which law, in words.
+        /// The broken law, in words.
         why: String,
         /// The mesh.
         example: Box<Counterexample>,
     },
-    /// No mesh is like that, for this reason.
+    /// The names are one in no mesh, for this reason.
     Impossible(String),
     /// It is not proved there, for this reason, and no small mesh was found that breaks.
     Unproved(String),
 }
 
-/// The greatest number of sets of names that are looked at, beyond what follows from each pair.
+/// The greatest number of sets of names that are examined, beyond what follows from each pair.
 const MOST_SETS: usize = 48;
 
 /// The outcomes of names of a rule being one: for each pair of one kind with all that follows from
-/// it, then for what pairs come to together. A rule with families has none: its names stand for
-/// other elements on every cycle.
+/// it, then for combinations of pairs. A rule with families has none: its names stand for different
+/// elements on every cycle.
 pub fn identifications(op: &Op, rule: &Rule) -> Vec<Identification> {
     if rule.has_families() {
         return Vec::new();
@@ -105,7 +105,7 @@ fn pairs(rule: &Rule) -> Vec<[NameId; 2]> {
     pairs
 }
 
-/// Sorts quotients by the names that are one in them.
+/// Groups quotients by the names that are one in them.
 fn add(sets: &mut Vec<(Vec<Vec<NameId>>, Vec<Quotient>)>, quotients: Vec<Quotient>, count: usize) {
     let known = sets.len();
     for quotient in quotients {
@@ -151,14 +151,14 @@ pub(super) enum Failed {
     Impossible(String),
     /// It breaks a law.
     Broken {
-        /// Which, in words.
+        /// The law, in words.
         why: String,
-        /// For law 7 the case.
+        /// For law 7, the arcs of the case that fails.
         arcs: Option<Vec<Arc>>,
     },
 }
 
-/// The laws, of a quotient that is finished.
+/// Tests the laws on a finished quotient.
 pub(super) fn laws(quotient: &Quotient) -> Result<Rings, Failed> {
     if let Some(clash) = quotient.clashes.first() {
         return Err(Failed::Broken { why: clash.clone(), arcs: None });

@@ -8,7 +8,7 @@ use crate::diagram::{
 const REQUIRED: &str = "it is required that no edge joins its ends";
 const LINK: &str = "the link condition is required";
 
-/// All that is required, one by one.
+/// The required conditions, with conjunctions taken apart.
 fn required<'a>(sketch: &'a Sketch) -> Vec<&'a Expr> {
     let mut open: Vec<_> =
         sketch.drawing.rule.requires.iter().map(|require| &require.condition).collect();
@@ -22,7 +22,7 @@ fn required<'a>(sketch: &'a Sketch) -> Vec<&'a Expr> {
     all
 }
 
-/// True if a function of drawn elements, in any order, is required.
+/// True if a function of these elements, in any order, is required to be `holds`.
 fn requires(sketch: &Sketch, function: Builtin, of: &[NameId], holds: bool) -> bool {
     let is_call = |expr: &Expr| match &expr.kind {
         ExprKind::Call(called, arguments) => {
@@ -66,8 +66,8 @@ pub(super) fn one_hole(sketch: &Sketch, vertex: NameId, from: &[NameId]) -> Opti
     (none_drawn && is_collapse(sketch, from)).then_some(LINK)
 }
 
-/// True if the two vertices are the ends of an edge that goes, with each triangle at it, so that of
-/// each the other two edges become one, and the link condition of it is required.
+/// True if the two vertices are the ends of an erased edge, each triangle at the edge vanishes, so
+/// that its other two edges become one, and the link condition of the edge is required.
 fn is_collapse(sketch: &Sketch, from: &[NameId]) -> bool {
     let drawing = sketch.drawing;
     let [v, w] = from else { return false };

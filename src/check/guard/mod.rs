@@ -1,5 +1,5 @@
-//! Levels: what an operation may break of a mesh that is more than a map, and the weakest
-//! guard against it.
+//! Levels: the conditions of meshes beyond maps that an operation may break, and the weakest guard
+//! against that.
 //!
 //! On a mesh of a level, an operation can break the level only where its drawing brings
 //! things together that were apart. So each condition of the level becomes a [`Statement`]
@@ -10,8 +10,8 @@
 //!
 //! # Why these statements are all
 //!
-//! A condition that speaks of orbits none of which has changed holds because it held. What
-//! changes is named:
+//! A condition about orbits that have not changed holds because it held before. The possible
+//! changes:
 //!
 //! * A loop changes only if `after` draws it: its size, and which vertices it meets
 //!   (`surface`). Other loops keep their halfedges, but a corner of theirs can move from
@@ -33,8 +33,8 @@
 //!   drawn with other corners than before, or a fan has brought one of its corners to a
 //!   vertex with faces from elsewhere; both then lie around any of these corners.
 //!
-//! The tests look at the result itself, so a statement that could be proved but is not
-//! costs time and no exactness.
+//! The tests look at the result itself, so a statement that could be proved but is not costs time,
+//! but no exactness.
 
 mod evidence;
 mod obligation;
@@ -46,7 +46,7 @@ pub use obligation::{Obligation, Statement};
 
 use crate::diagram::{Drawing, Level};
 
-/// Everything the level asks of the rule: what is proved, and what is left to test.
+/// The obligations of a level for a rule: what is proved, and what is left to test.
 pub(super) fn obligations(drawing: &Drawing, level: Level) -> Vec<Obligation> {
     let sketch = sketch::Sketch::new(drawing);
     let mut obligations = Vec::new();

@@ -1,4 +1,4 @@
-//! Obligations of a level for each orbit of `after`, and how it is known.
+//! Obligations of a level for each orbit of `after`, and the reasons why they hold.
 
 use crate::diagram::{NameId, Rule};
 
@@ -20,7 +20,7 @@ pub enum Statement {
     FacesDiffer {
         /// The vertex.
         vertex: NameId,
-        /// The vertex whose stars it takes over.
+        /// The vertices whose stars it takes over.
         from: Vec<NameId>,
     },
     /// A vertex has two spokes or more.
@@ -29,17 +29,17 @@ pub enum Statement {
     OneHole {
         /// The vertex.
         vertex: NameId,
-        /// The vertex whose stars it takes over.
+        /// The vertices whose stars it takes over.
         from: Vec<NameId>,
     },
-    /// So it is at every vertex along a path that goes from a face to a hole.
+    /// The same at every vertex along a path that goes from a face to a hole.
     OneHoleAlong(NameId),
     /// No two edges join a vertex to one neighbor, though the pieces of its star come from
     /// several.
     NeighborsDiffer {
         /// The vertex.
         vertex: NameId,
-        /// The vertex whose stars it takes over.
+        /// The vertices whose stars it takes over.
         from: Vec<NameId>,
     },
     /// No other edge has the ends of the edge of a halfedge.
@@ -65,7 +65,7 @@ pub enum Statement {
 pub struct Obligation {
     /// The condition.
     pub statement: Statement,
-    /// The reason why it does; without one it is left to test.
+    /// The reason why it holds; `None` if it is left to test.
     pub because: Option<&'static str>,
 }
 
@@ -98,8 +98,8 @@ impl Statement {
         }
     }
 
-    /// The same without the list of those whose stars a vertex takes over, which is for the
-    /// reader.
+    /// The same without what is only for the reader: the vertices whose stars a vertex takes over,
+    /// and the ends of a single edge.
     pub(in crate::check) fn without_origin(&self) -> Self {
         let mut statement = self.clone();
         if let Self::FacesDiffer { from, .. }
@@ -114,7 +114,7 @@ impl Statement {
         statement
     }
 
-    /// True if it is tested at every index, though its names are those of one.
+    /// True if it is tested at every index, though its names are members at one index.
     pub fn is_repeated(&self, rule: &Rule) -> bool {
         match self {
             Self::CornerOnce { face, vertex } => rule.is_member(*face) || rule.is_member(*vertex),
@@ -122,7 +122,7 @@ impl Statement {
         }
     }
 
-    /// The condition, as a table prints it: without backticks.
+    /// The condition as a table prints it, without backticks.
     pub fn claim(&self, rule: &Rule) -> String {
         let word = |name: NameId| &rule.name(name).text;
         match self {
@@ -160,7 +160,7 @@ impl Statement {
     /// The reason why an operation refuses where it would not hold.
     pub fn refusal(&self, rule: &Rule) -> String {
         let quoted = |name: NameId| rule.quoted(name);
-        // The two whose stars become one, if that is what happens.
+        // The two vertices whose stars become one, if there are two.
         let merged = |from: &[NameId]| match from {
             [v, w] => Some((quoted(*v), quoted(*w))),
             _ => None,
@@ -208,7 +208,7 @@ impl Statement {
         }
     }
 
-    /// The quantities that the time of the test grows with; nothing if it is constant.
+    /// The quantities that the time of the test grows with; `None` if it is constant.
     pub fn grows_with(&self, rule: &Rule) -> Option<String> {
         let degree = |vertex: &NameId| Some(format!("the degree of {}", rule.quoted(*vertex)));
         match self {

@@ -1,11 +1,11 @@
-//! Obligations of `simple` beyond `surface`: edges and faces that are told by their vertices.
+//! Obligations of `simple` beyond `surface`: edges and faces are determined by their vertices.
 
 use super::evidence;
 use super::obligation::{Obligation, Statement};
 use super::sketch::Sketch;
 use crate::diagram::{Loop, LoopKind, NameId};
 
-/// All of them.
+/// The obligations of `simple` beyond `surface`.
 pub(super) fn obligations(sketch: &Sketch) -> Vec<Obligation> {
     let mut obligations = Vec::new();
     // The vertices around which all edges, or all faces, are compared.
@@ -38,13 +38,14 @@ pub(super) fn obligations(sketch: &Sketch) -> Vec<Obligation> {
     obligations
 }
 
-/// True if a vertex has pieces of stars that were apart, or a piece beside a star that it had.
+/// True if a vertex gathers pieces of several stars, or has a piece of another star besides its
+/// own.
 fn gathers(sketch: &Sketch, vertex: NameId, from: &[NameId]) -> bool {
     let foreign = from.iter().any(|&source| source != vertex);
     foreign && (sketch.drawing.survives(vertex) || from.len() > 1)
 }
 
-/// True if the edge of a halfedge is new, or has moved an end; of two drawn twins, one is asked.
+/// True if the edge of a halfedge is new, or has moved an end; only for one of two drawn twins.
 fn is_changed(sketch: &Sketch, half: NameId) -> bool {
     let drawing = sketch.drawing;
     let moved = |half: NameId| drawing.origin_before(half) != drawing.origin_after(half);
@@ -71,7 +72,7 @@ fn single_edge(sketch: &Sketch, halfedge: NameId, by_edges: &[NameId]) -> Option
     Some(Obligation::new(Statement::SingleEdge { halfedge, ends }, because))
 }
 
-/// True if a loop is new or has not the corners that it had.
+/// True if a loop is new or has other corners than before.
 fn has_other_corners(sketch: &Sketch, orbit: &Loop) -> bool {
     let Some(before) = sketch.drawing.before.loop_of_face(orbit.face.name) else {
         return true;
@@ -123,8 +124,8 @@ fn is_triangle_apart(sketch: &Sketch, orbit: &Loop) -> bool {
     })
 }
 
-/// True if all other loops around a vertex, which are all drawn, have a corner that this one has
-/// not, or the other way round.
+/// True if each other loop around a vertex, all of which are drawn, has a corner that this one
+/// lacks, or lacks one that this one has.
 fn others_differ(sketch: &Sketch, orbit: &Loop, vertex: NameId) -> bool {
     let has_more = |this: &Loop, than: &Loop| {
         let mut corners = this.items.iter().map(|item| item.from.name);

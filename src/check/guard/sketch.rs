@@ -1,13 +1,13 @@
 //! A sketch of the orbits of `after`, given that the mesh is a surface before.
 //!
-//! A loop of it then has three sides, and meets a vertex once; a vertex has two spokes and
-//! one corner in a hole at most.
+//! Before, a loop then has three sides or more, and meets a vertex at most once; a vertex has two
+//! spokes or more, and at most one corner in a hole.
 
 use super::super::chain::{Corner, corners};
 use super::super::port::Links;
 use crate::diagram::{Drawing, Kind, Loop, LoopKind, NameId, Spoke};
 
-/// A drawing to be asked.
+/// A drawing, and the corners of its `before`.
 pub(super) struct Sketch<'a> {
     pub drawing: &'a Drawing<'a>,
     corners: Vec<Corner>,
@@ -19,7 +19,7 @@ impl<'a> Sketch<'a> {
         Self { drawing, corners: corners(drawing, &links) }
     }
 
-    /// The vertices that there are after.
+    /// The vertices that exist after.
     pub fn vertices(&self) -> impl Iterator<Item = NameId> + '_ {
         let drawing = self.drawing;
         let vertices = drawing.rule.names_of(Kind::Vertex);
@@ -34,7 +34,7 @@ impl<'a> Sketch<'a> {
         self.drawing.rule.kind(item) == Kind::Path
     }
 
-    /// True if an item has a halfedge for sure.
+    /// True if an item surely has a halfedge.
     pub fn is_surely_there(&self, item: NameId) -> bool {
         !self.is_path(item) || !self.drawing.may_be_empty(item)
     }
@@ -88,7 +88,7 @@ impl<'a> Sketch<'a> {
         corner.is_none_or(|corner| corner.chains.iter().any(|chain| !chain.closed))
     }
 
-    /// True if some of its undrawn spokes may stay with it.
+    /// True if some of the undrawn spokes of a vertex may stay with it.
     fn keeps_arcs(&self, vertex: NameId) -> bool {
         let view = &self.drawing.before;
         let stays = |spoke: &Spoke| match spoke {
@@ -129,19 +129,18 @@ impl<'a> Sketch<'a> {
         !self.outside(vertex).iter().all(drawn)
     }
 
-    /// The loops around a vertex that may be holes, of those one side draws: a loop for each
-    /// corner.
+    /// The loops around a vertex that `after` draws and that may be holes: a loop for each corner.
     pub fn holes_after(&self, vertex: NameId) -> Vec<(NameId, LoopKind)> {
         holes(&self.drawing.rule.after.loops, vertex)
     }
 
-    /// The same before.
+    /// The same for `before`.
     pub fn holes_before(&self, vertex: NameId) -> Vec<(NameId, LoopKind)> {
         holes(&self.drawing.rule.before.loops, vertex)
     }
 
-    /// True if two loops cannot both be holes: an edge of `before` lies between them, and they stay
-    /// what they are.
+    /// True if two loops cannot both be holes: an edge of `before` lies between them, and neither
+    /// changes its kind.
     pub fn never_both_holes(&self, left: NameId, right: NameId) -> bool {
         let drawing = self.drawing;
         let same_kind = |face: NameId| {
@@ -177,7 +176,7 @@ impl<'a> Sketch<'a> {
         fewest
     }
 
-    /// The number of spokes that a vertex of `after` has for sure.
+    /// The number of spokes that a vertex of `after` surely has.
     pub fn spokes_for_sure(&self, vertex: NameId) -> usize {
         let drawing = self.drawing;
         let out: Vec<_> =
@@ -187,8 +186,8 @@ impl<'a> Sketch<'a> {
             .filter(|item| item.from.name == vertex && self.is_path(item.item.name))
             .filter(|item| self.is_surely_there(item.item.name))
             .count();
-        // The twin of what arrives is a spoke too: one more if its twin is not drawn and it
-        // comes from where no other leads.
+        // The twin of an arriving halfedge is a spoke too: one more if it is not drawn and no drawn
+        // spoke leads to where it ends.
         let leads = |from: NameId| {
             out.iter().any(|&half| drawing.target_after(half).is_none_or(|target| target == from))
         };
@@ -236,7 +235,8 @@ impl<'a> Sketch<'a> {
             && out.all(|half| drawing.target_after(half).is_some())
     }
 
-    /// The number of edges of `after` that are drawn, or have a drawn halfedge, join two vertices.
+    /// The number of edges of `after` between two vertices that are drawn, or have a drawn
+    /// halfedge.
     pub fn drawn_edges_between(&self, v: NameId, w: NameId) -> usize {
         let drawing = self.drawing;
         let ends = |half: NameId| (drawing.origin_after(half), drawing.target_after(half));

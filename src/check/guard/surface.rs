@@ -6,7 +6,7 @@ use super::obligation::{Obligation, Statement};
 use super::sketch::Sketch;
 use crate::diagram::{Kind, Loop, LoopKind, NameId};
 
-/// All of them.
+/// The obligations of `surface`.
 pub(super) fn obligations(sketch: &Sketch) -> Vec<Obligation> {
     let mut obligations = Vec::new();
     obligations.extend(sketch.loops().iter().map(|orbit| three_sides(sketch, orbit)));
@@ -48,8 +48,8 @@ fn two_spokes(sketch: &Sketch, vertex: NameId) -> Option<Obligation> {
     Some(Obligation::new(statement, proved.then_some(because)))
 }
 
-/// The corners of a vertex are drawn ones, and those that come from vertices of `before`
-/// without being drawn. Of each of these vertices one corner at most lies in a hole.
+/// The corners of a vertex are drawn ones, and those that come from vertices of `before` without
+/// being drawn. At most one corner of each of these vertices lies in a hole.
 fn one_hole(sketch: &Sketch, vertex: NameId) -> Option<Obligation> {
     let from = sketch.outside(vertex);
     let after = sketch.holes_after(vertex);

@@ -1,13 +1,13 @@
 //! Every mesh of a given size in which a drawing lies.
 //!
-//! Such a mesh has the halfedges that are drawn and those on the paths, their twins, and some
-//! edges besides. First each halfedge without a twin gets another one of these, or a fresh one;
-//! then each without a `next` gets one at the vertex where it ends. Vertices without a name become
-//! one where links bring them together, vertices with different names never do. Nothing is left
-//! out, so what is found by going from size to size is smallest.
+//! Such a mesh has the halfedges that are drawn and those on the paths, their twins, and some edges
+//! besides. First each halfedge without a twin is paired with another one of these, or with a fresh
+//! one; then each without a `next` gets one at the vertex where it ends. Vertices without a name
+//! become one where links bring them together, vertices with different names never do. Nothing is
+//! left out, so what is found first, going from size to size, is smallest.
 //!
-//! A search for polygon meshes leaves out early what is none: a loop of fewer than three sides,
-//! or that meets a vertex twice, and a vertex with a single spoke.
+//! A search for polygon meshes discards others early: those where a loop has fewer than three sides
+//! or meets a vertex twice, or a vertex has a single spoke.
 
 use std::ops::ControlFlow;
 
@@ -16,7 +16,7 @@ use super::sketch::{HalfedgeRole, Shape, Sketch, VertexRole};
 use crate::diagram::{Drawing, Kind, NameId};
 use crate::mesh::Level;
 
-/// The end of looking at meshes.
+/// The reason why an enumeration ends early.
 pub(super) enum End {
     /// One was found.
     Found(Box<Shown>),
@@ -30,18 +30,18 @@ type Flow = ControlFlow<End>;
 pub(super) struct Completions<'a> {
     /// The drawing.
     pub drawing: &'a Drawing<'a>,
-    /// True if two fans lie side by side, which nothing parts: either may have all the spokes.
+    /// True if two fans lie side by side with nothing between them: either may have all the spokes.
     pub ambiguous: bool,
-    /// The level that they must have.
+    /// The level that the meshes must have.
     pub level: Level,
     /// The number of links that may still be tried.
     pub steps: usize,
-    /// The question to each.
+    /// Called for each mesh; a result ends the enumeration.
     pub visit: &'a mut dyn FnMut(Sketch) -> Option<Shown>,
 }
 
 impl Completions<'_> {
-    /// Looks at all meshes with so many halfedges.
+    /// Visits all meshes with `size` halfedges.
     pub fn of_size(&mut self, size: usize) -> Flow {
         let drawing = self.drawing;
         let drawn = |kind: Kind| {
@@ -109,7 +109,7 @@ impl Completions<'_> {
         Flow::Continue(())
     }
 
-    /// Gives each halfedge a twin; what room is left then is for further edges.
+    /// Gives each halfedge a twin; the room that is left is for further edges.
     fn twins(&mut self, sketch: Sketch, room: usize) -> Flow {
         self.step()?;
         let single = |half: &usize| sketch.halves[*half].twin.is_none();
@@ -159,7 +159,7 @@ impl Completions<'_> {
         Flow::Continue(())
     }
 
-    /// A vertex of which no spoke is drawn may be any that has no name.
+    /// A named vertex of which no spoke is drawn may be any vertex without a name.
     fn lone_vertices(&mut self, sketch: Sketch, from: usize) -> Flow {
         let starts = |vertex: usize| sketch.halves.iter().any(|half| half.origin == vertex);
         let named = |vertex: usize| matches!(sketch.vertices[vertex], VertexRole::Named(_));
@@ -193,14 +193,14 @@ impl Completions<'_> {
         Flow::Continue(())
     }
 
-    /// True if a mesh of the wanted kind can come of a sketch.
+    /// True if a mesh of the wanted level can result from a sketch.
     fn may_be(&self, sketch: &Sketch) -> bool {
         self.level == Level::Map || sketch.may_be_polygons()
     }
 }
 
 impl Sketch {
-    /// True if all that starts at the vertex of a spoke lies in its fan, if that is closed.
+    /// True unless the fan of a spoke is closed without all the spokes of its vertex.
     fn is_one_fan(&self, spoke: usize) -> bool {
         let vertex = self.halves[spoke].origin;
         let spokes = self.halves.iter().filter(|half| half.origin == vertex).count();

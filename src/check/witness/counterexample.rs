@@ -1,4 +1,4 @@
-//! A mesh that a rejected rule breaks, and what else can come of carrying a rule out.
+//! A mesh that a rejected rule breaks, and the other outcomes of carrying a rule out.
 
 use crate::mesh::{Element, Invalid, Level, Mesh};
 
@@ -13,23 +13,22 @@ pub struct Counterexample {
     pub code: &'static str,
     /// A valid mesh.
     pub before: Mesh,
-    /// The mesh after, as the rewrite, carried out literally, makes of it.
+    /// The mesh after the rewrite, carried out literally.
     pub after: Mesh,
     /// The elements of each name: one element, the halfedges of a path, the spokes of a fan.
     pub names: Vec<(String, Vec<Element>)>,
-    /// The reason why `after` is no mesh.
+    /// The reason why `after` is not valid.
     pub invalid: Invalid,
-    /// The same with the names of the drawing.
+    /// The same in words, with the names of the drawing.
     pub verdict: String,
-    /// The level among whose meshes, those that the rule breaks, `before` has the fewest
-    /// halfedges; `None` where there are too many to look at. Where names may be one by an `alias`,
-    /// the meshes are meant where just the names are one that are here.
+    /// The level for which `before` has the fewest halfedges of all meshes that the rule breaks;
+    /// `None` if there are too many to examine. If an `alias` lets names be one, only meshes where
+    /// the same names are one as here are compared.
     pub smallest_of: Option<Level>,
 }
 
 impl Counterexample {
-    /// True if the mesh before is what a list of polygons says, so that files of polygons can hold
-    /// it.
+    /// True if `before` is determined by a list of polygons, so that files of polygons can hold it.
     pub fn is_polygons(&self) -> bool {
         self.before.is_polygons()
     }
@@ -40,7 +39,7 @@ impl Counterexample {
 pub enum Outcome {
     /// It breaks a mesh.
     Breaks(Box<Counterexample>),
-    /// It breaks none of so many small meshes.
+    /// It breaks none of this number of small meshes.
     Valid(usize),
     /// The drawing contradicts itself, so no mesh matches.
     NoMesh,

@@ -1,8 +1,8 @@
 //! A counterexample as a drawing: the whole mesh before, and what became of it.
 //!
-//! Elements have the names of the rule they were found with, halfedges and vertices without a
-//! name get numbers. What `after` has is written down as it stands, broken as it is: a loop goes
-//! on until it comes back to a halfedge it has met, an edge is a halfedge and its twin.
+//! Elements have the names of the rule they were found with; those without a name get numbers.
+//! `after` is written down as it is, even if broken: a loop continues until it comes back to a
+//! halfedge it has met, an edge is a halfedge and its twin.
 
 use super::Counterexample;
 use crate::diagram::{
@@ -75,7 +75,7 @@ fn is_alive(mesh: &Mesh, element: Element) -> bool {
 struct Writer<'a> {
     example: &'a Counterexample,
     names: Vec<Name>,
-    /// For each name its element.
+    /// For each name, its element.
     elements: Vec<Element>,
 }
 

@@ -1,10 +1,10 @@
 //! The rewrite, carried out literally: the four phases by the pointer rules, and nothing more.
 //!
-//! In a loop of `after`, `x.next` is what follows, `x.vertex` the name before it, `x.face` the
-//! loop; along a path `face` is written. In an edge, `twin` and `edge`. An outer halfedge
-//! starts where its vertex statement says, else where its drawn twin ends; the spokes of a
-//! fan start where it is listed. The `halfedge` of what is drawn is one that says so, if there
-//! is one. Whatever nothing reassigns keeps its old value, and `erase` erases.
+//! In a loop of `after`, `x.next` is what follows, `x.vertex` the name before it, `x.face` the face
+//! of the loop; along a path, `face` is set. In an edge, `twin` and `edge` are set. An outer
+//! halfedge starts where its vertex statement says, else where its drawn twin ends; the spokes of a
+//! fan start where it is listed. The `halfedge` of a drawn element is one that points to it, if
+//! there is one. Pointers that nothing reassigns keep their old values, and `erase` erases.
 
 use super::place::Place;
 use crate::diagram::{Drawing, Kind, LoopKind, NameId, Ref, Spoke};
@@ -15,11 +15,11 @@ use crate::mesh::{EdgeId, FaceId, HalfedgeId, Mesh, VertexId};
 pub(super) struct Carried {
     /// The mesh after.
     pub mesh: Mesh,
-    /// For each name its element, also of what is new.
+    /// For each name, its element, new ones included.
     pub elements: Vec<Option<u32>>,
 }
 
-/// Carries the rewrite out; `None` if `after` uses what nothing binds.
+/// Carries the rewrite out; `None` if `after` uses a name that nothing binds.
 pub(super) fn carry_out(drawing: &Drawing, place: &Place) -> Option<Carried> {
     let mut rewrite =
         Rewrite { drawing, place, mesh: place.mesh.clone(), elements: place.elements.clone() };
@@ -73,7 +73,7 @@ impl Rewrite<'_> {
     fn loops(&mut self) -> Option<()> {
         for orbit in &self.drawing.rule.after.loops {
             let face = self.elements[orbit.face.name.index()].map(FaceId)?;
-            // With each halfedge whether what precedes it is on the same path.
+            // Each halfedge, and whether the one before it is on the same path.
             let mut cycle = Vec::new();
             for item in &orbit.items {
                 let name = item.item.name;
@@ -171,7 +171,7 @@ impl Rewrite<'_> {
         erased
     }
 
-    /// The `halfedge` of each vertex, edge and face that `after` draws.
+    /// Sets the `halfedge` of each vertex, edge and face that `after` draws.
     fn own_halfedges(&mut self, erased: &[NameId]) {
         let rule = self.drawing.rule;
         for index in 0..rule.names.len() {
@@ -213,7 +213,8 @@ impl Rewrite<'_> {
         }
     }
 
-    /// New vertices lie amidst their new neighbours; what the op says is of no matter here.
+    /// Puts new vertices in the middle of their new neighbours; the positions that the op sets do
+    /// not matter here.
     fn positions(&mut self) {
         for &Ref { name, .. } in &self.drawing.rule.created {
             let Some(vertex) =

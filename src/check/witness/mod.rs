@@ -1,13 +1,13 @@
 //! Counterexamples: a small mesh and match on which a rejected rule breaks.
 //!
-//! The drawing of `before` is laid down as a [`sketch`], its [`outside`] is closed in one of
-//! the ways it can run, and the result is a [`place`]: a valid mesh with the match in it. There
-//! the rewrite is carried out, [`literal`]ly, and what `validate` says of the outcome is put
-//! into [`words`]. The [`search`] goes from small to large; every [`completion`] of the drawing
-//! that is smaller than what it finds is looked at, too.
+//! The drawing of `before` is laid down as a [`sketch`], its [`outside`] is closed in one of the
+//! possible ways, and the result is a [`place`]: a valid mesh with the match in it. There the
+//! rewrite is carried out, [`literal`]ly, and the verdict of `validate` on the outcome is put into
+//! [`words`]. The [`search`] goes from small to large; every [`completion`] of the drawing that is
+//! smaller than what it finds is examined, too.
 //!
-//! A counterexample is never part of a proof: it shows to a person, and to the tests, that a law
-//! was not broken for nothing.
+//! A counterexample is never part of a proof: it shows people, and the tests, that breaking a law
+//! has consequences.
 
 mod completion;
 mod counterexample;
@@ -30,7 +30,7 @@ pub use counterexample::{Counterexample, Outcome};
 use search::{Found, Shown, search, search_where_one};
 use words::Words;
 
-/// Codes of what has nothing to do with the mesh: there is nothing to carry out.
+/// Codes of problems that do not concern the mesh: there is nothing to carry out.
 const BESIDE_THE_MESH: [&str; 7] = [
     "alias-always",
     "alias-impossible",
@@ -63,7 +63,7 @@ pub(super) fn find_where_one(
     outcome(&op.name, &drawing, found, code)
 }
 
-/// Carries a rejected rule out, and tells what comes of it with the first of its problems.
+/// Carries a rejected rule out, and notes the outcome at the first of its problems about the mesh.
 pub(super) fn find(op: &Op, rule: &Rule, broken: &mut Broken) -> Outcome {
     let drawing = Drawing::new(rule);
     let about_mesh = |problem: &&mut Problem| !BESIDE_THE_MESH.contains(&problem.diagnostic.code);
@@ -105,7 +105,7 @@ fn outcome(op: &str, drawing: &Drawing, found: Found, code: &'static str) -> Out
     }
 }
 
-/// The note for a person about the outcome.
+/// The note about an outcome.
 fn note(outcome: &Outcome) -> Option<String> {
     match outcome {
         Outcome::Breaks(example) => {

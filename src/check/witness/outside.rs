@@ -36,11 +36,11 @@ pub(super) enum Further {
 /// The ways in which the arcs of a vertex can run, without further spokes.
 pub(super) type Ways = Vec<Vec<Join>>;
 
-/// The greatest number of ways of one vertex that are looked at.
+/// The greatest number of ways of one vertex that are examined.
 const MOST_WAYS: usize = 24;
 
-/// For each vertex with arcs the ways in which they can run; `None` if the spokes of a vertex
-/// cannot come into one cycle.
+/// For each vertex with arcs, the ways in which they can run; `None` if the spokes of a vertex
+/// cannot form one cycle.
 pub(super) fn ways(sketch: &Sketch) -> Option<Vec<Ways>> {
     let mut all = Vec::new();
     for vertex in 0..sketch.vertices.len() {
@@ -104,7 +104,7 @@ fn next_order(order: &mut [usize]) -> bool {
     true
 }
 
-/// The arcs of a case of law 7 in a sketch, and the arcs inside of its paths.
+/// The arcs of a case of law 7 in a sketch, and the arcs inside its paths.
 pub(super) fn joins_of(sketch: &Sketch, arcs: &[Arc]) -> Option<Vec<Join>> {
     let run = |name: NameId| &sketch.runs[name.index()];
     let twin = |half: usize| sketch.halves[half].twin;

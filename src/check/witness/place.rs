@@ -6,7 +6,7 @@ use super::sketch::{HalfedgeRole, Sketch, VertexRole};
 use crate::diagram::{Drawing, Kind, LoopItem, LoopKind, NameId, Rule, Spoke};
 use crate::mesh::{EdgeId, FaceId, HalfedgeId, Level, Mesh, VertexId, validate, validate_level};
 
-/// Of how many loops every choice of faces and holes is looked at.
+/// The greatest number of loops for which every choice of faces and holes is examined.
 const MOST_FLAGS: usize = 6;
 
 /// A valid mesh, and where the drawing of `before` lies in it.
@@ -14,23 +14,23 @@ const MOST_FLAGS: usize = 6;
 pub(super) struct Place {
     /// The mesh.
     pub mesh: Mesh,
-    /// For each name its element, if it has one.
+    /// For each name, its element, if it has one.
     pub elements: Vec<Option<u32>>,
-    /// For each name the halfedges of the path, or the spokes of the fan.
+    /// For each name, the halfedges of the path, or the spokes of the fan.
     pub runs: Vec<Vec<HalfedgeId>>,
-    /// The origins of the halfedges, by their ids.
+    /// The roles of the halfedges, by their ids.
     pub halfedges: Vec<HalfedgeRole>,
-    /// The origins of the vertices, by their ids.
+    /// The roles of the vertices, by their ids.
     pub vertices: Vec<VertexRole>,
-    /// The loops outside of the drawing.
+    /// The loops outside the drawing.
     pub outside: Vec<FaceId>,
-    /// Those that the drawing calls `loop`: either faces or holes.
+    /// The loops that the drawing calls `loop`: either faces or holes.
     pub either: Vec<FaceId>,
 }
 
 impl Place {
-    /// The mesh of a sketch whose outside is closed; `None` if it is no mesh, or does not
-    /// agree with the vertex statements, or the match would be refused.
+    /// The mesh of a sketch whose outside is closed; `None` if it is not valid, or does not agree
+    /// with the vertex statements, or the match would be refused.
     pub fn of(drawing: &Drawing, sketch: Sketch) -> Option<Self> {
         let count = drawing.rule.names.len();
         let halfedge = |half: usize| HalfedgeId(half as u32);
@@ -59,7 +59,7 @@ impl Place {
         Some(place)
     }
 
-    /// The same place with the names that are one there told apart again.
+    /// The same place for the rule in which the names that are one here are separate.
     pub fn with_each_name(self, rule: &Rule, quotient: &Quotient) -> Self {
         let names = || (0..rule.names.len() as u32).map(NameId);
         let pieces = |run: &[LoopItem]| -> Vec<HalfedgeId> {
@@ -92,7 +92,7 @@ impl Place {
         }
     }
 
-    /// Makes the mesh nice to look at. Its pointers stay what they are.
+    /// Prepares the mesh for display: its faces, holes and positions. Its pointers stay the same.
     pub fn dress(&mut self) {
         self.outside_may_be_faces();
         lay_out(self);
@@ -146,7 +146,7 @@ impl Place {
         edge
     }
 
-    /// Loops outside of the drawing are holes.
+    /// Adds the faces; loops outside the drawing are holes.
     fn faces(&mut self, drawing: &Drawing, sketch: &Sketch) {
         for orbit in &drawing.rule.before.loops {
             let face = orbit.face.name;
@@ -190,13 +190,14 @@ impl Place {
         self.at_level(level).is_some()
     }
 
-    /// The mesh of a level: with as few faces outside of the drawing in place of holes, and as few
-    /// holes in it in place of faces, as it needs.
+    /// The mesh at a level: with as few holes outside the drawing turned into faces, and as few
+    /// loops of the drawing into holes, as that needs.
     fn at_level(&self, level: Level) -> Option<Mesh> {
         let loops: Vec<_> = self.outside.iter().chain(&self.either).collect();
         let mut ways: Vec<u64> = match loops.len() {
             0..=MOST_FLAGS => (0..1 << loops.len()).collect(),
-            // All faces is what a surface needs least of.
+            // Only as they are, or with all outside loops faces, which a surface allows most
+            // easily.
             _ => vec![0, (1 << self.outside.len().min(63)) - 1],
         };
         ways.sort_by_key(|way| way.count_ones());
@@ -211,8 +212,8 @@ impl Place {
         })
     }
 
-    /// Holes outside of the drawing may as well be faces: where only then the mesh is a surface,
-    /// they are.
+    /// Holes outside the drawing may as well be faces: they become faces if only then the mesh is a
+    /// surface.
     fn outside_may_be_faces(&mut self) {
         let levels = [Level::Simple, Level::Surface];
         if let Some(mesh) = levels.into_iter().find_map(|level| self.at_level(level)) {
@@ -220,7 +221,7 @@ impl Place {
         }
     }
 
-    /// Binds the fans, or finds that a vertex statement does not agree with the mesh.
+    /// Binds the fans; `None` if a vertex statement does not agree with the mesh.
     fn fans(&mut self, drawing: &Drawing, late: bool) -> Option<()> {
         for star in &drawing.rule.before.stars {
             let vertex = self.elements[star.vertex.name.index()].map(VertexId)?;
@@ -268,7 +269,7 @@ impl Place {
         Some(())
     }
 
-    /// True if only empty paths would be left of a loop, which the matcher refuses.
+    /// True if only empty paths would be left in a loop, which the matcher refuses.
     fn is_refused(&self, drawing: &Drawing) -> bool {
         let rule = drawing.rule;
         let empty = |name: NameId| {

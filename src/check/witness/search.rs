@@ -1,12 +1,12 @@
 //! A small mesh on which a rewrite breaks.
 //!
-//! First one place is looked for, from small to large: the fewest halfedges on every path, then
+//! First any place is searched for, from small to large: the fewest halfedges on every path, then
 //! more; the arcs without further spokes, then with a few; all ways in which the arcs can run. A
 //! failing case of law 7 brings its arcs along; they are tried first.
 //!
-//! Then all smaller meshes are looked at, if these are not too many, so that the one that is shown
-//! has the fewest halfedges. They are of the level that the first has: people draw polygon meshes,
-//! and files hold them.
+//! Then all smaller meshes are examined, if there are not too many, so that the one that is shown
+//! has the fewest halfedges. They have the level of the first: people draw polygon meshes, and
+//! files hold them.
 
 use super::super::alias::Quotient;
 use super::super::arrangement::{Arc, Lies};
@@ -24,39 +24,39 @@ use std::ops::ControlFlow;
 pub(super) enum Found {
     /// A place where the rewrite breaks the mesh.
     Breaks(Box<Shown>),
-    /// Only places where the mesh stays valid; how many.
+    /// Only places where the mesh stays valid: their number.
     Valid(usize),
     /// The drawing contradicts itself: there is no place.
     NoPlace,
-    /// Nothing: `after` uses what nothing binds, or the search would be too long.
+    /// Nothing: `after` uses a name that nothing binds, or the search would be too long.
     Unclear,
 }
 
-/// A place, and what comes of it.
+/// A place, and the outcome of the rewrite there.
 pub(super) struct Shown {
     /// The place.
     pub place: Place,
     /// The rewrite carried out.
     pub carried: Carried,
-    /// The reason why the result is no mesh.
+    /// The reason why the result is not valid.
     pub invalid: Invalid,
-    /// The level among whose meshes it is known to have the fewest halfedges, if it is known.
+    /// The level for which it has the fewest halfedges of all meshes that break, if that is known.
     pub smallest_of: Option<Level>,
 }
 
 /// The greatest number of meshes that are built.
 const MOST_BUILT: usize = 600;
-/// The greatest number of halfedges and spokes that are added to the fewest that there can be.
+/// The greatest number of halfedges and spokes that are added to the fewest possible.
 const MOST_ADDED: usize = 4;
 /// The greatest number of links that are tried in smaller meshes.
 const MOST_STEPS: usize = 6_000;
 /// The greatest number of combinations of arcs that are tried in one shape.
 const MOST_COMBINATIONS: usize = 96;
 
-/// The greatest number of shapes that are looked at, the smallest first.
+/// The greatest number of shapes that are examined, the smallest first.
 const MOST_SHAPES: usize = 10_000;
 
-/// Looks for a place where a rewrite breaks the mesh.
+/// Searches for a place where a rewrite breaks the mesh.
 pub(super) fn search(drawing: &Drawing, arcs: Option<&[Arc]>) -> Found {
     Search::new(drawing, drawing).run(drawing, arcs)
 }
@@ -83,7 +83,7 @@ impl<'a> Search<'a> {
         self.found(drawing, shown)
     }
 
-    /// The smallest of all, if one is smaller than the first, or none was found.
+    /// A smaller mesh than the first, if one breaks, or any if there is no first; else the first.
     fn smallest(&mut self, first: Option<Shown>) -> Option<Shown> {
         let level = first.as_ref().map_or(Level::Map, |shown| shown.place.level());
         let fewest = self.drawing.rule.names_of(Kind::Halfedge).count();
@@ -135,8 +135,8 @@ impl Shown {
 struct Search<'a> {
     /// The drawing that is laid down.
     drawing: &'a Drawing<'a>,
-    /// The drawing that is carried out: the same, or where names are one, the rule in which they
-    /// are two.
+    /// The drawing that is carried out: the same or, where names are one, that of the rule in which
+    /// they are separate.
     carried_out: &'a Drawing<'a>,
     quotient: Option<&'a Quotient>,
     built: usize,
@@ -158,7 +158,7 @@ impl Search<'_> {
         (0..self.drawing.rule.names.len()).all(known)
     }
 
-    /// The failing case of law 7.
+    /// Tries the arcs of the failing case of law 7.
     fn arcs(&mut self, arcs: Option<&[Arc]>) -> Option<Shown> {
         let arcs = arcs?;
         let empty = |path: NameId| {
@@ -199,7 +199,7 @@ impl Search<'_> {
         glued
     }
 
-    /// Every way in which the arcs can run.
+    /// Tries every way in which the arcs can run.
     fn anywhere(&mut self) -> Option<Shown> {
         let shapes = self.shapes(&|path| {
             let may_be_empty = self.drawing.may_be_empty(path);
@@ -225,7 +225,7 @@ impl Search<'_> {
         })
     }
 
-    /// Lengths of the paths, from the least on.
+    /// The shapes with lengths of the paths from the least on, the smallest first.
     fn shapes(&self, least: &dyn Fn(NameId) -> usize) -> Vec<Sized> {
         let count = self.drawing.rule.names.len();
         let mut shapes = vec![(0, Shape { lengths: vec![0; count], ..Shape::default() })];
@@ -295,7 +295,7 @@ impl Search<'_> {
     }
 }
 
-/// The ways to add so many further spokes.
+/// The ways to add further spokes: `count` in one arc, or, for 3, one in each.
 fn furthers(sketch: &Sketch, joins: &[Join], count: usize) -> Vec<Further> {
     let at_name = |join: &Join| {
         let vertex = sketch.halves[join.leaves].origin;

@@ -4,25 +4,25 @@
 //! every halfedge without a drawn twin gets a fresh one outside. What remains open is the
 //! `next` of the halfedges outside.
 //!
-//! A shape may also say that things which the drawing leaves apart are one: two halfedges
-//! without a drawn twin are each other's, or an outer halfedge lies on a path.
+//! A shape may also identify what the drawing leaves separate: two halfedges without a drawn twin
+//! are twins of each other, or an outer halfedge lies on a path.
 
 use crate::diagram::{Drawing, Kind, NameId, Spoke, Star};
 
 /// The choices that a drawing leaves open about its own halfedges.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Shape {
-    /// For each name the number of halfedges, if it is a path.
+    /// For each name, the number of halfedges, if it is a path.
     pub lengths: Vec<usize>,
     /// Halfedges without a drawn twin, by number, that are twins.
     pub glued: Vec<[usize; 2]>,
     /// Outer halfedges that lie on a path, at a place.
     pub on_path: Vec<(NameId, NameId, usize)>,
-    /// Of two fans side by side, which nothing parts, whether the second has all the spokes.
+    /// For two fans side by side, with nothing between them, whether the second has all the spokes.
     pub late: bool,
 }
 
-/// The origin of a halfedge.
+/// The role of a halfedge in the drawing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum HalfedgeRole {
     /// It has a name.
@@ -35,27 +35,27 @@ pub(super) enum HalfedgeRole {
     Further(usize),
 }
 
-/// The origin of a vertex.
+/// The role of a vertex in the drawing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum VertexRole {
     /// It has a name.
     Named(NameId),
-    /// It lies inside of a path.
+    /// It lies inside a path.
     Along(NameId),
-    /// Nothing is known of it.
+    /// It has no name and lies on no path.
     Loose,
 }
 
 /// A halfedge of a sketch.
 #[derive(Clone, Debug)]
 pub(super) struct Half {
-    /// Its origin.
+    /// Its role.
     pub role: HalfedgeRole,
     /// The number of the vertex it starts at.
     pub origin: usize,
-    /// The next.
+    /// The next halfedge.
     pub next: Option<usize>,
-    /// The one before.
+    /// The halfedge before.
     pub prev: Option<usize>,
     /// Its twin.
     pub twin: Option<usize>,
@@ -76,7 +76,7 @@ pub(super) struct Sketch {
     pub vertex_of: Vec<Option<usize>>,
     /// For each name the halfedges of the path, or the spokes of the fan.
     pub runs: Vec<Vec<usize>>,
-    /// Of two fans side by side, whether the second has all the spokes.
+    /// For two fans side by side, whether the second has all the spokes.
     pub late: bool,
 }
 
@@ -96,7 +96,7 @@ impl Sketch {
         Some(sketch)
     }
 
-    /// Lays down a drawing, and adds no twins to those that are drawn.
+    /// Lays down a drawing without adding the twins that are not drawn.
     pub fn open(drawing: &Drawing, shape: &Shape) -> Option<Self> {
         let count = drawing.rule.names.len();
         let mut sketch = Self {
@@ -216,7 +216,7 @@ impl Sketch {
         Some(())
     }
 
-    /// The halfedge of a name; one that stands in no loop starts where its twin ends.
+    /// The halfedge of a name; one that is in no loop starts where its twin ends.
     fn drawn_or_outer(&mut self, drawing: &Drawing, name: NameId, twin: NameId) -> usize {
         if let Some(half) = self.half_of[name.index()] {
             return half;
@@ -271,7 +271,7 @@ impl Sketch {
         Some(())
     }
 
-    /// Removes the vertices without a name that nothing starts at.
+    /// Removes the vertices without a name at which nothing starts.
     pub fn compact(&mut self) {
         let mut numbers = vec![None; self.vertices.len()];
         let mut kept = Vec::new();
@@ -294,7 +294,7 @@ impl Sketch {
         }
     }
 
-    /// Halfedges that only a vertex statement names, and the vertices of these statements.
+    /// Adds halfedges that only a vertex statement names, and the vertices of these statements.
     fn spokes(&mut self, drawing: &Drawing) -> Option<()> {
         for star in &drawing.rule.before.stars {
             let vertex = self.vertex(star.vertex.name);
@@ -318,7 +318,8 @@ impl Sketch {
         drawing.rule.before.stars.iter().try_for_each(|star| self.follow_each_other(star))
     }
 
-    /// The spoke behind another, counterclockwise, is the twin of what precedes that one.
+    /// Pairs halfedges by the order of spokes: the spoke behind another, counterclockwise, is the
+    /// twin of the halfedge before that one.
     fn follow_each_other(&mut self, star: &Star) -> Option<()> {
         let half = |sketch: &Self, spoke: &Spoke| match spoke {
             Spoke::Halfedge(half) => sketch.half_of[half.name.index()],
@@ -351,8 +352,8 @@ impl Sketch {
     }
 }
 
-/// Outer halfedges that are the first or last of a path, since the spokes of a vertex follow each
-/// other: the one behind a spoke is the twin of what precedes it.
+/// Outer halfedges that are the first or last of a path, because of the order of spokes: the spoke
+/// behind another is the twin of the halfedge before that one.
 fn implied_on_paths(drawing: &Drawing, shape: &Shape) -> Vec<(NameId, NameId, usize)> {
     let view = &drawing.before;
     let length = |item: NameId| match drawing.rule.kind(item) {

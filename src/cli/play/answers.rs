@@ -13,10 +13,10 @@ use super::pages::Pages;
 use crate::lsp::uri;
 use crate::play::Message;
 
-/// The most bytes of a question: a mesh.
+/// The most bytes of a question, which may be a mesh.
 const MOST: u64 = 2 << 30;
 
-/// The content security policy of the page: nothing from elsewhere.
+/// The content security policy of the page: nothing from other origins.
 const POLICY: &str = "default-src 'none'; script-src 'self'; worker-src 'self'; \
     style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; connect-src 'self'; \
     base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
@@ -29,7 +29,7 @@ pub(super) struct Answers {
     pub pages: Pages,
 }
 
-/// A body and its type; or a status and why.
+/// A body and its type; or a status and the reason.
 type Answer = Result<(Vec<u8>, &'static str), (u16, String)>;
 
 const JSON: &str = "application/json";
@@ -56,7 +56,7 @@ impl Answers {
                 response.add_header(header);
             }
         }
-        // A page that is gone does not want to know.
+        // A page that has disconnected needs no answer.
         let _ = request.respond(response);
     }
 
@@ -97,7 +97,7 @@ impl Answers {
             }
             .ok_or_else(nothing);
         }
-        // A page asks with its number, which it was served with.
+        // The path begins with the number that the page was served with.
         let (number, asked) = asked.split_once('/').ok_or_else(nothing)?;
         let number = number.parse().map_err(|_| nothing())?;
         let engine = || {
@@ -179,7 +179,7 @@ impl Answers {
     }
 }
 
-/// A program by its name; with the text that it is to have, and had.
+/// A program by its name; to write it, with its new text and the text it had.
 #[derive(Deserialize)]
 struct Named {
     name: String,

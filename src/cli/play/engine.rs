@@ -18,7 +18,7 @@ pub(super) struct Engine {
     run: Arc<Run>,
 }
 
-/// The progress of the script that runs, and the wish to stop it.
+/// The progress of the running script, and whether it is to stop.
 #[derive(Debug, Default)]
 struct Run {
     done: AtomicU64,
@@ -36,7 +36,7 @@ impl Engine {
             let mut workbench = Workbench::default();
             for (question, reply) in questions {
                 host.run.is_stopped.store(false, Ordering::SeqCst);
-                // Who has gone away does not want to know.
+                // A page that has disconnected needs no answer.
                 let _ = reply.send(workbench.answer(question, &mut host));
             }
         });
@@ -56,7 +56,7 @@ impl Engine {
         Self { asked: Mutex::new(asked), spoken: Mutex::new(spoken), run }
     }
 
-    /// Answers a question to the workbench; nothing if it has ended.
+    /// Answers a question to the workbench; `None` if that has ended.
     pub fn ask(&self, question: Message) -> Option<Message> {
         let (reply, answer) = channel();
         let asked = self.asked.lock().unwrap_or_else(PoisonError::into_inner).clone();
@@ -72,18 +72,18 @@ impl Engine {
         answer.recv().ok()
     }
 
-    /// The turns that the script that runs has done, and of how many.
+    /// The turns that the running script has done, and their total.
     pub fn progress(&self) -> [u64; 2] {
         [&self.run.done, &self.run.total].map(|number| number.load(Ordering::Relaxed))
     }
 
-    /// Stops the script that runs.
+    /// Stops the running script.
     pub fn stop(&self) {
         self.run.is_stopped.store(true, Ordering::SeqCst);
     }
 }
 
-/// This machine.
+/// The host of a workbench on this machine.
 struct Local {
     run: Arc<Run>,
     folder: Arc<Folder>,

@@ -15,7 +15,7 @@ const LARGEST_MESH: u64 = 4 << 30;
 /// A folder, and files that the command line names.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Folder {
-    /// The folder, from the root.
+    /// The folder, as an absolute path.
     pub path: PathBuf,
     /// The program and the mesh that the page begins with, by the names that they have here.
     pub program: Option<String>,
@@ -23,11 +23,11 @@ pub(super) struct Folder {
 }
 
 impl Folder {
-    /// The folder of the files that are given, a program before a mesh; else a folder that is given,
-    /// else the working one.
+    /// The given folder; else that of the given program, else that of the given mesh, else the
+    /// working folder.
     ///
     /// # Errors
-    /// In words, what cannot be opened.
+    /// The reason, in words.
     pub fn of(files: &[PathBuf]) -> Result<Self, String> {
         let [mut folder, mut program, mut mesh] = [const { None::<PathBuf> }; 3];
         for file in files {
@@ -72,7 +72,7 @@ impl Folder {
     /// The text of a program that is listed.
     ///
     /// # Errors
-    /// In words, why there is none.
+    /// The reason, in words.
     pub fn program(&self, name: &str) -> Result<String, String> {
         let path = self.listed(name)?;
         read_program(&path).map_err(|why| format!("cannot read `{name}`: {why}"))
@@ -81,7 +81,7 @@ impl Folder {
     /// The bytes of a mesh file that is listed.
     ///
     /// # Errors
-    /// In words, why there are none.
+    /// The reason, in words.
     pub fn mesh(&self, name: &str) -> Result<Vec<u8>, String> {
         let path = self.listed(name)?;
         let told = |why: String| format!("cannot read `{name}`: {why}");
@@ -89,10 +89,10 @@ impl Folder {
         fs::read(&path).map_err(|error| told(error.to_string()))
     }
 
-    /// Writes a program: one that is listed and still says `was`, or one that is new in the folder.
+    /// Writes a program: a listed one that still has the text `was`, or a new one in the folder.
     ///
     /// # Errors
-    /// In words, why not.
+    /// The reason, in words.
     pub fn save(&self, name: &str, was: Option<&str>, text: &str) -> Result<(), String> {
         let path = match was {
             Some(was) => {
@@ -124,7 +124,7 @@ impl Folder {
         written.map_err(|reason| format!("`{name}` cannot be written: {reason}"))
     }
 
-    /// The path of a name that is listed: no other leads to a file.
+    /// The path of a listed name; all others are refused.
     fn listed(&self, name: &str) -> Result<PathBuf, String> {
         match self.list().iter().flatten().any(|known| known == name) {
             true => Ok(self.path.join(name)),

@@ -1,10 +1,10 @@
-//! `hedgerow play`: the page of a browser, with this process behind it.
+//! `hedgerow play`: the page in a browser, served by this process.
 //!
-//! The server listens on loopback only, at a port that the system chooses. Its address holds a token
-//! that nobody can guess; without it, or with a foreign `Host` or `Origin`, nothing is answered. It
-//! gives away programs and meshes of one folder, and writes programs there when the page asks for it:
-//! none that has changed since the page opened it, and none over another. Each page that is opened has
-//! a workbench and a language server of its own.
+//! The server listens on loopback only, by default at a port that the system chooses. Its address
+//! contains a token that cannot be guessed; requests without it, or with a foreign `Host` or
+//! `Origin`, are refused. It serves programs and meshes of one folder, and writes programs there
+//! when the page asks for it: none that has changed since the page opened it, and none over
+//! another. Each page that is opened has a workbench and a language server of its own.
 
 mod answers;
 mod engine;
@@ -25,8 +25,8 @@ use answers::Answers;
 use folder::Folder;
 use pages::{MOST_PAGES, Pages};
 
-/// The number of requests that are answered at the same time: of each page one that runs, and others
-/// that ask how far it is.
+/// The number of requests that are answered at the same time: for each page one that runs, and
+/// another one that asks for its progress.
 const THREADS: usize = 2 * MOST_PAGES;
 
 /// Serves the page until Ctrl-C.
@@ -65,7 +65,7 @@ pub(super) fn play(arguments: &PlayArguments) -> Result<(), Failure> {
     Ok(())
 }
 
-/// 128 bits that nobody can guess, as letters.
+/// 128 random bits in hexadecimal, which cannot be guessed.
 fn token() -> Result<String, getrandom::Error> {
     let mut bytes = [0; 16];
     getrandom::fill(&mut bytes)?;

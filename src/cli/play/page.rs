@@ -1,4 +1,4 @@
-//! The files of the page, which the build has taken along.
+//! The files of the page, embedded by the build.
 
 static FILES: &[(&str, &[u8])] = include!(concat!(env!("OUT_DIR"), "/page.rs"));
 
@@ -20,7 +20,7 @@ pub(super) fn file(name: &str) -> Option<(Vec<u8>, &'static str)> {
     Some((bytes.to_vec(), kind))
 }
 
-/// The page itself: it knows where its server is, instead of a module of its own.
+/// The page itself, with the address of its server instead of an engine of its own.
 pub(super) fn index(server: &str) -> Option<(Vec<u8>, &'static str)> {
     let (bytes, kind) = file("index.html")?;
     let text = String::from_utf8_lossy(&bytes);

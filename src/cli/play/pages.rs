@@ -6,7 +6,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use super::engine::Engine;
 use super::folder::Folder;
 
-/// The most pages that have an engine: a page that is not used for longest loses its own.
+/// The most pages that have an engine: the least recently used page loses its own.
 pub(super) const MOST_PAGES: usize = 8;
 
 /// The engines of pages, by the numbers of the pages.
@@ -15,7 +15,7 @@ pub(super) struct Pages {
     open: Mutex<Open>,
 }
 
-/// The number of the newest page, and engines: those last that were used last.
+/// The number of the newest page, and the engines, the most recently used last.
 #[derive(Default)]
 struct Open {
     newest: u64,
@@ -23,12 +23,12 @@ struct Open {
 }
 
 impl Pages {
-    /// No page is open yet.
+    /// No pages yet.
     pub fn new(folder: Arc<Folder>) -> Self {
         Self { folder, open: Mutex::default() }
     }
 
-    /// The number of a new page.
+    /// Opens a page, and returns its number.
     pub fn open(&self) -> u64 {
         let mut open = self.lock();
         if open.engines.len() == MOST_PAGES
@@ -42,7 +42,7 @@ impl Pages {
         page
     }
 
-    /// The engine of a page; nothing if the page has lost it.
+    /// The engine of a page; `None` if the page has lost it.
     pub fn engine(&self, page: u64) -> Option<Arc<Engine>> {
         let mut open = self.lock();
         let at = open.engines.iter().position(|(known, _)| *known == page)?;

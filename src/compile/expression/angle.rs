@@ -14,7 +14,7 @@ pub(super) fn between(asm: &mut Assembler, left: Reg, right: Reg, to: Reg) -> In
     Inst::Atan2Real { to, left: sine, right: cosine }
 }
 
-/// Of the angle between two vectors, times the product of their lengths.
+/// The sine and cosine of the angle between two vectors, times the product of their lengths.
 fn sine_and_cosine(asm: &mut Assembler, left: Reg, right: Reg) -> [Reg; 2] {
     let (cross, sine, cosine) = (asm.vec(), asm.reg(), asm.reg());
     let to = cross;
@@ -64,7 +64,8 @@ pub(super) fn lower(asm: &mut Assembler, place: u32, builtin: Builtin, from: Reg
     }
 }
 
-/// The corners of the triangle at a halfedge; of a larger face, the corners before and behind.
+/// The corners of the triangle at a halfedge; in a larger face, its start and the corners after and
+/// before that.
 struct Triangle {
     start: Reg,
     end: Reg,
@@ -98,8 +99,8 @@ fn follow(asm: &mut Assembler, place: u32, path: &[HalfedgeField], [to, from]: [
     }
 }
 
-/// The angle between the normals on both sides, positive where the edge stands out: the sine
-/// along the edge over the cosine. On the boundary it is zero.
+/// The angle between the normals on both sides, positive at a convex edge: the arc tangent of the
+/// sine along the edge over the cosine. It is zero on the boundary.
 fn dihedral(asm: &mut Assembler, place: u32, edge: Reg, to: Reg) {
     let (flat, end) = (asm.constant_real(0.0), asm.label());
     let from = flat;

@@ -1,4 +1,4 @@
-//! Calls of what is part of the language.
+//! Calls of built-in functions.
 
 use super::angle;
 use super::operator::{matrix, wide};
@@ -8,7 +8,7 @@ use crate::rewrite::{
     Assembler, ElementField, HalfedgeField, Inst, Lanes, Math, Matrix, Question, Reg,
 };
 
-/// The value that a call makes: of a first argument of what type, a value of what type, where.
+/// The value of a call: the type of the first argument, the type of the value, and its register.
 #[derive(Clone, Copy)]
 pub(super) struct Made {
     pub(super) of: Type,
@@ -16,7 +16,7 @@ pub(super) struct Made {
     pub(super) to: Reg,
 }
 
-/// A call with its arguments in registers; a typed program has no call with others.
+/// Appends a call whose arguments are in registers; in a typed program they fit the builtin.
 pub(super) fn call(asm: &mut Assembler, place: u32, builtin: Builtin, args: &[Reg], made: Made) {
     let Made { of, result, to } = made;
     let at = |at: usize| args.get(at).or(args.first()).copied().unwrap_or(to);

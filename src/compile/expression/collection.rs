@@ -1,8 +1,9 @@
 //! Loops over the elements of a collection, for code that does not change the mesh.
 //!
-//! All of the mesh is visited by index, and what lies around an element by walking: as often as
-//! there are halfedges, so a broken mesh cannot make it endless. On a mesh that is no surface or not
-//! simple an element may come more than once, as often as the walk meets it.
+//! Collections of the whole mesh are visited by index, those around an element by walking an orbit.
+//! A walk takes no more steps than there are halfedges, so a broken mesh cannot make it endless. On
+//! a mesh that is not a surface or not simple, an element may occur more than once: as often as the
+//! walk meets it.
 
 use super::Scope;
 use super::pointer::{first, load};
@@ -12,8 +13,8 @@ use crate::rewrite::{
 };
 use crate::source::Span;
 
-/// The body that is lowered for the element in the register; jumping to the label goes on with the
-/// next one.
+/// Lowers the body of a loop for the element in the register; a jump to the label continues with
+/// the next element.
 pub type LoopBody<'a> = dyn FnMut(&mut Assembler, &mut dyn Scope, Reg, Label) + 'a;
 
 /// The elements of the whole mesh that a collection stands for; `None` for one around an
@@ -41,7 +42,7 @@ pub fn each(
     match (elements(collection), base) {
         (Some(of), _) => each_of_mesh(asm, scope, of, place, turn),
         (None, Some(base)) => each_around(asm, scope, (collection, base), place, turn),
-        // There is none without an element.
+        // Every other collection has an element that it is around.
         (None, None) => {}
     }
 }
@@ -73,7 +74,7 @@ enum Wanted {
     Itself,
     Target,
     Pointer(HalfedgeField),
-    /// Its face, if that is no hole.
+    /// Its face, if that is not a hole.
     Face,
 }
 
@@ -119,7 +120,7 @@ fn each_around(
     asm.bind(done);
 }
 
-/// The same for elements that are first put into a buffer.
+/// Appends the loop for elements that are first put into a buffer.
 fn each_of_list(
     asm: &mut Assembler,
     scope: &mut dyn Scope,

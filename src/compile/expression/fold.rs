@@ -1,4 +1,4 @@
-//! What an aggregate makes of its values: `mean(length(e) for e in edges where boundary(e))`.
+//! Aggregation of values: `mean(length(e) for e in edges where boundary(e))`.
 
 use super::collection::elements;
 use super::operator::wide;
@@ -6,7 +6,7 @@ use super::{copy, width};
 use crate::diagram::{ExprKind, Fold, FoldFunction, Type};
 use crate::rewrite::{Assembler, Elements, Inst, Label, Lanes, Reg};
 
-/// The number of elements of a sort, which the mesh knows without looking at them.
+/// The instruction for the number of all elements of a kind, which the mesh stores.
 pub(super) fn known_count(fold: &Fold, to: Reg) -> Option<Inst> {
     let all = fold.filter.is_none() && fold.body.kind == ExprKind::Bool(true);
     let counts = fold.function == FoldFunction::Count && all;
@@ -17,15 +17,15 @@ pub(super) fn known_count(fold: &Fold, to: Reg) -> Option<Inst> {
     })
 }
 
-/// The answer is known before the end.
+/// Ends an aggregate early with an answer.
 pub(super) fn settle(asm: &mut Assembler, to: Reg, answer: bool, done: Label) {
     let from = asm.constant_bool(answer);
     asm.emit(Inst::Copy { to, from });
     asm.emit(Inst::Jump { to: done });
 }
 
-/// The value that has been made of the values so far: in `to`, of type `ty`; in `seen` how many
-/// there were, where that matters; and in `best` the value of the element in `to`, if it is one.
+/// The aggregate of the values so far: in `to`, of type `ty`; in `seen` the number of values, where
+/// that matters; and in `best` the value of the element in `to`, if the aggregate is an element.
 #[derive(Clone, Copy)]
 pub(super) struct Sum {
     pub(super) ty: Type,
@@ -45,7 +45,7 @@ impl Sum {
         asm.emit(Inst::Copy { to: self.seen, from });
     }
 
-    /// A value of the body, as one of the aggregate's type.
+    /// Converts a value of the body to the aggregate's type.
     pub(super) fn value(self, asm: &mut Assembler, ty: Type, from: Reg) -> Reg {
         if ty == Type::Int && self.ty == Type::Real {
             let to = asm.reg();
@@ -55,7 +55,7 @@ impl Sum {
         from
     }
 
-    /// Takes the value of an element, of all functions that need all values.
+    /// Adds the value of an element to the aggregate, for the functions that need all values.
     pub(super) fn take(
         self,
         asm: &mut Assembler,
@@ -94,7 +94,7 @@ impl Sum {
         asm.emit(Inst::AddInt { to, left, right });
     }
 
-    /// Keeps the better of two; the first is taken as it is.
+    /// Keeps the lesser or greater of two values; the first value is taken as it is.
     fn take_better(self, asm: &mut Assembler, function: FoldFunction, right: Reg, next: Label) {
         let compare = asm.label();
         let (to, left) = (self.to, self.to);
@@ -111,8 +111,8 @@ impl Sum {
         });
     }
 
-    /// Keeps the element with the better value; of equal values, the first. What is not a
-    /// number is worse than any number, as it is for the least and the greatest value.
+    /// Keeps the element with the better value; of equal values, the first. NaN is worse than any
+    /// number, as it is for the least and the greatest value.
     fn take_element(
         self,
         asm: &mut Assembler,
@@ -132,7 +132,7 @@ impl Sum {
         asm.emit(Inst::LessReal { to, left, right });
         let condition = better;
         asm.emit(Inst::JumpIf { condition, to: take });
-        // Only what is not a number differs from itself.
+        // Only NaN differs from itself.
         let (left, right) = (self.best, self.best);
         asm.emit(Inst::EqualReal { to, left, right });
         asm.emit(Inst::JumpIf { condition, to: next });

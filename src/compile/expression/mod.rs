@@ -1,11 +1,11 @@
-//! Typed expressions to register code.
+//! Lowering of typed expressions to register code.
 //!
-//! The registers of names and variables are the [`Scope`]'s business, so that the same lowering
-//! serves the diagrams of operations and scripts. An expression writes nothing but registers and
-//! buffers of its own: the code around it can still refuse, or trap, with the mesh as it was.
+//! The [`Scope`] provides the registers of names and variables, so that the same lowering serves
+//! the diagrams of operations and scripts. An expression writes only registers and buffers of its
+//! own: the code around it can still refuse, or trap, with the mesh unchanged.
 //!
-//! It is assumed that types are right: an ill-typed expression gives code that computes
-//! nonsense, though nothing worse.
+//! Expressions are assumed to be well typed: an ill-typed one gives code that computes meaningless
+//! values, but does no other harm.
 
 mod angle;
 mod builtin;

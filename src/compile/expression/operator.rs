@@ -26,7 +26,7 @@ pub(super) fn unary(
     }
 }
 
-/// An operator with two operands, of which the left one is of this type.
+/// An operator with two operands, of which the left one is of type `ty`.
 pub(super) fn binary(operator: Binary, ty: Type, [to, left, right]: [Reg; 3]) -> Inst {
     match ty {
         Type::Vec3 => operation(operator, to, left, right),
@@ -35,7 +35,7 @@ pub(super) fn binary(operator: Binary, ty: Type, [to, left, right]: [Reg; 3]) ->
     }
 }
 
-/// A computation of a value of any width: that of `ty`.
+/// A computation of a value of any width, given by `ty`.
 pub(super) fn wide(operation: Lanes, ty: Type, [to, left, right]: [Reg; 3]) -> Inst {
     Inst::Wide {
         operation,
@@ -96,7 +96,7 @@ fn operation(operator: Binary, to: Reg, left: Reg, right: Reg) -> Inst {
         Binary::LessEqualInt => Inst::LessEqualInt { to, left, right },
         Binary::LessReal => Inst::LessReal { to, left, right },
         Binary::LessEqualReal => Inst::LessEqualReal { to, left, right },
-        // Of matrices alone, which `wide_operation` knows.
+        // Only for matrices, which `wide_operation` handles.
         Binary::MultiplyMatrices => matrix(Matrix::Multiply, Type::Mat4, [to, left, right]),
         Binary::Transform => matrix(Matrix::Transform, Type::Mat4, [to, left, right]),
         // Lowered with jumps; the meaning is the same.

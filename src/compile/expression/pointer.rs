@@ -1,5 +1,5 @@
-//! Pointers that are followed and questions about one element; one that is gone stops the program
-//! at its place.
+//! Loads of pointers, and questions about one element; an element that no longer exists stops the
+//! program at that place.
 
 use crate::rewrite::{Assembler, ElementField, HalfedgeField, Inst, Question, Reg};
 

@@ -13,9 +13,9 @@ pub trait Scope {
     fn local(&self, variable: u32) -> Reg;
     /// Gives a register to the variable of an aggregate.
     fn declare(&mut self, variable: u32, reg: Reg);
-    /// A number for a place in the source, for what may trap there.
+    /// The number of a place in the source, for instructions that may trap there.
     fn place(&mut self, span: Span) -> u32;
-    /// True in statements: what they compute for all elements, several threads may compute.
+    /// True in statements, whose values for all elements several threads may compute.
     fn is_of_statements(&self) -> bool {
         false
     }

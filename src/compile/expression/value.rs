@@ -9,8 +9,8 @@ use super::{Scope, copy, width};
 use crate::diagram::{Access, Binary, Expr, ExprKind, Fold, FoldFunction, Pointer, Type};
 use crate::rewrite::{Assembler, ElementField, HalfedgeField, Inst, Label, Reg, Task, Turns};
 
-/// Appends the code of an expression; its value is in the register, or the three from it
-/// on, until that is released. The register may be that of a variable: it is not to be
+/// Appends the code of an expression. The value is in the returned register and, if it is wider, in
+/// those after it, until they are released. The register may be that of a variable and must not be
 /// written to.
 pub fn lower(asm: &mut Assembler, scope: &mut dyn Scope, expr: &Expr) -> Reg {
     match &expr.kind {
@@ -18,7 +18,7 @@ pub fn lower(asm: &mut Assembler, scope: &mut dyn Scope, expr: &Expr) -> Reg {
         ExprKind::Int(value) => asm.constant_int(*value),
         ExprKind::Real(value) => asm.constant_real(*value),
         ExprKind::Text(value) => asm.constant_text(value),
-        // What is compiled has been unrolled, so members have names of their own.
+        // Compiled rules have been unrolled, so members have names of their own.
         ExprKind::Element(name) | ExprKind::Member(name, _) => scope.element(*name),
         ExprKind::Local(variable) => scope.local(*variable),
         ExprKind::Component(part, vector) => {
@@ -33,8 +33,8 @@ pub fn lower(asm: &mut Assembler, scope: &mut dyn Scope, expr: &Expr) -> Reg {
     }
 }
 
-/// Appends the code of an expression and puts its value into a register, which nothing
-/// in the expression reads.
+/// Appends the code of an expression and puts its value into a register that nothing in the
+/// expression reads.
 pub fn lower_into(asm: &mut Assembler, scope: &mut dyn Scope, expr: &Expr, to: Reg) {
     let mark = asm.mark();
     match &expr.kind {
@@ -114,7 +114,7 @@ pub fn lower_into(asm: &mut Assembler, scope: &mut dyn Scope, expr: &Expr, to: R
         ExprKind::Invoke(function, args) => {
             let place = scope.place(expr.span);
             let args = arguments(asm, scope, args);
-            // Ids may be held in registers that nobody can name.
+            // Registers without a name may hold ids.
             let inst = Inst::Call { function: function_number(*function), args, to, holds: true };
             asm.trap_at(place, inst);
         }
@@ -188,8 +188,8 @@ fn fold(asm: &mut Assembler, scope: &mut dyn Scope, fold: &Fold, of: &Expr, to: 
     sum.end(asm, place, fold.function);
 }
 
-/// Lets several threads compute the values of an aggregate, if it is one over all elements that needs
-/// them all, and they take little memory.
+/// Lets several threads compute the values of an aggregate if it is over all elements of a kind,
+/// needs all of the values, and these take little memory.
 fn spread(asm: &mut Assembler, scope: &dyn Scope, fold: &Fold) -> Option<Turns> {
     let fits = !fold.function.ends_early() && width(fold.body.ty) <= 4 && scope.is_of_statements();
     let of = elements(&fold.collection).filter(|_| fits)?;
@@ -197,7 +197,7 @@ fn spread(asm: &mut Assembler, scope: &dyn Scope, fold: &Fold) -> Option<Turns> 
     asm.spread_values(of, element, Task::Aggregate)
 }
 
-/// Appends the turn of threads, and what makes the aggregate of what they keep.
+/// Appends the turn of threads, and the code that combines the values they keep.
 fn fold_of_threads(
     asm: &mut Assembler,
     scope: &mut dyn Scope,
@@ -220,7 +220,7 @@ fn fold_of_threads(
     }
     let from = lower(asm, scope, &fold.body);
     let from = sum.value(asm, fold.body.ty, from);
-    // Not that of a variable, since it is set below.
+    // Not the register of a variable, since it is set below.
     let value = asm.block(width(fold.body.ty));
     copy(asm, fold.body.ty, value, from);
     let parts = (0..width(fold.body.ty)).map(|part| value.part(part));
@@ -250,14 +250,15 @@ fn skip_unless(asm: &mut Assembler, scope: &mut dyn Scope, condition: &Expr, nex
     }
 }
 
-/// Appends the code of arguments; their values stand in consecutive slots from a register on.
+/// Appends the code of arguments; their values are in consecutive registers from the returned one
+/// on.
 pub fn arguments(asm: &mut Assembler, scope: &mut dyn Scope, args: &[Expr]) -> Reg {
     let widths = args.iter().map(|arg| width(arg.ty));
     let all = widths.clone().fold(0, u16::saturating_add);
     let slots = asm.block(all);
     let mut offset = 0;
     for (arg, width) in args.iter().zip(widths) {
-        // A block too wide to be had is no block; the code is not used then.
+        // A block that is too wide cannot be allocated; the code is discarded then.
         let to = Reg(slots.0.saturating_add(offset));
         lower_into(asm, scope, arg, to);
         offset = offset.saturating_add(width);
@@ -265,12 +266,14 @@ pub fn arguments(asm: &mut Assembler, scope: &mut dyn Scope, args: &[Expr]) -> R
     slots
 }
 
-/// The number by which code calls a function. One too large names none, and traps.
+/// The number by which code calls a function. One that is too large becomes that of no function,
+/// and traps.
 pub fn function_number(function: u32) -> u16 {
     u16::try_from(function).unwrap_or(u16::MAX)
 }
 
-/// The number by which code names an attribute. One too large names none, and traps.
+/// The number by which code names an attribute. One that is too large becomes that of no attribute,
+/// and traps.
 pub fn attribute(number: u32) -> u16 {
     u16::try_from(number).unwrap_or(u16::MAX)
 }
@@ -290,7 +293,7 @@ fn follow(asm: &mut Assembler, place: u32, pointer: Pointer, element: Reg, to: R
     }
 }
 
-/// The field of a halfedge that a pointer is; the vertex, too, for those that are none.
+/// The field of a halfedge that a pointer reads; the vertex for pointers that read no such field.
 pub fn halfedge_field(pointer: Pointer) -> HalfedgeField {
     match pointer {
         Pointer::Next => HalfedgeField::Next,

@@ -15,12 +15,12 @@ use super::support;
 use crate::diagram::Type;
 use crate::source::Span;
 
-/// Operations as C++17, with the functions that they call. What an operation refuses is
-/// `std::nullopt`; one without a result tells whether it applied.
+/// Operations as C++17, with the functions that they call. A refused operation returns
+/// `std::nullopt`; one without a result returns whether it applied.
 ///
 /// # Errors
-/// [`NotEmitted`] for what has no place in such a function, and for a style that cannot compile
-/// with it.
+/// [`NotEmitted`] for what cannot be expressed in such a function, and for a style that cannot
+/// compile with it.
 pub fn cpp(selection: &Selection<'_>, style: &Style) -> Result<String, NotEmitted> {
     let conventions = Conventions {
         prev: style.has_prev(),
@@ -79,21 +79,21 @@ pub(super) struct Printer<'s> {
     pub lines: Lines,
     pub used: Vec<&'static str>,
     pub headers: BTreeSet<&'static str>,
-    /// The attributes that elements have to have: "vertex: double weight".
+    /// The attributes that elements must have: "vertex: double weight".
     pub fields: BTreeSet<String>,
-    /// The statement that leaves the attempt.
+    /// The statement that leaves the current attempt.
     pub refusal: &'static str,
-    /// True if the names of the mesh class are not in sight.
+    /// True where the names of the mesh class are not in scope.
     pub is_outside: bool,
-    /// True if what is written is noted in a journal.
+    /// True if writes are noted in a journal.
     pub is_noted: bool,
-    /// The preview that pointers are noted on instead.
+    /// The preview on which pointers are noted instead.
     pub preview: Option<String>,
 }
 
 impl Printer<'_> {
-    /// The reason why what stands beside the operations cannot compile: it does not see the mesh
-    /// that the style needs there, or does not tell elements apart.
+    /// The reason why the functions beside the operations cannot compile: the mesh that the style
+    /// needs is not in scope there, or two kinds of elements have the same type.
     fn is_blind(&self, outside: &[String]) -> Option<String> {
         if let Some([one, other]) = self.style.one_type()
             && (self.used.contains(&"Journal") || self.used.contains(&"Preview"))
@@ -149,7 +149,7 @@ impl Printer<'_> {
         if functions.is_empty() {
             return format!("{headers}\n{body}");
         }
-        // What members call is nobody else's.
+        // The functions that members call are local to the file.
         let (begin, end) = match self.style.is_member() {
             true => ("namespace {\n", "\n}  // namespace"),
             false => ("", ""),
@@ -159,7 +159,7 @@ impl Printer<'_> {
         )
     }
 
-    /// The functions and operations that are called, as text; it comes from a file.
+    /// The text of a called function or operation, which comes from the file `home`.
     fn called(&mut self, home: &str, item: &Item) -> String {
         let outer = std::mem::replace(&mut self.lines, Lines::new(2));
         let name = match item {
@@ -226,7 +226,7 @@ impl Printer<'_> {
         }
     }
 
-    /// A type where the names of the mesh class are not in sight.
+    /// A type where the names of the mesh class are not in scope.
     pub fn outer_type(&self, ty: Type) -> String {
         match ty {
             Type::Vertex => self.style.qualified("Vertex"),
@@ -240,13 +240,13 @@ impl Printer<'_> {
     fn routine(&mut self, routine: &Routine, alone: bool) {
         self.docs(&routine.signature.docs);
         self.docs_of_defaults(&routine.signature.params);
-        // Without a name what is not used; C++ compilers warn of it.
+        // Unused parameters have no name, since C++ compilers warn about them.
         let (mut used, mut allocates) = (BTreeSet::new(), false);
         for statement in routine.rules.iter().flat_map(|rule| &rule.body) {
             statement.names(&mut |name| _ = used.insert(name.to_string()));
             allocates |= statement.changes_the_lists();
         }
-        // What is written to is noted; an operation that writes nothing is as rare as pointless.
+        // Writes are noted; an operation without writes is too rare to be a special case.
         allocates |= self.is_noted;
         if allocates {
             used.insert("mesh".to_string());
@@ -296,15 +296,15 @@ impl Printer<'_> {
         self.lines.close("}");
     }
 
-    /// A doc comment.
+    /// Writes a doc comment.
     pub fn docs(&mut self, docs: &[String]) {
         for line in docs {
             self.lines.line(&comment("///", line));
         }
     }
 
-    /// From which parameter on defaults stand in the signature: they have to be last there, and
-    /// have no place where a member of a class is defined.
+    /// The index of the first parameter whose default is in the signature: such parameters have to
+    /// be last there, and the definition of a member of a class has none.
     fn first_default(&self, params: &[Parameter]) -> usize {
         let constant = params.iter().rev().take_while(|param| param.has_constant());
         match self.is_noted || self.style.is_member() || self.style.fixes_defaults() {
@@ -313,7 +313,7 @@ impl Printer<'_> {
         }
     }
 
-    /// A doc comment that tells the defaults which do not stand in the signature.
+    /// Writes a doc comment with the defaults that are not in the signature.
     pub(super) fn docs_of_defaults(&mut self, params: &[Parameter]) {
         let first = self.first_default(params);
         let told: Vec<_> = params[..first]
@@ -332,8 +332,7 @@ impl Printer<'_> {
         }
     }
 
-    /// The first lines of an operation: its signature, and short names for the types that it
-    /// speaks of.
+    /// The first lines of an operation: its signature, and aliases for the types that it uses.
     pub(super) fn head(
         &mut self,
         head: &Signature,
@@ -412,14 +411,14 @@ impl Printer<'_> {
         self.fixed(&fixed, used);
     }
 
-    /// True if a parameter always is what it is by default.
+    /// True if a parameter always has its default value.
     fn is_fixed(&self, param: &Parameter) -> bool {
         self.style.fixes_defaults() && !self.is_noted && param.default.is_some()
     }
 
-    /// Parameters that always are what they are by default, as far as they are asked for.
+    /// Defines the parameters that always have their default value, as far as they are used.
     fn fixed(&mut self, params: &[&Parameter], used: &BTreeSet<String>) {
-        // One may speak of one before it.
+        // A default may use an earlier parameter.
         let mut used = used.clone();
         let mut kept = Vec::new();
         for param in params.iter().rev() {
@@ -465,18 +464,18 @@ impl Printer<'_> {
         spell(self, term).at(Level::Whole)
     }
 
-    /// A call of a function that is written out.
+    /// A call of a support function.
     pub fn support(&mut self, name: &'static str, args: Vec<String>) -> String {
         self.used.push(name);
         format!("hedgerow::{name}({})", args.join(", "))
     }
 }
 
-/// A text that counts once, so that several emitted files can stand in one.
+/// A text in an include guard, so that several emitted files can be combined.
 fn once(name: &str, text: &str) -> String {
     let words = name.split(|c: char| !c.is_ascii_alphanumeric());
     let words: Vec<_> = words.filter(|word| !word.is_empty()).collect();
-    // Names that differ in their capitals are two.
+    // Names that differ only in case are distinct.
     let guard = format!("HEDGEROW_{}", words.join("_"));
     format!("\n#ifndef {guard}\n#define {guard}\n{text}\n#endif\n")
 }

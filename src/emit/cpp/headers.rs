@@ -1,4 +1,4 @@
-//! Which headers a text needs.
+//! The headers that a text needs.
 
 use std::collections::BTreeSet;
 
@@ -30,7 +30,7 @@ const HEADERS: &[(&str, &str)] = &[
     ("vector", "vector"),
 ];
 
-/// The headers of what stands in a text behind `std::`.
+/// The headers of the names that follow `std::` in a text.
 pub fn headers(text: &str) -> BTreeSet<&'static str> {
     let mut found = BTreeSet::new();
     for name in names(text) {
@@ -41,7 +41,7 @@ pub fn headers(text: &str) -> BTreeSet<&'static str> {
     found
 }
 
-/// The names behind `std::`.
+/// The names that follow `std::`.
 pub fn names(text: &str) -> impl Iterator<Item = &str> {
     let is_letter = |c: char| c.is_ascii_alphanumeric() || c == '_';
     text.split("std::").skip(1).map(move |rest| {

@@ -1,7 +1,6 @@
 //! Computations with vectors and matrices that a mesh class may have no type for.
 //!
-//! Nothing is asked of their types but a value to begin with and `[]`: a component of a vector, a
-//! column of a matrix.
+//! Their types need only a default value and `[]`: a component of a vector, a column of a matrix.
 
 use super::super::language::Spelled;
 use super::super::term::Operation;
@@ -9,7 +8,7 @@ use super::function::Printer;
 use crate::diagram::{Binary, Builtin, Type};
 
 impl Printer<'_> {
-    /// A call of a template that is written out: `hedgerow::dot<4>(x, y)`.
+    /// A call of a support template: `hedgerow::dot<4>(x, y)`.
     fn sized(&mut self, name: &'static str, size: u8, args: &[String]) -> String {
         self.templated(name, &[size.to_string()], args)
     }
@@ -26,7 +25,7 @@ impl Printer<'_> {
         self.templated(name, &of, args)
     }
 
-    /// A vector of three components as its parts, which can be counted.
+    /// A vector of three components as an array of its parts, which can be indexed.
     fn parts(&mut self, ty: Type, vector: String) -> String {
         match ty {
             Type::Vec3 => self.support("parts", vec![vector]),
@@ -128,7 +127,7 @@ impl Printer<'_> {
                 let solution = self.sized("solve.n", size, &args);
                 return self.support("vector_of", vec![solution]);
             }
-            // Nothing else is computed of such values.
+            // No other builtin has such arguments.
             _ => "solve.n",
         };
         self.sized(name, size, &args)

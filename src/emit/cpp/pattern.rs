@@ -1,7 +1,7 @@
-//! Patterns of a style: patterns with names, and which texts can be one.
+//! Patterns of a style: their names, and which texts are valid.
 //!
-//! A pattern may speak of `{of}`, the element; `{pointer}`, the name of the pointer or attribute;
-//! and `{value}`.
+//! A pattern may use `{of}`, the element; `{pointer}`, the name of the pointer or attribute; and
+//! `{value}`.
 
 use std::fmt;
 
@@ -10,15 +10,15 @@ use super::super::reserved::is_keyword_of_cpp;
 /// The form of a pattern.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Form {
-    /// Code that speaks of all of these parts.
+    /// Code that uses all of these parts.
     Code(&'static [&'static str]),
-    /// A name, perhaps with a namespace.
+    /// A name, optionally with a namespace.
     Name,
     /// A name, or nothing.
     NameOrNone,
     /// One of some words.
     Word(&'static [&'static str]),
-    /// Names of files, the first that there is; or nothing.
+    /// Names of files, of which the first that exists is used; or nothing.
     Files,
 }
 
@@ -27,8 +27,8 @@ use Form::{Code, Files, Name, NameOrNone, Word};
 const OF: Form = Code(&["{of}"]);
 const ATTRIBUTE: Form = Code(&["{of}", "{pointer}"]);
 
-/// Patterns and names, each with what it is for as long as nobody says otherwise, and with what
-/// meshes with accessors have.
+/// The patterns and names, each with its form, its default, and its value for meshes with accessors
+/// if that differs.
 pub(super) const PATTERNS: &[(&str, Form, &str, Option<&str>)] = &[
     ("read", ATTRIBUTE, "{of}->{pointer}", Some("{of}->{pointer}()")),
     (
@@ -78,46 +78,46 @@ pub(super) const PATTERNS: &[(&str, Form, &str, Option<&str>)] = &[
 /// The reason why a style is not understood, or cannot compile.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum StyleError {
-    /// Neither a name of a style nor `NAME=PATTERN`.
+    /// Neither the name of a style nor `NAME=PATTERN`.
     NotAStyle(String),
     /// There is no such pattern.
     Unknown(String),
-    /// A pattern leaves out what it has to speak of.
+    /// A pattern lacks a part that it must use.
     Lacks {
         /// The pattern.
         name: String,
         /// `{of}`
         part: &'static str,
     },
-    /// A pattern speaks of what it is not given.
+    /// A pattern uses a part that it is not given.
     Foreign {
         /// The pattern.
         name: String,
         /// `{value}`
         part: String,
     },
-    /// A pattern is no expression.
+    /// A pattern is not an expression.
     NotCode {
         /// The pattern.
         name: String,
-        /// The mistake.
+        /// The error.
         why: &'static str,
     },
-    /// A name would not be one in C++.
+    /// A name is not a valid name in C++.
     NotAName {
         /// The pattern.
         name: String,
         /// The value as it was given.
         value: String,
     },
-    /// It is one of some words, and not this one.
+    /// The value is not one of the allowed words.
     NotAWord {
         /// The pattern.
         name: String,
-        /// The words.
+        /// The allowed words.
         words: &'static [&'static str],
     },
-    /// In a member of the mesh class there is no `mesh`.
+    /// A pattern uses `mesh`, which does not exist in a member of the mesh class.
     MemberWithoutMesh(String),
 }
 
@@ -165,7 +165,7 @@ fn quoted(words: &[&str]) -> String {
     words.join(" and ").replacen(" and ", ", ", words.len().saturating_sub(2))
 }
 
-/// Checks that a text can be what the pattern is for.
+/// Checks that a text has the form of its pattern.
 pub(super) fn understand(name: &str, form: Form, value: &str) -> Result<(), StyleError> {
     let not_a_name = || StyleError::NotAName { name: name.into(), value: value.into() };
     let fits = match form {
@@ -182,7 +182,7 @@ pub(super) fn understand(name: &str, form: Form, value: &str) -> Result<(), Styl
     if fits { Ok(()) } else { Err(not_a_name()) }
 }
 
-/// True if a text is one word that C++ leaves free.
+/// True if a text is one identifier and not a keyword of C++.
 pub(super) fn is_word(text: &str) -> bool {
     let mut letters = text.chars();
     letters.next().is_some_and(|c| c.is_ascii_alphabetic() || c == '_')
@@ -236,8 +236,8 @@ fn understand_code(
     }
 }
 
-/// The words of a pattern that it takes from where it stands, each with whether it is called;
-/// what stands behind a dot, an arrow or a namespace is not among them.
+/// The words of a pattern that refer to its context, each with whether it is called; words behind a
+/// dot, an arrow or a namespace are not among them.
 pub(super) fn free_words(pattern: &str) -> Vec<(&str, bool)> {
     let is_letter = |c: char| c.is_ascii_alphanumeric() || c == '_';
     let mut words = Vec::new();

@@ -6,7 +6,7 @@ use super::function::Printer;
 use crate::diagram::Kind;
 
 impl Printer<'_> {
-    /// A preview, and the block in which it is looked at.
+    /// Writes a preview, and the block that looks at it.
     pub(super) fn preview_block(&mut self, preview: &str, body: &[Statement]) {
         self.used.push("Preview");
         self.lines.blank();
@@ -20,7 +20,7 @@ impl Printer<'_> {
         self.lines.close("}");
     }
 
-    /// Notes what a statement would allocate or set; others are not about that.
+    /// Notes what a statement would allocate or set; returns false for other statements.
     pub(super) fn note(&mut self, preview: &str, statement: &Statement) -> bool {
         let line = match statement {
             Statement::New { kind, name } => {

@@ -9,7 +9,7 @@ use super::function::Printer;
 use super::support::{called, qualified, with_pointers};
 use crate::diagram::{Binary, Builtin, FoldFunction, Pointer, Type};
 
-/// From here on a number is written as a long one.
+/// From here on a number is written as a `long long`.
 const SHORT: i64 = 1 << 15;
 
 impl Language for Printer<'_> {
@@ -18,7 +18,7 @@ impl Language for Printer<'_> {
         let limit = |what| format!("std::numeric_limits<{real}>::{what}()");
         let [infinite, none] = ["infinity", "quiet_NaN"].map(limit);
         match real {
-            // What is computed of a long one is long, too.
+            // With a `double`, the whole computation would be in `double`.
             "float" => short_number(value, [&infinite, &none]),
             _ => number(value, [&infinite, &none]),
         }
@@ -27,7 +27,7 @@ impl Language for Printer<'_> {
     fn int(&self, value: i64) -> Spelled {
         match value {
             i64::MIN => Spelled::whole("(-9223372036854775807LL - 1)"),
-            // What is computed of larger ones may be more than an `int` holds.
+            // Computations with larger ones could overflow an `int`.
             0..SHORT => Spelled::whole(value.to_string()),
             SHORT.. => Spelled::whole(format!("{value}LL")),
             _ => Spelled::new(format!("-{}", self.int(-value).text), Level::Prefix),
@@ -103,7 +103,7 @@ impl Language for Printer<'_> {
                         let text = format!("{}.size() % {}", texts[0], texts[1]);
                         return Spelled::new(text, Level::Product);
                     }
-                    // Meshes have none.
+                    // These meshes have no isolated vertices.
                     Function::IsIsolated => return Spelled::whole("false"),
                     Function::IsFinite | Function::Builtin(_) | Function::Of(..) => "is_finite",
                 };

@@ -195,7 +195,7 @@ impl Printer<'_> {
         }
     }
 
-    /// A list of what stands for each index.
+    /// A list of one item for each index.
     pub(super) fn gather(&mut self, ty: &str, name: &str, indices: &IndexLoop, item: &str) {
         self.headers.insert("vector");
         self.lines.line(&format!("std::vector<{ty}> {name};"));
@@ -210,7 +210,7 @@ impl Printer<'_> {
         }
     }
 
-    /// A head and what it holds: on one line if that is a single short statement.
+    /// A head and its body: on one line if the body is a single short statement.
     pub(super) fn held(&mut self, head: &str, body: &[Statement]) {
         let mut inner = Printer {
             style: self.style,

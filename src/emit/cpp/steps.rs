@@ -1,4 +1,4 @@
-//! Operations in steps as C++, and what only steps and functions do.
+//! Operations in steps as C++, and the statements that only steps and functions have.
 
 use std::collections::BTreeSet;
 
@@ -9,11 +9,11 @@ use super::super::whole::{Call, Called, Form, Held, Target, Whole};
 use super::function::Printer;
 use crate::diagram;
 
-/// The greatest length of a line.
+/// The maximum length of a line.
 const WIDTH: usize = 92;
 
 impl Printer<'_> {
-    /// Writes an operation in steps: through a journal, which undoes them.
+    /// Writes an operation in steps, which runs through a journal, so that it can be undone.
     pub(super) fn whole(&mut self, whole: &Whole, alone: bool) {
         self.docs(&whole.signature.docs);
         self.docs_of_defaults(&whole.signature.params);
@@ -52,7 +52,7 @@ impl Printer<'_> {
         self.lines.close("}");
     }
 
-    /// Calls what must do it.
+    /// Writes a call that must succeed.
     pub(super) fn must(&mut self, call: &Call, place: Option<&Target>) {
         let mut text = self.call_of(call);
         if matches!(call.of, Called::Operation | Called::Plain) {
@@ -64,7 +64,7 @@ impl Printer<'_> {
         }
     }
 
-    /// A loop over elements, of which some have no turn.
+    /// A loop over elements, some of which are skipped.
     pub(super) fn visit(&mut self, head: &str, skipped: &[String], body: &[Statement]) {
         if skipped.is_empty() {
             return self.held(head, body);
@@ -75,7 +75,7 @@ impl Printer<'_> {
         self.lines.close("}");
     }
 
-    /// A loop whose writes are put off.
+    /// A loop whose writes are deferred.
     pub(super) fn update(&mut self, visit: &Statement, held: &[Held]) {
         self.headers.extend(["utility", "vector"]);
         for Held { list, element, ty, .. } in held {
@@ -86,7 +86,7 @@ impl Printer<'_> {
         held.iter().for_each(|held| self.release(held));
     }
 
-    /// Writes what was put off.
+    /// Performs the deferred writes.
     fn release(&mut self, held: &Held) {
         let head = format!("for (const auto& [element, value] : {})", held.list);
         let Some(attribute) = &held.attribute else {
@@ -123,7 +123,7 @@ impl Printer<'_> {
         }
     }
 
-    /// Notes elements in the journal; as many lines as it takes.
+    /// Notes elements in the journal, on as many lines as needed.
     pub(super) fn keep(&mut self, elements: &[Term]) {
         let texts: Vec<_> = elements.iter().map(|term| self.text(term)).collect();
         let mut line = String::new();

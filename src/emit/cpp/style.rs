@@ -1,17 +1,17 @@
-//! Style of C++: its reads, writes, allocations and erasures, which differ from one mesh class to
-//! the next.
+//! Styles of C++: reads, writes, allocations and erasures, which differ from one mesh class to the
+//! next.
 //!
-//! Everything is a pattern with a name. A pattern may speak of `{of}`, the element; `{pointer}`,
-//! the name of the pointer or attribute; and `{value}`.
+//! Everything is a named pattern. A pattern may use `{of}`, the element; `{pointer}`, the name of
+//! the pointer or attribute; and `{value}`.
 
 use super::pattern::{Form, PATTERNS, StyleError, free_words, is_word, understand};
 use crate::diagram::{Kind, Pointer};
 
-/// The parts of C++ that a mesh class has its own ways for.
+/// The parts of C++ code that depend on the mesh class.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Style {
     patterns: Vec<String>,
-    /// The names of operations, each with its name in the program.
+    /// The C++ names of operations, each with the name in the program first.
     functions: Vec<(String, String)>,
 }
 
@@ -27,8 +27,8 @@ impl Style {
     /// Changes a style: `fields`, `accessors`, or `NAME=PATTERN`.
     ///
     /// # Errors
-    /// [`StyleError`] for what is neither, for a pattern that there is not, and for one that
-    /// cannot compile.
+    /// [`StyleError`] for a text of another form, for an unknown pattern, and for one that cannot
+    /// compile.
     pub fn set(&mut self, text: &str) -> Result<(), StyleError> {
         match text {
             "fields" => *self = Self::default(),
@@ -63,11 +63,11 @@ impl Style {
         Ok(())
     }
 
-    /// Changes a style as the text of a target says, a line each; an empty line and one that
-    /// begins with `//` says nothing.
+    /// Changes a style line by line, as the text of a target says; empty lines and lines that begin
+    /// with `//` are ignored.
     ///
     /// # Errors
-    /// The first line that is not understood, by its number from 1, and why.
+    /// The first line that is not understood, numbered from 1, and the reason.
     pub fn set_lines(&mut self, text: &str) -> Result<(), (usize, StyleError)> {
         for (at, line) in text.lines().enumerate() {
             let line = line.trim();
@@ -98,7 +98,7 @@ impl Style {
         code.map(|((name, ..), pattern)| (*name, pattern.as_str()))
     }
 
-    /// A pattern that cannot be where no mesh is in sight, as in functions beside the operation,
+    /// A pattern that is invalid where no mesh is in scope, as in functions beside the operation,
     /// and the word in it that needs one.
     pub(in crate::emit) fn needs_mesh(&self) -> Option<(&'static str, &str)> {
         let is_member = self.is_member();
@@ -113,7 +113,7 @@ impl Style {
         })
     }
 
-    /// Two kinds of elements that are of one type.
+    /// Two kinds of elements that have the same type.
     pub(in crate::emit) fn one_type(&self) -> Option<[&'static str; 2]> {
         let kinds = ["Vertex", "Halfedge", "Edge", "Face"];
         let mut pairs = kinds
@@ -123,10 +123,10 @@ impl Style {
         pairs.find(|[one, other]| self.pattern(one) == self.pattern(other))
     }
 
-    /// Words that the patterns use, so that nothing else may be called so.
+    /// Words that the patterns use, which are therefore reserved.
     pub(in crate::emit) fn kept(&self) -> Vec<String> {
         let mut kept: Vec<String> = Vec::new();
-        // Pointers stand behind an arrow, where a name of the drawing may be alike.
+        // Pointers follow an arrow, where they do not collide with names of the drawing.
         let free = ["next", "prev", "twin", "vertex", "edge", "face", "halfedge", "function"];
         let all = PATTERNS.iter().zip(&self.patterns);
         for ((_, form, ..), pattern) in all.filter(|((name, ..), _)| !free.contains(name)) {
@@ -141,29 +141,29 @@ impl Style {
         kept
     }
 
-    /// The name that a target calls an operation, if it says so.
+    /// The name that a target gives to an operation, if any.
     pub fn function(&self, op: &str) -> Option<&str> {
         let found = self.functions.iter().find(|(known, _)| known == op);
         found.map(|(_, name)| name.as_str())
     }
 
-    /// True if a target names operations, so that others are not its own.
+    /// True if a target names operations, so that others do not belong to it.
     pub fn names_functions(&self) -> bool {
         !self.functions.is_empty()
     }
 
-    /// True if an operation without a result gives back the element that it was given.
+    /// True if an operation without a result returns the element that it was given.
     pub(in crate::emit) fn gives_back(&self) -> bool {
         self.pattern("result") == "given"
     }
 
-    /// True if parameters with a default are no parameters.
+    /// True if parameters with a default are constants instead.
     pub(in crate::emit) fn fixes_defaults(&self) -> bool {
         self.pattern("defaults") == "fixed"
     }
 
-    /// The line before everything that makes the mesh class known: the first of the files that
-    /// there is.
+    /// The lines before everything else that include the mesh class: the first of the files that
+    /// exists.
     pub(in crate::emit) fn include(&self) -> String {
         let files: Vec<_> = self.pattern("include").split_whitespace().collect();
         let Some((last, others)) = files.split_last() else {
@@ -185,12 +185,12 @@ impl Style {
         at.map_or("", |at| &self.patterns[at])
     }
 
-    /// A name, as the mesh class has it.
+    /// A name, as the mesh class spells it.
     pub(in crate::emit) fn name(&self, name: &str) -> &str {
         self.pattern(name)
     }
 
-    /// A type of values; arrays, matrices column by column, where the mesh class has none.
+    /// A type of values; where the mesh class has none, an array, for matrices column by column.
     pub(in crate::emit) fn value(&self, ty: &str) -> String {
         let name = self.pattern(ty);
         if !name.is_empty() {
@@ -215,13 +215,13 @@ impl Style {
         !self.pattern("prev").is_empty()
     }
 
-    /// `of.pointer`; `None` for a pointer that is no field.
+    /// `of.pointer`; `None` for a pointer that is not a field.
     pub(in crate::emit) fn read(&self, of: &str, pointer: Pointer) -> Option<String> {
         let pointer = self.pattern(pointer.word());
         (!pointer.is_empty()).then(|| fill(self.pattern("read"), of, pointer, ""))
     }
 
-    /// `of.pointer` for a pointer by its usual name, and also `position` and `boundary`; of a
+    /// `of.pointer` for a pointer by its usual name, and also for `position` and `boundary`; of a
     /// mesh, `new_vertex` and the like.
     pub(in crate::emit) fn chained(&self, of: &str, pointer: &str) -> String {
         let pointer = match pointer {
@@ -235,7 +235,7 @@ impl Style {
         self.read(of, pointer).unwrap_or_default()
     }
 
-    /// `of.pointer = value` for the same; of a mesh, what erases the value.
+    /// `of.pointer = value` for the same; of a mesh, the call that erases the value.
     pub(in crate::emit) fn put(&self, of: &str, pointer: &str, value: &str) -> String {
         match pointer {
             "boundary" => fill(self.pattern("set_boundary"), of, "", value),
@@ -247,7 +247,7 @@ impl Style {
         }
     }
 
-    /// A type where the names of the mesh class are not in sight: `Mesh::VertexRef`.
+    /// A type where the names of the mesh class are not in scope: `Mesh::VertexRef`.
     pub(in crate::emit) fn qualified(&self, ty: &str) -> String {
         match self.is_nested(ty) {
             true => format!("{}::{}", self.pattern("mesh"), self.pattern(ty)),
@@ -255,7 +255,7 @@ impl Style {
         }
     }
 
-    /// True if a type is one of the mesh class.
+    /// True if a type is nested in the mesh class.
     pub(in crate::emit) fn is_nested(&self, ty: &str) -> bool {
         let is_element = ["Vertex", "Halfedge", "Edge", "Face"].contains(&ty);
         is_element && self.pattern("nested") == "yes"
@@ -295,12 +295,12 @@ impl Style {
         self.call(self.erasure(kind.word(), of))
     }
 
-    /// The call that allocates an element of a kind, as the mesh class calls it.
+    /// The call that allocates an element of a kind, without the mesh.
     pub(in crate::emit) fn allocation(&self, kind: &str) -> String {
         self.pattern(&format!("new_{kind}")).to_string()
     }
 
-    /// The call that erases an element of a kind, as the mesh class calls it.
+    /// The call that erases an element of a kind, without the mesh.
     pub(in crate::emit) fn erasure(&self, kind: &str, of: &str) -> String {
         fill(self.pattern(&format!("erase_{kind}")), of, "", "")
     }
@@ -326,7 +326,7 @@ fn usual(pointer: &str) -> Pointer {
     }
 }
 
-/// Fills a pattern in one go: what is filled in is not looked at again.
+/// Fills a pattern in one pass: inserted text is not searched again.
 fn fill(pattern: &str, of: &str, pointer: &str, value: &str) -> String {
     let mut text = String::new();
     let mut rest = pattern;

@@ -1,16 +1,16 @@
-//! The functions of the language in C++, written out where they are used.
+//! The support functions of the language in C++, emitted where they are used.
 //!
-//! `[h.twin.next]` stands for pointers as the style reads them, `[v.position]` and
-//! `[f.boundary]` for those, `[h.next := n]` for what sets them; `$Vertex` and the like for types.
-//! A line behind `?prev` is there if halfedges know the one before them.
+//! `[h.twin.next]` stands for pointers as the style reads them, `[v.position]` and `[f.boundary]`
+//! likewise, and `[h.next := n]` for a write; `$Vertex` and the like are types. A line that begins
+//! with `?prev` is emitted if halfedges store `prev`.
 
 use std::collections::BTreeSet;
 use std::sync::LazyLock;
 
 use super::style::Style;
 
-/// Each behind a line with its name; that of a template whose first parameter is a size ends
-/// with `.n`. Those that a text calls stand before it.
+/// The text of each function follows a line with its name, which ends with `.n` for a template
+/// whose first parameter is a size. A function comes after those that it calls.
 const TEXTS: &str = concat!(
     include_str!("functions.txt"),
     include_str!("values.txt"),
@@ -43,7 +43,7 @@ pub(super) fn looks_at_mesh(name: &str) -> bool {
     opened.any(|rest| rest.split(']').next().is_some_and(|inside| inside.contains('.')))
 }
 
-/// The names of the functions that these need, themselves included, each behind those it calls.
+/// The functions that these need, themselves included, each after those that it calls.
 pub(super) fn needed(names: &[&'static str]) -> Vec<&'static str> {
     let mut order = Vec::new();
     for &name in names {
@@ -73,8 +73,8 @@ fn call_of(name: &str) -> String {
     }
 }
 
-/// True if a text calls a function: its name as a whole word, with a bracket behind it, and not as
-/// an accessor of something.
+/// True if a text calls a function: its name as a whole word, followed by a bracket, and not as an
+/// accessor of something.
 fn calls(text: &str, name: &str) -> bool {
     let call = call_of(name);
     text.match_indices(&call).any(|(at, _)| {
@@ -147,7 +147,8 @@ pub(super) fn with_pointers(text: &str, style: &Style) -> String {
     out + rest
 }
 
-/// Calls of the other functions get their namespace, or C++ would look elsewhere too.
+/// Qualifies calls of the other functions with their namespace, to prevent argument-dependent
+/// lookup.
 pub(super) fn qualified(name: &str, text: &str) -> String {
     let mut text = text.to_string();
     for (other, _) in functions().filter(|(other, _)| *other != name) {

@@ -7,7 +7,7 @@ use super::function::{Printer, names, ty};
 use super::steps::bare;
 
 impl Printer {
-    /// Writes a function; it sees the mesh as it is, unless it changes it.
+    /// Writes a function; it borrows the mesh mutably only if it changes it.
     pub(super) fn helper(&mut self, helper: &Helper) {
         let outer = std::mem::replace(&mut self.lines, Lines::new(4));
         (self.refusal, self.gives_option) = ("return None;", helper.refuses);

@@ -12,11 +12,11 @@ use super::super::{NotEmitted, Selection};
 use super::support;
 use crate::diagram::Type;
 
-/// Operations as Rust. What an operation refuses is `None`; one without a result tells whether
-/// it applied.
+/// Operations as Rust. A refused operation returns `None`; one without a result returns whether it
+/// applied.
 ///
 /// # Errors
-/// [`NotEmitted`] for what has no place in such a function.
+/// [`NotEmitted`] for what cannot be expressed in such a function.
 pub fn rust(selection: &Selection<'_>) -> Result<String, NotEmitted> {
     let conventions = Conventions {
         prev: true,
@@ -78,7 +78,7 @@ pub fn rust(selection: &Selection<'_>) -> Result<String, NotEmitted> {
     Ok(format!("{maps}{vectors}use hedgerow::mesh::{{{}}};\n{body}", used.join(", ")))
 }
 
-/// True if a text has a word.
+/// True if a text contains a word.
 pub(super) fn names(text: &str, word: &str) -> bool {
     text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').any(|part| part == word)
 }
@@ -86,19 +86,19 @@ pub(super) fn names(text: &str, word: &str) -> bool {
 pub(super) struct Printer {
     pub lines: Lines,
     pub used: BTreeSet<&'static str>,
-    /// The statement that leaves the attempt.
+    /// The statement that leaves the current attempt.
     pub refusal: &'static str,
-    /// The result of an operation without a result gives when it has been applied.
+    /// The value that an operation without a result returns when it has applied.
     pub applied: &'static str,
-    /// True if a function gives its value only if nothing refuses.
+    /// True if a function returns an `Option`, since it may refuse.
     pub gives_option: bool,
-    /// True if the attributes have been asked for by the caller.
+    /// True if the caller has checked that the attributes exist.
     pub is_asked: bool,
-    /// The preview that pointers are noted on instead.
+    /// The preview on which pointers are noted instead.
     pub preview: Option<String>,
 }
 
-/// A type.
+/// The name of a type.
 pub(super) fn ty(ty: Type) -> &'static str {
     match ty {
         Type::Bool => "bool",
@@ -118,7 +118,7 @@ pub(super) fn ty(ty: Type) -> &'static str {
     }
 }
 
-/// The kind of elements of a type.
+/// The name of the kind of elements of a type.
 pub(super) fn kind(ty: Type) -> &'static str {
     match ty {
         Type::Vertex => "Vertex",
@@ -129,7 +129,7 @@ pub(super) fn kind(ty: Type) -> &'static str {
 }
 
 impl Printer {
-    /// A doc comment, which tells the defaults, too: Rust has none.
+    /// Writes a doc comment with the defaults, which Rust does not have.
     pub fn docs(&mut self, docs: &[String], name: &str, params: &[Parameter]) {
         for line in docs {
             self.lines.line(&comment("///", line));
@@ -215,7 +215,7 @@ impl Printer {
         self.lines.close("}");
     }
 
-    /// The names of the drawing stay, also where Rust would have them in small letters.
+    /// Allows the names of the drawing where Rust expects lowercase.
     pub fn allow(&mut self, body: &[Statement], params: &[Parameter]) {
         let mut capital = false;
         let mut see = |name: &str| capital |= name.chars().any(char::is_uppercase);

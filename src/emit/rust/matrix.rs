@@ -1,4 +1,4 @@
-//! Computations with vectors and matrices: as `glam` has it, but for what rounds in another way.
+//! Computations with vectors and matrices: those of `glam`, except where it rounds differently.
 
 use super::super::language::{Level, Spelled};
 use super::super::term::Operation;
@@ -6,7 +6,7 @@ use super::function::{Printer, ty as name_of};
 use crate::diagram::{Binary, Builtin, Type};
 
 impl Printer {
-    /// A call of a function that is written out.
+    /// A call of a support function.
     pub(super) fn support(&mut self, name: &'static str, args: &[String]) -> Spelled {
         self.used.insert(name);
         Spelled::whole(format!("{name}({})", args.join(", ")))
@@ -98,7 +98,7 @@ impl Printer {
             Builtin::IsFinite => "is_finite",
             Builtin::Transpose => "transpose",
             Builtin::Determinant => "determinant",
-            // Nothing else is computed of such values.
+            // No other builtin has such arguments.
             _ => "dot",
         };
         Spelled::whole(match of_one {

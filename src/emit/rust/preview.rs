@@ -6,7 +6,7 @@ use super::super::term::IndexLoop;
 use super::function::Printer;
 
 impl Printer {
-    /// A preview, and the block in which it is looked at.
+    /// Writes a preview, and the block that looks at it.
     pub(super) fn preview_block(&mut self, preview: &str, body: &[Statement]) {
         self.used.insert("Preview");
         self.lines.line("// The guard looks at what there would be, on a preview of the mesh.");
@@ -18,7 +18,7 @@ impl Printer {
         self.lines.close("}");
     }
 
-    /// Notes what a statement would allocate or set; others are not about that.
+    /// Notes what a statement would allocate or set; returns false for other statements.
     pub(super) fn note(&mut self, preview: &str, statement: &Statement) -> bool {
         let line = match statement {
             Statement::New { kind, name } => {

@@ -73,7 +73,7 @@ impl Language for Printer {
         let args: Vec<_> = args.into_iter().map(|arg| arg.text).collect();
         let [call, _] = spelled(builtin);
         self.used.extend(written_out().filter(|name| calls(call, name)));
-        // What ends with a type would go on with `<`.
+        // After a call that ends with a type, `<` would begin generic arguments.
         let level = if call.ends_with("as i64") { Level::Compare } else { Level::Whole };
         Spelled::new(with_arguments(call, &args), level)
     }
@@ -87,7 +87,7 @@ impl Language for Printer {
     fn operator(&mut self, operator: Binary, args: [Spelled; 2]) -> Spelled {
         let [left, right] = args;
         match operator {
-            // Rounded down: Euclid's division is that for a positive divisor only.
+            // Rounded down: Euclidean division does so only for a positive divisor.
             Binary::Div => {
                 let (left, right) = (left.at(Level::Whole), right.at(Level::Whole));
                 Spelled::whole(format!(
@@ -127,7 +127,7 @@ impl Language for Printer {
             (Type::Int, Type::Real) => self.to_real(body),
             _ => body,
         };
-        // Nothing but the variable is wanted of a count of all.
+        // A count of all elements does not use the variable.
         let (body, of) = (body.text, ty(fold.ty));
         let bound = match names(&body, variable) {
             true => variable.as_str(),
@@ -161,7 +161,7 @@ impl Language for Printer {
 }
 
 impl Printer {
-    /// The elements around an element, one after the other.
+    /// An iterator over the elements around an element.
     pub(super) fn all_around(&mut self, around: Around, element: &Term) -> String {
         let element = self.text(element);
         let half = format!("mesh.edge_halfedge({element})");
@@ -180,7 +180,7 @@ impl Printer {
         }
     }
 
-    /// A function that is written out, or a method of a list or vector.
+    /// A support function, or a method of a list or vector.
     fn own(&mut self, function: Function, args: Vec<Spelled>) -> Spelled {
         let mut args: Vec<_> = args.into_iter().map(|arg| arg.text).collect();
         let name = match function {

@@ -220,7 +220,7 @@ impl Printer {
                 self.lines.line(&format!("mesh.set_position({vertex}, {value});"));
             }
             Statement::Ask(attribute) => self.ask(attribute),
-            // The mesh notes what is written by itself.
+            // The mesh itself notes what is written.
             Statement::Keep(_) | Statement::KeepAttribute { .. } => {}
         }
     }

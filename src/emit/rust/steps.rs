@@ -1,4 +1,4 @@
-//! Operations in steps as Rust, and what only steps and functions do.
+//! Operations in steps as Rust, and the statements that only steps and functions have.
 
 use super::super::names::invoked;
 use super::super::routine::Statement;
@@ -8,7 +8,7 @@ use super::function::{Printer, kind, ty};
 use crate::diagram::{self, Type};
 
 impl Printer {
-    /// Writes an operation in steps: the mesh's own journal undoes them.
+    /// Writes an operation in steps, which the mesh's own journal can undo.
     pub(super) fn whole(&mut self, whole: &Whole, visible: &str) {
         self.docs(&whole.signature.docs, &whole.signature.name, &whole.signature.params);
         self.allow(&whole.body, &whole.signature.params);
@@ -50,7 +50,7 @@ impl Printer {
         self.lines.close("}");
     }
 
-    /// Calls an operation, and goes on as it applied or refused.
+    /// Calls an operation, and branches on whether it applied.
     pub(super) fn apply(
         &mut self,
         call: &Call,
@@ -71,7 +71,7 @@ impl Printer {
         }
     }
 
-    /// A loop over elements, of which some have no turn.
+    /// A loop over elements, some of which are skipped.
     pub(super) fn visit(&mut self, head: &str, skipped: &[String], body: &[Statement]) {
         self.lines.open(head);
         if !skipped.is_empty() {
@@ -83,7 +83,7 @@ impl Printer {
         self.lines.close("}");
     }
 
-    /// A loop whose writes are put off.
+    /// A loop whose writes are deferred.
     pub(super) fn update(&mut self, visit: &Statement, held: &[Held]) {
         for Held { list, .. } in held {
             self.lines.line(&format!("let mut {list} = Vec::new();"));
@@ -106,7 +106,7 @@ impl Printer {
         self.lines.close("}");
     }
 
-    /// Writes what was put off.
+    /// Performs the deferred writes.
     fn release(&mut self, held: &Held) {
         let list = &held.list;
         self.lines.open(&format!("for (element, value) in {list} {{"));
@@ -142,7 +142,7 @@ impl Printer {
 
     pub(super) fn put(&mut self, place: &Target, value: &str) {
         let Target { name, ty: of, form } = place;
-        // A plain number could be of several types.
+        // The type of a plain number would be ambiguous.
         let of = match of {
             Type::Int | Type::Real if value.parse::<f64>().is_ok() => format!(": {}", ty(*of)),
             _ => String::new(),
@@ -197,7 +197,7 @@ impl Printer {
     }
 }
 
-/// A value that stands alone, without brackets around all of it.
+/// A value that is used alone, without brackets around all of it.
 pub(super) fn bare(value: &str) -> &str {
     let inner = value.strip_prefix('(').and_then(|it| it.strip_suffix(')'));
     let Some(inner) = inner else {

@@ -1,8 +1,8 @@
-//! Functions that emitted code needs besides the mesh, written out where it is used.
+//! Support functions of emitted code besides those of the mesh, emitted where they are used.
 
 use std::collections::BTreeSet;
 
-/// Each behind a line with its name.
+/// The text of each function follows a line with its name.
 const TEXTS: &str =
     concat!(include_str!("functions.txt"), include_str!("values.txt"), include_str!("preview.txt"));
 

@@ -15,14 +15,14 @@ use crate::lower::{AllEffects, Variables};
 use crate::resolve::{Block, Body, Program, Statement, StatementKind, Visit};
 use crate::source::{Sources, Span};
 
-/// The block that the statements stand in.
+/// The kind of body that the statements are in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Ending {
     /// An operation.
     Steps,
     /// A function that has a value.
     Value,
-    /// One that has none.
+    /// A function that has no value.
     Nothing,
 }
 
@@ -45,19 +45,19 @@ pub(super) struct Writer<'s> {
     body: &'s Body,
     pub(super) names: &'s mut Names,
     ending: Ending,
-    /// The variables that there are so far.
+    /// The variables that are bound so far.
     bound: BTreeSet<u32>,
     variables: Variables,
-    /// The assignments that an `update` puts off.
+    /// The assignments that an `update` defers.
     held: Vec<(Access, Held)>,
     /// The operations that are called.
     pub ops: BTreeSet<usize>,
-    /// The functions that are called, and change the mesh.
+    /// The functions that are called, and change the mesh or may refuse.
     pub functions: BTreeSet<u32>,
 }
 
 impl<'s> Writer<'s> {
-    /// For a body whose first variables are parameters, and named.
+    /// A writer for a body whose first variables are parameters, which are named already.
     pub fn new(
         known: Surroundings<'s>,
         body: &'s Body,
@@ -78,7 +78,7 @@ impl<'s> Writer<'s> {
         }
     }
 
-    /// All statements.
+    /// Writes all statements.
     pub fn write(&mut self) -> Result<Vec<routine::Statement>, NotEmitted> {
         let body = self.body;
         if let Some(variable) = body.variables.iter().find(|of| !is_spelled(of.ty)) {
@@ -100,12 +100,12 @@ impl<'s> Writer<'s> {
         Ok(written)
     }
 
-    /// A value of the program, where nothing has been done yet.
+    /// The term of a value that is computed before any step.
     pub fn asked(&mut self, value: &Expr) -> Result<Term, NotEmitted> {
         self.term(value)
     }
 
-    /// True if a `return` gives something.
+    /// True if a `return` gives a value.
     fn gives_back(&self) -> bool {
         let mut gives = false;
         let mut look = |statement: &Statement| {
@@ -230,7 +230,7 @@ impl<'s> Writer<'s> {
             }
             StatementKind::Call { function, args, .. } => {
                 let effects = self.known.effects.function(*function);
-                // What changes nothing has been called for nothing.
+                // A call without effects is omitted, since its value is not used.
                 if !effects.is_some_and(|effects| effects.changes || effects.refuses) {
                     return Ok(());
                 }
@@ -251,7 +251,7 @@ impl<'s> Writer<'s> {
         Ok(())
     }
 
-    /// The value of a block that does nothing but compute it.
+    /// The value of a block that only computes one.
     fn value<'b>(&self, block: &'b Block) -> Option<&'b Expr> {
         match block.as_slice() {
             [Statement { kind: StatementKind::Return(Some(value)), .. }] => {
@@ -261,7 +261,7 @@ impl<'s> Writer<'s> {
         }
     }
 
-    /// A value, behind what of it is the same each time it is computed.
+    /// The term of a value, after binding the parts of it that have the same value each time.
     fn computed(
         &mut self,
         value: &Expr,
@@ -284,7 +284,7 @@ impl<'s> Writer<'s> {
         Parameter::new(name, known.map_or(Type::Int, |variable| variable.ty))
     }
 
-    /// The target of the value of a variable; none for one that nobody reads.
+    /// The target for the value of a variable; `None` if it is never read.
     fn place(&mut self, variable: u32) -> Option<Target> {
         if !self.variables.reads(variable) {
             return None;
@@ -315,7 +315,7 @@ impl<'s> Writer<'s> {
             out.push(routine::Statement::Must { call, place });
             return Ok(());
         }
-        // The value knows nothing of a variable that is new.
+        // Computed first, since the value cannot refer to a new variable.
         let value = self.computed(value, out)?;
         match self.place(variable) {
             None => {}
@@ -329,8 +329,8 @@ impl<'s> Writer<'s> {
         Ok(())
     }
 
-    /// The attributes that the statements of an `update` write to, with names for the lists of
-    /// what they write.
+    /// The attributes that the statements of an `update` write to, with names for the lists of the
+    /// deferred writes.
     fn written_in(&mut self, body: &Block) -> Vec<(Access, Held)> {
         let mut held: Vec<(Access, Held)> = Vec::new();
         let mut note = |statement: &Statement| {

@@ -8,7 +8,7 @@ use super::body::Writer;
 use crate::diagram::{Expr, ExprKind, Param, Type};
 
 impl Writer<'_> {
-    /// A value that is the call of a function that changes the mesh.
+    /// The call of a function that changes the mesh or may refuse, if the value is one.
     pub(super) fn changing_call<'e>(&self, value: &'e Expr) -> Option<(u32, &'e [Expr])> {
         match &value.kind {
             ExprKind::Invoke(function, args) => {
@@ -19,8 +19,8 @@ impl Writer<'_> {
         }
     }
 
-    /// A value that can stand beside the mesh in a call: where that is borrowed, what looks at
-    /// it gets a name before.
+    /// A value that can be passed beside the mesh in a call: where the mesh is borrowed, a value
+    /// that reads it is bound to a name before.
     pub(super) fn settled(
         &mut self,
         value: Term,
@@ -81,7 +81,7 @@ impl Writer<'_> {
     }
 }
 
-/// True if a value does not look at the mesh.
+/// True if a value does not read the mesh.
 fn is_plain(term: &Term) -> bool {
     match term {
         Term::Name(_) | Term::Bool(_) | Term::Int(_) | Term::Real(_) => true,

@@ -1,4 +1,4 @@
-//! Items that are emitted for some operations: they, and before them what they call.
+//! The items that are emitted for some operations: these, and before them what they call.
 
 use std::collections::BTreeSet;
 
@@ -19,7 +19,7 @@ use crate::lower::AllEffects;
 use crate::resolve::Body;
 use crate::source::Span;
 
-/// Something that is emitted.
+/// An emitted item.
 #[derive(Clone, Debug, PartialEq)]
 pub(in crate::emit) enum Item {
     /// A function of the program.
@@ -30,10 +30,10 @@ pub(in crate::emit) enum Item {
     Steps(Whole),
 }
 
-/// All that is emitted.
+/// Everything that is emitted.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(in crate::emit) struct Items {
-    /// The items that are called, each behind what it calls itself, and with the name of its file.
+    /// The items that are called, each after those that it calls, and with the name of its file.
     pub called: Vec<(String, Item)>,
     /// The operations that were selected.
     pub ops: Vec<Item>,
@@ -74,10 +74,10 @@ pub(in crate::emit) fn items(
     Ok(Items { called: builder.called, ops })
 }
 
-/// The names of the operations and the functions: operations of the selection come first.
+/// The names of the operations and of the functions; selected operations are named first.
 fn called(selection: &Selection<'_>, count: usize, kept: &[String]) -> (Vec<String>, Vec<String>) {
     let mut taken = BTreeSet::new();
-    // Files that do not see each other may use one name twice.
+    // Files that do not see each other may use the same name.
     let mut free = |name: &str| {
         let wanted = unreserved(&plain(name), kept);
         let mut name = wanted.clone();
@@ -98,7 +98,7 @@ fn called(selection: &Selection<'_>, count: usize, kept: &[String]) -> (Vec<Stri
     (ops, functions.map(|function| free(&function.name)).collect())
 }
 
-/// Something that is called.
+/// A called function or operation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Need {
     Function(u32),
@@ -109,7 +109,7 @@ struct Builder<'s> {
     selection: &'s Selection<'s>,
     conventions: Conventions<'s>,
     effects: AllEffects,
-    /// The functions that compute a value, by number.
+    /// The names of the functions that compute a value, by number.
     values: Vec<Option<String>>,
     op_names: Vec<String>,
     function_names: Vec<String>,
@@ -119,9 +119,9 @@ struct Builder<'s> {
 }
 
 impl Builder<'_> {
-    /// Sees to it that something called is there, behind what it calls itself.
+    /// Adds a called item after those that it calls, unless it is there already.
     fn need(&mut self, need: Need, from: Option<Span>) -> Result<(), NotEmitted> {
-        // A mesh that undoes by itself needs no other form of what is emitted anyway.
+        // A mesh that undoes by itself needs no second form of a selected operation.
         if let Need::Op(op) = need
             && self.conventions.undoes
             && self.selection.ops.contains(&op)
@@ -147,7 +147,7 @@ impl Builder<'_> {
                 }
             }
         };
-        // Who calls itself needs no declaration before; those in a circle would.
+        // A call of itself needs no forward declaration; a cycle of calls would.
         for other in needs.into_iter().filter(|&other| other != need) {
             self.need(other, Some(self.span(need)))?;
         }
@@ -194,12 +194,12 @@ impl Builder<'_> {
         }
     }
 
-    /// Names for a body, in which no variable hides what is called.
+    /// Names for a body, in which no variable shadows what is called.
     fn names(&self, body: &Body, params: &[Param]) -> Names {
         let functions = self.function_names.iter().map(|name| invoked(name));
         let taken = match self.conventions.undoes {
             true => self.op_names.iter().cloned().chain(functions).collect(),
-            // What is called is named with its namespace.
+            // Calls are qualified with a namespace.
             false => Vec::new(),
         };
         Names::of_body(
@@ -293,7 +293,7 @@ impl Builder<'_> {
     }
 }
 
-/// The doc comment of an operation in steps, with what holds of all of them.
+/// The doc comment of an operation in steps, with a sentence that applies to all of them.
 fn all_or_nothing(docs: &[String]) -> Vec<String> {
     let mut docs = docs.to_vec();
     if !docs.is_empty() {

@@ -1,11 +1,11 @@
-//! Drawn operations that note what they write to, before they do.
+//! Drawn operations that note elements before they write to them.
 
 use std::collections::BTreeSet;
 
 use super::super::routine::{Alternative, Routine, Statement};
 use super::super::term::Term;
 
-/// A drawn operation that notes all elements that it writes to; what is new needs none.
+/// A drawn operation that notes all elements that it writes to, except for new ones.
 pub(super) fn journaled(routine: Routine) -> Routine {
     let rules = routine.rules.into_iter().map(|rule| {
         let mut new = BTreeSet::new();
@@ -15,7 +15,7 @@ pub(super) fn journaled(routine: Routine) -> Routine {
     Routine { rules: rules.collect(), ..routine }
 }
 
-/// The names of what is new.
+/// The names of new elements.
 fn created(body: &[Statement], new: &mut BTreeSet<String>) {
     for statement in body {
         match statement {
@@ -41,7 +41,8 @@ fn journaled_body(body: Vec<Statement>, new: &BTreeSet<String>) -> Vec<Statement
     let mut out = Vec::new();
     for statement in body {
         if let Some(element) = target(&statement) {
-            // All of a block are noted at once, but those that are only found on the way.
+            // The elements of a block are noted together, except for those that are only found
+            // midway.
             if !written.is_empty() {
                 out.push(Statement::Keep(std::mem::take(&mut written)));
             }
@@ -62,7 +63,7 @@ fn journaled_body(body: Vec<Statement>, new: &BTreeSet<String>) -> Vec<Statement
     out
 }
 
-/// The element whose pointers, place or kind a statement writes.
+/// The element whose pointers, position or kind a statement writes.
 fn target(statement: &Statement) -> Option<&Term> {
     match statement {
         Statement::Set { of, .. } => Some(of),
@@ -72,7 +73,7 @@ fn target(statement: &Statement) -> Option<&Term> {
     }
 }
 
-/// True if it is the same before and after other pointers were set.
+/// True if the term is the same element before and after other pointers are set.
 fn is_settled(element: &Term) -> bool {
     matches!(element, Term::Name(_) | Term::Member { .. })
 }

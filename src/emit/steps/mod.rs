@@ -1,7 +1,7 @@
 //! Operations in steps, and functions, as routines.
 //!
-//! Everything that is called is emitted before them. Where the mesh of a language can undo what was
-//! done to it, that is all; where it cannot, all that is called writes through a journal.
+//! Everything that they call is emitted before them. Where the mesh of a language can undo changes,
+//! that is all; where it cannot, everything that is called writes through a journal.
 
 mod body;
 mod calls;

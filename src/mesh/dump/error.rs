@@ -1,11 +1,11 @@
-//! Reasons why a text is no dump.
+//! Reasons why a text is not a dump.
 
 use std::fmt;
 
 use crate::mesh::attribute::AttributeType;
 use crate::mesh::id::Element;
 
-/// The reason why a file is no dump, and in which line, from 1.
+/// The reason why a file is not a dump, and its line, from 1.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct DumpError {
     pub line: usize,
@@ -14,9 +14,9 @@ pub struct DumpError {
 
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum DumpReason {
-    /// A line that begins with no word of the format.
+    /// A line that does not begin with a word of the format.
     Unknown(String),
-    /// A line that has another form than this.
+    /// A line that does not have this form.
     NotOfForm(&'static str),
     NotAnId {
         text: String,
@@ -24,11 +24,11 @@ pub enum DumpReason {
         below: u32,
     },
     NotANumber(String),
-    /// A text that is no value of the type of its attribute.
+    /// A text that is not a value of the type of its attribute.
     NotAValue(AttributeType),
-    /// An attribute that its kind has already.
+    /// An attribute that is already declared for its kind.
     AttributeTwice(String),
-    /// A value of an element that has no line above it.
+    /// A value for an element that has no line above it.
     ValueOf(Element),
     /// A `value` line before the first `attribute` of its table.
     NoAttribute,

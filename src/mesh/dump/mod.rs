@@ -1,9 +1,10 @@
-//! Halfedge tables as text: meshes with all that they have, also such as no OBJ file can hold.
+//! Halfedge tables as text: meshes with all their contents, including ones that no OBJ file can
+//! hold.
 //!
 //! A line holds one element with its pointers, `-` where one is missing. `mesh WORD` begins a
-//! table, so that one file can show a mesh before and after something; `name WORD` says what a
-//! name stands for, in all of them. `attribute KIND WORD TYPE DEFAULT` begins a column of the
-//! table, and each `value` line behind it gives one element another value than the default.
+//! table, so that one file can show a mesh before and after an operation; `name WORD` lists the
+//! elements that a name denotes, in all tables. `attribute KIND WORD TYPE DEFAULT` begins a column
+//! of the table, and each `value` line after it gives one element a value other than the default.
 //! `#` begins a remark.
 //!
 //! ```text
@@ -20,9 +21,9 @@
 //! name P halfedge 3 4
 //! ```
 //!
-//! An element that has no line does not live, whatever points at it. Numbers are printed with the
-//! fewest digits that read back as the same number, so a table makes the round trip exactly;
-//! scratch columns, whose names no program can say, are left out.
+//! An element that has no line is not alive, whatever points at it. Numbers are printed with the
+//! fewest digits that read back as the same number, so a table survives the round trip exactly;
+//! scratch columns, whose names programs cannot use, are left out.
 
 use super::connectivity::Mesh;
 use super::id::Element;
@@ -39,10 +40,10 @@ pub use write::write_dump;
 /// Tables and names, as in a file.
 #[derive(Clone, Debug, Default)]
 pub struct Dump {
-    /// The remarks at the top.
+    /// The remarks, which are written at the top.
     pub remarks: Vec<String>,
     /// Each table with its name.
     pub meshes: Vec<(String, Mesh)>,
-    /// The elements of each name: elements of one kind.
+    /// The elements of each name, all of one kind.
     pub names: Vec<(String, Vec<Element>)>,
 }

@@ -58,7 +58,7 @@ pub(super) fn read_number(text: &str) -> Result<f64, DumpReason> {
     number.map_err(|_| DumpReason::NotANumber(text.into()))
 }
 
-/// Which ids a text may have: fewer than it has bytes, so that a short line cannot ask for
+/// The ids that a text may contain: below its length in bytes, so that a short line cannot request
 /// gigabytes.
 #[derive(Clone, Copy)]
 pub(super) struct Ids {
@@ -66,7 +66,7 @@ pub(super) struct Ids {
 }
 
 impl Ids {
-    /// Small texts may have ids up to this.
+    /// The bound for small texts.
     const LEAST: u32 = 1 << 20;
 
     fn of(text: &str) -> Self {

@@ -1,4 +1,4 @@
-//! The lines of one mesh, and the mesh that they make.
+//! The lines of one mesh, and the mesh that they describe.
 
 use glam::DVec3;
 
@@ -9,7 +9,7 @@ use crate::mesh::connectivity::Mesh;
 use crate::mesh::id::{EdgeId, Element, ElementKind, FaceId, HalfedgeId, VertexId};
 use crate::mesh::records::HalfedgeRecord;
 
-/// The lines of one mesh: for each kind the elements by their ids.
+/// The lines of one mesh: the elements of each kind by id.
 #[derive(Default)]
 pub(super) struct Table {
     vertices: Vec<Option<(HalfedgeId, DVec3)>>,
@@ -19,7 +19,7 @@ pub(super) struct Table {
     columns: Vec<Column>,
 }
 
-/// An `attribute` line and the values behind it.
+/// An `attribute` line and the values after it.
 struct Column {
     kind: ElementKind,
     name: String,
@@ -169,7 +169,7 @@ impl Table {
     }
 }
 
-/// A value as its numbers.
+/// Reads a value from its numbers.
 fn read_value(ty: AttributeType, words: &[&str]) -> Result<Value, DumpReason> {
     let wrong = || DumpReason::NotAValue(ty);
     match (ty, words) {
@@ -184,7 +184,7 @@ fn read_value(ty: AttributeType, words: &[&str]) -> Result<Value, DumpReason> {
     }
 }
 
-/// Puts an element in its place, which is free.
+/// Stores an element, whose slot must be free.
 fn put<T>(
     table: &mut Vec<Option<T>>,
     kind: ElementKind,

@@ -62,7 +62,7 @@ fn write_mesh(mesh: &Mesh, lines: &mut Vec<String>) {
     }
 }
 
-/// A column, with a line for each living element that has another value than the default.
+/// A column, with a line for each living element whose value is not the default.
 fn write_column(mesh: &Mesh, id: ColumnId, column: &Column, lines: &mut Vec<String>) {
     let (name, ty) = (column.name(), column.attribute_type());
     let default = column.default_value();

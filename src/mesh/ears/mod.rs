@@ -1,10 +1,10 @@
-//! Ears: in which order the corners of a face can be cut off, until a triangle is left.
+//! Ear clipping: the order in which the corners of a face can be cut off until a triangle is left.
 //!
-//! G. Meisters, "Polygons have ears", 1975: every flat polygon without crossings has two at least.
-//! Faces need not be flat here; each is seen along its normal. The best shaped ear is taken
-//! first. Qualities are kept current: when a corner goes, those of its two neighbours change, and
-//! those of the ears that it lay in; a [`tree`] finds what lies in an ear. So a face of n sides
-//! takes about n log n steps.
+//! G. Meisters, "Polygons have ears", 1975: every simple planar polygon except a triangle has at
+//! least two. Faces need not be planar here; each is projected along its normal. The best-shaped
+//! ear is cut first. Qualities are kept current: when a corner is cut off, those of its two
+//! neighbours change, and those of the ears that it was in; a [`tree`] finds the points in an ear.
+//! A face of n sides thus takes about n log n steps.
 //!
 //! [`patch`] orders the corners such that the triangles bend little instead.
 
@@ -23,9 +23,9 @@ use tree::Tree;
 
 impl Mesh {
     /// The corners of a face in an order in which each can be cut off as an ear of what is left,
-    /// until three are left: the ear with the largest smallest angle first. A corner is told by
-    /// the halfedge that starts there. Only where there is no ear, one is taken that other
-    /// corners lie in; one that would join two vertices which are joined already is the last.
+    /// until three are left: the ear with the largest smallest angle first. A corner is given as
+    /// the halfedge that starts there. Only where there is no ear, one is cut that contains other
+    /// corners; an ear whose cut would join two vertices that are already adjacent comes last.
     pub fn ears(&self, f: FaceId) -> Vec<HalfedgeId> {
         let sides: Vec<_> = self.face_halfedges(f).collect();
         let order = Polygon::new(self, f, &sides).cut();
@@ -33,19 +33,19 @@ impl Mesh {
     }
 }
 
-/// The rest of a face. Corners have the numbers of the sides that start there.
+/// The part of a face that is left. Corners have the numbers of the sides that start there.
 struct Polygon<'m> {
     mesh: &'m Mesh,
     vertices: Vec<VertexId>,
     places: Vec<DVec3>,
-    /// The same as seen along the normal.
+    /// The places projected along the normal.
     flat: Vec<DVec2>,
     before: Vec<u32>,
     behind: Vec<u32>,
     left: Tree,
-    /// By corner, the ears that it is known to lie in.
+    /// For each corner, the ears that it is known to lie in.
     inside_of: Vec<Vec<u32>>,
-    /// By corner, how often its quality has changed: older entries of the queue do not count.
+    /// For each corner, how often its quality has changed: older entries of the queue are stale.
     changes: Vec<u32>,
     queue: BinaryHeap<Ear>,
 }
@@ -60,7 +60,7 @@ struct Ear {
 
 impl Ord for Ear {
     fn cmp(&self, other: &Self) -> Ordering {
-        // Of equals the first corner.
+        // Of equally good ears, the first corner.
         self.quality.total_cmp(&other.quality).then(other.corner.cmp(&self.corner))
     }
 }
@@ -140,7 +140,7 @@ impl<'m> Polygon<'m> {
         }
     }
 
-    /// Puts the ear at a corner into the queue, as good as it is now.
+    /// Puts the ear at a corner into the queue, with its current quality.
     fn enter(&mut self, corner: u32) {
         let quality = self.quality(corner);
         let change = &mut self.changes[corner as usize];
@@ -184,8 +184,8 @@ fn smallest_sine([p, q, r]: [DVec3; 3]) -> f64 {
     }
 }
 
-/// Greater than zero where the three places run counterclockwise, zero on one line. The sign is
-/// exact.
+/// Positive where the three places turn counterclockwise, zero where they are collinear. The sign
+/// is exact.
 fn turn(places: [DVec2; 3]) -> f64 {
     let [a, b, c] = places.map(|at| Coord { x: at.x, y: at.y });
     orient2d(a, b, c)

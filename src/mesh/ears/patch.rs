@@ -1,24 +1,23 @@
-//! Patches: the triangles over a hole that bend the least.
+//! Patches: the triangulation of a hole that bends the least.
 //!
-//! P. Liepa, "Filling holes in meshes", 2003, section 3: of all ways to cut a polygon into
-//! triangles, by dynamic programming the one whose largest angle between neighbouring triangles,
-//! those around the hole among them, is the least; of these the one with the least area. What is
-//! left to choose, as in a flat hole, goes to the one whose worst triangle has the largest
-//! smallest angle. This takes time with the third power of the sides: large holes get the best
-//! shaped [ears](super) instead.
+//! P. Liepa, "Filling holes in meshes", 2003, section 3: dynamic programming finds, of all
+//! triangulations of a polygon, the one whose largest angle between neighbouring triangles, those
+//! around the hole included, is the least; of these, the one with the least area. Remaining ties,
+//! as in a flat hole, go to the one whose worst triangle has the largest smallest angle. The time
+//! is cubic in the number of sides: large holes get the best-shaped [ears](super) instead.
 
 use glam::DVec3;
 
 use crate::mesh::connectivity::Mesh;
 use crate::mesh::id::{FaceId, HalfedgeId};
 
-/// The most sides for which all ways are looked at.
+/// The largest number of sides for which all triangulations are considered.
 const MOST_SIDES: usize = 50;
 
 impl Mesh {
     /// The corners of a face in an order in which they can be cut off until three are left, such
-    /// that the triangles bend as little as they can, with each other and with the faces around;
-    /// the order of [`Mesh::ears`] for a face of more than 50 sides. A corner is told by the
+    /// that the triangles bend as little as possible, with each other and with the faces around;
+    /// the order of [`Mesh::ears`] for a face of more than 50 sides. A corner is given as the
     /// halfedge that starts there.
     pub fn patch(&self, f: FaceId) -> Vec<HalfedgeId> {
         let sides: Vec<_> = self.face_halfedges(f).take(MOST_SIDES + 1).collect();
@@ -30,16 +29,16 @@ impl Mesh {
     }
 }
 
-/// The faults of some triangles, the worst first. Angles and areas that differ by less than
-/// rounding are equal.
+/// The faults of a set of triangles, the most important first. Angles and areas that differ by less
+/// than rounding are equal.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 struct Fault {
-    /// The number of their sides that join vertices that are joined already.
+    /// The number of their sides that join vertices that are already adjacent.
     joined: u32,
-    /// Grows with the largest angle by which two of them bend.
+    /// Grows with the largest angle between the normals of two neighbours.
     bend: i64,
     area: i64,
-    /// Less than zero: the least sine of a smallest angle.
+    /// The least of the sines of their smallest angles, negated.
     shape: f64,
 }
 
@@ -56,20 +55,21 @@ impl Fault {
     }
 }
 
-/// The best way for each run of corners, from a first to a last one that are joined by a chord.
+/// The best triangulation of each run of corners, from a first to a last one that a chord joins.
 struct Ways<'m> {
     mesh: &'m Mesh,
     sides: &'m [HalfedgeId],
     places: Vec<DVec3>,
-    /// The distances of corners from each other.
+    /// The pairwise distances of the corners.
     distances: Vec<f64>,
-    /// An area that is nothing, but for rounding.
+    /// An area that is zero up to rounding.
     grain: f64,
-    /// By first and last corner; of two neighbours nothing.
+    /// The faults by first and last corner; none for two adjacent corners.
     faults: Vec<Fault>,
     /// The third corner of the triangle at the chord.
     thirds: Vec<usize>,
-    /// The normal of that triangle; of two neighbours, that of the face across, if there is one.
+    /// The normal of that triangle; for two adjacent corners, that of the face across, if there is
+    /// one.
     normals: Vec<Option<DVec3>>,
 }
 
@@ -106,7 +106,7 @@ impl<'m> Ways<'m> {
         ways
     }
 
-    /// The normal of the face on the other side of a side, if it is no hole.
+    /// The normal of the face across a side, unless that is a hole.
     fn across(&self, side: usize) -> Option<DVec3> {
         let twin = self.mesh.get_twin(self.sides[side])?;
         let face = self.mesh.get_face(twin)?;
@@ -128,7 +128,7 @@ impl<'m> Ways<'m> {
         for third in first + 1..last {
             let beside = [first * count + third, third * count + last];
             let beyond = self.faults[beside[0]].and(self.faults[beside[1]]);
-            // A triangle more makes nothing better.
+            // Another triangle makes nothing better.
             let is_worse = |(least, ..): &(Fault, usize, DVec3)| {
                 (beyond.joined + joined, beyond.bend) > (least.joined, least.bend)
             };
@@ -161,13 +161,13 @@ impl<'m> Ways<'m> {
         }
     }
 
-    /// The third corner of each triangle, after those of the triangles beyond its sides. The
-    /// triangle at the last side is left.
+    /// The third corner of each triangle, after those of the triangles across its sides. The
+    /// triangle at the last side is left over.
     fn order(&self) -> Vec<HalfedgeId> {
         let count = self.sides.len();
         let mut order = Vec::with_capacity(count - 2);
         let mut open = vec![[0, count - 1]];
-        // The other way around each triangle comes before those beyond its sides.
+        // In the reverse order: each triangle before those across its sides.
         while let Some([first, last]) = open.pop() {
             if last - first > 1 {
                 let third = self.thirds[first * count + last];
@@ -181,22 +181,22 @@ impl<'m> Ways<'m> {
     }
 }
 
-/// Grows with the angle between two normals: from 0 for none to two millions.
+/// Grows with the angle between two normals, from 0 to two million.
 fn bend(one: DVec3, other: DVec3) -> i64 {
     match one == DVec3::ZERO || other == DVec3::ZERO {
-        // What has no direction bends as much as can be.
+        // A degenerate triangle bends as much as possible.
         true => 2_000_000,
         false => rounded(1e6 - 1e6 * one.dot(other)),
     }
 }
 
-/// The sine of the smallest angle of a triangle of so much double area and such sides.
+/// The sine of the smallest angle of a triangle with the given double area and sides.
 fn smallest_sine(double_area: f64, [a, b, c]: [f64; 3]) -> f64 {
     let sides = (a * b).max((b * c).max(c * a));
     if sides > 0.0 { double_area / sides } else { 0.0 }
 }
 
-/// The whole number nearest to one from 0 on.
+/// Rounds a nonnegative number.
 #[inline]
 fn rounded(number: f64) -> i64 {
     (number + 0.5) as i64

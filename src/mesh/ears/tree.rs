@@ -1,13 +1,13 @@
-//! Which of many points lie in a triangle, while points are taken away.
+//! Queries for points in a triangle, while points are removed.
 //!
-//! A k-d tree (J. Bentley, "Multidimensional binary search trees used for associative
-//! searching", 1975) whose boxes know how many of their points are left.
+//! A k-d tree (J. Bentley, "Multidimensional binary search trees used for associative searching",
+//! 1975) whose boxes count their remaining points.
 
 use glam::DVec2;
 
 use super::turn;
 
-/// The greatest number of points in a box that is not parted further.
+/// The largest number of points in a leaf box.
 const LEAF: usize = 8;
 
 /// Points in the plane, by number.
@@ -15,7 +15,7 @@ pub(super) struct Tree {
     boxes: Vec<Bounds>,
     /// The numbers of the points, box by box.
     points: Vec<u32>,
-    /// The innermost box of each point.
+    /// The leaf box of each point.
     home: Vec<u32>,
     is_left: Vec<bool>,
 }
@@ -24,13 +24,13 @@ pub(super) struct Tree {
 struct Bounds {
     low: DVec2,
     high: DVec2,
-    /// The points that are left in it.
+    /// The number of points that are left in it.
     left: u32,
-    /// Its points.
+    /// The range of its points.
     range: [u32; 2],
-    /// The first of its two parts, which stand side by side.
+    /// The first of its two parts, which are stored next to each other.
     parts: Option<u32>,
-    /// The box it is a part of; itself, if it is the whole.
+    /// The box that it is a part of; itself, if it is the root.
     whole: u32,
 }
 
@@ -99,8 +99,8 @@ impl Tree {
         }
     }
 
-    /// A point that is left, lies in a triangle or on its border, and is wanted. The triangle
-    /// runs counterclockwise, or is flat.
+    /// A point that is left, lies in a triangle or on its boundary, and is wanted. The triangle is
+    /// counterclockwise or degenerate.
     pub fn find(
         &self,
         triangle: [DVec2; 3],
@@ -130,14 +130,14 @@ impl Tree {
 }
 
 impl Bounds {
-    /// True if some place in the box may lie in a triangle.
+    /// True if some point of the box may lie in a triangle.
     fn may_meet(&self, triangle: [DVec2; 3]) -> bool {
         let [a, b, c] = triangle;
         let (low, high) = (a.min(b).min(c), a.max(b).max(c));
         if !(self.low.cmple(high).all() && low.cmple(self.high).all()) {
             return false;
         }
-        // The corner of the box that lies the furthest to the left of a side.
+        // The corner of the box that lies furthest to the left of a side.
         [(a, b), (b, c), (c, a)].into_iter().all(|(from, to)| {
             let along = to - from;
             let corner = DVec2::new(
@@ -149,11 +149,12 @@ impl Bounds {
     }
 }
 
-/// True if a place lies in a triangle or on its border.
+/// True if a place lies in a triangle or on its boundary.
 fn holds(triangle: [DVec2; 3], place: DVec2) -> bool {
     let [a, b, c] = triangle;
     let (low, high) = (a.min(b).min(c), a.max(b).max(c));
-    // Of a flat triangle all that is on its line is on the left of each side, or on it.
+    // Every point on the line of a degenerate triangle passes the tests of its sides: hence the
+    // bounding box.
     place.cmpge(low).all()
         && place.cmple(high).all()
         && [(a, b), (b, c), (c, a)].into_iter().all(|(from, to)| turn([from, to, place]) >= 0.0)

@@ -1,15 +1,15 @@
-//! The attributes that a file has a place for.
+//! The attributes that a file can hold.
 //!
 //! | attribute | in the file |
 //! | --- | --- |
-//! | `color: vertex vec3` | three numbers behind the coordinates of each `v` |
+//! | `color: vertex vec3` | three numbers after the coordinates of each `v` |
 //! | `uv: halfedge vec2` or `vec3` | `vt`, at the corner of its face where the halfedge starts |
 //! | `normal: halfedge vec3` | `vn`, likewise |
 //! | `uv: vertex …`, `normal: vertex vec3` | the same value at all corners of the vertex |
 //!
 //! Texture coordinates and normals stay [kept](super::kept) beside the mesh, corner by corner,
-//! until somebody wants them as values: [`MeshFile::bring`] makes a column of them, and a column of
-//! such a name is what is written from then on, one row for each value that occurs.
+//! until they are requested as values: [`MeshFile::bring`] makes a column of them, and a column of
+//! such a name is what is written from then on, one row for each distinct value.
 
 use glam::{DVec2, DVec3};
 
@@ -21,14 +21,14 @@ use super::{msh, obj, off, stl};
 use crate::mesh::attribute::{AttributeType, ColumnId, Value};
 use crate::mesh::id::ElementKind;
 
-/// An attribute that a program uses: its kind, name and default.
+/// An attribute that a program uses: kind, name and default.
 pub type WantedAttribute<'n> = (ElementKind, &'n str, Value);
 
 impl MeshFile {
-    /// Makes a column of texture coordinates or normals that the file has, or of the colours of
-    /// its materials (`color: face vec3`), if this is how they are called. What the mesh has
-    /// already stays as it is, but that whole numbers of a file become reals or truth values where
-    /// these are wanted; a corner without a value has the default.
+    /// Makes a column of the texture coordinates or normals that the file has, or of the colours of
+    /// its materials (`color: face vec3`), if the attribute is one of these. A column that the mesh
+    /// already has stays unchanged, except that whole numbers of a file become reals or truth
+    /// values where these are wanted; a corner without a value gets the default.
     pub fn bring(&mut self, (kind, name, default): WantedAttribute) {
         let ty = default.attribute_type();
         self.convert(kind, name, default);
@@ -70,8 +70,7 @@ impl MeshFile {
         }
     }
 
-    /// Makes reals or truth values of a column of whole numbers, if the file says nothing of its
-    /// type.
+    /// Converts a column of whole numbers to reals or truth values, as the default is.
     fn convert(&mut self, kind: ElementKind, name: &str, default: Value) {
         let Some(old) = self.mesh.find_column(kind, name) else { return };
         let Some(numbers) = self.mesh.values::<i64>(old).map(<[i64]>::to_vec) else { return };
@@ -93,8 +92,8 @@ impl MeshFile {
         }
     }
 
-    /// Makes columns of all texture coordinates and normals that the file has, at its corners, and
-    /// of the colours of its materials.
+    /// Makes columns of all texture coordinates and normals of the file, at its corners, and of the
+    /// colours of its materials.
     pub fn bring_all(&mut self) {
         let uv = match self.kept.texture.width {
             0..3 => Value::Vec2(DVec2::ZERO),
@@ -106,8 +105,7 @@ impl MeshFile {
         self.bring((ElementKind::Face, "color", Value::Vec3(DVec3::ONE)));
     }
 
-    /// The attributes of the mesh that a file of a format has no place for: kinds, names and
-    /// types.
+    /// The attributes of the mesh that a file of a format cannot hold: kinds, names and types.
     pub fn unheld(&self, format: FileFormat) -> Vec<(ElementKind, &str, AttributeType)> {
         let held: Vec<Option<ColumnId>> = match format {
             FileFormat::Obj => {
@@ -126,7 +124,7 @@ impl MeshFile {
         unheld.map(|(id, column)| (id.kind, column.name(), column.attribute_type())).collect()
     }
 
-    /// The parts of the file that was read which are not in the mesh, in words: a line each.
+    /// The parts of the file that are not in the mesh, in words: one line each.
     pub fn losses(&self) -> Vec<String> {
         let mut told = Vec::new();
         let mut words = self.kept.told_passed_over().peekable();
@@ -145,7 +143,7 @@ impl MeshFile {
     }
 
     /// True if the file that was read has groups, objects, materials or smoothing groups that a
-    /// file of a format has no place for.
+    /// file of a format cannot hold.
     pub fn loses_groups(&self, format: FileFormat) -> bool {
         let has_more = |place: usize| self.kept.states.iter().any(|(_, s)| s.0[place] != MISSING);
         match format {
@@ -157,8 +155,8 @@ impl MeshFile {
         }
     }
 
-    /// The number of vertices that a file of a format has no way to tell from another one, since they
-    /// lie where that lies, and of those that it leaves out, since they have no face.
+    /// The number of vertices that a file of a format cannot distinguish from another one, since
+    /// they have the same position, and of those that it leaves out, since they have no face.
     pub fn lost_vertices(&self, format: FileFormat) -> [usize; 2] {
         match format {
             FileFormat::Stl => stl::lost_vertices(self),

@@ -1,4 +1,4 @@
-//! Contents of a file, which become a mesh.
+//! The contents of a file, and the mesh built from them.
 
 use std::collections::HashMap;
 
@@ -20,28 +20,29 @@ use crate::mesh::repair::{Repair, RepairReport, Repaired};
 #[derive(Default)]
 pub(super) struct Contents {
     pub(super) positions: Vec<DVec3>,
-    /// A corner that leads nowhere is [`MISSING`], and among the strays.
+    /// A corner with an invalid index is [`MISSING`], and counted in `strays`.
     pub(super) polygons: Polygons,
     pub(super) columns: Vec<FileColumn>,
-    /// The edges that have values, by their vertices; empty if none has.
+    /// The edges that have values, by their vertices; empty if there are none.
     pub(super) edges: Vec<[u32; 2]>,
     pub(super) kept: Kept,
     pub(super) strays: Strays,
     /// The parts that could not be read.
     pub(super) damage: Damage,
-    /// The lines of vertices and faces; empty if the file has none.
+    /// The lines of vertices and faces; empty if the file has no lines.
     pub(super) vertex_lines: Vec<u32>,
     pub(super) face_lines: Vec<u32>,
     pub(super) encoding: Encoding,
     pub(super) msh_version: MshVersion,
 }
 
-/// A column of a file: of vertices, polygons, corners (as halfedges) or edges, in their order.
+/// A column of a file: values of vertices, polygons, corners (as halfedges) or edges, in file
+/// order.
 pub(super) struct FileColumn {
     kind: ElementKind,
     name: String,
     default: Value,
-    /// The reals of the values, one after the other; of a bool or an int one each.
+    /// The reals of the values, one after the other; one for each bool or int.
     reals: Vec<f64>,
 }
 
@@ -50,7 +51,7 @@ impl FileColumn {
         Self { kind, name: name.to_owned(), default, reals }
     }
 
-    /// True if it is the column of a kind and a name.
+    /// True if the column has the given kind and name.
     pub(super) fn is(&self, kind: ElementKind, name: &str) -> bool {
         self.kind == kind && self.name == name
     }
@@ -66,7 +67,7 @@ impl FileColumn {
         }
     }
 
-    /// Gives values to the elements `from` 0 on: those of the places of the file.
+    /// Sets the values of the elements, from id 0 on, to those at the given places of the file.
     fn give(&self, mesh: &mut Mesh, kind: ElementKind, places: impl Iterator<Item = u32>) {
         let Ok(column) = mesh.add_column(kind, &self.name, self.default) else { return };
         for (index, place) in (0..).zip(places) {
@@ -77,14 +78,14 @@ impl FileColumn {
     }
 }
 
-/// The number of reals of a value; a bool or an int is written as one.
+/// The number of reals of a value; a bool or an int is stored as one.
 pub(super) fn width(ty: AttributeType) -> usize {
     ty.width()
 }
 
 impl Contents {
-    /// Makes the mesh; `repair` says what is mended, and `reorder` whether neighbors are to stand
-    /// near each other.
+    /// Builds the mesh. `repair` says what to repair; with `reorder`, neighbors are placed near
+    /// each other in memory.
     pub(super) fn build(
         mut self,
         repair: Option<Repair>,
@@ -155,7 +156,7 @@ impl Contents {
         Ok(self.finish_repaired(repaired, count, &corners))
     }
 
-    /// A mesh whose elements are those of the file.
+    /// Finishes a mesh whose elements are those of the file.
     fn finish(mut self, mut mesh: Mesh) -> MeshFile {
         self.give_edges(&mut mesh, |v| v);
         for column in &self.columns {
@@ -175,7 +176,7 @@ impl Contents {
         file
     }
 
-    /// A repaired mesh; `corners` are the vertices that the corners of the file had.
+    /// Finishes a repaired mesh; `corners` are the vertices that the corners of the file had.
     fn finish_repaired(mut self, repaired: Repaired, count: usize, corners: &[u32]) -> MeshFile {
         let Repaired { mut mesh, vertices, kept_vertices, faces, corners: places, report } =
             repaired;
@@ -187,7 +188,7 @@ impl Contents {
         for column in &self.columns {
             match column.kind {
                 ElementKind::Vertex if !column.is_alike(&places, corners, &vertices, &mesh) => {
-                    // What was one vertex for each value is one now: the corners keep them.
+                    // Vertices with different values have become one: the corners keep the values.
                     let places = places.iter().map(|&place| corners[place as usize]);
                     column.give(&mut mesh, ElementKind::Halfedge, places);
                     let what =
@@ -225,7 +226,7 @@ impl Contents {
         file
     }
 
-    /// Gives the edges of the file their values; `slot` is where a vertex has gone.
+    /// Gives the edges of the file their values; `slot` maps a vertex of the file to its slot.
     fn give_edges(&self, mesh: &mut Mesh, slot: impl Fn(u32) -> u32) {
         if self.edges.is_empty() {
             return;
@@ -252,7 +253,7 @@ impl Contents {
 }
 
 impl FileColumn {
-    /// True if all corners that have come to a vertex had its value.
+    /// True if all corners that were moved to another vertex had the value of that vertex.
     fn is_alike(&self, places: &[u32], corners: &[u32], vertices: &[u32], mesh: &Mesh) -> bool {
         let same = |place: u32, vertex: u32| {
             let was = corners[place as usize];

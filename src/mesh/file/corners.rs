@@ -1,11 +1,11 @@
-//! The texture coordinates and normals of corners, as they are written.
+//! Texture coordinates and normals of corners, as they are written.
 //!
-//! A corner of the file has the row that it had. A new one, which stands where an operation has turned
-//! or added a halfedge, has that of its vertex, if at each vertex of its face, and beside it, all
-//! corners of the file have the same values: no seam and no crease comes near. Otherwise it has that of
-//! its vertex in the polygons of the file from which the corners of its face come that are the next on
-//! both sides. If these are two polygons, they must share vertices, with the same values there: no seam
-//! lies between.
+//! A corner of the file keeps its row. A new one, where an operation has turned or added a
+//! halfedge, gets that of its vertex, if at each vertex of its face, and at all neighbors of these,
+//! all corners of the file have the same values: no seam and no crease is near. Otherwise it gets
+//! the row at its vertex in the polygons of the nearest corners of the file before and after it in
+//! its face. If these are two polygons, they must share vertices, with the same values there, so
+//! that no seam lies between them.
 
 use std::collections::HashMap;
 
@@ -17,10 +17,10 @@ use crate::mesh::attribute::{AttributeType, ColumnId, Value};
 use crate::mesh::connectivity::Mesh;
 use crate::mesh::id::{ElementKind, FaceId, HalfedgeId, VertexId};
 
-/// Polygons with more corners are not searched: to do it for each of their corners takes long.
+/// Polygons with more corners are not searched: a search for each corner would take too long.
 const LARGEST: usize = 1024;
 
-/// The attributes of a corner besides its vertex.
+/// The attributes of a corner other than its vertex.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum OfCorner {
     Texture,
@@ -45,11 +45,11 @@ impl OfCorner {
     }
 }
 
-/// The values of corners, as they are written: rows, and where they are used.
+/// The values of corners as they are written: the rows, and the row of each corner.
 pub(super) enum Corners<'o> {
-    /// As the file had it, and the rows of new corners, by halfedge.
+    /// The rows of the file, and those of new corners, by halfedge.
     Kept { obj: &'o MeshFile, what: OfCorner, new: HashMap<u32, u32> },
-    /// The values of a column, each once, in the order of the faces.
+    /// The distinct values of a column, in the order of the faces.
     Values {
         rows: Rows,
         /// By halfedge.
@@ -95,7 +95,7 @@ impl<'o> Corners<'o> {
         }
     }
 
-    /// True if all corners of a face have a row: only then the face is written with them.
+    /// True if all corners of a face have a row: only then is the face written with them.
     pub(super) fn cover(&self, mesh: &Mesh, f: FaceId) -> bool {
         let is_empty = self.rows().rows.is_empty();
         !is_empty && mesh.face_halfedges(f).all(|h| self.row(h).is_some())
@@ -116,8 +116,8 @@ impl<'o> Corners<'o> {
 }
 
 impl MeshFile {
-    /// The number of faces that are written without texture coordinates (`vt`), and how many
-    /// without normals (`vn`), although the file had some: there are none for new corners of theirs.
+    /// The number of faces that are written without texture coordinates (`vt`), and without normals
+    /// (`vn`), although the file had some: there are none for their new corners.
     pub fn bare_faces(&self) -> [usize; 2] {
         OfCorner::ALL.map(|what| {
             let kept = self.kept_corners(what);
@@ -138,7 +138,8 @@ impl MeshFile {
         })
     }
 
-    /// The column that is written for `what`: that of the corners before that of the vertices.
+    /// The column that is written for `what`: that of the corners if there is one, else that of the
+    /// vertices.
     pub(super) fn written_column(&self, what: OfCorner) -> Option<ColumnId> {
         let mut kinds = [ElementKind::Halfedge, ElementKind::Vertex].into_iter();
         kinds.find_map(|kind| self.column_of_type(kind, what.name(), |ty| what.can_be(ty)))
@@ -174,7 +175,7 @@ impl MeshFile {
 
 /// New corners.
 impl MeshFile {
-    /// The rows of corners that are not those of the file, in faces where others are, by halfedge.
+    /// The rows of corners that are not from the file, by halfedge.
     fn new_rows(&self, what: OfCorner, faces: &[FaceId]) -> HashMap<u32, u32> {
         let mut new = HashMap::new();
         if self.kept_corners(what).is_empty() {
@@ -201,7 +202,7 @@ impl MeshFile {
             };
             sides.rotate_left(first);
             sides.push(sides[0]);
-            // Between two corners of the file, one after the other, all are new.
+            // Between two successive corners of the file, all are new.
             let mut rest = &sides[..];
             while let [(_, Some(before)), others @ ..] = rest {
                 let count = others.iter().take_while(|(_, corner)| corner.is_none()).count();
@@ -220,8 +221,8 @@ impl MeshFile {
         new
     }
 
-    /// By vertex of the file the row of its corners, if these, and those of each of its neighbors, all
-    /// have the same values.
+    /// For each vertex of the file, the row of its corners, if these, and those of each of its
+    /// neighbors, all have the same values.
     fn rows_of_vertices(&self, what: OfCorner) -> Vec<u32> {
         let mut rows = vec![MISSING; self.mesh.capacity(ElementKind::Vertex)];
         let mut several = vec![false; rows.len()];
@@ -244,7 +245,7 @@ impl MeshFile {
         rows
     }
 
-    /// The polygons of two corners of the file, if there is no seam between them: they are one, or
+    /// The polygons of two corners of the file, if no seam lies between them: they are the same, or
     /// share vertices and have the same values there.
     fn polygons_without_seam(
         &self,
@@ -271,7 +272,7 @@ impl MeshFile {
     }
 }
 
-/// A polygon of the file: the place of its first corner, its vertices and its rows.
+/// A polygon of the file: the index of its first corner, its vertices and its rows.
 struct KeptPolygon<'f> {
     first: usize,
     vertices: &'f [u32],

@@ -1,4 +1,4 @@
-//! Reasons why a file cannot be read or written, with the line where that shows.
+//! Reasons why a file cannot be read or written, with the line concerned.
 
 use std::fmt;
 use std::io;
@@ -9,7 +9,7 @@ use crate::mesh::build_error::BuildError;
 use crate::mesh::faults::Faults;
 use crate::mesh::id::ElementKind;
 
-/// A failure to read or write a file. Lines are the file's, from 1; vertices and faces are
+/// A failure to read or write a file. Lines are those of the file, from 1; vertices and faces are
 /// counted from 1.
 #[derive(Debug)]
 pub struct FileError {
@@ -26,13 +26,13 @@ pub enum FileReason {
     NoFolder(String),
     /// The file to write is protected.
     ReadOnly,
-    /// The name ends in what no format does.
+    /// The ending of the name is that of no format.
     UnknownEnding(String),
-    /// The file is not what its format wants, in words.
+    /// The file violates its format, in words.
     Malformed(String),
-    /// The file ends early, or places of it cannot be read, in words. A repair passes over them.
+    /// The file is truncated, or parts of it cannot be read, in words. A repair skips them.
     Damaged(String),
-    /// The polygons of the file are no mesh. A repair helps.
+    /// The polygons of the file are not a mesh. A repair helps.
     Faults(FileFaults),
     /// More elements than can be numbered.
     TooLarge {
@@ -42,16 +42,16 @@ pub enum FileReason {
     NotFinite {
         vertex: u32,
     },
-    /// The mesh is none that a list of polygons says: why, in words.
+    /// The mesh cannot be written as a list of polygons, for this reason, in words.
     NotPolygons(String),
-    /// The mesh is one that the format cannot hold, in words.
+    /// The format cannot hold the mesh, for this reason, in words.
     Unheld(String),
 }
 
 /// A line, and what is wrong.
 pub(super) type Failure = (Option<u32>, FileReason);
 
-/// The row that a corner of a face names by an index.
+/// The kind of row that an index of a corner refers to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Indexed {
     Vertex,
@@ -60,7 +60,7 @@ pub(super) enum Indexed {
 }
 
 impl Indexed {
-    /// There is none of an index.
+    /// The message that no row has this index.
     pub(super) fn missing(self, index: i64, have: usize) -> String {
         let [one, many] = match self {
             Self::Vertex => ["vertex", "vertices"],
@@ -72,7 +72,7 @@ impl Indexed {
     }
 }
 
-/// All that keeps the polygons of a file from being a mesh, by kind.
+/// Everything that keeps the polygons of a file from being a mesh, by kind.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct FileFaults {
     pub kinds: Vec<FileFaultKind>,
@@ -81,14 +81,14 @@ pub struct FileFaults {
 /// The faults of one kind.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FileFaultKind {
-    /// The kind, in words for one or for many.
+    /// The kind, in words, singular or plural as `count` is.
     pub kind: &'static str,
     pub count: usize,
-    /// The first ones: their lines, if the file has lines, and what is wrong.
+    /// The first faults: their lines, if the file has lines, and what is wrong.
     pub first: Vec<(Option<u32>, String)>,
 }
 
-/// Indices of a file that lead nowhere.
+/// Indices of a file that refer to no element.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Strays {
     count: usize,
@@ -96,7 +96,7 @@ pub(super) struct Strays {
 }
 
 impl Strays {
-    /// Adds one, which is told in these words if it is one of the first.
+    /// Adds a stray index, described by `words` if it is one of the first.
     pub(super) fn add(&mut self, line: Option<u32>, words: impl FnOnce() -> String) {
         self.count += 1;
         if self.first.len() < 3 {
@@ -111,7 +111,7 @@ impl Strays {
         self.count
     }
 
-    /// Adds those of the part of a file before which there are so many lines.
+    /// Adds the strays of the next part of a file, which starts after `lines` lines.
     pub(super) fn append(&mut self, part: Self, lines: u32) {
         for (line, words) in part.first {
             self.add(line.map(|line| line + lines), || words);
@@ -121,22 +121,22 @@ impl Strays {
     }
 }
 
-/// Places of a file that cannot be read, and can be passed over.
+/// Places of a file that cannot be read, and can be skipped.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Damage {
     pub(super) count: usize,
-    /// The first one: its line, if the file has lines, and what is wrong.
+    /// The first such place: its line, if the file has lines, and what is wrong.
     pub(super) first: Option<(Option<u32>, String)>,
 }
 
 impl Damage {
-    /// Adds one, which is told in these words if it is the first.
+    /// Adds a damaged place, described by `words` if it is the first.
     pub(super) fn add(&mut self, line: Option<u32>, words: impl FnOnce() -> String) {
         self.count += 1;
         self.first.get_or_insert_with(|| (line, words()));
     }
 
-    /// Adds those of the part of a file before which there are so many lines.
+    /// Adds the damage of the next part of a file, which starts after `lines` lines.
     pub(super) fn append(&mut self, part: Self, lines: u32) {
         self.count += part.count;
         if let (None, Some((line, words))) = (&self.first, part.first) {
@@ -146,7 +146,7 @@ impl Damage {
 }
 
 impl FileFaults {
-    /// The faults of polygons of a file. The lines are empty if it has none.
+    /// The faults of the polygons of a file. The lines are empty if the file has none.
     pub(super) fn new(faults: &Faults, strays: Strays, lines: [&[u32]; 2]) -> Self {
         let mut all = Self::default();
         if strays.count > 0 {
@@ -164,12 +164,12 @@ impl FileFaults {
         all
     }
 
-    /// The number of them.
+    /// The number of faults.
     pub fn count(&self) -> usize {
         self.kinds.iter().map(|kind| kind.count).sum()
     }
 
-    /// The line of the only fault.
+    /// The line of the fault, if there is only one.
     pub(super) fn line(&self) -> Option<u32> {
         match &self.kinds[..] {
             [FileFaultKind { count: 1, first, .. }] => first.first()?.0,
@@ -206,7 +206,7 @@ impl fmt::Display for FileFaults {
 const PINCHED: [&str; 2] = ["pinched vertex", "pinched vertices"];
 const STRAYS: [&str; 2] = ["index that leads nowhere", "indices that lead nowhere"];
 
-/// The kind of a fault, in words for one and for many.
+/// The kind of a fault in words, singular and plural.
 fn names(fault: &BuildError) -> [&'static str; 2] {
     match fault {
         BuildError::TooLarge { .. } => ["too large"; 2],
@@ -231,10 +231,11 @@ fn names(fault: &BuildError) -> [&'static str; 2] {
     }
 }
 
-/// A fault in the numbers of a file, and the line to show: the last one of those concerned.
+/// Describes a fault in the numbering of the file, with the line to show: the last of those
+/// concerned.
 fn describe(fault: &BuildError, [vertex_lines, face_lines]: [&[u32]; 2]) -> (Option<u32>, String) {
     let line = |polygon: usize| face_lines.get(polygon).copied();
-    // In a file without lines faces are named by their numbers.
+    // In a file without lines, faces are named by number.
     let [the_face, the_faces] = match face_lines {
         [] => ["face", "faces"],
         _ => ["the face of line", "the faces of lines"],
@@ -349,7 +350,7 @@ impl fmt::Display for FileReason {
 }
 
 impl FileError {
-    /// True if a repair would mend it.
+    /// True if a repair would fix it.
     pub fn is_mendable(&self) -> bool {
         match &self.reason {
             FileReason::Faults(_) => true,
@@ -360,7 +361,7 @@ impl FileError {
 }
 
 impl FileReason {
-    /// True if vertices are pinched, as they are where equal ones differ a little.
+    /// True if vertices are pinched, as happens where equal positions differ slightly.
     #[cfg(feature = "cli")]
     pub(crate) fn is_pinched(&self) -> bool {
         match self {

@@ -1,4 +1,4 @@
-//! The formats of files, told by the ends of their names.
+//! File formats, recognized by file name endings or by content.
 
 use std::fmt;
 use std::path::Path;
@@ -10,15 +10,15 @@ use super::error::FileReason;
 pub enum FileFormat {
     /// Wavefront OBJ.
     Obj,
-    /// The polygon file format of Stanford.
+    /// The Stanford polygon file format.
     Ply,
     /// Stereolithography.
     Stl,
-    /// The object file format of Geomview, with its prefixes.
+    /// The Geomview object file format, with its prefixes.
     Off,
-    /// Gmsh, version 2.2 and 4.1.
+    /// Gmsh, versions 2.2 and 4.1.
     Msh,
-    /// Tables of halfedges.
+    /// Halfedge tables.
     Halfedges,
 }
 
@@ -26,7 +26,7 @@ impl FileFormat {
     pub const ALL: [Self; 6] =
         [Self::Obj, Self::Ply, Self::Stl, Self::Off, Self::Msh, Self::Halfedges];
 
-    /// The endings of the names of such files, behind the dot.
+    /// The file name ending, without the dot.
     pub fn ending(self) -> &'static str {
         match self {
             Self::Obj => "obj",
@@ -38,7 +38,7 @@ impl FileFormat {
         }
     }
 
-    /// The format of a file of this name; without an ending, OBJ.
+    /// The format of a file of the given name; OBJ without an ending.
     ///
     /// # Errors
     /// [`FileReason::UnknownEnding`].
@@ -49,8 +49,8 @@ impl FileFormat {
         known.ok_or_else(|| FileReason::UnknownEnding(end.to_string_lossy().into_owned()))
     }
 
-    /// The format of a file by how it begins, where there is no name to tell it; OBJ if nothing else
-    /// is known.
+    /// The format of a file without a name, from its first bytes and its length; OBJ if no other
+    /// format matches.
     pub fn of_bytes(bytes: &[u8]) -> Self {
         let count =
             bytes.get(80..84).and_then(|count| count.try_into().ok()).map(u32::from_le_bytes);
@@ -78,7 +78,7 @@ impl FileFormat {
         }
     }
 
-    /// All endings, as a sentence lists them.
+    /// All endings, listed for a sentence.
     pub(super) fn listed() -> String {
         let endings = Self::ALL.map(|format| format!(".{}", format.ending()));
         let [others @ .., last] = &endings;
@@ -92,15 +92,15 @@ impl fmt::Display for FileFormat {
     }
 }
 
-/// The encoding of the numbers of a file, where its format leaves a choice: PLY, STL, MSH.
+/// The encoding of the numbers of a PLY, STL or MSH file. MSH is always written as text.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Encoding {
     /// As text.
     Ascii,
-    /// As bytes, the lowest first.
+    /// As bytes, little-endian.
     #[default]
     LittleEndian,
-    /// As bytes, the highest first: PLY alone.
+    /// As bytes, big-endian: only PLY is written so.
     BigEndian,
 }
 

@@ -1,10 +1,10 @@
-//! Statements of a file that the mesh has no place for, kept to be written back.
+//! Statements of a file that the mesh cannot represent, kept to be written back.
 
 use std::fmt;
 
 use crate::mesh::polygons::Polygons;
 
-/// Stands for "none" where an index of the file may be missing.
+/// Marks a missing index.
 pub(super) const MISSING: u32 = u32::MAX;
 
 /// Everything kept beside the mesh.
@@ -12,32 +12,32 @@ pub(super) const MISSING: u32 = u32::MAX;
 pub(super) struct Kept {
     /// The operands of `mtllib`.
     pub(super) libraries: Vec<Vec<u8>>,
-    /// The operands of `o`, `g`, `usemtl` and `s`, which states name by place.
+    /// The operands of `o`, `g`, `usemtl` and `s`, which states refer to by index.
     pub(super) names: Vec<Vec<u8>>,
-    /// The start of a state: the place of the face, from 0.
+    /// The states, each with the index of the face at which it starts.
     pub(super) states: Vec<(u32, State)>,
     pub(super) texture: Rows,
     pub(super) normals: Rows,
-    /// Per corner of the file's faces, in order. Both stay empty while no corner has
+    /// For each corner of the file's faces, in order, its row. Both stay empty while no corner has
     /// one, and are as long as the corners otherwise.
     pub(super) corner_texture: Vec<u32>,
     pub(super) corner_normals: Vec<u32>,
-    /// The polygons when the file was read; none if neither corners nor faces have anything to keep.
+    /// The polygons as read; none if neither corners nor faces have anything to keep.
     pub(super) corners: Polygons,
-    /// The statements that are no part of a mesh, such as `l` and `p`: the first few words, with
-    /// their lines.
+    /// The keywords of statements that are not part of a mesh, such as `l` and `p`: the first few,
+    /// with their lines.
     pub(super) passed_over: Vec<(String, u32)>,
     /// Other parts of the file that are not in the mesh.
     pub(super) notes: Vec<Note>,
 }
 
-/// Something of a file that is not in the mesh.
+/// A part of a file that is not in the mesh.
 #[derive(Clone, Debug)]
 pub(super) struct Note {
-    /// In words for one and for many.
+    /// In words, singular and plural.
     what: [String; 2],
     count: usize,
-    /// The first line that has it.
+    /// The first line where it occurs.
     line: Option<u32>,
 }
 
@@ -51,15 +51,15 @@ impl fmt::Display for Note {
     }
 }
 
-/// The number of words of statements not kept that are told.
+/// The number of keywords of skipped statements that are reported.
 const PASSED_OVER: usize = 8;
 
-/// The statements in force at a face, by their places in `names`.
+/// The statements in force at a face, by their indices in `names`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct State(pub(super) [u32; 4]);
 
 impl State {
-    /// The statements that make a state, in the order in which they are written.
+    /// The keywords of the statements that make up a state, in the order in which they are written.
     pub(super) const KEYWORDS: [&'static str; 4] = ["o", "g", "usemtl", "s"];
 
     pub(super) const EMPTY: Self = Self([MISSING; 4]);
@@ -70,20 +70,20 @@ impl Kept {
     pub(super) fn pass_over(&mut self, keyword: &str, line: u32) {
         let word: String = keyword.chars().take(16).collect();
         let known = &mut self.passed_over;
-        // Told are the first of a file: these are among the first of its parts.
+        // Only the first of a file are reported, and these are among the first of its parts.
         if known.len() <= 2 * PASSED_OVER && !known.iter().any(|(other, _)| *other == word) {
             known.push((word, line));
         }
     }
 
-    /// The first words of statements that are not kept, with their lines.
+    /// The first keywords of statements that are not kept, with their lines.
     pub(super) fn told_passed_over(&self) -> impl Iterator<Item = (&str, u32)> {
         let known = self.passed_over.iter().take(PASSED_OVER + 1).enumerate();
-        // Of more than these it is said that there are others.
+        // If there are more, the last is an ellipsis.
         known.map(|(i, (word, line))| (if i < PASSED_OVER { word } else { "…" }, *line))
     }
 
-    /// Adds what the part of a file notes before which there are so many lines.
+    /// Adds what is noted for the next part of a file, which starts after `lines` lines.
     pub(super) fn append(&mut self, passed_over: Vec<(String, u32)>, notes: Vec<Note>, lines: u32) {
         passed_over.into_iter().for_each(|(word, line)| self.pass_over(&word, line + lines));
         for note in notes {
@@ -97,7 +97,7 @@ impl Kept {
         }
     }
 
-    /// Notes something of the file that is not in the mesh, in words for one and for many.
+    /// Notes a part of the file that is not in the mesh, in words, singular and plural.
     pub(super) fn note(&mut self, what: [&str; 2], line: u32) {
         match self.notes.iter_mut().find(|known| known.what == what) {
             Some(known) => known.count += 1,
@@ -108,7 +108,7 @@ impl Kept {
         }
     }
 
-    /// Notes something that a file does several times, in words for one and for many.
+    /// Notes something that occurs `count` times in a file, in words, singular and plural.
     pub(super) fn note_count(&mut self, what: [&str; 2], count: usize) {
         if count > 0 {
             self.notes.push(Note { what: what.map(str::to_owned), count, line: None });
@@ -120,7 +120,7 @@ impl Kept {
         !(self.corner_texture.is_empty() && self.corner_normals.is_empty())
     }
 
-    /// True if it has to be known in which polygon of the file a corner was.
+    /// True if the polygon of each corner of the file is needed.
     pub(super) fn needs_polygons(&self) -> bool {
         self.has_corners() || !self.states.is_empty()
     }
@@ -131,7 +131,7 @@ impl Kept {
         after.checked_sub(1).map_or(State::EMPTY, |i| self.states[i].1)
     }
 
-    /// Notes a statement that holds from `face` on.
+    /// Notes a statement that is in force from `face` on.
     pub(super) fn enter_state(&mut self, face: u32, keyword: usize, name: &[u8]) {
         let mut state = self.states.last().map_or(State::EMPTY, |&(_, state)| state);
         let known = self.names.get(state.0[keyword] as usize);
@@ -148,7 +148,8 @@ impl Kept {
 }
 
 impl Kept {
-    /// Adds what number of a name each face has, -1 or the like for none.
+    /// Adds one statement for each face, given the index of its name in `names`; an invalid index
+    /// means none.
     pub(super) fn add_states(&mut self, keyword: usize, names: &[Vec<u8>], numbers: &[f64]) {
         let first = self.names.len() as u32;
         self.names.extend_from_slice(names);
@@ -174,10 +175,10 @@ impl Kept {
     }
 }
 
-/// A table of up to three numbers a row.
+/// A table of rows of up to three numbers.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Rows {
     pub(super) rows: Vec<[f64; 3]>,
-    /// The number of the three that are written.
+    /// The number of columns that are written.
     pub(super) width: usize,
 }

@@ -1,7 +1,7 @@
 //! The colours of materials, from the libraries (`.mtl`) that an OBJ file names.
 //!
-//! A library is looked for beside the file. Since its name comes out of a file that anybody may
-//! have made, only regular files of a moderate size are opened.
+//! A library is looked up in the folder of the file. Since its name comes from an untrusted file,
+//! only regular files of a moderate size are opened.
 
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
@@ -12,14 +12,14 @@ use super::mesh_file::MeshFile;
 use crate::mesh::attribute::Value;
 use crate::mesh::id::{ElementKind, FaceId};
 
-/// The largest library that is read, in bytes.
+/// The maximum size of a library, in bytes.
 const LARGEST: u64 = 1 << 26;
 
 /// A material of a library.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Material {
     pub name: String,
-    /// Its diffuse colour (`Kd`).
+    /// The diffuse colour (`Kd`).
     pub color: Option<DVec3>,
 }
 
@@ -29,7 +29,7 @@ impl MeshFile {
         let (mut materials, mut missing) = (Vec::new(), Vec::new());
         for library in &self.kept.libraries {
             let name = String::from_utf8_lossy(library).into_owned();
-            // Several libraries may stand in one statement, and a name may have blanks.
+            // One statement may name several libraries, and a name may contain blanks.
             let words = name.split_ascii_whitespace().collect::<Vec<_>>();
             let whole = self.read_library(&name);
             let read = whole.or_else(|| {
@@ -59,7 +59,7 @@ impl MeshFile {
         Some(materials.collect())
     }
 
-    /// Makes a column of the colours of the faces by their materials, if libraries tell any.
+    /// Makes a column of face colours from the materials, if the libraries have any.
     pub(super) fn bring_face_colors(&mut self, default: Value) {
         if !matches!(default, Value::Vec3(_)) || self.kept.libraries.is_empty() {
             return;

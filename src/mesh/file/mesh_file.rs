@@ -1,10 +1,10 @@
-//! A mesh with what its file said, and the numbers elements have there.
+//! A mesh with the other contents of its file, and the numbers that elements have there.
 //!
-//! What was read has the first slots, in the order of the file. The columns `file:vertex` and
-//! `file:face` tell which slots still have what was read, and `file:corner` which halfedges are
-//! corners. A slot given to a new element has `false`, so no new element is taken for an old one.
-//! Names with a colon are out of reach of the language. If the polygons of the
-//! file were repaired, tables tell which number in the file each place had.
+//! Elements that were read have the first slots, in the order of the file. The columns
+//! `file:vertex` and `file:face` mark the slots that still hold what was read, and `file:corner`
+//! the halfedges that are corners. A slot given to a new element has `false`, so no new element is
+//! taken for an old one. The language cannot use names with a colon. If the polygons of the file
+//! were repaired or reordered, tables give the number in the file for each slot.
 
 use std::collections::BTreeSet;
 use std::path::PathBuf;
@@ -16,7 +16,7 @@ use crate::mesh::connectivity::Mesh;
 use crate::mesh::id::{ElementKind, FaceId, HalfedgeId, VertexId};
 use crate::mesh::repair::RepairReport;
 
-/// A mesh and what the file it came from said beyond it.
+/// A mesh, and the contents of its file that the mesh cannot represent.
 #[derive(Clone, Debug)]
 pub struct MeshFile {
     pub mesh: Mesh,
@@ -24,17 +24,19 @@ pub struct MeshFile {
     vertex_numbers: Option<ColumnId>,
     face_numbers: Option<ColumnId>,
     corners: Option<ColumnId>,
-    /// True if elements go by their ids: they come from tables, not from a list of polygons.
+    /// True if elements are numbered by their ids: they come from tables, not from a list of
+    /// polygons.
     by_ids: bool,
-    /// The places in the file of what was read, if these are not the same: vertices, faces.
+    /// The places in the file of what was read, where these differ from the slots: vertices, faces.
     renumbered: Option<[Renumbered; 2]>,
-    /// The folder of the file, to find what it names.
+    /// The folder of the file, to find files that it names.
     pub(super) folder: Option<PathBuf>,
-    /// The report on mending when the file was read, if that was asked for.
+    /// The report of the repair when the file was read, if one was requested.
     pub repaired: Option<RepairReport>,
-    /// The first place that was passed over then: its line, and what is wrong with it.
+    /// The first damaged place that the repair skipped: its line, and what is wrong with it.
     pub damage: Option<(Option<u32>, String)>,
-    /// The encoding of the file, and of what is written.
+    /// The encoding for writing: that of the file, if its format has one. A binary Gmsh file counts
+    /// as text.
     pub encoding: Encoding,
     /// The version that a Gmsh file is written in: that of the file, if it was one.
     pub msh_version: MshVersion,
@@ -44,7 +46,7 @@ pub struct MeshFile {
 #[derive(Clone, Debug)]
 struct Renumbered {
     places: Vec<u32>,
-    /// The slots in the order of their places, if that is another one.
+    /// The slots in the order of their places, if they are not sorted.
     in_order: Option<Vec<u32>>,
 }
 
@@ -59,12 +61,12 @@ impl Renumbered {
         Self { places, in_order }
     }
 
-    /// The number in the file of what is in a slot.
+    /// The number in the file of the element in a slot.
     fn number(&self, slot: usize) -> Option<u32> {
         self.places.get(slot).map(|place| place + 1)
     }
 
-    /// The first slot with a place, or with one behind it where none has that.
+    /// The first slot with this place or, if there is none, with the next place.
     fn slot(&self, place: u32) -> Option<u32> {
         let Some(slots) = &self.in_order else {
             return Some(self.places.partition_point(|&other| other < place) as u32);
@@ -74,7 +76,7 @@ impl Renumbered {
     }
 }
 
-/// The number of every vertex and face in the file as it would be written now.
+/// The number of every vertex and face in the file if it were written now.
 #[derive(Clone, Debug)]
 pub struct WrittenNumbers {
     vertices: Vec<u32>,
@@ -84,7 +86,7 @@ pub struct WrittenNumbers {
 }
 
 impl MeshFile {
-    /// A mesh that comes from no file: everything in it is new.
+    /// A mesh that comes from no file: all its elements are new.
     pub fn from_mesh(mesh: Mesh) -> Self {
         let kept = Kept::default();
         Self {
@@ -108,7 +110,7 @@ impl MeshFile {
         Self { by_ids: true, ..Self::from_mesh(mesh) }
     }
 
-    /// A mesh just built from a file, its elements in the order of the file.
+    /// A mesh just built from a file, its elements in the order of their slots.
     pub(super) fn from_file(mesh: Mesh, kept: Kept) -> Self {
         let mut file = Self::from_mesh(mesh);
         let vertices = file.mesh.vertex_count();
@@ -123,7 +125,7 @@ impl MeshFile {
         file
     }
 
-    /// Finds the columns of numbers again, after another one has gone.
+    /// Looks up the columns of numbers again, after another column was removed.
     pub(super) fn find_columns(&mut self) {
         let find = |kind, name| self.mesh.find_column(kind, name);
         let vertices = find(ElementKind::Vertex, "file:vertex");
@@ -132,7 +134,7 @@ impl MeshFile {
         (self.vertex_numbers, self.face_numbers, self.corners) = (vertices, faces, corners);
     }
 
-    /// Says which vertices of the file the first ones are, and which faces all were part of.
+    /// Sets the places in the file of the first vertices, and those of all faces.
     pub(super) fn renumber(&mut self, vertices: Vec<u32>, faces: Vec<u32>) {
         self.renumbered = Some([vertices, faces].map(Renumbered::new));
     }
@@ -144,12 +146,12 @@ impl MeshFile {
         Some(column)
     }
 
-    /// The place in the file of what is in a slot, if it was read.
+    /// The slot itself, if its element was read.
     fn stored(&self, column: Option<ColumnId>, slot: usize) -> Option<usize> {
         self.mesh.values::<bool>(column?)?.get(slot)?.then_some(slot)
     }
 
-    /// The column of a name, if its type fits.
+    /// The column with the given name, if its type fits.
     pub(super) fn column_of_type(
         &self,
         kind: ElementKind,
@@ -161,19 +163,19 @@ impl MeshFile {
         fits(column.attribute_type()).then_some(id)
     }
 
-    /// The place of a vertex among those that were read, from 0, if it is one of them.
+    /// The place of a vertex among those that were read, from 0, if it was read.
     pub(super) fn vertex_place(&self, v: VertexId) -> Option<usize> {
         self.mesh.get_position(v)?;
         self.stored(self.vertex_numbers, v.index())
     }
 
-    /// The place of a face among those that were read, from 0, if it is one of them.
+    /// The place of a face among those that were read, from 0, if it was read.
     pub(super) fn face_place(&self, f: FaceId) -> Option<usize> {
         self.mesh.get_face_halfedge(f)?;
         self.stored(self.face_numbers, f.index())
     }
 
-    /// The number of a vertex in the file it came from, if it did.
+    /// The number of a vertex in its file, if it came from one.
     pub fn vertex_number(&self, v: VertexId) -> Option<u32> {
         let place = self.vertex_place(v)?;
         match &self.renumbered {
@@ -188,14 +190,14 @@ impl MeshFile {
         Some(self.file_place(place as u32) + 1)
     }
 
-    /// The place in the file, from 0, of a face by its place among those that were read.
+    /// The place of a face in the file, from 0, from its place among those that were read.
     pub(super) fn file_place(&self, place: u32) -> u32 {
         let faces = self.renumbered.as_ref().map(|[_, faces]| &faces.places);
         faces.and_then(|places| places.get(place as usize).copied()).unwrap_or(place)
     }
 
-    /// The vertex that the file numbers so, if it still lives. What comes from a file
-    /// stays in its slot.
+    /// The vertex with this number in the file, if it is still alive. Elements from a file stay in
+    /// their slots.
     pub fn vertex_by_number(&self, number: u32) -> Option<VertexId> {
         if self.by_ids {
             return Some(VertexId(number)).filter(|&v| self.mesh.vertex_alive(v));
@@ -208,12 +210,12 @@ impl MeshFile {
         (self.vertex_number(v)? == number).then_some(v)
     }
 
-    /// True if elements go by their ids, as in tables.
+    /// True if elements are numbered by their ids, as in tables.
     pub fn goes_by_ids(&self) -> bool {
         self.by_ids
     }
 
-    /// The face that the file numbers so, if it still lives; of several parts the first.
+    /// The face with this number in the file, if it is still alive; the first if it was divided.
     pub fn face_by_number(&self, number: u32) -> Option<FaceId> {
         if self.by_ids {
             return Some(FaceId(number)).filter(|&f| self.mesh.face_alive(f));
@@ -261,7 +263,7 @@ impl MeshFile {
         (row != MISSING).then_some(row)
     }
 
-    /// The rows of `vt`; what a row leaves out is 0.
+    /// The rows of `vt`; missing numbers are 0.
     pub fn texture_coordinates(&self) -> &[[f64; 3]] {
         &self.kept.texture.rows
     }
@@ -271,8 +273,8 @@ impl MeshFile {
         &self.kept.normals.rows
     }
 
-    /// The numbers in the file as it would be written now: what came from a file first,
-    /// in its old order, then what is new. Holes have none.
+    /// The numbers in the file if it were written now: what came from a file first, in its old
+    /// order, then what is new. Holes have none.
     pub fn written_numbers(&self) -> WrittenNumbers {
         let (mut old, new): (Vec<_>, Vec<_>) =
             self.mesh.vertices().partition(|&v| self.vertex_place(v).is_some());
@@ -299,7 +301,7 @@ impl MeshFile {
 }
 
 impl WrittenNumbers {
-    /// The numbers in tables: ids.
+    /// The numbers in tables, which are ids.
     pub fn of_tables(mesh: &Mesh) -> Self {
         let mut vertices = vec![MISSING; mesh.capacity(ElementKind::Vertex)];
         let mut faces = vec![MISSING; mesh.capacity(ElementKind::Face)];
@@ -317,7 +319,7 @@ impl WrittenNumbers {
         self.vertices.get(v.index()).copied().filter(|&number| number != MISSING)
     }
 
-    /// The number of a face among the faces; a hole has none.
+    /// The number of a face among the faces; `None` for a hole.
     pub fn face(&self, f: FaceId) -> Option<u32> {
         self.faces.get(f.index()).copied().filter(|&number| number != MISSING)
     }

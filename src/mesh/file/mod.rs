@@ -1,22 +1,22 @@
-//! Files of meshes, in and out: the one door.
+//! Reading and writing mesh files.
 //!
-//! | ending | vertices | faces | corners | besides |
+//! | ending | vertices | faces | corners | other |
 //! | --- | --- | --- | --- | --- |
 //! | `.obj` | `color`, `alpha`, `weight` | | `uv`, `normal` | objects, groups, materials, smoothing groups |
 //! | `.ply` | all attributes | all | all | attributes of edges, and what OBJ has |
 //! | `.off` | `color`, `alpha`, `normal`, `uv` | `color`, `alpha` | | |
-//! | `.stl` | | | | triangles alone |
-//! | `.msh` | reals, vectors of three, matrices of nine | the same | | groups; triangles and quads alone |
-//! | `.halfedges` | all | all | all | all meshes, also such as no list of polygons holds |
+//! | `.stl` | | | | triangles only |
+//! | `.msh` | reals, vectors of three, matrices of nine | the same | | groups; triangles and quads only |
+//! | `.halfedges` | all | all | all | all meshes, even if no polygon list can hold them |
 //!
 //! A reader turns a file into [`contents`]: positions, polygons, columns and what is kept beside
-//! them; these become a mesh in one place, and there repairs are made. What the mesh has no place
-//! for (texture coordinates, normals, groups, materials) is kept beside it and written back;
-//! `attributes` makes values of it where a program wants them. What a file says beyond that is
-//! told when the mesh is written.
+//! them; one function builds a mesh from these, with repairs on request. What the mesh cannot
+//! represent (texture coordinates, normals, groups, materials) is kept beside it and written back;
+//! `attributes` makes columns of it where a program wants them. Anything else in a file is lost,
+//! which is reported when the mesh is written.
 //!
-//! In memory ids start at 0 and slots are reused; in a file numbers start at 1 and have
-//! no gaps. [`MeshFile`] remembers which elements came from the file, and under which number.
+//! In memory, ids start at 0 and slots are reused; in a file, numbers start at 1 and have no gaps.
+//! [`MeshFile`] remembers which elements came from the file, and under which numbers.
 
 mod attributes;
 mod contents;

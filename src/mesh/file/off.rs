@@ -1,11 +1,11 @@
-//! The object file format of Geomview: `OFF`, with the prefixes `ST` (texture coordinates), `C`
-//! (colours) and `N` (normals) of what stands behind the coordinates of each vertex.
+//! The Geomview object file format: `OFF`, with the prefixes `ST` (texture coordinates), `C`
+//! (colours) and `N` (normals) for what follows the coordinates of each vertex.
 //!
-//! Numbers stand free, but for those behind a face and its corners: what is left of that line is
-//! its colour. Colours are of 3 or 4 numbers, up to 1 or up to 255. There is no crate that reads
-//! them. With the prefix `4` a last coordinate divides the others: a vertex where it is 0 lies
-//! nowhere. With `n` the head says how many coordinates there are, and the first three are taken.
-//! Binary files are refused.
+//! Numbers are in free form, except for those after the corners of a face: the rest of that line is
+//! its colour. Colours have 3 or 4 numbers, up to 1 or up to 255. No crate reads them. With the
+//! prefix `4`, a last coordinate divides the others: if it is 0, the position is not finite. With
+//! `n`, the head gives the number of coordinates, of which the first three are used. Binary files
+//! are rejected.
 
 use std::io::{self, Write};
 
@@ -30,7 +30,7 @@ pub(super) fn read(text: &[u8]) -> Result<Contents, Failure> {
     let read = reader.file();
     let line = Some(reader.scanner.line());
     match read {
-        // What has come can be kept.
+        // What was read so far can be kept.
         Err(words) if reader.scanner.is_at_end() && !reader.contents.positions.is_empty() => {
             reader.contents.damage.add(line, || words);
         }
@@ -44,12 +44,12 @@ struct Reader<'t> {
     contents: Contents,
 }
 
-/// The meaning of the numbers of a vertex.
+/// The numbers that each vertex has.
 #[derive(Clone, Copy)]
 struct Head {
     /// True if a last coordinate divides the others.
     is_divided: bool,
-    /// The number of coordinates besides; `None` if a number behind the word says so.
+    /// The number of the other coordinates; `None` if it follows the first word of the file.
     dimension: Option<usize>,
     texture: bool,
     color: bool,
@@ -60,7 +60,7 @@ impl Head {
     const PLAIN: Self =
         Self { is_divided: false, dimension: Some(3), texture: false, color: false, normal: false };
 
-    /// The head that the first word of a file tells; `None` if it is another word.
+    /// The head given by the first word of a file; `None` if it is another word.
     fn of(word: &[u8]) -> Option<Self> {
         let mut rest = word.strip_suffix(b"OFF")?;
         let mut head = Self::PLAIN;
@@ -83,7 +83,7 @@ impl Head {
     }
 }
 
-/// Colours as they stand in the file: four numbers for each element.
+/// Colours as in the file: four numbers for each element.
 #[derive(Default)]
 struct Colors {
     reals: Vec<f64>,
@@ -140,7 +140,7 @@ impl<'t> Reader<'t> {
         self.faces(faces)
     }
 
-    /// The first word, which may be left out. A description of the appearance may stand before it.
+    /// The first word, which may be missing. A description of the appearance may precede it.
     fn head(&mut self) -> Result<Head, String> {
         if !self.scanner.next_line() {
             return Err("the file is empty".into());
@@ -164,7 +164,7 @@ impl<'t> Reader<'t> {
         Head::of(word).ok_or_else(unknown)
     }
 
-    /// Goes behind what a word and those after it put into braces.
+    /// Skips everything up to the end of the braces that a word or those after it open.
     fn pass_over_braces(&mut self, mut word: &'t [u8]) -> Result<(), String> {
         let (mut open, mut closed) = (0, 0);
         loop {
@@ -183,7 +183,7 @@ impl<'t> Reader<'t> {
     fn counts(&mut self) -> Result<[usize; 3], String> {
         let mut counts = [0; 3];
         for (at, count) in counts.iter_mut().enumerate() {
-            // The number of edges may be left out.
+            // The number of edges may be missing.
             if at == 2 && !self.scanner.next_word() {
                 break;
             }
@@ -338,17 +338,17 @@ impl<'t> Reader<'t> {
     }
 }
 
-/// The values of vertices besides a place.
+/// The values of vertices other than positions.
 #[derive(Default)]
 struct VertexRows {
     normals: Vec<f64>,
     textures: Vec<f64>,
     colors: Colors,
-    /// The number of those with a last coordinate that changes the others.
+    /// The number of vertices whose last coordinate is not 1.
     divided: usize,
 }
 
-/// The columns that a file holds: normals, colours, alphas and texture coordinates of vertices,
+/// The columns that a file can hold: normals, colours, alphas and texture coordinates of vertices,
 /// and colours and alphas of faces.
 pub(super) fn columns(file: &MeshFile) -> [Option<ColumnId>; 6] {
     use AttributeType::{Real, Vec2, Vec3};

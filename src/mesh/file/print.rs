@@ -5,17 +5,17 @@ use std::ops::Range;
 
 use crate::mesh::parallel;
 
-/// A text on its way out, gathered into large pieces.
+/// An output text, collected into large pieces.
 pub(super) struct Printer<'o> {
-    /// `None` if all is gathered.
+    /// `None` if everything is collected.
     output: Option<&'o mut dyn Write>,
     text: Vec<u8>,
 }
 
-/// The size up to which bytes are gathered.
+/// The size of a piece, in bytes.
 const PIECE: usize = 1 << 16;
 
-/// The number of lines that a thread prints at once.
+/// The number of lines that a thread prints at a time.
 pub(super) const PART: usize = 1 << 13;
 
 impl<'o> Printer<'o> {
@@ -23,13 +23,13 @@ impl<'o> Printer<'o> {
         Self { output: Some(output), text: Vec::with_capacity(PIECE + 1024) }
     }
 
-    /// A printer that gathers all.
+    /// A printer that collects everything.
     pub(super) fn gathering() -> Self {
         Self { output: None, text: Vec::new() }
     }
 
-    /// Prints so many lines, in parts of [`PART`] lines on all cores: `print` prints those of a
-    /// range.
+    /// Prints the given number of lines, in parts of [`PART`] lines on all cores: `print` prints
+    /// the lines of a range.
     pub(super) fn in_parts(
         &mut self,
         lines: usize,
@@ -77,8 +77,8 @@ impl<'o> Printer<'o> {
         }
         let mut buffer = zmij::Buffer::new();
         let text = buffer.format(value);
-        // Where two shortest texts are equally far off, Rust takes the greater, which `zmij` need
-        // not; such numbers have a few binary places alone, and yet many digits.
+        // Where two shortest texts are equally far off, Rust picks the greater, but `zmij` may not;
+        // such numbers have few binary places but many digits.
         let may_be_tie = text.len() >= 17 && (value * f64::from(1 << 24)).fract() == 0.0;
         if value.is_finite() && !may_be_tie && !text.contains('e') {
             self.word(text.strip_suffix(".0").unwrap_or(text));
@@ -87,7 +87,7 @@ impl<'o> Printer<'o> {
         }
     }
 
-    /// A blank and a real, for each.
+    /// Each real with a blank before it.
     #[inline]
     pub(super) fn reals(&mut self, values: &[f64]) {
         for &value in values {
@@ -96,14 +96,14 @@ impl<'o> Printer<'o> {
         }
     }
 
-    /// Ends a line, and writes what has been gathered if it is much.
+    /// Ends a line, and writes the collected text if it is large.
     #[inline]
     pub(super) fn end_line(&mut self) -> io::Result<()> {
         self.bytes(b"\n");
         self.hand_on()
     }
 
-    /// Hands on what has been gathered, if it is much.
+    /// Writes the collected text if it is large.
     #[inline]
     pub(super) fn hand_on(&mut self) -> io::Result<()> {
         if self.text.len() < PIECE { Ok(()) } else { self.flush() }

@@ -13,22 +13,23 @@ use crate::mesh::dump::read_dump;
 use crate::mesh::repair::Repair;
 use crate::mesh::validate::validate;
 
-/// Reads the file at `path`, in the format that its name ends in. Polygons that are no mesh are
-/// refused, or repaired if that is asked for.
+/// Reads the file at `path`, in the format given by its ending. Polygons that are not a mesh are an
+/// error, or are repaired if that is requested.
 ///
 /// # Errors
-/// Where the file cannot be read, is not of its format, or is no mesh.
+/// The file cannot be read, violates its format, or is not a mesh.
 pub fn read_mesh(path: &Path, repair: Option<Repair>) -> Result<MeshFile, FileError> {
     read_path(path, repair, false)
 }
 
-/// As [`read_mesh`], with the elements of the mesh in an order in which neighbors stand near each
-/// other in memory: long work on a large mesh takes less time, up to half of it where the file has
-/// no such order. Vertices follow a Hilbert curve. They and the faces are written in the order of the
-/// file, and have its numbers in [`MeshFile::vertex_number`]. A file of tables keeps its order.
+/// As [`read_mesh`], with the elements of the mesh in an order that keeps neighbors near each other
+/// in memory: long computations on a large mesh get faster, up to twice as fast where the file has
+/// no such order. Vertices follow a Hilbert curve. Vertices and faces are written in the order of
+/// the file, and have its numbers in [`MeshFile::vertex_number`] and [`MeshFile::face_number`]. A
+/// file of tables keeps its order.
 ///
 /// # Errors
-/// As [`read_mesh`].
+/// As for [`read_mesh`].
 pub fn read_mesh_reordered(path: &Path, repair: Option<Repair>) -> Result<MeshFile, FileError> {
     read_path(path, repair, true)
 }
@@ -43,7 +44,7 @@ fn read_path(path: &Path, repair: Option<Repair>, reorder: bool) -> Result<MeshF
     Ok(file)
 }
 
-/// Reads a file. The text of an OBJ file is not in memory as a whole, unless it has 16 bits a letter.
+/// Reads a file. The text of an OBJ file is not held in memory as a whole, unless it is UTF-16.
 fn read_source(
     name: &str,
     (format, path): (FileFormat, &Path),
@@ -54,7 +55,7 @@ fn read_source(
     let mut text = Vec::new();
     if format == FileFormat::Obj {
         let bytes = source.metadata()?.len() as usize;
-        // What has no room in memory as a text has none as a mesh.
+        // A text that does not fit into memory would not fit as a mesh.
         Vec::<u8>::new().try_reserve_exact(bytes)?;
         source.by_ref().take(2).read_to_end(&mut text)?;
         if is_big_endian(format, &text).is_none() {
@@ -76,10 +77,10 @@ fn build(
     built.map_err(|failure| error(name, failure))
 }
 
-/// Reads a file that is in memory; messages call it `name`.
+/// Reads a file from memory; messages call it `name`.
 ///
 /// # Errors
-/// As [`read_mesh`].
+/// As for [`read_mesh`].
 pub fn read_mesh_from(
     name: &str,
     format: FileFormat,
@@ -110,7 +111,7 @@ fn read_text(
     build(name, contents, repair, reorder)
 }
 
-/// A text of 16 bits a letter in UTF-8, if it is one: some programs write such files.
+/// The UTF-8 text of a file in UTF-16, which some programs write; `None` for other files.
 fn decode(format: FileFormat, text: &[u8]) -> Option<Vec<u8>> {
     let is_big = is_big_endian(format, text)?;
     let (letters, _) = text[2..].as_chunks::<2>();
@@ -124,7 +125,7 @@ fn decode(format: FileFormat, text: &[u8]) -> Option<Vec<u8>> {
     Some(text.into_bytes())
 }
 
-/// Whether the higher byte of a letter comes first, in a text of 16 bits a letter.
+/// Whether a UTF-16 text is big-endian; `None` for other texts.
 fn is_big_endian(format: FileFormat, text: &[u8]) -> Option<bool> {
     match (format, text) {
         (FileFormat::Obj | FileFormat::Off | FileFormat::Ply, [0xfe, 0xff, ..]) => Some(true),
@@ -137,7 +138,7 @@ fn error(name: &str, (line, reason): Failure) -> FileError {
     FileError { file: name.to_owned(), line, reason }
 }
 
-/// The mesh of a file of tables, which has one.
+/// The mesh of a file of tables, which must have exactly one.
 fn read_tables(text: &[u8]) -> Result<MeshFile, Failure> {
     let malformed = |words: String| (None, FileReason::Malformed(words));
     let text = std::str::from_utf8(text).map_err(|error| malformed(error.to_string()))?;

@@ -1,7 +1,6 @@
-//! Writing a file: all of it, or not at all.
+//! Atomic writing of a file.
 //!
-//! The text goes to a new file in the same folder, which takes the place of the old one when it is
-//! complete.
+//! The text goes to a new file in the same folder, which replaces the old one when it is complete.
 
 use std::fs;
 use std::io::{self, BufWriter, Write};
@@ -11,17 +10,17 @@ use tempfile::NamedTempFile;
 
 use super::error::FileReason;
 
-/// Writes a file: all of it, or not at all. What is to stand in it is written by `write`.
+/// Writes a file completely or not at all. `write` writes its contents.
 ///
 /// # Errors
-/// [`FileReason::NoFolder`], [`FileReason::ReadOnly`] and [`FileReason::Io`], and what `write` fails with; the old file, if
-/// there was one, is as it was.
+/// [`FileReason::NoFolder`], [`FileReason::ReadOnly`], [`FileReason::Io`], and the errors of
+/// `write`; the old file, if there was one, is unchanged.
 pub fn replace_file(
     path: &Path,
     write: impl Fn(&mut dyn Write) -> Result<(), FileReason>,
 ) -> Result<(), FileReason> {
-    // A device or a pipe cannot be replaced, only written to. What leads to a pipe need not be a
-    // path: `/dev/stdout`.
+    // A device or a pipe cannot be replaced, only written to. The target of a link to a pipe need
+    // not be a path: `/dev/stdout`.
     if fs::metadata(path).is_ok_and(|old| !old.is_file()) {
         let file = fs::OpenOptions::new().write(true).open(path).map_err(FileReason::Io)?;
         let mut output = BufWriter::new(file);
@@ -44,7 +43,7 @@ pub fn replace_file(
         write(&mut output)?;
         output.flush().map_err(FileReason::Io)?;
     }
-    // The name is to lead to the whole text even if the power fails right behind.
+    // The name must refer to the complete text even if the power fails right after.
     file.as_file().sync_all().map_err(FileReason::Io)?;
     if let Some(old) = old {
         file.as_file().set_permissions(old.permissions()).map_err(FileReason::Io)?;
@@ -53,8 +52,8 @@ pub fn replace_file(
     Ok(())
 }
 
-/// Checks that a file may be written, if it is there. It could be replaced even so, which is not
-/// what who protected it has meant.
+/// Checks that a file may be written, if it exists. A protected file could be replaced all the
+/// same, which its owner does not want.
 ///
 /// # Errors
 /// [`FileReason::ReadOnly`] and [`FileReason::Io`].
@@ -72,13 +71,13 @@ pub fn expect_writable(path: &Path) -> Result<(), FileReason> {
     }
 }
 
-/// The end of the links from `path`, whether something is there or not.
+/// Follows the symbolic links from `path`, whether the target exists or not.
 fn followed(path: &Path) -> io::Result<PathBuf> {
     let mut at = path.to_owned();
-    // As many links as Linux follows.
+    // Linux follows as many links.
     for _ in 0..40 {
         match fs::read_link(&at) {
-            // A relative link starts from the folder of the link.
+            // A relative link is relative to the folder of the link.
             Ok(link) => at = at.parent().unwrap_or(Path::new("")).join(link),
             Err(_) => return Ok(at),
         }
@@ -86,8 +85,8 @@ fn followed(path: &Path) -> io::Result<PathBuf> {
     Err(io::Error::other("too many symbolic links"))
 }
 
-/// A file that will be readable by whom a new file usually is: the process's mask
-/// applies to the mode.
+/// A temporary file with the permissions of an ordinary new file: the umask of the process applies
+/// to the mode.
 #[cfg(unix)]
 fn new_file(folder: &Path) -> io::Result<NamedTempFile> {
     use std::os::unix::fs::PermissionsExt;

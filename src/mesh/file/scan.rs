@@ -1,17 +1,17 @@
 //! Words and numbers of a text, byte by byte.
 //!
-//! A scanner stands somewhere in a text and knows its line. Lines end in LF, CR LF or CR. Where
-//! a format continues lines, a backslash at the end of one is a blank.
+//! A scanner has a position in a text and counts lines. Lines end in LF, CR LF or CR. Where a
+//! format allows continued lines, a backslash at the end of one is a blank.
 
 use std::borrow::Cow;
 
-/// A place in a text.
+/// A position in a text.
 pub(super) struct Scanner<'t> {
     text: &'t [u8],
     at: usize,
     line: u32,
     continues: bool,
-    /// True if a comment may stand right behind a word.
+    /// True if a comment may directly follow a word.
     comments_stick: bool,
 }
 
@@ -21,12 +21,12 @@ impl<'t> Scanner<'t> {
         Self { text, at: 0, line: 1, continues: false, comments_stick: false }
     }
 
-    /// A scanner of a part of a text whose lines can be continued.
+    /// A scanner of a part of a text that may have continued lines.
     pub(super) fn with_continued_lines(text: &'t [u8]) -> Self {
         Self { text, at: 0, line: 1, continues: true, comments_stick: false }
     }
 
-    /// A scanner of a text in which no word has a `#`: a comment begins at each.
+    /// A scanner of a text in which every `#` begins a comment.
     pub(super) fn with_sticking_comments(text: &'t [u8]) -> Self {
         Self { comments_stick: true, ..Self::new(text) }
     }
@@ -46,7 +46,7 @@ impl<'t> Scanner<'t> {
         &self.text[self.at..]
     }
 
-    /// Goes on behind some bytes.
+    /// Skips some bytes.
     pub(super) fn skip(&mut self, bytes: usize) {
         self.at = (self.at + bytes).min(self.text.len());
     }
@@ -60,7 +60,7 @@ impl<'t> Scanner<'t> {
         self.text.get(self.at).copied()
     }
 
-    /// The start of the next line, if a backslash here is the last of its line.
+    /// The start of the next line, if a backslash at this position continues the line.
     #[cold]
     fn continuation(&self) -> Option<usize> {
         if !self.continues {
@@ -79,7 +79,7 @@ impl<'t> Scanner<'t> {
         }
     }
 
-    /// Skips blanks and ends of lines that go on; true if another word of the line stands here.
+    /// Skips blanks and continued line ends; true if another word of the line follows.
     #[inline]
     pub(super) fn next_word(&mut self) -> bool {
         let start = self.at;
@@ -95,7 +95,7 @@ impl<'t> Scanner<'t> {
                     }
                     None => return true,
                 },
-                // A comment begins a line or stands after a blank, so that names may have one.
+                // A comment begins a line or follows a blank, so that names may contain `#`.
                 Some(b'#') if self.comments_stick => return false,
                 Some(b'#') => return self.at == start && !self.is_after_blank(),
                 Some(_) => return true,
@@ -128,7 +128,7 @@ impl<'t> Scanner<'t> {
         Some(&self.text[start..self.at])
     }
 
-    /// The number that the next word of the line is; `Err` if it is another word.
+    /// The next word of the line as a number; `Err` if it is another word.
     #[inline]
     pub(super) fn number(&mut self) -> Option<Result<f64, &'t [u8]>> {
         if !self.next_word() {
@@ -149,7 +149,7 @@ impl<'t> Scanner<'t> {
         self.word().map(Err)
     }
 
-    /// Digits here, up to eighteen of them; `None` if there is none, or more.
+    /// The value of the digits at this position; `None` if there are none, or more than eighteen.
     #[inline]
     pub(super) fn digits(&mut self) -> Option<u64> {
         let start = self.at;
@@ -164,7 +164,7 @@ impl<'t> Scanner<'t> {
         (1..=18).contains(&(self.at - start)).then_some(value)
     }
 
-    /// The number of one to nine digits that are the whole of the word here, if it is one.
+    /// The word at this position, if it is a number of one to nine digits.
     #[inline]
     pub(super) fn whole_number(&mut self) -> Option<u32> {
         let rest = &self.text[self.at..];
@@ -184,7 +184,7 @@ impl<'t> Scanner<'t> {
         })
     }
 
-    /// Goes past a byte, if it is the next.
+    /// Skips a byte, if it is the next. Returns whether it was.
     #[inline]
     pub(super) fn take(&mut self, byte: u8) -> bool {
         let is_next = self.peek() == Some(byte);
@@ -192,7 +192,7 @@ impl<'t> Scanner<'t> {
         is_next
     }
 
-    /// Goes to the start of the next line, over lines that go on.
+    /// Skips to the start of the next line, past continued lines.
     #[inline]
     pub(super) fn end_line(&mut self) {
         if self.peek() == Some(b'\n') {
@@ -200,7 +200,7 @@ impl<'t> Scanner<'t> {
             self.line += 1;
             return;
         }
-        // Whatever is left is a comment, or words that nobody wants.
+        // The rest is a comment, or words that are not used.
         while self.next_word() {
             self.word();
         }
@@ -216,7 +216,7 @@ impl<'t> Scanner<'t> {
         }
     }
 
-    /// Goes to the next line that has a word; false at the end of the text.
+    /// Skips to the next line that has a word; false at the end of the text.
     pub(super) fn next_line(&mut self) -> bool {
         while !self.next_word() {
             if self.is_at_end() {
@@ -227,7 +227,7 @@ impl<'t> Scanner<'t> {
         true
     }
 
-    /// All words of the line as they stand, without a comment.
+    /// All words of the line as written, without a comment.
     pub(super) fn text(&mut self) -> Cow<'t, [u8]> {
         if !self.next_word() {
             return Cow::Borrowed(b"");
@@ -241,7 +241,7 @@ impl<'t> Scanner<'t> {
         if line == self.line {
             return Cow::Borrowed(&self.text[start..end]);
         }
-        // A line that went on: what stood between its parts is a blank.
+        // A continued line: a blank replaces what was between its parts.
         let all = &self.text[start..end];
         let mut joined = Vec::new();
         let mut parts = Scanner::with_continued_lines(all);
@@ -255,17 +255,17 @@ impl<'t> Scanner<'t> {
     }
 }
 
-/// The advice on a word that would be a number with a point in place of its comma.
+/// The advice for a word that would be a number with a point in place of its comma.
 pub(super) const POINT: &str = "; numbers are written with a point";
 
-/// The words for a word that stands where a number should.
+/// The message for a word that is in place of a number.
 #[cold]
 pub(super) fn no_number(word: &[u8]) -> String {
     let point = if word.contains(&b',') { POINT } else { "" };
     format!("`{}` is no number{point}", shown(word))
 }
 
-/// The start of a word, as text for a message.
+/// The start of a word, for a message.
 pub(super) fn shown(word: &[u8]) -> String {
     let text = String::from_utf8_lossy(&word[..word.len().min(40)]);
     text.chars().map(|c| if c.is_control() { '\u{fffd}' } else { c }).collect()

@@ -1,18 +1,18 @@
 //! The groups, objects and materials of faces, as they are written.
 //!
-//! A face of the file has those that it had. A new one has those of the face that it was cut from: the
-//! face of the file in which its halfedges lay; if all of these are new, that from which its nearest
-//! neighbors with halfedges of the file were cut, those first from which no such halfedge parts it.
-//! A face that is cut into many has one with such a halfedge in each of its corners, and so have the
-//! faces around it: what is nearest lies on the same side of what was an edge of the file.
+//! A face of the file keeps its own. A new one gets those of the face that it was cut from: the
+//! face of the file to which its halfedges belonged; if all of these are new, that of its nearest
+//! neighbors with halfedges of the file, preferring neighbors that are not across such a halfedge.
+//! A face that is cut into many leaves one with such a halfedge in each of its corners, and so do
+//! the faces around it: the nearest one lies on the same side of what was an edge of the file.
 
 use super::kept::{MISSING, State};
 use super::mesh_file::MeshFile;
 use crate::mesh::id::{ElementKind, FaceId, HalfedgeId};
 
 impl MeshFile {
-    /// The statements that should be in force at faces, in their order, where that is known. None at
-    /// all if the file has no such statements.
+    /// The statements that should be in force at each of the faces, where known. Empty if the file
+    /// has no such statements.
     pub(super) fn states_of(&self, faces: &[FaceId]) -> Vec<Option<State>> {
         if self.kept.states.is_empty() {
             return Vec::new();
@@ -25,7 +25,7 @@ impl MeshFile {
         faces.iter().map(state).collect()
     }
 
-    /// By slot the face that a face was cut from, by its place among those that were read.
+    /// For each slot, the face that a face was cut from, by its place among those that were read.
     fn sources(&self) -> Vec<u32> {
         let mut sources = vec![MISSING; self.mesh.capacity(ElementKind::Face)];
         let mut others = Vec::new();
@@ -36,7 +36,7 @@ impl MeshFile {
             }
         }
         self.spread(&mut sources, others.clone());
-        // What cannot be reached from halfedges of the file.
+        // The faces that are not reachable from halfedges of the file.
         others.retain(|f| sources[f.index()] == MISSING);
         for f in &others {
             sources[f.index()] = self.own_place(*f).unwrap_or(MISSING);
@@ -50,7 +50,7 @@ impl MeshFile {
         self.face_place(f).map(|place| place as u32)
     }
 
-    /// Gives faces what their neighbors were cut from, the nearest first.
+    /// Propagates the sources of faces to their neighbors, breadth first.
     fn spread(&self, sources: &mut [u32], mut faces: Vec<FaceId>) {
         while !faces.is_empty() {
             let found = faces.iter().filter_map(|&f| {
@@ -66,7 +66,7 @@ impl MeshFile {
         }
     }
 
-    /// The face of the file in which most of the halfedges of a face lay.
+    /// The face of the file to which most of the halfedges of a face belonged.
     fn source_by_halfedges(&self, f: FaceId) -> Option<u32> {
         let ends = self.kept.corners.ends();
         let corners = self.mesh.face_halfedges(f).filter_map(|h| self.original_corner(h));
@@ -84,7 +84,7 @@ impl MeshFile {
         nearest.map(|(_, g)| sources[g.index()])
     }
 
-    /// The halfedges on the other sides of a face that lie in faces, and these.
+    /// The twins of the sides of a face that lie in faces, with these faces.
     fn across(&self, f: FaceId) -> impl Iterator<Item = (HalfedgeId, FaceId)> + '_ {
         let twins = self.mesh.face_halfedges(f).filter_map(|h| self.mesh.get_twin(h));
         let all = twins.filter_map(|twin| Some((twin, self.mesh.get_face(twin)?)));

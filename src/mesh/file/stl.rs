@@ -1,12 +1,12 @@
-//! Stereolithography: triangles by the places of their corners, as text or as bytes.
+//! Stereolithography: triangles by the positions of their corners, as text or binary.
 //!
-//! The crate `stl_io` takes every file that begins with `solid ` for text, though many binary
-//! ones do; refuses `solid` without a name, capitals, and several solids in a file; rounds
-//! numbers of text to 32 bits; and writes no text. So the sixty lines it would save are here.
+//! The crate `stl_io` takes every file that begins with `solid ` for text, though many binary ones
+//! do; rejects `solid` without a name, capitals, and several solids in a file; rounds numbers of
+//! text to 32 bits; and writes no text. So the sixty lines that it would save are here.
 //!
-//! Triangles share nothing in such a file: equal points become one vertex. Normals follow from
-//! the points and are passed over, as are the two bytes behind each binary triangle, which are
-//! told if they are not 0. A binary file holds 32 bits of each coordinate.
+//! Triangles share no vertices in such a file: equal points become one vertex. Normals follow from
+//! the points and are ignored, as are the two bytes after each binary triangle, which are reported
+//! if they are not 0. A binary file holds 32 bits of each coordinate.
 
 use std::io::{self, Write};
 
@@ -35,7 +35,7 @@ pub(super) fn read(text: &[u8]) -> Result<Contents, Failure> {
         claimed.checked_mul(TRIANGLE).is_some_and(|size| size == text.len().saturating_sub(HEADER));
     let start = text.trim_ascii_start();
     let is_text = start.get(..5).is_some_and(|word| word.eq_ignore_ascii_case(b"solid"));
-    // Many binary files begin with `solid`, and some have bytes behind the triangles.
+    // Many binary files begin with `solid`, and some have bytes after the triangles.
     if text.len() >= HEADER && (fits || !is_text || text[..HEADER].contains(&0)) {
         Ok(read_binary(text, claimed))
     } else if is_text {
@@ -78,7 +78,7 @@ fn read_text(text: &[u8]) -> Contents {
     let mut scanner = Scanner::new(text);
     let mut damage = Damage::default();
     let mut points = Vec::with_capacity(text.len() / 80);
-    // How many points there were before this loop, and whether all of it has been read.
+    // The number of points before this loop, and whether all of the loop has been read.
     let (mut before, mut is_whole) = (0, true);
     let mut solids = 0;
     while scanner.next_line() {
@@ -125,12 +125,12 @@ fn read_text(text: &[u8]) -> Contents {
     contents
 }
 
-/// Makes one vertex of equal points.
+/// Merges equal points into one vertex.
 fn share(points: Vec<DVec3>) -> Contents {
     let mut corners = merge_equal(&points);
     let mut positions: Vec<DVec3> = Vec::with_capacity(points.len() / 5);
     for i in 0..corners.len() {
-        // A point that comes first is its own; those behind it find where it has gone.
+        // The first of equal points gets a new number, which the later ones look up.
         corners[i] = if corners[i] as usize == i {
             positions.push(points[i]);
             positions.len() as u32 - 1
@@ -142,8 +142,8 @@ fn share(points: Vec<DVec3>) -> Contents {
     Contents { positions, polygons: Polygons::of_parts(corners, ends), ..Contents::default() }
 }
 
-/// The number of vertices that lie where another one does, as they are written, and of those without
-/// a face.
+/// The number of vertices with the same position as another one, as written, and of those without a
+/// face.
 pub(super) fn lost_vertices(file: &MeshFile) -> [usize; 2] {
     let mesh = &file.mesh;
     let is_used =

@@ -13,12 +13,11 @@ use crate::mesh::connectivity::Mesh;
 use crate::mesh::dump::{Dump, write_dump};
 use crate::mesh::level::{Level, validate_level};
 
-/// Writes a mesh to `path`, in the format that its name ends in: all of it, or nothing. A
-/// symbolic link stays one: what it leads to is replaced. The permissions of an old file are
-/// kept.
+/// Writes a mesh to `path`, in the format given by its ending, completely or not at all. A symbolic
+/// link stays one: its target is replaced. The permissions of an old file are kept.
 ///
 /// # Errors
-/// Where the file cannot be written, or its format cannot hold the mesh.
+/// The file cannot be written, or its format cannot hold the mesh.
 pub fn write_mesh(path: &Path, file: &MeshFile) -> Result<(), FileError> {
     let format = FileFormat::of(path);
     let written = format.and_then(|format| {
@@ -31,7 +30,7 @@ pub fn write_mesh(path: &Path, file: &MeshFile) -> Result<(), FileError> {
 /// Writes a mesh in a format. The output should be buffered.
 ///
 /// # Errors
-/// As [`write_mesh`].
+/// As for [`write_mesh`].
 pub fn write_mesh_to(
     output: &mut dyn Write,
     format: FileFormat,
@@ -40,7 +39,7 @@ pub fn write_mesh_to(
     write_ready(output, format, &*ready(format, file)?)
 }
 
-/// The mesh with what the format wants, if the format can hold it.
+/// The mesh with the columns that the format needs, if the format can hold it.
 fn ready(format: FileFormat, file: &MeshFile) -> Result<Cow<'_, MeshFile>, FileReason> {
     if format != FileFormat::Halfedges {
         if let Some(stray) = file.mesh.vertices().find(|&v| !file.mesh.position(v).is_finite()) {
@@ -62,7 +61,7 @@ fn ready(format: FileFormat, file: &MeshFile) -> Result<Cow<'_, MeshFile>, FileR
     })
 }
 
-/// The reason why a mesh is not of level simple, in words.
+/// The reason why a mesh is below level simple, in words.
 fn below_simple(mesh: &Mesh) -> String {
     let level = validate_level(mesh, Level::Simple);
     level.map_or_else(|below| format!(", since {below}"), |()| String::new())

@@ -4,8 +4,8 @@ use super::RepairReport;
 use super::keyhole::{self, Corner};
 use super::polygon_list::PolygonList;
 
-/// Drops corners that repeat the one before, divides polygons that come back to a vertex, and
-/// drops those that are left with fewer than three corners.
+/// Drops corners that repeat the previous one, divides polygons that return to a vertex, and drops
+/// those that are left with fewer than three corners.
 pub(super) fn clean(list: &mut PolygonList, report: &mut RepairReport) {
     let mut cleaner = Cleaner::default();
     let sound = (0..list.ends.len()).all(|polygon| {
@@ -51,12 +51,12 @@ struct Cleaned {
     origins: Vec<u32>,
     ends: Vec<usize>,
     faces: Vec<u32>,
-    /// The polygon at hand.
+    /// The number of the current polygon in the input.
     origin: u32,
 }
 
 impl Cleaned {
-    /// Adds a polygon, if it is one.
+    /// Adds a polygon, unless it has fewer than three corners.
     fn push(&mut self, corners: impl ExactSizeIterator<Item = Corner>) {
         if corners.len() < 3 {
             return;
@@ -70,18 +70,18 @@ impl Cleaned {
     }
 }
 
-/// Room to work in.
+/// Scratch space.
 #[derive(Default)]
 struct Cleaner {
     sorted: Vec<u32>,
-    /// The corners of the loop that is still open, each with what it was.
+    /// The corners of the loop that is still open.
     open: Vec<Corner>,
     /// The places of vertices in `open`.
     places: std::collections::HashMap<u32, usize>,
 }
 
 impl Cleaner {
-    /// True if a vertex comes twice.
+    /// True if a vertex occurs twice.
     fn repeats(&mut self, corners: &[u32]) -> bool {
         if let &[a, b, c] = corners {
             return a == b || b == c || c == a;
@@ -92,7 +92,8 @@ impl Cleaner {
         self.sorted.windows(2).any(|pair| pair[0] == pair[1])
     }
 
-    /// Cuts loops off at vertices that come again; says how many corners repeat the one before.
+    /// Cuts off loops at repeated vertices. Returns the number of corners that repeat the previous
+    /// one.
     fn divide(&mut self, corners: &[Corner], cleaned: &mut Cleaned) -> usize {
         self.open.clear();
         self.places.clear();

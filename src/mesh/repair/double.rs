@@ -1,9 +1,9 @@
-//! Polygons that are there twice.
+//! Duplicate polygons.
 
 use super::RepairReport;
 use super::polygon_list::PolygonList;
 
-/// Drops polygons that are there already: those that run alike everywhere, and those that are
+/// Drops duplicates of polygons: those with the same corners in the same order, and those that are
 /// the back of another where an edge has three polygons or more. Two polygons back to back and
 /// alone are a closed surface, and stay.
 pub(super) fn drop_doubled(list: &mut PolygonList, report: &mut RepairReport) {
@@ -12,7 +12,7 @@ pub(super) fn drop_doubled(list: &mut PolygonList, report: &mut RepairReport) {
         return;
     }
     let mut dropped = vec![false; list.ends.len()];
-    // What is left of each group: at most one of either direction.
+    // The rest of each group: at most one of either direction.
     let mut pairs = Vec::new();
     for group in &groups {
         let (first, others) = (group[0], &group[1..]);
@@ -29,7 +29,7 @@ pub(super) fn drop_doubled(list: &mut PolygonList, report: &mut RepairReport) {
     if !pairs.is_empty() {
         let crowded = crowded(list, &dropped);
         for (first, back) in pairs {
-            // Their sides are the same edges.
+            // The sides of both are the same edges.
             dropped[back] |= list.range(first).any(|side| crowded[side]);
         }
     }
@@ -38,7 +38,8 @@ pub(super) fn drop_doubled(list: &mut PolygonList, report: &mut RepairReport) {
     report.doubled_faces += before - list.ends.len();
 }
 
-/// Polygons that have the same corners in the same order as an earlier one, and that one.
+/// Pairs of an earlier polygon and one with the same corners in the same order. Only the first of
+/// the polygons with these corners, in either order, is compared with the others.
 pub(in crate::mesh) fn repeated(list: &PolygonList) -> Vec<[usize; 2]> {
     let groups = groups(list).into_iter();
     let pairs = groups.flat_map(|group| {
@@ -51,7 +52,7 @@ pub(in crate::mesh) fn repeated(list: &PolygonList) -> Vec<[usize; 2]> {
     pairs
 }
 
-/// Which sides lie at an edge of three polygons or more, without those that are dropped.
+/// Whether each side is at an edge of three polygons or more, not counting dropped ones.
 fn crowded(list: &PolygonList, dropped: &[bool]) -> Vec<bool> {
     let mut at_dropped = vec![false; list.corners.len()];
     for (polygon, _) in dropped.iter().enumerate().filter(|(_, dropped)| **dropped) {
@@ -67,7 +68,7 @@ fn crowded(list: &PolygonList, dropped: &[bool]) -> Vec<bool> {
     crowded
 }
 
-/// The polygons with the same corners in the same order, forward or backward.
+/// Groups of polygons with the same corners in the same cyclic order, forward or backward.
 fn groups(list: &PolygonList) -> Vec<Vec<usize>> {
     let mut hashes: Vec<(u64, u32)> = Vec::with_capacity(list.ends.len());
     for polygon in 0..list.ends.len() {
@@ -90,8 +91,8 @@ fn groups(list: &PolygonList) -> Vec<Vec<usize>> {
     groups
 }
 
-/// A hash that depends neither on where one begins nor on the direction: from the least vertex
-/// on towards the lesser of its neighbours.
+/// A hash that does not depend on the first corner or the direction: it goes from the least vertex
+/// towards the lesser of its neighbours.
 fn hash(corners: &[u32]) -> u64 {
     let mix = |hash: u64, &v: &u32| {
         (hash.rotate_left(26) ^ u64::from(v)).wrapping_mul(0x9E37_79B9_7F4A_7C15)
@@ -111,7 +112,7 @@ fn is_double(list: &PolygonList, first: usize, other: usize) -> bool {
     runs_alike(list, first, other) || is_back(list, first, other)
 }
 
-/// True if two polygons have the same corners in the same order.
+/// True if two polygons have the same corners in the same cyclic order.
 fn runs_alike(list: &PolygonList, first: usize, other: usize) -> bool {
     let (first, other) = (&list.corners[list.range(first)], &list.corners[list.range(other)]);
     let start = other.iter().position(|v| *v == first[0]);
@@ -119,7 +120,7 @@ fn runs_alike(list: &PolygonList, first: usize, other: usize) -> bool {
         && start.is_some_and(|start| first.iter().eq(other[start..].iter().chain(&other[..start])))
 }
 
-/// True if a polygon has the corners of another in the opposite order.
+/// True if a polygon has the corners of another in the opposite cyclic order.
 fn is_back(list: &PolygonList, first: usize, other: usize) -> bool {
     let (first, other) = (&list.corners[list.range(first)], &list.corners[list.range(other)]);
     let start = other.iter().position(|v| *v == first[0]);

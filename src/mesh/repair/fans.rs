@@ -1,11 +1,11 @@
-//! Cutting at edges that no mesh has, and a vertex for each fan.
+//! Cutting at non-manifold edges, and splitting vertices so that each fan has its own.
 //!
-//! Two sides are joined where they are the only ones of their edge and run in opposite
-//! directions. The corners at a vertex that hang together across joined sides are a fan.
-//! Each fan gets its own vertex, the first one keeps the old one: all other edges come apart
-//! thereby, but for those whose both ends lie in one fan each, around which two polygons still
-//! hang together. If these run in opposite directions there, the edge stays theirs; else a corner
-//! more is isolated, until no edge is left.
+//! Two sides are joined where they are the only ones of their edge and run in opposite directions.
+//! The corners at a vertex that are connected across joined sides are a fan. Each fan gets its own
+//! vertex, the first one the old one. This separates the polygons at all other edges, except where
+//! two of them are in the same fan at each end of the edge. If these two run in opposite
+//! directions, they are joined there; otherwise another corner is isolated, until no such edge is
+//! left.
 
 use super::RepairReport;
 use super::polygon_list::{NONE, Neighbours, PolygonList};
@@ -65,7 +65,7 @@ impl PolygonList {
                 is_new
             };
             reach(first as u32);
-            // Around the vertex one way, and if that ends, the other way.
+            // Around the vertex in one direction, and if that ends, in the other.
             let mut corner = first as u32;
             let closed = loop {
                 let twin = twins[neighbours.prev[corner as usize] as usize];
@@ -88,8 +88,8 @@ impl PolygonList {
     }
 }
 
-/// Joins the sides of edges that are left with two in opposite directions, and isolates corners
-/// where others are not joined; says whether there were any of these.
+/// Joins the sides of edges that are left with two in opposite directions, and isolates corners at
+/// the other unjoined edges. Returns whether any corner was isolated.
 fn isolate(list: &PolygonList, neighbours: &Neighbours, twins: &mut [u32]) -> bool {
     let mut found = false;
     for edge in list.sides().edges() {
@@ -103,7 +103,8 @@ fn isolate(list: &PolygonList, neighbours: &Neighbours, twins: &mut [u32]) -> bo
             continue;
         }
         for &(_, side) in edge.iter().skip(1).filter(|_| unjoined) {
-            // The side before it at the same corner is joined, or the corner were alone.
+            // The previous side at the same corner is joined, or else the corner would be a fan of
+            // its own.
             let before = neighbours.prev[side as usize] as usize;
             let twin = std::mem::replace(&mut twins[before], NONE);
             if twin != NONE {

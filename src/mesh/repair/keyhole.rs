@@ -1,18 +1,18 @@
-//! Polygons with holes that are joined to their outlines by bridges.
+//! Polygons with holes that are connected to their outlines by bridges.
 //!
-//! A face with a hole is often written as one polygon that goes to the hole along an edge, around it,
-//! and back along the same edge. A second cut beside that bridge makes two polygons of it that have no
-//! corner twice, and cover what the face covers.
+//! A face with a hole is often written as one polygon that goes to the hole along an edge, around
+//! it, and back along the same edge. A second cut beside that bridge turns it into two polygons
+//! that repeat no corner and cover the same area.
 
 use glam::DVec3;
 
-/// The vertex of a corner, and which corner of the first list it was.
+/// The vertex of a corner, and the number of the corner in the input.
 pub(super) type Corner = (u32, u32);
 
-/// Longer polygons are not searched for a cut: all pairs of corners may have to be looked at.
+/// Longer polygons are not searched for a cut, which may consider all pairs of corners.
 const LONGEST: usize = 256;
 
-/// The two polygons of a polygon with a hole; none if it has none.
+/// The two polygons into which a polygon with a hole is cut; `None` if it has no hole.
 pub(super) fn cut(corners: &[Corner], positions: &[DVec3]) -> Option<[Vec<Corner>; 2]> {
     let count = corners.len();
     if count > LONGEST {
@@ -25,7 +25,7 @@ pub(super) fn cut(corners: &[Corner], positions: &[DVec3]) -> Option<[Vec<Corner
             if !is_bridge {
                 continue;
             }
-            // Outline and hole, each from its end of the bridge back to that.
+            // Outline and hole, each from its end of the bridge back to it.
             let walk = |from: usize, to: usize| (from..=to).map(|at| corners[at % count]).collect();
             let hole: Vec<Corner> = walk(start + 1, end);
             let outline: Vec<Corner> = walk(end + 1, start + count);
@@ -37,7 +37,7 @@ pub(super) fn cut(corners: &[Corner], positions: &[DVec3]) -> Option<[Vec<Corner
     None
 }
 
-/// The two polygons, if the hole lies in the outline and runs the other way around.
+/// The two polygons, if the hole lies in the outline and has the opposite direction.
 fn cut_beside(
     outline: &[Corner],
     hole: &[Corner],
@@ -72,7 +72,7 @@ fn cut_beside(
     Some([first, second])
 }
 
-/// The normal of a closed walk whose last corner is its first, as long as twice the area (M. E.
+/// The normal of a closed walk whose last corner is its first, of twice the area in length (M. E.
 /// Newell's method; F. Tampieri, *Newell's Method for Computing the Plane Equation of a Polygon*,
 /// Graphics Gems III, 1992).
 fn normal(walk: &[Corner], positions: &[DVec3]) -> DVec3 {
@@ -81,14 +81,14 @@ fn normal(walk: &[Corner], positions: &[DVec3]) -> DVec3 {
     walk.windows(2).map(|side| from_origin(side[0]).cross(from_origin(side[1]))).sum()
 }
 
-/// True if two segments meet or touch, looked at along an axis.
+/// True if two segments meet or touch, seen along an axis.
 fn meet([a, b]: [DVec3; 2], [c, d]: [DVec3; 2], axis: DVec3) -> bool {
     let side = |a: DVec3, b: DVec3, c: DVec3| (b - a).cross(c - a).dot(axis);
     let apart = |one: f64, other: f64| one * other > 0.0;
     if apart(side(a, b, c), side(a, b, d)) || apart(side(c, d, a), side(c, d, b)) {
         return false;
     }
-    // On one line they may lie beside each other.
+    // Collinear segments may be disjoint.
     let along = |point: DVec3| (point - a).dot(b - a);
     let [low, high] = [along(c).min(along(d)), along(c).max(along(d))];
     high >= 0.0 && low <= along(b)

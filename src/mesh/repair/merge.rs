@@ -1,20 +1,20 @@
-//! Points that are merged into earlier ones.
+//! Merging of points into earlier ones.
 //!
-//! Points are taken in order. One that lies no farther than the tolerance from a point that
-//! stays is merged into it, into the nearest of several; another stays. So no point moves
-//! farther than the tolerance, those that stay are farther than it from each other, and a
-//! second run merges nothing. A grid of cells, four tolerances wide, finds the neighbours.
+//! Points are processed in order. One that lies no farther than the tolerance from a point that
+//! stays is merged into the nearest such point; otherwise it stays. So no point moves farther than
+//! the tolerance, those that stay are farther than it from each other, and a second run merges
+//! nothing. A grid of cells, four tolerances wide, finds the neighbours.
 
 use glam::DVec3;
 
-/// Stands for an empty place of the table.
+/// Marks an empty place of the table.
 const EMPTY: u32 = u32::MAX;
 
-/// For each point the one that it is merged into, which is itself for those that stay.
+/// For each point, the point that it is merged into: itself if it stays.
 pub(super) fn merge(positions: &[DVec3], tolerance: f64) -> Vec<u32> {
     let exact = merge_equal(positions);
     let farthest = positions.iter().map(|at| at.abs().max_element()).fold(0.0, f64::max);
-    // Cells need numbers; with points that far out only equal ones are so close.
+    // Cell coordinates must be finite; at such a scale only equal points are within the tolerance.
     let has_cells = tolerance > 0.0 && (farthest / tolerance).is_finite();
     if has_cells { merge_close(positions, &exact, tolerance) } else { exact }
 }
@@ -23,7 +23,7 @@ pub(in crate::mesh) fn merge_equal(positions: &[DVec3]) -> Vec<u32> {
     let mut table = Table::new();
     let mut merged = Vec::with_capacity(positions.len());
     for (point, &position) in (0..).zip(positions) {
-        // 0 and -0 are one place.
+        // 0 and -0 are equal.
         let key = (position + DVec3::ZERO).to_array().map(f64::to_bits);
         let known = table.find(hash(key), |other| positions[other as usize] == position);
         if known.is_none() {
@@ -81,7 +81,7 @@ fn hash(key: [u64; 3]) -> u64 {
     state
 }
 
-/// Points by the hash of their place: open addressing, equal hashes one after the other.
+/// Points by the hash of their place: open addressing with linear probing.
 struct Table {
     /// The upper half of the hash, and the point.
     places: Vec<(u32, u32)>,
@@ -93,7 +93,7 @@ impl Table {
         Self { places: vec![(0, EMPTY); 1 << 10], used: 0 }
     }
 
-    /// The points that share a hash, and perhaps others.
+    /// Visits the points with a hash, and possibly others.
     fn each(&self, hash: u64, mut visit: impl FnMut(u32)) {
         self.find(hash, |point| {
             visit(point);
@@ -101,7 +101,7 @@ impl Table {
         });
     }
 
-    /// The first point with a hash that is the one.
+    /// The first point with a hash that passes `is_it`.
     fn find(&self, hash: u64, mut is_it: impl FnMut(u32) -> bool) -> Option<u32> {
         let (tag, mut at) = self.start(hash);
         loop {
@@ -122,7 +122,7 @@ impl Table {
     }
 
     fn start(&self, hash: u64) -> (u32, usize) {
-        // The place comes from the tag alone, so that a table can grow without the points.
+        // The place depends on the tag alone, so that the table can grow without the points.
         let tag = (hash >> 32) as u32;
         (tag, tag.wrapping_mul(0x9E37_79B1) as usize & (self.places.len() - 1))
     }

@@ -1,30 +1,30 @@
-//! Making a mesh of polygons that are none.
+//! Repair of polygon soups: building a mesh from polygons that are not one.
 //!
-//! The steps, in their order; each is counted in the [`RepairReport`]:
+//! The steps, in order; each is counted in the [`RepairReport`]:
 //!
-//! 1. vertices that lie nowhere (a coordinate that is not finite) go, with the polygons that
-//!    use them or a vertex that does not exist;
-//! 2. on demand, points within a tolerance become one vertex (`merge`);
-//! 3. corners that repeat the one before go, a polygon that comes back to one of its vertices
-//!    becomes several, of which none covers a hole (`keyhole`), and what has fewer than three
-//!    corners goes (`clean`);
+//! 1. vertices with a coordinate that is not finite are dropped, with the polygons that use them or
+//!    a vertex that does not exist;
+//! 2. on request, points within a tolerance become one vertex (`merge`);
+//! 3. corners that repeat the previous one are dropped, a polygon that returns to one of its
+//!    vertices becomes several, of which none covers a hole (`keyhole`), and what has fewer than
+//!    three corners is dropped (`clean`);
 //! 4. of polygons with the same corners in the same order only the first stays; likewise of two
 //!    that are each other's back, where an edge has more than two polygons (`double`);
-//! 5. neighbours across edges of two polygons are turned to run alike, in each connected part
-//!    as few as possible (`orient`);
-//! 6. the surface is cut along edges of three polygons or more, but for two of these that hang
-//!    together around both ends, and where turning does not help, as on a Möbius strip; a vertex
+//! 5. neighbours across edges of two polygons are oriented consistently, by turning as few as
+//!    possible in each connected part (`orient`);
+//! 6. the surface is cut along edges of three polygons or more, except between two of them that are
+//!    connected around both ends, and where turning does not help, as on a Möbius strip; a vertex
 //!    becomes one for each fan of polygons around it (`fans`).
 //!
-//! Nothing is closed or filled, no point moves farther than the tolerance, and what is a mesh
-//! already stays as it is: so a second repair changes nothing. Corners, polygons and vertices
-//! know which ones of the list they were, so that whatever hung on these can follow.
+//! Nothing is closed or filled, no point moves farther than the tolerance, and what is already a
+//! mesh stays unchanged: so a second repair changes nothing. Corners, polygons and vertices record
+//! their origins in the input, so that attributes attached to these can follow.
 //!
-//! The rules to drop, turn and cut are those of CGAL with polygon soups (S. Loriot, M.
+//! The rules for dropping, turning and cutting are those of CGAL for polygon soups (S. Loriot, M.
 //! Rouxel-Labbé, J. Tournois, I. O. Yaz, *Polygon Mesh Processing*, `orient_polygon_soup` after A.
 //! Guéziec, G. Taubin, F. Lazarus, B. Horn, "Cutting and Stitching: Converting Sets of Polygons to
-//! Manifold Surfaces", 2001); it turns parts the way most of their polygons run, and isolates a
-//! corner more where a cut edge would keep both its ends in common.
+//! Manifold Surfaces", 2001). Each part is turned the way most of its polygons run, and another
+//! corner is isolated where a cut edge would keep both ends in common.
 
 mod clean;
 mod double;
@@ -45,51 +45,52 @@ use super::connectivity::Mesh;
 use super::order::Order;
 use super::polygons::Polygons;
 
-/// Which repairs are made where polygons become a mesh.
+/// The options of a repair.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Repair {
-    /// Points that are no farther from each other than this become one vertex; with 0, equal ones.
+    /// Points that are no farther from each other than this become one vertex; with 0, only equal
+    /// ones.
     pub merge: Option<f64>,
 }
 
-/// Polygons that are a mesh, and what they were.
+/// A mesh built from polygons, with the origins of its elements in the input.
 #[derive(Clone, Debug)]
 pub struct Repaired {
     pub mesh: Mesh,
-    /// The vertices of the list that those of the mesh were. Those that stayed come first, in
-    /// order; then those that have been split off.
+    /// For each vertex of the mesh, that of the input. Kept vertices come first, then those that
+    /// were split off.
     pub vertices: Vec<u32>,
-    /// The number of vertices that stayed.
+    /// The number of vertices that were kept.
     pub kept_vertices: usize,
-    /// The polygons of the list that the faces were, or were part of, in order.
+    /// For each face, the polygon of the input that it was, or was part of.
     pub faces: Vec<u32>,
-    /// The corners of the list that the halfedges of the faces were.
+    /// For each halfedge of the faces, the corner of the input that it was.
     pub corners: Vec<u32>,
     pub report: RepairReport,
 }
 
-/// The number of times each step of a repair did something.
+/// How often each step of a repair did something.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct RepairReport {
-    /// Places of a file that cannot be read, passed over: what should stand there is missing.
+    /// Places of a file that cannot be read, skipped: their contents are missing.
     pub damaged_places: usize,
     /// Vertices with a coordinate that is not finite, dropped.
     pub dropped_vertices: usize,
     /// Vertices merged into others that are close enough.
     pub merged_vertices: usize,
-    /// Corners that repeat the one before, dropped.
+    /// Corners that repeat the previous one, dropped.
     pub repeated_corners: usize,
-    /// Polygons divided where they come back to a vertex.
+    /// Polygons divided where they return to a vertex.
     pub divided_faces: usize,
-    /// Polygons without three corners of their own, dropped.
+    /// Polygons with an unusable vertex or without three distinct corners, dropped.
     pub degenerate_faces: usize,
-    /// Polygons that are there already, dropped.
+    /// Duplicate polygons, dropped.
     pub doubled_faces: usize,
     /// Polygons turned over.
     pub turned_faces: usize,
     /// Edges of three polygons or more, cut.
     pub crowded_edges: usize,
-    /// Edges that were cut because their polygons cannot all run alike.
+    /// Edges cut because their polygons cannot be oriented consistently.
     pub twisted_edges: usize,
     /// Vertices added, so that each fan of faces has its own.
     pub split_vertices: usize,
@@ -125,8 +126,9 @@ impl RepairReport {
 }
 
 impl Repaired {
-    /// Polygons that are a mesh, in an order in which neighbors stand near each other, but for the
-    /// vertices behind the first `kept_vertices`; `None` if they are none.
+    /// Builds a mesh from polygons, in an order that keeps neighbors near each other in memory,
+    /// except for the vertices after the first `kept_vertices`; `None` if the polygons are not a
+    /// mesh.
     pub(super) fn in_order(
         positions: &[DVec3],
         polygons: &Polygons,
@@ -140,7 +142,7 @@ impl Repaired {
         Some(Self { mesh, vertices, kept_vertices, faces, corners, report })
     }
 
-    /// The same in such an order.
+    /// Reorders the mesh in the same way.
     pub(super) fn reordered(self) -> Self {
         let (positions, polygons) = self.mesh.to_polygons();
         let Some(order) = Self::in_order(&positions, &polygons, self.kept_vertices) else {
@@ -156,10 +158,10 @@ impl Repaired {
         }
     }
 
-    /// Makes a mesh of polygons, repairing what keeps them from being one.
+    /// Builds a mesh from polygons, repairing whatever prevents it.
     ///
     /// # Errors
-    /// [`BuildError::TooLarge`] alone: all else is mended.
+    /// Only [`BuildError::TooLarge`]: everything else is repaired.
     pub fn new(
         positions: Vec<DVec3>,
         polygons: Polygons,

@@ -1,13 +1,13 @@
-//! Turning neighbours to run alike.
+//! Orienting polygons consistently with their neighbours.
 
 use super::RepairReport;
 use super::polygon_list::{NONE, PolygonList};
 
-/// Turns polygons over so that neighbours run alike across every edge that has two of them, as
-/// far as that is possible: in each part that hangs together the smaller share is turned, or
-/// none if the shares are equal and the first polygon is to stay.
+/// Turns polygons over so that neighbours are oriented consistently across every edge that has two
+/// of them, as far as possible: in each connected part the smaller share is turned, or, if the
+/// shares are equal, the one without the first polygon.
 pub(super) fn orient(list: &mut PolygonList, report: &mut RepairReport) {
-    // For each side the other one of its edge, if there is one other.
+    // For each side, the other side of its edge, if there is exactly one.
     let mut partners = vec![NONE; list.corners.len()];
     let mut any_turned = false;
     for edge in list.sides().edges() {
@@ -53,7 +53,7 @@ pub(super) fn orient(list: &mut PolygonList, report: &mut RepairReport) {
         }
     }
     for (polygon, _) in turned.iter().enumerate().filter(|(_, turned)| **turned == Some(true)) {
-        // It goes on beginning at the same corner.
+        // It still begins at the same corner.
         let behind_first = list.range(polygon).start + 1..list.range(polygon).end;
         list.corners[behind_first.clone()].reverse();
         list.corner_origins[behind_first].reverse();

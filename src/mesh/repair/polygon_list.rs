@@ -7,16 +7,17 @@ use crate::mesh::loops::Loops;
 use crate::mesh::polygon_sides::Sides;
 use crate::mesh::polygons::Polygons;
 
-/// Stands for "none".
+/// Marks a missing index.
 pub(in crate::mesh) const NONE: u32 = u32::MAX;
 
-/// Polygons, and which ones of the first list they were.
+/// Polygons, with their origins: the vertices, polygons and corners of the input that they come
+/// from.
 #[derive(Clone)]
 pub(in crate::mesh) struct PolygonList {
     pub(in crate::mesh) positions: Vec<DVec3>,
     /// The vertices of the corners.
     pub(in crate::mesh) corners: Vec<u32>,
-    /// The ends of the polygons.
+    /// The end of each polygon in `corners`.
     pub(in crate::mesh) ends: Vec<usize>,
     /// The origins of the vertices.
     pub(in crate::mesh) vertices: Vec<u32>,
@@ -44,7 +45,7 @@ impl PolygonList {
         polygon.checked_sub(1).map_or(0, |before| self.ends[before])..self.ends[polygon]
     }
 
-    /// Keeps some polygons.
+    /// Keeps the polygons for which `keep` is true.
     pub(in crate::mesh) fn retain(&mut self, mut keep: impl FnMut(usize, &[u32]) -> bool) {
         let (mut polygons, mut corners, mut start) = (0, 0, 0);
         for polygon in 0..self.ends.len() {
@@ -65,7 +66,8 @@ impl PolygonList {
         self.corner_origins.truncate(corners);
     }
 
-    /// Drops vertices that lie nowhere, and the polygons that use them or none that exists.
+    /// Drops vertices with a coordinate that is not finite, and the polygons that use them or a
+    /// vertex that does not exist.
     pub(in crate::mesh) fn drop_unusable(&mut self, report: &mut RepairReport) {
         let usable: Vec<bool> = self.positions.iter().map(|at| at.is_finite()).collect();
         let is_usable = |&v: &u32| usable.get(v as usize).is_some_and(|&usable| usable);
@@ -81,7 +83,8 @@ impl PolygonList {
         }
     }
 
-    /// Lets the corners of vertices have others, which stay; says how many vertices went.
+    /// Replaces each vertex by that of `into`, itself if it stays. Returns the number of vertices
+    /// removed.
     pub(in crate::mesh) fn merge(&mut self, into: &[u32]) -> usize {
         let mut numbers = vec![NONE; into.len()];
         let mut kept = 0;
@@ -128,7 +131,7 @@ impl PolygonList {
         polygons
     }
 
-    /// The sides of the polygons by edges; side `i` begins at corner `i`.
+    /// The sides of the polygons, grouped by edge; side `i` begins at corner `i`.
     pub(in crate::mesh) fn sides(&self) -> Sides {
         Sides::gather(&Loops::new(&self.corners, &self.ends), 0..self.positions.len())
     }

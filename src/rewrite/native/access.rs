@@ -1,7 +1,7 @@
-//! The places of elements and their values in memory.
+//! The addresses of elements and their values.
 //!
-//! An address is computed from a number only where that is below the number of records: tested
-//! here, or known to have been. So native code touches nothing but the tables, on any mesh.
+//! An address is computed from a number only if it is below the number of records: this is tested
+//! here, or known. So native code accesses nothing but the tables, on any mesh.
 
 use std::mem::offset_of;
 
@@ -17,7 +17,8 @@ use crate::rewrite::{ElementField, Elements, HalfedgeField, Reg};
 
 pub(super) const TABLES: usize = offset_of!(Context, tables);
 
-/// Where a pointer of a halfedge lies, and where it leads.
+/// The offset of a pointer in the record of a halfedge, its region, and the kind of element that it
+/// leads to.
 pub(super) fn pointer(field: HalfedgeField) -> (usize, Region, ElementKind) {
     use ElementKind::{Edge, Face, Halfedge, Vertex};
     match field {
@@ -37,7 +38,7 @@ impl Translator<'_, '_> {
         self.b.ins().icmp(IntCC::UnsignedLessThan, id, count)
     }
 
-    /// Whether an element in range lives and, if it is a face, is of that sort.
+    /// Whether an element in range lives and, if `of` is faces or holes, is one of these.
     pub(super) fn lives(&mut self, of: Elements, id: Value) -> Value {
         match of {
             Elements::Faces => return self.is_in_state(id, FaceState::Face),
@@ -59,7 +60,7 @@ impl Translator<'_, '_> {
         self.b.ins().icmp_imm_u(IntCC::Equal, now, state as i64)
     }
 
-    /// Where the state of a face in range lies.
+    /// The address of the state of a face in range.
     pub(super) fn state_place(&mut self, id: Value) -> Value {
         let states = self.table_field(offset_of!(Tables, face_states));
         self.b.ins().iadd(states, id)
@@ -77,7 +78,7 @@ impl Translator<'_, '_> {
         self.b.ins().icmp_imm_u(IntCC::NotEqual, mark, i64::from(DEAD))
     }
 
-    /// The address of the value of a living element in a column; none if the kind of the column
+    /// The address of the value of a living element in a column; `None` if the kind of the column
     /// is not known.
     pub(super) fn value_place(
         &mut self,
@@ -121,7 +122,8 @@ impl Translator<'_, '_> {
         record
     }
 
-    /// The number of an element that a pointer may lead to: one that has a record, or none.
+    /// The number of an element that a pointer may lead to: of one that has a record, or of no
+    /// element.
     pub(super) fn target(&mut self, kind: ElementKind, reg: Reg) -> Value {
         let id = self.id(reg);
         if !self.fact(reg).is_in_range(kind) {
@@ -140,7 +142,7 @@ impl Translator<'_, '_> {
         self.b.ins().uextend(I64, value)
     }
 
-    /// Where the position of a vertex lies that is in range.
+    /// The address of the position of a vertex in range.
     pub(super) fn position(&mut self, vertex: Reg) -> Value {
         let id = self.id(vertex);
         self.position_of(id)
@@ -156,7 +158,7 @@ impl Translator<'_, '_> {
         self.b.ins().iadd(table, offset)
     }
 
-    /// Where the position of a vertex lies that is in range.
+    /// The address of the position of a vertex in range.
     pub(super) fn position_of(&mut self, id: Value) -> Value {
         let table = self.table_field(offset_of!(Tables, positions));
         let offset = self.b.ins().imul_imm_s(id, size_of::<glam::DVec3>() as i64);
@@ -164,7 +166,7 @@ impl Translator<'_, '_> {
     }
 }
 
-/// Where the halfedge of an element lies.
+/// The region and offset of the halfedge of an element.
 pub(super) fn first(of: ElementField) -> (Region, usize) {
     match of {
         ElementField::Vertex => (Region::OfVertex, 0),
@@ -173,7 +175,7 @@ pub(super) fn first(of: ElementField) -> (Region, usize) {
     }
 }
 
-/// Where in [`Tables`] a table begins and its length stand, and the bytes of a record.
+/// The offsets in [`Tables`] of a table's address and length, and the bytes of a record.
 pub(super) fn table(kind: ElementKind) -> (usize, usize, usize) {
     match kind {
         ElementKind::Halfedge => (

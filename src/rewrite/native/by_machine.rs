@@ -1,4 +1,4 @@
-//! Instructions that the machine takes: those that trap, and those that native code does not spell.
+//! Instructions that the machine executes: those that trap, and those that are not translated.
 
 use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::types::I64;
@@ -10,7 +10,7 @@ use super::translate::Translator;
 use crate::rewrite::Inst;
 
 impl Translator<'_, '_> {
-    /// Goes on if a condition holds; else the machine takes the instruction, which traps.
+    /// Continues if a condition holds; else the machine executes the instruction, which traps.
     pub(super) fn or_fault(&mut self, condition: Value) {
         let fault = match self.fault {
             Some(fault) => fault,
@@ -26,7 +26,7 @@ impl Translator<'_, '_> {
         self.b.switch_to_block(on);
     }
 
-    /// The blocks of what traps: the machine takes the instruction and says why.
+    /// Emits the blocks of faults: the machine executes the instruction and determines the trap.
     pub(super) fn faults(&mut self) {
         for (block, at, set) in std::mem::take(&mut self.faults) {
             self.b.switch_to_block(block);
@@ -42,7 +42,7 @@ impl Translator<'_, '_> {
         }
     }
 
-    /// Lets the machine take the instruction.
+    /// Lets the machine execute the instruction.
     pub(super) fn step(&mut self, inst: &Inst) {
         let on = self.take(std::slice::from_ref(inst));
         let mut jump = *inst;
@@ -50,13 +50,14 @@ impl Translator<'_, '_> {
             let elsewhere = self.b.ins().icmp_imm_s(IntCC::NotEqual, on, self.at as i64 + 1);
             self.jump_if(elsewhere, to);
         } else if ends(inst) {
-            // What ends the code by a trap has been left before.
+            // An instruction that ends the code by a trap has already left it.
             let leave = self.leave;
             self.b.ins().jump(leave, &[]);
         }
     }
 
-    /// The same, with those that follow it and are the machine's.
+    /// Lets the machine execute the instruction, and those that follow it and always need the
+    /// machine.
     pub(super) fn steps(&mut self, inst: &Inst) {
         let (first, code) = (self.at, self.text.code);
         let end = self.end_of_run(is_always_a_step);
@@ -67,8 +68,8 @@ impl Translator<'_, '_> {
         self.skip = end - first - 1;
     }
 
-    /// Lets the machine take these instructions, of which this is the first; the place where the code
-    /// goes on.
+    /// Lets the machine execute these instructions, the first of which is the current one; returns
+    /// the place where the code continues.
     fn take(&mut self, all: &[Inst]) -> Value {
         all.iter().for_each(|inst| self.spill_operands(inst));
         let span = self.b.ins().iconst(I64, (self.at | all.len() << 32) as i64);
@@ -78,15 +79,15 @@ impl Translator<'_, '_> {
         on
     }
 
-    /// The registers that the paths of a drain may read go to the window.
+    /// Spills the registers that the paths of a drain may read to the window.
     pub(super) fn spill_for_drain(&mut self) {
         let all = self.live_at_drains.iter().find(|(at, _)| *at == self.at);
         let all = all.map_or_else(Vec::new, |(_, all)| all.clone());
         all.into_iter().for_each(|reg| self.spill(reg));
     }
 
-    /// The end of the instructions of a sort from this one on, none of which but the first is
-    /// jumped to.
+    /// The end of the run of instructions for which `is_one` holds from this one on, of which only
+    /// the first may be the target of a jump.
     pub(super) fn end_of_run(&self, is_one: impl Fn(&Inst) -> bool) -> usize {
         let first = self.at;
         let insts = self.text.code.insts.iter().enumerate().skip(first);
@@ -102,7 +103,7 @@ impl Translator<'_, '_> {
     }
 }
 
-/// True for what the machine takes, whatever it is about, and what goes on with the following.
+/// Whether the machine executes an instruction in any case, and the next instruction follows it.
 fn is_always_a_step(inst: &Inst) -> bool {
     matches!(
         inst,

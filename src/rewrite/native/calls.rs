@@ -1,8 +1,7 @@
 //! Calls of functions and of operations.
 //!
-//! A function is called directly where it is there as native code: its window lies behind that of
-//! the caller, which puts the arguments there and finds there what it gives. Else the machine calls
-//! it.
+//! A function that has native code is called directly: its window is behind that of the caller,
+//! which stores the arguments there and loads the value from there. Otherwise the machine calls it.
 
 use std::mem::offset_of;
 use std::sync::atomic::AtomicUsize;
@@ -22,7 +21,7 @@ use crate::rewrite::known_level::KnownLevel;
 use crate::rewrite::watch::{Progress, TURNS_PER_LOOK};
 use crate::rewrite::{Code, Count, Inst, Reg};
 
-/// The number of slots that a function gives, if always the same.
+/// The number of slots that a function gives, if it is always the same.
 pub(super) fn gives(code: &Code) -> Option<u16> {
     let reached = reached(code);
     let mut widths = code.insts.iter().zip(reached).filter_map(|(inst, reached)| match inst {
@@ -35,11 +34,11 @@ pub(super) fn gives(code: &Code) -> Option<u16> {
 
 /// An operation that may be called directly.
 struct Operation {
-    /// Where its address stands.
+    /// The place of its entry address.
     entry: *const AtomicUsize,
     number: u16,
     params: u16,
-    /// The states of the known level in which nothing has to be known.
+    /// The states of the known level in which no validation or tracking is needed.
     states: u64,
     may_lower: bool,
     has_result: bool,
@@ -47,14 +46,14 @@ struct Operation {
 
 /// A function that may be called directly.
 struct Callee {
-    /// Where its address stands.
+    /// The place of its entry address.
     entry: *const AtomicUsize,
     params: u16,
     gives: u16,
 }
 
 impl Translator<'_, '_> {
-    /// Ends a function: what it gives goes to the start of its window.
+    /// Ends a function: its value goes to the start of its window.
     pub(super) fn give(&mut self, from: Reg, width: u16) {
         let values: Vec<Value> = (0..width)
             .map(|part| {
@@ -87,8 +86,8 @@ impl Translator<'_, '_> {
         };
         let [slow, on] = [(); 2].map(|()| self.b.create_block());
         self.b.set_cold_block(slow);
-        // So many calls are nested, or the watcher looks, or there is no native code yet, or the
-        // stack of registers has to grow: the machine sees to it.
+        // The machine makes the call if too many calls are nested, the watcher is due, there is no
+        // native code yet, or the stack of registers has to grow.
         let left = self.field(offset_of!(Context, left));
         self.or_slow(left, slow);
         let progress = self.field(offset_of!(Context, progress));
@@ -143,7 +142,7 @@ impl Translator<'_, '_> {
         self.reload_written(inst);
     }
 
-    /// A function that may be called directly, if it has been made for what this code expects.
+    /// A function that may be called directly, if it was compiled for what this code expects.
     fn callee(&self, function: u16) -> Option<Callee> {
         let surroundings = &self.text.surroundings;
         let called = surroundings.functions.get(usize::from(function))?;
@@ -153,7 +152,7 @@ impl Translator<'_, '_> {
         if made.expected.get_or_init(|| expected.clone()) != &expected {
             return None;
         }
-        // A function that an operation asks before its first write writes nothing.
+        // A function that an operation calls before its first write writes nothing.
         let wanted = match self.variant {
             Variant::Dry => Variant::Plain,
             variant => variant,
@@ -253,7 +252,7 @@ impl Translator<'_, '_> {
         self.b.switch_to_block(on);
     }
 
-    /// An operation that may be called directly, if it has been made for what this code expects: it
+    /// An operation that may be called directly, if it was compiled for what this code expects and
     /// calls nothing itself.
     fn operation(&self, op: u16, wanted: Variant) -> Option<Operation> {
         let surroundings = &self.text.surroundings;
@@ -278,8 +277,8 @@ impl Translator<'_, '_> {
         })
     }
 
-    /// Calls an operation, if it is there and nothing has to be known; goes on where it does, with
-    /// whether it refuses.
+    /// Calls an operation directly, or jumps to `slow` if that is not possible; returns whether it
+    /// refuses.
     fn call_op(&mut self, callee: &Operation, args: Reg, slow: Block) -> Value {
         let state = self.field(offset_of!(Context, level));
         let states = self.b.ins().iconst(I64, callee.states as i64);
@@ -297,7 +296,7 @@ impl Translator<'_, '_> {
         self.set_field(offset_of!(Context, function), zero);
         let number = self.b.ins().iconst(I64, i64::from(callee.number) + 1);
         self.set_field(offset_of!(Context, op), number);
-        // What an earlier one has noted does not count.
+        // Refusals noted by an earlier operation do not count.
         let none = self.b.ins().iconst(I32, 0);
         let flags = self.flags(Region::Context);
         self.b.ins().store(flags, none, self.context, offset_of!(Context, noted) as i32);
@@ -309,8 +308,8 @@ impl Translator<'_, '_> {
         answer
     }
 
-    /// The entry of what is called, and where its window begins, if it is there as native code and
-    /// the stack has room.
+    /// The entry address and the start of the window of a callee; jumps to `slow` if it has no
+    /// native code or the stack has no room.
     fn callable(&mut self, entry: *const AtomicUsize, slow: Block) -> (Value, Value) {
         let flags = self.flags(Region::Entries);
         let place = self.b.ins().iconst(I64, entry.addr() as i64);
@@ -319,7 +318,7 @@ impl Translator<'_, '_> {
         (entry, self.next_window(slow))
     }
 
-    /// Where the window of what is called begins, if the stack has room.
+    /// The start of the window of a callee; jumps to `slow` if the stack has no room.
     pub(super) fn next_window(&mut self, slow: Block) -> Value {
         let size = i64::from(self.text.code.registers) * 8;
         let window = self.field(offset_of!(Context, window));
@@ -330,7 +329,7 @@ impl Translator<'_, '_> {
         next
     }
 
-    /// Puts arguments into the window of what is called.
+    /// Stores arguments in the window of the callee.
     fn pass(&mut self, args: Reg, params: u16, window: Value) {
         let flags = self.flags(Region::Window);
         for part in 0..params {
@@ -340,8 +339,8 @@ impl Translator<'_, '_> {
         }
     }
 
-    /// Enters what is called, whose window, function and operation the context has; then it is that
-    /// of the caller again.
+    /// Enters the callee, whose window, function and operation the context has; afterwards the
+    /// context is that of the caller again.
     fn enter(&mut self, entry: Value) -> Value {
         let lists = i64::from(self.text.code.buffers) * size_of::<Slice>() as i64;
         self.move_field(offset_of!(Context, lists), lists);
@@ -359,8 +358,8 @@ impl Translator<'_, '_> {
         answer
     }
 
-    /// Goes on unless what was called gave an answer that is no less: a trap, which is seen from
-    /// here, too.
+    /// Continues unless the answer of the callee is `least` or more: then it was left by a trap,
+    /// whose trace gets the place of this call.
     fn go_on_unless(&mut self, answer: Value, least: i64) {
         let [on, trapped] = [(); 2].map(|()| self.b.create_block());
         self.b.set_cold_block(trapped);

@@ -19,78 +19,80 @@ use crate::mesh::{AttributeType, ElementKind};
 use crate::rewrite::engine::Way;
 use crate::rewrite::{Code, Function, Inst, Plan, Plans, key_paths};
 
-/// Code with more instructions or registers than this stays with the machine: to compile it would
-/// take longer than it runs.
+/// Code with more instructions or registers than this is left to the machine: compiling it would
+/// take longer than running it.
 const MOST_INSTS: usize = 4000;
 const MOST_REGISTERS: u16 = 1000;
 
-/// The start of native code, which is told where to begin: 0 is its beginning, others are those of
-/// [`Compiled::entry_at`]. Its answer is one of those that [`super::translate`] lists.
+/// The entry point of native code. The number says where to begin: 0 at the start, others as
+/// returned by [`Compiled::entry_at`]. Its answer is one of those listed in [`super::translate`].
 pub(super) type Entry = unsafe extern "C" fn(*mut Context, i64) -> i64;
 
 /// The native code of a code.
 pub(super) struct Compiled {
     pub(super) entry: Entry,
-    /// What it was made for.
+    /// The expectations with which it was compiled.
     pub(super) expected: Expected,
-    /// The attributes that it or a function that it calls uses.
+    /// The attributes that it, or a function that it calls, uses.
     pub(super) attributes: Vec<u16>,
-    /// True if native code may call it.
+    /// Whether other native code may call it.
     pub(super) is_callable: bool,
-    /// The instructions that it may begin at, in order.
+    /// The instructions at which it may be entered, in order.
     entries: Vec<u32>,
-    /// The functions that it and those that it calls may enter, which live as long; nothing for a
-    /// function, which stands among them.
+    /// Keeps the functions alive that it may call, directly or indirectly; `None` for a function,
+    /// which is itself among them.
     functions: Option<Arc<[Function]>>,
     first_function: usize,
-    /// The operations that it may call: no others are at their address as long as this is kept.
+    /// The operations that it may call: as long as this is kept, no other plans can be at their
+    /// address.
     plans: Weak<[Option<Plan>]>,
     memory: Memory,
 }
 
-/// What the operands of a code, and of the functions that it calls, depend on besides the code.
+/// Everything besides the code that the operands of a code, and of the functions that it calls,
+/// depend on.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Expected {
     /// The types of the attributes, by number.
     types: Vec<(u16, Option<(ElementKind, AttributeType)>)>,
     /// The number of slots of the arguments of each operation.
     params: Vec<(u16, u16)>,
-    /// Where the plans of the operations are, if it calls any.
+    /// The address of the plans of the operations, if it calls any.
     plans: Option<usize>,
 }
 
-/// The memory that native code stands in: it is written, then made executable, and never both.
+/// The memory of native code: it is written, then made executable, and never both.
 struct Memory(Mutex<Option<JITModule>>);
 
 impl Drop for Memory {
     fn drop(&mut self) {
         let module = self.0.get_mut().unwrap_or_else(|poisoned| poisoned.into_inner()).take();
         if let Some(module) = module {
-            // SAFETY: the code is run by those who borrow the `Compiled` that owns this memory, so
-            // nobody does now; `entry`, the only address of it, goes with it.
+            // SAFETY: the code runs only while the `Compiled` that owns this memory is borrowed, so
+            // it does not run now; `entry`, the only address of it, is dropped with it.
             unsafe { module.free_memory() };
         }
     }
 }
 
 impl Compiled {
-    /// Makes native code; `None` for code that stays with the machine, or on a processor that
-    /// Cranelift does not know.
+    /// Compiles native code; `None` for code that is left to the machine, or on a processor that
+    /// Cranelift does not support.
     pub(super) fn make(text: Text<'_>, variant: Variant, plans: &Plans) -> Option<Self> {
         let code = text.code;
         if code.insts.len() > MOST_INSTS || code.registers > MOST_REGISTERS {
             return None;
         }
-        // It keeps the functions that it enters.
+        // The functions that it enters must be those that it keeps alive.
         let functions = text.surroundings.functions.as_ptr();
         if text.way != Way::Function && code.functions.as_ptr() != functions {
             return None;
         }
-        // So that they are kept.
+        // The same for the plans.
         if plans.as_ptr() != text.surroundings.plans.as_ptr() {
             return None;
         }
-        // The machine notes what keys read that are not found by walking back.
+        // Keys without paths need the machine, which notes their reads.
         let drains = key_paths::drains(code, text.surroundings.functions);
         if drains.iter().any(|(_, why)| why.is_some()) {
             return None;
@@ -110,8 +112,8 @@ impl Compiled {
         module.define_function(name, &mut context).ok()?;
         module.finalize_definitions().ok()?;
         let start = module.get_finalized_function(name);
-        // SAFETY: the function that has just been defined takes a pointer and a number and gives a
-        // number, of 64 bits each, in the convention of `extern "C"` here.
+        // SAFETY: the function that has just been defined takes a pointer and a number and returns
+        // a number, of 64 bits each, in the convention of `extern "C"` here.
         let entry = unsafe { std::mem::transmute::<*const u8, Entry>(start) };
         let expected = Expected::of(code, &text.surroundings);
         let attributes = expected.types.iter().map(|(attribute, _)| *attribute).collect();
@@ -133,7 +135,7 @@ impl Compiled {
         })
     }
 
-    /// Whether it was made for these attributes, operations and functions.
+    /// Whether it was compiled for these attributes, operations and functions.
     #[inline]
     pub(super) fn fits(&self, surroundings: &Surroundings<'_>) -> bool {
         let (_, _, _) = (&self.memory, &self.functions, &self.plans);
@@ -141,14 +143,14 @@ impl Compiled {
             && self.expected.holds(surroundings)
     }
 
-    /// The entry at an instruction.
+    /// The number of the entry at an instruction.
     pub(super) fn entry_at(&self, inst: usize) -> Option<i64> {
         let found = self.entries.binary_search(&u32::try_from(inst).ok()?);
         found.ok().map(|at| at as i64 + 1)
     }
 }
 
-/// The instructions behind the turns of loops, where native code may begin.
+/// The instructions after the turns of loops, at which native code may be entered.
 pub(super) fn entries(code: &Code) -> Vec<u32> {
     let insts = code.insts.iter().enumerate().take(code.insts.len().saturating_sub(1));
     let turns = insts.filter(|(_, inst)| matches!(inst, Inst::Turn { .. } | Inst::Tick));
@@ -173,7 +175,7 @@ fn attributes_in(code: &Code) -> impl Iterator<Item = u16> {
 }
 
 impl Expected {
-    /// What is expected of what is there now.
+    /// The expectations of a code in its current surroundings.
     pub(super) fn of(code: &Code, surroundings: &Surroundings<'_>) -> Self {
         let mut expected = Self::default();
         for code in code.with_called_of(surroundings.functions) {
@@ -185,7 +187,7 @@ impl Expected {
                 };
                 expected.params.push((op, surroundings.params_of_op(op)));
                 expected.plans = Some(surroundings.plans.as_ptr().addr());
-                // Native code of it finds its attributes there.
+                // Native code of the operation finds its attributes in the context of the caller.
                 let plan = surroundings.plans.get(usize::from(op));
                 if let Some(Some(plan)) = plan
                     && plan.steps.is_none()
@@ -209,7 +211,7 @@ impl Expected {
     }
 }
 
-/// This processor, found out once.
+/// The instruction set of this processor, detected once.
 fn isa() -> Option<OwnedTargetIsa> {
     static ISA: OnceLock<Option<OwnedTargetIsa>> = OnceLock::new();
     let find = || {
@@ -221,7 +223,8 @@ fn isa() -> Option<OwnedTargetIsa> {
         flags.set("is_pic", "false").ok()?;
         flags.set("use_colocated_libcalls", "false").ok()?;
         flags.set("unwind_info", "false").ok()?;
-        // A frame of more than a page touches each, so that the stack ends at its guard.
+        // A frame of more than a page touches each page, so that a stack overflow hits the guard
+        // page.
         flags.set("enable_probestack", "true").ok()?;
         flags.set("probestack_strategy", "inline").ok()?;
         flags.set("enable_verifier", if cfg!(debug_assertions) { "true" } else { "false" }).ok()?;

@@ -20,52 +20,53 @@ pub(super) struct Context {
     pub(super) columns: *const Slice,
     /// The progress of the running loops.
     pub(super) progress: *mut Progress,
-    /// The registers of the code that runs: of what was entered, or of a function that native code
-    /// has called since.
+    /// The window of the running code: of the code that was entered, or of a function that native
+    /// code has called since.
     pub(super) window: *mut u64,
-    /// Where the stack of registers begins, and the last place in it where a window may.
+    /// The start of the stack of registers, and the last place in it where a window may begin.
     pub(super) stack: *mut u64,
     pub(super) last: *mut u64,
-    /// The buffers of the code that runs, by number, and those of what was entered.
+    /// The buffers of the running code, by number, and those of the code that was entered.
     pub(super) lists: *const Slice,
     pub(super) first_list: *const Slice,
-    /// The number of the function that runs, plus 1; 0 if it is none.
+    /// The number of the running function, plus 1; 0 if none runs.
     pub(super) function: u64,
-    /// The same for the operation, if it is not what was entered.
+    /// The number of the running operation, plus 1, if it is not the code that was entered; else 0.
     pub(super) op: u64,
-    /// How many functions native code may call one within the other without asking.
+    /// The number of further nested calls that native code may make without the machine.
     pub(super) left: u64,
-    /// The number of running calls that need that no id is given out again.
+    /// The number of running calls that require that no id is reused.
     pub(super) holding: *mut u32,
     /// The machine's counts of calls of operations, by number.
     pub(super) counts: *mut Count,
-    /// The operation that may have lowered the level last, as the machine knows it.
+    /// The machine's number of the operation that may have lowered the level last.
     pub(super) lowered: *mut u32,
-    /// The state of the known level; [`NOT_DIRECTLY`] where native code is not to call operations
-    /// itself.
+    /// The state of the known level; [`NOT_DIRECTLY`] if native code must not call operations
+    /// directly.
     pub(super) level: u64,
-    /// Where the part of a loop keeps slots, how many it has kept, and for how many there is room.
+    /// The place where the part of a loop keeps slots, the number of slots that it has kept, and
+    /// the number for which there is room.
     pub(super) kept: *mut u64,
     pub(super) kept_count: u64,
     pub(super) kept_room: u64,
-    /// Where the lists of neighbors begin, and the neighbors in them; null if there are none.
+    /// The starts of the lists of neighbors, and the neighbors in them; null if there are none.
     pub(super) neighbors: [*const u32; 2],
-    /// By kind the fields whose writes somebody is told of, as bits of [`Fields`].
+    /// By kind, the fields whose writes are reported, as bits of [`Fields`].
     pub(super) listens: [u32; 4],
     /// The machine's [`Run`].
     pub(super) run: *mut c_void,
-    /// The element that is returned; [`NOTHING`] if none is.
+    /// The element that is returned, or [`NOTHING`].
     pub(super) result: u64,
-    /// By kind the first of the elements that have been appended last.
+    /// By kind, the first of the elements that have been appended last.
     pub(super) appended: [u32; 4],
-    /// The number of slots that a function gives, which stand at the start of its window.
+    /// The number of slots that a function gives, which are at the start of its window.
     pub(super) given: u32,
-    /// The refusal that counts so far, as [`noted`] spells it.
+    /// The refusal noted so far, as encoded by [`noted`].
     pub(super) noted: u32,
 }
 
-/// Where the values of a column or the slots of a buffer are, and how many: addresses are numbers
-/// here, since the machine keeps such lists to use them again.
+/// The address and number of the values of a column or the slots of a buffer. Addresses are
+/// integers here, since the machine keeps lists of these for reuse.
 #[derive(Clone, Copy, Debug, Default)]
 #[repr(C)]
 pub(crate) struct Slice {
@@ -73,53 +74,54 @@ pub(crate) struct Slice {
     pub(super) count: usize,
 }
 
-/// Where somebody follows the operations that are applied, or an operation calls them.
+/// The level state where native code must not call operations directly: a watcher follows
+/// operations, or an operation is the caller.
 pub(super) const NOT_DIRECTLY: u64 = 63;
 
 /// The result of an operation that returns nothing.
 pub(super) const NOTHING: u64 = u64::MAX;
 
-/// What a run needs besides, kept to be used again.
+/// Lists that a run needs, kept for reuse.
 #[derive(Debug, Default)]
 pub(crate) struct Scratch {
     columns: Vec<Slice>,
-    /// Of the buffers of what was entered and of the functions that run.
+    /// The buffers of the code that was entered and of the running functions.
     lists: Vec<Slice>,
 }
 
-/// The part that only the machine knows.
+/// The part of a run that only the machine accesses.
 pub(super) struct Run<'r> {
     pub(super) machine: &'r mut Machine,
     pub(super) mesh: &'r mut Mesh,
-    /// What was entered.
+    /// The call of the code that was entered.
     pub(super) call: Call<'r>,
     pub(super) watch: &'r mut dyn Watch,
     pub(super) scratch: Scratch,
     /// The attributes that the code uses.
     pub(super) attributes: &'r [u16],
-    /// What [`Context::left`] was at first.
+    /// The initial value of [`Context::left`].
     pub(super) left: u64,
-    /// Whether native code may call operations itself.
+    /// Whether native code may call operations directly.
     pub(super) calls_directly: bool,
-    /// The machine's numbers of functions and of native code when it was entered.
+    /// The machine's `frames` and `depth` when native code was entered.
     pub(super) frames: usize,
     pub(super) depth: usize,
-    /// Why native code was left, if by a trap.
+    /// The trap by which native code was left, if any.
     pub(super) trap: Option<Trap>,
-    /// The reason if it was left since an operation in steps refuses.
+    /// The reason of the refusal of an operation in steps by which it was left, if any.
     pub(super) refused: Option<Option<u16>>,
-    /// What a function of the machine panicked with: it goes on when native code has been left.
+    /// The panic of a function of the machine; it is resumed when native code has been left.
     pub(super) panic: Option<Box<dyn Any + Send>>,
 }
 
 impl Context {
-    /// The context of a run, which must outlive it. The code may begin anywhere, so the buffers
-    /// are those that there are.
+    /// The context of a run, which must outlive it. The code may be entered anywhere, so the
+    /// buffers keep their contents.
     pub(super) fn new(run: &mut Run<'_>, noted: u32) -> Self {
         let Call { base, function, .. } = run.call;
         let neighbors = match run.machine.is_beside_others {
             true => run.machine.neighbors.tables(),
-            // Here operations may be applied.
+            // Operations may be applied, which invalidates the lists.
             false => [std::ptr::null(); 2],
         };
         let mut context = Self {
@@ -156,23 +158,23 @@ impl Context {
         context
     }
 
-    /// The base of the window of the code that runs.
+    /// The base of the window of the running code.
     pub(super) fn base(&self) -> usize {
         (self.window.addr() - self.stack.addr()) / size_of::<u64>()
     }
 
-    /// The place of its buffers among those of the run.
+    /// The index of the first buffer of the running code among those of the run.
     fn first_of_lists(&self) -> usize {
         (self.lists.addr() - self.first_list.addr()) / size_of::<Slice>()
     }
 
-    /// The place of a buffer of the code that runs among those of the machine.
+    /// The index of a buffer of the running code among those of the machine.
     #[inline]
     pub(super) fn list_at(&self, run: &Run<'_>, buffer: u16) -> usize {
         run.call.buffers + self.first_of_lists() + usize::from(buffer)
     }
 
-    /// The call of the code that runs.
+    /// The call of the running code.
     #[inline]
     pub(super) fn call<'r>(&self, run: &Run<'r>) -> Call<'r> {
         let mut call = run.call;
@@ -190,7 +192,8 @@ impl Context {
         call
     }
 
-    /// Becomes that of an operation which the code that runs calls; so many buffers are its own.
+    /// Becomes the context of an operation that the running code, which has `buffers` buffers,
+    /// calls.
     pub(super) fn begin_op(&mut self, run: &mut Run<'_>, call: &Call<'_>, op: u16, buffers: u16) {
         self.find_stack(run, call.base);
         self.lists = self.lists.wrapping_add(usize::from(buffers));
@@ -198,11 +201,11 @@ impl Context {
         (self.noted, self.result) = (0, NOTHING);
         self.level = NOT_DIRECTLY;
         self.left -= 1;
-        // It counts its own functions.
+        // The operation counts its own functions.
         run.frames = 0_usize.wrapping_sub((run.left - self.left) as usize);
     }
 
-    /// Becomes that of the caller again, whose window has this base.
+    /// Becomes the context of the caller again, whose window has this base.
     pub(super) fn end_op(&mut self, run: &Run<'_>, base: usize, lists: usize, function: u64) {
         self.window = self.stack.wrapping_add(base);
         self.lists = self.first_list.wrapping_byte_add(lists);
@@ -212,7 +215,7 @@ impl Context {
         self.left += 1;
     }
 
-    /// What an answer of native code means; none if it was left by a trap.
+    /// The outcome for an answer of native code; `None` if it was left by a trap.
     #[inline]
     pub(super) fn outcome(&self, answer: i64) -> Option<Outcome> {
         match answer {
@@ -228,14 +231,14 @@ impl Context {
         }
     }
 
-    /// Looks anew for the tables of the mesh.
+    /// Updates the addresses of the tables of the mesh.
     #[inline]
     pub(super) fn refresh_tables(&mut self, run: &mut Run<'_>) {
         self.tables = run.mesh.tables();
         self.find_columns(run);
     }
 
-    /// Looks anew for what may have moved.
+    /// Updates everything that may have changed.
     #[inline]
     pub(super) fn refresh(&mut self, run: &mut Run<'_>) {
         self.refresh_tables(run);
@@ -244,7 +247,7 @@ impl Context {
         self.find_level(run);
     }
 
-    /// What an operation calls, the machine calls.
+    /// Updates the level state. The calls of an operation are left to the machine.
     #[inline]
     fn find_level(&mut self, run: &Run<'_>) {
         self.level = if self.op == 0 { run.level() } else { NOT_DIRECTLY };
@@ -252,7 +255,7 @@ impl Context {
 
     fn find_stack(&mut self, run: &mut Run<'_>, base: usize) {
         let stack = &mut run.machine.stack;
-        // A window is never shorter than a register can name.
+        // A window always has all slots that a register can address.
         reserve(stack, base);
         self.stack = stack.as_mut_ptr();
         self.window = self.stack.wrapping_add(base);
@@ -269,7 +272,7 @@ impl Context {
             }
             let column = machine.columns.get(at).copied().flatten();
             columns[at] = column.map_or_else(Slice::default, |column| {
-                // Where others read, too, nobody may refer to the column as its own.
+                // While other threads read too, no exclusive reference to the column may exist.
                 let (start, count) = match machine.is_beside_others {
                     true => mesh.values_to_read(column),
                     false => mesh.values_in_memory(column),
@@ -280,7 +283,7 @@ impl Context {
         self.columns = columns.as_ptr();
     }
 
-    /// Looks for buffers of the run, from one on, and so many.
+    /// Updates `count` buffers of the run from `first` on, and makes these the running code's.
     #[inline]
     fn find_lists(&mut self, run: &mut Run<'_>, (first, count): (usize, usize)) {
         let Run { machine, call, scratch: Scratch { lists, .. }, .. } = run;
@@ -297,7 +300,7 @@ impl Context {
         self.lists = self.first_list.wrapping_add(first);
     }
 
-    /// Looks anew for the buffers of the code that runs, after some may have been written.
+    /// Updates the buffers of the running code, after some may have been written.
     #[inline]
     pub(super) fn refresh_lists(&mut self, run: &mut Run<'_>, count: u16) {
         if count > 0 {
@@ -305,7 +308,7 @@ impl Context {
         }
     }
 
-    /// The same for one of them.
+    /// Updates one of these buffers.
     #[inline]
     pub(super) fn refresh_list(&mut self, run: &mut Run<'_>, buffer: u16) {
         let at = self.first_of_lists() + usize::from(buffer);
@@ -315,25 +318,25 @@ impl Context {
         }
     }
 
-    /// Looks where the next slot is to be kept.
+    /// Updates the place where the next slot is to be kept.
     pub(super) fn find_kept(&mut self, machine: &mut Machine) {
         let kept = &mut machine.kept;
         self.kept_room = (kept.capacity() - kept.len()) as u64;
         self.kept = kept.as_mut_ptr().wrapping_add(kept.len());
     }
 
-    /// Adds what has been kept to the list of the machine.
+    /// Adds the kept slots to the length of the machine's list.
     ///
     /// # Safety
-    /// Since [`find_kept`](Self::find_kept), nobody has touched the list but native code, which has
-    /// written so many slots behind those that there were, below the capacity.
+    /// Since [`find_kept`](Self::find_kept), nothing has changed the list except native code, which
+    /// has written `kept_count` slots behind its end, within the capacity.
     pub(super) unsafe fn count_kept(&mut self, machine: &mut Machine) {
         let kept = machine.kept.len() + std::mem::take(&mut self.kept_count) as usize;
         // SAFETY: see above.
         unsafe { machine.kept.set_len(kept) };
     }
 
-    /// Where the machine is to go on.
+    /// The place where the machine continues.
     pub(super) fn place(&self, at: usize) -> Place {
         let noted = self.noted.checked_sub(1 << 16).map(|known| {
             let phase = match known >> 16 {
@@ -349,7 +352,7 @@ impl Context {
 }
 
 impl Run<'_> {
-    /// The state of the known level, where native code may call operations itself.
+    /// The state of the known level, if native code may call operations directly.
     #[inline]
     fn level(&self) -> u64 {
         match self.calls_directly && !self.mesh.is_recorded() {
@@ -358,7 +361,7 @@ impl Run<'_> {
         }
     }
 
-    /// By kind the fields whose writes somebody is told of.
+    /// By kind, the fields whose writes are reported.
     #[inline]
     fn listens(&self) -> [u32; 4] {
         match (self.mesh.is_journaled(), self.machine.drains.is_empty()) {
@@ -368,7 +371,7 @@ impl Run<'_> {
         }
     }
 
-    /// Tells the machine how many functions run by now.
+    /// Updates the machine's numbers of running functions.
     #[inline]
     pub(super) fn count_frames(&mut self, context: &Context) {
         let called = (self.left - context.left) as usize;
@@ -376,13 +379,14 @@ impl Run<'_> {
         self.machine.depth = self.depth + called;
     }
 
-    /// An instruction of the code that runs.
+    /// An instruction of the running code.
     pub(super) fn inst(&self, context: &Context, at: i64) -> Option<Inst> {
         context.call(self).code.insts.get(at as usize).copied()
     }
 }
 
-/// A refusal as a number: one of a later phase is greater than all of earlier ones, and 0 is none.
+/// Encodes a refusal as a number: those of a later phase are greater than all of earlier ones, and
+/// 0 is none.
 pub(super) fn noted(noted: Option<(Phase, u16)>) -> u32 {
     noted.map_or(0, |(phase, reason)| (phase as u32 + 1) << 16 | u32::from(reason))
 }

@@ -13,7 +13,8 @@ use crate::mesh::{AttributeType, ElementKind};
 use crate::rewrite::{ElementField, Elements, HalfedgeField, Inst, Label, Question, Reg, Walk};
 
 impl Translator<'_, '_> {
-    /// Spells an instruction that reads the mesh; false if it is none, or one for the machine.
+    /// Translates an instruction that reads the mesh; false if it is another one, or is left to the
+    /// machine.
     pub(super) fn access(&mut self, inst: &Inst) -> bool {
         match *inst {
             Inst::Load { field, to, halfedge } => {
@@ -143,7 +144,7 @@ impl Translator<'_, '_> {
         self.b.ins().load(I64, flags, holes, 0)
     }
 
-    /// The halfedge after one.
+    /// The next halfedge of a walk.
     fn step_of_walk(&mut self, walk: Walk, at: Reg) -> Value {
         let record = self.living(ElementKind::Halfedge, at);
         let mut step = |record, field| {
@@ -161,7 +162,7 @@ impl Translator<'_, '_> {
         }
     }
 
-    /// Moves on to the first living element.
+    /// Advances to the first living element.
     fn next_living(&mut self, of: Elements, element: Reg, otherwise: Label) {
         let id = self.b.declare_var(I64);
         let first = self.whole(element);
@@ -207,7 +208,7 @@ impl Translator<'_, '_> {
     }
 }
 
-/// Whether the answer is a number no less than 0, or a bool.
+/// Whether the answer is a nonnegative int or a bool.
 fn is_whole(question: Question) -> bool {
     match question {
         Question::Degree

@@ -15,8 +15,8 @@ use crate::rewrite::engine::Way;
 use crate::rewrite::{Call, Engine, Function, Inst, Machine, Message, Outcome, Reg, Trap, Watch};
 
 impl Call<'_> {
-    /// Counts a turn of a loop of code that the machine runs. True if native code may take the
-    /// rest.
+    /// Counts a turn of a loop of code that the machine runs. Returns whether native code may take
+    /// over the rest.
     #[inline]
     pub(in super::super) fn has_looped(&self) -> bool {
         self.code.native.made(self.code).count()
@@ -24,7 +24,7 @@ impl Call<'_> {
 }
 
 impl Machine {
-    /// Runs the code of a call as native code; `None` where the machine is to run it.
+    /// Runs the code of a call as native code; `None` if the machine has to run it.
     #[inline]
     pub(in super::super) fn run_native(
         &mut self,
@@ -52,8 +52,8 @@ impl Machine {
         self.compiled(mesh, &call).is_some()
     }
 
-    /// Runs the rest of the code of a call, from the place behind a turn of a loop on, as native
-    /// code; `None` where the machine is to run it.
+    /// Runs the rest of the code of a call, from after a turn of a loop, as native code; `None` if
+    /// the machine has to run it.
     pub(in super::super) fn go_on_native(
         &mut self,
         mesh: &mut Mesh,
@@ -66,7 +66,7 @@ impl Machine {
         Some(self.enter(mesh, call, (compiled, entry, noted(place.noted)), watch))
     }
 
-    /// The native code for a call, compiled if it pays by now.
+    /// The native code for a call, which is compiled if it pays now.
     #[inline]
     pub(super) fn compiled<'c>(&mut self, mesh: &Mesh, call: &Call<'c>) -> Option<&'c Compiled> {
         if self.engine == Engine::Machine || self.depth >= DEPTH || self.drains.is_reading() {
@@ -106,8 +106,8 @@ impl Machine {
         compiled
     }
 
-    /// Calls a function from code that runs: what it gives goes to the window of the caller. It may
-    /// be that it does not come back, since an operation in steps refuses.
+    /// Calls a function from running code and copies its value to the window of the caller. If an
+    /// operation in steps refuses, the function does not return, and the outcome is the refusal.
     pub(in super::super) fn call_function(
         &mut self,
         mesh: &mut Mesh,
@@ -135,7 +135,7 @@ impl Machine {
         self.frames += 1;
         let outcome = match self.run_native(mesh, call, watch) {
             Some(outcome) => outcome,
-            // A function that it calls may drain.
+            // The function, or one that it calls, may drain.
             None => self.execute::<true>(mesh, call, watch),
         };
         self.frames -= 1;
@@ -157,7 +157,7 @@ impl Machine {
         watch: &mut dyn Watch,
     ) -> Result<Outcome, Trap> {
         let (frames, depth) = (self.frames, self.depth);
-        // An operation counts its own.
+        // An operation or script counts its own functions.
         if call.way != Way::Function {
             self.frames = 0;
         }
@@ -181,8 +181,8 @@ impl Machine {
             panic: None,
         };
         let mut context = Context::new(&mut run, noted);
-        // SAFETY: the context and its run outlive the call, and are not touched meanwhile but by
-        // the functions that native code calls.
+        // SAFETY: the context and its run outlive the call, and are accessed during it only by
+        // native code and the functions that it calls.
         let answer = unsafe { (compiled.entry)(&raw mut context, entry) };
         let Run { machine, scratch, trap, refused, panic, .. } = run;
         machine.scratch.push(scratch);
@@ -193,7 +193,7 @@ impl Machine {
         machine.given = (call.base, Reg(0), context.given as u16);
         match (context.outcome(answer), trap, refused) {
             (Some(outcome), _, _) => {
-                // SAFETY: native code has kept what it counts.
+                // SAFETY: native code has written the slots that it has counted.
                 unsafe { context.count_kept(machine) };
                 Ok(outcome)
             }

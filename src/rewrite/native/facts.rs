@@ -1,49 +1,49 @@
-//! What is known of the elements in registers at each instruction.
+//! Facts about the elements in registers at each instruction.
 //!
-//! An element that a pointer of a living element leads to lives: so it is on a valid mesh, before
-//! and after every proved operation, and within one until it erases. What has been read through is
-//! in range. So native code tests each element once, and those that it comes to by pointers for
-//! their range only.
+//! An element that a pointer of a living element leads to lives: this holds on a valid mesh, before
+//! and after every proved operation, and within one until it erases. An element that has been read
+//! or written is in range. So native code tests each element once, and those reached by pointers
+//! only for their range.
 
 use super::compile::entries;
 use super::operands::{Surroundings, Use};
 use crate::mesh::ElementKind;
 use crate::rewrite::{Code, HalfedgeField, Inst, Question, Reg};
 
-/// What is known of the element in a register.
+/// Facts about the element in a register.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Fact {
     kind: Option<ElementKind>,
     in_range: bool,
     lives: bool,
-    /// The register holds its number and nothing above its 32 bits.
+    /// The upper 32 bits of the register are zero.
     is_clean: bool,
-    /// A register with a halfedge that starts at it.
+    /// A register with a halfedge that starts at the vertex.
     spoke: Option<Reg>,
 }
 
 impl Fact {
-    /// A pointer of a living element leads to it.
+    /// The facts about an element that a pointer of a living element leads to.
     fn led_to(kind: ElementKind) -> Self {
         Self { kind: Some(kind), in_range: false, lives: true, is_clean: true, spoke: None }
     }
 
-    /// It has just been added.
+    /// The facts about an element that has just been added, read or written.
     fn new(kind: ElementKind) -> Self {
         Self { in_range: true, ..Self::led_to(kind) }
     }
 
-    /// The register holds its number and nothing else.
+    /// Whether the upper 32 bits of the register are zero.
     pub(super) fn is_clean(self) -> bool {
         self.is_clean
     }
 
-    /// The number is that of a record of this kind.
+    /// Whether the number is known to be that of a record of this kind.
     pub(super) fn is_in_range(self, kind: ElementKind) -> bool {
         self.in_range && self.kind == Some(kind)
     }
 
-    /// It lives, if it is in range.
+    /// Whether the element is known to live, if it is in range.
     pub(super) fn lives(self, kind: ElementKind) -> bool {
         self.lives && self.kind == Some(kind)
     }
@@ -53,7 +53,7 @@ impl Fact {
         self.spoke
     }
 
-    /// The same for other registers.
+    /// The same facts in the window of another call.
     pub(super) fn elsewhere(self) -> Self {
         Self { spoke: None, ..self }
     }
@@ -72,17 +72,17 @@ impl Fact {
     }
 }
 
-/// What is known of all registers.
+/// Facts about all registers.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Facts(Vec<Fact>);
 
 impl Facts {
-    /// Nothing is known of so many registers.
+    /// No facts about `registers` registers.
     pub(super) fn none(registers: usize) -> Self {
         Self(vec![Fact::default(); registers])
     }
 
-    /// Something is known of the first of so many registers.
+    /// Facts about the first of `registers` registers.
     pub(super) fn of_params(registers: usize, params: impl Iterator<Item = Fact>) -> Self {
         let mut facts: Vec<Fact> = params.collect();
         facts.resize(registers, Fact::default());
@@ -93,7 +93,7 @@ impl Facts {
         self.0.get(usize::from(reg.0)).copied().unwrap_or_default()
     }
 
-    /// The element in a register has been read or written, so it is there.
+    /// Notes that the element in a register has been read or written, so it exists.
     fn use_element(&mut self, reg: Reg, kind: ElementKind) {
         let Fact { is_clean, spoke, .. } = self.of(reg);
         self.set(reg, Fact { is_clean, spoke, ..Fact::new(kind) });
@@ -115,7 +115,7 @@ impl Facts {
         changed
     }
 
-    /// Takes an instruction that goes on with the following.
+    /// Applies the effect of an instruction that continues with the next one.
     fn take(&mut self, inst: &Inst, surroundings: &Surroundings) {
         let before = match *inst {
             Inst::Copy { from, .. } | Inst::WalkBegin { from, .. } => self.of(from),
@@ -171,7 +171,7 @@ impl Facts {
                 }
             }
             Inst::Call { function, .. } if surroundings.only_reads(function) => {}
-            // Others may erase.
+            // Other functions and operations may erase.
             Inst::Call { .. } | Inst::Apply { .. } | Inst::Try { .. } => {
                 self.0.fill(Fact::default());
             }
@@ -194,7 +194,7 @@ impl Facts {
     }
 }
 
-/// Whether other halfedges may start at a vertex behind an instruction.
+/// Whether an instruction may change which halfedges start at a vertex.
 fn moves_spokes(inst: &Inst) -> bool {
     matches!(
         inst,
@@ -205,20 +205,20 @@ fn moves_spokes(inst: &Inst) -> bool {
     ) || inst.writes()
 }
 
-/// For each instruction that is jumped to, what is known there on every way.
+/// For each target of a jump, the facts that hold on every path to it.
 pub(super) struct KnownAt(Vec<Option<Facts>>);
 
 impl KnownAt {
-    /// Where the code begins, something is known.
+    /// Computes the facts; `start` are those at the beginning of the code.
     pub(super) fn of(code: &Code, start: &Facts, surroundings: &Surroundings) -> Self {
         let insts = &code.insts;
         let mut known = Self(vec![None; insts.len() + 1]);
         let is_target = targets(code);
-        // Where it may begin, nothing is.
+        // At the other entries nothing is known.
         for entry in entries(code) {
             known.0[entry as usize] = Some(Facts::none(start.0.len()));
         }
-        // What is known only becomes less, so this ends.
+        // The facts only become fewer, so this ends.
         loop {
             let mut changed = false;
             let mut walk = Walk::with(start.clone());
@@ -259,9 +259,9 @@ impl KnownAt {
     }
 }
 
-/// What is known while the instructions are gone through in order.
+/// The facts at the current instruction, while the instructions are visited in order.
 pub(super) struct Walk {
-    /// Nothing is known where nobody comes.
+    /// `None` where the code is not reached.
     pub(super) facts: Option<Facts>,
 }
 
@@ -281,12 +281,12 @@ impl Walk {
         self.facts = known.0[at].clone();
     }
 
-    /// Comes to an instruction that is jumped to.
+    /// Enters an instruction that is the target of a jump.
     pub(super) fn enter(&mut self, known: &KnownAt, at: usize) {
         self.facts = known.0[at].clone();
     }
 
-    /// Goes past an instruction.
+    /// Moves past an instruction.
     pub(super) fn pass(&mut self, inst: &Inst, surroundings: &Surroundings) {
         if let Some(facts) = &mut self.facts {
             facts.take(inst, surroundings);
@@ -297,7 +297,7 @@ impl Walk {
     }
 }
 
-/// True if the code does not go on with the following instruction.
+/// Whether the code does not continue with the next instruction.
 pub(super) fn ends(inst: &Inst) -> bool {
     matches!(
         inst,
@@ -310,7 +310,7 @@ pub(super) fn ends(inst: &Inst) -> bool {
     )
 }
 
-/// By number whether an instruction, or the end of the code, is jumped to, or begun at.
+/// By index, whether an instruction, or the end of the code, is the target of a jump or an entry.
 pub(super) fn targets(code: &Code) -> Vec<bool> {
     let insts = &code.insts;
     let mut targets = vec![false; insts.len() + 1];
@@ -323,12 +323,12 @@ pub(super) fn targets(code: &Code) -> Vec<bool> {
     targets
 }
 
-/// From where to where a code may jump.
+/// The jumps of a code, from index to index.
 pub(super) fn jumps(code: &Code) -> impl Iterator<Item = (usize, usize)> {
     code.insts.iter().enumerate().filter_map(|(at, inst)| Some((at, inst.target()?)))
 }
 
-/// By number whether the code may come to an instruction.
+/// By index, whether an instruction is reachable.
 pub(super) fn reached(code: &Code) -> Vec<bool> {
     let mut reached = vec![false; code.insts.len()];
     let mut open = vec![0];

@@ -1,7 +1,7 @@
-//! Instructions that look ahead.
+//! Guards: instructions that look ahead.
 //!
-//! What would be set is set by native code itself, which keeps what was there, and puts it back; what
-//! is asked about it in between, stubs answer. In other code stubs do all of it.
+//! In a [`Guard`], native code itself sets the values, keeps the old ones and restores them, and
+//! stubs answer the questions in between. In other code stubs do all of this.
 
 use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::types::{I8, I32, I64};
@@ -16,8 +16,8 @@ use crate::mesh::ElementKind;
 use crate::mesh::tables::{DEAD, FaceState};
 use crate::rewrite::{Code, Inst, Reg};
 
-/// A part of code that looks ahead: it is entered at its start only, all is set before anything is
-/// asked, and it is left with everything put back, or by a trap.
+/// A part of code that looks ahead: it is entered only at its start, all values are set before any
+/// question, and it is left with everything restored, or by a trap.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Guard {
     start: usize,
@@ -25,17 +25,17 @@ pub(super) struct Guard {
     last: usize,
 }
 
-/// What has been set, and is to be put back.
+/// A value that has been set, and has to be restored.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Set {
-    /// What was there, and where.
+    /// Native code keeps the old value and its address.
     Here { before: Value, place: Value, offset: i32, region: Region },
     /// The preview of the machine knows it.
     ByMachine,
 }
 
 impl Guard {
-    /// Those of a code.
+    /// All guards of a code.
     pub(super) fn all(code: &Code) -> Vec<Self> {
         let clears = |(at, inst): (usize, &Inst)| matches!(inst, Inst::PreviewClear).then_some(at);
         let starts = code.insts.iter().enumerate().filter_map(clears);
@@ -77,7 +77,8 @@ fn is_store(inst: &Inst) -> bool {
     )
 }
 
-/// What native code does itself, or leaves by a fault of its own.
+/// Whether native code executes an instruction between the stores and the end of a guard itself, or
+/// leaves by a fault that restores the values.
 fn is_asked_within(inst: &Inst) -> bool {
     matches!(
         inst,
@@ -85,14 +86,15 @@ fn is_asked_within(inst: &Inst) -> bool {
     )
 }
 
-/// Whether an instruction sets or puts back what is looked at.
+/// Whether an instruction sets or restores values of a preview.
 fn sets(inst: &Inst) -> bool {
     is_store(inst)
         || matches!(inst, Inst::PreviewClear | Inst::PreviewNew { .. } | Inst::PreviewUndo)
 }
 
 impl Translator<'_, '_> {
-    /// Spells an instruction that looks ahead; false if it is none, or one for the machine.
+    /// Translates an instruction that looks ahead; false if it is another one, or is left to the
+    /// machine.
     pub(super) fn guard(&mut self, inst: &Inst) -> bool {
         match *inst {
             Inst::Foresee { condition, to, element, at } => {
@@ -149,7 +151,7 @@ impl Translator<'_, '_> {
         }
     }
 
-    /// A number that a pointer may be set to: any but that which says that there is no element.
+    /// The number that a pointer is set to: any except [`DEAD`], which marks an erased element.
     fn set_value(&mut self, kind: ElementKind, value: Reg) -> Value {
         let id = self.id(value);
         if !self.fact(value).is_in_range(kind) {
@@ -167,7 +169,7 @@ impl Translator<'_, '_> {
         self.set.push(Set::Here { before, place, offset, region });
     }
 
-    /// Puts back what has been set, the last first.
+    /// Restores the values that have been set, the last first.
     pub(super) fn put_back(&mut self, all: &[Set]) {
         for set in all.iter().rev() {
             match *set {
@@ -182,14 +184,14 @@ impl Translator<'_, '_> {
         }
     }
 
-    /// Lets a stub take the instructions up to one.
+    /// Lets a stub execute the instructions up to, but without, `end`.
     fn set_by_machine(&mut self, end: usize) {
         let (first, code) = (self.at, self.text.code);
         let all = &code.insts[first..end];
         all.iter().for_each(|inst| self.spill_operands(inst));
         let span = self.b.ins().iconst(I64, (first | end << 32) as i64);
         let done = self.call_stub(guards::set as *const () as usize, &[span]);
-        // A trap has put back what the preview knows.
+        // The stub has restored the values of the preview before the trap.
         let (failed, on) = (self.b.create_block(), self.b.create_block());
         self.b.set_cold_block(failed);
         let has_failed = self.b.ins().icmp_imm_s(IntCC::SignedLessThan, done, 0);

@@ -1,7 +1,7 @@
-//! Functions that are spelled where they are called.
+//! Inlining: functions that are translated where they are called.
 //!
-//! The context is that of the function meanwhile, as if it were called: what a stub or a trap sees
-//! is the same. Arguments and results stay variables.
+//! Within the inlined code the context is that of the function, as if it were called: stubs and
+//! traps see the same. Arguments and results stay variables.
 
 use std::mem::{offset_of, replace, take};
 
@@ -21,20 +21,20 @@ use super::{Variant, stubs};
 use crate::rewrite::engine::Way;
 use crate::rewrite::{Function, Inst, Reg};
 
-/// The greatest number of instructions of a function that is spelled where it is called, of all of
-/// these in one code, and how deep they may be nested.
+/// The greatest number of instructions of an inlined function, of all inlined functions in one
+/// code, and the greatest depth of inlining.
 const MOST: usize = 120;
 const MOST_IN_ALL: usize = 1200;
 const DEPTH: usize = 4;
 
-/// Where a function that is spelled in its caller goes when it is done.
+/// The place where an inlined function continues when it returns.
 pub(super) struct Back {
     exit: Block,
-    /// The variables of the caller for what it gives, and whether they hold reals.
+    /// The variables of the caller for its value, and whether they hold reals.
     results: Vec<(Variable, bool)>,
 }
 
-/// The functions that are being spelled in a code, and how many instructions they have had.
+/// The functions that are being inlined in a code, and the number of instructions inlined so far.
 #[derive(Default)]
 pub(super) struct Inlined {
     running: Vec<u16>,
@@ -42,7 +42,7 @@ pub(super) struct Inlined {
 }
 
 impl<'a> Translator<'a, '_> {
-    /// A function that may be spelled here, and the number of slots that it gives.
+    /// A function that may be inlined here, and the number of slots that it gives.
     fn inlined(&self, number: u16) -> Option<(&'a Function, u16)> {
         let called = self.text.surroundings.functions.get(usize::from(number))?;
         let code = &called.code;
@@ -60,7 +60,7 @@ impl<'a> Translator<'a, '_> {
         Some((called, gives(code)?))
     }
 
-    /// Spells a function instead of its call; false if that is not to be.
+    /// Inlines a function instead of a call; false if it may not be inlined.
     pub(super) fn inline(
         &mut self,
         inst: &Inst,
@@ -129,7 +129,7 @@ impl<'a> Translator<'a, '_> {
         self.set_field(offset_of!(Context, function), own);
     }
 
-    /// Spells the code of a function.
+    /// Translates the code of an inlined function.
     fn spell(
         &mut self,
         number: u16,
@@ -146,7 +146,7 @@ impl<'a> Translator<'a, '_> {
         let blocks = is_target.iter().map(|&is| is.then(|| self.b.create_block())).collect();
         let facts = Facts::of_params(registers, params.iter().map(|(_, _, fact)| *fact));
         let known_at = KnownAt::of(code, &facts, &surroundings);
-        // A function that an operation asks before its first write writes nothing.
+        // A function that an operation calls before its first write writes nothing.
         let variant = match self.variant {
             Variant::Dry => Variant::Plain,
             variant => variant,
@@ -203,8 +203,7 @@ impl<'a> Translator<'a, '_> {
         self.inlined.running.pop();
     }
 
-    /// Goes back to the caller where the function is spelled in it, with what it gives; false if it
-    /// is not.
+    /// Sets the value of an inlined function in its caller; false if the function is not inlined.
     pub(super) fn give_back(&mut self, from: Reg) -> bool {
         let Some(Back { results, .. }) = &self.back else {
             return false;
@@ -218,7 +217,7 @@ impl<'a> Translator<'a, '_> {
         true
     }
 
-    /// Goes back to the caller where the function is spelled in it; false if it is not.
+    /// Returns from an inlined function to its caller; false if the function is not inlined.
     pub(super) fn go_back(&mut self) -> bool {
         let exit = self.back.as_ref().map(|back| back.exit);
         if let Some(exit) = exit {

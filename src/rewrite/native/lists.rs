@@ -1,6 +1,6 @@
 //! Instructions that read and fill buffers.
 //!
-//! Native code reads a buffer itself, at places below its length; stubs write to it.
+//! Native code reads a buffer itself, at indices below its length; stubs write to it.
 
 use std::mem::offset_of;
 
@@ -16,7 +16,8 @@ use crate::mesh::ElementKind;
 use crate::rewrite::{Inst, Reg, Walk, attribute};
 
 impl Translator<'_, '_> {
-    /// Spells an instruction about buffers; false if it is none, or one for the machine.
+    /// Translates an instruction about buffers; false if it is another one, or is left to the
+    /// machine.
     pub(super) fn list(&mut self, inst: &Inst) -> bool {
         match *inst {
             Inst::BufferClear { buffer }
@@ -121,8 +122,8 @@ impl Translator<'_, '_> {
         true
     }
 
-    /// Keeps a write back, whatever it is to: in the part of a loop where such are kept while there is
-    /// room, else by a stub.
+    /// Keeps a write back: in the slots that the part of a loop keeps while there is room, else by
+    /// a stub.
     fn hold_back(
         &mut self,
         inst: &Inst,
@@ -162,14 +163,14 @@ impl Translator<'_, '_> {
         self.b.switch_to_block(on);
     }
 
-    /// The place of a slot that is kept.
+    /// The address of a slot that is kept.
     fn kept_slot(&mut self, at: Value) -> Value {
         let start = self.field(offset_of!(Context, kept));
         let offset = self.b.ins().ishl_imm_u(at, 3);
         self.b.ins().iadd(start, offset)
     }
 
-    /// Where the slots of a buffer begin, and how many there are.
+    /// The address and number of the slots of a buffer.
     fn slots(&mut self, buffer: u16) -> (Value, Value) {
         let lists = self.field(offset_of!(Context, lists));
         let flags = self.flags(Region::Lists);

@@ -1,4 +1,4 @@
-//! Which registers are read before they are written, from each instruction on.
+//! Liveness: the registers that are read before they are written, from each instruction on.
 
 use super::facts::{ends, targets};
 use super::operands::{Surroundings, Use};
@@ -33,14 +33,14 @@ impl Set {
     }
 }
 
-/// The registers that are live where code begins or is jumped to.
+/// The registers that are live at the start of the code and at the targets of jumps.
 pub(super) struct Liveness<'a> {
     insts: &'a [Inst],
     constants: usize,
     registers: u16,
     surroundings: &'a Surroundings<'a>,
     nothing: Set,
-    /// By instruction, if it is the first or jumped to.
+    /// By instruction, if it is the first or the target of a jump.
     live: Vec<Option<Set>>,
 }
 
@@ -62,12 +62,13 @@ impl<'a> Liveness<'a> {
             nothing,
             live,
         };
-        // What is live only becomes more, so this ends.
+        // The live sets only grow, so this ends.
         while found.go_back(0, |_, _| {}) {}
         found
     }
 
-    /// Goes through the instructions from the last to `first`, telling each what is live behind it.
+    /// Visits the instructions from the last to `first`, and calls `see` with the registers that
+    /// are live after each; returns whether a live set has grown.
     fn go_back(&mut self, first: usize, mut see: impl FnMut(usize, &Set)) -> bool {
         let mut changed = false;
         let mut now = self.nothing.clone();
@@ -105,14 +106,14 @@ impl<'a> Liveness<'a> {
         changed
     }
 
-    /// The registers that are read from an instruction on, the first or one that is jumped to,
-    /// before they are written; but for constants.
+    /// The registers that are live before an instruction, the first or the target of a jump,
+    /// without constants.
     pub(super) fn at(&self, inst: usize) -> Vec<Reg> {
         let all = self.live[inst].as_ref().map_or_else(Vec::new, Set::registers);
         self.without_constants(all)
     }
 
-    /// All registers but for constants.
+    /// All registers except constants.
     pub(super) fn all(&self) -> Vec<Reg> {
         self.without_constants((0..self.registers).map(Reg).collect())
     }
@@ -125,7 +126,7 @@ impl<'a> Liveness<'a> {
         all.into_iter().filter(|reg| !is_constant(reg)).collect()
     }
 
-    /// The registers that are live behind an instruction.
+    /// The registers that are live after an instruction.
     pub(super) fn behind(&mut self, inst: usize) -> Vec<Reg> {
         let mut found = Vec::new();
         self.go_back(inst, |at, live| {

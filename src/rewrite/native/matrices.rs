@@ -1,6 +1,6 @@
-//! Products, determinants and elimination, one operation after the other.
+//! Products, determinants and elimination as straight-line code.
 //!
-//! All are as glam and [`vectors`](crate::rewrite::vectors) compute them, to the last bit.
+//! All results equal those of glam and of [`vectors`](crate::rewrite::vectors), bit for bit.
 
 use cranelift_codegen::ir::condcodes::FloatCC;
 use cranelift_codegen::ir::types::{F64, I8, I64};
@@ -11,7 +11,8 @@ use crate::rewrite::Reg;
 use crate::rewrite::vectors::Matrix;
 
 impl Translator<'_, '_> {
-    /// Computes with matrices as glam does, one operation after the other; none where that is long.
+    /// Computes with matrices as glam does, as straight-line code; `None` if that would be too
+    /// long.
     pub(super) fn matrix(
         &mut self,
         operation: Matrix,
@@ -19,7 +20,7 @@ impl Translator<'_, '_> {
         left: Reg,
         right: Reg,
     ) -> Option<Vec<Value>> {
-        // The machine takes every other size for 4.
+        // The machine treats every other size as 4.
         if size != 3 && size != 4 {
             return None;
         }
@@ -80,8 +81,8 @@ impl Translator<'_, '_> {
         })
     }
 
-    /// Solves for several right sides as [`eliminate`](crate::rewrite::vectors::eliminate) does,
-    /// one operation after the other, without branches.
+    /// Solves for several right sides as [`eliminate`](crate::rewrite::vectors::eliminate) does, as
+    /// straight-line code without branches.
     fn eliminate(
         &mut self,
         matrix: Vec<Value>,
@@ -100,7 +101,7 @@ impl Translator<'_, '_> {
         let mut columns: Vec<Vec<Value>> = matrix.chunks(size).map(<[_]>::to_vec).collect();
         let mut is_regular = self.b.ins().iconst(I8, 1);
         for k in 0..size {
-            // By row whether it is a better pivot than all before.
+            // By row, whether it is a better pivot than all rows before.
             let (mut pivot, mut is_better) = (columns[k][k], Vec::new());
             for &entry in &columns[k][k + 1..] {
                 let [entry_size, size] = [entry, pivot].map(|entry| self.b.ins().fabs(entry));
@@ -160,7 +161,8 @@ impl Translator<'_, '_> {
         self.b.ins().bitcast(F64, flags, bits)
     }
 
-    /// The sum of products as [`Iterator::sum`] takes it: from what the sum of nothing is.
+    /// The sum of products as [`Iterator::sum`] computes it: starting from the sum of an empty
+    /// iterator.
     pub(super) fn sum_of_products(
         &mut self,
         products: impl Iterator<Item = (Value, Value)>,

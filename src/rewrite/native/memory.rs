@@ -1,4 +1,4 @@
-//! Memory, and calls of the functions of the machine.
+//! Memory accesses, and calls of functions of the machine.
 
 use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::types::{F64, I8, I64};
@@ -23,13 +23,13 @@ impl Translator<'_, '_> {
         self.b.ins().load(I64, flags, self.context, offset as i32)
     }
 
-    /// A field that stays the same while native code runs.
+    /// A field of the context that is constant while native code runs.
     pub(super) fn constant_field(&mut self, offset: usize) -> Value {
         let flags = self.flags(Region::Context).with_readonly().with_can_move();
         self.b.ins().load(I64, flags, self.context, offset as i32)
     }
 
-    /// Where a table begins, or its length, which stay the same in code that adds nothing.
+    /// The address or length of a table; both are constant in code that adds nothing.
     pub(super) fn table_field(&mut self, offset: usize) -> Value {
         match self.may_add {
             true => self.field(TABLES + offset),
@@ -56,7 +56,8 @@ impl Translator<'_, '_> {
         self.leave_if(failed);
     }
 
-    /// Goes on unless a stub has answered that the machine is to tell why not.
+    /// Continues unless a stub has answered [`LEAVE`](super::stubs::LEAVE): then the machine
+    /// determines the trap.
     pub(super) fn or_fault_if_negative(&mut self, answer: Value) {
         let done = self.b.ins().icmp_imm_s(IntCC::SignedGreaterThanOrEqual, answer, 0);
         self.or_fault(done);
@@ -75,7 +76,7 @@ impl Translator<'_, '_> {
         self.b.inst_results(call).to_vec()
     }
 
-    /// Calls a stub of the context and of whole numbers, which answers with one.
+    /// Calls a stub with the context and ints, which answers with an int.
     pub(super) fn call_stub(&mut self, stub: usize, args: &[Value]) -> Value {
         let params = vec![I64; args.len() + 1];
         let signature = self.signature(&params, &[I64]);
@@ -91,7 +92,7 @@ impl Translator<'_, '_> {
         self.call(stub, signature, args)[0]
     }
 
-    /// Three reals in the frame: their address.
+    /// The address of a place for three reals in the frame.
     pub(super) fn place_of_vector(&mut self) -> Value {
         let slot = StackSlotData::new(StackSlotKind::ExplicitSlot, 24, 3);
         let slot = self.b.create_sized_stack_slot(slot);

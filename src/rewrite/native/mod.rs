@@ -1,54 +1,60 @@
-//! Native code, made by Cranelift from register code while the program runs.
+//! Native code, compiled by Cranelift from register code while the program runs.
 //!
-//! It decides nothing again: an instruction is spelled in those of the processor, or the machine
-//! takes it ([`stubs::step`]). So results are the same, bit for bit, on both.
+//! Semantics are not defined a second time: an instruction is translated to those of the processor,
+//! or the machine executes it ([`stubs::step`]). So the results of both are the same, bit for bit.
 //!
 //! # Safety
 //!
-//! This is the only place of the crate with `unsafe`. Why it is sound:
+//! Besides the allocator of the program, this is the only module of the crate with `unsafe`. It is
+//! sound for these reasons:
 //!
 //! * Native code reads and writes the window of its call, its context, the machine's progress, and
 //!   the tables of the mesh; it reads buffers. A register is a constant offset into the window,
-//!   which is never shorter than a register can name. The number of an element is tested against
-//!   the length of its table before an address is computed from it, unless the same number has been
-//!   tested in this call; tables do not become shorter while code runs that uses such a number.
+//!   which always has all slots that a register can address. The number of an element is tested
+//!   against the length of its table before an address is computed from it, unless the same number
+//!   has been tested in this call; tables do not shrink while code runs that uses such a number.
 //!   Nothing depends on a proof or on the mesh being valid.
-//! * What native code is not given, the machine does, in safe code. After each such call the
-//!   addresses of window and tables are taken anew, since they may have moved. Those of tables are
-//!   kept in code that neither adds elements nor makes room for some, nor calls or asks what does ([`operands::Surroundings::may_add`]):
-//!   nothing else moves them.
-//! * The part of a loop keeps slots behind those of the machine's list, as long as there is room for
-//!   them, and the machine adds their number to its length when native code has been left, or before
-//!   it makes more room.
-//! * Lists of neighbors are read for vertices that have a list, from its begin to its end, in loops
-//!   that nobody enters in between ([`neighbors`]).
-//! * A place in a buffer is tested against its length before it is read. The slots of a buffer are
-//!   looked for anew after each instruction that may have changed it; others than those of the code
-//!   that names it leave it alone.
-//! * A stub tells journals and drains of a write before it is done. It notes what is there and moves
-//!   no table.
-//! * Native code calls a function or an operation itself only where [`Made::entries`] has its
-//!   address. That place lives as long as the caller: functions stand in one list with it, which
-//!   code at the top keeps; operations in the plans for which it was made ([`Expected`]), and it is
-//!   entered only if these are the machine's. What is called was made for the same attributes as
-//!   the caller expects of it, or the address is not there ([`Made::expected`]). Its window is
-//!   within the stack, which is tested before, as is how many calls are nested, so that native code
-//!   takes a bounded part of the processor's stack.
-//! * An operation that a script calls runs within the context of the script, which is made that of
-//!   the operation and then that of the script again; the addresses that it holds stay those of what
-//!   is there. An operation with other needs has a run of its own.
-//! * It may begin at a loop ([`Compiled::entry_at`]): there nothing is known, and every register
-//!   that is read later is taken from the window, where the machine has left it.
-//! * While native code runs, nobody else has the machine and the mesh: it is entered with `&mut` of
-//!   both, which are not used until it returns but by the functions that it calls.
-//! * Its memory is written, then executable, never both. It is freed with the value that owns it,
-//!   which is borrowed while it runs.
-//! * Where several threads take the turns of a loop, each has a machine of its own, and the mesh
-//!   through a copy of its head, which says where the tables lie. The code that they run writes to
-//!   no table, and the mesh is borrowed until all are done: [`spread`] says more.
-//! * No panic crosses it: the functions that it calls keep one, and it goes on behind.
+//! * Everything else is done by the machine, in safe code. After each call of the machine the
+//!   addresses of the window and the tables are loaded again, since they may have moved. Addresses
+//!   of tables are kept across such calls only in code that neither adds elements nor makes room
+//!   for some, nor calls or asks anything that does ([`operands::Surroundings::may_add`]): nothing
+//!   else moves tables.
+//! * The part of a loop writes the slots that it keeps behind the end of the machine's list, within
+//!   its capacity; the machine adds their number to the length when native code has been left, or
+//!   before it makes more room.
+//! * Lists of neighbors are read only for vertices that have a list, from its start to its end, in
+//!   loops that cannot be entered in the middle ([`neighbors`]).
+//! * An index into a buffer is tested against its length before it is read. The address and length
+//!   of a buffer are updated after each instruction that may have changed it; buffers are changed
+//!   only by the code that names them.
+//! * A stub notifies journals and drains of a write before the write. It only records and moves no
+//!   table.
+//! * Native code calls a function or an operation directly only where [`Made::entries`] has its
+//!   address. The entry lives as long as the caller: functions are in one list with the caller,
+//!   which the script or operation holds; operations are in the plans for which the caller was
+//!   compiled ([`Expected`]), and native code is entered only if these are the machine's plans. The
+//!   callee was compiled for the same attributes as the caller expects, or its address is not there
+//!   ([`Made::expected`]). The window of the callee is within the stack, which is tested before the
+//!   call, as is the nesting depth, so that native code uses a bounded amount of the processor's
+//!   stack.
+//! * An operation that a script calls uses the context of the script, which becomes that of the
+//!   operation and afterwards that of the script again; the addresses in it stay valid. An
+//!   operation that needs more gets a run of its own.
+//! * Native code may be entered at a loop ([`Compiled::entry_at`]): there nothing is known about
+//!   the registers, and every register that is read later is loaded from the window, where the
+//!   machine has left it.
+//! * While native code runs, nothing else has access to the machine and the mesh: native code is
+//!   entered with `&mut` to both, which are used only by the functions that it calls until it
+//!   returns.
+//! * The memory of native code is first writable, then executable, never both. It is freed with the
+//!   value that owns it, which is borrowed while the code runs.
+//! * Where several threads run the turns of a loop, each has a machine of its own, and accesses the
+//!   mesh through a copy of its head, which has the addresses of the tables. The code that they run
+//!   writes to no table, and the mesh is borrowed until all are done: see [`spread`].
+//! * No panic unwinds through native code: the functions that it calls catch a panic, and it is
+//!   resumed after native code has been left.
 //!
-//! What native code reads and writes can be watched: valgrind finds nothing in
+//! The memory accesses of native code can be checked: valgrind reports no error in
 //!
 //! ```text
 //! valgrind --smc-check=all-non-file --error-exitcode=9 \
@@ -56,13 +62,15 @@
 //!   examples/meshes/bunny.obj
 //! ```
 //!
-//! and the same for `std/remesh.hedge`, `std/subdivide.hedge::loop_subdivide`, `std/smooth.hedge`.
+//! nor in the same command with `std/remesh.hedge`, `std/subdivide.hedge::loop_subdivide` or
+//! `std/smooth.hedge`.
 //!
 //! # Processors
 //!
-//! It is made for x86-64 and 64-bit ARM; elsewhere the machine runs all. The tests run on the second
-//! by emulation, too (Debian: `gcc-aarch64-linux-gnu`, `qemu-user-static`, which starts the programs
-//! of that processor, and `rustup target add aarch64-unknown-linux-gnu`):
+//! Native code is available on x86-64 and 64-bit ARM; elsewhere the machine runs everything. For
+//! 64-bit ARM the tests can be run by emulation (Debian: `gcc-aarch64-linux-gnu`,
+//! `qemu-user-static`, which runs programs of that processor; `rustup target add
+//! aarch64-unknown-linux-gnu`):
 //!
 //! ```text
 //! export QEMU_LD_PREFIX=/usr/aarch64-linux-gnu CC_aarch64_unknown_linux_gnu=aarch64-linux-gnu-gcc
@@ -105,26 +113,27 @@ pub(crate) use neighbors::Neighbors;
 
 use super::{Code, Inst};
 
-/// The ways in which a code is compiled.
+/// The variants of the native code of a code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Variant {
-    /// Nobody is told what is written.
+    /// Writes are not reported.
     Plain,
-    /// Journals and drains are told what is written.
+    /// Journals and drains are notified of writes.
     Careful,
-    /// It ends at its first write.
+    /// The code ends at its first write.
     Dry,
 }
 
-/// How often a code runs on the machine, or how many turns its loops take there, before it is
-/// compiled, which takes as long as some thousand do. Tests are to come there soon.
+/// The number of runs of a code and of turns of its loops on the machine before it is compiled,
+/// which takes as long as a few thousand of them. It is small in debug builds, so that tests reach
+/// native code soon.
 const RUNS: u32 = if cfg!(debug_assertions) { 40 } else { 2000 };
 
-/// How deep native code may be nested: beyond, the machine runs what is called, which takes no
-/// more of the stack for functions that call each other.
+/// The greatest nesting depth of native code: beyond it the machine runs the callee, which uses no
+/// more of the processor's stack for functions that call each other.
 const DEPTH: usize = 64;
 
-/// The native code of a code, made when it has run often enough.
+/// The native code of a code, compiled when the code has run often enough.
 #[derive(Default)]
 pub struct Native(OnceLock<Box<Made>>);
 
@@ -132,27 +141,27 @@ pub struct Native(OnceLock<Box<Made>>);
 struct Made {
     /// The number of its runs and of the turns of its loops, up to [`RUNS`].
     runs: AtomicU32,
-    /// True if it may write to the mesh, or what it calls.
+    /// Whether the code, or something that it calls, may write to the mesh.
     writes: bool,
-    /// True if it begins a drain itself.
+    /// Whether the code itself begins a drain.
     drains: bool,
     variants: [OnceLock<Option<Compiled>>; 3],
-    /// By variant the address where native code that calls this function, or operation, may enter
-    /// it; 0 if there is none.
+    /// By variant, the address at which native code may enter this function or operation directly;
+    /// 0 if there is none.
     entries: [AtomicUsize; 3],
-    /// What those may take for granted.
+    /// The expectations with which its direct callers and the code itself were compiled.
     expected: OnceLock<Expected>,
 }
 
 impl Clone for Native {
-    /// Nothing: who copies a code may change it.
+    /// Returns an empty value, since a copy of the code may be changed.
     fn clone(&self) -> Self {
         Self::default()
     }
 }
 
 impl PartialEq for Native {
-    /// Code is the same whether it has been compiled or not.
+    /// Returns true: code is equal whether it has been compiled or not.
     fn eq(&self, _other: &Self) -> bool {
         true
     }
@@ -182,7 +191,7 @@ fn may_write(inst: &Inst) -> bool {
 }
 
 impl Made {
-    /// The variant that does what is wanted of one.
+    /// The variant to use where `wanted` is wanted: several variants of a code may be the same.
     fn variant(&self, wanted: Variant) -> Variant {
         match wanted {
             Variant::Dry => Variant::Dry,
@@ -192,7 +201,7 @@ impl Made {
         }
     }
 
-    /// Counts a run, or a turn of a loop. True if it pays to compile the code now.
+    /// Counts a run, or a turn of a loop. Returns whether it now pays to compile the code.
     #[inline]
     fn count(&self) -> bool {
         let runs = self.runs.load(Ordering::Relaxed);
@@ -202,7 +211,7 @@ impl Made {
         runs >= RUNS
     }
 
-    /// Lets native code call it, if that expects of it what it was made for.
+    /// Lets native code call this code directly, if it was compiled for what the callers expect.
     fn publish(&self, variant: Variant, compiled: &Compiled) {
         if compiled.is_callable
             && self.expected.get_or_init(|| compiled.expected.clone()) == &compiled.expected

@@ -1,8 +1,8 @@
-//! Loops over the neighbors of a vertex that read them from lists.
+//! Loops over the neighbors of a vertex that read these from lists.
 //!
-//! Where a loop over all vertices is taken in parts, and the mesh has kept its pointers since another
+//! When a loop over all vertices is run in parts, and no operation has been applied since another
 //! such loop, the neighbors are listed once ([`Adjacency`]), and the loops around a vertex read the
-//! lists until an operation is applied. The same code walks where there are none.
+//! lists until an operation is applied. Where there are no lists, the same code walks.
 
 use std::mem::offset_of;
 use std::sync::Arc;
@@ -19,27 +19,27 @@ use super::translate::{Region, Text, Translator};
 use crate::mesh::{Adjacency, ElementKind, Mesh};
 use crate::rewrite::{Code, Count, ElementField, HalfedgeField, Inst, Label, Reg, Walk};
 
-/// The instructions that make the turns of a loop over the neighbors of a vertex.
+/// The instructions that control a loop over the neighbors of a vertex.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct NeighborLoop {
-    /// Where the walk begins; the vertex, and where the loop goes if it has no neighbors.
+    /// The start of the walk, the vertex, and the target of the jump if it has no neighbors.
     begin: usize,
     vertex: Reg,
     otherwise: Label,
-    /// The registers of the walk: in lists, the place and the end.
+    /// The registers of the walk; with lists, they hold the place and the end.
     at: Reg,
     turns: Reg,
     /// The register of the neighbor.
     neighbor: Reg,
-    /// Where the walk takes a step.
+    /// The instruction that steps the walk.
     next: usize,
 }
 
-/// The number of instructions that find the neighbor, at the start of a turn.
+/// The number of instructions at the start of a turn that find the neighbor.
 const CHAIN: usize = 3;
 
 impl NeighborLoop {
-    /// Those of a code that may find lists: nobody is told what it reads.
+    /// The loops of a code that may use lists: its reads need not be noted.
     pub(super) fn in_text(text: &Text<'_>, variant: Variant) -> Vec<Self> {
         match variant == Variant::Plain {
             true => Self::all(text.code, &text.surroundings).collect(),
@@ -47,7 +47,7 @@ impl NeighborLoop {
         }
     }
 
-    /// Whether there is one in a code.
+    /// Whether there is such a loop in a code.
     pub(super) fn is_in(code: &Code, surroundings: &Surroundings) -> bool {
         Self::all(code, surroundings).next().is_some()
     }
@@ -80,7 +80,8 @@ impl NeighborLoop {
         let step = Inst::WalkNext { walk: Walk::Star, from, at, turns, again };
         let is_chain = insts.get(head..behind)? == chain && first == from && vertex != from;
         let next = behind + insts[behind..].iter().position(|inst| *inst == step)?;
-        // The walk is for the loop alone, and nobody begins or comes in within it.
+        // The registers of the walk are used by the loop only, and the loop cannot be entered in
+        // the middle.
         let is_free = |inst: &Inst| {
             let mut is_free = !matches!(inst, Inst::Turn { .. } | Inst::Tick);
             surroundings.each_operand(inst, |operand| {
@@ -109,16 +110,16 @@ impl NeighborLoop {
 /// The lists of neighbors that a machine knows.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Neighbors {
-    /// How many operations had been applied when a loop wanted them last.
+    /// The number of operations that had been applied when a loop last wanted the lists.
     applied: Option<u64>,
-    /// They have been made, or could not be, since then.
+    /// Whether making the lists has been tried since then.
     are_made: bool,
     lists: Option<Arc<Adjacency>>,
 }
 
 impl Neighbors {
-    /// The lists of a mesh, if they are wanted again before another operation has been applied, which
-    /// the counts of a run tell, and take no more than half of so many bytes.
+    /// The lists of a mesh, if a loop wants them a second time without an operation applied in
+    /// between (as the counts of the run tell), and if they take no more than half of `room` bytes.
     pub(super) fn wanted(&mut self, mesh: &Mesh, counts: &[Count], room: usize) -> Self {
         let applied = Some(counts.iter().map(|count| count.applied).sum());
         let is_of_mesh =
@@ -127,7 +128,7 @@ impl Neighbors {
         if are_new {
             *self = Self { applied, ..Self::default() };
         }
-        // Tests are to come there soon.
+        // In debug builds the first loop gets them, so that tests use them.
         if (!are_new || cfg!(debug_assertions)) && !self.are_made {
             self.are_made = true;
             let has_room = Adjacency::bytes(mesh) <= room / 2;
@@ -136,15 +137,15 @@ impl Neighbors {
         self.clone()
     }
 
-    /// Where the lists begin, and the neighbors in them.
+    /// The starts of the lists, and the neighbors in them.
     pub(super) fn tables(&self) -> [*const u32; 2] {
         self.lists.as_ref().map_or([std::ptr::null(); 2], |lists| lists.tables())
     }
 }
 
 impl Translator<'_, '_> {
-    /// Spells an instruction of a loop over neighbors, for who finds lists and for who walks; false if
-    /// it is none.
+    /// Translates an instruction of a loop over neighbors, both with lists and with a walk; false
+    /// if it is another one.
     pub(super) fn neighbor(&mut self) -> bool {
         let at = self.at;
         let is_here = |one: &&NeighborLoop| [one.begin, one.begin + 1, one.next].contains(&at);
@@ -206,7 +207,8 @@ impl Translator<'_, '_> {
         self.jump_if(is_within, Label(around.begin as u32 + 1));
     }
 
-    /// Where the lists begin, or the neighbors in them; 0 if there are none.
+    /// The address of the starts of the lists, or of the neighbors in them; 0 if there are no
+    /// lists.
     fn lists_of_neighbors(&mut self, part: usize) -> Value {
         self.constant_field(offset_of!(Context, neighbors) + part * size_of::<*const u32>())
     }

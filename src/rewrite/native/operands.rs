@@ -18,17 +18,17 @@ fn adds(inst: &Inst) -> bool {
     )
 }
 
-/// How an instruction uses registers.
+/// The way in which an instruction uses registers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Use {
     Read,
-    /// Writes, on every way on.
+    /// It is written in any case.
     Write,
-    /// Writes, perhaps.
+    /// It may be written.
     Change,
 }
 
-/// The values that a register holds.
+/// The class of values that a register holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Class {
     /// Bits that are copied.
@@ -53,12 +53,12 @@ impl Operand {
     }
 }
 
-/// What a code refers to by number, as far as the widths of operands depend on it.
+/// The items that a code refers to by number and on which the widths of operands depend.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Surroundings<'a> {
     pub(super) plans: &'a [Option<Plan>],
     pub(super) functions: &'a [Function],
-    /// The attributes of the program: the kind of the elements that have it, and the type.
+    /// The attributes of the program: the kind of the elements, and the type of the values.
     pub(super) types: &'a [Option<(ElementKind, AttributeType)>],
 }
 
@@ -75,11 +75,11 @@ impl Surroundings<'_> {
         called.is_some_and(|called| !called.code.insts.iter().any(does_more))
     }
 
-    /// Whether a code, or what it calls or asks, may add elements or make room for some, so that tables
-    /// move.
+    /// Whether a code, or anything that it calls or asks, may add elements or make room for some,
+    /// so that tables move.
     pub(super) fn may_add(&self, code: &Code) -> bool {
         let may_add = |inst: &Inst| match *inst {
-            // What is only asked makes room, too, and takes steps, which are undone.
+            // An operation that is only asked makes room too, and executes steps, which are undone.
             Inst::Apply { op, .. } | Inst::Try { op, .. } => self.op_may_add(op),
             _ => adds(inst),
         };
@@ -99,7 +99,7 @@ impl Surroundings<'_> {
         self.column(attribute).map(|(kind, _)| kind)
     }
 
-    /// Both.
+    /// The kind and the type of an attribute.
     pub(super) fn column(&self, attribute: u16) -> Option<(ElementKind, AttributeType)> {
         self.types.get(usize::from(attribute)).copied().flatten()
     }
@@ -110,7 +110,7 @@ impl Surroundings<'_> {
         plan.map_or(0, |plan| plan.params.iter().fold(0, |sum, &one| sum.saturating_add(one)))
     }
 
-    /// The number of slots of an attribute, and whether they are reals.
+    /// The number of slots of an attribute, and their class.
     fn attribute(&self, attribute: u16) -> (u16, Class) {
         match self.type_of(attribute) {
             Some(AttributeType::Bool | AttributeType::Int) | None => (1, Class::Whole),
@@ -123,7 +123,7 @@ impl Surroundings<'_> {
         }
     }
 
-    /// The most slots that a function gives.
+    /// The greatest number of slots that a function gives.
     fn given_by(&self, function: u16) -> u16 {
         let code = |function: &Function| -> u16 { given(&function.code) };
         self.functions.get(usize::from(function)).map_or(0, code)
@@ -133,7 +133,7 @@ impl Surroundings<'_> {
         self.functions.get(usize::from(function)).map_or(0, |function| function.params)
     }
 
-    /// Tells the operands of an instruction, in any order.
+    /// Calls `tell` with each operand of an instruction, in any order.
     pub(super) fn each_operand(&self, inst: &Inst, mut tell: impl FnMut(Operand)) {
         use Class::{Any, Real, Whole};
         let mut tell = |used: Use, class: Class, first: Reg, width: u16| {
@@ -433,7 +433,7 @@ impl Surroundings<'_> {
     }
 }
 
-/// The most slots that a code gives.
+/// The greatest number of slots that a code gives.
 fn given(code: &Code) -> u16 {
     let widths = code.insts.iter().map(|inst| match inst {
         Inst::Give { width, .. } => *width,

@@ -1,4 +1,4 @@
-//! Registers as variables: what they hold, and to and from the window.
+//! Registers as variables: their values, and moving them to and from the window.
 
 use cranelift_codegen::ir::condcodes::{FloatCC, IntCC};
 use cranelift_codegen::ir::types::{F64, I64};
@@ -24,7 +24,7 @@ impl Translator<'_, '_> {
         read.into_iter().flat_map(Operand::registers).for_each(|reg| self.spill(reg));
     }
 
-    /// Writes the registers that an instruction reads to the window.
+    /// Writes the registers that an instruction only reads to the window.
     pub(super) fn spill_read(&mut self, inst: &Inst) {
         let mut read: Vec<Operand> = Vec::new();
         self.text.surroundings.each_operand(inst, |operand| {
@@ -120,7 +120,7 @@ impl Translator<'_, '_> {
         self.b.def_var(variable, value);
     }
 
-    /// A bool, from what Cranelift compares.
+    /// Sets a bool from the result of a comparison.
     pub(super) fn set_truth(&mut self, reg: Reg, value: Value) {
         let value = self.b.ins().uextend(I64, value);
         self.set_whole(reg, value);
@@ -145,7 +145,7 @@ impl Translator<'_, '_> {
         }
     }
 
-    /// What is known of the element in a register.
+    /// The facts about the element in a register.
     pub(super) fn fact(&self, reg: Reg) -> Fact {
         self.known.facts.as_ref().map_or_else(Fact::default, |facts| facts.of(reg))
     }
@@ -167,7 +167,7 @@ impl Translator<'_, '_> {
     }
 }
 
-/// By number whether a register holds nothing but reals.
+/// By number, whether a register holds only reals.
 pub(super) fn reals(insts: &[Inst], registers: usize, surroundings: &Surroundings) -> Vec<bool> {
     let mut votes = vec![(false, false); registers];
     for inst in insts {

@@ -1,8 +1,8 @@
-//! Register code as the code of a function of Cranelift's.
+//! Translation of register code to a Cranelift function.
 //!
-//! A register is a variable: of 64 bits, or a real where it holds nothing else. What an instruction
-//! does in a few steps is spelled here; where it turns out to trap, and for all others, the machine
-//! takes the instruction, with the registers that it uses in the window of the call.
+//! A register is a variable: a real if it holds only reals, else 64 bits. Instructions that take a
+//! few steps are translated here; if one turns out to trap, and for all others, the machine
+//! executes the instruction, with the registers that it uses in the window of the call.
 
 use std::mem::offset_of;
 
@@ -30,7 +30,7 @@ pub(super) const APPLIED: i64 = 0;
 pub(super) const REFUSED: i64 = 1;
 pub(super) const TRAPPED: i64 = 2;
 
-/// A code and what it means by its numbers.
+/// A code and the items that it refers to by number.
 #[derive(Clone, Copy)]
 pub(super) struct Text<'a> {
     pub(super) code: &'a Code,
@@ -41,7 +41,7 @@ pub(super) struct Text<'a> {
     pub(super) surroundings: Surroundings<'a>,
 }
 
-/// The parts of memory that never overlap.
+/// The parts of memory, which never overlap.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Region {
     Context,
@@ -79,35 +79,35 @@ pub(super) struct Translator<'a, 'f> {
     pub(super) is_real: Vec<bool>,
     pub(super) blocks: Vec<Option<Block>>,
     pub(super) known: Walk,
-    /// Whether tables may move while it runs.
+    /// Whether tables may move while the code runs.
     pub(super) may_add: bool,
-    /// The instruction that is spelled.
+    /// The current instruction.
     pub(super) at: usize,
-    /// The number of those behind it that have been spelled with it.
+    /// The number of the next instructions that have been translated with it.
     pub(super) skip: usize,
-    /// Where it traps, if it may.
+    /// The block to which it jumps if it traps, if it may trap.
     pub(super) fault: Option<Block>,
-    /// All such blocks, each with its instruction and what is to be put back.
+    /// All such blocks, each with its instruction and the values to restore.
     pub(super) faults: Vec<(Block, usize, Vec<Set>)>,
     /// The parts of the code that look ahead.
     pub(super) guards: Vec<Guard>,
-    /// Its loops over neighbors that may find lists of them.
+    /// The loops over neighbors that may use lists.
     pub(super) neighbor_loops: Vec<NeighborLoop>,
-    /// What has been set in the one that is spelled.
+    /// The values that have been set in the current guard.
     pub(super) set: Vec<Set>,
-    /// Where native code is left by a trap.
+    /// The block that leaves native code by a trap.
     pub(super) leave: Block,
-    /// True if what the registers hold is left in the window.
+    /// Whether the values of the registers are left in the window at the end.
     pub(super) keeps_window: bool,
     /// By drain, the registers that its paths may read.
     pub(super) live_at_drains: Vec<(usize, Vec<Reg>)>,
-    /// Where a function goes that is spelled in its caller.
+    /// The place to which the current function returns, if it is inlined.
     pub(super) back: Option<Back>,
     pub(super) inlined: Inlined,
 }
 
 impl<'a, 'f> Translator<'a, 'f> {
-    /// Spells a whole code.
+    /// Translates a whole code.
     pub(super) fn translate(
         mut b: FunctionBuilder<'f>,
         text: Text<'a>,
@@ -167,13 +167,13 @@ impl<'a, 'f> Translator<'a, 'f> {
         this.b
     }
 
-    /// Spells the code of a function whose registers hold its arguments.
+    /// Translates the code of a function whose registers hold its arguments.
     pub(super) fn body(&mut self, known_at: &KnownAt) {
         self.constants();
         self.rest(known_at);
     }
 
-    /// The constants of the code: they hold wherever it begins.
+    /// Translates the constants of the code, which hold at all entries.
     fn constants(&mut self) {
         let Text { code, surroundings, .. } = self.text;
         for inst in &code.insts[..code.constants.min(code.insts.len())] {
@@ -182,7 +182,7 @@ impl<'a, 'f> Translator<'a, 'f> {
         }
     }
 
-    /// The code behind them.
+    /// Translates the code after the constants.
     fn rest(&mut self, known_at: &KnownAt) {
         let Text { code, surroundings, .. } = self.text;
         let insts = &code.insts;
@@ -223,10 +223,10 @@ impl<'a, 'f> Translator<'a, 'f> {
         }
     }
 
-    /// Begins where it is told: at the beginning, or at the turn of a loop, with what the registers
-    /// hold in the window.
+    /// Begins at the entry that `start` tells: at the beginning, or at the turn of a loop, with the
+    /// registers loaded from the window.
     fn begin(&mut self, start: Value, liveness: &Liveness<'_>) {
-        // A script leaves what its registers hold in the window, changed or not.
+        // A script leaves all its registers in the window, changed or not.
         let first = if self.keeps_window { liveness.all() } else { liveness.at(0) };
         let entries = entries(self.text.code);
         if !entries.is_empty() {
@@ -257,7 +257,7 @@ impl<'a, 'f> Translator<'a, 'f> {
         first.into_iter().for_each(|reg| self.reload(reg));
     }
 
-    /// Spells an instruction; false if nothing follows it.
+    /// Translates an instruction; false if the code does not continue after it.
     fn inst(&mut self, inst: &Inst) -> bool {
         if self.variant == Variant::Dry && inst.is_observed_write() {
             self.end(None);
@@ -283,7 +283,7 @@ impl<'a, 'f> Translator<'a, 'f> {
                 let Some(Some(part)) = code.parts.get(usize::from(part)) else {
                     return true;
                 };
-                // A part reads what it needs in the window.
+                // A part reads the registers that it needs from the window.
                 let mut read = vec![false; self.variables.len()];
                 for inst in &part.code.insts {
                     surroundings.each_operand(inst, |operand| {
@@ -362,7 +362,7 @@ impl<'a, 'f> Translator<'a, 'f> {
 
     pub(super) fn block(&mut self, to: Label) -> Block {
         let at = (to.0 as usize).min(self.text.code.insts.len());
-        // Every target has one.
+        // Every target of a jump has a block.
         self.blocks[at].unwrap_or(self.leave)
     }
 
@@ -372,7 +372,7 @@ impl<'a, 'f> Translator<'a, 'f> {
         self.b.switch_to_block(on);
     }
 
-    /// Goes on if a condition holds, else notes the refusal and jumps.
+    /// Continues if a condition holds, else notes the refusal and jumps.
     pub(super) fn expect(&mut self, condition: Value, refusal: u16, otherwise: Label) {
         let (on, off) = (self.b.create_block(), self.b.create_block());
         self.b.ins().brif(condition, on, &[], off, &[]);
@@ -384,7 +384,7 @@ impl<'a, 'f> Translator<'a, 'f> {
         let place = offset_of!(Context, noted) as i32;
         let flags = self.flags(Region::Context);
         let before = self.b.ins().load(I32, flags, self.context, place);
-        // One of a later phase is greater, whatever the reason.
+        // A refusal of a later phase is greater, whatever the reason.
         let whole_phase = self.b.ins().bor_imm_u(before, 0xffff);
         let is_later = self.b.ins().icmp(IntCC::UnsignedLessThan, whole_phase, now);
         let counts = self.b.ins().select(is_later, now, before);

@@ -10,8 +10,8 @@ use crate::rewrite::vectors::Lanes;
 use crate::rewrite::{Inst, Math, Reg};
 
 impl Translator<'_, '_> {
-    /// Spells an instruction that computes with registers alone; false if it is none, or one for
-    /// the machine.
+    /// Translates an instruction that computes with registers alone; false if it is another one, or
+    /// is left to the machine.
     pub(super) fn value(&mut self, inst: &Inst) -> bool {
         match *inst {
             Inst::Const { to, bits } => {
@@ -205,7 +205,7 @@ impl Translator<'_, '_> {
                 self.set_vector(to, values);
             }
             Inst::Wide { operation, width, to, left, right } => {
-                // What overlaps is computed one component after the other.
+                // If operands overlap, the components have to be computed in order.
                 let apart = |from: Reg, width: u16| from == to || from.0.abs_diff(to.0) >= width;
                 let width = u16::from(width);
                 match operation {
@@ -263,7 +263,7 @@ impl Translator<'_, '_> {
         (0..count).map(|part| self.real(Reg(from.0.wrapping_add(part)))).collect()
     }
 
-    /// Computes with vectors and matrices in the window.
+    /// Lets a stub compute with vectors and matrices in the window.
     fn compute(&mut self, inst: &Inst) {
         self.spill_operands(inst);
         let number = self.b.ins().iconst(I64, self.at as i64);

@@ -1,7 +1,7 @@
 //! Questions that a walk around a vertex or a face answers.
 //!
-//! Where a pointer leads to no record, or a walk is longer than there are halfedges, a stub answers,
-//! as the machine does.
+//! If a pointer leads to no record, or a walk is longer than the number of halfedges, a stub
+//! answers, as the machine does.
 
 use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::types::I64;
@@ -14,11 +14,11 @@ use crate::mesh::ElementKind;
 use crate::mesh::tables::FaceState;
 use crate::rewrite::{ElementField, HalfedgeField, Question, Reg};
 
-/// The steps, each way, after which a stub looks whether two vertices are adjacent: it begins at
-/// their own halfedges, near which what was written last is more often found.
+/// The number of steps, each way, after which a stub takes over the test whether two vertices are
+/// adjacent: it starts at the vertices' own halfedges, near which recent writes are found sooner.
 const FEW_STEPS: i64 = 8;
 
-/// Where a table begins, its length, and the bytes of a record.
+/// The address and length of a table, and the bytes of a record.
 #[derive(Clone, Copy)]
 struct Rows {
     start: Value,
@@ -26,7 +26,7 @@ struct Rows {
     size: usize,
 }
 
-/// What an answer is found in, and where to go if it is not.
+/// The halfedges that are walked, and the block to jump to if the walk does not find the answer.
 #[derive(Clone, Copy)]
 struct Walk {
     halfedges: Rows,
@@ -34,7 +34,7 @@ struct Walk {
 }
 
 impl Translator<'_, '_> {
-    /// Spells a question whose answer is a whole number or a bool.
+    /// Translates a question whose answer is an int or a bool.
     pub(super) fn ask_whole(&mut self, question: Question, to: Reg, elements: [Reg; 2]) {
         let numbers = elements.map(|reg| self.whole(reg));
         let [slow, on] = [(); 2].map(|()| self.b.create_block());
@@ -55,7 +55,7 @@ impl Translator<'_, '_> {
         self.b.switch_to_block(on);
     }
 
-    /// The answer, if a walk finds it.
+    /// The answer, if a walk can find it.
     fn walked(&mut self, question: Question, elements: [Reg; 2], slow: Block) -> Option<Value> {
         let [one, other] = elements;
         match question {
@@ -87,7 +87,7 @@ impl Translator<'_, '_> {
         Rows { start, count, size }
     }
 
-    /// The address of a record, if there is one.
+    /// The address of a record; jumps to `slow` if there is none.
     fn row(&mut self, rows: Rows, id: Value, slow: Block) -> Value {
         let is_in_range = self.b.ins().icmp(IntCC::UnsignedLessThan, id, rows.count);
         self.or_slow(is_in_range, slow);
@@ -106,7 +106,7 @@ impl Translator<'_, '_> {
         self.number(region, record, offset)
     }
 
-    /// A halfedge of an element that lives; of a vertex one that has been looked at, if there is one.
+    /// A halfedge of a living element; of a vertex, one that is in a register, if there is one.
     fn first_of(&mut self, of: ElementField, element: Reg) -> Value {
         if let Some(spoke) = self.fact(element).spoke() {
             return self.id(spoke);
@@ -120,7 +120,7 @@ impl Translator<'_, '_> {
         self.number(region, record, offset)
     }
 
-    /// Whether the face of a halfedge is a hole, as a number.
+    /// Whether the face of a halfedge is a hole, as an int.
     fn is_in_hole(&mut self, halfedge: Value, slow: Block) -> Value {
         let face = self.leads(halfedge, HalfedgeField::Face);
         let is_in_range = self.is_in_range(ElementKind::Face, face);
@@ -162,7 +162,7 @@ impl Translator<'_, '_> {
         walked
     }
 
-    /// An answer that is no where the mesh has no holes.
+    /// An answer that is false if the mesh has no holes.
     fn where_holes_are(&mut self, ask: impl FnOnce(&mut Self) -> Value) -> Value {
         let answer = self.b.declare_var(I64);
         let holes = self.hole_count();
@@ -218,8 +218,9 @@ impl Translator<'_, '_> {
         hole
     }
 
-    /// Walks around both vertices in step, each both ways: so the smaller number of neighbors counts,
-    /// and four walks wait for memory together. Where both have many, a stub goes on.
+    /// Walks around both vertices in lockstep, each in both directions: so the smaller degree
+    /// limits the number of steps, and four walks wait for memory at the same time. If both degrees
+    /// are large, a stub takes over.
     fn adjacent(&mut self, walk: Walk, vertices: [Reg; 2]) -> Value {
         let starts = vertices.map(|vertex| self.first_of(ElementField::Vertex, vertex));
         let goals = [vertices[1], vertices[0]].map(|vertex| self.id(vertex));
@@ -267,7 +268,7 @@ impl Translator<'_, '_> {
         self.b.use_var(answer)
     }
 
-    /// The vertex where the spoke after one ends, and that spoke.
+    /// The vertex where the next spoke ends, and that spoke.
     fn turn_on(&mut self, walk: Walk, spoke: Value) -> (Value, Value) {
         let Walk { halfedges, slow } = walk;
         let record = self.row(halfedges, spoke, slow);
@@ -277,7 +278,7 @@ impl Translator<'_, '_> {
         (neighbor, self.leads(before, HalfedgeField::Twin))
     }
 
-    /// The vertex where a spoke ends, and the spoke before it.
+    /// The vertex where a spoke ends, and the previous spoke.
     fn turn_back(&mut self, walk: Walk, spoke: Value) -> (Value, Value) {
         let Walk { halfedges, slow } = walk;
         let record = self.row(halfedges, spoke, slow);

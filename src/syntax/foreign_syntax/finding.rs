@@ -1,4 +1,4 @@
-//! A foreign way of writing that was found in one place.
+//! Foreign syntax that was found in one place.
 
 use super::pattern::{Class, What};
 use super::place::{HEAD, Item};
@@ -9,20 +9,21 @@ use crate::source::Span;
 use crate::syntax::token::{Token, TokenKind as T};
 use std::ops::Range;
 
-/// A way of writing from elsewhere, found in a text.
+/// A piece of foreign syntax found in a text.
 #[derive(Clone, Debug)]
 pub struct Found {
-    /// Its number, so that the same is told once: a number of the table, or a sign.
+    /// An identifier, so that the same form is reported once: a line of the table, a sign, or the
+    /// place of a misspelt keyword.
     pub what: usize,
     /// The place that is reported.
     pub span: Span,
     /// The message.
     pub says: String,
-    /// The text in its place, if that is sure.
+    /// The edits that replace it, if the meaning is certain.
     pub edits: Option<Vec<Edit>>,
-    /// True if what is behind it in the item cannot be read as it was meant.
+    /// True if the rest of the item may not be parsed as it was meant.
     pub ends: bool,
-    /// True if it is a sign that the language does not have.
+    /// True if it is a sign that is not part of the language.
     pub is_sign: bool,
 }
 
@@ -48,14 +49,14 @@ impl<'t> Match<'t, '_> {
         element.is_some_and(|of| matches!(of.what, What::Hole(_, Class::End)))
     }
 
-    /// All tokens that were matched.
+    /// The range of all matched tokens.
     pub(super) fn all(&self) -> Range<usize> {
         let start = self.parts.first().map_or(0, |part| part.start);
         let end = self.parts.last().map_or(start, |part| part.end);
         start..end
     }
 
-    /// A template with what the holes stand for.
+    /// A template with the holes filled in.
     fn filled(&self, pieces: &[Piece], template: &str) -> String {
         let (Some(first), Some(last)) = (pieces.first(), pieces.last()) else {
             return String::new();
@@ -74,24 +75,24 @@ impl<'t> Match<'t, '_> {
         text
     }
 
-    /// The text of a hole; a type in the head of an item as it is called here.
+    /// The text of a hole; a foreign type in the head of an item is translated.
     fn text(&self, hole: Option<&str>, range: Range<usize>) -> &'t str {
         let ours = hole.and_then(|hole| self.renamed(hole, range.clone()));
         ours.unwrap_or(self.item.slice(range))
     }
 
-    /// The name here of the type that stands in a hole of the head of an item.
+    /// The name in this language of a foreign type in a hole, in the head of an item.
     fn renamed(&self, hole: &str, range: Range<usize>) -> Option<&'static str> {
         let is_type = hole == "t" && self.form.place == HEAD;
         is_type.then(|| type_meant(self.item.slice(range)))?
     }
 
-    /// The numbers of elements and pieces that are the same at both ends.
+    /// The number of elements and pieces that agree at the front, and at the back.
     fn shared(&self, pieces: &[Piece]) -> (usize, usize) {
         let elements = &self.form.seen().elements;
         let count = elements.len() - usize::from(self.is_end(elements.len().wrapping_sub(1)));
         let same = |element: usize, piece: usize| match (&elements[element].what, &pieces[piece]) {
-            // A type of another language is written anew.
+            // A foreign type is replaced.
             (What::Hole(hole, _), piece) => {
                 piece.hole == Some(*hole)
                     && self.renamed(hole, self.parts[element].clone()).is_none()
@@ -107,7 +108,7 @@ impl<'t> Match<'t, '_> {
         (front, back)
     }
 
-    /// The place that differs, and the edit that mends it.
+    /// The part that differs, and the edit that corrects it.
     fn difference(&self, pieces: &[Piece], template: &str) -> (Span, Edit) {
         let elements = self.form.seen().elements.len();
         let count = elements - usize::from(self.is_end(elements.wrapping_sub(1)));
@@ -125,7 +126,8 @@ impl<'t> Match<'t, '_> {
                 (span, self.spaced(Edit { span, text }))
             }
             _ => {
-                // Something is only missing: it comes behind what is there, or before all of it.
+                // Something is only missing: it is inserted after the part that agrees, or before
+                // everything.
                 if front == 0 {
                     let span = token(self.all().start).unwrap_or_default();
                     return (span, self.spaced(Edit { span: span.before(), text }));
@@ -138,7 +140,7 @@ impl<'t> Match<'t, '_> {
         }
     }
 
-    /// An edit that does not grow together with what is beside it.
+    /// Adds spaces to an edit where it would merge with the text next to it.
     fn spaced(&self, edit: Edit) -> Edit {
         let Edit { span, mut text } = edit;
         let (before, behind) = self.item.around(span.start, span.end);
@@ -155,11 +157,11 @@ impl<'t> Match<'t, '_> {
         Edit { span, text }
     }
 
-    /// The tokens in place of those that were matched.
+    /// The tokens that replace the matched ones.
     pub(super) fn written(&self) -> Vec<Token> {
         let kept: Vec<&str> = self.form.ours().iter().filter_map(|piece| piece.hole).collect();
         let elements = self.form.seen().elements.iter().zip(&self.parts);
-        // What is written anew takes the places of what is not kept.
+        // New tokens take the spans of tokens that are not kept.
         let places = elements
             .filter(
                 |(element, _)| !matches!(element.what, What::Hole(name, _) if kept.contains(&name)),
@@ -206,7 +208,7 @@ impl<'t> Match<'t, '_> {
         }
     }
 
-    /// The first word of a pattern that is not kept.
+    /// The text matched by the first literal element of the pattern.
     fn seen_word(&self) -> &'t str {
         let elements = self.form.seen().elements.iter().zip(&self.parts);
         let mut literal = elements.filter(|(element, _)| matches!(element.what, What::Written(_)));

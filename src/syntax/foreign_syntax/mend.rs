@@ -1,4 +1,4 @@
-//! The pass over the tokens of an item.
+//! The pass over the tokens of an item that replaces foreign syntax.
 
 use super::finding::{Found, Match};
 use super::place::{Braces, CODE, DRAWING, HEAD, Item, PARTS, Places};
@@ -9,10 +9,10 @@ use crate::syntax::token::{Token, TokenKind as T};
 use std::ops::Range;
 use strsim::damerau_levenshtein;
 
-/// The number of times something may be put into other words in one item, for each token of it.
+/// The maximum number of replacements in one item, per token.
 const MOST: usize = 4;
 
-/// The words with which something begins, by where they do.
+/// The keywords that begin something, by the place where they do.
 const BEGINNINGS: &[(Places, &[T])] = &[
     (HEAD, &[T::Op, T::Script, T::Fn, T::Attr, T::Use, T::Test, T::Private]),
     (PARTS, &[T::Before, T::After, T::Require, T::Guard, T::Alias, T::Rule, T::Steps]),
@@ -37,7 +37,7 @@ const BEGINNINGS: &[(Places, &[T])] = &[
     ),
 ];
 
-/// The tokens of an item in the words of the language.
+/// The tokens of an item after foreign syntax has been replaced.
 pub struct Mended {
     /// The tokens.
     pub tokens: Vec<Token>,
@@ -45,7 +45,7 @@ pub struct Mended {
     pub found: Vec<Found>,
 }
 
-/// Puts an item that cannot be read into the words of the language.
+/// Replaces the foreign syntax in an item that cannot be parsed.
 pub fn mend(text: &str, tokens: &[Token]) -> Mended {
     let mut item = Item::new(text, tokens);
     let mut braces = Braces::new();
@@ -79,7 +79,7 @@ pub fn mend(text: &str, tokens: &[Token]) -> Mended {
     Mended { tokens: item.tokens, found }
 }
 
-/// The first line of the table that matches at a token.
+/// The first line of the table that matches at a token, and the tokens of each element.
 fn matching(
     item: &Item,
     at: usize,
@@ -95,7 +95,7 @@ fn matching(
     matches.next()
 }
 
-/// A foreign sign of which the table knows nothing.
+/// A foreign sign that the table does not list.
 fn foreign(item: &mut Item, at: usize, place: Places) -> Found {
     let span = item.tokens[at].span;
     let (span, written) = item.comment(at).unwrap_or((span, item.word(at)));
@@ -116,7 +116,7 @@ fn foreign(item: &mut Item, at: usize, place: Places) -> Found {
     }
 }
 
-/// A word that is nearly one with which something begins here.
+/// A misspelling of a keyword that can begin something here.
 fn misspelt(item: &Item, at: usize, place: Places) -> Option<(T, Found)> {
     if item.kind(at) != Some(T::Word) {
         return None;

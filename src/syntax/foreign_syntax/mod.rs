@@ -1,10 +1,9 @@
-//! Foreign syntax: what people write who come from other languages, mesh libraries and courses, and
-//! how it is written here.
+//! Foreign syntax: forms from other languages, mesh libraries and courses, and their equivalents
+//! here.
 //!
-//! A text that is right is never looked at here. Where an item cannot be read, its tokens are
-//! compared with a table of such ways of writing; what is found is told once, with
-//! the way out, and put into the words of the language, so that the rest of the item is read
-//! as it was meant.
+//! Valid text never comes here. Where an item cannot be parsed, its tokens are compared with a
+//! table of foreign forms. Each finding is reported once, with a correction, and replaced by its
+//! equivalent, so that the rest of the item is parsed as it was meant.
 
 mod pattern;
 
@@ -31,7 +30,7 @@ pub use mend::{Mended, mend};
 pub(super) use report::tell;
 pub use types::type_word;
 
-/// The foreign syntax on some lines of an item that can be read, but not understood.
+/// The foreign syntax on some lines of an item that parses but cannot be resolved.
 pub fn written_elsewhere(
     text: &str,
     item: &[Token],

@@ -1,35 +1,35 @@
 //! Patterns over tokens, written as text.
 //!
-//! A pattern is a list of elements with spaces between them:
+//! A pattern is a list of elements separated by spaces:
 //!
 //! | element | stands for |
 //! | --- | --- |
-//! | `face`, `del/remove` | a token that is written so, or one of several |
-//! | `$a` | a name, perhaps with a subscript |
-//! | `$a=(/,` | a token that is written in one of these ways, kept |
+//! | `face`, `del/remove` | a token with this spelling, or one of several |
+//! | `$a` | a name, optionally with a subscript |
+//! | `$a=(/,` | a token with one of these spellings, kept |
 //! | `$a:word` | a name or a keyword |
-//! | `$a:vertex` | a name to which an arrow leads somewhere in the item |
+//! | `$a:vertex` | a name that is the target of an arrow somewhere in the item |
 //! | `$a:text` | a text in quotes |
 //! | `$a:number` | a number |
-//! | `$a:names` | names, perhaps with commas between them, also none |
-//! | `$a:part` | anything on the line whose brackets are paired, up to what follows |
-//! | `$a:some` | the same, at least a token |
+//! | `$a:names` | zero or more names, optionally separated by commas |
+//! | `$a:part` | anything on the line with balanced brackets, up to what follows |
+//! | `$a:some` | the same, at least one token |
 //! | `$a:line` | the same, up to the end of the statement |
 //! | `$a:plain` | the same, without the arrow of a path |
-//! | `$a:inside` | the same over several lines: what stands between brackets |
+//! | `$a:inside` | the same over several lines: the contents of brackets |
 //! | `$:end` | nothing, at the end of a line |
 //!
-//! With `~` before it an element touches the one before, with `_` it stands on the same line. A pattern that begins with `^` matches
-//! only where a statement begins.
+//! With `~` before it, an element touches the previous one; with `_`, it is on the same line. A
+//! pattern that begins with `^` matches only where a statement begins.
 
 use super::place::Item;
 use crate::syntax::token::{Token, TokenKind as T};
 use std::ops::Range;
 
-/// The greatest number of tokens of a hole.
+/// The maximum number of tokens of a hole.
 const LONGEST: usize = 400;
 
-/// A pattern, taken apart.
+/// A parsed pattern.
 #[derive(Debug)]
 pub(super) struct Pattern {
     begins: bool,
@@ -47,9 +47,9 @@ pub(super) struct Element {
 /// The meaning of an element.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) enum What {
-    /// A token that is written in one of these ways.
+    /// A token with one of these spellings.
     Written(Vec<&'static str>),
-    /// Something that keeps its name.
+    /// A hole: tokens that can be referred to by a name.
     Hole(&'static str, Class),
 }
 
@@ -72,7 +72,7 @@ pub(super) enum Class {
 }
 
 impl Pattern {
-    /// Takes a pattern apart.
+    /// Parses a pattern.
     pub(super) fn of(written: &'static str) -> Self {
         let (begins, written) = match written.strip_prefix('^') {
             Some(rest) if !rest.is_empty() => (true, rest),
@@ -81,7 +81,7 @@ impl Pattern {
         Self { begins, elements: written.split_whitespace().map(Element::of).collect() }
     }
 
-    /// The tokens of each element, if the pattern matches at a token; `begins` says whether a
+    /// The tokens of each element, if the pattern matches at a token; `begins` is true if a
     /// statement can begin there.
     pub(super) fn matched(
         &self,
@@ -137,7 +137,7 @@ fn hole_of(written: &'static str) -> What {
     What::Hole(name, class)
 }
 
-/// `a/b` are two ways; `/` is one.
+/// The spellings in `a/b`; a lone `/` is one spelling.
 fn ways(written: &'static str) -> Vec<&'static str> {
     match written {
         "/" => vec!["/"],
@@ -145,7 +145,7 @@ fn ways(written: &'static str) -> Vec<&'static str> {
     }
 }
 
-/// True if the elements match from a token on; what each stands for is added to `found`.
+/// True if the elements match from a token on; the tokens of each are added to `found`.
 fn rest_matches(
     elements: &[Element],
     item: &Item,
@@ -172,7 +172,7 @@ fn rest_matches(
     false
 }
 
-/// The ends of an element that begins at a token may end, the first that is tried first.
+/// The possible ends of an element that begins at a token, in the order in which they are tried.
 fn ends(what: &What, item: &Item, at: usize) -> Vec<usize> {
     let kind = item.kind(at);
     let one = |is: bool| if is { vec![at + 1] } else { Vec::new() };
@@ -238,8 +238,8 @@ fn names_ends(item: &Item, at: usize) -> Vec<usize> {
     ends
 }
 
-/// The ends of a run that begins at a token and whose brackets are paired, from the nearest place
-/// to where it is over.
+/// The possible ends of a run of tokens with balanced brackets that begins at a token, nearest
+/// first, up to a token for which `over` holds.
 fn paired(item: &Item, at: usize, over: impl Fn(usize) -> bool) -> Vec<usize> {
     let mut ends = vec![at];
     let mut depth = 0_usize;

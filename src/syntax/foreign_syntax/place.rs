@@ -1,14 +1,14 @@
-//! The tokens of an item, and where each of them stands.
+//! The tokens of an item, and the place of each in the program.
 
 use crate::source::Span;
 use crate::syntax::token::{Token, TokenKind as T};
 use std::collections::HashSet;
 use std::ops::Range;
 
-/// Places in a program, as bits: several may be wanted.
+/// A set of places in a program, as bits.
 pub(super) type Places = u8;
 
-/// Outside of all items, or in the head of one.
+/// Outside all items, or in the head of one.
 pub(super) const HEAD: Places = 1;
 /// Among the parts of an op or a rule.
 pub(super) const PARTS: Places = 2;
@@ -19,7 +19,7 @@ pub(super) const CODE: Places = 8;
 /// Anywhere.
 pub(super) const ANY: Places = HEAD | PARTS | DRAWING | CODE;
 
-/// The tokens of an item, with the text they stand in.
+/// The tokens of an item, with the source text.
 pub(super) struct Item<'t> {
     text: &'t str,
     pub tokens: Vec<Token>,
@@ -46,7 +46,7 @@ impl<'t> Item<'t> {
     /// The text of a token.
     pub(super) fn word(&self, at: usize) -> &'t str {
         let token = self.tokens.get(at);
-        // What was put in stands for other words than its place has.
+        // An inserted token differs from the text at its span.
         if let Some(spelling) = token.and_then(|token| token.kind.spelling()) {
             return spelling;
         }
@@ -63,7 +63,7 @@ impl<'t> Item<'t> {
         self.text.get(first.span.start as usize..last.span.end as usize).unwrap_or("")
     }
 
-    /// True if an arrow leads to this name somewhere.
+    /// True if an arrow somewhere in the item leads to this name.
     pub(super) fn leads_to(&self, word: &str) -> bool {
         self.targets.contains(word)
     }
@@ -89,12 +89,12 @@ impl<'t> Item<'t> {
         self.text.get(before.span.end as usize..here.span.start as usize).unwrap_or("")
     }
 
-    /// True if nothing stands between a token and the one before.
+    /// True if nothing separates a token from the previous one.
     pub(super) fn touches(&self, at: usize) -> bool {
         at > 0 && at < self.tokens.len() && self.between(at).is_empty()
     }
 
-    /// A comment as other languages write it, of which the token is the first line.
+    /// The whole `/* … */` comment of which the token is the first line.
     pub(super) fn comment(&self, at: usize) -> Option<(Span, &'t str)> {
         let span = self.token(at)?.span;
         let rest = self.text.get(span.start as usize..)?;
@@ -107,7 +107,7 @@ impl<'t> Item<'t> {
         at + 1 >= self.tokens.len() || self.between(at + 1).contains('\n')
     }
 
-    /// The text before and behind a place.
+    /// The text before and after a place.
     pub(super) fn around(&self, start: u32, end: u32) -> (&'t str, &'t str) {
         let before = self.text.get(..start as usize);
         (before.unwrap_or(""), self.text.get(end as usize..).unwrap_or(""))
@@ -121,7 +121,7 @@ impl<'t> Item<'t> {
             || self.word(at) == ";"
     }
 
-    /// True if a statement can begin at a token that stands in no parentheses.
+    /// True if a statement can begin at a token outside parentheses.
     fn begins_statement(&self, at: usize) -> bool {
         let Some(before) = at.checked_sub(1) else {
             return true;
@@ -134,7 +134,7 @@ impl<'t> Item<'t> {
     }
 }
 
-/// True if a statement surely goes on behind a token.
+/// True if a statement certainly continues after a token.
 fn goes_on(kind: T) -> bool {
     matches!(
         kind,
@@ -164,9 +164,9 @@ fn goes_on(kind: T) -> bool {
 /// The brackets that are open at a token.
 pub(super) struct Braces {
     open: Vec<Places>,
-    /// For each of them, and for none, how many parentheses are open inside.
+    /// The number of open parentheses outside all braces, then inside each open brace.
     parentheses: Vec<usize>,
-    /// The last word that tells what a brace opens.
+    /// The last keyword that determines what the next brace opens.
     word: Option<T>,
 }
 
@@ -175,7 +175,7 @@ impl Braces {
         Self { open: Vec::new(), parentheses: vec![0], word: None }
     }
 
-    /// The place of one.
+    /// The current place.
     pub(super) fn place(&self) -> Places {
         self.open.last().copied().unwrap_or(HEAD)
     }
@@ -185,7 +185,7 @@ impl Braces {
         self.parentheses.last() == Some(&0) && item.begins_statement(at)
     }
 
-    /// Passes a token.
+    /// Advances past a token.
     pub(super) fn pass(&mut self, kind: T) {
         match kind {
             T::Op

@@ -1,15 +1,15 @@
-//! Reports of findings: the same once, with all its places in one fix, and all that is on one line
-//! in one error.
+//! Reports of findings: the same form once, with all its places in one fix, and all findings on one
+//! line in one error.
 
 use super::finding::Found;
 use crate::diagnostic::{Diagnostic, Edit, Fix};
 use crate::source::Span;
 use std::ops::Range;
 
-/// The greatest length of a line that a title shows.
+/// The maximum length of a line in a title.
 const LONGEST: usize = 72;
 
-/// Tells what was found in a text, in the order of the text.
+/// Reports the findings in a text, in the order of the text.
 pub(in crate::syntax) fn tell(text: &str, mut found: Vec<Found>) -> Vec<Diagnostic> {
     found.sort_by_key(|found| found.span.start);
     let mut groups: Vec<Group> = Vec::new();
@@ -30,7 +30,7 @@ pub(in crate::syntax) fn tell(text: &str, mut found: Vec<Found>) -> Vec<Diagnost
     lines.into_iter().map(|group| group.told(text)).collect()
 }
 
-/// All that is told in one error.
+/// The findings of one error.
 struct Group {
     what: usize,
     span: Span,
@@ -46,25 +46,25 @@ impl Group {
         Self { what, span, says: vec![says], edits, more: 0, is_sign }
     }
 
-    /// True if the same is to be told of it.
+    /// True if a finding belongs to this error: the same form or the same message.
     fn is_same(&self, found: &Found) -> bool {
         self.what == found.what || self.says.contains(&found.says)
     }
 
-    /// The same in another place.
+    /// Adds the same form in another place.
     fn again(&mut self, found: Found) {
         self.more += 1;
         self.add(found.edits);
     }
 
-    /// Something else on the same line.
+    /// Adds another finding on the same line.
     fn join(&mut self, other: Self) {
         self.says.extend(other.says);
         self.more = self.more.max(other.more);
         self.add(other.edits);
     }
 
-    /// More edits, as far as they do not overlap the others; none if there is no fix of one.
+    /// Adds edits that do not overlap the others; if one finding has no fix, the error has none.
     fn add(&mut self, more: Option<Vec<Edit>>) {
         let (Some(edits), Some(more)) = (&mut self.edits, more) else {
             self.edits = None;
@@ -109,7 +109,7 @@ impl Group {
     }
 }
 
-/// The edits, those in one that overlap or leave nothing but blanks between what they leave out.
+/// Merges edits that overlap, and deletions with only blanks between them.
 fn merged(text: &str, mut edits: Vec<Edit>) -> Vec<Edit> {
     edits.sort_by_key(|edit| (edit.span.start, edit.span.end));
     edits.dedup_by(|next, last| {
@@ -127,7 +127,7 @@ fn merged(text: &str, mut edits: Vec<Edit>) -> Vec<Edit> {
     edits
 }
 
-/// The line that the edits make.
+/// The title of a fix: the line after the edits.
 fn title(text: &str, span: Span, edits: &[Edit]) -> String {
     let line = line_of(text, span.start);
     let mut here: Vec<&Edit> = edits
@@ -167,7 +167,7 @@ fn title(text: &str, span: Span, edits: &[Edit]) -> String {
     }
 }
 
-/// The words that the edits of a line change, as they are then, from the first to the last.
+/// The edited part of a line after the edits, extended to whole words.
 fn excerpt(text: &str, line: Range<usize>, edits: &[&Edit]) -> String {
     let (Some(first), Some(last)) = (edits.first(), edits.last()) else {
         return String::new();
@@ -189,7 +189,7 @@ fn excerpt(text: &str, line: Range<usize>, edits: &[&Edit]) -> String {
     }
 }
 
-/// The line that holds a byte.
+/// The range of the line that contains a byte.
 fn line_of(text: &str, at: u32) -> Range<usize> {
     let at = (at as usize).min(text.len());
     let start = text.get(..at).and_then(|before| before.rfind('\n')).map_or(0, |end| end + 1);
@@ -197,8 +197,7 @@ fn line_of(text: &str, at: u32) -> Range<usize> {
     start..end
 }
 
-/// An edit that leaves nothing takes the blanks before it along, and its line if that is then
-/// empty.
+/// Extends a deletion to the blanks before it, or to the whole line if nothing else is left there.
 fn whole_line(text: &str, edit: Edit) -> Edit {
     if !edit.text.is_empty() {
         return edit;
@@ -214,7 +213,7 @@ fn whole_line(text: &str, edit: Edit) -> Edit {
     let (start, end) = match alone {
         true => (line.start, span.end as usize + (to_line_end + 1).min(behind.len())),
         false if before.trim().is_empty() => (span.start as usize, span.end as usize + after),
-        // What follows at once stays apart from what is before.
+        // The text that follows directly stays separated from the text before.
         false if after == 0 && to_line_end > 0 => (span.start as usize, span.end as usize),
         false => (span.start as usize - blanks, span.end as usize),
     };

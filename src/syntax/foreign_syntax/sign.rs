@@ -1,5 +1,5 @@
-//! Signs and texts that are no words of the language, of which it is known what they mean
-//! elsewhere: comments, texts in other quotes, numbers without a digit before the point.
+//! Foreign signs and literals whose meaning is known: comments, texts in other quotes, numbers
+//! without a digit before the point.
 
 use super::place::{DRAWING, Places};
 use crate::source::Span;
@@ -7,25 +7,25 @@ use crate::syntax::token::TokenKind as T;
 
 /// The replacement of a foreign sign.
 pub(super) struct Sign {
-    /// The token in its place, if any.
+    /// The token that replaces it, if any.
     pub kind: Option<T>,
     /// The message.
     pub says: String,
-    /// The text in its place.
+    /// The text that replaces it, and its span.
     pub fix: Option<(Span, String)>,
 }
 
 /// The surroundings of a foreign sign.
 pub(super) struct Around {
-    /// True if nothing follows on its line.
+    /// True if nothing follows it on its line.
     pub alone: bool,
-    /// True if it stands close behind what is before.
+    /// True if nothing separates it from the previous token.
     pub touches: bool,
-    /// Where in a program it stands.
+    /// Its place in the program.
     pub place: Places,
 }
 
-/// The replacement of a foreign sign of which the table knows nothing.
+/// The replacement of a foreign sign that the table does not list.
 pub(super) fn sign(written: &str, span: Span, around: Around) -> Sign {
     let first = written.chars().next().unwrap_or('?');
     let whole = |text: String| Some((span, text));
@@ -85,7 +85,7 @@ pub(super) fn sign(written: &str, span: Span, around: Around) -> Sign {
     }
 }
 
-/// A comment of several lines, as one of ours.
+/// A `/* … */` comment rewritten with `//`.
 fn lines(written: &str) -> String {
     let inside = written.trim_start_matches("/*").trim_end_matches("*/");
     let lines = inside.lines().map(|line| line.trim().trim_start_matches(['*', '!']).trim());

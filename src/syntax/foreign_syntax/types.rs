@@ -1,18 +1,19 @@
 //! Names of types in other languages and mesh libraries.
 
-/// The names of types here.
+/// The names of types in this language, except `text`.
 const OURS: [&str; 12] = [
     "vertex", "halfedge", "edge", "face", "real", "int", "bool", "vec2", "vec3", "vec4", "mat3",
     "mat4",
 ];
 
-/// The name of a type here, if it is known elsewhere by this word, or here but in other letters.
+/// The type that a foreign word means, also if it differs from our name only in case; `None` if the
+/// word is our name.
 pub(super) fn type_meant(word: &str) -> Option<&'static str> {
     let same = |ours: &&str| ours.eq_ignore_ascii_case(word);
     type_word(word).or_else(|| OURS.into_iter().find(same)).filter(|ours| *ours != word)
 }
 
-/// The name that a type of another language has here.
+/// The type of this language that a foreign type name means.
 pub fn type_word(word: &str) -> Option<&'static str> {
     Some(match word.to_lowercase().as_str() {
         "float" | "double" | "number" | "scalar" | "f32" | "f64" => "real",

@@ -1,4 +1,4 @@
-//! Statements of scripts, functions and tests, and the blocks they stand in.
+//! Statements of scripts, functions and tests, and their blocks.
 
 use super::drawing::mark;
 use super::expression::{broken_value, expression};
@@ -12,14 +12,14 @@ use crate::syntax::token::TokenKind as T;
 use crate::syntax::tree::{Action, ActionKind, Block, Expr, Ident, Shown};
 use chumsky::prelude::*;
 
-/// The two rules that need each other.
+/// The two mutually recursive rules.
 #[derive(Clone)]
 pub(super) struct Code<'t> {
     pub block: Rule<'t, Block>,
     pub expression: Rule<'t, Expr>,
 }
 
-/// Blocks, and expressions with blocks in them.
+/// The rules for blocks and for expressions, which contain each other.
 pub(super) fn code<'t>() -> Code<'t> {
     let mut block = Recursive::declare();
     let expression = expression(block.clone().boxed());
@@ -28,7 +28,7 @@ pub(super) fn code<'t>() -> Code<'t> {
     code
 }
 
-/// `{ … }`; where the closing brace is missing, the end of the item closes.
+/// `{ … }`; if the closing brace is missing, the end of the item closes the block.
 fn braces<'t>(action: Rule<'t, Action>) -> Rule<'t, Block> {
     let broken = recover::action().map(|span| Action { kind: ActionKind::Broken, span });
     let statements = just(T::RightBrace)
@@ -69,13 +69,13 @@ fn action<'t>(code: &Code<'t>) -> Rule<'t, Action> {
     .boxed()
 }
 
-/// A value in the head of a statement; where it cannot be read, the block behind it still is.
+/// A value in the head of a statement; if it cannot be read, the block after it still is.
 fn head<'t>(expression: &Rule<'t, Expr>) -> Rule<'t, Expr> {
     let broken = recover::header().map(broken_value);
     expression.clone().recover_with(via_parser(broken)).boxed()
 }
 
-/// A value at the end of a statement; where it cannot be read, the statement still stands.
+/// A value at the end of a statement; if it cannot be read, the statement is kept.
 fn tail<'t>(expression: &Rule<'t, Expr>) -> Rule<'t, Expr> {
     let broken = recover::action_value().map(broken_value);
     expression.clone().recover_with(via_parser(broken)).boxed()
@@ -154,7 +154,7 @@ fn drain<'t>(code: &Code<'t>) -> Rule<'t, ActionKind> {
         .boxed()
 }
 
-/// `if c { … } else { … }`, `if let m = split(e) { … }`; `else if` is a block of that `if`.
+/// `if c { … } else { … }`, `if let m = split(e) { … }`; `else if` becomes a block with that `if`.
 fn conditional<'t>(code: &Code<'t>) -> Rule<'t, ActionKind> {
     let binding = just(T::Let).ignore_then(ident()).then_ignore(just(T::Equals));
     let behind_if = recursive(|behind_if| {
@@ -197,7 +197,7 @@ fn demand<'t>(expression: &Rule<'t, Expr>) -> Rule<'t, ActionKind> {
         .boxed()
 }
 
-/// A call or the value of a block; with `=` behind it, an assignment.
+/// A call or the value of a block; followed by `=`, an assignment.
 fn value_or_assignment<'t>(expression: &Rule<'t, Expr>) -> Rule<'t, ActionKind> {
     let assigned = just(T::Equals).labelled(Phrase::Operator).ignore_then(tail(expression));
     expression

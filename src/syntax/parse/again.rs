@@ -1,4 +1,4 @@
-//! Reading a text that has changed a little: items that are as they were are not read again.
+//! Incremental parsing: items whose text has not changed are reused.
 
 use super::file::{Parsed, parse_with};
 use crate::source::{FileId, Span};
@@ -6,14 +6,14 @@ use crate::syntax::shift::moved;
 use crate::syntax::tree::Item;
 use std::collections::HashMap;
 
-/// Reads the next text of a file of which `earlier` is what the text `was` said. Gives what
-/// [`parse`](super::parse) gives.
+/// Parses the new text of a file, given that the old text `was` parsed to `earlier`. Returns the
+/// same as [`parse`](super::parse).
 pub fn parse_again(file: FileId, text: &str, was: &str, earlier: &Parsed) -> Parsed {
     parse_with(file, text, &Known::of(was, earlier))
 }
 
-/// Items that have been read, by their texts; those only in which nothing was wrong, since
-/// what is told of a mistake can depend on what stands around it.
+/// Items that have been parsed, by their texts. Only items without diagnostics are kept, since the
+/// report of an error can depend on the surrounding text.
 #[derive(Debug, Default)]
 pub(super) struct Known<'t>(HashMap<&'t str, (u32, &'t Item)>);
 
@@ -34,7 +34,7 @@ impl<'t> Known<'t> {
         Self(named.collect())
     }
 
-    /// The item that the text of a span is, if it has been read.
+    /// The item at a span, if an item with the same text is known.
     pub(super) fn item(&self, text: &str, span: Span) -> Option<Item> {
         let (was, item) = self.0.get(text.get(span.range())?)?;
         let by = i64::from(span.start) - i64::from(*was);

@@ -1,12 +1,12 @@
-//! A file cut into items, before any of them is read.
+//! Cutting a file into items, before any of them is parsed.
 //!
-//! An item begins at its keyword, outside of all braces, or, where braces are not closed,
-//! at a keyword that can begin nothing else: so a broken item ends where the next begins.
+//! An item begins at its keyword outside all braces, or, inside braces that are not closed, at a
+//! keyword that can begin nothing else, so that a broken item ends where the next one begins.
 
 use crate::syntax::token::{Token, TokenKind as T};
 use std::ops::Range;
 
-/// The tokens of each item, in order; together they are all tokens.
+/// The token range of each item, in order; together they cover all tokens.
 pub(super) fn cut(text: &str, tokens: &[Token]) -> Vec<Range<usize>> {
     let mut starts = Vec::new();
     let mut open = 0_usize;
@@ -29,11 +29,11 @@ pub(super) fn cut(text: &str, tokens: &[Token]) -> Vec<Range<usize>> {
     starts.iter().copied().zip(ends).map(|(start, end)| start..end).collect()
 }
 
-/// How far braces are closed behind each token, up to where an item surely begins.
+/// How far braces are closed after each token, up to where an item certainly begins.
 struct Closings {
-    /// The braces that are open before each token, those closed too often counted as well.
+    /// The number of open braces before each token; negative if more are closed than opened.
     depths: Vec<i32>,
-    /// The least of these behind each token.
+    /// The minimum depth after each token, up to where an item certainly begins.
     least: Vec<i32>,
 }
 
@@ -59,8 +59,8 @@ impl Closings {
         Self { depths, least }
     }
 
-    /// True if what is declared at a token stands inside of an item whose braces, so many, are all
-    /// closed behind it: it is misplaced, and no brace is missing.
+    /// True if the declaration at a token is inside an item whose `open` braces are all closed
+    /// after it: the declaration is misplaced, and no brace is missing.
     fn is_inside(&self, text: &str, tokens: &[Token], at: usize, open: usize) -> bool {
         let declares = matches!(tokens[at].kind, T::Attr | T::Private | T::Fn | T::Op | T::Script);
         open > 0
@@ -70,7 +70,7 @@ impl Closings {
     }
 }
 
-/// The kind of item that begins here, as far as that tells it from everything else.
+/// True if an item begins here; `inside` is true inside braces, where more evidence is needed.
 fn begins_item(text: &str, tokens: &[Token], at: usize, inside: bool) -> bool {
     let kind = |ahead: usize| tokens.get(at + ahead).map(|token| token.kind);
     let named = kind(1).is_some_and(T::is_name);
@@ -89,7 +89,7 @@ fn begins_item(text: &str, tokens: &[Token], at: usize, inside: bool) -> bool {
     sure || hard && (indent == 0 || !inside)
 }
 
-/// The distance of a token from the start of its line, if it is the first there.
+/// The indentation of a token, if it is the first on its line.
 fn indent(text: &str, tokens: &[Token], at: usize) -> Option<usize> {
     let start = tokens[at].span.start as usize;
     let before = match at.checked_sub(1) {

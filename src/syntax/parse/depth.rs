@@ -1,20 +1,20 @@
-//! Depth of nesting of an item, measured before it is read.
+//! The nesting depth of an item, measured before it is parsed.
 //!
-//! The parser and everyone behind it walk the tree by recursion, so its depth is bounded
-//! here: brackets that are open, and operators, dots and branches chained within them.
+//! The parser and all later stages walk the tree recursively, so its depth is bounded here: open
+//! brackets, and the operators, dots and branches chained inside them.
 
 use crate::syntax::token::{Token, TokenKind as T};
 
-/// The greatest depth of a tree.
+/// The maximum depth of a tree.
 pub(super) const DEEPEST: usize = 256;
 
-/// An open bracket, and how much was chained before it.
+/// An open bracket, and the length of the chain before it.
 struct Open {
     bracket: T,
     chained: usize,
 }
 
-/// The first token at which the tree would be too deep.
+/// The first token at which the tree would exceed the maximum depth.
 pub(super) fn too_deep(tokens: &[Token]) -> Option<Token> {
     let mut open: Vec<Open> = Vec::new();
     let mut total = 0;
@@ -63,13 +63,13 @@ fn opening(closing: T) -> T {
     }
 }
 
-/// A closing brace also closes the brackets within that were left open; others stay inside
-/// of their braces.
+/// A closing brace also closes the brackets left open inside it; other closing brackets do not
+/// reach beyond their braces.
 fn closes(closing: T, bracket: T) -> bool {
     closing == T::RightBrace || bracket != T::LeftBrace
 }
 
-/// True if a token makes the value around it deeper.
+/// True if a token makes the enclosing value deeper.
 fn chains(kind: T) -> bool {
     matches!(
         kind,
@@ -95,8 +95,8 @@ fn chains(kind: T) -> bool {
     )
 }
 
-/// True if what was chained ends before a token: at a mark that stands in no value, and where a
-/// value follows a value.
+/// True if a chain ends before a token: at a mark that is not part of a value, and where one value
+/// follows another.
 fn restarts(before: Option<T>, kind: T) -> bool {
     match kind {
         T::Comma | T::Colon | T::Equals | T::Arrow | T::FatArrow | T::Bar => true,

@@ -27,7 +27,7 @@ pub(super) fn side<'t>(keyword: T, expression: Rule<'t, Expr>) -> Rule<'t, Side>
         .boxed()
 }
 
-/// A token whose lack is reported and harms nothing else.
+/// A token; if it is missing, that is reported and parsing continues.
 pub(super) fn mark<'t>(kind: T) -> Rule<'t, ()> {
     just(kind).ignored().recover_with(via_parser(empty())).boxed()
 }
@@ -82,7 +82,7 @@ fn followed_vertices<'t>() -> Rule<'t, Vec<Followed>> {
     arrow().then(name().labelled(Phrase::Vertex)).repeated().at_least(1).collect().boxed()
 }
 
-/// Gives each arrow the vertex it leaves; the last vertex is left over.
+/// Pairs each arrow with the vertex that it leaves; returns the last vertex separately.
 fn chain(first: Name, rest: Vec<Followed>) -> (Vec<LoopItem>, Name) {
     let mut items = Vec::with_capacity(rest.len());
     let mut from = first;
@@ -166,7 +166,7 @@ fn star_statement<'t>() -> Rule<'t, Star> {
         .boxed()
 }
 
-/// A halfedge, `*S`, or `*`; a fan has a name only where the name touches the star.
+/// A halfedge, `*S`, or `*`; a fan has a name only if the name touches the asterisk.
 fn spoke<'t>() -> Rule<'t, Spoke> {
     let named = just(T::Star)
         .map_with(|_, scene: &mut Scene<'t, '_>| scene.span())

@@ -1,6 +1,6 @@
 //! Expressions, from `or` down to names.
 //!
-//! An expression in parentheses has them in its span; nothing else of them remains.
+//! The span of an expression in parentheses includes them; the tree does not record them otherwise.
 
 use super::failure::{Failure, Mistake, Phrase};
 use super::foreign_syntax;
@@ -15,12 +15,13 @@ use crate::syntax::tree::{
 };
 use chumsky::prelude::*;
 
-/// An expression, in which blocks stand as branches.
+/// An expression; `block` is the rule for the branches of `if`.
 pub(super) fn expression<'t>(block: Rule<'t, Block>) -> Rule<'t, Expr> {
     recursive(|expression| {
         let expression = expression.boxed();
-        // Entering a recursive rule makes room on the stack. From one value to the next inside
-        // of it is too far for a single time, so an atom is such a rule as well.
+        // Entering a recursive rule grows the stack if necessary. The way from one value to the
+        // next inside it needs more than is reserved at once, so an atom is a recursive rule as
+        // well.
         let atom = recursive(|_| atom(expression.clone(), block)).boxed();
         operators(field(atom)).labelled(Phrase::Value).boxed()
     })
@@ -66,7 +67,7 @@ fn signed<'t>(sign: T, op: UnaryOp, operand: Rule<'t, Expr>) -> Rule<'t, Expr> {
         .boxed()
 }
 
-/// Operands with operators of one rank between them, grouped from the left.
+/// Operands joined by operators of the same precedence, left-associative.
 fn chain<'t>(operand: Rule<'t, Expr>, operator: Rule<'t, BinaryOp>) -> Rule<'t, Expr> {
     let missing = empty().map_with(|(), scene: &mut Scene<'t, '_>| broken_value(scene.span()));
     let right = operand.clone().recover_with(via_parser(missing));
@@ -92,7 +93,7 @@ fn binary(left: Expr, op: BinaryOp, right: Expr) -> Expr {
     Expr { kind: ExprKind::Binary(op, Box::new(left), Box::new(right)), span }
 }
 
-/// A comparison of a comparison is a mistake, unless parentheses say that it is meant.
+/// A comparison of a comparison is a mistake unless it is in parentheses.
 fn comparison(left: Expr, op: BinaryOp, right: Expr, scene: &mut Scene) -> Expr {
     if right.kind != ExprKind::Broken
         && let ExprKind::Binary(inner, first, _) = &left.kind
@@ -196,7 +197,7 @@ fn call<'t>(expression: Rule<'t, Expr>) -> Rule<'t, ExprKind> {
         .then_ignore(recover::right_paren());
     let broken = recover::parentheses()
         .map(|span| Arguments { values: vec![broken_value(span)], each: None });
-    // One that begins a line begins the next statement.
+    // A parenthesis at the start of a line begins the next statement.
     let open = just(T::LeftParen).try_map_with(|_, scene| match begins_line(scene) {
         true => Err(Failure::at(scene.span())),
         false => Ok(()),
@@ -220,7 +221,7 @@ fn call<'t>(expression: Rule<'t, Expr>) -> Rule<'t, ExprKind> {
         .boxed()
 }
 
-/// True if nothing stands before a token on its line.
+/// True if a token is the first on its line.
 fn begins_line(scene: &mut Scene) -> bool {
     let span: Span = scene.span();
     let before = scene.state().0.get(..span.start as usize).unwrap_or("");
@@ -246,7 +247,7 @@ fn called_with(name: Name, mut arguments: Arguments) -> ExprKind {
     }
 }
 
-/// `if c { x } else { y }`; the branch of `else if` is a block of that `if` alone.
+/// `if c { x } else { y }`; `else if` becomes a block with that `if` alone.
 fn branches<'t>(expression: Rule<'t, Expr>, block: Rule<'t, Block>) -> Rule<'t, ExprKind> {
     let behind_if = recursive(|behind_if| {
         let chained = just(T::If).ignored().boxed();

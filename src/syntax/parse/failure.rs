@@ -1,7 +1,7 @@
-//! Reasons why a rule could not read on: a value small enough to be made at every token.
+//! Parse failures, small enough to be constructed at every token.
 //!
-//! The parser makes one of these for each alternative it gives up, so what was wanted is
-//! kept as two sets of bits. Words are found later, in `report`, for the few that remain.
+//! The parser constructs one for each alternative that it abandons, so the expected tokens are kept
+//! as two bit sets. `report` produces words later, for the few failures that remain.
 
 use super::input::Tokens;
 use crate::source::Span;
@@ -10,7 +10,7 @@ use chumsky::DefaultExpected;
 use chumsky::error::{Error, LabelError};
 use chumsky::util::MaybeRef;
 
-/// A phrase for what can be wanted besides a certain token, in the order in which it is told.
+/// A phrase for something expected other than a specific token, in the order of messages.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u8)]
 pub(super) enum Phrase {
@@ -28,9 +28,9 @@ pub(super) enum Phrase {
     DrawingStatement,
     Statement,
     Text,
-    /// An operator; told only where nothing else is wanted.
+    /// An operator; mentioned only if nothing else is expected.
     Operator,
-    /// A subscript or a field behind a name; told only where nothing else is wanted.
+    /// A subscript or a field after a name; mentioned only if nothing else is expected.
     Subscript,
 }
 
@@ -54,7 +54,7 @@ impl Phrase {
         Self::Subscript,
     ];
 
-    /// The words for it, one for each way to write it.
+    /// Its words, one entry for each way to write it.
     pub(super) fn words(self) -> &'static [&'static str] {
         match self {
             Self::Item => &["`op`", "`script`", "`fn`", "`attr`", "`use`", "`test`"],
@@ -95,7 +95,7 @@ impl Wanted {
         Self { tokens: 0, phrases }
     }
 
-    /// True if a token is wanted.
+    /// True if the set contains this token.
     pub(super) fn has(self, kind: TokenKind) -> bool {
         self.tokens >> kind as u32 & 1 == 1
     }
@@ -114,57 +114,57 @@ impl Wanted {
     }
 }
 
-/// A mistake with a sentence of its own.
+/// A mistake with its own message.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Mistake {
     /// `a < b < c`
     ChainedComparison,
-    /// `before` or `after` twice in one rule; the other one's place.
+    /// `before` or `after` twice in one rule, with the span of the first.
     TwiceDrawn(Span),
-    /// A condition or `before` that stands too late; where it should stand.
+    /// A part in the wrong place, with the message.
     Misplaced(&'static str),
-    /// `v[i](…)`: what is called has no subscript.
+    /// `v[i](…)`: a function has no subscript.
     CalledFamily,
-    /// `"a {b}"` where nothing is printed.
+    /// `"a {b}"` outside of `print`.
     ValuesInText,
-    /// `{x:…}` with something else than digits behind the point.
+    /// `{x:…}` with an unknown format.
     UnknownFormat,
-    /// `elif`, for which `else if` is written.
+    /// `elif` in place of `else if`.
     ElseIf,
     /// A parameter without a type.
     Untyped,
-    /// `new vertex m`: in a list stand names alone.
+    /// `new vertex m`: a list contains only names.
     KindInList,
     /// The path of a `use` without quotes.
     BarePath,
-    /// `edge e: a | null`: there is no halfedge without a twin.
+    /// `edge e: a | null`: every halfedge has a twin.
     NoTwin,
-    /// `rule` beside parts that stand in none.
+    /// `rule` next to drawings that are in no rule.
     RuleAmongParts,
 }
 
-/// The reason why a rule could not read on.
+/// The reason why a rule failed.
 #[derive(Clone, Debug)]
 pub(super) struct Failure {
     /// The place.
     pub span: Span,
-    /// The token there; nothing at the end of the item.
+    /// The token there; `None` at the end of the item.
     pub found: Option<TokenKind>,
-    /// The tokens that could have stood there.
+    /// The tokens and phrases that were expected there.
     pub wanted: Wanted,
-    /// The start of the statement or header began that could not be read on.
+    /// The span of the statement or header in which the failure occurred.
     pub context: Option<Span>,
-    /// The mistake instead of something unexpected.
+    /// The mistake, if the failure is not just an unexpected token.
     pub mistake: Option<Mistake>,
 }
 
 impl Failure {
-    /// Something unexpected, of which nothing more is known.
+    /// A failure of unknown cause.
     pub(super) fn at(span: Span) -> Self {
         Self { span, found: None, wanted: Wanted::default(), context: None, mistake: None }
     }
 
-    /// A mistake with a sentence of its own.
+    /// A mistake with its own message.
     pub(super) fn mistake(mistake: Mistake, span: Span) -> Self {
         let mistake = Some(mistake);
         Self { mistake, ..Self::at(span) }
@@ -220,5 +220,5 @@ impl<'t> LabelError<'t, Tokens<'t>, Phrase> for Failure {
     }
 }
 
-/// So many kinds fit into the bits of [`Wanted`].
+/// Every token kind has a bit in [`Wanted`].
 const _: () = assert!((TokenKind::Comment as u32) < u128::BITS);

@@ -1,4 +1,4 @@
-//! A whole file: its items, their comments, and what is wrong.
+//! A whole file: its items, their doc comments, and the diagnostics.
 
 use super::again::Known;
 use super::cut::cut;
@@ -15,7 +15,7 @@ use crate::syntax::token::Token;
 use crate::syntax::tree::{File, Item};
 use chumsky::Parser;
 
-/// The tree of a text, and what is wrong with it.
+/// The result of parsing a text.
 #[derive(Clone, Debug)]
 pub struct Parsed {
     /// The tree, as far as it could be read.
@@ -24,18 +24,18 @@ pub struct Parsed {
     pub tokens: Vec<Token>,
     /// Every comment, in order.
     pub comments: Vec<Comment>,
-    /// The mistakes, in the order of its places.
+    /// The diagnostics, in the order of their places.
     pub diagnostics: Vec<Diagnostic>,
-    /// The items that could be read only after some of their words were exchanged.
+    /// The items that could be parsed only after foreign syntax was replaced.
     pub mended: Vec<Span>,
 }
 
-/// Reads a text. Takes any text, in time linear in its length.
+/// Parses any text, in time linear in its length.
 pub fn parse(file: FileId, text: &str) -> Parsed {
     parse_with(file, text, &Known::default())
 }
 
-/// The same, where some items are known.
+/// The same, reusing known items.
 pub(super) fn parse_with(file: FileId, text: &str, known: &Known) -> Parsed {
     let Lexed { tokens, comments, mut diagnostics } = lex(file, text);
     let mut mended = Vec::new();
@@ -77,7 +77,7 @@ fn items(
     items
 }
 
-/// The file docs before the first token.
+/// The file doc comments before the first token.
 fn file_docs(text: &str, tokens: &[Token], comments: &[Comment]) -> Vec<String> {
     let head = tokens.first().map_or(u32::MAX, |token| token.span.start);
     comments
@@ -96,7 +96,7 @@ struct Reading<'t, 'g> {
 }
 
 impl<'t> Reading<'t, '_> {
-    /// The items that some tokens are, mostly one, each with the place of its first token.
+    /// The items that the tokens form, usually one, each with the span of its first token.
     fn items(&mut self, tokens: &'t [Token], next: Option<Token>) -> Vec<(Span, Item)> {
         let whole = whole(tokens);
         let first = tokens.first().map_or(whole, |token| token.span);
@@ -119,11 +119,11 @@ impl<'t> Reading<'t, '_> {
         }
         self.mended.push(whole);
         let mut items = Vec::new();
-        // What was put into other words does not live as long as the text.
+        // The replaced tokens do not live as long as the text, so they need their own grammar.
         let grammar = item();
         let ranges = cut(self.text, &mended);
         for (number, range) in ranges.iter().cloned().enumerate() {
-            // Each item tells its own, so that it is known of each whether it is right.
+            // Each item reports its own findings, so that it is known which items are valid.
             let begin = if number == 0 { 0 } else { mended[range.start].span.start };
             let next_begin = ranges.get(number + 1).map(|next| mended[next.start].span.start);
             let here = begin..next_begin.unwrap_or(u32::MAX);
@@ -139,7 +139,7 @@ impl<'t> Reading<'t, '_> {
             let mut told = report_all(failures, &around);
             let first = told.first().cloned().filter(|_| own.is_empty());
             told.retain(|told| !is_consequence(self.text, told, &found));
-            // An item that is wrong is never without a word.
+            // An invalid item always has a diagnostic.
             told.extend(first.filter(|_| told.is_empty()));
             self.diagnostics.extend(own.into_iter().chain(told));
             items.push((here.before(), item.unwrap_or(Item::Broken(here))));
@@ -170,8 +170,8 @@ fn whole(tokens: &[Token]) -> Span {
     }
 }
 
-/// True if something is wrong only since something else is: on the line of a way of writing that is
-/// foreign, or behind one that leaves open what was meant.
+/// True if an error only follows from a finding: on the same line as the foreign syntax, or after
+/// foreign syntax whose meaning is uncertain.
 fn is_consequence(text: &str, told: &Diagnostic, found: &[Found]) -> bool {
     let at = told.span().start;
     found.iter().any(|found| {
@@ -184,7 +184,7 @@ fn is_consequence(text: &str, told: &Diagnostic, found: &[Found]) -> bool {
     })
 }
 
-/// Gives doc comments to what they are about. Both lists are in order, so one walk is enough.
+/// Attaches doc comments to items. Both lists are in order, so one pass is enough.
 struct Docs<'t> {
     text: &'t str,
     comments: &'t [Comment],

@@ -1,5 +1,4 @@
-//! Foreign syntax in the grammar: what people write who come from other languages, and how it is
-//! written here.
+//! Foreign syntax in the grammar: forms from other languages, and their equivalents here.
 
 use super::failure::{Failure, Mistake, Phrase};
 use super::input::{Extra, Rule, Tokens, slice};
@@ -13,15 +12,16 @@ use chumsky::prelude::*;
 
 type Input<'t, 'p> = InputRef<'t, 'p, Tokens<'t>, Extra<'t>>;
 
-/// The greatest distance of the beginning of a condition, in tokens.
+/// The maximum number of tokens that are searched backwards.
 const FARTHEST: usize = 64;
 
-/// The words of the note about a block without braces.
+/// The text of the note about a block without braces.
 pub(super) const IN_BRACES: &str = "a block stands in braces";
 
 const COMMENT: &str = "a comment begins with `//` and ends with its line";
 
-/// Tells how something is written here, if it is written so elsewhere.
+/// Adds to a diagnostic how something is written here, if the failure is at a form from another
+/// language.
 pub(super) fn told_here(told: Diagnostic, failure: &Failure, around: &Around) -> Diagnostic {
     let tokens = around.item;
     let at = tokens.partition_point(|token| token.span.start < failure.span.start);
@@ -101,7 +101,7 @@ pub(super) fn told_here(told: Diagnostic, failure: &Failure, around: &Around) ->
     }
 }
 
-/// `elif`, with the beginning of a condition behind it: a mistake that is read as `else if`.
+/// `elif` followed by the beginning of a condition: a mistake that is parsed as `else if`.
 pub(super) fn else_if<'t>() -> Rule<'t, ()> {
     let contracted = |word: &str| matches!(word, "elif" | "elsif" | "elseif");
     let goes_on = |kind: T| !matches!(kind, T::Equals | T::Dot | T::RightBrace);
@@ -113,7 +113,7 @@ pub(super) fn else_if<'t>() -> Rule<'t, ()> {
     .boxed()
 }
 
-/// The kind of what a name behind it stands for, in a list of names: a mistake.
+/// A kind before a name in a list of names: a mistake.
 pub(super) fn kind_in_list<'t>() -> Rule<'t, ()> {
     ahead(|input, kind, _| {
         matches!(kind, T::Vertex | T::Edge | T::Face | T::Hole)
@@ -127,12 +127,12 @@ pub(super) fn kind_in_list<'t>() -> Rule<'t, ()> {
     .boxed()
 }
 
-/// True if a word stands elsewhere for what is not there.
+/// True if other languages use the word for a null value.
 pub(super) fn is_nothing(word: &str) -> bool {
     matches!(word, "null" | "nullptr" | "None" | "nil" | "NULL" | "Null")
 }
 
-/// Nothing where the type of a parameter should stand: a mistake, and a type without a word.
+/// A missing type of a parameter: a mistake, and a type with an empty name.
 pub(super) fn no_type<'t>() -> Rule<'t, Ident> {
     let ends = |kind: T| matches!(kind, T::Comma | T::RightParen | T::Equals);
     ahead(move |_, kind, _| ends(kind))
@@ -140,8 +140,7 @@ pub(super) fn no_type<'t>() -> Rule<'t, Ident> {
         .boxed()
 }
 
-/// `std::polygon` or `std/polygon` where a text should stand: a mistake, and the path that is
-/// meant.
+/// `std::polygon` or `std/polygon` in place of a text: a mistake, and the path that is meant.
 pub(super) fn bare_path<'t>() -> Rule<'t, (String, Span)> {
     let word = select! { kind if T::is_wordlike(kind) => () };
     let colons = just(T::Colon).repeated().exactly(2);
@@ -162,8 +161,8 @@ pub(super) fn path_meant(written: &str) -> String {
     format!("{}.hedge", path.replace("::", "/").replace('.', "/"))
 }
 
-/// Reads nothing, and fails unless the next token, its kind and text, is such a one; the
-/// input is asked for what comes behind it.
+/// Consumes nothing, and fails unless `is_one` accepts the kind and the text of the next token; it
+/// may also look at the input after that token.
 fn ahead<'t>(is_one: impl Fn(&mut Input<'t, '_>, T, &str) -> bool + 't) -> Rule<'t, ()> {
     custom(move |input: &mut Input<'t, '_>| {
         let start = input.save();
@@ -184,13 +183,13 @@ fn written(told: Diagnostic, span: Span, word: &str) -> Diagnostic {
     told.saying(format!("here it is written `{word}`")).fix(format!("write `{word}`"), span, word)
 }
 
-/// True if a token makes one sign with an equals sign behind it, as in `+=`.
+/// True if a token and the equals sign after it form one sign, as in `+=`.
 fn is_sign(token: &Token, equals: &Token) -> bool {
     let signs = [T::Plus, T::Minus, T::Star, T::Slash];
     signs.contains(&token.kind) && token.span.end == equals.span.start
 }
 
-/// True if what comes behind these tokens belongs to a condition.
+/// True if the token after these belongs to a condition.
 fn in_condition(before: &[Token]) -> bool {
     let near = before.iter().rev().take(FARTHEST).map(|token| token.kind);
     let mut words = near.skip_while(|kind| {
@@ -201,15 +200,14 @@ fn in_condition(before: &[Token]) -> bool {
     matches!(words.next(), Some(T::If | T::While | T::Where | T::Assert | T::Require))
 }
 
-/// The operand that is changed by a sign with an equals sign behind it: what stands before it on
-/// its line.
+/// The left operand of a sign like `+=`: the text before it on its line.
 fn changed<'t>(before: &[Token], text: &'t str) -> Option<&'t str> {
     let until = before.last()?.span.start as usize;
     let line = text.get(..until)?.rsplit(['\n', '{']).next()?.trim();
     (!line.is_empty() && !line.contains(char::is_whitespace)).then_some(line)
 }
 
-/// True if the last of these tokens is a word behind a dot.
+/// True if the last of these tokens is a word after a dot.
 fn is_field(before: &[Token]) -> bool {
     matches!(before, [.., dot, word] if dot.kind == T::Dot && word.kind.is_wordlike())
 }
@@ -221,12 +219,12 @@ fn is_value_of_if(before: &[Token]) -> bool {
         && near.any(|token| token.kind == T::If)
 }
 
-/// True if an item should have begun.
+/// True if an item was expected.
 fn begins_item(failure: &Failure) -> bool {
     failure.wanted.phrases().any(|phrase| phrase == Phrase::Item)
 }
 
-/// The word of this language for a word with which items begin elsewhere.
+/// The keyword of this language for a foreign word that begins an item.
 fn item_word(word: &str) -> Option<&'static str> {
     Some(match word {
         "def" | "function" | "func" | "fun" | "define" => "fn",
@@ -238,7 +236,7 @@ fn item_word(word: &str) -> Option<&'static str> {
     })
 }
 
-/// The tokens before the parentheses around what comes behind these tokens, if they belong to no
+/// The token before the open parenthesis around the next token, if it is not the parenthesis of a
 /// call.
 fn before_bare_parentheses(before: &[Token]) -> Option<T> {
     let mut closed = 0;

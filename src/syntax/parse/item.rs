@@ -1,4 +1,4 @@
-//! Items: what stands at the top level of a file.
+//! Items: the top level of a file.
 
 use super::action::{Code, code};
 use super::drawing::{mark, side};
@@ -16,7 +16,7 @@ use crate::syntax::tree::{
 use chumsky::input::Emitter;
 use chumsky::prelude::*;
 
-/// An item, up to where the next one begins. Doc comments are put in later.
+/// An item, up to where the next one begins. Doc comments are added later.
 pub(super) fn item<'t>() -> Rule<'t, Item> {
     let code = code();
     let item = choice((
@@ -63,7 +63,7 @@ fn attr<'t>(code: &Code<'t>) -> Rule<'t, Attr> {
         .boxed()
 }
 
-/// `(e: edge, t: real = 0.5)`; a parameter that cannot be read is left out.
+/// `(e: edge, t: real = 0.5)`; a parameter that cannot be read is dropped.
 fn params<'t>(code: &Code<'t>) -> Rule<'t, Vec<Param>> {
     let default = just(T::Equals).ignore_then(code.expression.clone());
     let ty = just(T::Colon).ignore_then(type_word());
@@ -97,7 +97,7 @@ fn result<'t>(word: Rule<'t, Ident>) -> Rule<'t, Option<Ident>> {
     just(T::Arrow).ignore_then(word).or_not().map(Option::flatten).boxed()
 }
 
-/// The block of an item, whatever stands before it.
+/// The block of an item, skipping anything before it that cannot be read.
 fn body<'t>(code: &Code<'t>) -> Rule<'t, Block> {
     let later = recover::to_braces().ignore_then(code.block.clone());
     code.block.clone().recover_with(via_parser(later)).boxed()
@@ -189,8 +189,8 @@ enum Part {
     Broken,
 }
 
-/// The braces of an op: its parts, its rules or its steps. A closing brace with another part
-/// behind it closes nothing.
+/// The braces of an op: its parts, its rules or its steps. A closing brace followed by another part
+/// does not close the op.
 fn rules<'t>(code: &Code<'t>) -> Rule<'t, (Vec<Alternative>, Option<Steps>)> {
     let expression = &code.expression;
     let steps = just(T::Steps)
@@ -249,7 +249,7 @@ fn part<'t>(expression: &Rule<'t, Expr>) -> Rule<'t, Part> {
     .boxed()
 }
 
-/// Parts in braces, up to a closing brace that is an `end`.
+/// Parts in braces, up to a closing brace that matches `end`.
 fn parts<'t>(part: Rule<'t, Part>, end: Rule<'t, T>) -> Rule<'t, Vec<Part>> {
     let open = just(T::LeftBrace).ignored();
     let later = recover::to_braces().ignore_then(open.or_not().ignored());
@@ -285,11 +285,11 @@ fn condition<'t>(expression: &Rule<'t, Expr>) -> Rule<'t, Condition> {
 
 /// The parts of an op, sorted.
 struct Assembled {
-    /// A rule without a name.
+    /// The parts outside rules, as a rule without a name.
     alone: Alternative,
-    /// The rules among them.
+    /// The rules.
     rules: Vec<Alternative>,
-    /// The steps among them.
+    /// The steps and their span.
     steps: Option<(Block, Span)>,
 }
 

@@ -1,9 +1,9 @@
-//! Tokens to tree.
+//! From tokens to tree.
 //!
-//! A file is first cut into items by their keywords alone, and the depth of each is
-//! measured; then the grammar reads one item at a time. So a broken item harms no other,
-//! nothing nests deeper than the stack allows, and the time is linear in the text. Within
-//! an item, a statement that cannot be read is skipped and stands in the tree as `Broken`.
+//! A file is first cut into items by their keywords alone, and the depth of each is measured; then
+//! the grammar parses one item at a time. So a broken item does not affect others, nesting cannot
+//! overflow the stack, and the time is linear in the text. Within an item, a statement that cannot
+//! be read is skipped and becomes `Broken` in the tree.
 
 mod again;
 mod file;

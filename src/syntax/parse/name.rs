@@ -12,7 +12,7 @@ fn ident_here(scene: &mut Scene) -> Ident {
     Ident { text: slice(scene).to_owned(), span: scene.span() }
 }
 
-/// A keyword that is called like a function.
+/// A keyword used as the name of a function.
 pub(super) fn name_here(scene: &mut Scene) -> Name {
     Name { ident: ident_here(scene), index: None, span: scene.span() }
 }
@@ -25,7 +25,7 @@ pub(super) fn ident<'t>() -> Rule<'t, Ident> {
         .boxed()
 }
 
-/// A word where no statement can begin, so that keywords are words too: a field, a type.
+/// A word where no statement can begin, so that keywords are allowed too: a field, a type.
 pub(super) fn word<'t>() -> Rule<'t, Ident> {
     select! { kind if T::is_wordlike(kind) => () }
         .map_with(|(), scene| ident_here(scene))
@@ -46,7 +46,7 @@ pub(super) fn name<'t>() -> Rule<'t, Name> {
         .boxed()
 }
 
-/// A name in a list, where `v.position = …` would begin the next statement.
+/// A name in a list; not one before a dot, which begins the next statement, `v.position = …`.
 pub(super) fn listed_name<'t>() -> Rule<'t, Name> {
     name().then_ignore(just(T::Dot).not()).boxed()
 }
@@ -75,7 +75,7 @@ fn subscript<'t>() -> Rule<'t, Index> {
         .boxed()
 }
 
-/// The int under a token; one that is too large has been reported and counts as the largest.
+/// The value of an int token; one that is too large has been reported and becomes the maximum.
 pub(super) fn int_here(scene: &mut Scene) -> i64 {
     let digits = slice(scene).trim_end_matches(|c: char| !c.is_ascii_digit());
     digits.parse().unwrap_or(i64::MAX)
@@ -89,7 +89,7 @@ pub(super) fn text<'t>() -> Rule<'t, (String, Span)> {
         .boxed()
 }
 
-/// A text where none with values in it is understood.
+/// A text where embedded values are not allowed.
 pub(super) fn plain_text<'t>() -> Rule<'t, (String, Span)> {
     let inside = any().and_is(just(T::TextTail).not()).repeated();
     let with_values = just(T::TextHead)

@@ -1,9 +1,8 @@
-//! Recovery of the grammar from what it cannot read.
+//! Error recovery of the grammar.
 //!
-//! A rule that fails is replaced by a skip to the next token that surely begins something
-//! else. Skips are bounded by keywords, which stand nowhere inside of what is skipped, and
-//! by the brace that closes what surrounds it; every token is skipped at most once in each
-//! level of braces.
+//! A rule that fails is replaced by a skip to the next token that certainly begins something else.
+//! Skips stop at keywords, which cannot occur inside what is skipped, and at the brace that closes
+//! the surroundings. Every token is skipped at most once at each level of braces.
 
 use super::failure::Failure;
 use super::input::{Extra, Rule, Tokens};
@@ -41,7 +40,7 @@ fn begins_action(kind: T) -> bool {
     )
 }
 
-/// Skips what is left of a statement of a drawing.
+/// Skips the rest of a statement of a drawing.
 pub(super) fn drawing_statement<'t>() -> Rule<'t, Span> {
     skip(follows_drawing_statement)
 }
@@ -58,7 +57,7 @@ fn follows_drawing_statement(input: &mut Input, kind: T, level: usize) -> bool {
         || kind.is_name() && begins_assignment(input)
 }
 
-/// Skips what is left of a statement of a block.
+/// Skips the rest of a statement of a block.
 pub(super) fn action<'t>() -> Rule<'t, Span> {
     skip(follows_action)
 }
@@ -75,8 +74,8 @@ fn follows_action(input: &mut Input, kind: T, level: usize) -> bool {
             || matches!(kind, T::For | T::If | T::Must | T::Word) && begins_line(input))
 }
 
-/// Skips what is left of a pair of parentheses, and the one that closes it if there is one
-/// before the next statement or brace.
+/// Skips the rest of a pair of parentheses, and the closing one if it comes before the next
+/// statement or brace.
 pub(super) fn parentheses<'t>() -> Rule<'t, Span> {
     custom(|input: &mut Input<'t, '_>| {
         let start = input.cursor();
@@ -98,19 +97,20 @@ pub(super) fn parentheses<'t>() -> Rule<'t, Span> {
     .boxed()
 }
 
-/// Skips what is left of a part of an op.
+/// Skips the rest of a part of an op.
 pub(super) fn part<'t>() -> Rule<'t, Span> {
     skip(|_, kind, level| begins_part(kind) || kind == T::RightBrace && level == 0)
 }
 
-/// Skips what is left of the head of an item.
+/// Skips the rest of the head of an item.
 pub(super) fn item_head<'t>() -> Rule<'t, Span> {
     skip_from_first(|_, kind, _| {
         matches!(kind, T::LeftBrace | T::RightBrace | T::Arrow | T::Keeps) || begins_part(kind)
     })
 }
 
-/// The end of a pair of parentheses; its lack is forgiven where no value goes on.
+/// A closing parenthesis; if it is missing before a brace or the next statement, that is reported
+/// and parsing continues.
 pub(super) fn right_paren<'t>() -> Rule<'t, ()> {
     let lack = custom(|input: &mut Input<'t, '_>| {
         let start = input.cursor();
@@ -141,7 +141,7 @@ pub(super) fn header<'t>() -> Rule<'t, Span> {
     })
 }
 
-/// Skips what is left of an entry of a list in parentheses.
+/// Skips the rest of an entry of a list in parentheses.
 pub(super) fn entry<'t>() -> Rule<'t, Span> {
     skip_from_first(|_, kind, _| {
         matches!(
@@ -151,16 +151,16 @@ pub(super) fn entry<'t>() -> Rule<'t, Span> {
     })
 }
 
-/// Skips all that is left.
+/// Skips everything that is left.
 pub(super) fn rest<'t>() -> Rule<'t, Span> {
     skip(|_, _, _| false)
 }
 
 type Stop = for<'t, 'p> fn(&mut Input<'t, 'p>, T, usize) -> bool;
 
-/// Skips one token, and then up to where `stop` holds; fails where there is no token, so
-/// that no repetition stands still. The last argument of `stop` counts
-/// the braces that were opened on the way; a skip ends behind the last one that closes.
+/// Skips one token, and then up to where `stop` holds; fails if there is no token, so that no
+/// repetition loops indefinitely. The last argument of `stop` counts the braces opened on the way;
+/// a skip ends after the brace that closes the outermost of them, unless `else` follows.
 fn skip<'t>(stop: Stop) -> Rule<'t, Span> {
     skipping(stop, true)
 }
@@ -196,7 +196,7 @@ fn skipping<'t>(stop: Stop, first_goes: bool) -> Rule<'t, Span> {
     .boxed()
 }
 
-/// Reads nothing, and fails where no assignment begins: so that what fails is the start of
+/// Consumes nothing, and fails if no assignment begins here, so that the failure is at the start of
 /// the statement.
 pub(super) fn assignment_ahead<'t>() -> Rule<'t, ()> {
     custom(|input: &mut Input<'t, '_>| {

@@ -1,4 +1,4 @@
-//! From failures of the grammar to diagnostics: the one place with the words.
+//! From failures of the grammar to diagnostics: all messages are worded here.
 
 use super::failure::{Failure, Mistake, Phrase};
 use super::foreign_syntax::{IN_BRACES, path_meant, told_here};
@@ -7,24 +7,23 @@ use crate::diagnostic::Diagnostic;
 use crate::source::Span;
 use crate::syntax::token::{Token, TokenKind as T};
 
-/// The words of the note about a word of the language that was taken for a name.
+/// The start of the note about a keyword used as a name.
 const ANOTHER_NAME: &str = "another name is needed";
 
-/// The surroundings of a failure.
+/// The context of a failure.
 pub(super) struct Around<'t> {
     /// The text of the file.
     pub text: &'t str,
     /// The tokens of the item.
     pub item: &'t [Token],
-    /// The token behind the item, if any.
+    /// The token after the item, if any.
     pub next: Option<Token>,
-    /// For each token of the item, the brace that is open before it, and one more for the
-    /// end.
+    /// For each token of the item, and for its end, the innermost open brace before it.
     pub open: Vec<Option<Token>>,
 }
 
 impl<'t> Around<'t> {
-    /// Looks around in an item of a file.
+    /// Collects the context in an item of a file.
     pub(super) fn new(text: &'t str, item: &'t [Token], next: Option<Token>) -> Self {
         let open = open_braces(item);
         Self { text, item, next, open }
@@ -65,8 +64,8 @@ fn open_braces(tokens: &[Token]) -> Vec<Option<Token>> {
     at
 }
 
-/// Tells the failures of an item in words, but not what follows from others: a second one on a
-/// line, a closing brace that is left over, the same again, all behind a block without braces.
+/// Reports the failures of an item, but not those that follow from others: a second one on a line,
+/// a leftover closing brace, the same one again, everything after a block without braces.
 pub(super) fn report_all(failures: Vec<Failure>, around: &Around) -> Vec<Diagnostic> {
     let mut told: Vec<Diagnostic> = Vec::new();
     for failure in failures {
@@ -95,7 +94,7 @@ fn same_line(text: &str, one: Span, other: Span) -> bool {
     text.get(start as usize..end as usize).is_some_and(|between| !between.contains('\n'))
 }
 
-/// Tells a failure in words.
+/// The diagnostic for a failure.
 fn report(failure: Failure, around: &Around) -> Diagnostic {
     match failure.mistake {
         Some(mistake) => mistaken(mistake, failure.span, around.text),
@@ -237,8 +236,8 @@ fn unexpected(failure: Failure, around: &Around) -> Diagnostic {
     }
 }
 
-/// Tells of a word of the language where a name is wanted, if what follows shows that it was meant
-/// as one.
+/// The error for a keyword in place of a name, if the tokens around it show that it was meant as
+/// one.
 fn keyword_as_name(failure: &Failure, around: &Around) -> Option<Diagnostic> {
     let kind = failure.found.filter(|kind| kind.is_keyword())?;
     let names = [Phrase::Name, Phrase::Parameter, Phrase::Halfedge, Phrase::Vertex];
@@ -261,7 +260,7 @@ fn keyword_as_name(failure: &Failure, around: &Around) -> Option<Diagnostic> {
     Some(told.note(format!("{ANOTHER_NAME}, as `{word}0` or `{word}_`")))
 }
 
-/// Tells of `{}` in a text that is printed.
+/// The error for an empty `{}` in a text that is printed.
 fn no_value(failure: &Failure, around: &Around) -> Option<Diagnostic> {
     let at = around.item.partition_point(|token| token.span.start < failure.span.start);
     let before = around.item.get(at.checked_sub(1)?)?;
@@ -273,7 +272,7 @@ fn no_value(failure: &Failure, around: &Around) -> Option<Diagnostic> {
     })
 }
 
-/// Tells of a brace that is not closed where something stands that cannot be inside of it.
+/// The error for an unclosed brace, at something that cannot be inside it.
 fn not_closed(open: Token, failure: &Failure, found: &str, around: &Around) -> Diagnostic {
     let is_one = never_closed(around.item) == 1;
     let (open, found, place) = match less_indented(around) {
@@ -305,8 +304,8 @@ fn line_before(text: &str, span: Span) -> &str {
     before.rsplit('\n').next().unwrap_or("")
 }
 
-/// A brace that is closed by one that stands further to the left than the line where it opens, and
-/// that one: probably it closes what is around.
+/// A brace whose closing brace is indented less than the line where it opens, and the closing
+/// brace, which probably closes the surrounding block.
 fn less_indented(around: &Around) -> Option<(Token, Token)> {
     let width = |token: &Token| {
         let line = line_before(around.text, token.span);
@@ -329,7 +328,7 @@ fn less_indented(around: &Around) -> Option<(Token, Token)> {
     None
 }
 
-/// Says how a statement is written that could not be read on.
+/// Adds a note with the syntax of the statement or header that failed.
 fn form(told: Diagnostic, context: Span, around: &Around) -> Diagnostic {
     let at = around.item.partition_point(|token| token.span.start < context.start);
     let form = match around.item.get(at).map(|token| token.kind) {
@@ -348,7 +347,7 @@ fn form(told: Diagnostic, context: Span, around: &Around) -> Diagnostic {
     told.note(form)
 }
 
-/// True if a statement of a drawing stands among the parts of an op.
+/// True if a statement of a drawing is among the parts of an op.
 fn is_of_a_drawing(failure: &Failure) -> bool {
     let begins_one = matches!(
         failure.found,
@@ -357,7 +356,7 @@ fn is_of_a_drawing(failure: &Failure) -> bool {
     begins_one && failure.wanted.phrases().any(|phrase| phrase == Phrase::Part)
 }
 
-/// True if something whole could have begun here, so that nothing is missing before.
+/// True if an item, part or statement could begin here, so that nothing is missing before.
 fn starts_anew(failure: &Failure) -> bool {
     let phrases: Vec<_> = failure.wanted.phrases().collect();
     let something = !phrases.is_empty() || failure.wanted.tokens().next().is_some();
@@ -370,8 +369,8 @@ fn starts_anew(failure: &Failure) -> bool {
         })
 }
 
-/// The place to point at if what was found stands on a later line than what it should have
-/// followed: behind that.
+/// The span to point at: if the token found is on a later line than the previous token, the place
+/// after that token.
 fn behind_the_last_line(span: Span, around: &Around) -> Span {
     let tokens = around.item;
     let at = tokens.partition_point(|token| token.span.start < span.start);
@@ -386,7 +385,7 @@ fn behind_the_last_line(span: Span, around: &Around) -> Span {
     }
 }
 
-/// A token as it is written, cut where it is long.
+/// The text of a token, truncated if it is long.
 fn shown(span: Span, text: &str) -> String {
     const LONGEST: usize = 24;
     let written = text.get(span.range()).unwrap_or("");
@@ -405,8 +404,8 @@ fn end_of(around: &Around) -> String {
     }
 }
 
-/// The things that were wanted, in words; in order; how a name or a value could go on only if
-/// nothing else was.
+/// What was expected, in words and in order; continuations of a name or value only if nothing else
+/// was.
 fn wanted(failure: &Failure) -> Vec<String> {
     let all = failure.wanted;
     let weak = |phrase: &Phrase| matches!(phrase, Phrase::Operator | Phrase::Subscript);
@@ -428,7 +427,7 @@ fn listed(words: &[String]) -> String {
     }
 }
 
-/// `in the face statement `f0``, from the tokens at the start of what could not be read.
+/// "in the face statement `f0`", from the tokens at the start of the context.
 fn place(context: Span, around: &Around) -> Option<String> {
     let tokens = around.item;
     let at = tokens.partition_point(|token| token.span.start < context.start);

@@ -1,7 +1,7 @@
-//! Texts with values in them: `"mean {mean(len):.3} of {n}"`.
+//! Texts with embedded values: `"mean {mean(len):.3} of {n}"`.
 //!
-//! The tokens are cut at the braces: `"mean {`, the value, `:.3} of {`, the value, `}"`. What
-//! stands behind a value and before its brace says how it is printed.
+//! The tokens are cut at the braces: `"mean {`, the value, `:.3} of {`, the value, `}"`. The format
+//! between a value and its closing brace determines how it is printed.
 
 use super::failure::{Failure, Mistake};
 use super::input::{Rule, slice};
@@ -11,10 +11,10 @@ use crate::syntax::token::TokenKind as T;
 use crate::syntax::tree::{Digits, Expr, Piece};
 use chumsky::prelude::*;
 
-/// The greatest number of digits behind the point.
+/// The maximum number of digits after the point.
 const MOST_DIGITS: u8 = 17;
 
-/// The pieces of a text that has at least one value in it.
+/// The pieces of a text with at least one embedded value.
 pub(super) fn text_with_values<'t>(expression: Rule<'t, Expr>) -> Rule<'t, Vec<Piece>> {
     let head = select! { T::TextHead => () }.map_with(|(), scene| unquoted(slice(scene)));
     let behind = |kind: T| {
@@ -44,12 +44,13 @@ pub(super) fn text_with_values<'t>(expression: Rule<'t, Expr>) -> Rule<'t, Vec<P
         .boxed()
 }
 
-/// The text of a token behind its first character, without the brace at its end.
+/// The text of a token after its first character, without the brace at its end.
 fn unquoted(token: &str) -> String {
     read_text(token.strip_suffix('{').unwrap_or(token)).value
 }
 
-/// The format before the brace that ends a value, and the text behind it.
+/// The format before the brace that ends a value, and the text after it. `None` if the format is
+/// unknown.
 fn cut(token: &str) -> (Option<Digits>, String) {
     let end = token.find('}').unwrap_or(0);
     let text = unquoted(&token[end..]);

@@ -8,7 +8,7 @@ use crate::source::Span;
 pub struct Block {
     /// Its statements.
     pub statements: Vec<Action>,
-    /// With its braces.
+    /// Its span, braces included.
     pub span: Span,
 }
 
@@ -17,14 +17,14 @@ pub struct Block {
 pub struct Action {
     /// Its kind.
     pub kind: ActionKind,
-    /// The whole statement.
+    /// The span of the whole statement.
     pub span: Span,
 }
 
 /// The kind of a statement.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ActionKind {
-    /// `let x = …` or `var x = …`, perhaps with a type
+    /// `let x = …` or `var x = …`, optionally with a type.
     Let { mutable: bool, name: Ident, ty: Option<Ident>, value: Expr },
     /// `x = …`, `v.position = …`
     Assign { target: Expr, value: Expr },
@@ -44,7 +44,7 @@ pub enum ActionKind {
     Print(Vec<Shown>),
     /// `assert c else "…"`
     Assert { condition: Expr, reason: Option<(String, Span)> },
-    /// `require c else "…"`, in the steps of an op
+    /// `require c else "…"`, in the steps of an op.
     Require { condition: Expr, reason: Option<(String, Span)> },
     /// `return`, `return x`
     Return(Option<Expr>),
@@ -65,7 +65,7 @@ pub enum ActionKind {
 pub enum Shown {
     /// A value.
     Value(Expr),
-    /// `"mean {mean(len):.3} of {n}"`, and where it stands.
+    /// `"mean {mean(len):.3} of {n}"`, with its span.
     Text(Vec<Piece>, Span),
 }
 
@@ -84,10 +84,10 @@ impl Shown {
     }
 }
 
-/// A piece of a text with values in it.
+/// A piece of a text with embedded values.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Piece {
-    /// A text between the values, escapes undone.
+    /// The text between values, with escapes decoded.
     Text(String),
     /// `{x}`, `{x:.3}`
     Value(Expr, Digits),
@@ -96,10 +96,10 @@ pub enum Piece {
 /// The number of digits of a real that are printed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Digits {
-    /// `{x}`: as many as a reader wants, six significant ones
+    /// `{x}`: six significant digits.
     Few,
-    /// `{x:full}`: as many as read back as the same number
+    /// `{x:full}`: as many as needed to read back the same number.
     All,
-    /// `{x:.3}`: so many behind the point
+    /// `{x:.3}`: this many after the point.
     Behind(u8),
 }

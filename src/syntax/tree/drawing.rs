@@ -1,4 +1,4 @@
-//! Drawings: loops, edges, stars, and what becomes of the elements.
+//! Drawings: loops, edges, stars, lists and assignments.
 
 use std::fmt;
 
@@ -14,18 +14,18 @@ pub struct Side {
     pub span: Span,
 }
 
-/// A name of a diagram, perhaps a family: `v0`, `h'`, `v[i+1]`.
+/// A name in a drawing, possibly a family: `v0`, `h'`, `v[i+1]`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Name {
     /// The word.
     pub ident: Ident,
     /// The subscript.
     pub index: Option<Index>,
-    /// Word and subscript.
+    /// The span of word and subscript.
     pub span: Span,
 }
 
-/// As it is written: `v`, `v[i+1]`.
+/// Formats the name as written: `v`, `v[i+1]`.
 impl fmt::Display for Name {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.ident.text)?;
@@ -45,13 +45,13 @@ impl fmt::Display for Name {
 pub struct Index {
     /// The variable, or `None` in `a[0]`.
     pub variable: Option<Ident>,
-    /// The summand behind the index.
+    /// The constant.
     pub offset: i64,
     /// The span between the brackets.
     pub span: Span,
 }
 
-/// Which loops a loop statement matches.
+/// The loops that a loop statement matches.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum LoopKeyword {
     /// `face`: interior faces.
@@ -73,7 +73,7 @@ pub enum Statement {
         name: Name,
         /// Its two halfedges.
         halfedges: [Name; 2],
-        /// The whole statement.
+        /// The span of the whole statement.
         span: Span,
     },
     /// `vertex v: a b *S`
@@ -92,7 +92,7 @@ pub enum Statement {
         attribute: Ident,
         /// The value.
         value: Expr,
-        /// The whole statement.
+        /// The span of the whole statement.
         span: Span,
     },
     /// Something that could not be read.
@@ -108,15 +108,15 @@ pub struct Loop {
     pub name: Name,
     /// The index variable, if the loop is written with `each`.
     pub each: Option<Ident>,
-    /// From each vertex, the halfedge or path that leaves it.
+    /// The vertices in order, each with the halfedge or path that leaves it.
     pub items: Vec<LoopItem>,
-    /// The vertex after the last item; `None` with `each`. It should be the first again.
+    /// The vertex after the last item, which should be the first one again; `None` with `each`.
     pub end: Option<Name>,
-    /// The whole statement.
+    /// The span of the whole statement.
     pub span: Span,
 }
 
-/// A vertex and what leaves it.
+/// A vertex and the halfedge or path that leaves it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LoopItem {
     /// The vertex.
@@ -145,7 +145,7 @@ pub struct Star {
     pub each: Option<Ident>,
     /// Its spokes, counterclockwise.
     pub spokes: Vec<Spoke>,
-    /// The whole statement.
+    /// The span of the whole statement.
     pub span: Span,
 }
 

@@ -1,4 +1,4 @@
-//! Words and expressions.
+//! Identifiers and expressions.
 
 use super::{Block, Name};
 use crate::source::Span;
@@ -49,7 +49,7 @@ pub enum BinaryOp {
     Or,
 }
 
-/// A question about an op, without applying it.
+/// A query about an op that does not apply it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Asking {
     /// `can flip(e)`: whether it would apply.
@@ -67,7 +67,7 @@ pub enum ExprKind {
     Int(i64),
     /// `0.5`, `1e-3`
     Real(f64),
-    /// `"text"`, escapes undone
+    /// `"text"`, with escapes decoded.
     Text(String),
     /// `x`, `v[i+1]`
     Name(Name),

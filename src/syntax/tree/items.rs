@@ -6,7 +6,7 @@ use crate::source::Span;
 /// A file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct File {
-    /// Doc comments at the head of the file (`//!`), a line each.
+    /// The doc comment at the head of the file (`//!`), one entry per line.
     pub docs: Vec<String>,
     /// Its items, in order.
     pub items: Vec<Item>,
@@ -38,16 +38,16 @@ pub struct Use {
     pub path: String,
     /// The span of the path, with its quotes.
     pub path_span: Span,
-    /// The whole item.
+    /// The span of the whole item.
     pub span: Span,
 }
 
-/// `attr name: vertex real = 0`, perhaps `private`.
+/// `attr name: vertex real = 0`, optionally `private`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Attr {
-    /// Its doc comment, a line each.
+    /// Its doc comment, one entry per line.
     pub docs: Vec<String>,
-    /// True if it is a scratch attribute, never saved.
+    /// True if it is `private`: visible only in its file, and never saved.
     pub private: bool,
     /// Its name.
     pub name: Ident,
@@ -55,22 +55,22 @@ pub struct Attr {
     pub kind: Ident,
     /// The type of its values, as written.
     pub ty: Ident,
-    /// The value it begins with.
+    /// The default value.
     pub default: Option<Expr>,
-    /// The whole item.
+    /// The span of the whole item.
     pub span: Span,
 }
 
 /// A parameter: `e: edge`, `a[0]: halfedge`, `t: real = 0.5`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Param {
-    /// Its name, perhaps with the index where a family begins.
+    /// Its name, optionally with the index where a family begins.
     pub name: Name,
-    /// Its type, as written; an empty word where there is none, which is a mistake.
+    /// Its type, as written; empty if it is missing, which is a mistake.
     pub ty: Ident,
     /// Its default.
     pub default: Option<Expr>,
-    /// The whole parameter.
+    /// The span of the whole parameter.
     pub span: Span,
 }
 
@@ -87,7 +87,7 @@ pub struct Fn {
     pub result: Option<Ident>,
     /// Its body.
     pub body: Block,
-    /// The whole item.
+    /// The span of the whole item.
     pub span: Span,
 }
 
@@ -102,7 +102,7 @@ pub struct Script {
     pub params: Vec<Param>,
     /// Its body.
     pub body: Block,
-    /// The whole item.
+    /// The span of the whole item.
     pub span: Span,
 }
 
@@ -113,35 +113,35 @@ pub struct Test {
     pub name: String,
     /// Its body.
     pub body: Block,
-    /// The whole item.
+    /// The span of the whole item.
     pub span: Span,
 }
 
 /// `op name(…) -> result keeps … { … }`
 #[derive(Clone, Debug, PartialEq)]
 pub struct Op {
-    /// Its doc comment, a line each, without `///`.
+    /// Its doc comment, one entry per line, without `///`.
     pub docs: Vec<String>,
     /// Its name.
     pub name: Ident,
     /// Its parameters.
     pub params: Vec<Param>,
-    /// The result: a name that it draws; of an op in steps, a type.
+    /// The result: a name that it draws, or, for an op in steps, a type.
     pub result: Option<Ident>,
     /// The properties it must keep.
     pub keeps: Vec<Ident>,
-    /// Its alternatives; an op without `rule` has one, unnamed, and one in steps has none.
+    /// Its alternatives: one without a name if there is no `rule`, none for an op in steps.
     pub rules: Vec<Rule>,
-    /// The steps in place of drawings.
+    /// The steps, for an op in steps.
     pub steps: Option<Steps>,
-    /// The whole item, from `op` to the closing brace.
+    /// The span of the whole item, from `op` to the closing brace.
     pub span: Span,
 }
 
-/// `steps { … }`: an op that calls others, all or nothing.
+/// `steps { … }`: calls of other ops as one transaction (all or nothing).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Steps {
-    /// The conditions that are tested before.
+    /// The conditions that are tested first.
     pub conditions: Vec<Condition>,
     /// The statements.
     pub body: Block,
@@ -158,11 +158,11 @@ pub struct Rule {
     pub conditions: Vec<Condition>,
     /// The drawing after.
     pub after: Option<Side>,
-    /// The whole rule; without `rule`, the braces of the op.
+    /// The span of the whole rule; without `rule`, of the braces of the op.
     pub span: Span,
 }
 
-/// `require …` or `guard …`
+/// `require …`, `guard …` or `alias …`
 #[derive(Clone, Debug, PartialEq)]
 pub enum Condition {
     /// `require CONDITION else "REASON"`
@@ -171,27 +171,27 @@ pub enum Condition {
         condition: Expr,
         /// The reason for a refusal.
         reason: Option<(String, Span)>,
-        /// The whole statement.
+        /// The span of the whole statement.
         span: Span,
     },
     /// `guard LEVEL`
     Guard {
         /// The level.
         level: Ident,
-        /// The whole statement.
+        /// The span of the whole statement.
         span: Span,
     },
     /// `alias v2 v3`
     Alias {
         /// The names that may stand for one element.
         names: Vec<Name>,
-        /// The whole statement.
+        /// The span of the whole statement.
         span: Span,
     },
 }
 
 impl Condition {
-    /// The whole statement.
+    /// The span of the whole statement.
     pub fn span(&self) -> Span {
         match self {
             Self::Require { span, .. } | Self::Guard { span, .. } | Self::Alias { span, .. } => {

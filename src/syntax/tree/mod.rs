@@ -1,7 +1,7 @@
-//! The tree: a file as it is written, before anything is known about its names.
+//! The syntax tree: a file as written, before names are resolved.
 //!
-//! Every node carries its span. What could not be read stands as `Broken`, so that
-//! one mistake never hides what follows.
+//! Every node has its span. Parts that could not be read become `Broken`, so that one mistake never
+//! hides what follows.
 
 mod items;
 

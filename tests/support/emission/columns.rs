@@ -1,4 +1,4 @@
-//! The attributes that the meshes carry: those that `attributes.hedge` declares.
+//! The attributes of the meshes: those that `attributes.hedge` declares.
 
 use hedgerow::diagram::Type;
 use hedgerow::mesh::{AttributeType, ColumnId, ElementKind, Mesh, Value};
@@ -7,7 +7,7 @@ use super::subjects::Subject;
 use crate::meshes::Dice;
 use ElementKind::{Edge, Face, Halfedge, Vertex};
 
-/// What there is, with what a new element has.
+/// All attributes, with the values of a new element.
 const ALL: [(ElementKind, &str, Value); 9] = [
     (Vertex, "weight", Value::Real(0.0)),
     (Vertex, "tint", Value::Vec3(glam::DVec3::ZERO)),
@@ -20,20 +20,20 @@ const ALL: [(ElementKind, &str, Value); 9] = [
     (Face, "frame", Value::Mat3(glam::DMat3::ZERO)),
 ];
 
-/// Gives a mesh the attributes, in which all values are as a new element has them.
+/// Adds the attributes to a mesh, with the values of a new element.
 pub fn add(mesh: &mut Mesh) {
     for (kind, name, default) in ALL {
         mesh.add_column(kind, name, default).unwrap();
     }
 }
 
-/// Gives a mesh the attributes, with values.
+/// Adds the attributes to a mesh, with random values.
 pub fn fill(mesh: &mut Mesh, dice: &mut Dice) {
     add(mesh);
     for kind in [Vertex, Halfedge, Edge, Face] {
         let length = numbers(mesh, kind, 0).len();
         for id in living(mesh, kind) {
-            // Sums and halves of eighths are exact, also in short reals.
+            // Sums and halves of eighths are exact, also in single precision.
             let numbers: Vec<_> = (0..length).map(|_| dice.below(16) as f64 / 8.0).collect();
             set_numbers(mesh, kind, id, &mut numbers.into_iter());
         }
@@ -50,7 +50,7 @@ fn column(mesh: &Mesh, kind: ElementKind, name: &str) -> ColumnId {
     mesh.find_column(kind, name).expect("the mesh has it")
 }
 
-/// What the attributes of an element say, as numbers.
+/// The values of the attributes of an element, as numbers.
 pub fn numbers(mesh: &Mesh, kind: ElementKind, id: u32) -> Vec<f64> {
     let own = ALL.iter().filter(|(of, ..)| *of == kind);
     let values = own.map(|(_, name, _)| mesh.value(column(mesh, kind, name), id).unwrap());
@@ -84,7 +84,7 @@ pub fn set_numbers(
     }
 }
 
-/// All that the attributes of a mesh say. What is created comes last, so the order is that of
+/// The values of all attributes of a mesh. Created elements come last, so the order is the same for
 /// any other mesh that was changed in the same way.
 pub fn all_numbers(mesh: &Mesh) -> Vec<f64> {
     let kinds = [Vertex, Halfedge, Edge, Face].into_iter();
@@ -95,7 +95,7 @@ pub fn all_numbers(mesh: &Mesh) -> Vec<f64> {
     all.collect()
 }
 
-/// Where the attributes of an operation lie, by their numbers.
+/// The columns of the attributes of an operation, by number.
 pub fn of(subject: &Subject, mesh: &Mesh) -> Vec<Option<ColumnId>> {
     let found = subject.attributes.iter().map(|attribute| {
         let kind = match attribute.element {

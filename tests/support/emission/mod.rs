@@ -1,5 +1,5 @@
-//! Emitted code against the machine: the operations, the meshes they are tried on, and what comes
-//! out. A program of emitted Rust is linked against this, and needs nothing else.
+//! Emitted code compared with the machine: the operations, the meshes on which they are tried, and
+//! the results. A program of emitted Rust is linked with this crate and needs nothing else.
 
 pub mod columns;
 pub mod places;
@@ -14,7 +14,7 @@ use subjects::emissions;
 /// A call of an emitted operation by its name: whether it applied, and its result.
 pub type Call = fn(&str, &mut Mesh, &[Argument]) -> (bool, Option<u32>);
 
-/// Holds emitted Rust against the machine: `call` applies an operation by its name, and says
+/// Compares emitted Rust with the machine: `call` applies an operation by its name, and returns
 /// whether it applied, and its result.
 pub fn hold_rust(call: Call) {
     let emissions = emissions();

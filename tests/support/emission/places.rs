@@ -1,4 +1,4 @@
-//! Where operations are tried, and what the machine makes of it.
+//! The places at which operations are tried, and the results of the machine.
 
 use hedgerow::diagram::Type;
 use hedgerow::mesh::same_up_to_renumbering;
@@ -59,7 +59,7 @@ impl Argument {
     }
 }
 
-/// What an operation is given: no more than `most` choices of elements, each with values.
+/// Arguments for an operation: at most `most` choices of elements, each with values.
 pub fn arguments(
     subject: &Subject,
     mesh: &Mesh,
@@ -103,10 +103,10 @@ fn value(ty: Type, dice: &mut Dice) -> Argument {
     }
 }
 
-/// What has become of a call: the mesh and the result, or nothing if it was refused.
+/// The outcome of a call: the mesh and the result, or `None` if it was refused.
 pub type Done = Option<(Mesh, Option<u32>)>;
 
-/// What the machine does.
+/// The outcome on the machine.
 pub fn by_machine(subject: &Subject, place: &Place, arguments: &[Argument]) -> Done {
     let mut mesh = place.mesh.clone();
     let slots: Vec<u64> = arguments.iter().flat_map(|argument| argument.slots()).collect();
@@ -116,20 +116,20 @@ pub fn by_machine(subject: &Subject, place: &Place, arguments: &[Argument]) -> D
     match machine.apply(&mut mesh, &subject.plan, &slots) {
         Ok(Outcome::Applied { result }) => Some((mesh, result)),
         Ok(Outcome::Refused { .. }) => None,
-        // Steps that would set such a position are undone, and a script stops there.
+        // Steps that would set such a position are rolled back, and a script stops there.
         Err(trap) if trap.message == Message::NotFinite => None,
         Err(trap) => panic!("{} traps: {trap:?}", subject.name),
     }
 }
 
-/// How often an operation was applied and refused.
+/// The number of times that an operation was applied and refused.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Tally {
     pub applied: usize,
     pub refused: usize,
 }
 
-/// Holds what emitted code has done against the machine.
+/// Compares the outcome of emitted code with that of the machine.
 pub fn compare(
     subject: &Subject,
     arguments: &[Argument],
@@ -160,7 +160,7 @@ pub fn compare(
     }
 }
 
-/// Every operation has been applied, and those that may refuse have.
+/// Prints the tallies, and asserts that every operation was applied, and refused if it can be.
 pub fn report(title: &str, tallies: &[(&Subject, Tally)]) {
     println!("{title}\n  {:<36}{:>9}{:>9}", "op", "applied", "refused");
     let mut total = Tally::default();

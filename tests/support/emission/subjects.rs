@@ -13,7 +13,7 @@ use hedgerow::source::Sources;
 use crate::guarded::OPS;
 use crate::reference::examples::examples;
 
-/// What is refused, and why.
+/// The operations that cannot be emitted, with the reasons.
 const NOT_EMITTED: [&str; 0] = [];
 
 /// An operation as the machine runs it.
@@ -30,7 +30,7 @@ pub struct Subject {
 
 /// Operations that are emitted together.
 pub struct Emission {
-    /// What they are called together.
+    /// The name of the group.
     pub name: String,
     pub program: Program,
     pub proved: Vec<Option<Proved>>,
@@ -40,12 +40,12 @@ pub struct Emission {
 }
 
 impl Emission {
-    /// What is emitted.
+    /// The selection of all its operations.
     pub fn selection(&self) -> Selection<'_> {
         self.of(&self.ops)
     }
 
-    /// Some of them.
+    /// The selection of some operations.
     pub fn of<'e>(&'e self, ops: &'e [usize]) -> Selection<'e> {
         Selection {
             program: &self.program,
@@ -56,7 +56,7 @@ impl Emission {
         }
     }
 
-    /// Why an operation cannot be emitted, if it cannot.
+    /// The reason why an operation cannot be emitted, if there is one.
     fn refuses(&self, op: usize) -> Option<String> {
         let refused = cpp(&self.of(&[op]), &Style::default()).err()?;
         Some(refused.what)
@@ -68,8 +68,8 @@ pub fn folder(path: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(path)
 }
 
-/// All operations, each under a name of its own: those that are drawn, then those in steps, file
-/// by file.
+/// All operations, each with a unique name: first the drawn ones, then those in steps, file by
+/// file.
 pub fn emissions() -> Vec<Emission> {
     let mut all = vec![drawn()];
     for path in ["src/library/std/polygon.hedge", "tests/emit/steps.hedge"] {
@@ -121,7 +121,7 @@ fn drawn() -> Emission {
             all.subjects.push(subject);
         }
     }
-    // What cannot be emitted is said by name.
+    // Operations that cannot be emitted are listed by name.
     let mut others = Vec::new();
     for (op, subject) in all.subjects.iter().enumerate() {
         match all.refuses(op) {
@@ -139,7 +139,7 @@ fn drawn() -> Emission {
     all
 }
 
-/// The operations in steps of a file, and what is drawn beside them.
+/// The operations in steps of a file, and the drawn operations next to them.
 fn in_steps(path: &str) -> Emission {
     let stem = Path::new(path).file_stem().unwrap().to_string_lossy();
     let mut text = fs::read_to_string(folder(path)).unwrap();
@@ -177,7 +177,7 @@ fn in_steps(path: &str) -> Emission {
     }
 }
 
-/// The text with an operation under a name with its file's, where it is declared and called.
+/// The text with an operation prefixed by the stem of its file, where it is declared and called.
 fn renaming(text: &str, stem: &str, name: &str) -> String {
     let renamed = format!("{stem}_{name}");
     let text = text.replace(&format!(" {name}("), &format!(" {renamed}("));
@@ -190,7 +190,8 @@ fn op_names(text: &str) -> Vec<String> {
     names.map(str::to_string).collect()
 }
 
-/// The drawn op of that name; scripts of the text may call another one that is gone.
+/// The drawn op of that name, without the scripts of the text, which may call ops that were
+/// renamed.
 fn subject(text: &str, name: &str) -> Option<(Subject, Proved, Program, Sources)> {
     let text = text.split("\nscript ").next()?;
     let mut sources = Sources::new();

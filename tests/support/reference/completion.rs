@@ -1,12 +1,11 @@
 //! Random finished meshes around the drawing before.
 //!
-//! A map is given by its halfedges, their twins, and at each vertex the cyclic order of its
-//! spokes. The drawing fixes some twins, and of some spokes the next one: where `x` is followed
-//! by `y` in a loop, the spoke after `y` is the twin of `x`. Everything else is chosen at
-//! random: the lengths of paths and the vertices on them, which undrawn twins belong together,
-//! which outer halfedges lie on paths, further edges, and the order of what is left. So every
-//! mesh with a match is a completion, with faces of one side, edges that end where they begin
-//! and all the rest.
+//! A map is given by its halfedges, their twins, and at each vertex the cyclic order of its spokes.
+//! The drawing fixes some twins, and for some spokes the next one: if `x` is followed by `y` in a
+//! loop, the spoke after `y` is the twin of `x`. Everything else is random: the lengths of paths
+//! and the vertices on them, the pairing of undrawn twins, which outer halfedges lie on paths,
+//! additional edges, and the order of the remaining spokes. So every mesh with a match is a
+//! completion, including degenerate ones with faces of one side and edges whose ends coincide.
 
 use hedgerow::diagram::{Kind, LoopKind, NameId, Rule, Spoke};
 use hedgerow::mesh::{FaceId, HalfedgeId, Mesh, validate};
@@ -14,15 +13,15 @@ use hedgerow::mesh::{FaceId, HalfedgeId, Mesh, validate};
 use super::maps::{mesh_of, shuffle_pointers};
 use super::random::Random;
 
-/// A mesh, and where in it the drawing lies.
+/// A mesh, and the match of the drawing in it.
 pub struct Completion {
     /// The mesh.
     pub mesh: Mesh,
-    /// By name: the element; `None` for paths and fans, and what `before` does not draw.
+    /// By name: the element; `None` for paths, fans and names that `before` does not draw.
     pub elements: Vec<Option<u32>>,
 }
 
-/// A completion; `None` if the drawing contradicts itself, or the dice do.
+/// A completion; `None` if the drawing or a random choice leads to a contradiction.
 pub fn complete(rule: &Rule, random: &mut Random) -> Option<Completion> {
     let mut sketch = Sketch::new(rule);
     sketch.loops(random)?;
@@ -50,7 +49,8 @@ struct Sketch<'a> {
     named: Vec<Option<usize>>,
     /// The halfedges of paths that have no name yet.
     on_paths: Vec<usize>,
-    /// Vertices that may have further spokes; those behind the names have none.
+    /// The vertices that may have further spokes; numbers after those of the names are unnamed
+    /// vertices.
     open: Vec<usize>,
     labels: usize,
 }
@@ -143,7 +143,7 @@ impl<'a> Sketch<'a> {
         Some(())
     }
 
-    /// The number of an outer halfedge: new, or one that lies on a path.
+    /// The number of an outer halfedge: a new one, or one on a path.
     fn outer(&mut self, name: NameId, ends: [usize; 2], random: &mut Random) -> Option<usize> {
         let half = match random.once_in(2) {
             true => self.on_a_path(ends, random).unwrap_or_else(|| self.add(ends[0], ends[1])),
@@ -153,14 +153,14 @@ impl<'a> Sketch<'a> {
         Some(half)
     }
 
-    /// A halfedge on a path that runs between two vertices, or can be made to.
+    /// A halfedge on a path that connects two vertices, or can be made to.
     fn on_a_path(&mut self, [origin, target]: [usize; 2], random: &mut Random) -> Option<usize> {
         let on_paths = self.on_paths.clone();
         let is_between = |sketch: &Self, half: usize| {
             let next = sketch.halves[half].next;
             next.filter(|next| on_paths.contains(next) && on_paths.contains(&half))
         };
-        // Vertices inside of paths may still be moved.
+        // Vertices inside paths may still be exchanged.
         let prev_of = |sketch: &Self, half: usize| {
             on_paths.iter().copied().find(|&other| is_between(sketch, other) == Some(half))
         };
@@ -192,10 +192,11 @@ impl<'a> Sketch<'a> {
         Some(half)
     }
 
-    /// Whether two halfedges in a row, both on paths, lie on two paths.
+    /// Whether two consecutive halfedges, both on paths, may lie on different paths.
     fn rule_vertex_border(&self, half: usize, next: usize) -> bool {
-        // Paths are numbered without a gap, so only the last of one and the first of another
-        // (or of the same one, the whole of a loop) do not follow each other in number.
+        // The halfedges of a path are numbered consecutively, so only the last one of a path and
+        // the first one of the next (or of the same path, if it is the whole loop) are not
+        // consecutive in number.
         let adjacent_paths = self.rule.before.loops.iter().any(|orbit| {
             let count = orbit.items.len();
             (0..count).any(|at| {
@@ -251,7 +252,7 @@ impl<'a> Sketch<'a> {
         Some(())
     }
 
-    /// Spokes that stand in no loop and no edge.
+    /// Adds the spokes that are in no loop and no edge.
     fn stars(&mut self, random: &mut Random) -> Option<()> {
         for star in &self.rule.before.stars {
             for spoke in &star.spokes {
@@ -272,7 +273,7 @@ impl<'a> Sketch<'a> {
         Some(())
     }
 
-    /// Pairs what has no twin, with one another or with something new.
+    /// Pairs halfedges without a twin, with each other or with new ones.
     fn twins(&mut self, random: &mut Random) {
         let mut open: Vec<_> =
             (0..self.halves.len()).filter(|&half| self.halves[half].twin.is_none()).collect();
@@ -302,7 +303,7 @@ impl<'a> Sketch<'a> {
         }
     }
 
-    /// For each halfedge the next spoke, counterclockwise.
+    /// The next spoke of each halfedge, counterclockwise.
     fn arrange(&self, random: &mut Random) -> Option<Vec<usize>> {
         let count = self.halves.len();
         let mut succeeds: Vec<Option<usize>> = vec![None; count];
@@ -349,7 +350,7 @@ impl<'a> Sketch<'a> {
                 chains.push(chain);
             }
             if seen < spokes.len() {
-                // A ring that is closed already, and has to be everything.
+                // A ring that is closed already has to contain all spokes.
                 let mut ring = vec![spokes[0]];
                 while let Some(next) =
                     succeeds[ring[ring.len() - 1]].filter(|&next| next != ring[0])
@@ -372,7 +373,7 @@ impl<'a> Sketch<'a> {
         succeeds.into_iter().collect()
     }
 
-    /// Whether the ring of a vertex is as its statement says.
+    /// Whether the ring of a vertex agrees with its statement.
     fn agrees(&self, vertex: usize, ring: &[usize]) -> bool {
         let star = self.rule.before.stars.iter().find(|star| star.vertex.name.index() == vertex);
         let Some(star) = star else { return true };
@@ -409,7 +410,7 @@ impl<'a> Sketch<'a> {
         }
         let mut holes = |half: usize| self.halves[half].hole.unwrap_or_else(|| random.once_in(3));
         let mut mesh = mesh_of(&next, &twin, &mut holes);
-        // A drawn loop begins anywhere, so its flag is set once more.
+        // A drawn loop may begin at any of its halfedges, so its flag is set again.
         for (half, drawn) in self.halves.iter().enumerate() {
             if let Some(hole) = drawn.hole {
                 let face: FaceId = mesh.face(HalfedgeId(half as u32));
@@ -432,7 +433,7 @@ impl<'a> Sketch<'a> {
             let half = self.named[edge.halfedges[0].name.index()]?;
             elements[edge.edge.name.index()] = Some(mesh.edge(id(half)).0);
         }
-        // A loop that is one path has no halfedge of a name: its face is not told.
+        // A loop that consists of paths has no named halfedge, so its face stays unknown.
         for orbit in &self.rule.before.loops {
             let half = orbit.items.iter().find_map(|item| self.named[item.item.name.index()]);
             if let Some(half) = half {

@@ -1,4 +1,4 @@
-//! What the tests start from: the programs of the examples, and each rule by itself.
+//! The programs of the examples, and each rule in isolation.
 
 use std::path::{Path, PathBuf};
 
@@ -16,7 +16,8 @@ pub fn examples() -> Vec<PathBuf> {
     paths
 }
 
-/// The op with one rule, without requirements, values and a result; what has no name gets one.
+/// The op with one rule, without requirements, value parameters and result; unnamed elements get
+/// names.
 pub fn alone(op: &Op, rule: &Rule) -> Op {
     let mut base = op.clone();
     let mut rule = rule.clone();

@@ -5,7 +5,7 @@ use hedgerow::mesh::{HalfedgeId, Mesh, validate};
 
 use super::random::Random;
 
-/// The mesh of two permutations, with random holes, and random `halfedge` pointers.
+/// The mesh of two permutations; `holes` decides which faces are holes.
 pub fn mesh_of(next: &[usize], twin: &[usize], holes: &mut dyn FnMut(usize) -> bool) -> Mesh {
     let count = next.len();
     let mut mesh = Mesh::default();
@@ -52,7 +52,8 @@ pub fn mesh_of(next: &[usize], twin: &[usize], holes: &mut dyn FnMut(usize) -> b
     mesh
 }
 
-/// A random map of `count` halfedges, an even number. Its faces, or its vertices, are small.
+/// A random map of `count` halfedges, an even number, in which the degrees of the faces, or those
+/// of the vertices, have a random bound.
 pub fn random_map(count: usize, random: &mut Random) -> Mesh {
     let twin: Vec<_> = (0..count).map(|half| half ^ 1).collect();
     let mut order: Vec<_> = (0..count).collect();
@@ -81,7 +82,7 @@ pub fn random_map(count: usize, random: &mut Random) -> Mesh {
     mesh
 }
 
-/// Lets every vertex, edge and face point at any of its halfedges.
+/// Lets every vertex, edge and face point to a random one of its halfedges.
 pub fn shuffle_pointers(mesh: &mut Mesh, random: &mut Random) {
     let halfedges: Vec<_> = mesh.halfedges().collect();
     let mut order = halfedges.clone();

@@ -1,13 +1,13 @@
-//! All places where a drawing matches, by trying everything.
+//! All matches of a drawing, by exhaustive search.
 //!
-//! A loop statement is laid on a whole cycle of `next`, a vertex statement on a whole cycle of
-//! spokes, item by item, paths and fans at every length; an edge statement on every pair of
-//! twins. What is bound already only makes the search shorter.
+//! A loop statement is placed on a whole cycle of `next`, a vertex statement on a whole cycle of
+//! spokes, item by item, with paths and fans of every length; an edge statement on every pair of
+//! twins. Existing bindings only shorten the search.
 
 use hedgerow::diagram::{Kind, Loop, LoopKind, NameId, Rule, Spoke, Star};
 use hedgerow::mesh::{EdgeId, FaceId, HalfedgeId, Mesh, VertexId};
 
-/// What each name of a rule is bound to.
+/// The bindings of the names of a rule.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Match {
     /// By name: the element.
@@ -16,13 +16,13 @@ pub struct Match {
     pub runs: Vec<Option<Vec<u32>>>,
 }
 
-/// The matches of a rule where some of its names are bound already, up to a number.
+/// At most `most` matches of a rule, with some of its names bound already.
 pub fn matches(rule: &Rule, mesh: &Mesh, bound: &[(NameId, u32)], most: usize) -> Vec<Match> {
     matches_where(rule, mesh, bound, most, &|_, _| false)
 }
 
-/// The same where some names may be one element. Edges may always be: two are one only where
-/// their halfedges are.
+/// The same, where some names may be bound to one element. Edges always may: two edges are one only
+/// if their halfedges are.
 pub fn matches_where(
     rule: &Rule,
     mesh: &Mesh,
@@ -49,7 +49,7 @@ pub fn matches_where(
     search.found
 }
 
-/// For each parameter that the rule draws, its name and the element given.
+/// The name and the given element of each parameter that the rule draws.
 pub fn bound_by(rule: &Rule, arguments: &[u32]) -> Vec<(NameId, u32)> {
     let params = rule.params.iter().zip(arguments);
     params.filter_map(|(name, &element)| Some(((*name)?, element))).collect()
@@ -74,7 +74,7 @@ struct Search<'a> {
     may_be_one: &'a dyn Fn(NameId, NameId) -> bool,
 }
 
-/// Names bound by one step, to be undone.
+/// The name bound by one step, to be undone.
 type Undo = Option<NameId>;
 
 impl<'a> Search<'a> {
@@ -82,8 +82,8 @@ impl<'a> Search<'a> {
         self.state.elements[name.index()]
     }
 
-    /// Binds a name; `None` if it is bound to something else, or another name of its kind has
-    /// the element.
+    /// Binds a name; `None` if it is bound to another element, or another name of its kind is bound
+    /// to this one.
     fn bind(&mut self, name: NameId, element: u32) -> Option<Undo> {
         match self.element(name) {
             Some(known) => (known == element).then_some(None),
@@ -105,7 +105,7 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Binds a run; a run that stands in two places of the drawing matches nowhere.
+    /// Binds a run; a run that occurs twice in the drawing never matches.
     fn bind_run(&mut self, name: NameId, run: &[HalfedgeId]) -> Option<Undo> {
         let known = &mut self.state.runs[name.index()];
         if known.is_some() {
@@ -122,7 +122,7 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Binds, goes on, and undoes.
+    /// Binds a name, continues, and undoes the binding.
     fn with(&mut self, name: NameId, element: u32, then: impl FnOnce(&mut Self)) {
         if let Some(undo) = self.bind(name, element) {
             then(self);
@@ -130,7 +130,7 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Lays the statement that is tied best to what is bound, or ends.
+    /// Places the statement that is most constrained by the bindings, or ends the search.
     fn statement(&mut self) {
         if self.found.len() >= self.most {
             return;
@@ -233,7 +233,7 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Lays the items from the `placed`th on, where `used` halfedges of the cycle are used.
+    /// Places the items from the `placed`th on, where `used` halfedges of the cycle are used.
     fn item(&mut self, orbit: &'a Loop, cycle: &[HalfedgeId], [first, placed, used]: [usize; 3]) {
         let count = orbit.items.len();
         if placed == count {
@@ -334,14 +334,15 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// All statements are laid: what is left to ask of the whole.
+    /// Records the match if it satisfies the global conditions, once all statements are placed.
     fn end(&mut self) {
         if self.named_spokes_are_listed() && self.no_loop_is_left_empty() {
             self.found.push(self.state.clone());
         }
     }
 
-    /// A halfedge of `before` that starts at a vertex with a statement is one of its spokes.
+    /// Whether each halfedge of `before` that starts at a vertex with a statement is one of its
+    /// listed spokes.
     fn named_spokes_are_listed(&self) -> bool {
         self.rule.before.stars.iter().all(|star| {
             let vertex = self.element(star.vertex.name);
@@ -358,7 +359,7 @@ impl<'a> Search<'a> {
         })
     }
 
-    /// A match where a loop of `after` would consist of empty paths only is refused.
+    /// Whether no loop of `after` would consist of empty paths only; such a match is refused.
     fn no_loop_is_left_empty(&self) -> bool {
         let empty =
             |name: NameId| matches!(&self.state.runs[name.index()], Some(run) if run.is_empty());

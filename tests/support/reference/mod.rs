@@ -1,6 +1,6 @@
-//! A slow and literal reading of the language's page: what a drawing matches, and what its
-//! rewrite does. It shares nothing with the checker and the machine but the data of a rule
-//! and the mesh, searches where they compute, and never asks whether an op is sound.
+//! A slow and literal implementation of the language reference: what a drawing matches, and what
+//! its rewrite does. It shares only the data of a rule and the mesh with the checker and the
+//! machine, searches where they compute, and never checks whether an op is sound.
 
 pub mod completion;
 pub mod examples;

@@ -1,8 +1,8 @@
-//! Small changes of an op that may or may not make it break meshes.
+//! Small mutations of an op that may or may not make it unsound.
 //!
-//! Each works on the data of a rule: names and statements are swapped, dropped, moved, copied.
-//! Some changes are large on purpose, and some are meant to leave the op sound: they state more
-//! of what is true, so that there are accepted ops of all shapes.
+//! Each works on the data of a rule: names and statements are swapped, dropped, moved, copied. Some
+//! mutations are large on purpose, and some are meant to keep the op sound: they state more facts
+//! that hold, so that there are accepted ops of all shapes.
 
 use hedgerow::diagram::{
     Alias, Edge, Kind, LoopItem, LoopKind, Name, NameId, Op, Ref, Role, Rule, Side, Spoke, Star,
@@ -14,7 +14,7 @@ use hedgerow::source::Span;
 use super::completion::complete;
 use super::random::Random;
 
-/// Changes an op of one rule once; `None` if the change picked does not apply.
+/// Mutates an op of one rule once; `None` if the chosen mutation does not apply.
 pub fn mutate(op: &mut Op, random: &mut Random) -> Option<()> {
     let mut mutation = Mutation { rule: op.rules.first_mut()?, random };
     match mutation.random.below(40) {
@@ -54,7 +54,7 @@ pub fn mutate(op: &mut Op, random: &mut Random) -> Option<()> {
     Some(())
 }
 
-/// Takes from the lists what the statements no longer bear out.
+/// Removes from the lists the names that no longer agree with the statements.
 fn tidy(rule: &mut Rule) {
     let before = mentioned(&rule.before);
     let after = mentioned(&rule.after);
@@ -79,7 +79,7 @@ fn mentioned(side: &Side) -> Vec<NameId> {
     refs(&mut side).into_iter().map(|mention| mention.name).collect()
 }
 
-/// All mentions on a side, but the ends of loops, which repeat their beginnings.
+/// All mentions on a side, except the ends of loops, which repeat their beginnings.
 pub fn refs(side: &mut Side) -> Vec<&mut Ref> {
     let mut refs = Vec::new();
     for orbit in &mut side.loops {
@@ -132,7 +132,7 @@ struct Mutation<'a> {
 }
 
 impl Mutation<'_> {
-    /// `after` twice as often as `before`.
+    /// A random side: `after` twice as often as `before`.
     fn side(&mut self) -> &mut Side {
         match self.random.once_in(3) {
             true => &mut self.rule.before,
@@ -169,7 +169,7 @@ impl Mutation<'_> {
         NameId(number as u32)
     }
 
-    /// Two names of one kind.
+    /// Two random names of one kind.
     fn two_names(&mut self) -> Option<[NameId; 2]> {
         let first = NameId(self.random.below(self.rule.names.len()) as u32);
         let kind = self.rule.kind(first);
@@ -177,7 +177,7 @@ impl Mutation<'_> {
         Some([first, *self.random.pick(&others)?])
     }
 
-    /// Two to four names of one kind, vertices as a rule, may stand for one element.
+    /// Adds an alias of two to four names of one kind, usually vertices.
     fn let_names_be_one(&mut self) -> Option<()> {
         if self.rule.cycle.is_some() {
             return None;
@@ -209,7 +209,7 @@ impl Mutation<'_> {
         Some(())
     }
 
-    /// Two places of one kind on a side, of different names.
+    /// Swaps two mentions on a side, of different names of one kind.
     fn swap_mentions(&mut self) -> Option<()> {
         let [first, second] = self.two_names()?;
         let mut random = self.random.clone();
@@ -387,7 +387,7 @@ impl Mutation<'_> {
         Some(())
     }
 
-    /// One more item in a loop of both sides, behind the same one.
+    /// Inserts one more item into a loop on both sides, after the same item.
     fn lengthen(&mut self) -> Option<()> {
         let kind = if self.random.once_in(2) { Kind::Path } else { Kind::Halfedge };
         let item = self.fresh(kind);
@@ -423,7 +423,7 @@ impl Mutation<'_> {
             return None;
         }
         let at = picks[0] % loops.len();
-        // The vertices stay, the items go on by one.
+        // The vertices stay, the items move by one.
         let items = &mut loops[at].items;
         let first = items[0].item;
         for place in 1..items.len() {
@@ -454,7 +454,7 @@ impl Mutation<'_> {
         let erased = self.here(name);
         self.rule.erased.push(erased);
         if self.random.once_in(2) {
-            // And draw it no longer.
+            // And removes it from `after`.
             let after = &mut self.rule.after;
             after.loops.retain(|orbit| orbit.face.name != name);
             for orbit in &mut after.loops {
@@ -496,7 +496,7 @@ impl Mutation<'_> {
         Some(())
     }
 
-    /// A statement of `before` stands in `after` too.
+    /// Copies a statement of `before` to `after`.
     fn copy_statement(&mut self) -> Option<()> {
         let rule = &mut self.rule;
         let picks = [self.random.below(3), self.random.next() as usize];
@@ -567,7 +567,7 @@ impl Mutation<'_> {
                 self.rule.after.stars.retain(|known| known.vertex.name != vertex);
                 self.rule.after.stars.push(star);
             } else {
-                // The fans go to the statement of another vertex, or the same.
+                // Moves the fans to the statement of another vertex, or the same one.
                 let mut spokes: Vec<_> = star.spokes.iter().filter(fans).copied().collect();
                 spokes.push(Spoke::Rest(self.span()));
                 let to = *self.random.pick(&drawn)?;
@@ -616,7 +616,7 @@ impl Mutation<'_> {
         Some(Star { vertex: self.here(vertex), spokes, each: false, span: self.span() })
     }
 
-    /// Everywhere one name for two.
+    /// Replaces one name by another everywhere.
     fn merge_names(&mut self) -> Option<()> {
         let [first, second] = self.two_names()?;
         if self.rule.params.contains(&Some(first)) {
@@ -633,7 +633,7 @@ impl Mutation<'_> {
         Some(())
     }
 
-    /// In `after` one vertex takes over everything of another.
+    /// Lets one vertex take over everything from another in `after`.
     fn merge_vertices(&mut self) -> Option<()> {
         let vertices: Vec<_> = self.rule.names_of(Kind::Vertex).collect();
         let from = *self.random.pick(&vertices)?;

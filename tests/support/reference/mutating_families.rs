@@ -1,12 +1,12 @@
-//! Small changes of a rule with families that rules without families do not know.
+//! Small mutations that apply only to rules with families.
 
 use hedgerow::diagram::{Role, Rule};
 
 use super::mutating::refs;
 use super::random::Random;
 
-/// Changes a subscript, or writes a family where a single name stood, or the other way about;
-/// `None` if the change picked does not apply.
+/// Changes a subscript, or replaces a single name by a family, or the reverse; `None` if the chosen
+/// mutation does not apply.
 pub fn mutate_family(rule: &mut Rule, random: &mut Random) -> Option<()> {
     let whole = rule.clone();
     let role = |name| whole.name(name).role;
@@ -24,7 +24,7 @@ pub fn mutate_family(rule: &mut Rule, random: &mut Random) -> Option<()> {
     match random.below(4) {
         0 | 1 => places[*random.pick(&families)?].shift += turn(random),
         2 => {
-            // All mentions of a family on this side: it is turned against the others.
+            // All mentions of a family on this side: it is rotated relative to the others.
             let name = places[*random.pick(&families)?].name;
             let by = turn(random);
             let mentions = places.iter_mut().filter(|place| place.name == name);

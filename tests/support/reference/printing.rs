@@ -5,8 +5,9 @@ use std::fmt::Write;
 use hedgerow::diagram::{Kind, LoopKind, NameId, Op, Ref, Role, Rule, Side, Spoke};
 use hedgerow::mesh::Mesh;
 
-/// An op of one rule as text, a statement a line. Requirements are left out, and what is placed
-/// is placed where the first vertex of `before` is, or with families at the origin.
+/// An op of one rule as text, one statement per line. Requirements are left out, and assigned
+/// positions are replaced by that of the first vertex of `before`, or, with families, by the
+/// origin.
 pub fn op_text(op: &Op, rule: &Rule) -> String {
     let mut text = format!("op {}(", op.name);
     for (at, param) in op.params.iter().enumerate() {
@@ -45,7 +46,7 @@ fn word(rule: &Rule, name: NameId) -> &str {
     &rule.name(name).text
 }
 
-/// A mention: of a family with its subscript.
+/// A mention, with its subscript if it is a family.
 fn mention(rule: &Rule, mention: Ref) -> String {
     let word = word(rule, mention.name);
     match &rule.cycle {

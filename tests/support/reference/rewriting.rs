@@ -1,13 +1,13 @@
-//! The rewrite of a match, pointer by pointer as the page says, asking nothing.
+//! The rewrite of a match, pointer by pointer as the language reference says, without any checks.
 //!
-//! In a loop of `after`, `x.next` is the item that follows, `x.vertex` the name before it,
-//! `x.face` the loop; along a path `face` is written, and where a path begins and ends the
-//! links to its neighbours. The spokes of a fan get the vertex that lists it; the first
-//! halfedge of a path, which nobody has named, gets its vertex in no other way. In an edge,
-//! `twin` and `edge`. An outer halfedge starts where its vertex statement says, else where its
-//! drawn twin ends, else where it did. Last, everything named that lives points at some
-//! halfedge that points at it, if there is one. Positions are read before anything is written;
-//! of expressions only sums and halves of positions are understood.
+//! In a loop of `after`, `x.next` is the following item, `x.vertex` the preceding name, `x.face`
+//! the loop; along a path `face` is written, and at its ends the links to its neighbours. The
+//! spokes of a fan get the vertex that lists it; the first halfedge of a path, which has no name,
+//! gets its vertex in no other way. An edge statement sets `twin` and `edge`. An outer halfedge
+//! starts where its vertex statement says, otherwise where its drawn twin ends, otherwise where it
+//! did before. Finally, every named element that remains points to some halfedge that points to it,
+//! if there is one. Positions are read before anything is written; the only expressions supported
+//! are sums and halves of positions.
 
 use glam::DVec3;
 use hedgerow::diagram::{
@@ -23,7 +23,7 @@ pub struct Rewritten {
     pub mesh: Mesh,
     /// The match, with the new elements.
     pub at: Match,
-    /// Whether all positions that are assigned were understood.
+    /// Whether all assigned positions are supported.
     pub placed: bool,
 }
 
@@ -85,7 +85,7 @@ impl Rewrite<'_> {
         }
     }
 
-    /// The assigned positions that are understood.
+    /// The assigned positions that are supported.
     fn positions(&self) -> Vec<(NameId, DVec3)> {
         let assignments = self.rule.assignments.iter();
         assignments.filter_map(|set| Some((set.target.name, self.vector(&set.value)?))).collect()
@@ -120,8 +120,8 @@ impl Rewrite<'_> {
     fn loops(&mut self) -> Option<()> {
         for orbit in &self.rule.after.loops {
             let face = FaceId(self.element(orbit.face.name)?);
-            // Every halfedge of the loop, and whether it is inside of a path: then what
-            // precedes it stays what it is.
+            // Every halfedge of the loop, and whether it is inside a path: then its predecessor
+            // does not change.
             let mut cycle: Vec<(HalfedgeId, bool)> = Vec::new();
             for item in &orbit.items {
                 let name = item.item.name;
@@ -241,7 +241,7 @@ impl Rewrite<'_> {
                 Kind::Halfedge | Kind::Path | Kind::Fan => {}
             }
         }
-        // What is named is near by; only if none of it will do, anything else.
+        // Named halfedges and runs are tried first; other halfedges only if none of these fits.
         let named = (0..self.at.elements.len()).filter_map(|index| {
             let is_halfedge = self.rule.names[index].kind == Kind::Halfedge;
             self.at.elements[index].filter(|_| is_halfedge)

@@ -1,11 +1,11 @@
-//! Whether two meshes are the same: in every table, or up to the numbers of what is new.
+//! Comparison of meshes: exactly, or up to the numbering of new elements.
 
 use std::collections::HashMap;
 
 use hedgerow::mesh::{ElementKind, HalfedgeId, Mesh};
 
-/// Whether every table that can be read is the same, element by element: every pointer, every
-/// position, what lives and how many slots there are.
+/// Whether all observable data is the same, element by element: every pointer, every position, the
+/// living elements and the number of slots.
 pub fn identical(a: &Mesh, b: &Mesh) -> bool {
     let capacities = ElementKind::ALL
         .iter()
@@ -25,14 +25,14 @@ pub fn identical(a: &Mesh, b: &Mesh) -> bool {
             .all(|f| a.face_halfedge(f) == b.face_halfedge(f) && a.is_hole(f) == b.is_hole(f))
 }
 
-/// Whether two meshes made from one have the same connectivity: what was in `origin` keeps its
-/// number, what is new may be numbered differently. `halfedge` pointers are free.
+/// Whether two meshes derived from `origin` have the same connectivity: elements of `origin` keep
+/// their numbers, new ones may be numbered differently. `halfedge` pointers are ignored.
 pub fn same_result(origin: &Mesh, a: &Mesh, b: &Mesh) -> bool {
     let counts = ElementKind::ALL.iter().all(|&kind| a.count(kind) == b.count(kind));
     if !counts || a.hole_count() != b.hole_count() {
         return false;
     }
-    // As a rule the new ones have got the same numbers too.
+    // Usually the new elements have the same numbers too.
     let plainly = a.halfedges().eq(b.halfedges())
         && a.vertices().eq(b.vertices())
         && a.edges().eq(b.edges())
@@ -42,7 +42,7 @@ pub fn same_result(origin: &Mesh, a: &Mesh, b: &Mesh) -> bool {
     plainly || Renumbering::of(origin, a, b).is_some()
 }
 
-/// Whether the vertices of two meshes that are numbered alike lie in the same places.
+/// Whether the vertices of two meshes with the same numbering have the same positions.
 pub fn same_positions(a: &Mesh, b: &Mesh) -> bool {
     a.vertices().eq(b.vertices()) && a.vertices().all(|v| a.position(v) == b.position(v))
 }
@@ -63,12 +63,12 @@ impl<'m> Renumbering<'m> {
             }
             renumbering.put(h, h)?;
         }
-        // New components hang together with nothing old: each is tried on each.
+        // New components are not connected to old elements: each is tried against each.
         let renumbering = renumbering.complete()?;
         renumbering.elements_agree(origin).then_some(renumbering)
     }
 
-    /// Maps a halfedge, and whatever follows from it.
+    /// Maps a halfedge, and everything that follows from it.
     fn put(&mut self, from: HalfedgeId, to: HalfedgeId) -> Option<()> {
         let mut open = vec![(from, to)];
         while let Some((from, to)) = open.pop() {

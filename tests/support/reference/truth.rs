@@ -1,14 +1,14 @@
-//! Whether a rewritten mesh is what `after` draws.
+//! Check that a rewritten mesh agrees with `after`.
 //!
-//! A mesh can be in order and still not be the one of the picture: a path drawn from another
-//! vertex than it starts at, spokes in another order than they have. The drawing is a promise.
+//! A mesh can be valid and still not be the one that is drawn: a path drawn from another vertex
+//! than the one at which it starts, spokes in a different order.
 
 use hedgerow::diagram::{Kind, LoopKind, NameId, Rule, Spoke, Star};
 use hedgerow::mesh::{EdgeId, FaceId, HalfedgeId, VertexId};
 
 use super::rewriting::Rewritten;
 
-/// The first thing that `after` says and that is not so.
+/// A description of the first statement of `after` that does not hold, if there is one.
 pub fn untrue(rule: &Rule, result: &Rewritten) -> Option<String> {
     let truth = Truth { rule, result };
     truth.loops().or_else(|| truth.edges()).or_else(|| truth.stars())
@@ -112,7 +112,7 @@ impl Truth<'_> {
         names.any(|name| self.element(name) == half.0)
     }
 
-    /// Whether another statement of the same vertex, which then has two names, lists a spoke.
+    /// Whether another statement of the same vertex, under a second name, lists a spoke.
     fn is_listed_elsewhere(&self, star: &Star, half: HalfedgeId) -> bool {
         let vertex = self.element(star.vertex.name);
         let stars = self.rule.after.stars.iter();
@@ -125,8 +125,8 @@ impl Truth<'_> {
         })
     }
 
-    /// Whether the spokes of a star from one on are the ring. The spokes of a fan stay together,
-    /// but two pieces of one may have changed places.
+    /// Whether the spokes of a star from the `at`th on form the ring. The spokes of a fan stay
+    /// together, but two pieces of a fan may be exchanged.
     fn lies(&self, star: &Star, at: usize, ring: &[HalfedgeId]) -> bool {
         let Some(spoke) = star.spokes.get(at) else {
             return ring.is_empty();

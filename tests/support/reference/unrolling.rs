@@ -1,8 +1,8 @@
-//! Families written out, in the text of an op.
+//! Unrolling of families in the text of an op.
 //!
-//! It reads what [`op_text`](super::printing::op_text) prints, a statement a line, and knows no
-//! more of it than that a subscript is the index plus a constant: `h[i+1]` becomes `h_2` where
-//! the index is 1, on cycles that are long enough.
+//! The input is the output of [`op_text`](super::printing::op_text), one statement per line. It
+//! only assumes that a subscript is the index plus a constant: `h[i+1]` becomes `h_2` where the
+//! index is 1, on cycles that are long enough.
 
 use regex::{Captures, Regex};
 
@@ -25,7 +25,7 @@ pub fn unrolled(text: &str, size: i64) -> String {
         let line = format!("{line}\n");
         if let Some(period) = each.captures(&line) {
             let whole = everywhere(&period[1]);
-            // A loop ends on the vertex it began with.
+            // A loop ends at the vertex where it began.
             let end = match words.starts_with("vertex") {
                 true => "",
                 false => whole.split_whitespace().next().unwrap_or_default(),

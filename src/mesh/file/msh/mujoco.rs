@@ -1,8 +1,8 @@
-//! The mesh files of MuJoCo, which end in `.msh`, too: bytes, the lowest first.
+//! The mesh files of MuJoCo, which also end in `.msh`: binary, little-endian.
 //!
-//! Four numbers of 32 bits: how many vertices, normals, texture coordinates and triangles follow.
-//! Positions, normals and texture coordinates are of 3, 3 and 2 floats, triangles of three indices.
-//! Nothing says that a file is one but its length, which these numbers tell.
+//! Four 32-bit integers give the numbers of vertices, normals, texture coordinates and triangles.
+//! Positions, normals and texture coordinates are 3, 3 and 2 floats, triangles three indices. Such
+//! a file is recognized only by its length, which must match these numbers.
 
 use glam::{DVec2, DVec3};
 
@@ -14,7 +14,7 @@ use crate::mesh::polygons::Polygons;
 
 const HEAD: usize = 16;
 
-/// Reads a file; `None` if it is none of these.
+/// Reads a file; `None` if it is not a MuJoCo file.
 pub(super) fn read(text: &[u8]) -> Option<Contents> {
     let (head, body) = text.split_first_chunk::<HEAD>()?;
     let (counts, _) = head.as_chunks::<4>();

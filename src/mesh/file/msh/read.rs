@@ -32,17 +32,18 @@ struct Reader<'t> {
     is_text: bool,
     is_big: bool,
     contents: Contents,
-    /// The vertices by the numbers of the nodes.
+    /// The vertices by node number.
     nodes: HashMap<u64, u32>,
-    /// The faces by the numbers of the elements.
+    /// The faces by element number.
     elements: HashMap<u64, u32>,
     corners: Vec<u32>,
     ends: Vec<usize>,
-    /// The names of the groups of surfaces, by their numbers.
+    /// The names of the groups of surfaces, by group number.
     names: HashMap<i64, Vec<u8>>,
-    /// The groups of the surfaces, by their numbers.
+    /// The groups of the surfaces, by surface number.
     surfaces: HashMap<i64, i64>,
-    /// Elements that are no faces, and faces of a higher order.
+    /// The numbers of elements that are not faces, of faces of a higher order, and of values for
+    /// elements that are not faces.
     others: usize,
     bent: usize,
     unpaired: usize,
@@ -102,7 +103,7 @@ impl<'t> Reader<'t> {
         if has_format { Ok(()) } else { Err("a Gmsh file begins with `$MeshFormat`".into()) }
     }
 
-    /// Goes behind the end of a section.
+    /// Skips past the end of a section.
     fn end_section(&mut self, section: &[u8]) -> Answer<()> {
         let end = [b"$End", section].concat();
         let rest = self.scanner.rest();
@@ -110,7 +111,7 @@ impl<'t> Reader<'t> {
         let Some(at) = found else {
             return Err(format!("the section `${}` does not end", shown(section)));
         };
-        // Lines are counted in text alone; bytes may look like anything.
+        // Lines are counted only in text; binary data may contain any bytes.
         match self.is_text {
             true => {
                 while self.scanner.next_line() {
@@ -256,7 +257,7 @@ impl<'t> Reader<'t> {
     fn elements_of_version_2(&mut self) -> Answer<()> {
         let mut left = self.text_count(4)?;
         while left > 0 {
-            // In text each element has a head of its own, in bytes a block of them.
+            // In text, each element has a head of its own; in binary files, each block of elements.
             let first = self.int()?;
             let (tag, element, count) = match self.is_text {
                 true => (Some(first as u64), self.int()?, 1),
@@ -437,7 +438,7 @@ impl Reader<'_> {
         }
     }
 
-    /// A number of things that have so many bytes each at least, as text.
+    /// A count, as text, of things that take at least `least` bytes each.
     fn text_count(&mut self, least: usize) -> Answer<usize> {
         let number = self.text_number()?;
         let count = self.expect_room(number, least)?;
@@ -447,7 +448,7 @@ impl Reader<'_> {
         Ok(count)
     }
 
-    /// As `text_count`, in bytes if the file is of these.
+    /// As `text_count`, but binary in a binary file.
     fn count(&mut self, least: usize) -> Answer<usize> {
         let number = self.size()?;
         self.expect_room(number as f64, least)

@@ -9,7 +9,7 @@ use crate::mesh::file::mesh_file::{MeshFile, WrittenNumbers};
 use crate::mesh::file::print::Printer;
 use crate::mesh::id::{ElementKind, FaceId};
 
-/// True if values of a kind and a type go into a file.
+/// True if a file can hold values of a kind and a type.
 pub(in crate::mesh::file) fn is_held(kind: ElementKind, ty: AttributeType) -> bool {
     matches!(kind, ElementKind::Vertex | ElementKind::Face)
         && matches!(ty, AttributeType::Real | AttributeType::Vec3 | AttributeType::Mat3)
@@ -38,7 +38,7 @@ struct Writer<'w> {
     printer: Printer<'w>,
     file: &'w MeshFile,
     numbers: &'w WrittenNumbers,
-    /// The names of the groups; the number of a group is its place, from 1.
+    /// The names of the groups; the number of a group is its index, from 1.
     names: Vec<&'w [u8]>,
     /// The group of each face, 0 for none.
     groups: Vec<usize>,
@@ -122,7 +122,8 @@ impl<'w> Writer<'w> {
 
     fn write_new(&mut self) -> io::Result<()> {
         let (vertices, faces) = (self.numbers.vertex_order.len(), self.numbers.face_order.len());
-        // One surface for each group, and one for the faces of none; its number is one more.
+        // One surface for each group, and one for the faces without a group; the number of a
+        // surface is that of its group plus one.
         let [low, high] = self.bounds();
         self.printer.word(&format!("$Entities\n0 0 {} 0\n", self.names.len() + 1));
         for group in 0..=self.names.len() {

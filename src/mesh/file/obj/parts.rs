@@ -1,10 +1,10 @@
 //! Reading a file in blocks of lines, on all cores.
 //!
-//! A block is read while it is in the cache, and forgotten, so that the text of a file is nowhere as
-//! a whole. Where there are several threads, each block is read by itself, as if nothing were before
-//! it, and what the blocks say is put together in order: numbers of lines and places of faces move
-//! by what was before. An index that counts back may lead out of its block; such a block is read
-//! again when it is known what was before it.
+//! A block is parsed while it is in the cache, and then dropped, so that the text of a file is
+//! never in memory as a whole. With several threads, each block is parsed on its own, as if nothing
+//! preceded it, and the results are appended in order: line numbers and face indices are shifted by
+//! what precedes them. A relative index may refer to an earlier block; such a block is parsed again
+//! once what precedes it is known.
 
 use std::io::{self, Read};
 
@@ -13,13 +13,14 @@ use crate::mesh::Polygons;
 use crate::mesh::file::contents::Contents;
 use crate::mesh::parallel;
 
-/// The bytes of a block, of whose last line some may be missing: as many as stay in the cache.
+/// The maximum number of bytes read at a time for a block, which may end within a line: as many as
+/// stay in the cache.
 const MOST: usize = 1 << 18;
 
-/// The bytes that are worth a thread.
+/// The fewest bytes that are worth a thread.
 const LEAST: usize = 1 << 16;
 
-/// Reads a file of about so many bytes.
+/// Reads a file of about the given number of bytes.
 pub(in crate::mesh::file) fn read(source: impl Read, bytes: usize) -> io::Result<Contents> {
     let threads = parallel::threads();
     let size = (bytes / (4 * threads)).clamp(LEAST, MOST);
@@ -44,7 +45,7 @@ pub(in crate::mesh::file) fn read(source: impl Read, bytes: usize) -> io::Result
     Ok(whole.finish())
 }
 
-/// The blocks of a file: each ends behind a line that does not go on.
+/// The blocks of a file: each ends after a line that is not continued.
 struct Blocks<S> {
     source: S,
     size: usize,
@@ -84,7 +85,7 @@ impl<S: Read> Iterator for Blocks<S> {
 
 const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
 
-/// True if a text ends with a line that does not go on.
+/// True if a text ends with a line that is not continued.
 fn is_cut(text: &[u8]) -> bool {
     let Some(line) = text.strip_suffix(b"\n") else { return false };
     let last = line.iter().rposition(|&byte| byte == b'\n' || !byte.is_ascii_whitespace());
@@ -92,7 +93,7 @@ fn is_cut(text: &[u8]) -> bool {
 }
 
 impl Reader {
-    /// Adds what the next part of the file says.
+    /// Appends the next part of the file.
     fn append(&mut self, part: Self) {
         let lines = self.lines;
         self.lines += part.lines;
@@ -136,7 +137,7 @@ impl Reader {
         self.libraries.extend(part.libraries);
     }
 
-    /// The contents of the file, of which all is read.
+    /// The contents of the file, after all of it has been read.
     fn finish(mut self) -> Contents {
         self.look_for_strays();
         for (face, place, name) in std::mem::take(&mut self.states) {
@@ -150,14 +151,14 @@ impl Reader {
         }
         self.add_columns();
         let mut contents = self.contents;
-        // They become those of the mesh.
+        // They become the positions of the mesh.
         contents.positions.shrink_to_fit();
         contents.polygons = Polygons::of_parts(self.corners, self.ends);
         contents
     }
 }
 
-/// Adds the values of a part to those before it, if it has any: what is not said has the usual one.
+/// Appends the values of a part, if it has any; missing values before it are `usual`.
 fn extend<T: Copy>(table: &mut Vec<T>, part: Vec<T>, before: usize, usual: T) {
     if !part.is_empty() {
         table.resize(before, usual);

@@ -9,14 +9,14 @@ use crate::mesh::file::kept::{MISSING, State};
 use crate::mesh::file::scan::{Scanner, no_number, shown};
 use crate::mesh::id::ElementKind;
 
-/// The fault of a statement.
+/// The reason why a statement cannot be read.
 type Fault = String;
 
-/// What a file says, or a part of it.
+/// The contents of a file, or of a part of it.
 #[derive(Default)]
 pub(super) struct Reader {
     pub(super) contents: Contents,
-    /// True if an index counts back, perhaps beyond the part.
+    /// True if there is a relative index, which may refer to what precedes the part.
     pub(super) counts_back: bool,
     /// The number of lines that have been read.
     pub(super) lines: u32,
@@ -28,12 +28,12 @@ pub(super) struct Reader {
     pub(super) alphas: Vec<f64>,
     pub(super) colored: usize,
     pub(super) highest: [Highest; 3],
-    /// The statements that hold from a face on: the face, which they are, and their operands.
+    /// The statements in force from a face on: the face, the index of the keyword, and the operand.
     pub(super) states: Vec<(u32, usize, Vec<u8>)>,
     pub(super) libraries: Vec<Vec<u8>>,
 }
 
-/// The highest index of its kind, and the line that has it.
+/// The highest index of its kind, and its line.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Highest {
     pub(super) index: u64,
@@ -43,16 +43,16 @@ pub(super) struct Highest {
 const KINDS: [Indexed; 3] = [Indexed::Vertex, Indexed::Texture, Indexed::Normal];
 
 impl Reader {
-    /// A reader of a text of so many bytes, or fewer.
+    /// A reader of a text of at most the given number of bytes.
     pub(super) fn new(bytes: usize) -> Self {
         let mut reader = Self::default();
-        // Where there is no such room, the lists grow as they are filled.
+        // If the allocation fails, the lists grow as they are filled.
         let _ = reader.corners.try_reserve(bytes / 12);
         let _ = reader.ends.try_reserve(bytes / 40);
         reader
     }
 
-    /// Reads some lines, behind those that it has read before.
+    /// Reads some lines, which follow those read before.
     pub(super) fn read(&mut self, text: &[u8]) {
         let mut scanner = Scanner::with_continued_lines(text);
         while !scanner.is_at_end() {
@@ -65,7 +65,7 @@ impl Reader {
         self.lines += scanner.line() - 1;
     }
 
-    /// The numbers of vertices, texture coordinates and normals.
+    /// The numbers of vertices, texture coordinates and normals so far.
     fn have(&self) -> [usize; 3] {
         let Contents { positions, kept, .. } = &self.contents;
         [positions.len(), kept.texture.rows.len(), kept.normals.rows.len()]
@@ -86,7 +86,7 @@ impl Reader {
             b"v" => {
                 if let Err(fault) = self.vertex(scanner, line) {
                     self.contents.damage.add(Some(line), || fault);
-                    // Others keep their numbers.
+                    // The other vertices keep their numbers.
                     self.contents.positions.push(DVec3::NAN);
                     self.contents.vertex_lines.push(line);
                 }
@@ -233,7 +233,8 @@ impl Reader {
         Ok(())
     }
 
-    /// Keeps the places of the vertex, the texture coordinates and the normal of a corner.
+    /// Stores the indices, from 0, of the vertex, the texture coordinates and the normal of a
+    /// corner.
     #[inline]
     fn keep_corner(&mut self, [vertex, texture, normal]: [u32; 3]) {
         let kept = &mut self.contents.kept;
@@ -242,13 +243,13 @@ impl Reader {
         self.corners.push(vertex);
     }
 
-    /// The place, from 0, of what an index names: negative ones count back from the last.
+    /// The row, from 0, that an index refers to: negative ones count back from the last row.
     #[inline]
     fn resolve(&mut self, index: i64, kind: usize, line: u32) -> u32 {
         if index <= 0 {
             return self.resolve_back(index.unsigned_abs(), kind, line);
         }
-        // A face may name a vertex that comes later.
+        // A face may refer to a vertex that comes later.
         let index = index as u64;
         if index > self.highest[kind].index {
             self.highest[kind] = Highest { index, line };
@@ -273,7 +274,7 @@ impl Reader {
         place.map_or(MISSING, |place| place as u32)
     }
 
-    /// Makes columns of what vertices have besides.
+    /// Makes columns of the other values of vertices.
     pub(super) fn add_columns(&mut self) {
         let contents = &mut self.contents;
         let vertices = contents.positions.len();
@@ -307,7 +308,8 @@ impl Reader {
         }
     }
 
-    /// Indices that lead out of the file: the first of each kind is the highest.
+    /// Finds indices beyond the ends of their tables; all of a kind are reported as the highest
+    /// one.
     pub(super) fn look_for_strays(&mut self) {
         let have = self.have();
         let Contents { kept, strays, .. } = &mut self.contents;
@@ -333,13 +335,13 @@ fn malformed(text: &[u8]) -> Fault {
     format!("`{}` is not a corner of a face", shown(&text[..end]))
 }
 
-/// Adds a value, and before it the usual one for all vertices that have had none.
+/// Appends a value, after `usual` for each vertex before it that had none.
 fn pad(table: &mut Vec<f64>, before: usize, usual: f64, value: f64) {
     table.resize(before, usual);
     table.push(value);
 }
 
-/// Notes what a corner has, once any corner has had something.
+/// Stores the row of a corner, once any corner has had one.
 #[inline]
 fn keep_corner(table: &mut Vec<u32>, corner: usize, place: u32) {
     if place != MISSING || !table.is_empty() {

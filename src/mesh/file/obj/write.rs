@@ -49,7 +49,7 @@ pub(in crate::mesh::file) fn write(
     printer.flush()
 }
 
-/// The statements that are in force where the parts of the faces begin, by those of the faces.
+/// The statements in force where each part of the faces begins, given those of the faces.
 fn states_of_parts(file: &MeshFile, states: &[Option<State>]) -> Vec<State> {
     let mut current = State::EMPTY;
     let mut parts = Vec::new();
@@ -63,7 +63,7 @@ fn states_of_parts(file: &MeshFile, states: &[Option<State>]) -> Vec<State> {
     parts
 }
 
-/// The columns that stand behind the coordinates: colour, alpha, weight.
+/// The columns that follow the coordinates: colour, alpha, weight.
 pub(in crate::mesh::file) fn vertex_columns(file: &MeshFile) -> [Option<ColumnId>; 3] {
     let real = |name| {
         let of_type = |ty| ty == AttributeType::Real;
@@ -119,7 +119,7 @@ fn write_state(printer: &mut Printer, file: &MeshFile, current: &mut State, stat
     }
 }
 
-/// A statement with a name behind it, so that it is read back as it is.
+/// A statement with a name as operand, altered where it would not be read back as one.
 fn statement(printer: &mut Printer, keyword: &str, operand: &[u8]) {
     printer.word(keyword);
     let mut before = b' ';

@@ -1,4 +1,4 @@
-//! The body of a file: the numbers of each property into a table.
+//! Reading the body of a file: a table of numbers for each property.
 
 use super::header::{Element, Header, Property, Scalar};
 use crate::mesh::file::error::{Damage, Failure, FileReason};
@@ -10,7 +10,7 @@ use crate::mesh::file::scan::{Scanner, no_number, shown};
 #[derive(Default)]
 pub(super) struct Table {
     pub(super) numbers: Vec<f64>,
-    /// The ends of the lists of the rows; empty for single numbers.
+    /// The ends of the lists of each row; empty for single numbers.
     pub(super) ends: Vec<usize>,
 }
 
@@ -19,7 +19,7 @@ impl Table {
         self.numbers.is_empty() && self.ends.is_empty()
     }
 
-    /// Keeps the numbers of the first rows.
+    /// Keeps the first rows.
     fn truncate(&mut self, rows: usize, is_list: bool) {
         if is_list {
             self.ends.truncate(rows);
@@ -30,7 +30,7 @@ impl Table {
         });
     }
 
-    /// The length that all lists have.
+    /// The length of the lists, if it is the same for all.
     pub(super) fn common_length(&self) -> Option<usize> {
         let first = *self.ends.first()?;
         let mut before = 0;
@@ -39,13 +39,13 @@ impl Table {
     }
 }
 
-/// The body behind the head.
+/// The body, which follows the head.
 pub(super) struct Body<'t> {
     encoding: Encoding,
     bytes: &'t [u8],
     scanner: Scanner<'t>,
     lines: u32,
-    /// True if the file ends before all its elements have come.
+    /// True if the file ended before all its elements were read.
     pub(super) is_cut_off: bool,
 }
 
@@ -68,13 +68,13 @@ impl<'t> Body<'t> {
         }
     }
 
-    /// The greatest number of elements that can stand in what is left at most.
+    /// The maximum number of elements that fit into what is left.
     fn room(&self, element: &Element) -> usize {
-        // The last number of a text needs no blank behind it.
+        // The last number of a text needs no blank after it.
         (self.left() + 1) / element.least_size(self.encoding).max(1)
     }
 
-    /// True if there are numbers for all the elements that the head speaks of.
+    /// Fails if the head declares more elements than can be numbered.
     pub(super) fn expect_numbers(&self, element: &Element) -> Result<(), Failure> {
         if element.count < MISSING as usize {
             return Ok(());
@@ -88,7 +88,7 @@ impl<'t> Body<'t> {
         Err((None, FileReason::Malformed(words)))
     }
 
-    /// The tables of an element: of those rows that are there.
+    /// The tables of an element, with the complete rows only.
     pub(super) fn read(
         &mut self,
         element: &Element,
@@ -118,7 +118,8 @@ impl<'t> Body<'t> {
     fn tables(&self, element: &Element) -> Vec<Table> {
         let room = element.count.min(self.room(element));
         let table = |property: &Property| Table {
-            // A list has its numbers besides; no more than the file has bytes.
+            // A list has several numbers for each row. The capacity is bounded by the size of the
+            // file.
             numbers: Vec::with_capacity(room * if property.list.is_some() { 3 } else { 1 }),
             ends: Vec::with_capacity(if property.list.is_some() { room } else { 0 }),
         };
@@ -194,7 +195,7 @@ impl<'t> Body<'t> {
     }
 }
 
-/// Adds the numbers that bytes stand for.
+/// Appends the numbers encoded by the bytes.
 #[inline]
 fn decode(scalar: Scalar, bytes: &[u8], is_big: bool, numbers: &mut Vec<f64>) {
     macro_rules! decode {

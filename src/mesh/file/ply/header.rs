@@ -60,7 +60,7 @@ impl Scalar {
         !matches!(self, Self::F32 | Self::F64)
     }
 
-    /// The greatest number of the type, by which colours are divided.
+    /// The greatest value of the type, by which colours are divided.
     pub(super) fn greatest(self) -> f64 {
         match self {
             Self::I8 => 127.0,
@@ -79,11 +79,11 @@ impl Scalar {
 pub(super) struct Property {
     pub(super) name: String,
     pub(super) scalar: Scalar,
-    /// The type of the length, of a list.
+    /// For a list, the type of its length.
     pub(super) list: Option<Scalar>,
 }
 
-/// An element, as the head declares it.
+/// An element declaration of the head.
 #[derive(Clone, Debug)]
 pub(super) struct Element {
     pub(super) name: String,
@@ -92,7 +92,7 @@ pub(super) struct Element {
 }
 
 impl Element {
-    /// The least number of bytes of one of them.
+    /// The least number of bytes of one element.
     pub(super) fn least_size(&self, encoding: Encoding) -> usize {
         let size = |property: &Property| match encoding {
             Encoding::Ascii => 2,
@@ -102,7 +102,7 @@ impl Element {
     }
 }
 
-/// The declaration of an attribute, by a comment.
+/// The declaration of an attribute in a comment.
 pub(super) struct Declared {
     pub(super) kind: ElementKind,
     pub(super) name: String,
@@ -114,17 +114,17 @@ pub(super) struct Header {
     pub(super) encoding: Encoding,
     pub(super) elements: Vec<Element>,
     pub(super) declared: Vec<Declared>,
-    /// The names of objects, groups, materials and smoothing groups, by their numbers.
+    /// The names of objects, groups, materials and smoothing groups, by number.
     pub(super) names: [Vec<Vec<u8>>; 4],
     pub(super) libraries: Vec<Vec<u8>>,
     /// The length in bytes, and the number of lines.
     pub(super) length: usize,
     pub(super) lines: u32,
-    /// Lines that are none of a head.
+    /// Lines that do not belong in a head.
     pub(super) damage: Damage,
 }
 
-/// The properties of faces that number the states of OBJ, in the order of these.
+/// The properties of faces that number the states of OBJ, in the order of their keywords.
 pub(super) const STATES: [&str; 4] = ["object", "group", "material", "smoothing"];
 
 impl Header {
@@ -189,7 +189,7 @@ impl Header {
             if !known {
                 let line = shown(line.as_bytes());
                 let told = format!("`{line}` is no line of the head of a PLY file");
-                // Without a line that says what comes nothing can be read.
+                // Nothing can be read without these lines, which describe the body.
                 match words.first() {
                     Some(&("format" | "element" | "property" | "end_header")) => {
                         return fail(told, header.lines);
@@ -220,7 +220,7 @@ impl Header {
         }
     }
 
-    /// The declaration in a comment, if it is one of ours.
+    /// Reads a comment, if it is one of the declarations that this module writes.
     fn comment(&mut self, text: &str) {
         let (word, rest) = text.split_once(' ').unwrap_or((text, ""));
         if word == "mtllib" {

@@ -49,7 +49,7 @@ pub(in crate::mesh::file) fn read(text: &[u8]) -> Result<Contents, Failure> {
     Ok(contents)
 }
 
-/// Corners that lead nowhere: vertices may come behind the faces.
+/// Finds corners with invalid indices, after the whole file: vertices may follow the faces.
 fn check_corners(contents: &mut Contents) {
     let vertices = contents.positions.len();
     let (mut corners, ends) = std::mem::take(&mut contents.polygons).into_parts();
@@ -66,7 +66,7 @@ fn check_corners(contents: &mut Contents) {
     contents.polygons = Polygons::of_parts(corners, ends);
 }
 
-/// The rows of an element, on their way to columns.
+/// The rows of an element, to be turned into columns.
 struct Rows<'r> {
     header: &'r Header,
     element: &'r Element,
@@ -74,7 +74,7 @@ struct Rows<'r> {
     contents: &'r mut Contents,
 }
 
-/// Properties that are one attribute together.
+/// Groups of properties that form one attribute.
 const TOGETHER: [(&str, &[&str]); 8] = [
     ("normal", &["nx", "ny", "nz"]),
     ("color", &["red", "green", "blue"]),
@@ -87,7 +87,7 @@ const TOGETHER: [(&str, &[&str]); 8] = [
 ];
 
 impl Rows<'_> {
-    /// Takes the table of a property, if there is one of that name.
+    /// Takes the table of the property with the given name, if there is one.
     fn take(&mut self, name: &str, list: bool) -> Option<(Table, Scalar)> {
         let place = self.place(name, list)?;
         Some((std::mem::take(&mut self.tables[place]), self.element.properties[place].scalar))
@@ -115,7 +115,7 @@ impl Rows<'_> {
         Ok(())
     }
 
-    /// The lists of corners of faces or strips; none if there are none of these.
+    /// The lists of corners of faces or strips; `None` if there are no such elements.
     fn corner_lists(&mut self, of: &str) -> Result<Option<Table>, Failure> {
         let mut names = ["vertex_indices", "vertex_index"].into_iter();
         let lists = names.find_map(|name| self.take(name, true));
@@ -130,8 +130,8 @@ impl Rows<'_> {
         Err((None, FileReason::Malformed(words)))
     }
 
-    /// Triangles that share sides: each corner but the first two of a strip makes one with the two
-    /// before it, every other one the other way around. A number below 0 ends a strip.
+    /// Reads triangle strips: each corner after the first two of a strip makes a triangle with the
+    /// two before it, every other one reversed. A negative number ends a strip.
     fn strips(&mut self) -> Result<(), Failure> {
         let Some(Table { numbers, ends }) = self.corner_lists("strips")? else { return Ok(()) };
         let mut start = 0;
@@ -139,7 +139,7 @@ impl Rows<'_> {
             for strip in numbers[start..end].split(|&number| number < 0.0) {
                 for (at, three) in strip.windows(3).enumerate() {
                     let [a, b, c] = [three[0], three[1], three[2]].map(index);
-                    // A strip turns where it has a corner twice.
+                    // A strip repeats a corner to turn.
                     if a != b && b != c && c != a {
                         let triangle = if at % 2 == 0 { [a, b, c] } else { [b, a, c] };
                         self.contents.polygons.push(&triangle);
@@ -161,7 +161,7 @@ impl Rows<'_> {
         Ok(())
     }
 
-    /// Texture coordinates at the corners; a list without numbers stands for none.
+    /// Reads texture coordinates at the corners; an empty list stands for none.
     fn texture(&mut self, ends: &[usize]) {
         let Some(place) = self.place("texcoord", true) else { return };
         let table = &self.tables[place];
@@ -200,7 +200,7 @@ impl Rows<'_> {
         }
     }
 
-    /// Objects, groups, materials and smoothing groups, where comments name them.
+    /// Reads objects, groups, materials and smoothing groups, where comments name them.
     fn states(&mut self) {
         for (keyword, name) in STATES.into_iter().enumerate() {
             if self.header.names[keyword].is_empty() {
@@ -225,7 +225,7 @@ impl Rows<'_> {
         }
     }
 
-    /// Makes columns of the tables that are left. `corners` tells where the polygons end.
+    /// Makes columns of the remaining tables. `corners` has the ends of the polygons.
     fn columns(&mut self, kind: ElementKind, corners: &[usize]) {
         for (name, parts) in TOGETHER {
             let places: Option<Vec<_>> = parts.iter().map(|part| self.place(part, false)).collect();
@@ -267,7 +267,7 @@ impl Rows<'_> {
         let name: String = property.name.chars().map(said).collect();
         let declared = |kind| self.find_declared(kind, &name);
         let common = table.common_length();
-        // How many numbers each corner has, if lists follow the corners.
+        // The count of numbers per corner, if it is the same for all lists.
         let of_corners = (!corners.is_empty() && corners.len() == table.ends.len())
             .then(|| {
                 let (first, sides) = (*table.ends.first()?, *corners.first()?);
@@ -312,7 +312,7 @@ impl Rows<'_> {
     }
 }
 
-/// The index that a number is; what is none becomes one that leads nowhere.
+/// The index given by a number; an invalid one becomes [`MISSING`].
 fn index(number: f64) -> u32 {
     match number.fract() == 0.0 && number >= 0.0 {
         true => number as u32,
@@ -320,7 +320,7 @@ fn index(number: f64) -> u32 {
     }
 }
 
-/// The default of a value of so many reals.
+/// The default of a value of the given number of reals.
 fn zero(width: usize) -> Option<Value> {
     let ty = match width {
         1 => AttributeType::Real,

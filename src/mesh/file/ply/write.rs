@@ -11,7 +11,7 @@ use crate::mesh::file::mesh_file::{MeshFile, WrittenNumbers};
 use crate::mesh::file::print::Printer;
 use crate::mesh::id::ElementKind;
 
-/// A property on its way out: its numbers, and where each row of them ends.
+/// A property to be written: its numbers, and how they are divided into rows.
 struct Property {
     name: String,
     scalar: Scalar,
@@ -24,7 +24,7 @@ enum Rows {
     One,
     /// Lists of this length.
     Alike(usize),
-    /// Lists of so many numbers for each corner of a face.
+    /// Lists with this many numbers for each corner of a face.
     Corners(usize),
 }
 
@@ -84,7 +84,7 @@ pub(in crate::mesh::file) fn write(
         _ => 0,
     });
     let sides = numbers.face_order.iter().map(|&f| mesh.face_size(f)).max().unwrap_or(0);
-    // Most programs know lists by a byte that tells their length.
+    // Most programs expect the length of a list in a byte.
     let length = match sides * longest.max().unwrap_or(0) {
         0..256 => Scalar::U8,
         _ => Scalar::U32,
@@ -99,7 +99,7 @@ pub(in crate::mesh::file) fn write(
     printer.flush()
 }
 
-/// Adds properties whose numbers stand together, row by row.
+/// Adds properties whose numbers are interleaved, row by row.
 fn together(
     properties: &mut Vec<Property>,
     names: &[&str],
@@ -114,19 +114,20 @@ fn together(
     }
 }
 
-/// The type of reals that holds them all exactly.
+/// The smallest type of reals that holds them all exactly.
 fn smallest(numbers: &[f64]) -> Scalar {
     let is_short = |&x: &f64| f64::from(x as f32).to_bits() == x.to_bits();
     if numbers.iter().all(is_short) { Scalar::F32 } else { Scalar::F64 }
 }
 
-/// The comments of a head, as they gather.
+/// The comments of a head, collected so far.
 struct Head {
     text: String,
 }
 
 impl Head {
-    /// Adds the columns of a kind as properties; `order` is the elements as they are written.
+    /// Adds the columns of a kind as properties; `order` has the elements in the order in which
+    /// they are written.
     fn columns(
         &mut self,
         properties: &mut Vec<Property>,
@@ -181,7 +182,7 @@ impl Head {
         }
     }
 
-    /// A comment that says what a head cannot.
+    /// Adds a comment that declares an attribute, which a head cannot.
     fn declare(&mut self, kind: ElementKind, column: &Column) {
         let default = column.default_value();
         let shown = match default {
@@ -255,7 +256,7 @@ impl Head {
     }
 }
 
-/// A name as it can stand in a line.
+/// A name without control characters, for a line.
 fn line(name: &[u8]) -> String {
     let text = String::from_utf8_lossy(name);
     text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect()

@@ -5,10 +5,10 @@ use crate::rewrite::native::compile::Entry;
 use crate::rewrite::native::context::{Context, Run, Slice};
 use crate::rewrite::{Inst, Message, Outcome, Trap};
 
-/// Calls a function where native code does not do so itself.
+/// Calls a function that native code does not call directly.
 ///
 /// # Safety
-/// As of all stubs.
+/// As for all stubs.
 pub(in super::super) unsafe extern "C" fn call(context: *mut Context, inst: i64) -> i64 {
     let call = |context: &mut Context, run: &mut Run<'_>| {
         let caller = context.call(run);
@@ -21,32 +21,32 @@ pub(in super::super) unsafe extern "C" fn call(context: *mut Context, inst: i64)
             }
         }
     };
-    // SAFETY: as of all stubs.
+    // SAFETY: as for all stubs.
     unsafe { within_any(context, call) }
 }
 
-/// A function or operation that native code called itself has been left by a trap: it is seen from the caller,
-/// too.
+/// Adds the caller to the trace of a trap by which a function or operation that native code called
+/// directly has been left.
 ///
 /// # Safety
-/// As of all stubs.
+/// As for all stubs.
 pub(in super::super) unsafe extern "C" fn left(context: *mut Context, inst: i64) -> i64 {
     let left = |context: &mut Context, run: &mut Run<'_>| match run.trap.take() {
         Some(trap) => Err(trap.through(&context.call(run), inst as usize)),
         None => Ok(LEAVE),
     };
-    // SAFETY: as of all stubs.
+    // SAFETY: as for all stubs.
     unsafe { within(context, left) }
 }
 
-/// The answer where an operation is to be called by the machine.
+/// The answer if an operation has to be called by the machine.
 const BY_MACHINE: i64 = 0;
 
-/// Calls an operation: whether it was applied, and one bit further whether it gives an element,
-/// which stands in the upper half.
+/// Calls an operation. Bit 0 of the answer says whether it was applied, bit 1 whether it has a
+/// result, which is in the upper half.
 ///
 /// # Safety
-/// As of all stubs.
+/// As for all stubs.
 pub(in super::super) unsafe extern "C" fn apply(context: *mut Context, inst: i64) -> i64 {
     let mut caller = None;
     let begin = |context: &mut Context, run: &mut Run<'_>| match begin_op(context, run, inst) {
@@ -56,24 +56,24 @@ pub(in super::super) unsafe extern "C" fn apply(context: *mut Context, inst: i64
         }
         None => Ok(BY_MACHINE),
     };
-    // SAFETY: as of all stubs.
+    // SAFETY: as for all stubs.
     if unsafe { within_guarded(context, begin) } == LEAVE {
         return LEAVE;
     }
     let Some((entry, before)) = caller else {
-        // SAFETY: as of all stubs.
+        // SAFETY: as for all stubs.
         return unsafe { apply_by_machine(context, inst) };
     };
-    // SAFETY: the entry is that of native code of an operation of the program that runs, which
-    // lives as long; the context is set for it, and nobody refers to it or its run.
+    // SAFETY: the entry is that of native code of an operation of the running program, which lives
+    // long enough; the context is set up for it, and there is no reference to it or its run.
     let answer = unsafe { entry(context, 0) };
     let end =
         |context: &mut Context, run: &mut Run<'_>| end_op(context, run, (inst, answer), before);
-    // SAFETY: as of all stubs.
+    // SAFETY: as for all stubs.
     unsafe { within_guarded(context, end) }
 }
 
-/// What the context held for the caller of an operation.
+/// The state of the context for the caller of an operation.
 struct Before {
     base: usize,
     lists: *const Slice,
@@ -82,8 +82,8 @@ struct Before {
     frames: usize,
 }
 
-/// Makes the context that of an operation that is called, if it is there as native code, nobody
-/// has to know what it writes when it is done, and a script calls it. Gives where to enter it.
+/// Makes the context that of a called operation, if it has native code, its writes need not be
+/// tracked, and a script calls it; returns its entry.
 #[inline]
 fn begin_op(context: &mut Context, run: &mut Run<'_>, inst: i64) -> Option<(Entry, Before)> {
     let caller = context.call(run);
@@ -114,7 +114,7 @@ fn begin_op(context: &mut Context, run: &mut Run<'_>, inst: i64) -> Option<(Entr
     Some((compiled.entry, before))
 }
 
-/// Makes the context that of the caller again, and counts what has become of the operation.
+/// Makes the context that of the caller again, and counts the outcome of the operation.
 #[inline]
 fn end_op(
     context: &mut Context,
@@ -130,7 +130,7 @@ fn end_op(
     let (Some(outcome), Some(&Inst::Apply { op, .. })) =
         (outcome, caller.code.insts.get(inst as usize))
     else {
-        // By a trap or a panic.
+        // The operation was left by a trap or a panic.
         return run.trap.take().map_or(Ok(LEAVE), |trap| Err(trap.through(&caller, inst as usize)));
     };
     let Run { machine, mesh, watch, .. } = run;
@@ -139,10 +139,10 @@ fn end_op(
     Ok(answer_of(outcome))
 }
 
-/// Counts an operation that native code has called itself and that refuses.
+/// Counts a refusal of an operation that native code has called directly.
 ///
 /// # Safety
-/// As of all stubs.
+/// As for all stubs.
 pub(in super::super) unsafe extern "C" fn refused(context: *mut Context, op: i64) -> i64 {
     let refused = |context: &mut Context, run: &mut Run<'_>| {
         let reason = context.place(0).noted.map(|(_, reason)| reason);
@@ -151,7 +151,7 @@ pub(in super::super) unsafe extern "C" fn refused(context: *mut Context, op: i64
         run.machine.count(op as u16, Outcome::Refused { reason });
         Ok(0)
     };
-    // SAFETY: as of all stubs.
+    // SAFETY: as for all stubs.
     unsafe { within(context, refused) }
 }
 
@@ -163,17 +163,17 @@ fn answer_of(outcome: Outcome) -> i64 {
     }
 }
 
-/// The same by the machine.
+/// Calls an operation by the machine; answers as [`apply`] does.
 ///
 /// # Safety
-/// As of all stubs.
+/// As for all stubs.
 unsafe fn apply_by_machine(context: *mut Context, inst: i64) -> i64 {
     let apply = |context: &mut Context, run: &mut Run<'_>| {
         let call = context.call(run);
         let Some(&Inst::Apply { op, args, .. }) = call.code.insts.get(inst as usize) else {
             return Err(failed(context, run, inst, Message::Malformed));
         };
-        // It counts its own functions.
+        // The operation counts its own functions.
         run.machine.frames = 0;
         let Run { machine, mesh, watch, .. } = run;
         let outcome = match machine.drains.is_empty() {
@@ -182,6 +182,6 @@ unsafe fn apply_by_machine(context: *mut Context, inst: i64) -> i64 {
         };
         outcome.map(answer_of).map_err(|trap| trap.through(&call, inst as usize))
     };
-    // SAFETY: as of all stubs.
+    // SAFETY: as for all stubs.
     unsafe { within_any(context, apply) }
 }

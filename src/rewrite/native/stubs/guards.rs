@@ -1,4 +1,5 @@
-//! Looking ahead: what an operation would write is set on the mesh, asked about, and put back.
+//! Looking ahead: the values that an operation would write are set on the mesh, queried, and
+//! restored.
 
 use super::{LEAVE, failed, within, within_guarded};
 use crate::mesh::OrbitCondition;
@@ -6,11 +7,11 @@ use crate::rewrite::native::context::{Context, Run};
 use crate::rewrite::window::Window;
 use crate::rewrite::{Fault, Inst, Machine};
 
-/// Takes instructions that set what is looked at: from that on which the lower half of `span` says,
-/// up to that which its upper half says.
+/// Executes instructions that set or restore values of the preview: from the one in the lower half
+/// of `span` up to, but without, that in its upper half.
 ///
 /// # Safety
-/// As of all stubs.
+/// As for all stubs.
 pub(in super::super) unsafe extern "C" fn set(context: *mut Context, span: i64) -> i64 {
     let set = |context: &mut Context, run: &mut Run<'_>| {
         let call = context.call(run);
@@ -56,41 +57,41 @@ pub(in super::super) unsafe extern "C" fn set(context: *mut Context, span: i64) 
         }
         Ok(0)
     };
-    // SAFETY: as of all stubs.
+    // SAFETY: as for all stubs.
     unsafe { within_guarded(context, set) }
 }
 
-/// Begins: nothing is set.
+/// Begins a preview in which nothing is set.
 ///
 /// # Safety
-/// As of all stubs.
+/// As for all stubs.
 pub(in super::super) unsafe extern "C" fn clear(context: *mut Context) -> i64 {
     let clear = |_: &mut Context, run: &mut Run<'_>| {
         run.machine.preview.clear();
         Ok(0)
     };
-    // SAFETY: as of all stubs.
+    // SAFETY: as for all stubs.
     unsafe { within(context, clear) }
 }
 
-/// Puts back what the preview knows.
+/// Restores the values that the preview has set.
 ///
 /// # Safety
-/// As of all stubs.
+/// As for all stubs.
 pub(in super::super) unsafe extern "C" fn undo(context: *mut Context) -> i64 {
     let undo = |_: &mut Context, run: &mut Run<'_>| {
         run.machine.preview.undo(run.mesh);
         Ok(0)
     };
-    // SAFETY: as of all stubs.
+    // SAFETY: as for all stubs.
     unsafe { within_guarded(context, undo) }
 }
 
-/// Whether a condition, by its number, would hold; [`LEAVE`] where the machine is to tell why that
-/// cannot be told.
+/// Whether a condition, by its number, would hold; [`LEAVE`] if there is no answer and the machine
+/// has to determine the trap.
 ///
 /// # Safety
-/// As of all stubs.
+/// As for all stubs.
 pub(in super::super) unsafe extern "C" fn foresee(
     context: *mut Context,
     condition: i64,
@@ -104,6 +105,6 @@ pub(in super::super) unsafe extern "C" fn foresee(
         let holds = run.machine.preview.foresees(run.mesh, condition, element as u32, at as u32);
         Ok(holds.map_or(LEAVE, i64::from))
     };
-    // SAFETY: as of all stubs.
+    // SAFETY: as for all stubs.
     unsafe { within_guarded(context, foresee) }
 }

@@ -1,4 +1,4 @@
-//! Buffers: what changes one tells native code where its slots are from then on.
+//! Buffers: a stub that changes one updates its address and length in the context.
 
 use std::slice;
 
@@ -6,10 +6,10 @@ use super::{LEAVE, within_guarded};
 use crate::rewrite::native::context::{Context, Run};
 use crate::rewrite::{Machine, Walk, access, memory};
 
-/// Empties the buffers of code that begins.
+/// Empties the buffers of the code that starts to run.
 ///
 /// # Safety
-/// As of all stubs.
+/// As for all stubs.
 pub(in super::super) unsafe extern "C" fn begin(context: *mut Context) -> i64 {
     let begin = |context: &mut Context, run: &mut Run<'_>| {
         let call = context.call(run);
@@ -17,14 +17,14 @@ pub(in super::super) unsafe extern "C" fn begin(context: *mut Context) -> i64 {
         context.refresh_lists(run, call.code.buffers);
         Ok(0)
     };
-    // SAFETY: as of all stubs.
+    // SAFETY: as for all stubs.
     unsafe { within_guarded(context, begin) }
 }
 
 /// Empties a buffer.
 ///
 /// # Safety
-/// As of all stubs.
+/// As for all stubs.
 pub(in super::super) unsafe extern "C" fn clear(context: *mut Context, buffer: i64) -> i64 {
     let clear = |context: &mut Context, run: &mut Run<'_>| {
         let at = context.list_at(run, buffer as u16);
@@ -34,14 +34,14 @@ pub(in super::super) unsafe extern "C" fn clear(context: *mut Context, buffer: i
         context.refresh_list(run, buffer as u16);
         Ok(0)
     };
-    // SAFETY: as of all stubs.
+    // SAFETY: as for all stubs.
     unsafe { within_guarded(context, clear) }
 }
 
-/// Appends to a buffer; [`LEAVE`] where the machine is to tell why it cannot.
+/// Appends a slot to a buffer; [`LEAVE`] if that fails and the machine has to determine the trap.
 ///
 /// # Safety
-/// As of all stubs.
+/// As for all stubs.
 pub(in super::super) unsafe extern "C" fn push(
     context: *mut Context,
     buffer: i64,
@@ -58,15 +58,15 @@ pub(in super::super) unsafe extern "C" fn push(
         context.refresh_list(run, buffer as u16);
         Ok(0)
     };
-    // SAFETY: as of all stubs.
+    // SAFETY: as for all stubs.
     unsafe { within_guarded(context, push) }
 }
 
-/// Appends the halfedges of a walk, as an instruction says; [`LEAVE`] where the machine is to tell
-/// why it cannot.
+/// Appends the halfedges of a walk to a buffer: `which` has the number of the buffer in its low 16
+/// bits and then the walk. [`LEAVE`] if that fails and the machine has to determine the trap.
 ///
 /// # Safety
-/// As of all stubs.
+/// As for all stubs.
 pub(in super::super) unsafe extern "C" fn collect(
     context: *mut Context,
     which: i64,
@@ -88,16 +88,16 @@ pub(in super::super) unsafe extern "C" fn collect(
         context.refresh_list(run, buffer);
         Ok(walked.map_or(LEAVE, |()| 0))
     };
-    // SAFETY: as of all stubs.
+    // SAFETY: as for all stubs.
     unsafe { within_guarded(context, collect) }
 }
 
-/// Keeps a write back that can be done: of an element, by its number, with a header as the
-/// machine writes it. `which` tells the buffer, the first of the slots in the window, and how
-/// many. [`LEAVE`] where the machine is to tell why it cannot.
+/// Keeps a valid write back: a header as the machine writes it, the number of the element, and
+/// slots from the window. `which` has the buffer, the first slot and the number of slots, 16 bits
+/// each. [`LEAVE`] if that fails and the machine has to determine the trap.
 ///
 /// # Safety
-/// As of all stubs.
+/// As for all stubs.
 pub(in super::super) unsafe extern "C" fn hold(
     context: *mut Context,
     which: i64,
@@ -109,7 +109,8 @@ pub(in super::super) unsafe extern "C" fn hold(
         let (at, first) = (context.list_at(run, buffer), context.base() + usize::from(first));
         let is_kept = run.machine.is_beside_others;
         if is_kept {
-            // SAFETY: native code hands on its context, and has kept what it counts.
+            // SAFETY: native code passes on its context, and has written the slots that it has
+            // counted.
             unsafe { context.count_kept(run.machine) };
         }
         let Machine { buffers, kept, drains, memory: limit, stack, .. } = &mut *run.machine;
@@ -131,6 +132,6 @@ pub(in super::super) unsafe extern "C" fn hold(
         }
         Ok(0)
     };
-    // SAFETY: as of all stubs.
+    // SAFETY: as for all stubs.
     unsafe { within_guarded(context, hold) }
 }

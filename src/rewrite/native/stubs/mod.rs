@@ -1,8 +1,7 @@
-//! The functions of the machine that native code calls.
+//! Stubs: the functions of the machine that native code calls.
 //!
-//! Each takes the context of the call. No panic crosses the border: that of a stub which may do
-//! anything is kept and goes on when native code has been left, and what the others do does not
-//! panic.
+//! Each takes the context of the call. No panic unwinds into native code: a panic of a stub that
+//! may panic is caught, and resumed when native code has been left; the others do not panic.
 
 pub(super) mod calls;
 pub(super) mod drains;
@@ -22,10 +21,10 @@ use crate::rewrite::{
     Call, Fault, Inst, Machine, Math, Message, Outcome, Question, Trap, access, vectors,
 };
 
-/// The answer of a stub if native code is to be left: the trap stands in the run.
+/// The answer of a stub if native code has to be left: the trap is in the run.
 pub(super) const LEAVE: i64 = -1;
 
-/// Does something with the run of a context.
+/// Calls a closure with a context and its run.
 ///
 /// # Safety
 /// The context is one that the machine has made for native code that runs.
@@ -34,9 +33,9 @@ pub(super) unsafe fn within(
     context: *mut Context,
     act: impl FnOnce(&mut Context, &mut Run<'_>) -> Result<i64, Trap>,
 ) -> i64 {
-    // SAFETY: native code hands on the context that it was entered with. The machine made it and
-    // its run from values that it borrows until native code returns, and touches neither
-    // meanwhile; native code itself holds no reference.
+    // SAFETY: native code passes on the context that it was entered with. The machine made it and
+    // its run from values that it borrows until native code returns, and accesses neither in the
+    // meantime; native code itself holds no reference.
     let (context, run) = unsafe {
         let context = &mut *context;
         let run = &mut *context.run.cast::<Run<'_>>();
@@ -51,10 +50,10 @@ pub(super) unsafe fn within(
     }
 }
 
-/// The same for what may panic.
+/// [`within`] for closures that may panic.
 ///
 /// # Safety
-/// As of [`within`].
+/// As for [`within`].
 pub(super) unsafe fn within_guarded(
     context: *mut Context,
     act: impl FnOnce(&mut Context, &mut Run<'_>) -> Result<i64, Trap>,
@@ -66,14 +65,14 @@ pub(super) unsafe fn within_guarded(
             Ok(LEAVE)
         })
     };
-    // SAFETY: as of `within`.
+    // SAFETY: as for `within`.
     unsafe { within(context, guarded) }
 }
 
-/// The same for what may do anything: what it has moved is looked for anew.
+/// [`within`] for closures that may do anything: afterwards the context is updated.
 ///
 /// # Safety
-/// As of [`within`].
+/// As for [`within`].
 pub(super) unsafe fn within_any(
     context: *mut Context,
     act: impl FnOnce(&mut Context, &mut Run<'_>) -> Result<i64, Trap>,
@@ -87,21 +86,21 @@ pub(super) unsafe fn within_any(
             Ok(LEAVE)
         })
     };
-    // SAFETY: as of `within`.
+    // SAFETY: as for `within`.
     unsafe { within(context, any) }
 }
 
-/// Takes instructions on the machine, as many as the upper half of `span` says, from the one on
-/// that its lower half says; the place where the code goes on.
+/// Executes instructions on the machine, from the one in the lower half of `span` on, as many as
+/// its upper half says; returns the place where the code continues.
 ///
 /// # Safety
-/// As of all stubs: native code calls it with its context.
+/// As for all stubs: native code calls it with its context.
 pub(super) unsafe extern "C" fn step(context: *mut Context, span: i64) -> i64 {
     let take = |context: &mut Context, run: &mut Run<'_>| {
         let call = context.call(run);
         let mut place = context.place(span as u32 as usize);
         place.steps = (span >> 32) as usize;
-        // An operation counts its own; the parts of a loop go on from here.
+        // An operation counts its own functions; the parts of a loop continue the current count.
         if !matches!(run.inst(context, span & 0xffff_ffff), Some(Inst::Spread { .. })) {
             run.machine.frames = 0;
         }
@@ -126,10 +125,10 @@ fn opens_drain(call: &Call<'_>, at: usize) -> bool {
     matches!(call.code.insts.get(at), Some(Inst::DrainOpen { .. }))
 }
 
-/// Looks if the watcher wants to interrupt, at a turn of a loop that is one to look at.
+/// Calls the watcher, which may interrupt, at a turn of a loop at which this is due.
 ///
 /// # Safety
-/// As of all stubs.
+/// As for all stubs.
 pub(super) unsafe extern "C" fn tick(context: *mut Context, inst: i64) -> i64 {
     let tick = |context: &mut Context, run: &mut Run<'_>| {
         let Run { machine, watch, .. } = run;
@@ -138,14 +137,14 @@ pub(super) unsafe extern "C" fn tick(context: *mut Context, inst: i64) -> i64 {
             false => Ok(0),
         }
     };
-    // SAFETY: as of all stubs.
+    // SAFETY: as for all stubs.
     unsafe { within_guarded(context, tick) }
 }
 
-/// The same at a turn of a loop that has told how far it is; looks at the memory, too.
+/// Calls the watcher at a turn of a loop whose progress is stored, and checks the memory limit.
 ///
 /// # Safety
-/// As of all stubs.
+/// As for all stubs.
 pub(super) unsafe extern "C" fn turn(context: *mut Context, inst: i64) -> i64 {
     let turn = |context: &mut Context, run: &mut Run<'_>| {
         let Some(Inst::Turn { depth, .. }) = run.inst(context, inst) else {
@@ -162,21 +161,21 @@ pub(super) unsafe extern "C" fn turn(context: *mut Context, inst: i64) -> i64 {
         }
         Ok(0)
     };
-    // SAFETY: as of all stubs.
+    // SAFETY: as for all stubs.
     unsafe { within_guarded(context, turn) }
 }
 
-/// The trap of an instruction of the code that runs.
+/// The trap of an instruction of the running code.
 #[cold]
 pub(super) fn failed(context: &Context, run: &Run<'_>, inst: i64, message: Message) -> Trap {
     Trap::new(message).through(&context.call(run), inst as usize)
 }
 
-/// Answers a question from registers in the window, into the window; [`LEAVE`] where the machine
-/// is to tell why it cannot.
+/// Answers a question from registers in the window, into the window; [`LEAVE`] if there is no
+/// answer and the machine has to determine the trap.
 ///
 /// # Safety
-/// As of all stubs.
+/// As for all stubs.
 pub(super) unsafe extern "C" fn answer(context: *mut Context, inst: i64) -> i64 {
     let answer = |context: &mut Context, run: &mut Run<'_>| {
         let call = context.call(run);
@@ -189,15 +188,15 @@ pub(super) unsafe extern "C" fn answer(context: *mut Context, inst: i64) -> i64 
         let asked = ask(run.mesh, *question, &mut window, [*to, *first, *second]);
         Ok(asked.map_or(LEAVE, |()| 0))
     };
-    // SAFETY: as of all stubs.
+    // SAFETY: as for all stubs.
     unsafe { within_guarded(context, answer) }
 }
 
-/// Answers a question, by its number, with a whole number or a bool; [`LEAVE`] where the machine is
-/// to tell why it cannot.
+/// Answers a question, by its number, with an int or a bool; [`LEAVE`] if there is no answer and
+/// the machine has to determine the trap.
 ///
 /// # Safety
-/// As of all stubs.
+/// As for all stubs.
 pub(super) unsafe extern "C" fn ask_whole(
     context: *mut Context,
     question: i64,
@@ -227,14 +226,14 @@ pub(super) unsafe extern "C" fn ask_whole(
         };
         Ok(answer.unwrap_or(LEAVE))
     };
-    // SAFETY: as of all stubs.
+    // SAFETY: as for all stubs.
     unsafe { within_guarded(context, answer) }
 }
 
 /// Computes with vectors and matrices, from registers in the window into the window.
 ///
 /// # Safety
-/// As of all stubs.
+/// As for all stubs.
 pub(super) unsafe extern "C" fn compute(context: *mut Context, inst: i64) -> i64 {
     let compute = |context: &mut Context, run: &mut Run<'_>| {
         let call = context.call(run);
@@ -253,42 +252,42 @@ pub(super) unsafe extern "C" fn compute(context: *mut Context, inst: i64) -> i64
         }
         Ok(0)
     };
-    // SAFETY: as of all stubs.
+    // SAFETY: as for all stubs.
     unsafe { within_guarded(context, compute) }
 }
 
 /// The number of living elements of a kind.
 ///
 /// # Safety
-/// As of all stubs.
+/// As for all stubs.
 pub(super) unsafe extern "C" fn count(context: *mut Context, kind: i64) -> i64 {
     let count = |_: &mut Context, run: &mut Run<'_>| {
         let kind = ElementKind::ALL.get(kind as usize);
         Ok(kind.map_or(0, |&kind| run.mesh.count(kind) as i64))
     };
-    // SAFETY: as of all stubs.
+    // SAFETY: as for all stubs.
     unsafe { within(context, count) }
 }
 
-/// Takes an instruction on the machine that native code has found to trap.
+/// Executes an instruction on the machine that native code has found to trap.
 ///
 /// # Safety
-/// As of all stubs.
+/// As for all stubs.
 pub(super) unsafe extern "C" fn fault(context: *mut Context, inst: i64) {
-    // SAFETY: as of all stubs.
+    // SAFETY: as for all stubs.
     let answer = unsafe { step(context, inst | 1 << 32) };
     if answer != LEAVE {
         let say = |_: &mut Context, _: &mut Run<'_>| Err(Trap::new(Message::Malformed));
-        // SAFETY: as of all stubs.
+        // SAFETY: as for all stubs.
         unsafe { within(context, say) };
     }
 }
 
-/// Appends so many new elements, 16 bits for each kind, and tells the first of each; [`LEAVE`], and
-/// nothing has been done, where [`add_and_erase`] is to add them.
+/// Appends new elements, their numbers in 16 bits for each kind, and stores the first of each;
+/// [`LEAVE`], with nothing done, if [`add_and_erase`] has to add them.
 ///
 /// # Safety
-/// As of all stubs.
+/// As for all stubs.
 pub(super) unsafe extern "C" fn append(context: *mut Context, counts: i64) -> i64 {
     let counts = [0, 16, 32, 48].map(|shift| (counts as u64 >> shift) as usize & 0xffff);
     let append = |context: &mut Context, run: &mut Run<'_>| {
@@ -304,15 +303,15 @@ pub(super) unsafe extern "C" fn append(context: *mut Context, counts: i64) -> i6
         context.refresh_tables(run);
         Ok(0)
     };
-    // SAFETY: as of all stubs.
+    // SAFETY: as for all stubs.
     unsafe { within_guarded(context, append) }
 }
 
-/// Adds and erases elements: takes so many instructions, in number and order as `span` says, which
-/// read the window and write to it.
+/// Adds and erases elements: executes the instructions from the one in the lower half of `span` up
+/// to, but without, that in its upper half, which read and write the window.
 ///
 /// # Safety
-/// As of all stubs.
+/// As for all stubs.
 pub(super) unsafe extern "C" fn add_and_erase(context: *mut Context, span: i64) -> i64 {
     let take = |context: &mut Context, run: &mut Run<'_>| {
         let (first, end) = (span as u32 as usize, (span >> 32) as usize);
@@ -351,18 +350,18 @@ pub(super) unsafe extern "C" fn add_and_erase(context: *mut Context, span: i64) 
         context.refresh(run);
         Ok(0)
     };
-    // SAFETY: as of all stubs.
+    // SAFETY: as for all stubs.
     unsafe { within_guarded(context, take) }
 }
 
-/// 1 if so many elements fit, 16 bits for each kind.
+/// 1 if there is room for new elements, their numbers in 16 bits for each kind; else 0.
 ///
 /// # Safety
-/// As of all stubs.
+/// As for all stubs.
 pub(super) unsafe extern "C" fn has_room(context: *mut Context, room: i64) -> i64 {
     let more = [0, 16, 32, 48].map(|shift| (room as u64 >> shift) as usize & 0xffff);
     let ask = |_: &mut Context, run: &mut Run<'_>| Ok(i64::from(run.mesh.has_room(more)));
-    // SAFETY: as of all stubs.
+    // SAFETY: as for all stubs.
     unsafe { within(context, ask) }
 }
 
@@ -382,7 +381,7 @@ pub(super) extern "C" fn atan2(left: f64, right: f64) -> f64 {
     left.atan2(right)
 }
 
-/// The functions of one real that are not an instruction of the processor.
+/// The stub of a function of one real that is not an instruction of the processor.
 pub(super) fn function(function: Math) -> extern "C" fn(f64) -> f64 {
     macro_rules! stub {
         ($name:ident) => {{
@@ -408,12 +407,12 @@ pub(super) fn function(function: Math) -> extern "C" fn(f64) -> f64 {
     }
 }
 
-/// The direction of the vector at `place`, written in its place.
+/// Replaces the vector at `place` by its direction.
 ///
 /// # Safety
-/// Three reals lie at the place, which nobody else refers to.
+/// `place` points to three reals, to which there is no other reference.
 pub(super) unsafe extern "C" fn normalize(place: *mut [f64; 3]) {
-    // SAFETY: native code gives the address of a place of that size in its own frame.
+    // SAFETY: native code passes the address of a place of that size in its own frame.
     let vector = unsafe { &mut *place };
     *vector = direction((*vector).into()).to_array();
 }

@@ -1,11 +1,11 @@
-//! Writes of which a journal or a drain is told before.
+//! Writes of which a journal or a drain is notified in advance.
 
 use super::within_guarded;
 use crate::mesh::{ElementKind, VertexId};
 use crate::rewrite::native::context::{Context, Run};
 use crate::rewrite::{ElementField, HalfedgeField, attribute};
 
-/// By number the pointers of a halfedge and those to the halfedge of an element.
+/// The pointers of a halfedge, and those to the halfedge of an element, by number.
 const POINTERS: [HalfedgeField; 6] = [
     HalfedgeField::Next,
     HalfedgeField::Prev,
@@ -16,10 +16,10 @@ const POINTERS: [HalfedgeField; 6] = [
 ];
 const FIRST: [ElementField; 3] = [ElementField::Vertex, ElementField::Edge, ElementField::Face];
 
-/// A pointer of a living halfedge is about to be set to `value`.
+/// Reports that a pointer of a living halfedge is about to be set to `value`.
 ///
 /// # Safety
-/// As of all stubs.
+/// As for all stubs.
 pub(in super::super) unsafe extern "C" fn pointer(
     context: *mut Context,
     field: i64,
@@ -34,14 +34,14 @@ pub(in super::super) unsafe extern "C" fn pointer(
         }
         Ok(0)
     };
-    // SAFETY: as of all stubs.
+    // SAFETY: as for all stubs.
     unsafe { within_guarded(context, tell) }
 }
 
-/// The halfedge of a living element is about to be set to `value`.
+/// Reports that the halfedge of a living element is about to be set to `value`.
 ///
 /// # Safety
-/// As of all stubs.
+/// As for all stubs.
 pub(in super::super) unsafe extern "C" fn first(
     context: *mut Context,
     of: i64,
@@ -56,14 +56,14 @@ pub(in super::super) unsafe extern "C" fn first(
         }
         Ok(0)
     };
-    // SAFETY: as of all stubs.
+    // SAFETY: as for all stubs.
     unsafe { within_guarded(context, tell) }
 }
 
-/// The position of a living vertex is about to be set.
+/// Reports that the position of a living vertex is about to be set.
 ///
 /// # Safety
-/// As of all stubs.
+/// As for all stubs.
 pub(in super::super) unsafe extern "C" fn position(context: *mut Context, vertex: i64) -> i64 {
     let tell = |_: &mut Context, run: &mut Run<'_>| {
         let Run { machine, mesh, .. } = run;
@@ -71,14 +71,14 @@ pub(in super::super) unsafe extern "C" fn position(context: *mut Context, vertex
         mesh.note_place(VertexId(vertex as u32));
         Ok(0)
     };
-    // SAFETY: as of all stubs.
+    // SAFETY: as for all stubs.
     unsafe { within_guarded(context, tell) }
 }
 
-/// An attribute of a living element is about to be set.
+/// Reports that an attribute of a living element is about to be set.
 ///
 /// # Safety
-/// As of all stubs.
+/// As for all stubs.
 pub(in super::super) unsafe extern "C" fn value(
     context: *mut Context,
     number: i64,
@@ -92,6 +92,6 @@ pub(in super::super) unsafe extern "C" fn value(
         }
         Ok(0)
     };
-    // SAFETY: as of all stubs.
+    // SAFETY: as for all stubs.
     unsafe { within_guarded(context, tell) }
 }

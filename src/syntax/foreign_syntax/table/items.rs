@@ -1,4 +1,4 @@
-//! Heads of items: declarations as other languages write them.
+//! Heads of items: declarations in the syntax of other languages.
 
 use super::{Line, TYPED, fixed, sure, told};
 use crate::syntax::foreign_syntax::place::HEAD;

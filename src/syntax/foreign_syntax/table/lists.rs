@@ -1,4 +1,4 @@
-//! Lists of drawings: what is new, erased, kept.
+//! Lists of drawings: `new`, `erase` and `keep`.
 
 use super::{Line, sure, told};
 use crate::syntax::foreign_syntax::place::DRAWING;

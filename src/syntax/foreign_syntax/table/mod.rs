@@ -1,8 +1,8 @@
-//! The table: how something is written elsewhere, and how here. How patterns are read is said
-//! in [`pattern`](super::pattern); of several that match the first counts.
+//! The table of foreign forms and their equivalents here. [`pattern`](super::pattern) describes the
+//! syntax of patterns; of several that match, the first counts.
 //!
-//! In what is said, `{}` is the first word of the pattern as it is written, and `$a` what stands
-//! in the hole of that name.
+//! In a message, `{}` stands for the text of the first literal element of the pattern, and `$a` for
+//! the text of the hole of that name.
 
 mod assignments;
 mod code;
@@ -31,12 +31,13 @@ struct Line {
     says: &'static str,
 }
 
-/// A way of writing whose meaning is sure, and how that is written.
+/// A form whose meaning is certain; `ours` is both the fix and what the rest is parsed with.
 const fn sure(place: Places, seen: &'static str, ours: &'static str, says: &'static str) -> Line {
     Line { place, seen, ours, fix: Some(ours), says }
 }
 
-/// The same, where what is written is not what the rest is read with.
+/// A form whose meaning is certain, but whose `fix` differs from `ours`, with which the rest of the
+/// item is parsed.
 const fn fixed(
     place: Places,
     seen: &'static str,
@@ -47,7 +48,7 @@ const fn fixed(
     Line { place, seen, ours, fix: Some(fix), says }
 }
 
-/// A way of writing that only a person can write anew; the rest is read as if it were `ours`.
+/// A form without a fix; the rest of the item is parsed as if it were `ours`.
 const fn told(place: Places, seen: &'static str, ours: &'static str, says: &'static str) -> Line {
     Line { place, seen, ours, fix: None, says }
 }
@@ -71,19 +72,19 @@ const LINES: &[&[Line]] = &[
     values::LINES,
 ];
 
-/// A piece of what is written in place of a pattern.
+/// A piece of a template, which replaces a pattern.
 #[derive(Clone, Debug)]
 pub(super) struct Piece {
     /// Its place in the template.
     pub place: Range<usize>,
-    /// The hole it is, if it is one.
+    /// The name of the hole, if it is one.
     pub hole: Option<&'static str>,
-    /// Its kind and its text, if it is none.
+    /// Its token kind and its text.
     pub kind: TokenKind,
     pub word: &'static str,
 }
 
-/// A form in which something is written elsewhere.
+/// A foreign form.
 #[derive(Debug)]
 pub(super) struct Form {
     pub place: Places,
@@ -109,39 +110,39 @@ impl Form {
         }
     }
 
-    /// The pattern by which it is seen.
+    /// The pattern that matches it.
     pub(super) fn seen(&self) -> &Pattern {
         &self.seen
     }
 
-    /// The pieces that the rest of the item is read with.
+    /// The pieces with which the rest of the item is parsed.
     pub(super) fn ours(&self) -> &[Piece] {
         &self.ours
     }
 
-    /// The text in its place, and its template; nothing where that is not sure.
+    /// The pieces of the fix and its template; empty if there is no fix.
     pub(super) fn fix(&self) -> (&[Piece], &'static str) {
         self.fix.as_ref().map_or((&[], ""), |(pieces, template)| (pieces, template))
     }
 
-    /// True if it is known what is written instead.
+    /// True if there is a fix.
     pub(super) fn is_sure(&self) -> bool {
         self.fix.is_some()
     }
 
-    /// True if the rest of the item may not be what was meant.
+    /// True if the rest of the item may not be parsed as it was meant.
     pub(super) fn ends(&self) -> bool {
         self.fix.as_ref().is_none_or(|(fix, _)| fix.len() != self.ours.len())
     }
 
-    /// The holes that may stand in what is said.
+    /// The holes in the message.
     pub(super) fn holes_of_says(&self) -> impl Iterator<Item = &'static str> {
         let pieces = pieces(self.says).into_iter();
         pieces.filter_map(|piece| piece.hole)
     }
 }
 
-/// The table, taken apart.
+/// The parsed table.
 pub(super) fn forms() -> &'static [Form] {
     static FORMS: LazyLock<Vec<Form>> =
         LazyLock::new(|| LINES.iter().copied().flatten().map(Form::of).collect());

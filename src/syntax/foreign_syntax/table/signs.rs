@@ -28,7 +28,7 @@ pub(super) const LINES: &[Line] = &[
     sure(ANY, "⇒", "=>", "`{}` is written `=>`"),
     sure(DRAWING, "…", "=>", "a path without a name is `=>`"),
     fixed(CODE, "∈", "in", "in", "`{}` is written `in`"),
-    // What a power is taken of is whole behind one of these.
+    // After one of these tokens, the operand is the whole base of the power.
     fixed(
         CODE | PARTS,
         "$b=(/,/=/+/-/{/}/return $x * ~* $n:number",

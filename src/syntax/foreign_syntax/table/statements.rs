@@ -31,7 +31,7 @@ pub(super) const LINES: &[Line] = &[
         "what an op returns stands in its head: `op name(…) -> x { … }`",
     ),
     told(DRAWING, "^print/assert/must $l:line", "", STEPS),
-    // What is followed by another part stands behind a brace that is missing.
+    // If another part follows instead, the mistake is a missing `}` before the line.
     told(
         DRAWING,
         "^guard/alias/require/keeps $l:line $n=}/face/hole/loop/edge/vertex/new/keep/erase",
