@@ -107,8 +107,8 @@ impl Session {
         }
     }
 
-    /// The current values of a kept mask, as [`mask`](Self::mask) would return them. The session
-    /// switches to the program of the mask.
+    /// The current values of a kept mask, as [`mask`](Self::mask) would return them, also of an
+    /// operation of another program than the current one.
     ///
     /// # Errors
     /// The mask is not kept (`unknown-mask`), or as for [`mask`](Self::mask).
@@ -144,7 +144,14 @@ impl Session {
     }
 
     fn ask_again(&mut self, kept: &mut Kept) -> Result<(), Error> {
+        let current = self.engine.program.clone();
         self.use_program(&kept.op.program);
+        let done = self.ask_stale(kept);
+        self.use_program(&current);
+        done
+    }
+
+    fn ask_stale(&mut self, kept: &mut Kept) -> Result<(), Error> {
         let Kept { op, values, at, kind, slot, level, asked, verdicts, applies, .. } = kept;
         let (at, kind, slot) = (*at, *kind, *slot);
         let application = op.application()?;

@@ -9,7 +9,7 @@ use super::masks::Masks;
 use super::{Arguments, Error, Given, Op, Outcome, Program, Reason, Script};
 use crate::diagnostic::Diagnostic;
 use crate::mesh::{Element, ElementKind, Mesh};
-use crate::rewrite::{self, Trap, Unwatched, Watch};
+use crate::rewrite::{self, Machine, Trap, Unwatched, Watch};
 use crate::run::{self, Application, Argument, Columns, Failure, Prepared, Report};
 
 /// A mesh on which operations and scripts of one program are called.
@@ -43,6 +43,8 @@ pub struct Session {
     pub(super) values: Vec<Option<Argument>>,
     pub(super) slots: Vec<u64>,
     runs_by: rewrite::Engine,
+    memory: Option<usize>,
+    seed: u64,
     created: Vec<Element>,
     erased: Vec<Element>,
 }
@@ -60,6 +62,8 @@ impl Session {
             values: Vec::new(),
             slots: Vec::new(),
             runs_by: rewrite::Engine::default(),
+            memory: None,
+            seed: 0,
             created: Vec::new(),
             erased: Vec::new(),
         }
@@ -82,10 +86,25 @@ impl Session {
         let known = self.others.iter().position(|other| other.program.is(program));
         let next = match known {
             Some(at) => self.others.swap_remove(at),
-            None => Engine::new(program),
+            None => self.new_engine(program),
         };
         self.others.push(std::mem::replace(&mut self.engine, next));
-        self.engine.machine.use_engine(self.runs_by);
+    }
+
+    /// An engine with the settings of the session.
+    fn new_engine(&self, program: &Program) -> Engine {
+        let mut engine = Engine::new(program);
+        engine.machine.use_engine(self.runs_by);
+        engine.machine.seed(self.seed);
+        if let Some(bytes) = self.memory {
+            engine.machine.limit_memory(bytes);
+        }
+        engine
+    }
+
+    fn each_machine(&mut self, set: impl Fn(&mut Machine)) {
+        let engines = self.others.iter_mut().chain([&mut self.engine]);
+        engines.for_each(|engine| set(&mut engine.machine));
     }
 
     /// The mesh.
@@ -123,28 +142,31 @@ impl Session {
         let mut copy = Self::new(&self.engine.program, mesh);
         copy.known = self.known;
         copy.use_engine(self.runs_by);
+        copy.seed(self.seed);
+        if let Some(bytes) = self.memory {
+            copy.limit_memory(bytes);
+        }
         copy
     }
 
     /// Limits the memory, in bytes, for the mesh and for lists: what needs more fails with
     /// `no-room`. There is no limit at first.
     pub fn limit_memory(&mut self, bytes: usize) {
-        self.engine.machine.limit_memory(bytes);
+        self.memory = Some(bytes);
+        self.each_machine(|machine| machine.limit_memory(bytes));
     }
 
     /// Sets the engine that runs operations and scripts from now on. The results are the same.
     pub fn use_engine(&mut self, engine: rewrite::Engine) {
-        self.engine.machine.use_engine(engine);
-        for other in &mut self.others {
-            other.machine.use_engine(engine);
-        }
         self.runs_by = engine;
+        self.each_machine(|machine| machine.use_engine(engine));
     }
 
     /// Sets the seed of the random numbers of scripts and functions. By default the seed is 0; the
-    /// sequence continues from call to call.
+    /// sequence continues from call to call, for each program its own.
     pub fn seed(&mut self, seed: u64) {
-        self.engine.machine.seed(seed);
+        self.seed = seed;
+        self.each_machine(|machine| machine.seed(seed));
     }
 
     /// True if an element is alive.

@@ -467,6 +467,45 @@ fn copies_and_threads() {
 }
 
 #[test]
+fn settings_hold_for_all_programs_of_a_session() {
+    let text = format!(
+        "{OPS}
+        fn chance() -> real {{ random() }}
+        script refine() {{ repeat 9 {{ for e in edges {{ split(e) }} }} }}"
+    );
+    let [one, two, three] = ["a", "b", "c"].map(|name| Program::parse(name, &text).unwrap());
+    let mut session = Session::new(&one, shape::octahedron());
+    session.use_program(&two);
+    session.use_program(&one);
+    session.seed(7);
+    session.limit_memory(100_000);
+    let mut numbers = Vec::new();
+    for program in [&one, &two, &three] {
+        session.use_program(program);
+        numbers.push(session.call(&program.function("chance").unwrap(), ()).unwrap());
+        let full = session.run(&program.script("refine").unwrap(), ());
+        assert_eq!(code(full.unwrap_err()), "no-room");
+    }
+    assert!(numbers.iter().all(|number| *number == numbers[0]), "{numbers:?}");
+}
+
+#[test]
+fn a_kept_mask_of_another_program_leaves_the_current_one() {
+    let programs = ["a", "b"].map(|name| Program::parse(name, OPS).unwrap());
+    let [first, second] = programs.each_ref().map(|program| program.op("flip").unwrap());
+    let mut session = Session::new(&programs[0], shape::octahedron());
+    let mask = session.keep_mask(&first, ()).unwrap();
+    session.use_program(&programs[1]);
+    session.apply(&second, EdgeId(0)).unwrap();
+    let kept = session.kept_mask(mask).unwrap().to_vec();
+    // The operations of the second program can still be called.
+    assert_eq!(session.mask(&second, ()).unwrap(), kept);
+    session.apply(&second, EdgeId(1)).unwrap();
+    let kept = session.kept_mask(mask).unwrap().to_vec();
+    assert_eq!(session.mask(&second, ()).unwrap(), kept);
+}
+
+#[test]
 fn what_is_wrong_with_a_program_is_told_with_its_places() {
     let error = Program::parse("wrong.hedge", "op flip(e: edge) {\n  before { edge x: a | b }\n}")
         .unwrap_err();
