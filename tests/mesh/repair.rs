@@ -202,6 +202,9 @@ fn all_faults_are_told_by_kind() {
     // A face that is there twice is told as that, and not by its sides.
     let error = read("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 2 3 1\n", None).unwrap_err();
     assert!(error.contains("t.obj:5: the faces of lines 4 and 5 are the same"), "{error}");
+    // Three, of which the first lies back to back to the others.
+    let error = read("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 3 2 1\nf 2 1 3\n", None).unwrap_err();
+    assert!(error.contains("t.obj:6: the faces of lines 5 and 6 are the same"), "{error}");
     // Of many only the first are.
     let mut file = String::new();
     for i in 0..20 {

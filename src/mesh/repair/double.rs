@@ -38,16 +38,23 @@ pub(super) fn drop_doubled(list: &mut PolygonList, report: &mut RepairReport) {
     report.doubled_faces += before - list.ends.len();
 }
 
-/// Pairs of an earlier polygon and one with the same corners in the same order. Only the first of
-/// the polygons with these corners, in either order, is compared with the others.
+/// Pairs of the first polygon with some corners in some order, and another with the same corners in
+/// the same order.
 pub(in crate::mesh) fn repeated(list: &PolygonList) -> Vec<[usize; 2]> {
-    let groups = groups(list).into_iter();
-    let pairs = groups.flat_map(|group| {
+    let mut pairs = Vec::new();
+    for group in groups(list) {
         let first = group[0];
-        group.into_iter().skip(1).map(move |other| [first, other])
-    });
-    let mut pairs: Vec<_> =
-        pairs.filter(|&[first, other]| runs_alike(list, first, other)).collect();
+        let mut back = None;
+        for &other in &group[1..] {
+            if runs_alike(list, first, other) {
+                pairs.push([first, other]);
+            } else if let Some(back) = back {
+                pairs.push([back, other]);
+            } else {
+                back = Some(other);
+            }
+        }
+    }
     pairs.sort_unstable_by_key(|&[_, other]| other);
     pairs
 }
