@@ -200,7 +200,7 @@ pub enum StatementKind {
     /// `assert mesh == start`, `assert mesh != cube()`, in tests
     AssertMesh { mesh: u16, same: bool, reason: String },
     /// `assert refuses(flip(e), "…")`, in tests
-    AssertRefuses { op: usize, args: Vec<Expr>, reason: Option<String> },
+    AssertRefuses { op: usize, args: Vec<Expr>, why: Option<String>, reason: Option<String> },
     /// `break`, out of the innermost loop.
     Break,
     /// `continue`, with the next turn of the innermost loop.

@@ -121,13 +121,13 @@ impl Scripting<'_> {
                 let reason = reason.as_ref().map(|(text, _)| text.as_str());
                 match &condition.kind {
                     ExprKind::Binary(op @ (BinaryOp::Equal | BinaryOp::NotEqual), left, right)
-                        if is_mesh(left) =>
+                        if is_mesh(left) || is_mesh(right) =>
                     {
                         let same = *op == BinaryOp::Equal;
-                        Some(self.compared(right, same, reason))
+                        Some(self.compared(if is_mesh(left) { right } else { left }, same, reason))
                     }
                     ExprKind::Call { function, args } if function.text == "refuses" => {
-                        Some(self.refuses(args, condition.span))
+                        Some(self.refuses(args, reason, condition.span))
                     }
                     _ => None,
                 }
@@ -179,13 +179,18 @@ impl Scripting<'_> {
     }
 
     /// `assert refuses(flip(e), "the edge is there")`
-    fn refuses(&mut self, args: &[tree::Expr], span: Span) -> Option<StatementKind> {
-        let (call, reason) = match args {
+    fn refuses(
+        &mut self,
+        args: &[tree::Expr],
+        reason: Option<&str>,
+        span: Span,
+    ) -> Option<StatementKind> {
+        let (call, why) = match args {
             [call] => (call, None),
-            [call, reason] => match &reason.kind {
+            [call, why] => match &why.kind {
                 ExprKind::Text(text) => (call, Some(text.clone())),
                 _ => {
-                    self.wrong_refuses(reason.span);
+                    self.wrong_refuses(why.span);
                     return None;
                 }
             },
@@ -199,7 +204,8 @@ impl Scripting<'_> {
             return None;
         };
         let (op, args) = self.application(function, args, call.span)?;
-        Some(StatementKind::AssertRefuses { op, args, reason })
+        let reason = reason.map(str::to_owned);
+        Some(StatementKind::AssertRefuses { op, args, why, reason })
     }
 
     fn wrong_refuses(&mut self, span: Span) {

@@ -288,8 +288,8 @@ impl<'p> Lowering<'p> {
             StatementKind::AssertMesh { mesh, same, reason } => {
                 self.assert_mesh(*mesh, *same, reason, span);
             }
-            StatementKind::AssertRefuses { op, args, reason } => {
-                self.assert_refuses(*op, args, reason.as_deref(), span);
+            StatementKind::AssertRefuses { op, args, why, reason } => {
+                self.assert_refuses(*op, args, [why.as_deref(), reason.as_deref()], span);
             }
             StatementKind::Break => self.jump(|around| around.end),
             StatementKind::Continue => self.jump(|around| around.again),

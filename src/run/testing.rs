@@ -149,27 +149,28 @@ impl Lowering<'_> {
         self.asm.bind(fine);
     }
 
-    /// `assert refuses(flip(e), "the edge is there")`
+    /// `assert refuses(flip(e), "the edge is there") else "…"`: why the operation must refuse, and
+    /// the message if it does not.
     pub(super) fn assert_refuses(
         &mut self,
         op: usize,
         args: &[Expr],
-        reason: Option<&str>,
+        [why, reason]: [Option<&str>; 2],
         span: Span,
     ) {
         let (applied, _) = self.apply(op, args, span);
         let (refused, fine) = (self.asm.label(), self.asm.label());
         self.asm.emit(Inst::JumpUnless { condition: applied, to: refused });
-        self.fail("the operation was applied", span);
+        self.fail(reason.unwrap_or("the operation was applied"), span);
         self.asm.bind(refused);
-        if let Some(reason) = reason {
-            let (to, text) = (self.asm.reg(), self.asm.text(reason));
+        if let Some(why) = why {
+            let (to, text) = (self.asm.reg(), self.asm.text(why));
             let op = u16::try_from(op).unwrap_or(u16::MAX);
             self.asm.emit(Inst::RefusedFor { op, text, to });
             self.asm.emit(Inst::JumpIf { condition: to, to: fine });
             self.print_text("the reason is: ");
             self.asm.emit(Inst::PrintReason { op });
-            self.fail("the operation was refused for another reason", span);
+            self.fail(reason.unwrap_or("the operation was refused for another reason"), span);
         }
         self.asm.bind(fine);
     }

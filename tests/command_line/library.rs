@@ -40,15 +40,18 @@ fn tests_are_run_and_told() {
         test \"reason\" { mesh = tetrahedron() for e in edges { assert refuses(flip(e), \"no\") } }
         test \"applies\" { mesh = octahedron() for e in edges { assert refuses(flip(e)) } }
         test \"must\" { mesh = tetrahedron() for e in edges { let m = must collapse(e) } }
+        test \"said\" { mesh = octahedron() for e in edges { assert refuses(flip(e)) else \"no\" } }
+        test \"start\" { mesh = cube() let start = mesh assert start != mesh }
         test \"missing\" { mesh = load(\"no.obj\") }
         test \"level\" { mesh = pillow(3) for e in edges { flip(e) } }",
     );
     let said = bench.fails(1, &["test", "bad.hedge"], "the left side is 2, the right side 3");
-    assert!(said.out.ends_with("1 passed, 7 failed\n"), "{said:?}");
+    assert!(said.out.ends_with("1 passed, 9 failed\n"), "{said:?}");
     for words in [
         "the mesh is the same",
         "the reason is: two edges would join `v2` and `v3`",
         "the operation was applied",
+        "error[assertion-failed]: no\n",
         "`collapse` refused: ",
         "`no.obj` cannot be loaded",
         "is for meshes of level simple",
