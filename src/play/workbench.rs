@@ -271,7 +271,8 @@ impl Workbench {
         for parameter in parameters {
             let is_element = ElementKind::ALL.iter().any(|kind| kind.name() == parameter.ty);
             let name = parameter.name.to_owned();
-            match (given.get(parameter.name), element.take_if(|_| is_element)) {
+            let given = given.get(parameter.name);
+            match (given, element.take_if(|_| is_element && given.is_none())) {
                 (Some(value), _) => {
                     let argument = argument(value, parameter.ty).ok_or_else(|| {
                         format!("`{name}` is of type `{}`, not {value}", parameter.ty)

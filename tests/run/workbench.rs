@@ -105,6 +105,25 @@ fn an_operation_is_asked_applied_and_undone() {
 }
 
 #[test]
+fn a_chosen_element_is_for_the_parameter_that_is_not_given() {
+    let text = "op move(v: vertex, w: vertex) {
+      before { face f: v -a-> w =P=> v }
+      after { face f: v -a-> w =P=> v  v.position = w.position }
+    }";
+    let mut workbench = Workbench::default();
+    let program = json!({ "ask": "program", "name": "p.hedge", "text": text });
+    assert_eq!(ask(&mut workbench, program)["sound"], true);
+    ask(&mut workbench, json!({ "ask": "shape", "name": "octahedron" }));
+    let given = json!({ "v": 1 });
+    let asked = json!({ "ask": "places", "op": "move", "given": given });
+    let places = ask_with(&mut workbench, asked, &[]);
+    let index = places.bytes.iter().position(|&applies| applies == 1).expect("a neighbor");
+    let at = json!({ "kind": "vertex", "index": index });
+    let asked = json!({ "ask": "apply", "op": "move", "element": at, "given": given });
+    assert_eq!(ask(&mut workbench, asked)["past"], json!([1, 0]));
+}
+
+#[test]
 fn a_refusal_says_why_and_where() {
     let mut workbench = with_program();
     ask(&mut workbench, json!({ "ask": "shape", "name": "tetrahedron" }));
