@@ -85,7 +85,6 @@ pub(super) enum Format {
     Json,
 }
 
-/// What runs operations.
 #[derive(Debug, Args)]
 pub(super) struct CheckArguments {
     /// Programs (.hedge)

@@ -1,11 +1,11 @@
 //! `hedgerow fmt`
 
-use std::io::{Read, Write, stdin, stdout};
+use std::io::{Read, stdin};
 use std::path::Path;
 
 use super::arguments::FmtArguments;
 use super::failure::Failure;
-use super::output::{complain, complain_of};
+use super::output::{complain, complain_of, pour};
 use super::program::expect_program;
 use crate::analysis::{program_text, read_program};
 use crate::format::{Formatted, format};
@@ -52,9 +52,7 @@ fn from_standard_input(check: bool) -> Result<bool, Failure> {
     if check {
         return Ok(is_as_it_should(&text, &formatted, STANDARD_INPUT));
     }
-    let written = stdout().lock().write_all(formatted.text.as_bytes());
-    // A closed pipe is not a failure.
-    let _ = written;
+    pour(formatted.text.as_bytes())?;
     Ok(formatted.diagnostics.is_empty())
 }
 

@@ -39,9 +39,10 @@ fn a_reader_that_goes_away_is_no_failure() {
 fn what_is_said_in_vain_is_a_failure() {
     let bench = Bench::with_square();
     let flip = example("flip.hedge");
-    for arguments in [&["check", &flip][..], &["info", "square.obj"], &["std"]] {
+    for arguments in [&["check", &flip][..], &["info", "square.obj"], &["std"], &["fmt", "-"]] {
         let full = std::fs::OpenOptions::new().write(true).open("/dev/full");
         let mut command = bench.command(arguments);
+        command.stdin(std::fs::File::open(&flip).unwrap());
         let output = command.stdout(full.unwrap()).output().unwrap();
         let err = String::from_utf8_lossy(&output.stderr);
         assert_eq!(output.status.code(), Some(2), "{arguments:?}: {err}");
