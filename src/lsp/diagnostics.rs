@@ -35,6 +35,7 @@ impl Server {
             self.report_progress(done, all);
         } else {
             document.is_published = true;
+            document.waits_no_longer();
             self.end_progress();
         }
         if let Some(params) = params {

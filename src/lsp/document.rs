@@ -55,9 +55,14 @@ impl Document {
     pub(super) fn is_kept_waiting(&mut self) -> bool {
         let is_due = self.waiting_since.is_some_and(|since| since.elapsed() > PATIENCE);
         if is_due {
-            self.waiting_since = None;
+            self.waits_no_longer();
         }
         is_due
+    }
+
+    /// From now on diagnostics are published only when all is proved.
+    pub(super) fn waits_no_longer(&mut self) {
+        self.waiting_since = None;
     }
 
     pub(super) fn uri(&self) -> &Uri {

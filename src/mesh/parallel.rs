@@ -180,7 +180,12 @@ mod pool {
     /// or, without one, the number of cores. Running work keeps its threads.
     pub fn set_threads(count: Option<NonZeroUsize>) {
         let mut pool = POOL.lock().unwrap_or_else(PoisonError::into_inner);
-        (pool.wanted, pool.made) = (count, None);
+        pool.wanted = count;
+        if let Some((process, _, made)) = pool.made.take()
+            && process != std::process::id()
+        {
+            std::mem::forget(made);
+        }
     }
 
     /// The number of threads that work is given to.

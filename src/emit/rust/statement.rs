@@ -46,7 +46,7 @@ impl Printer {
                 let ty = ty(attribute.ty);
                 let found = format!("mesh.find_column(ElementKind::{kind}, \"{declared}\")");
                 if self.is_asked {
-                    let why = "whoever calls asks for it";
+                    let why = "the caller has found it";
                     return self.lines.line(&format!("let {column} = {found}.expect(\"{why}\");"));
                 }
                 self.lines.line(&format!("let {column} = {found};"));

@@ -217,12 +217,9 @@ impl Surroundings<'_> {
                     Lanes::Add | Lanes::Subtract | Lanes::Multiply => operands! {
                         Read Real left, width; Read Real right, width; Write Real to, width;
                     },
-                    Lanes::Scale | Lanes::Divide => {
-                        let step = if operation == Lanes::Divide { width } else { 1 };
-                        operands! {
-                            Read Real left, width; Read Real right, step; Write Real to, width;
-                        }
-                    }
+                    Lanes::Scale | Lanes::Divide => operands! {
+                        Read Real left, width; Read Real right, 1; Write Real to, width;
+                    },
                     Lanes::Equal => operands! {
                         Read Real left, width; Read Real right, width; Write Whole to, 1;
                     },
