@@ -114,16 +114,33 @@ pub(super) fn expect_program(path: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Reads a program that must have no errors: prints its diagnostics, and fails if there are errors.
-pub(super) fn read_sound(path: &Path) -> Result<Program, Failure> {
+/// Reads a program, prints its diagnostics, and finds the script that `FILE::NAME` names; without a
+/// name, the only one of the file. If there are errors, a script runs only if it is named, since
+/// without a name another one may be meant, and if it does not depend on what is wrong.
+pub(super) fn read_script(script: &str) -> Result<(Program, usize), Failure> {
+    let (path, name) = part(script);
     let program = read(path)?;
     complain_of(&program.analysis.diagnostics, &program.sources);
     if program.analysis.is_sound() {
-        Ok(program)
-    } else {
-        complain("nothing is run until this is fixed");
-        Err(Failure::NotProved)
+        let script = find_script(&program, name)?;
+        return Ok((program, script));
     }
+    let found = name.and_then(|name| program.analysis.script(name));
+    if let Some(script) = found {
+        return Ok((program, script));
+    }
+    let all = program.analysis.program.scripts.iter();
+    let mut own = all.filter(|script| script.span.file == program.analysis.file);
+    complain(&match own.next().filter(|_| name.is_none()) {
+        None => "nothing is run until this is fixed".to_owned(),
+        Some(script) => format!(
+            "nothing is run until this is fixed, but a script that does not depend on it, by its \
+             name: `hedgerow run {}::{}`",
+            path.display(),
+            script.name
+        ),
+    });
+    Err(Failure::NotProved)
 }
 
 /// Splits `FILE::NAME`.

@@ -24,9 +24,7 @@ use crate::source::{Sources, Span};
 /// Runs a script on a mesh.
 pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
     let started = Instant::now();
-    let (path, name) = program::part(&arguments.script);
-    let program = program::read_sound(path)?;
-    let script = program::find_script(&program, name)?;
+    let (program, script) = program::read_script(&arguments.script)?;
     let failed = |diagnostics: &[_], code: u8| {
         complain_of(diagnostics, &program.sources);
         Failure::Silent(code.into())
