@@ -54,6 +54,7 @@ impl Examined {
                     Ok(plan) => found.plan = Some(plan),
                     Err(_) => found.diagnostics.push(too_large(op.span, &op.name)),
                 }
+                found.diagnostics.extend(proof.warnings());
                 found.proved = Some(proof);
             }
             Some(Err(rejection)) => {

@@ -50,7 +50,7 @@ pub(super) fn fold_obligations(
     obligations: Vec<Obligation>,
     found: &mut Vec<Obligation>,
 ) {
-    for Obligation { statement, because } in obligations {
+    for Obligation { statement, because, .. } in obligations {
         add_obligation(near(fold, statement), because, found);
     }
 }
@@ -67,7 +67,7 @@ pub(super) fn add_obligation(
     match known {
         Some(known) if because.is_none() => known.because = None,
         Some(_) => {}
-        None => found.push(Obligation { statement, because }),
+        None => found.push(Obligation { statement, because, is_never: false }),
     }
 }
 

@@ -8,6 +8,7 @@ use super::matching::Step;
 use super::statements::statements;
 use super::vertices_are_orbits::Rings;
 use super::{alias, distinct_names, property_not_kept, reach, start, vertices_are_orbits};
+use crate::diagnostic::Diagnostic;
 use crate::diagram::{Drawing, Level, Op, Property, Rule};
 
 /// The proof of one rule.
@@ -37,6 +38,15 @@ impl Proof {
     /// The obligations of the guard; some are left to test.
     pub fn guard(&self) -> &[Obligation] {
         &self.guard
+    }
+
+    /// A warning if the guard refuses every place.
+    pub fn refuses_everywhere(&self, rule: &Rule) -> Option<Diagnostic> {
+        let (level, span) = rule.guard?;
+        let never = self.guard.iter().find(|obligation| obligation.is_never)?;
+        let refusal = never.statement.refusal(self.drawn(rule));
+        let message = format!("`guard {level}` refuses every place: {refusal}");
+        Some(Diagnostic::warning("always-refused", message, span))
     }
 
     /// The facts that the proof established.

@@ -1,6 +1,7 @@
 //! Entry point of the checker: proves operations.
 
 use super::broken::{Broken, Rejected, stop_at};
+use super::problem::Problem;
 use super::proof::{Proof, prove};
 use super::witness::{self, Outcome};
 use super::{before, families, fans_have_room, mend};
@@ -18,6 +19,15 @@ impl Proved {
     /// The operation.
     pub fn op(&self) -> &Op {
         &self.op
+    }
+
+    /// Warnings about rules that are proved.
+    pub fn warnings(&self) -> impl Iterator<Item = Diagnostic> {
+        self.op
+            .rules
+            .iter()
+            .zip(&self.proofs)
+            .filter_map(|(rule, proof)| proof.refuses_everywhere(rule))
     }
 
     /// The proofs, one for each rule.
@@ -74,7 +84,7 @@ fn reject(op: &Op, rule: &Rule, broken: Broken) -> Rejected {
     let mut broken = before::in_before(rule).unwrap_or(broken);
     let outcome = witness::find(op, rule, &mut broken);
     let laws = |rule: &Rule| match prove(op, rule) {
-        Ok(_) => Vec::new(),
+        Ok(proof) => proof.refuses_everywhere(rule).map(Problem::from).into_iter().collect(),
         Err(broken) => broken.problems,
     };
     Rejected { diagnostics: mend::add_fixes(rule, broken.problems, laws), outcome }

@@ -249,7 +249,7 @@ impl Aliased {
     pub fn obligations(&self, mut found: Vec<Obligation>, level: Level) -> Vec<Obligation> {
         for quotient in &self.quotients {
             let drawing = Drawing::new(&quotient.rule);
-            for Obligation { statement, because } in obligations(&drawing, level) {
+            for Obligation { statement, because, .. } in obligations(&drawing, level) {
                 let statement = match statement {
                     Statement::OneHoleAlong(piece) => {
                         Statement::OneHoleAlong(quotient.path_of(piece))

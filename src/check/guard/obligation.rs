@@ -67,11 +67,18 @@ pub struct Obligation {
     pub statement: Statement,
     /// The reason why it holds; `None` if it is left to test.
     pub because: Option<&'static str>,
+    /// True if it never holds, so that a guard refuses every place.
+    pub is_never: bool,
 }
 
 impl Obligation {
     pub(super) fn new(statement: Statement, because: Option<&'static str>) -> Self {
-        Self { statement, because }
+        Self { statement, because, is_never: false }
+    }
+
+    /// The obligation, which never holds if that is so.
+    pub(super) fn or_never(self, is_never: bool) -> Self {
+        Self { is_never, ..self }
     }
 
     /// True if it is left to test.

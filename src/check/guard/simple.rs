@@ -62,14 +62,16 @@ fn single_edge(sketch: &Sketch, halfedge: NameId, by_edges: &[NameId]) -> Option
     if ends.iter().any(|end| by_edges.contains(end)) {
         return None;
     }
-    let alone = sketch.drawn_edges_between(ends[0], ends[1]) == 1;
+    let drawn = sketch.drawn_edges_between(ends[0], ends[1]);
+    let alone = drawn == 1;
     let named = ends.iter().any(|&end| sketch.neighbors_are_named(end));
     let because = match alone {
         true if named => Some("all edges of one of its ends are drawn"),
         true => evidence::not_adjacent(sketch, ends),
         false => None,
     };
-    Some(Obligation::new(Statement::SingleEdge { halfedge, ends }, because))
+    let obligation = Obligation::new(Statement::SingleEdge { halfedge, ends }, because);
+    Some(obligation.or_never(drawn > 1))
 }
 
 /// True if a loop is new or has other corners than before.

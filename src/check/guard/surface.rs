@@ -34,7 +34,8 @@ fn three_sides(sketch: &Sketch, orbit: &Loop) -> Obligation {
     let statement = Statement::ThreeSides(orbit.face.name);
     let proved = sketch.fewest(orbit) >= 3;
     let because = "its drawn sides, and the fewest that its paths can have, make three";
-    Obligation::new(statement, proved.then_some(because))
+    let is_known = sketch.paths(orbit).next().is_none();
+    Obligation::new(statement, proved.then_some(because)).or_never(is_known && !proved)
 }
 
 /// A vertex that loses a spoke must have two left.
@@ -111,7 +112,7 @@ fn meets_once(sketch: &Sketch, orbit: &Loop) -> Vec<Obligation> {
     let loop_before = |path: NameId| sketch.drawing.before.face(path);
     let paths_may_meet = paths.iter().any(|&path| loop_before(path) != loop_before(paths[0]));
     if repeated || paths_may_meet {
-        return vec![Obligation::new(Statement::MeetsOnce(face), None)];
+        return vec![Obligation::new(Statement::MeetsOnce(face), None).or_never(repeated)];
     }
     let mut tests = Vec::new();
     for &vertex in &corners {
