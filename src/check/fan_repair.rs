@@ -130,13 +130,17 @@ fn statement(rule: &Rule, corner: &Corner, fan: NameId) -> Option<Star> {
     Some(Star { vertex: Ref::plain(corner.vertex, span), spokes, each: false, span })
 }
 
+/// Names for fans that the rule does not have.
+pub(super) fn fan_names(rule: &Rule) -> impl Iterator<Item = String> {
+    let numbered = (1..).map(|number| format!("S{number}"));
+    let words = std::iter::once("S".to_owned()).chain(numbered);
+    words.filter(|word| rule.names.iter().all(|name| name.text != *word))
+}
+
 /// A fan with a name that the rule does not have.
 fn new_fan(rule: &Rule) -> Name {
-    let taken = |word: &str| rule.names.iter().any(|name| name.text == word);
-    let numbered = (1..).map(|number| format!("S{number}"));
-    let mut words = std::iter::once("S".to_owned()).chain(numbered);
     Name {
-        text: words.find(|word| !taken(word)).unwrap_or_default(),
+        text: fan_names(rule).next().unwrap_or_default(),
         kind: Kind::Fan,
         named: true,
         role: Role::Single,

@@ -5,6 +5,7 @@
 //! vertex has its whole star drawn, or moved in fans, is part of law 7.
 
 use super::problem::Problem;
+use super::remedies::draw_edge_of;
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Drawing, Kind};
 
@@ -19,7 +20,6 @@ pub(super) fn test(drawing: &Drawing) -> Vec<Problem> {
             continue;
         };
         let text = rule.quoted(name);
-        let word = &rule.name(name).text;
         let mut dangles = |what: String, note: String| {
             let message = format!("{text} is erased, but {what}");
             let problem = Diagnostic::error("dangling-outside", message, erased.span)
@@ -37,12 +37,7 @@ pub(super) fn test(drawing: &Drawing) -> Vec<Problem> {
                         ),
                     );
                 } else if view.pairing(name).is_none() {
-                    dangles(
-                        "its twin is not drawn".into(),
-                        format!(
-                            "the halfedge outside would still say that its twin is {text}: draw it, `edge E: {word} | {word}'`"
-                        ),
-                    );
+                    dangles("its twin is not drawn".into(), draw_edge_of(drawing, name));
                 }
             }
             Kind::Edge if view.edge_statement(name).is_none() => dangles(

@@ -55,6 +55,48 @@ pub(super) fn by_ends(drawing: &Drawing, open: &[NameId]) -> Option<Vec<[NameId;
     Some(pairs)
 }
 
+/// The advice to draw the edge statement that `before` lacks for a halfedge: with the halfedge that
+/// is drawn between the same vertices in the other direction, if exactly one is and has no twin
+/// either; else with one outside of the drawing, under a new name.
+pub(super) fn draw_edge_of(drawing: &Drawing, half: NameId) -> String {
+    let rule = drawing.rule;
+    let ends = |half: NameId| Some((drawing.origin_before(half)?, drawing.target_before(half)?));
+    let across = ends(half).map(|(from, to)| (to, from));
+    let mut drawn = rule.names_of(Kind::Halfedge).filter(|&other| {
+        other != half
+            && across.is_some()
+            && ends(other) == across
+            && drawing.before.pairing(other).is_none()
+    });
+    // A member of a family is named with its index: `h[i]`.
+    let word = &rule.name(half).text;
+    let (stem, index) = word.split_at(word.find('[').unwrap_or(word.len()));
+    let free = |mut stem: String| {
+        while rule.names.iter().any(|name| name.text.split('[').next() == Some(&stem)) {
+            stem.push('\'');
+        }
+        stem + index
+    };
+    if let (Some(twin), None) = (drawn.next(), drawn.next()) {
+        let twin_word = &rule.name(twin).text;
+        let edge = match index.is_empty() && twin < half {
+            true => free(format!("e{twin_word}")),
+            false => free(format!("e{stem}")),
+        };
+        return format!(
+            "{} runs between the same vertices in the other direction: if it is the twin, draw `edge \
+             {edge}: {word} | {twin_word}`",
+            rule.quoted(twin)
+        );
+    }
+    let (text, edge, twin) =
+        (rule.quoted(half), free(format!("e{stem}")), free(format!("{stem}'")));
+    format!(
+        "the halfedge outside would still say that its twin is {text}: draw it, `edge {edge}: {word} \
+         | {twin}`"
+    )
+}
+
 /// The loop that items form by their ends after, or else by those before, if there is exactly one
 /// way around.
 pub(super) fn around(drawing: &Drawing, items: &[NameId]) -> Option<Vec<(NameId, NameId)>> {

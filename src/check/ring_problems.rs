@@ -3,6 +3,7 @@
 use super::arrangement::{Arc, Lies};
 use super::case::{Case, Step};
 use super::chain::vertex_after;
+use super::fan_repair::fan_names;
 use super::port::Port;
 use super::problem::{Problem, Remedy, enumerate, join};
 use super::star_order::{Token, agrees};
@@ -16,6 +17,7 @@ impl Case<'_> {
         let rule = self.drawing.rule;
         let mut told = Vec::new();
         let mut problems = Vec::new();
+        let mut fans = fan_names(rule);
         let arcs = self.cycles.iter().flatten().filter_map(|step| match step {
             Step::Arc(arc) => Some((self.label(arc.lies, arc.vertex)?, arc.lies)),
             Step::Port(Port::Out(path)) if rule.kind(*path) == Kind::Path => {
@@ -64,9 +66,12 @@ impl Case<'_> {
                         "name the fan `*` in the statement of {text}, and list it in `after` where its spokes go"
                     )
                 }
-                _ => format!(
-                    "carry its spokes off: draw `vertex {word}: {spokes} *S` in `before` (counterclockwise), and list `*S` in the vertex statement that takes them"
-                ),
+                _ => {
+                    let fan = fans.next().unwrap_or_default();
+                    format!(
+                        "carry its spokes off: draw `vertex {word}: {spokes} *{fan}` in `before` (counterclockwise), and list `*{fan}` in the vertex statement that takes them"
+                    )
+                }
             };
             problems.push(Problem {
                 diagnostic: diagnostic.note(advice),

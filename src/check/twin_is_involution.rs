@@ -4,6 +4,7 @@
 //! new ones; each once, none with itself. (That none is missing is law 2.)
 
 use super::problem::Problem;
+use super::remedies::draw_edge_of;
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Drawing, Side};
 
@@ -60,7 +61,7 @@ fn undrawn_twins(drawing: &Drawing, problems: &mut Vec<Problem>) {
         let problem = Diagnostic::error("twin-not-drawn", message, half.span)
             .saying(format!("this would set `{word}.twin`"))
             .label(before, format!("no edge statement of `before` names {text}"))
-            .note(format!("the halfedge outside would still say that its twin is {text}: draw it, `edge E: {word} | {word}'`"));
+            .note(draw_edge_of(drawing, half.name));
         problems.push(problem.into());
     }
 }

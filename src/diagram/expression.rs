@@ -410,6 +410,11 @@ pub enum FoldFunction {
 impl FoldFunction {
     /// True if one body may decide the result, so that the others are not evaluated.
     pub fn ends_early(self) -> bool {
-        matches!(self, Self::Any | Self::All)
+        self.ends_early_at(false) || self.ends_early_at(true)
+    }
+
+    /// True if a body with this value decides the result, which is this value.
+    pub fn ends_early_at(self, value: bool) -> bool {
+        matches!((self, value), (Self::Any, true) | (Self::All, false))
     }
 }

@@ -1,9 +1,9 @@
-//! The statements of a script to register code.
+//! Lowering of the statements of a script to register code.
 
 use super::call::FunctionCall;
 use super::live::{Exits, Liveness, calls};
 use crate::compile::{Scope, attribute, copy, lower, lower_into, width};
-use crate::diagram::{Access, Expr, ExprKind, NameId, Param, Type};
+use crate::diagram::{Access, Expr, ExprKind, NameId, Param, Type, Unary};
 use crate::lower::{Effects, Variables};
 use crate::resolve::{Statement, StatementKind, Variable};
 use crate::rewrite::{Assembler, Inst, Label, Phase, Refusal, Reg};
@@ -14,26 +14,26 @@ pub(super) struct Lowering<'p> {
     pub(super) asm: Assembler,
     pub(super) names: Names,
     liveness: Liveness<'p>,
-    /// The loops around the statement, the innermost last.
+    /// The loops around the current statement, the innermost last.
     pub(super) loops: Vec<Loop>,
-    /// The variables of the loops around it that visit elements, the innermost last.
+    /// The variables of those loops that visit elements, the innermost last.
     visited: Vec<u32>,
-    /// The number of drains around the statement.
+    /// The number of drains around the current statement.
     pub(super) drains: u32,
     /// The number of parameters, which are the first variables.
     pub(super) params: usize,
     pub(super) variables: Variables,
     /// The buffer in which the running `update` keeps its writes back.
     pub(super) held: Option<u16>,
-    /// The operations that are called or asked, each with the first place.
+    /// The operations that are called or asked, each with the place of its first occurrence.
     pub(super) called: Vec<(usize, Span)>,
     /// The functions that are called.
     pub(super) functions: Vec<usize>,
     /// The numbers of the places of assertions, in order.
     pub(super) assertions: Vec<u32>,
-    /// The reason why an operation in steps may refuse by itself.
+    /// The reasons for which an operation in steps may itself refuse.
     pub(super) refusals: Vec<Refusal>,
-    /// The label to jump to where it does.
+    /// The target of the jump where it refuses.
     refuses: Label,
     ending: Ending,
 }
@@ -43,22 +43,22 @@ pub(super) struct Lowering<'p> {
 enum Ending {
     /// The script ends.
     Script,
-    /// The function gives its value to its caller.
+    /// The function returns its value to its caller.
     Function,
     /// The operation has been applied, and returns an element.
     Steps,
 }
 
-/// Statements with their variables.
+/// A list of statements with its variables.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Routine<'p> {
     pub(super) params: &'p [Param],
-    /// All variables, parameters first.
+    /// All variables, the parameters first.
     pub(super) variables: &'p [Variable],
     pub(super) block: &'p [Statement],
 }
 
-/// The labels of a loop: where a loop goes on, and where it ends.
+/// The labels of a loop: the start of the next turn, and the end.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Loop {
     pub(super) again: Label,
@@ -73,7 +73,7 @@ pub(super) struct Names {
 }
 
 impl Scope for Names {
-    /// Nothing is drawn in a script.
+    /// A script has no drawn elements.
     fn element(&self, _name: NameId) -> Reg {
         Reg(0)
     }
@@ -100,8 +100,8 @@ impl Scope for Names {
 }
 
 impl<'p> Lowering<'p> {
-    /// Begins the code of a script: the parameters first, then for each of them a bool that
-    /// says whether it is given, then the other variables.
+    /// Begins the code of a script: the registers are the parameters, then for each of them whether
+    /// it is given, then the other variables.
     pub(super) fn of_script(routine: Routine<'p>, texts: &[String]) -> Self {
         let mut effects = Effects::of_block(routine.block);
         let defaults = routine.params.iter().filter_map(|param| param.default.as_ref());
@@ -121,13 +121,13 @@ impl<'p> Lowering<'p> {
         lowering
     }
 
-    /// Begins the code of a script that is called as a function is: what says whether a parameter
-    /// is given is a parameter itself.
+    /// Begins the code of a script that is called like a function: whether a parameter is given is
+    /// itself a parameter.
     pub(super) fn of_called_script(routine: Routine<'p>, texts: &[String]) -> Self {
         Self { ending: Ending::Function, ..Self::of_script(routine, texts) }
     }
 
-    /// Begins the code of a function: the parameters first, then the other variables.
+    /// Begins the code of a function: the registers are the parameters, then the other variables.
     pub(super) fn of_function(routine: Routine<'p>, texts: &[String]) -> Self {
         let effects = Effects::of_block(routine.block);
         let mut lowering = Self::with_parameters(routine, effects, texts);
@@ -136,7 +136,7 @@ impl<'p> Lowering<'p> {
         lowering
     }
 
-    /// Begins the code of an operation in steps: the parameters first, then the other
+    /// Begins the code of an operation in steps: the registers are the parameters, then the other
     /// variables.
     pub(super) fn of_steps(routine: Routine<'p>, effects: Effects, texts: &[String]) -> Self {
         let mut lowering = Self::with_parameters(routine, effects, texts);
@@ -145,7 +145,7 @@ impl<'p> Lowering<'p> {
         lowering
     }
 
-    /// The operation in steps refuses unless the condition holds.
+    /// Lets the operation in steps refuse unless the condition holds.
     pub(super) fn require(&mut self, condition: Reg, reason: &str) {
         self.asm.emit(Inst::Expect {
             condition,
@@ -155,7 +155,7 @@ impl<'p> Lowering<'p> {
         self.refusals.push(Refusal { reason: reason.to_owned(), phase: Phase::Require });
     }
 
-    /// The end of the steps that is come to without a `return`, and where they refuse.
+    /// Appends the end of the steps, reached without a `return`, and the target of refusals.
     pub(super) fn end_of_steps(&mut self) {
         self.asm.emit(Inst::Return { result: None });
         self.asm.bind(self.refuses);
@@ -195,18 +195,17 @@ impl<'p> Lowering<'p> {
         }
     }
 
-    /// The end of a function that is come to without a `return`.
+    /// Appends the end of a function, reached without a `return`.
     pub(super) fn end(&mut self) {
         self.asm.emit(Inst::Give { from: Reg(0), width: 0 });
     }
 
-    /// The whole script.
+    /// Lowers the whole script.
     pub(super) fn body(&mut self, routine: Routine<'p>) {
         self.block(routine.block, Some(&Exits::default()));
     }
 
-    /// A block; without its exits inside of a loop over elements, where no id may be
-    /// given out again.
+    /// Lowers a block. `exits` is `None` inside a loop over elements, where no id may be reused.
     pub(super) fn block(&mut self, block: &[Statement], exits: Option<&Exits>) {
         let Some(exits) = exits else {
             for statement in block {
@@ -269,7 +268,7 @@ impl<'p> Lowering<'p> {
             StatementKind::Apply { op, args, variable, then, otherwise } => {
                 let (applied, from) = self.apply(*op, args, span);
                 if let Some(variable) = variable {
-                    // Where the op refused, nobody reads it.
+                    // Where the operation has refused, the variable is not read.
                     let to = self.names.local(*variable);
                     self.asm.emit(Inst::Copy { to, from });
                 }
@@ -299,18 +298,20 @@ impl<'p> Lowering<'p> {
         self.visited.truncate(outside);
     }
 
-    /// The variables that tell where a condition is asked: those of the loops around it, and
-    /// the elements that it reads; each with its name and its type.
+    /// The variables that hold the elements a condition depends on: those of the loops around it,
+    /// and those that it reads; each with its name and its type.
     pub(super) fn whereabouts(&self, condition: &Expr) -> Vec<(u32, &'p str, Type)> {
         let mut numbers = self.visited.clone();
-        let mut passed = Vec::new();
+        // Variables of the condition itself, which may be past the elements that count.
+        let mut own = Vec::new();
         condition.each(&mut |part| match &part.kind {
             ExprKind::Local(number) => numbers.push(*number),
-            // Others have been at all elements by then.
-            ExprKind::Fold(fold) if !fold.function.ends_early() => passed.push(fold.variable),
+            ExprKind::Fold(fold) => own.push(fold.variable),
+            ExprKind::Let(variable, ..) => own.push(*variable),
             _ => {}
         });
-        numbers.retain(|number| !passed.contains(number));
+        let stopped = stopped(condition);
+        numbers.retain(|number| !own.contains(number) || stopped.contains(number));
         let mut known: Vec<(u32, &str, Type)> = Vec::new();
         for number in numbers {
             let variable = self.liveness.variables.get(number as usize);
@@ -323,7 +324,7 @@ impl<'p> Lowering<'p> {
         known
     }
 
-    /// The exits of the body of a loop that has these exits.
+    /// The exits of the body of a loop whose own exits are `exits`.
     pub(super) fn exits_of_body(
         &self,
         conditions: &[&Expr],
@@ -335,15 +336,14 @@ impl<'p> Lowering<'p> {
         Some(exits.of_body(head))
     }
 
-    /// True if somebody still needs ids when a statement with these exits has been run, but for a
-    /// variable that it sets.
+    /// Whether ids are still needed after a statement with these exits; the variable that it sets
+    /// does not count.
     fn needs_ids(&self, exits: Option<&Exits>, set: Option<u32>) -> bool {
         let needed = |exits: &Exits| exits.next.iter().any(|needed| Some(*needed) != set);
         exits.is_none_or(needed)
     }
 
-    /// The result of a function that is called for `value`; whether it `holds` ids is said in
-    /// [`FunctionCall`].
+    /// The result of a function that is called for `value`; `holds` is that of [`FunctionCall`].
     fn given(&mut self, function: u32, args: &[Expr], value: &Expr, holds: bool) -> Reg {
         let to = self.asm.block(width(value.ty));
         let call = FunctionCall { function, args, to, holds };
@@ -355,8 +355,8 @@ impl<'p> Lowering<'p> {
     fn leave(&mut self, value: Option<&Expr>, exits: Option<&Exits>) {
         let given = value.map(|value| match &value.kind {
             ExprKind::Invoke(function, args) => {
-                // Within a loop over elements its ids are needed, though they are not used
-                // again: another one may be running further out.
+                // Inside a loop over elements the ids stay needed, although this one is left: a
+                // loop further out may still be running.
                 let from = self.given(*function, args, value, exits.is_none());
                 (from, width(value.ty))
             }
@@ -386,7 +386,7 @@ impl<'p> Lowering<'p> {
 
     fn set(&mut self, variable: u32, value: &Expr) {
         let mark = self.asm.mark();
-        // Not at once: the value may read the variable.
+        // Not directly into the variable, since the value may read it.
         let from = self.value(value);
         let to = self.names.local(variable);
         copy(&mut self.asm, value.ty, to, from);
@@ -435,9 +435,26 @@ impl<'p> Lowering<'p> {
     }
 
     fn jump(&mut self, place: impl Fn(&Loop) -> Label) {
-        // Outside of loops a resolved script has no such statement.
+        // A resolved script has such statements only in loops.
         if let Some(to) = self.loops.last().map(place) {
             self.asm.emit(Inst::Jump { to });
+        }
+    }
+}
+
+/// The variables of the aggregates that have stopped at an element since a condition does not hold:
+/// that of `all`, and of `any` behind `not`, from outside in.
+fn stopped(condition: &Expr) -> Vec<u32> {
+    let (mut at, mut holds) = (condition, false);
+    let mut variables = Vec::new();
+    loop {
+        match &at.kind {
+            ExprKind::Unary(Unary::Not, inner) => (at, holds) = (inner, !holds),
+            ExprKind::Fold(fold) if fold.function.ends_early_at(holds) => {
+                variables.push(fold.variable);
+                at = &fold.body;
+            }
+            _ => return variables,
         }
     }
 }
