@@ -7,7 +7,7 @@ use super::check::depends;
 use super::counts::Counts;
 use super::failure::Failure;
 use super::meshes;
-use super::output::{complain, complain_json, complain_of, is_standard, say, say_json};
+use super::output::{complain, complain_json, is_standard, say, say_json};
 use super::place::{self, Found, Place};
 use super::program::settings;
 use super::program::{self, Program};
@@ -25,12 +25,12 @@ pub(super) fn apply(arguments: &ApplyArguments) -> Result<(), Failure> {
     let program = program::read(path)?;
     let op = program::find_op(&program, name)?;
     let Some(plan) = &program.analysis.plans[op] else {
-        complain_of(&program.analysis.diagnostics, &program.sources);
+        let failure = Failure::of(&program.analysis.diagnostics, &program.sources, 1);
         if let Some(lacks) = &program.analysis.lacks[op] {
             let name = &program.analysis.program.ops[op].name;
             complain(&format!("`{name}` is not proved: it {}", depends(lacks)));
         }
-        return Err(Failure::NotProved);
+        return Err(failure);
     };
     meshes::expect_mesh(&arguments.output)?;
     let mut obj = meshes::read(&arguments.mesh, &arguments.repair)?;
@@ -44,10 +44,7 @@ pub(super) fn apply(arguments: &ApplyArguments) -> Result<(), Failure> {
     };
     let places = Places::of(&obj.mesh, is_known);
     let before = Counts::of(&obj.mesh);
-    let failed = |diagnostic| {
-        complain_of(&[diagnostic], &program.sources);
-        Failure::Silent(2.into())
-    };
+    let failed = |diagnostic| Failure::of(&[diagnostic], &program.sources, 2);
     let application = Application::new(&program.analysis.program, op, &program.analysis.plans);
     let mut application = application.map_err(failed)?;
     application.use_engine(arguments.engine.get());
@@ -124,10 +121,8 @@ fn values(
             None => {}
         }
     }
-    run::arguments(&program.analysis.program, op, &texts).map_err(|errors| {
-        complain_of(&errors, &program.sources);
-        Failure::Silent(2.into())
-    })
+    run::arguments(&program.analysis.program, op, &texts)
+        .map_err(|errors| Failure::of(&errors, &program.sources, 2))
 }
 
 /// An example of how a place of this type is written.

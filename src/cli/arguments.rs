@@ -9,6 +9,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use super::option_groups::{
     EncodingArguments, EngineArguments, LevelName, RepairArguments, ThreadArguments,
 };
+use super::output::is_standard;
 
 /// A language in which operations on halfedge meshes are drawn, before and after.
 #[derive(Debug, Parser)]
@@ -72,6 +73,22 @@ impl Command {
             | Self::View(ViewArguments { threads, .. }) => Some(threads),
             _ => None,
         }
+    }
+
+    /// True if the answer is wanted as JSON on standard output.
+    pub fn answers_json(&self) -> bool {
+        let format = match self {
+            Self::Run(RunArguments { format, output, .. }) => match output {
+                Some(output) if is_standard(output) => return false,
+                _ => format,
+            },
+            Self::Apply(ApplyArguments { format, output, .. }) if !is_standard(output) => format,
+            Self::Check(CheckArguments { format, .. })
+            | Self::Test(TestArguments { format, .. })
+            | Self::Info(InfoArguments { format, .. }) => format,
+            _ => return false,
+        };
+        *format == Format::Json
     }
 }
 
@@ -173,8 +190,9 @@ pub(super) struct ApplyArguments {
     /// An element: edge:A-B, halfedge:A-B, vertex:A or face:N,
     /// with the numbers of the file (from 1 in .obj, ids in
     /// .halfedges, where edge:N is one too); edge:A-B#2 is the
-    /// second edge between A and B; several in the order of the
-    /// parameters, or by name: --at a=halfedge:1-2
+    /// second edge between A and B; 'edge N' is what scripts print
+    /// so; several in the order of the parameters, or by name:
+    /// --at a=halfedge:1-2
     #[arg(long = "at", value_name = "PLACE", required = true, verbatim_doc_comment)]
     pub at: Vec<String>,
     /// A value; a vector is written x,y,z
@@ -260,8 +278,11 @@ pub(super) struct ConvertArguments {
     pub mesh: PathBuf,
     /// File to write, in the format that its name ends in; - is
     /// standard output, as .obj
-    #[arg(verbatim_doc_comment)]
-    pub output: PathBuf,
+    #[arg(value_name = "OUTPUT", required_unless_present = "option", verbatim_doc_comment)]
+    pub output: Option<PathBuf>,
+    /// The same as an option, as in `run`
+    #[arg(id = "option", short, long = "output", value_name = "FILE", conflicts_with = "output")]
+    pub option: Option<PathBuf>,
     #[command(flatten)]
     pub threads: ThreadArguments,
     #[command(flatten)]

@@ -33,6 +33,13 @@ pub(super) fn check(arguments: &CheckArguments) -> Result<(), Failure> {
             Err(failure) => {
                 // The other files are still worth a look.
                 failure.tell();
+                files.push(FileReport {
+                    file: path.display().to_string(),
+                    ops: Vec::new(),
+                    aliases: None,
+                    diagnostics: Vec::new(),
+                    error: failure.reason().map(str::to_owned),
+                });
                 unreadable = Some(failure);
                 continue;
             }
@@ -80,6 +87,7 @@ pub(super) fn check(arguments: &CheckArguments) -> Result<(), Failure> {
                     .iter()
                     .map(|diagnostic| report(diagnostic, &program.sources))
                     .collect(),
+                error: None,
             }),
         }
     }
@@ -243,40 +251,49 @@ struct FileReport {
     #[serde(skip_serializing_if = "Option::is_none")]
     aliases: Option<Vec<RuleAliases>>,
     diagnostics: Vec<DiagnosticReport>,
+    /// The reason why it cannot be read.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    error: Option<String>,
 }
 
 /// A diagnostic as data; lines and columns are 1-based, columns count characters.
-#[derive(Serialize)]
+#[derive(Debug, Serialize)]
 pub(super) struct DiagnosticReport {
     severity: &'static str,
     code: &'static str,
-    message: String,
+    pub message: String,
     labels: Vec<LabelReport>,
     notes: Vec<String>,
     fixes: Vec<FixReport>,
 }
 
-#[derive(Serialize)]
+impl DiagnosticReport {
+    pub fn is_error(&self) -> bool {
+        self.severity == "error"
+    }
+}
+
+#[derive(Debug, Serialize)]
 struct LabelReport {
     #[serde(flatten)]
     place: Location,
     text: String,
 }
 
-#[derive(Serialize)]
+#[derive(Debug, Serialize)]
 struct FixReport {
     title: String,
     edits: Vec<EditReport>,
 }
 
-#[derive(Serialize)]
+#[derive(Debug, Serialize)]
 struct EditReport {
     #[serde(flatten)]
     place: Location,
     text: String,
 }
 
-#[derive(Serialize)]
+#[derive(Debug, Serialize)]
 struct Location {
     line: usize,
     column: usize,

@@ -6,7 +6,9 @@ use super::meshes;
 
 /// Writes a mesh to another file.
 pub(super) fn convert(arguments: &ConvertArguments) -> Result<(), Failure> {
-    meshes::expect_mesh(&arguments.output)?;
+    let output = arguments.output.as_ref().or(arguments.option.as_ref());
+    let output = output.ok_or_else(|| Failure::usage("an output file is wanted"))?;
+    meshes::expect_mesh(output)?;
     let mut file = meshes::read(&arguments.mesh, &arguments.repair)?;
-    meshes::write(&arguments.output, &mut file, &arguments.encoding, || None)
+    meshes::write(output, &mut file, &arguments.encoding, || None)
 }

@@ -3,7 +3,12 @@
 use std::fmt::Display;
 use std::process::ExitCode;
 
-use super::output::complain;
+use serde::Serialize;
+
+use super::check::{DiagnosticReport, report};
+use super::output::{complain, complain_of, say_json};
+use crate::diagnostic::Diagnostic;
+use crate::source::Sources;
 
 /// The reason why a command ends without success.
 #[derive(Debug)]
@@ -14,8 +19,17 @@ pub(super) enum Failure {
     Usage(String),
     /// The operation was refused.
     Refused(String),
+    /// These diagnostics, which are printed already.
+    Told(Vec<DiagnosticReport>, ExitCode),
     /// The reason is printed already.
     Silent(ExitCode),
+}
+
+/// A failure as data.
+#[derive(Serialize)]
+struct Report<'f> {
+    error: &'f str,
+    diagnostics: &'f [DiagnosticReport],
 }
 
 impl Failure {
@@ -24,10 +38,30 @@ impl Failure {
         Self::Usage(message.to_string())
     }
 
+    /// A failure for these diagnostics, which are printed.
+    pub fn of(diagnostics: &[Diagnostic], sources: &Sources, code: u8) -> Self {
+        complain_of(diagnostics, sources);
+        let told = diagnostics.iter().map(|diagnostic| report(diagnostic, sources));
+        Self::Told(told.collect(), code.into())
+    }
+
+    /// Prints the failure as JSON to standard output, unless that has been done.
+    pub fn tell_json(&self) -> Result<(), Self> {
+        let (error, diagnostics) = match self {
+            Failure::Usage(message) => (message.as_str(), [].as_slice()),
+            Failure::Told(told, _) => match told.iter().find(|told| told.is_error()) {
+                Some(first) => (first.message.as_str(), told.as_slice()),
+                None => return Ok(()),
+            },
+            Failure::NotProved | Failure::Refused(_) | Failure::Silent(_) => return Ok(()),
+        };
+        say_json(&Report { error, diagnostics })
+    }
+
     /// The reason, if it is not printed already.
     pub fn reason(&self) -> Option<&str> {
         match self {
-            Failure::NotProved | Failure::Silent(_) => None,
+            Failure::NotProved | Failure::Told(..) | Failure::Silent(_) => None,
             Failure::Usage(message) | Failure::Refused(message) => Some(message),
         }
     }
@@ -35,7 +69,7 @@ impl Failure {
     /// Prints the reason to standard error.
     pub fn tell(&self) {
         match self {
-            Failure::NotProved | Failure::Silent(_) => {}
+            Failure::NotProved | Failure::Told(..) | Failure::Silent(_) => {}
             Failure::Usage(message) => complain(&format!("error: {message}")),
             Failure::Refused(reason) => complain(&format!("refused: {reason}")),
         }
@@ -47,7 +81,7 @@ impl Failure {
             Failure::NotProved => ExitCode::from(1),
             Failure::Usage(_) => ExitCode::from(2),
             Failure::Refused(_) => ExitCode::from(3),
-            Failure::Silent(code) => *code,
+            Failure::Told(_, code) | Failure::Silent(code) => *code,
         }
     }
 }

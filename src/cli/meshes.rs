@@ -9,25 +9,52 @@ use super::failure::Failure;
 use super::files;
 use super::option_groups::{EncodingArguments, RepairArguments};
 use super::output::{complain, is_standard, pour};
-use super::program::is_mesh;
+use super::program::{Program, is_mesh};
+use crate::analysis::Analysis;
 use crate::mesh::{
     Dump, FileError, FileFormat, FileReason, Mesh, MeshFile, Places, Repair, Unset, WrittenNumbers,
     expect_writable, read_dump, read_mesh, read_mesh_from, read_mesh_reordered, write_mesh,
     write_mesh_to,
 };
+use crate::resolve::TestMesh;
+use crate::run;
 
 /// True if a file holds tables of halfedges, by its name.
 pub(super) fn is_tables(path: &Path) -> bool {
     FileFormat::of(path).is_ok_and(|format| format == FileFormat::Halfedges)
 }
 
-/// Reads a mesh, repairing it if that is asked for. A file without a vertex is an error.
+/// Reads a mesh, repairing it if that is asked for, or makes the shape that is named in place of a
+/// file: `torus(12, 8)`. A file without a vertex is an error.
 pub(super) fn read(path: &Path, arguments: &RepairArguments) -> Result<MeshFile, Failure> {
+    if let Some(shape) = shape(path) {
+        return shape;
+    }
     let read = match is_standard_input(path) {
         true => read_standard_input(arguments.repair())?,
         false => read_mesh(path, arguments.repair()),
     };
     expect_read(path, read)
+}
+
+/// The shape that is named in place of a file, as in tests; `None` if it is none, or a file.
+fn shape(path: &Path) -> Option<Result<MeshFile, Failure>> {
+    let text = path.to_str()?;
+    let is_written_so = |c: char| c.is_ascii_alphanumeric() || "_(), ".contains(c);
+    if !text.ends_with(')') || !text.chars().all(is_written_so) || path.exists() {
+        return None;
+    }
+    let test = format!("test \"\" {{ mesh = {text} }}");
+    let Analysis { program, diagnostics, .. } = Program::of("MESH".to_owned(), test).analysis;
+    Some(match (program.tests.first().map(|test| &test.begin), diagnostics.first()) {
+        (Some(TestMesh::Made { constructor, sizes }), None) => {
+            Ok(MeshFile::from_mesh(run::constructed(constructor, sizes)))
+        }
+        (_, error) => {
+            let why = error.map_or("this is no shape", |error| error.message.as_str());
+            Err(Failure::usage(format!("`{text}`: {why}")))
+        }
+    })
 }
 
 /// True if a mesh is read from standard input.

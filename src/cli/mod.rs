@@ -70,7 +70,8 @@ pub fn main() -> ExitCode {
     if let Some(threads) = arguments.command.threads() {
         threads.set();
     }
-    ended(match arguments.command {
+    let answers_json = arguments.command.answers_json();
+    let done = match arguments.command {
         Command::Check(arguments) => check::check(&arguments),
         Command::Plan(arguments) => plan::plan(&arguments),
         Command::Convert(arguments) => convert::convert(&arguments),
@@ -86,6 +87,10 @@ pub fn main() -> ExitCode {
         Command::Play(arguments) => play::play(&arguments),
         Command::Learn(arguments) => learn::learn(&arguments),
         Command::Std(arguments) => library::std(&arguments),
+    };
+    ended(match done {
+        Err(failure) if answers_json => failure.tell_json().and(Err(failure)),
+        done => done,
     })
 }
 

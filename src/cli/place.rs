@@ -1,11 +1,12 @@
 //! Places on a mesh as they are written: `edge:3-7`, `halfedge:3-7`, `vertex:3`, `face:12`; in
-//! tables, where every element has an id, also `edge:5` and `halfedge:5`.
+//! tables, where every element has an id, also `edge:5` and `halfedge:5`. `edge 5` is the element of
+//! this id of any mesh, as scripts print it.
 //!
 //! Several edges may join the same two vertices. They are told apart by a number in the order of
 //! the file, `edge:3-7#2`; without one the first is taken, with a note that there are others.
 
 use crate::diagram::Type;
-use crate::mesh::{EdgeId, FaceId, HalfedgeId, MeshFile, VertexId};
+use crate::mesh::{EdgeId, ElementKind, FaceId, HalfedgeId, MeshFile, VertexId};
 
 /// An element by the numbers of its file: from 1 in OBJ files, ids in tables.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -22,6 +23,8 @@ pub(super) enum Place {
     Vertex(u32),
     /// A face.
     Face(u32),
+    /// An element by its id, as scripts print it.
+    Printed(ElementKind, u32),
 }
 
 /// Two vertices and, if given, the number of the edge between them, from 1.
@@ -45,9 +48,14 @@ pub(super) struct Found {
 pub(super) fn read(text: &str) -> Result<Place, String> {
     let wrong = || {
         format!(
-            "`{text}` is no place: write edge:A-B, halfedge:A-B, vertex:A or face:N with the numbers of the file"
+            "`{text}` is no place: write edge:A-B, halfedge:A-B, vertex:A or face:N with the numbers of the file, or 'edge N' as scripts print it"
         )
     };
+    if let Some((kind, id)) = text.split_once(' ') {
+        let kind = ElementKind::ALL.into_iter().find(|known| known.name() == kind);
+        let id = id.parse().map_err(|_| wrong())?;
+        return Ok(Place::Printed(kind.ok_or_else(wrong)?, id));
+    }
     let (kind, numbers) = text.split_once(':').ok_or_else(wrong)?;
     let number = |text: &str| text.parse::<u32>().map_err(|_| wrong());
     let ends = |numbers: &str| {
@@ -77,6 +85,12 @@ impl Place {
             Place::Halfedge(_) | Place::HalfedgeOfId(_) => Type::Halfedge,
             Place::Vertex(_) => Type::Vertex,
             Place::Face(_) => Type::Face,
+            Place::Printed(kind, _) => match kind {
+                ElementKind::Vertex => Type::Vertex,
+                ElementKind::Halfedge => Type::Halfedge,
+                ElementKind::Edge => Type::Edge,
+                ElementKind::Face => Type::Face,
+            },
         }
     }
 
@@ -99,6 +113,10 @@ impl Place {
             Place::Face(number) => match obj.face_by_number(number) {
                 Some(FaceId(face)) => alone(face),
                 None => Err(none_of(obj, "face", number)),
+            },
+            Place::Printed(kind, id) => match obj.mesh.is_alive(kind, id) {
+                true => alone(id),
+                false => Err(format!("the mesh has no {} {id}", kind.name())),
             },
             Place::HalfedgeOfId(id) => {
                 expect_ids(obj, "halfedge")?;
@@ -190,7 +208,8 @@ fn expect_ids(obj: &MeshFile, kind: &str) -> Result<(), String> {
     match obj.goes_by_ids() {
         true => Ok(()),
         false => Err(format!(
-            "the file does not number its {kind}s: write {kind}:A-B with the vertices at its ends"
+            "the file does not number its {kind}s: write {kind}:A-B with the vertices at its ends, or \
+             '{kind} N' as scripts print it"
         )),
     }
 }

@@ -5,7 +5,7 @@ use std::path::Path;
 use strsim::damerau_levenshtein;
 
 use super::failure::Failure;
-use super::output::{complain, complain_of};
+use super::output::complain;
 use crate::analysis::{Analysis, Disk, meant, read_program};
 use crate::library;
 use crate::mesh::{FileFormat, Level};
@@ -120,7 +120,7 @@ pub(super) fn expect_program(path: &Path) -> Result<(), Failure> {
 pub(super) fn read_script(script: &str) -> Result<(Program, usize), Failure> {
     let (path, name) = part(script);
     let program = read(path)?;
-    complain_of(&program.analysis.diagnostics, &program.sources);
+    let failure = Failure::of(&program.analysis.diagnostics, &program.sources, 1);
     if program.analysis.is_sound() {
         let script = find_script(&program, name)?;
         return Ok((program, script));
@@ -140,7 +140,7 @@ pub(super) fn read_script(script: &str) -> Result<(Program, usize), Failure> {
             script.name
         ),
     });
-    Err(Failure::NotProved)
+    Err(failure)
 }
 
 /// Splits `FILE::NAME`.

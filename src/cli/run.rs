@@ -11,7 +11,7 @@ use super::failure::Failure;
 use super::interrupt;
 use super::memory;
 use super::meshes;
-use super::output::{complain, complain_json, complain_of, is_standard, say, say_json, table};
+use super::output::{complain, complain_json, is_standard, say, say_json, table};
 use super::program::{self, settings};
 use super::progress::Progress;
 use super::view::attribute;
@@ -25,10 +25,7 @@ use crate::source::{Sources, Span};
 pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
     let started = Instant::now();
     let (program, script) = program::read_script(&arguments.script)?;
-    let failed = |diagnostics: &[_], code: u8| {
-        complain_of(diagnostics, &program.sources);
-        Failure::Silent(code.into())
-    };
+    let failed = |diagnostics: &[_], code| Failure::of(diagnostics, &program.sources, code);
     let mut prepared = prepare(&program.analysis.program, script, &program.analysis.plans)
         .map_err(|errors| failed(&errors, 1))?
         .with_seed(arguments.seed);
@@ -78,9 +75,6 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
     })?;
     let run = started.elapsed().as_secs_f64();
 
-    // The script may have created the attribute.
-    let shown = arguments.attribute.as_ref();
-    let shown = shown.map(|name| attribute(&obj.mesh, name)).transpose()?;
     let started = Instant::now();
     if let Some(output) = &arguments.output {
         let blame = || {
@@ -91,6 +85,9 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
         meshes::tell_displaced(output, &places, &obj.mesh);
     }
     if let Some(picture) = &arguments.picture {
+        // The script may have created the attribute.
+        let shown = arguments.attribute.as_ref();
+        let shown = shown.map(|name| attribute(&obj.mesh, name)).transpose()?;
         let view = View { attribute: shown, ..View::default() };
         write_picture(&draw_mesh(&obj.mesh, &view), picture, 1.0)?;
     }

@@ -35,6 +35,7 @@ pub(super) fn test(arguments: &TestArguments) -> Result<(), Failure> {
             Err(failure) => {
                 // The other files are still worth a run.
                 failure.tell();
+                files.push(FileReport::unreadable(path, &failure));
                 unreadable = Some(failure.exit_code());
             }
         }
@@ -120,6 +121,7 @@ fn run_file(program: &Program, path: &Path, arguments: &TestArguments) -> FileRe
         sound: analysis.is_sound(),
         diagnostics: told.map(|told: &Diagnostic| report(told, &program.sources)).collect(),
         tests,
+        error: None,
     }
 }
 
@@ -165,6 +167,22 @@ struct FileReport {
     broken: Vec<String>,
     diagnostics: Vec<DiagnosticReport>,
     tests: Vec<TestReport>,
+    /// The reason why it cannot be read.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    error: Option<String>,
+}
+
+impl FileReport {
+    fn unreadable(path: &Path, failure: &Failure) -> Self {
+        Self {
+            file: path.display().to_string(),
+            sound: false,
+            broken: Vec::new(),
+            diagnostics: Vec::new(),
+            tests: Vec::new(),
+            error: failure.reason().map(str::to_owned),
+        }
+    }
 }
 
 #[derive(Serialize)]

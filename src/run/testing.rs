@@ -1,4 +1,4 @@
-//! Tests: a script on a mesh of its own, and what only a test can ask of it.
+//! Tests: scripts that run on meshes of their own, and the statements that only tests have.
 
 use super::function::Functions;
 use super::lower::Lowering;
@@ -12,7 +12,7 @@ use crate::resolve::{Digits, Program, TestMesh};
 use crate::rewrite::{Engine, Inst, Plans, Watch};
 use crate::source::Span;
 
-/// Gives the file of a mesh that a test loads, by its path as it is written.
+/// Loads the file of a mesh for a test, by its path as written in the test.
 pub type Load<'l> = dyn FnMut(&str, Span) -> Result<MeshFile, String> + 'l;
 
 /// The conditions of a test.
@@ -20,13 +20,13 @@ pub type Load<'l> = dyn FnMut(&str, Span) -> Result<MeshFile, String> + 'l;
 pub struct Conditions {
     /// The seed of its random numbers.
     pub seed: u64,
-    /// The most memory that it may take, in bytes.
+    /// The memory limit, in bytes.
     pub memory: usize,
-    /// What runs it.
+    /// The engine that runs it.
     pub engine: Engine,
 }
 
-/// The seed 0, no limit of memory, and native code where it pays.
+/// Seed 0, no memory limit, and native code where it pays.
 impl Default for Conditions {
     fn default() -> Self {
         Self { seed: 0, memory: usize::MAX, engine: Engine::default() }
@@ -36,7 +36,7 @@ impl Default for Conditions {
 /// Runs a test of a program, by its number.
 ///
 /// # Errors
-/// It fails; or it cannot be run, because a mesh cannot be loaded or an operation is not
+/// The test fails; or it cannot be run, because a mesh cannot be loaded or an operation is not
 /// proved.
 pub fn test(
     program: &Program,
@@ -86,8 +86,8 @@ fn make(mesh: &TestMesh, prepared: &Prepared, load: &mut Load) -> Result<Mesh, D
     }
 }
 
-/// The mesh of a constructor, whose sizes have been looked at.
-fn constructed(constructor: &str, sizes: &[u32]) -> Mesh {
+/// The mesh of a constructor, whose sizes have been checked.
+pub fn constructed(constructor: &str, sizes: &[u32]) -> Mesh {
     match (constructor, sizes) {
         ("tetrahedron", []) => shape::tetrahedron(),
         ("cube", []) => shape::cube(),
@@ -107,8 +107,8 @@ fn constructed(constructor: &str, sizes: &[u32]) -> Mesh {
 }
 
 impl Lowering<'_> {
-    /// `assert c`; of a comparison that does not hold both sides are shown, and always the
-    /// elements it is about.
+    /// `assert c`; the message shows both sides of a comparison that does not hold, and the
+    /// elements that the condition depends on.
     pub(super) fn assert(&mut self, condition: &Expr, reason: &str, span: Span) {
         let mark = self.asm.mark();
         let test = self.value(condition);
@@ -149,8 +149,8 @@ impl Lowering<'_> {
         self.asm.bind(fine);
     }
 
-    /// `assert refuses(flip(e), "the edge is there") else "…"`: why the operation must refuse, and
-    /// the message if it does not.
+    /// `assert refuses(flip(e), "the edge is there") else "…"`: the reason for which the operation
+    /// must refuse, and the message if it does not.
     pub(super) fn assert_refuses(
         &mut self,
         op: usize,
