@@ -1,14 +1,13 @@
-//! The loops `drain`: elements with keys that are kept current.
+//! The loop `drain`: elements with keys that are kept current.
 //!
-//! A drain knows the key of each of its elements. Those whose keys may have changed are
-//! *stale*: at first all, later those that have read what was written since. At the head of
-//! each turn the keys of the stale ones are computed anew; an element whose key changes comes
-//! into the queue, whether it was there before or not, and an infinite key keeps it out. So
-//! nothing depends on how stale ones are found, but the time: it is as if all keys were
-//! computed anew.
+//! A drain stores the key of each of its elements. The elements whose keys may have changed are
+//! *stale*: at first all, later those that have read what was written since. At the head of each
+//! turn the keys of the stale elements are recomputed; an element whose key changes is put into the
+//! queue, whether it was there before or not, and an infinite key keeps it out. So only the time
+//! depends on how stale elements are found: the result is as if all keys were recomputed.
 //!
-//! They are found by walking back along the [`Paths`] of the key from what was written, or, where
-//! it has none, by [`Readers`], which note what each key reads.
+//! Stale elements are found by walking back along the [`Paths`] of the key from what was written
+//! or, where the key has none, by [`Readers`], which note what each key reads.
 
 use std::sync::Arc;
 
@@ -21,38 +20,39 @@ use super::stale::Stale;
 use super::{Elements, Message, Reg};
 use crate::mesh::{ColumnId, ElementKind, HalfedgeId, Mesh};
 
-/// The drains that run, the innermost last.
+/// The open drains, the innermost last.
 #[derive(Debug, Default)]
 pub(super) struct Drains {
     all: Vec<Drain>,
-    /// The first so many of them are not told what is written, since it will be undone.
+    /// The number of drains, from the outermost on, that are not notified of writes, since these
+    /// will be undone.
     quiet: usize,
     /// The number of keys that have been computed.
     computed: u32,
-    /// The number of those that compute a key whose reads are to be noted.
+    /// The number of drains that are computing a key whose reads are noted.
     noting: usize,
     walk: WalkBack,
 }
 
-/// The way in which those are found whose keys may have changed.
+/// The way in which a drain finds the elements whose keys may have changed.
 #[derive(Debug)]
 enum Changes {
     Noted(Box<Readers>),
-    /// From what was written since the keys were computed.
+    /// By walking back from what was written since the keys were computed.
     Walked {
         paths: Arc<Paths>,
         written: Vec<Written>,
     },
 }
 
-/// The number of keys that are computed between looks at the memory that they take.
+/// The number of keys that are computed between two checks of the memory that they take.
 const KEYS_PER_LOOK: u32 = 1024;
 
 #[derive(Debug)]
 struct Drain {
     of: Elements,
-    /// By number whether an element belongs to it; `None` for all that there are, also those
-    /// that are born meanwhile.
+    /// By number, whether an element belongs to the drain; `None` if all do, including those
+    /// created in the loop.
     members: Option<Vec<bool>>,
     queue: Queue,
     stale: Stale,
@@ -63,7 +63,7 @@ struct Drain {
 }
 
 impl Drain {
-    /// The memory that it takes, in bytes.
+    /// The memory that the drain takes, in bytes.
     fn bytes(&self) -> usize {
         let members = self.members.as_ref().map_or(0, Vec::capacity);
         let changes = match &self.changes {
@@ -102,7 +102,7 @@ impl Drain {
         readers.take(Place::Whole, |reader| stale.push(reader));
     }
 
-    /// Fields of an element are about to be written.
+    /// Notes that fields of an element are about to be written.
     fn write(&mut self, mesh: &Mesh, kind: ElementKind, id: u32, fields: Fields) {
         match &mut self.changes {
             Changes::Walked { paths, written } => {
@@ -126,7 +126,7 @@ impl Drain {
         if let Changes::Walked { written, .. } = &mut self.changes {
             written.clear();
         }
-        // The stale ones are taken from the end.
+        // Stale elements are taken from the end.
         for id in (0..mesh.capacity(self.of.kind()) as u32).rev() {
             if self.is_member(mesh, id) {
                 self.stale.push(id);
@@ -134,8 +134,8 @@ impl Drain {
         }
     }
 
-    /// Makes those stale to which what was written leads back. `held` tells what a variable
-    /// holds.
+    /// Makes the elements stale that the walk back from what was written finds. `held` returns the
+    /// element that a variable holds.
     fn walk_back(&mut self, mesh: &Mesh, walk: &mut WalkBack, held: impl Fn(Reg) -> u32) {
         let Changes::Walked { paths, written } = &mut self.changes else {
             return;
@@ -143,7 +143,7 @@ impl Drain {
         if written.is_empty() {
             return;
         }
-        // Where as much was written as there is, to walk takes longer than to compute.
+        // After more writes than there are elements, walking back takes longer than recomputing.
         if written.len() > mesh.capacity(self.of.kind()) {
             return self.make_all_stale(mesh);
         }
@@ -168,40 +168,41 @@ impl Drain {
 }
 
 impl Drains {
-    /// The memory that they take, in bytes.
+    /// The memory that the drains take, in bytes.
     pub(super) fn bytes(&self) -> usize {
         self.all.iter().map(Drain::bytes).sum()
     }
 
-    /// True if the last key was one to look at the memory after.
+    /// Whether the memory is to be checked now, after the last key.
     #[inline]
     pub(super) fn has_looked(&self) -> bool {
         self.computed.is_multiple_of(KEYS_PER_LOOK)
     }
 
-    /// Ends all.
+    /// Closes all drains.
     pub(super) fn clear(&mut self) {
         self.all.clear();
         self.quiet = 0;
         self.noting = 0;
     }
 
-    /// From here on those that are open are not told what is written. Gives how many were not.
+    /// Stops notifying the open drains of writes. Returns the number that were not notified before,
+    /// for [`unhush`](Self::unhush).
     pub(super) fn hush(&mut self) -> usize {
         std::mem::replace(&mut self.quiet, self.all.len())
     }
 
-    /// Ends that.
+    /// Ends what [`hush`](Self::hush) has begun, given the number that it returned.
     pub(super) fn unhush(&mut self, quiet: usize) {
         self.quiet = quiet;
     }
 
-    /// Those that are told what is written.
+    /// The drains that are notified of writes.
     fn told(&mut self) -> &mut [Drain] {
         self.all.get_mut(self.quiet..).unwrap_or_default()
     }
 
-    /// By kind the fields whose writes they are to be told of.
+    /// By kind, the fields of whose writes the drains are to be notified.
     #[cfg(feature = "native")]
     pub(super) fn listens(&self) -> [Fields; 4] {
         let mut all = [Fields::NONE; 4];
@@ -215,12 +216,12 @@ impl Drains {
         all
     }
 
-    /// The number of open ones.
+    /// The number of open drains.
     pub(super) fn open_ones(&self) -> usize {
         self.all.len()
     }
 
-    /// Ends all but so many.
+    /// Closes all but the outermost `open` drains.
     pub(super) fn leave(&mut self, open: usize) {
         self.all.truncate(open);
         self.count_noting();
@@ -231,24 +232,24 @@ impl Drains {
         self.noting = self.all.iter().filter(is_noting).count();
     }
 
-    /// One drain of which nothing is known, for who asks outside of any loop.
+    /// A single drain that notes reads, for questions outside of any loop.
     pub(super) fn alone(of: Elements) -> Self {
         Self { all: vec![Drain::new(of, None, None, &[])], ..Self::default() }
     }
 
-    /// Makes an element of the innermost stale.
+    /// Makes an element of the innermost drain stale.
     pub(super) fn make_stale(&mut self, id: u32) {
         if let Some(drain) = self.all.last_mut() {
             drain.stale.push(id);
         }
     }
 
-    /// The next stale element, living or not, which is no longer stale.
+    /// Removes and returns the next stale element, living or not.
     pub(super) fn pop_stale(&mut self) -> Option<u32> {
         self.all.last_mut()?.stale.pop()
     }
 
-    /// From here on what is read is noted for an element of the innermost, or for none.
+    /// Begins to note reads for an element of the innermost drain; `None` ends that.
     pub(super) fn read_for_element(&mut self, id: Option<u32>) {
         if let Some(drain) = self.all.last_mut() {
             drain.reading = id;
@@ -256,8 +257,8 @@ impl Drains {
         self.count_noting();
     }
 
-    /// Begins a drain of all elements of the mesh, or of some; with the paths of its key, if it
-    /// has any.
+    /// Opens a drain of all elements of the mesh, or of some, with the paths of its key, if it has
+    /// any.
     pub(super) fn open(
         &mut self,
         mesh: &Mesh,
@@ -280,21 +281,21 @@ impl Drains {
         self.make_all_stale(mesh);
     }
 
-    /// Ends the innermost.
+    /// Closes the innermost drain.
     pub(super) fn close(&mut self) {
         self.all.pop();
         self.count_noting();
     }
 
-    /// Makes all elements of the innermost stale.
+    /// Makes all elements of the innermost drain stale.
     pub(super) fn make_all_stale(&mut self, mesh: &Mesh) {
         if let Some(drain) = self.all.last_mut() {
             drain.make_all_stale(mesh);
         }
     }
 
-    /// The next element whose key is to be computed; from here on what is read is noted, where
-    /// that is wanted. `held` tells what a variable holds.
+    /// The next element whose key is to be computed; if the drain notes reads, those that follow
+    /// are noted for it. `held` returns the element that a variable holds.
     pub(super) fn next_stale(&mut self, mesh: &Mesh, held: impl Fn(Reg) -> u32) -> Option<u32> {
         let drain = self.all.last_mut()?;
         drain.walk_back(mesh, &mut self.walk, held);
@@ -309,14 +310,13 @@ impl Drains {
         None
     }
 
-    /// True if the innermost is the only one, and its keys can be computed without noting what is
-    /// read.
+    /// Whether there is a single drain, and its keys can be computed without noting reads.
     #[cfg_attr(not(feature = "native"), expect(dead_code))]
     pub(super) fn takes_keys(&self) -> bool {
         matches!(self.all.as_slice(), [drain] if !drain.is_noted())
     }
 
-    /// Sets the keys of elements of the innermost, each behind its element. They stay stale.
+    /// Sets the keys of elements of the innermost drain, each after its element. They stay stale.
     #[cfg_attr(not(feature = "native"), expect(dead_code))]
     pub(super) fn set_keys(&mut self, all: &[u64]) -> Result<(), Message> {
         for pair in all.as_chunks::<2>().0 {
@@ -328,7 +328,7 @@ impl Drains {
         Ok(())
     }
 
-    /// No element of the innermost is stale.
+    /// Makes no element of the innermost drain stale.
     #[cfg_attr(not(feature = "native"), expect(dead_code))]
     pub(super) fn make_none_stale(&mut self) {
         if let Some(drain) = self.all.last_mut() {
@@ -336,7 +336,7 @@ impl Drains {
         }
     }
 
-    /// Sets the key of that element.
+    /// Sets the key of the element whose key is being computed.
     pub(super) fn set_key(&mut self, key: f64) -> Result<(), Message> {
         let Some(drain) = self.all.last_mut() else {
             return Err(Message::Malformed);
@@ -353,14 +353,14 @@ impl Drains {
         Ok(())
     }
 
-    /// The element with the least key.
+    /// The element of the innermost drain with the least key.
     pub(super) fn least(&mut self, mesh: &Mesh) -> Option<u32> {
         let Drain { of, queue, stale, lookahead, .. } = self.all.last_mut()?;
         lookahead.look(mesh, *of, queue, stale);
         queue.least()
     }
 
-    /// Takes that element out of the queue.
+    /// Removes that element from the queue.
     pub(super) fn take(&mut self) {
         if let Some(drain) = self.all.last_mut()
             && let Some(id) = drain.queue.least()
@@ -369,7 +369,7 @@ impl Drains {
         }
     }
 
-    /// Whether a key is being computed whose reads are to be noted.
+    /// Whether a key is being computed whose reads are noted.
     #[inline]
     pub(super) fn is_reading(&self) -> bool {
         self.noting > 0
@@ -380,7 +380,7 @@ impl Drains {
         self.all.is_empty()
     }
 
-    /// Something at a place is read.
+    /// Notes that a place is read.
     pub(super) fn read(&mut self, place: Place) {
         for drain in &mut self.all {
             if let (Some(reader), Changes::Noted(readers)) = (drain.reading, &mut drain.changes) {
@@ -389,22 +389,22 @@ impl Drains {
         }
     }
 
-    /// Something at a place is about to be written.
+    /// Notifies the drains that a place is about to be written.
     pub(super) fn touch(&mut self, place: Place) {
         for drain in self.told() {
             drain.touch(place);
         }
     }
 
-    /// Fields of an element are about to be written.
+    /// Notifies the drains that fields of an element are about to be written.
     pub(super) fn write(&mut self, mesh: &Mesh, kind: ElementKind, id: u32, fields: Fields) {
         for drain in self.told() {
             drain.write(mesh, kind, id, fields);
         }
     }
 
-    /// An element has been created. It has no key, whatever had its number before, and
-    /// belongs only to drains of all elements.
+    /// Notifies the drains of a new element. It has no key, whatever element had its number before,
+    /// and belongs only to drains of all elements.
     pub(super) fn born(&mut self, mesh: &Mesh, kind: ElementKind, id: u32) {
         for drain in self.told() {
             match drain.is_noted() {
@@ -423,7 +423,7 @@ impl Drains {
         }
     }
 
-    /// A face is about to become a hole, or a hole a face.
+    /// Notifies the drains that a face is about to become a hole, or a hole a face.
     pub(super) fn turned(&mut self, mesh: &Mesh, face: u32) {
         self.write(mesh, ElementKind::Face, face, Fields::HOLE);
         for drain in self.told() {
@@ -433,8 +433,8 @@ impl Drains {
         }
     }
 
-    /// An element is about to be erased. Its key is known until the next turn, for what is
-    /// rolled back lives again.
+    /// Notifies the drains that an element is about to be erased. Its key is kept until the next
+    /// turn, since after a rollback the element exists again.
     pub(super) fn erased(&mut self, mesh: &Mesh, kind: ElementKind, id: u32) {
         for drain in self.told() {
             drain.write(mesh, kind, id, Fields::ALL);
@@ -449,7 +449,7 @@ impl Drains {
     }
 }
 
-/// The places of the fields of an element.
+/// The place of some fields of an element.
 fn place_of(mesh: &Mesh, kind: ElementKind, id: u32, fields: Fields) -> Option<Place> {
     match kind {
         ElementKind::Vertex if fields == Fields::FIRST => Some(Place::VertexHalfedge(id)),
@@ -459,7 +459,7 @@ fn place_of(mesh: &Mesh, kind: ElementKind, id: u32, fields: Fields) -> Option<P
     }
 }
 
-/// The places of the attributes of an element.
+/// The place of the attributes of an element.
 pub(super) fn attributes_place(mesh: &Mesh, kind: ElementKind, id: u32) -> Option<Place> {
     match kind {
         ElementKind::Vertex => Some(Place::VertexAttributes(id)),
@@ -469,7 +469,7 @@ pub(super) fn attributes_place(mesh: &Mesh, kind: ElementKind, id: u32) -> Optio
     }
 }
 
-/// The place of an element. `None` for a halfedge that does not live.
+/// The place of an element; `None` for a halfedge that does not exist.
 pub(super) fn place(mesh: &Mesh, kind: ElementKind, id: u32) -> Option<Place> {
     match kind {
         ElementKind::Vertex => Some(Place::Vertex(id)),

@@ -1,14 +1,14 @@
-//! The paths of the keys of all drains of a run, each found out once.
+//! The paths of the keys of all drains of a run, each computed once.
 
 use std::sync::Arc;
 
 use super::paths::{Paths, Unbounded};
 use super::{Call, Code, Function, Inst, reads};
 
-/// The beginning of a drain: the operation, the function, the instruction.
+/// The place where a drain begins: the operation, the function, the instruction.
 type Place = (Option<u16>, Option<u16>, usize);
 
-/// The paths of the keys of those drains that have run.
+/// The paths of the keys of the drains that have run.
 #[derive(Debug, Default)]
 pub(super) struct KeyPaths(Vec<(Place, Option<Arc<Paths>>)>);
 
@@ -17,7 +17,7 @@ impl KeyPaths {
         self.0.clear();
     }
 
-    /// Those of the drain that an instruction of a call begins; none if its key has none.
+    /// The paths for the drain that an instruction of a call opens; `None` if its key has none.
     pub(super) fn of(&mut self, call: &Call<'_>, at: usize) -> Option<Arc<Paths>> {
         let place = (call.op, call.function, at);
         if let Some((_, known)) = self.0.iter().find(|(known, _)| *known == place) {
@@ -29,8 +29,8 @@ impl KeyPaths {
     }
 }
 
-/// For each drain in a code, the instruction that begins it and, if the keys to compute anew are
-/// not found by walking back from what was written, why.
+/// For each drain in a code, the instruction that opens it and, if its stale keys are not found by
+/// walking back from what was written, the reason.
 pub fn drains(code: &Code, functions: &[Function]) -> Vec<(usize, Option<Unbounded>)> {
     let opens = |(_, inst): &(usize, &Inst)| matches!(inst, Inst::DrainOpen { .. });
     let all = code.insts.iter().enumerate().filter(opens);

@@ -1,42 +1,44 @@
-//! Loops whose turns several threads can take.
+//! Loops whose turns can run on several threads.
 //!
-//! A loop over all elements of the mesh that only reads, and keeps what it writes back to its end,
-//! can be cut: its code, by itself, goes over a range of slots. It may use what was in the registers
-//! before the loop, and leaves nothing in them. What the parts keep back is written in their order,
-//! and of several traps the first counts; so the result is that of one thread.
+//! A loop over all elements of the mesh that only reads, and keeps its writes back to its end, can
+//! be cut into parts: its code, copied on its own, runs over a range of slots. It may read what was
+//! in the registers before the loop, and leaves nothing in them. The writes of the parts are done
+//! in the order of the parts, and of several traps the first counts, so the result is that of one
+//! thread.
 //!
-//! The values of an aggregate and the keys of a drain are computed so, too. Their turn is code of
-//! its own, which one thread never comes to: it only keeps values, and what the aggregate or the
-//! drain makes of them is made of them in their order. If a turn traps, one thread begins again.
+//! The values of an aggregate and the keys of a drain are computed in the same way. Their turns
+//! have separate code, which a single thread never reaches: it only keeps values, which the
+//! aggregate or the drain then combines in their order. If a turn traps, one thread starts over.
 
 use super::inst::computation;
 use super::memory::HELD_USUALLY;
 use super::{Assembler, Code, Elements, Function, Inst, Label, Reg, Traps};
 
-/// The loop of a code, by itself, over the elements in a range of slots.
+/// A loop of a code, on its own, over the elements in a range of slots.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Part {
     /// The elements.
     pub of: Elements,
-    /// How deep it lies within other loops.
+    /// The number of loops around it.
     pub depth: u16,
-    /// The register of the first slot, and that of the one behind the last.
+    /// The registers of the first slot and of the end of the range.
     pub bounds: [Reg; 2],
     pub task: Task,
-    /// The buffer of the writes that it keeps back, or of the values that all have kept.
+    /// The buffer of the writes that it keeps back, or of the values that all parts have kept.
     pub held: u16,
-    /// Its instructions, as those of a function.
+    /// The instructions, as of a function.
     pub code: Code,
 }
 
-/// What the parts of a loop do.
+/// The task of the parts of a loop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Task {
-    /// They keep back what an `update` writes; it is written when all are done.
+    /// To keep back what an `update` writes, which is written when all parts are done.
     Update,
-    /// They keep the values of an aggregate, which are put into a buffer when all are done.
+    /// To keep the values of an aggregate, which are put into a buffer when all parts are done.
     Aggregate,
-    /// They keep elements of the innermost drain and their keys, which are set when all are done.
+    /// To keep elements of the innermost drain and their keys, which are set when all parts are
+    /// done.
     Keys,
 }
 
@@ -45,34 +47,35 @@ pub enum Task {
 pub struct Turns {
     pub of: Elements,
     pub depth: u16,
-    /// The variable.
+    /// The register of the loop's variable.
     pub element: Reg,
-    /// Registers that the loop alone uses.
+    /// Registers that only the loop uses.
     pub index: Reg,
     pub total: Reg,
     /// A register that holds 1.
     pub one: Reg,
     pub task: Task,
     pub held: u16,
-    /// Where a turn is over, the first instruction of a turn that has its element, and the one
-    /// behind the last.
+    /// The start of the next turn, the first instruction of a turn after its element is set, and
+    /// the end of the loop.
     pub again: Label,
     pub first: Label,
     pub end: Label,
 }
 
 impl Assembler {
-    /// Lets several threads take the turns of the loop that follows.
+    /// Lets the turns of the loop that follows run on several threads.
     pub fn spread(&mut self, turns: Turns) {
-        // Of more than these, one thread does it.
+        // Further loops run on one thread.
         if let Ok(part) = u16::try_from(self.spread.len()) {
             self.emit(Inst::Spread { part, end: turns.end });
             self.spread.push(turns);
         }
     }
 
-    /// Lets several threads compute values for all elements, in a turn that is to be written; one
-    /// thread goes on behind this. `None` within such a turn, and where there are no threads.
+    /// Lets several threads compute values for all elements, in a turn whose code is still to be
+    /// appended; a single thread continues after this code. `None` inside such a turn, and where
+    /// there are no threads.
     pub fn spread_values(&mut self, of: Elements, element: Reg, task: Task) -> Option<Turns> {
         if self.is_in_values || cfg!(not(all(feature = "native", feature = "threads"))) {
             return None;
@@ -100,7 +103,7 @@ impl Assembler {
         self.bind(turns.first);
     }
 
-    /// Ends it. What follows is done when all threads are done.
+    /// Ends such a turn. The code that follows runs when all threads are done.
     pub fn end_values(&mut self, turns: Turns) {
         self.is_in_values = false;
         self.bind(turns.again);
@@ -109,12 +112,12 @@ impl Assembler {
     }
 }
 
-/// The instructions before those of a turn.
+/// The number of instructions before those of a turn.
 const HEAD: u32 = 6;
 
 impl Part {
-    /// The loop by itself; `None` if it does more than read and keep back. Its labels are the
-    /// places of instructions in the code.
+    /// The loop on its own; `None` if it does more than read and keep back. Its labels are places
+    /// of instructions in the code.
     pub(super) fn of(turns: Turns, code: &Code) -> Option<Self> {
         let Turns { of, depth, element, index, total, one, task, held, again, first, end } = turns;
         let constants = code.constants as u32;
@@ -153,7 +156,7 @@ impl Part {
             insts.push(inst);
         }
         insts.push(Inst::Give { from: Reg(0), width: 0 });
-        // Before the turn the watcher is told of it.
+        // The instruction before the turn calls the watcher, as `Tick` does above.
         let in_turn = |&&(at, _): &&(u32, u32)| (first - 1..behind).contains(&at);
         let traps: Traps =
             code.traps.iter().filter(in_turn).map(|&(at, why)| (at + start - first, why)).collect();
@@ -168,7 +171,7 @@ impl Part {
         Some(Self { of, depth, bounds: [element, total], task, held, code })
     }
 
-    /// The number of slots that a turn keeps: of an `update`, as many as it usually keeps.
+    /// The number of slots that a turn keeps; for an `update`, the usual number.
     #[cfg_attr(not(feature = "native"), expect(dead_code))]
     pub(super) fn keeps(&self) -> usize {
         let slots = self.code.insts.iter().map(|inst| match (self.task, inst) {
@@ -179,7 +182,7 @@ impl Part {
         slots.sum()
     }
 
-    /// True if a turn takes longer than to put a value together with others.
+    /// Whether a turn takes longer than combining its value with others.
     #[cfg_attr(not(feature = "native"), expect(dead_code))]
     pub(super) fn is_costly(&self) -> bool {
         let is_costly = |inst: &Inst| {
@@ -191,7 +194,7 @@ impl Part {
         self.task != Task::Aggregate || self.code.insts.iter().any(is_costly)
     }
 
-    /// True if the functions that it may call, which are these, read only, too.
+    /// Whether the functions that it may call, out of these, also only read.
     pub fn reads_only(&self, functions: &[Function]) -> bool {
         self.code.with_called_of(functions).into_iter().all(|code| {
             code.insts.iter().all(|inst| {
@@ -203,7 +206,7 @@ impl Part {
 }
 
 impl Inst {
-    /// True for what changes nothing that another thread sees: values, loads and questions, jumps,
+    /// Whether it changes nothing that another thread sees: values, loads and questions, jumps,
     /// lists, calls of functions, and writes that are kept back.
     fn is_for_parts(&self) -> bool {
         #[rustfmt::skip]
@@ -223,7 +226,7 @@ impl Inst {
             | Inst::Call { .. } | Inst::Give { .. } | Inst::Turn { .. } | Inst::Tick
             | Inst::Fail { .. }
             | Inst::BufferFree { .. } | Inst::Keep { .. }
-            // These do nothing there: a loop in a part is not spread again, and the mesh keeps its ids.
+            // These do nothing in a part: its loops are not spread again, and no id is recycled.
             | Inst::Spread { .. } | Inst::Recycle
         );
         is

@@ -1,4 +1,4 @@
-//! Calls of one operation, from outside of any script.
+//! Applying a single operation, without a script.
 
 use std::sync::{Arc, OnceLock};
 
@@ -22,14 +22,14 @@ pub enum Applied {
     Done {
         /// The element it returned.
         result: Option<(ElementKind, u32)>,
-        /// The elements it created, in that order.
+        /// The elements it created, in the order of creation.
         created: Vec<(ElementKind, u32)>,
     },
-    /// It does not apply here, and the mesh is as it was; the reason.
+    /// The operation was refused, for this reason, and the mesh is as it was.
     Refused(String),
 }
 
-/// Reads the arguments of an operation, each a name and a text; see [`apply`].
+/// Parses the arguments of an operation, each a name and a text; see [`apply`].
 ///
 /// # Errors
 /// One diagnostic for each argument that does not fit, and for each that is missing.
@@ -41,8 +41,8 @@ pub fn arguments(
     prepare(&parameters_alone(program, op), 0, &Plans::default())?.arguments(texts)
 }
 
-/// The attributes that an operation uses and that are not scratch: what it would take from a
-/// file. None if the operation is not proved.
+/// The attributes that an operation uses, without scratch attributes: those that it would read from
+/// a file. Empty if the operation is not proved.
 pub fn attributes(
     program: &Program,
     op: usize,
@@ -62,8 +62,8 @@ fn columns(program: &Program, plan: &Plan, plans: &[Option<Plan>]) -> Result<Col
     Columns::of(&program.attributes, used)
 }
 
-/// Applies an operation of a program, all of whose plans are given. Parameters that are not
-/// given take their defaults.
+/// Applies an operation of a program, given the plans of all its operations. Parameters without an
+/// argument take their defaults.
 ///
 /// # Errors
 /// The arguments do not fit the parameters, or an expression of the operation has no value
@@ -90,15 +90,15 @@ pub struct Application {
     /// The level that a mesh should have for all that its steps call.
     wanted: Level,
     place: Span,
-    /// By parameter the question whether it would be applied, if its paths are bounded.
+    /// By parameter, the question whether the operation would be applied, if its paths are bounded.
     questions: Vec<OnceLock<Option<Arc<Bounded>>>>,
 }
 
 impl Application {
-    /// The operation of this number, with the plans of all.
+    /// The operation with this number, with the plans of all operations.
     ///
     /// # Errors
-    /// It is not proved, or the default of an attribute has no value.
+    /// The operation is not proved, or the default of an attribute has no value.
     pub fn new(program: &Program, op: usize, plans: &Plans) -> Result<Self, Diagnostic> {
         let place = program.ops.get(op).map(|op| match &op.diagram {
             Some(diagram) => diagram.name_span,
@@ -122,7 +122,7 @@ impl Application {
         })
     }
 
-    /// Says what runs it.
+    /// Sets the engine that runs it.
     pub fn use_engine(&mut self, engine: Engine) {
         self.parameters.use_engine(engine);
     }
@@ -142,13 +142,13 @@ impl Application {
         self.wanted
     }
 
-    /// The reason why a mesh is not of its level, if it is not.
+    /// Checks that a mesh has the level that the operation is for.
     pub(crate) fn expect_level(&self, mesh: &Mesh) -> Result<(), Diagnostic> {
         expect_level(self.plan(), mesh, self.place)
     }
 
-    /// The question whether it would be applied, asked of the element that a parameter is; none if
-    /// its paths are not bounded.
+    /// The question whether the operation would be applied, for the element that is passed for a
+    /// parameter; `None` if its paths are not bounded.
     pub(crate) fn question(&self, parameter: usize) -> Option<Arc<Bounded>> {
         let made = self.questions.get(parameter)?.get_or_init(|| {
             let params = self.parameters.params();
@@ -164,10 +164,10 @@ impl Application {
         self.plans[self.op].as_ref().expect("only a proved operation is applied")
     }
 
-    /// Applies it, while somebody looks on. Parameters that are not given take their defaults.
+    /// Applies it, and reports to a watcher. Parameters without an argument take their defaults.
     ///
     /// # Errors
-    /// As of [`apply`]; or it was interrupted, and the mesh is as it was.
+    /// As for [`apply`]; or it was interrupted, and the mesh is as it was.
     pub fn apply(
         &self,
         mesh: &mut Mesh,
@@ -201,12 +201,13 @@ impl Application {
         })
     }
 
-    /// A trap in the code of its parameters.
+    /// The diagnostic of a trap in the code of its parameters.
     pub(crate) fn told_of_parameters(&self, trap: Trap) -> Diagnostic {
         diagnostic(&self.parameters, trap)
     }
 
-    /// A trap in its own code or in what that calls, at its place there. The mesh is as it was.
+    /// The diagnostic of a trap in its own code or in what that calls, at its place there; the mesh
+    /// is as it was.
     pub(crate) fn told(&self, trap: Trap, mesh: &Mesh) -> Diagnostic {
         let Some(span) = trap.trace.iter().find_map(|site| self.span(site)) else {
             return diagnostic(&self.parameters, trap);
@@ -243,15 +244,15 @@ impl Application {
     }
 }
 
-/// The reason why an operation refuses that notes no reason.
+/// The reason of a refusal for which none is noted.
 pub(crate) const UNKNOWN_REASON: &str = "the diagram does not match here";
 
 fn failure(diagnostic: Diagnostic) -> Box<Failure> {
     Box::new(Failure { diagnostic, report: Report::default() })
 }
 
-/// A script that has the parameters of an operation, and does nothing: running it leaves
-/// their values in the window.
+/// A program whose only script has the parameters of an operation, and does nothing: running it
+/// leaves their values in the window.
 fn parameters_alone(program: &Program, op: usize) -> Program {
     let scripts = program.ops.get(op).map(|op| Script {
         name: op.name.clone(),

@@ -1,4 +1,4 @@
-//! Values for the parameters of a script, from outside.
+//! Arguments: values that a caller passes for the parameters of a script.
 
 use glam::{DMat3, DMat4, DVec2, DVec3, DVec4};
 
@@ -11,9 +11,9 @@ use crate::mesh::{EdgeId, Element, ElementKind, FaceId, HalfedgeId, Mesh, Vertex
 pub enum Argument {
     Bool(bool),
     Int(i64),
-    /// Finite, as are the parts of a vector.
+    /// A finite number, as is each component of a vector.
     Real(f64),
-    /// The components of a vector or matrix, of this type; matrices column by column.
+    /// The components of a vector or matrix of this type; matrices column by column.
     Reals(Type, Vec<f64>),
     Text(String),
     /// An element of the mesh that the script runs on.
@@ -21,8 +21,8 @@ pub enum Argument {
 }
 
 impl Argument {
-    /// The value of a type that a text says: `true`, `12`, `0.5`, `1,2,3`, any text, or
-    /// the number of an element.
+    /// Parses a value of a type: `true`, `12`, `0.5`, `1,2,3`, any text, or the number of an
+    /// element.
     pub fn parse(text: &str, ty: Type) -> Option<Self> {
         let text = text.trim();
         match ty {
@@ -55,7 +55,7 @@ impl Argument {
         }
     }
 
-    /// True if it is one of the mesh, if it is an element.
+    /// Whether it exists in the mesh, if it is an element; true for other values.
     pub(super) fn exists_in(&self, mesh: &Mesh) -> bool {
         match *self {
             Self::Element(kind, id) => mesh.is_alive(kind, id),
@@ -63,7 +63,7 @@ impl Argument {
         }
     }
 
-    /// True if its numbers are finite.
+    /// Whether its numbers are finite.
     pub(super) fn is_finite(&self) -> bool {
         match self {
             Self::Real(value) => value.is_finite(),
@@ -72,7 +72,7 @@ impl Argument {
         }
     }
 
-    /// Appends the slots of the value; a text goes to the texts of the code.
+    /// Appends the slots of the value; a text is added to the texts of the code.
     pub(super) fn fill(&self, texts: &mut Vec<String>, slots: &mut Vec<u64>) {
         match self {
             Self::Bool(value) => slots.push(u64::from(*value)),
@@ -96,7 +96,7 @@ impl Argument {
     }
 }
 
-/// Ways to values of parameters: `edge.into()`, `0.5.into()`.
+/// Conversions to arguments: `edge.into()`, `0.5.into()`.
 macro_rules! from {
     ($($type:ty: $from:expr;)*) => {
         $(impl From<$type> for Argument {
@@ -131,7 +131,7 @@ from! {
     FaceId: |value| Element::from(value).into();
 }
 
-/// A text for a value of a type, if a short one is.
+/// An example of the text of a value of a type, if there is a short one.
 pub(super) fn sample(ty: Type) -> Option<&'static str> {
     match ty {
         Type::Bool => Some("true"),
@@ -144,7 +144,7 @@ pub(super) fn sample(ty: Type) -> Option<&'static str> {
     }
 }
 
-/// The values of a type, in words for a message about a wrong one.
+/// A description of the values of a type, for a message about a wrong value.
 pub(super) fn wanted(ty: Type) -> String {
     let words = match ty {
         Type::Bool => return "`true` or `false`".to_owned(),
@@ -168,7 +168,7 @@ fn real(text: &str) -> Option<f64> {
     text.trim().parse().ok().filter(|value: &f64| value.is_finite())
 }
 
-/// With or without parentheses.
+/// Parses the components of a vector or matrix, with or without parentheses.
 fn reals(text: &str, ty: Type) -> Option<Vec<f64>> {
     let inner = text.strip_prefix('(').map_or(Some(text), |rest| rest.strip_suffix(')'))?;
     let parts: Option<Vec<f64>> = inner.split(',').map(real).collect();

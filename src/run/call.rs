@@ -1,4 +1,4 @@
-//! Calls of operations in the code of a script.
+//! Lowering of calls of operations and functions.
 
 use super::lower::Lowering;
 use crate::compile::{arguments, function_number};
@@ -6,7 +6,7 @@ use crate::diagram::Expr;
 use crate::rewrite::{Inst, Reg};
 use crate::source::Span;
 
-/// The call of a function.
+/// A call of a function.
 pub(super) struct FunctionCall<'e> {
     pub(super) function: u32,
     pub(super) args: &'e [Expr],
@@ -15,7 +15,8 @@ pub(super) struct FunctionCall<'e> {
 }
 
 impl Lowering<'_> {
-    /// A call; gives the registers of whether it was applied, and of its result.
+    /// Lowers a call of an operation; returns the registers of whether it was applied, and of its
+    /// result.
     pub(super) fn apply(&mut self, op: usize, args: &[Expr], span: Span) -> (Reg, Reg) {
         let (applied, result) = (self.asm.reg(), self.asm.reg());
         let mark = self.asm.mark();
@@ -30,8 +31,8 @@ impl Lowering<'_> {
         arguments(&mut self.asm, &mut self.names, args)
     }
 
-    /// A call of a function, whose value goes to a register. If it `holds`, ids are still
-    /// needed that somebody else has.
+    /// Lowers a call of a function, which puts its value into a register. If the call `holds`, the
+    /// caller still needs ids, so the function must not recycle erased elements.
     pub(super) fn call(&mut self, call: FunctionCall, span: Span) {
         let mark = self.asm.mark();
         let args = self.arguments(call.args);
@@ -45,14 +46,14 @@ impl Lowering<'_> {
         self.asm.release(mark);
     }
 
-    /// Ends the script: the operation just called has refused, and must not.
+    /// Stops the script: the operation just called has refused, though it must not.
     pub(super) fn stop_refused(&mut self, op: usize, span: Span) {
         self.trap_at(span, Inst::Refused { op: number(op) });
     }
 }
 
-/// The number by which code calls an operation. One too large is rejected before the
-/// code is used.
+/// The number by which code calls an operation. One that is too large is rejected before the code
+/// is used.
 fn number(op: usize) -> u16 {
     u16::try_from(op).unwrap_or(u16::MAX)
 }

@@ -1,8 +1,8 @@
-//! Attributes that a program declares, on a mesh.
+//! The columns of a program's attributes on a mesh.
 //!
-//! Before a run each attribute that its code uses gets a column, or takes over the one of
-//! its name that the mesh has already. Scratch attributes live under a name that no file can
-//! bring, and are gone after the run.
+//! Before a run each attribute that the code uses gets a column, or takes over the one of its name
+//! that the mesh already has. Scratch attributes have names that no file can contain, and are
+//! removed after the run.
 
 use super::lower::Names;
 use crate::compile::{element_kind, lower};
@@ -24,16 +24,16 @@ struct Needed {
     /// The value of a new element.
     default: Value,
     private: bool,
-    /// True if the code may write to it.
+    /// Whether the code may write to it.
     written: bool,
     span: Span,
 }
 
 impl Columns {
-    /// The columns that some code needs.
+    /// The columns that the given code needs, with that of the functions that it calls.
     ///
     /// # Errors
-    /// The default of an attribute has no value, as `1 div 0`.
+    /// The default of an attribute has no value, such as `1 div 0`.
     pub(super) fn of<'c>(
         attributes: &[Attribute],
         code: impl IntoIterator<Item = &'c Code>,
@@ -76,13 +76,13 @@ impl Columns {
         Ok(Self(needed.collect::<Result<_, _>>()?))
     }
 
-    /// The attributes that are not scratch.
+    /// The attributes, without scratch attributes.
     pub(super) fn public(&self) -> impl Iterator<Item = WantedAttribute<'_>> {
         let needed = self.0.iter().flatten().filter(|needed| !needed.private);
         needed.map(|needed| (needed.kind, needed.name.as_str(), needed.default))
     }
 
-    /// The columns by kind and name, with the numbers of the attributes.
+    /// The kind and the name of each column, with the number of its attribute.
     pub(crate) fn names(&self) -> impl Iterator<Item = (ElementKind, &str, u16)> {
         let all = (0..).zip(&self.0);
         all.filter_map(|(number, needed)| {
@@ -90,10 +90,10 @@ impl Columns {
         })
     }
 
-    /// Puts the columns on a mesh, and says where they lie.
+    /// Adds the columns to a mesh, and returns their ids by the numbers of the attributes.
     ///
     /// # Errors
-    /// The mesh has one of that name with values of another type.
+    /// The mesh has a column of the same name with values of another type.
     pub(crate) fn bind(&self, mesh: &mut Mesh) -> Result<Vec<Option<ColumnId>>, Diagnostic> {
         let bind = |needed: &Needed| {
             let (kind, name, default) = (needed.kind, &needed.name, needed.default);
@@ -101,7 +101,7 @@ impl Columns {
                 let message = format!("{conflict} on this mesh");
                 Diagnostic::error("attribute-conflict", message, needed.span)
             })?;
-            // One that was there may have another default; its type is this.
+            // A column that was already there may have another default; its type is the same.
             let _ = mesh.set_default(column, default);
             Ok(column)
         };
@@ -110,7 +110,7 @@ impl Columns {
         columns.map(Option::transpose).collect()
     }
 
-    /// Puts the scratch attributes that the code may have written back to their defaults.
+    /// Resets the scratch attributes that the code may have written to their defaults.
     pub(crate) fn clear(&self, mesh: &mut Mesh) {
         for needed in self.0.iter().flatten().filter(|needed| needed.private && needed.written) {
             if let Some(column) = mesh.find_column(needed.kind, &needed.name) {
@@ -119,7 +119,7 @@ impl Columns {
         }
     }
 
-    /// Takes the scratch attributes off a mesh.
+    /// Removes the scratch attributes from a mesh.
     pub(crate) fn release(&self, mesh: &mut Mesh) {
         for needed in self.0.iter().flatten().filter(|needed| needed.private) {
             if let Some(column) = mesh.find_column(needed.kind, &needed.name) {
@@ -129,7 +129,7 @@ impl Columns {
     }
 }
 
-/// The value of an element that was given no value: the default, or zero.
+/// The initial value of an attribute: its default, or zero.
 fn default(attribute: &Attribute) -> Result<Value, Diagnostic> {
     let mut machine = Machine::default();
     let Some(default) = &attribute.default else {
@@ -148,7 +148,7 @@ fn default(attribute: &Attribute) -> Result<Value, Diagnostic> {
     Ok(value(attribute.ty, slots.unwrap_or_default()))
 }
 
-/// The value of a type in slots; those that are missing count as zero.
+/// The value of a type in slots; missing slots count as zero.
 fn value(ty: Type, slots: &[u64]) -> Value {
     let slot = |at: usize| slots.get(at).copied().unwrap_or(0);
     let real = |at: usize| f64::from_bits(slot(at));

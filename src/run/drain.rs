@@ -1,4 +1,4 @@
-//! The loop `drain` in the code of a script.
+//! Lowering of the loop `drain`.
 //!
 //! ```text
 //! open          all elements are stale, until several threads have computed their keys
@@ -49,7 +49,7 @@ impl Lowering<'_> {
 
         let asked: Vec<&Expr> = condition.iter().chain([key]).collect();
         let exits = self.exits_of_body(&asked, body, exits).map(|mut exits| {
-            // It is set anew before anything at the head reads it.
+            // The variable is set before anything at the head reads it.
             exits.next.remove(variable);
             exits.continued.remove(variable);
             exits
@@ -102,15 +102,15 @@ impl Lowering<'_> {
         self.asm.release(mark);
     }
 
-    /// Ends the drains that run, where their routine is left.
+    /// Closes all open drains, where the routine is left.
     pub(super) fn close_drains(&mut self) {
         for _ in 0..self.drains {
             self.asm.emit(Inst::DrainClose);
         }
     }
 
-    /// The slots of the variables that the key reads and the body sets, each with one that
-    /// keeps what it was.
+    /// The slots of the variables that the key reads and the body sets, each with a slot for its
+    /// previous value.
     fn changing(&mut self, key: &Expr, body: &[Statement]) -> Vec<(Reg, Reg)> {
         let set = Variables::of(body);
         let mut read = BTreeSet::new();

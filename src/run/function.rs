@@ -1,7 +1,8 @@
-//! The functions of a program, in register code.
+//! Lowering of the functions of a program to register code.
 //!
-//! All know the same texts, and each names the others by their numbers in the program. One that
-//! could not be resolved, or is too large, has no code: to call it traps.
+//! All functions share one list of texts, and each calls the others by their numbers in the
+//! program. A function that could not be resolved, or is too large, has no code: a call of it
+//! traps.
 
 use std::sync::Arc;
 
@@ -14,24 +15,23 @@ use crate::resolve::{self, Program, Script, Statement, StatementKind, Variable};
 use crate::rewrite::{self, Code};
 use crate::source::Span;
 
-/// The code of functions, and which operations each of them may call.
+/// The code of the functions of a program, and the operations that each of them may call.
 #[derive(Clone, Debug, Default)]
 pub struct Functions {
-    /// Their code, by number.
+    /// The code, by number.
     pub code: Arc<[rewrite::Function]>,
-    /// By number the operations that each calls itself, with the first call.
+    /// By number, the operations that each calls itself, with the place of the first call.
     pub(super) applies: Vec<Vec<(usize, Span)>>,
-    /// By number the functions that each calls itself.
+    /// By number, the functions that each calls itself.
     pub(super) calls: Vec<Vec<usize>>,
-    /// By number the numbers of the places where each asserts something, in order.
+    /// By number, the numbers of the places of assertions of each, in order.
     pub(super) assertions: Vec<Vec<u32>>,
-    /// By number whether the code is missing.
+    /// By number, whether the code is missing.
     missing: Vec<bool>,
 }
 
 impl Functions {
-    /// Lowers all functions of a program, and behind them its scripts, which are called as
-    /// functions are.
+    /// Lowers all functions of a program, then the scripts that are called like functions.
     ///
     /// # Errors
     /// One diagnostic for each function that is too large; it has no code.
@@ -77,13 +77,13 @@ impl Functions {
         (all, diagnostics)
     }
 
-    /// The texts that all of them know.
+    /// The texts that all functions share.
     pub(super) fn texts(&self) -> &[String] {
         let last = self.code.last();
         last.map_or(&[], |last| last.code.texts.as_slice())
     }
 
-    /// The functions that some call, directly or through others; in order.
+    /// The given functions and those that they call, directly or indirectly; in order.
     pub(super) fn reached(&self, from: &[usize]) -> Vec<usize> {
         let mut seen = vec![false; self.calls.len()];
         let mut open = from.to_vec();
@@ -98,8 +98,8 @@ impl Functions {
         (0..seen.len()).filter(|&at| seen[at]).collect()
     }
 
-    /// The name of the first function without code that an expression needs, directly or through
-    /// others.
+    /// The name of the first function without code that the expressions call, directly or
+    /// indirectly.
     pub fn lacking<'e>(&self, exprs: impl IntoIterator<Item = &'e Expr>) -> Option<&str> {
         let mut called = Vec::new();
         for expr in exprs {
@@ -113,14 +113,14 @@ impl Functions {
         self.code.get(missing).map(|function| function.name.as_str())
     }
 
-    /// Of those the first that has no code.
+    /// The first of the given functions that has no code.
     pub(super) fn first_missing(&self, reached: &[usize]) -> Option<usize> {
         reached.iter().copied().find(|&at| self.missing[at])
     }
 }
 
-/// A script that calls a function of a program with its own parameters, and keeps the value as the
-/// first of its other variables.
+/// A script that has the parameters of a function, calls the function with them, and keeps its
+/// value in the variable after them.
 pub(super) fn calling(function: &resolve::Function, number: usize) -> Script {
     let variable =
         |(name, ty, span): (&str, Type, Span)| Variable { name: name.to_owned(), ty, span };
@@ -150,16 +150,16 @@ pub(super) fn calling(function: &resolve::Function, number: usize) -> Script {
     }
 }
 
-/// Lowers something, with the texts that are known.
+/// Lowers a function, given the texts known so far.
 type Lower<'p> = Box<dyn Fn(&[String]) -> Lowering<'p> + 'p>;
 
-/// The beginning of code to be lowered: a function, or a script that is called as one.
+/// A function that is to be lowered, or a script that is called like one.
 #[derive(Default)]
 struct Beginning<'p> {
     name: String,
     span: Span,
     params: u16,
-    /// None if it could not be resolved.
+    /// `None` if it could not be resolved.
     lower: Option<Lower<'p>>,
 }
 
@@ -187,7 +187,7 @@ fn lowered_function<'p>(function: &'p resolve::Function) -> Beginning<'p> {
 }
 
 fn called_script(script: &Script) -> Beginning<'_> {
-    // Behind the parameters stands for each whether it is given.
+    // After the parameters there is, for each of them, whether it is given.
     let params = script.params.iter().map(|param| width(param.ty).saturating_add(1));
     Beginning {
         name: script.name.clone(),

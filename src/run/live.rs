@@ -1,10 +1,10 @@
-//! Which variables hold an element that is still needed.
+//! Liveness of the variables that hold elements.
 //!
-//! A variable is live at a point of the script if its value there may be read later on.
-//! Where no variable that holds an element is live, the ids of erased elements can be
-//! given out again. The sets are found backwards, from what is live after a statement to
-//! what is live before it; for a loop one pass is enough, because what its body reads
-//! before setting it does not depend on what follows.
+//! A variable is live at a point of the script if its value there may be read later on. Where no
+//! variable that holds an element is live, the ids of erased elements can be reused. The sets are
+//! computed backwards, from the variables live after a statement to those live before it. For a
+//! loop one pass is enough, because what its body reads before setting it does not depend on what
+//! follows.
 
 use std::collections::BTreeSet;
 
@@ -14,30 +14,30 @@ use crate::resolve::{Statement, StatementKind, Variable};
 /// The numbers of variables that hold elements.
 pub type Live = BTreeSet<u32>;
 
-/// The variables that are live behind a statement, by the way it is left.
+/// The variables that are live after a statement, by the way in which it is left.
 #[derive(Clone, Debug, Default)]
 pub struct Exits {
-    /// Going on.
+    /// Continuing with the next statement.
     pub next: Live,
     /// Leaving the innermost loop.
     pub broken: Live,
-    /// Going back to its head.
+    /// Continuing at the head of that loop.
     pub continued: Live,
 }
 
 impl Exits {
-    /// The same, but that other variables are live when going on.
+    /// The same exits with other variables live at the next statement.
     pub(super) fn going_on(&self, next: Live) -> Self {
         Self { next, ..self.clone() }
     }
 
-    /// The exits of the body of a loop that these are the exits of.
+    /// The exits of the body of a loop with these exits and these variables live at its head.
     pub(super) fn of_body(&self, head: Live) -> Self {
         Self { next: head.clone(), broken: self.next.clone(), continued: head }
     }
 }
 
-/// Finds live variables.
+/// The analysis of live variables.
 #[derive(Clone, Copy, Debug)]
 pub struct Liveness<'p> {
     /// All variables of the script.
@@ -57,8 +57,8 @@ impl Liveness<'_> {
         before
     }
 
-    /// The variables that are live at the head of a loop with this body: where it may go round
-    /// again. Its conditions, if it has any, are evaluated there.
+    /// The variables that are live at the head of a loop with this body, where its conditions, if
+    /// any, are evaluated.
     pub(super) fn at_head(&self, conditions: &[&Expr], body: &[Statement], exits: &Exits) -> Live {
         let read = self.before_block(body, &Exits::default());
         self.reading(conditions.iter().copied(), union(read, &exits.next))
@@ -140,7 +140,7 @@ impl Liveness<'_> {
                 }
             }
             ExprKind::Fold(fold) => {
-                // Its own variable means nothing outside.
+                // The variable of the aggregate does not exist outside.
                 let inner = self.reading(fold.filter.iter().chain([&fold.body]), Live::new());
                 live.extend(without(inner, fold.variable));
                 if let Some(base) = fold.collection.base() {
@@ -167,7 +167,7 @@ fn without(mut live: Live, variable: u32) -> Live {
     live
 }
 
-/// True if a statement may call an operation.
+/// Whether a statement may call an operation, itself or through a function.
 pub(super) fn calls(statement: &Statement) -> bool {
     let mut calls = false;
     statement.each(&mut |statement| {

@@ -1,4 +1,4 @@
-//! A script with all it needs to run.
+//! Prepared scripts: a script with everything that it needs to run.
 
 use super::Argument;
 use super::argument::{sample, wanted};
@@ -15,7 +15,7 @@ use crate::resolve::{Program, Script};
 use crate::rewrite::{self, Code, Engine, Plans, TooLarge, Unbounded};
 use crate::source::Span;
 
-/// The message for a wrong number of values of a parameter: the code and the words.
+/// The messages for a wrong number of values of a parameter: the code and the words.
 const MISSING: (&str, &str) = ("missing-argument", "has no value");
 const TWICE: (&str, &str) = ("repeated-argument", "is given more than once");
 
@@ -33,19 +33,19 @@ pub struct Prepared {
     pub(super) seed: u64,
     /// The places in the source where the code can trap, by number.
     pub(super) places: Vec<Span>,
-    /// The numbers of those places where the script asserts something, in order.
+    /// The numbers of the places of assertions, in order.
     pub(super) assertions: Vec<u32>,
-    /// The operations it may call, in the order of the program.
+    /// The operations that it may call, in the order of the program.
     pub(super) called: Vec<usize>,
-    /// The greatest number of bytes of mesh and lists.
+    /// The greatest number of bytes that the mesh and the lists may take.
     pub(super) memory: usize,
     pub(super) engine: Engine,
-    /// Whether the meshes on which it runs are those of lists of polygons.
+    /// Whether the meshes on which it runs are as [`Mesh::from_polygons`] makes them.
     pub(super) of_polygons: bool,
 }
 
 /// Prepares a script of a program, by its number. The plans are those of the program's
-/// operations, in order; `None` stands for one that is not proved.
+/// operations, in order; `None` stands for an operation that is not proved.
 ///
 /// # Errors
 /// The script calls an operation that is not proved, or it is too large.
@@ -65,11 +65,11 @@ pub fn prepare(
     prepare_script(program, script, plans, functions)
 }
 
-/// Prepares a function of a program, by its number, to be called as a script is. Its value then
-/// stands behind its parameters: see [`Prepared::value`].
+/// Prepares a function of a program, by its number, to be called like a script. Its value is in
+/// the slots after its parameters: see [`Prepared::value`].
 ///
 /// # Errors
-/// As of [`prepare`].
+/// As for [`prepare`].
 pub(crate) fn prepare_function(
     program: &Program,
     function: usize,
@@ -83,7 +83,7 @@ pub(crate) fn prepare_function(
     prepare_script(program, &script, plans, functions)
 }
 
-/// The same for a script that need not stand among those of the program.
+/// [`prepare`] for a script that need not be in the program's list.
 pub(super) fn prepare_script(
     program: &Program,
     script: &Script,
@@ -164,14 +164,14 @@ fn does_not_fit(script: &Script, too_large: TooLarge) -> Diagnostic {
 }
 
 impl Prepared {
-    /// The code of the script, to look at.
+    /// The code of the script.
     pub fn code(&self) -> &Code {
         &self.code
     }
 
     /// The loops `drain` of the script and of the functions that it calls, each with its place in
-    /// the source, and why its key is no bounded walk from its element, if it is none: then what it
-    /// reads is noted.
+    /// the source and, if its key is not a bounded walk from its element, the reason; the reads of
+    /// such a key are noted.
     pub fn drains(&self) -> Vec<(Span, Option<Unbounded>)> {
         let functions = &self.functions.code;
         let called = self.code.with_called();
@@ -189,20 +189,20 @@ impl Prepared {
         drains
     }
 
-    /// Keeps to a limit of memory, in bytes, for the mesh and for lists: a run that needs more
-    /// fails with `no-room`.
+    /// Limits the memory for the mesh and for lists, in bytes: a run that needs more fails with
+    /// `no-room`.
     pub fn limit_memory(&mut self, bytes: usize) {
         self.memory = bytes;
     }
 
-    /// Says that the meshes on which it runs are as [`Mesh::from_polygons`] makes them, which those
-    /// are that have just been read from files: it is not asked again whether they are surfaces.
+    /// Declares that the meshes on which it runs are as [`Mesh::from_polygons`] makes them, as is
+    /// true of meshes just read from files: they are not checked again for being surfaces.
     #[cfg(feature = "cli")]
     pub(crate) fn expect_polygons(&mut self) {
         self.of_polygons = true;
     }
 
-    /// Says what runs it.
+    /// Sets the engine that runs it.
     pub fn use_engine(&mut self, engine: Engine) {
         self.engine = engine;
     }
@@ -212,19 +212,19 @@ impl Prepared {
         &self.params
     }
 
-    /// The slot of its value in the window of a function that was called.
+    /// The slot of the value in the window, for a prepared function.
     pub(crate) fn value(&self) -> usize {
-        // Before it stand the parameters, and for each whether it was given.
+        // Before it are the parameters, and for each of them whether it was given.
         let widths = self.params.iter().map(|param| usize::from(width(param.ty)) + 1);
         widths.sum()
     }
 
-    /// True if it may change the mesh.
+    /// Whether it may change the mesh.
     pub(crate) fn changes(&self) -> bool {
         self.code.with_called().iter().any(|code| code.changes())
     }
 
-    /// The level that a mesh should have for all that it calls.
+    /// The level that a mesh should have for all operations that it calls.
     pub(crate) fn wanted(&self) -> Level {
         level_of_steps(&self.plans, &self.called, Level::Map)
     }
@@ -234,22 +234,23 @@ impl Prepared {
         &self.columns
     }
 
-    /// The same with a seed for its random numbers; without it, that is 0. The same
-    /// seed gives the same numbers on every machine.
+    /// Returns it with a seed for its random numbers, 0 by default. The same seed gives the same
+    /// numbers on every machine.
     pub fn with_seed(self, seed: u64) -> Self {
         Self { seed, ..self }
     }
 
-    /// The attributes that it uses and that are not scratch: what it would take from a file.
+    /// The attributes that it uses, without scratch attributes: those that it would read from a
+    /// file.
     pub fn attributes(&self) -> impl Iterator<Item = WantedAttribute<'_>> {
         self.columns.public()
     }
 
-    /// Reads the arguments, each a name and a text, by the types of the parameters.
+    /// Parses the arguments, each a name and a text, by the types of the parameters.
     ///
     /// # Errors
-    /// One diagnostic for each argument that has no parameter, or is not of its type, and
-    /// for each parameter without a value.
+    /// One diagnostic for each argument that names no parameter or is not of its type, and for each
+    /// parameter without a value.
     pub fn arguments(
         &self,
         texts: &[(String, String)],
@@ -273,7 +274,7 @@ impl Prepared {
         }
     }
 
-    /// The slots at the start of the window: the values of the parameters, and for each
+    /// The slots at the start of the window: the values of the parameters, then for each of them
     /// whether it is given. Texts are added to those of the code.
     pub(super) fn slots(
         &self,
@@ -290,7 +291,7 @@ impl Prepared {
         Ok(slots)
     }
 
-    /// Puts the value of a parameter to its place.
+    /// Sets the value of a parameter, which must have none yet.
     pub(crate) fn give(
         &self,
         name: &str,
@@ -308,8 +309,8 @@ impl Prepared {
         Ok(())
     }
 
-    /// Fills slots with the values of the parameters, which are looked at, and after them for
-    /// each whether it is given. Says whether all are.
+    /// Fills the slots with the values of the parameters, after checking them, then for each of
+    /// them whether it is given. Returns whether all are given.
     pub(crate) fn fill(
         &self,
         mesh: &Mesh,
@@ -348,7 +349,7 @@ impl Prepared {
         Ok(values.iter().all(Option::is_some))
     }
 
-    /// The error of one value too many.
+    /// The error for more values than parameters.
     pub(crate) fn too_many(&self) -> Diagnostic {
         let message = match self.params.len() {
             0 => format!("`{}` has no parameters", self.name),
@@ -362,7 +363,7 @@ impl Prepared {
         self.params.iter().find(|param| param.name == name)
     }
 
-    /// Parameters given twice, or not at all though they have no default.
+    /// The errors for parameters that are given twice, or not at all though they have no default.
     fn badly_given<'n>(&self, names: impl Iterator<Item = &'n str> + Clone) -> Vec<Diagnostic> {
         let mut errors = Vec::new();
         for param in &self.params {

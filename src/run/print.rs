@@ -1,4 +1,4 @@
-//! `print`: pieces of text and values, then the end of the line.
+//! Lowering of `print`: pieces of text and values, then the end of the line.
 
 use super::lower::Lowering;
 use crate::compile::element_kind;
@@ -10,7 +10,7 @@ use crate::rewrite::{Inst, RealDigits, Reg};
 impl Lowering<'_> {
     pub(super) fn print(&mut self, pieces: &[Print]) {
         let mark = self.asm.mark();
-        // A function among them may print lines of its own, so all are computed first.
+        // All values are computed first, since a function called by one may itself print lines.
         let values = pieces.iter().map(|piece| match piece {
             Print::Text(_) => None,
             Print::Value(value, _) => {

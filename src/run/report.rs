@@ -1,4 +1,4 @@
-//! Running a prepared script, and what came of it.
+//! Running a prepared script, and the report on the run.
 
 use super::{Argument, Prepared};
 use crate::diagnostic::Diagnostic;
@@ -9,36 +9,36 @@ use crate::source::Span;
 /// The report on a script.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Report {
-    /// For each operation it may call, in the order of the program.
+    /// One entry for each operation that it may call, in the order of the program.
     pub ops: Vec<OpReport>,
 }
 
 /// The report on the calls of an operation.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct OpReport {
-    /// Its name.
+    /// The name of the operation.
     pub name: String,
-    /// The number that were applied.
+    /// The number of calls that were applied.
     pub applied: u64,
-    /// The number that were refused, by reason: those that occurred, in the order in which the
-    /// operation tests them.
+    /// The number of calls that were refused, by reason: the reasons that occurred, in the order in
+    /// which the operation tests them.
     pub refused: Vec<(String, u64)>,
 }
 
-/// A script that did not come to its end.
+/// A script that failed before its end.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Failure {
-    /// The reason and the place; the calls that led there are labels.
+    /// The reason and the place, with the calls that led there as labels.
     pub diagnostic: Diagnostic,
-    /// The report up to there.
+    /// The report up to that point.
     pub report: Report,
 }
 
 /// Runs a script on a mesh. Printed lines go to the watcher.
 ///
 /// # Errors
-/// The arguments do not fit the parameters, and nothing has been done; or the script
-/// failed at some point, and has done what it did so far.
+/// The arguments do not fit the parameters, and nothing has been done; or the script failed at some
+/// point, and the mesh is as it was there.
 pub fn run(
     prepared: &Prepared,
     mesh: &mut Mesh,
@@ -48,7 +48,7 @@ pub fn run(
     run_with(prepared, mesh, arguments, Vec::new(), watch)
 }
 
-/// The same with meshes that a test names by number.
+/// [`run`] with the meshes that a test refers to by number.
 pub(super) fn run_with(
     prepared: &Prepared,
     mesh: &mut Mesh,
@@ -83,7 +83,7 @@ pub(super) fn run_with(
     }
 }
 
-/// The highest level of some operations and of all that their steps lead to, at least `level`.
+/// The highest level of the given operations and of all that their steps call, at least `level`.
 pub(super) fn level_of_steps(plans: &[Option<Plan>], called: &[usize], level: Level) -> Level {
     let mut is_seen = vec![false; plans.len()];
     let mut open = called.to_vec();
@@ -101,7 +101,7 @@ pub(super) fn level_of_steps(plans: &[Option<Plan>], called: &[usize], level: Le
     wanted
 }
 
-/// The highest level that a mesh has, from one that it surely has up to one that is wanted.
+/// The highest level that a mesh has, from one that it is known to have up to one that is wanted.
 pub(crate) fn highest_between(mesh: &Mesh, level: Level, wanted: Level) -> Level {
     let mut levels = Level::ALL.into_iter().rev();
     let has = |&of: &Level| level < of && of <= wanted && validate_level(mesh, of).is_ok();
@@ -142,10 +142,10 @@ fn op_report(plan: &Plan, count: &Count) -> OpReport {
     OpReport { name: plan.name.clone(), applied: count.applied, refused }
 }
 
-/// The greatest number of calls shown that led to a failure.
+/// The greatest number of calls shown as labels of a failure.
 const MOST_CALLERS: usize = 8;
 
-/// The diagnostic of a trap: it points at the innermost place that is known.
+/// The diagnostic of a trap, at the innermost place that is known.
 pub(crate) fn diagnostic(prepared: &Prepared, trap: Trap) -> Diagnostic {
     let known: Vec<(&Site, Span)> =
         trap.trace.iter().filter_map(|site| Some((site, span(prepared, site)?))).collect();
@@ -198,7 +198,7 @@ fn span(prepared: &Prepared, site: &Site) -> Option<Span> {
     places.get(site.place? as usize).copied()
 }
 
-/// The stable name of a failure.
+/// The stable code of a failure.
 pub(super) fn code(prepared: &Prepared, trap: &Trap) -> &'static str {
     match &trap.message {
         Message::Gone(_) => "element-gone",
@@ -230,7 +230,7 @@ fn asserted(prepared: &Prepared, trap: &Trap) -> bool {
     let assertions = match (function, op) {
         (Some(function), _) => prepared.functions.assertions.get(usize::from(*function)),
         (None, None) => Some(&prepared.assertions),
-        // An op asserts nothing.
+        // An operation has no assertions.
         (None, Some(_)) => None,
     };
     assertions.is_some_and(|assertions| assertions.binary_search(place).is_ok())

@@ -1,7 +1,7 @@
-//! Operations in steps, from statements to plans.
+//! Lowering of operations in steps to plans.
 //!
-//! Their code is that of a function; what makes an operation of it is that it refuses where a
-//! `must` or a `require` does not hold, and that the machine undoes it then.
+//! Their code is like that of a function, but it refuses where a `must` or a `require` does not
+//! hold, and the machine then undoes its steps.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -16,16 +16,16 @@ use crate::mesh::Level;
 use crate::resolve::{Program, ResolvedOp};
 use crate::rewrite::{self, BELOW, Code, Phase, Plan, Refusal, TooLarge};
 
-/// The greatest number of reasons to refuse an operation in steps can have, with those of all that
-/// it calls: each has its own list of them.
+/// The greatest number of reasons to refuse that an operation in steps can have, with those of all
+/// that it calls: each has its own list of them.
 const MOST_REFUSALS: usize = 1024;
 
-/// Makes plans of the operations in steps of a program, among the plans of the others. One
-/// that calls an operation without a plan gets none.
+/// Makes the plans of the operations in steps of a program, and adds them to the plans of the
+/// others. An operation that calls one without a plan gets none.
 ///
 /// # Errors
-/// One diagnostic for each that calls itself, perhaps through others, and for each that is too
-/// large.
+/// One diagnostic for each operation that calls itself, directly or indirectly, or calls such an
+/// operation, and for each that is too large.
 pub fn plan_steps(
     program: &Program,
     functions: &Functions,
@@ -45,7 +45,8 @@ pub fn plan_steps(
     diagnostics
 }
 
-/// Those whose steps do not lead back to them, each behind all that it calls.
+/// The operations that are on no cycle of calls and call none that is, in topological order: each
+/// after all that it calls.
 fn called_first(all: &BTreeMap<usize, BTreeSet<usize>>) -> Vec<usize> {
     let mut waits: BTreeMap<usize, usize> = BTreeMap::new();
     let mut callers: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
@@ -77,8 +78,8 @@ fn called_first(all: &BTreeMap<usize, BTreeSet<usize>>) -> Vec<usize> {
     order
 }
 
-/// The calls of each operation in steps of a program, by their numbers; also what the
-/// functions do that it calls.
+/// The operations that each operation in steps of a program calls, itself or through functions, by
+/// number.
 pub fn calls_of_steps(
     program: &Program,
     functions: &Functions,
@@ -96,7 +97,7 @@ pub fn calls_of_steps(
     steps.collect()
 }
 
-/// Those plans, and all that their steps lead to.
+/// The given plans, and those of all operations that their steps call, directly or indirectly.
 pub(super) fn with_steps<'p>(
     plans: &'p [Option<Plan>],
     first: impl IntoIterator<Item = &'p Plan>,
@@ -113,7 +114,7 @@ pub(super) fn with_steps<'p>(
     all
 }
 
-/// The plan of an operation in steps; none if an operation that is called has none.
+/// The plan of an operation in steps; `None` if an operation that it calls has none.
 fn plan(
     op: &ResolvedOp,
     calls: &BTreeSet<usize>,
@@ -167,8 +168,8 @@ fn plan(
     }))
 }
 
-/// The refusal of a step as one of the whole. What it says of its own drawing is understood
-/// only beside that drawing, so it says whose it is.
+/// The refusal of a step as a refusal of the whole operation. A reason that refers to the drawing
+/// of the step gets the step's name, since it is clear only beside that drawing.
 fn within(step: &Plan, refusal: &Refusal) -> Refusal {
     let Refusal { reason, phase } = refusal;
     let is_drawn = *phase == Phase::Match && step.steps.is_none();

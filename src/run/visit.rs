@@ -1,4 +1,4 @@
-//! Loops in the code of a script.
+//! Lowering of loops, except `drain`.
 
 use super::live::Exits;
 use super::lower::{Loop, Lowering};
@@ -9,7 +9,7 @@ use crate::rewrite::{Assembler, Elements, Inst, Label, Reg, Task, Turns};
 use crate::source::Span;
 
 impl Lowering<'_> {
-    /// `repeat`: no turn if the count is negative.
+    /// `repeat n { … }`; it makes no turn if the count is negative.
     pub(super) fn repeat(
         &mut self,
         count: &Expr,
@@ -34,7 +34,7 @@ impl Lowering<'_> {
         self.asm.bind(end);
     }
 
-    /// `while`
+    /// `while c { … }`
     pub(super) fn repeat_while(
         &mut self,
         condition: &Expr,
@@ -111,7 +111,7 @@ impl Lowering<'_> {
         }
     }
 
-    /// Puts the elements that a loop visits into a buffer.
+    /// Lists the elements that a loop visits in a buffer.
     pub(super) fn list(&mut self, collection: &Collection, buffer: u16, span: Span) {
         self.asm.emit(Inst::BufferClear { buffer });
         if let Some(of) = elements(collection) {
@@ -138,7 +138,7 @@ impl Lowering<'_> {
     }
 }
 
-/// The elements that they must still be when their turn comes.
+/// What the elements of a collection must still be when their turn comes.
 pub(super) fn kind(collection: &Collection) -> Elements {
     match (collection, collection.element()) {
         (Collection::Holes, _) => Elements::Holes,

@@ -1,4 +1,4 @@
-//! Scope: the questions that the lowering of an expression asks of its surroundings.
+//! Scope: what the lowering of an expression needs to know of its surroundings.
 
 use crate::diagram::{NameId, Type};
 use crate::mesh::ElementKind;
@@ -15,7 +15,8 @@ pub trait Scope {
     fn declare(&mut self, variable: u32, reg: Reg);
     /// The number of a place in the source, for instructions that may trap there.
     fn place(&mut self, span: Span) -> u32;
-    /// True in statements, whose values for all elements several threads may compute.
+    /// Whether the expression is in a statement; several threads may then compute its values for
+    /// all elements.
     fn is_of_statements(&self) -> bool {
         false
     }

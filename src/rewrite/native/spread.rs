@@ -1,9 +1,9 @@
-//! Loops that are taken in parts, by several threads if there are some.
+//! Running loops in parts, on several threads if there are some.
 //!
-//! Each thread has a machine of its own, and takes ranges of slots until none is left. Whoever asked
-//! waits meanwhile, tells the watcher how far they are, and stops them if it wants. What they keep
-//! is put together when all are done. Where there is one thread, it takes the parts of an `update`,
-//! too, which native code keeps without a stub.
+//! Each thread has a machine of its own, and takes ranges of slots until none is left. The caller
+//! waits, reports the progress to the watcher, and stops the threads if the watcher interrupts.
+//! What they keep is put together when all are done. A single thread also runs an `update` in
+//! parts, since native code keeps their writes without calling a stub.
 
 use std::mem::ManuallyDrop;
 use std::ops::{ControlFlow, Range};
@@ -20,7 +20,8 @@ use crate::rewrite::memory::Budget;
 use crate::rewrite::watch::TURNS_PER_LOOK;
 use crate::rewrite::{Call, Engine, Machine, Message, Part, Task, Trap, Watch, attribute};
 
-/// The fewest slots that are worth it. Tests are to come there soon.
+/// The least number of slots for which parts are worth it; small in debug builds, so that tests
+/// reach it.
 fn least(task: Task) -> usize {
     match task {
         _ if cfg!(debug_assertions) => 64,
@@ -29,15 +30,15 @@ fn least(task: Task) -> usize {
     }
 }
 
-/// The time between two looks at the watcher.
+/// The time between two calls of the watcher.
 const LOOK: Duration = Duration::from_millis(20);
 
-/// What came of a range: its number, what it keeps, and why it could not go on.
+/// The outcome of a range: its number, what it keeps, and the trap that ended it, if any.
 type Done = (usize, Vec<u64>, Option<Trap>);
 
 impl Machine {
-    /// Takes the turns of a loop in parts. `None` if the loop itself is to be run: it is short, calls
-    /// what does more than read, or threads or memory are not there.
+    /// Runs a loop in parts. `None` if the loop itself is to be run: it is short, calls functions
+    /// that do more than read, or threads or memory are lacking, or a value or key has trapped.
     pub(in super::super) fn spread(
         &mut self,
         mesh: &mut Mesh,
@@ -57,14 +58,14 @@ impl Machine {
         let neighbors = self.neighbors_for(mesh, part, call);
         let ranges = parallel::cut(slots, (4 * threads).min(slots / (least(part.task) / 8)));
         let next = AtomicUsize::new(0);
-        // The first range that has trapped: none behind it is begun.
+        // The first range that has trapped: no range after it is started.
         let trapped = AtomicUsize::new(ranges.len());
         let (stop, turns) = (AtomicBool::new(false), AtomicUsize::new(0));
         let done: Mutex<Vec<Done>> = Mutex::default();
         let mut crew = self.crew_of(mesh, call, (threads, frames));
         crew.iter_mut().for_each(|machine| machine.neighbors = neighbors.clone());
         let shared: &Mesh = mesh;
-        // It goes by no number: those are of the functions.
+        // A part has no function number.
         let inner = Call {
             code: &part.code,
             function: None,
@@ -75,7 +76,7 @@ impl Machine {
             ..*call
         };
         let take_all = |machine: &mut Machine, watch: &mut dyn Watch| {
-            // SAFETY: what runs on it is the code of a part and of functions that read only.
+            // SAFETY: only the code of a part, and of functions that only read, runs on it.
             let mut mesh = unsafe { head(shared) };
             loop {
                 let range = next.fetch_add(1, Relaxed);
@@ -100,7 +101,7 @@ impl Machine {
             take_all(machine, &mut Alone { bystander: bystander(), look: &mut || look(watch) });
         } else {
             let take = |machine: &mut Machine| take_all(machine, &mut bystander());
-            // Who has said stop is not asked again.
+            // A watcher that has interrupted is not called again.
             let meanwhile = || {
                 if !stop.load(Relaxed) && look(watch).is_break() {
                     stop.store(true, Relaxed);
@@ -115,7 +116,7 @@ impl Machine {
         self.crew = crew;
         let mut done = done.into_inner().unwrap_or_else(PoisonError::into_inner);
         done.sort_unstable_by_key(|(range, ..)| *range);
-        // One thread finds out why a value or a key cannot be computed.
+        // Traps of values and keys do not count: the loop on one thread traps again.
         let counts =
             |trap: &Trap| part.task == Task::Update || matches!(trap.message, Message::Interrupted);
         if let Some(at) = done.iter().position(|(.., trap)| trap.as_ref().is_some_and(counts)) {
@@ -126,7 +127,7 @@ impl Machine {
             return Some(Err(trap));
         }
         if stop.load(Relaxed) || part.task != Task::Update && watch.tick().is_break() {
-            // All were done before they saw it.
+            // All threads were done before they could be stopped.
             return Some(Err(Trap::new(Message::Interrupted).through(call, usize::MAX)));
         }
         if done.iter().any(|(.., trap)| trap.is_some()) {
@@ -136,7 +137,8 @@ impl Machine {
         self.put_together(mesh, (part, call), kept)
     }
 
-    /// Whether the turns of a loop are worth it, only read, and may keep what they keep.
+    /// Whether running a loop in parts is worth it and possible: its turns only read, and there is
+    /// memory for what they keep.
     fn may_spread(&self, mesh: &Mesh, part: &Part, call: &Call<'_>) -> bool {
         let slots = mesh.capacity(part.of.kind());
         let is_noted = match part.task {
@@ -151,7 +153,7 @@ impl Machine {
             && part.reads_only(call.functions)
     }
 
-    /// Makes of what the ranges keep, in their order, what one thread would have made of it.
+    /// Combines what the ranges keep, in their order; the result is that of a single thread.
     fn put_together(
         &mut self,
         mesh: &mut Mesh,
@@ -168,7 +170,7 @@ impl Machine {
                 *list = parallel::joined(kept.collect());
                 Some(Ok(()))
             }
-            // What is no key, or takes too much memory, traps where one thread computes it.
+            // A key that is not a number, or too little memory, traps on one thread.
             Task::Keys => {
                 self.drains.set_keys(&parallel::joined(kept.collect())).ok()?;
                 if self.budget().is_passed(mesh) {
@@ -180,7 +182,7 @@ impl Machine {
         }
     }
 
-    /// The lists of neighbors for a loop, if it reads such and they are worth it.
+    /// The lists of neighbors for a loop, if it reads them and they are worth it.
     fn neighbors_for(&mut self, mesh: &Mesh, part: &Part, call: &Call<'_>) -> Neighbors {
         let Call { plans, functions, .. } = *call;
         let surroundings = Surroundings { plans, functions, types: &self.types };
@@ -198,13 +200,13 @@ impl Machine {
         Budget { buffers: &self.buffers, drains: &self.drains, limit: self.memory }
     }
 
-    /// True if what the turns may keep is within the limit.
+    /// Whether what the turns may keep is within the memory limit.
     fn has_room_for(&self, mesh: &Mesh, part: &Part, slots: usize) -> bool {
         let wanted = slots.saturating_mul(part.keeps() * size_of::<u64>() * 2);
         mesh.bytes().saturating_add(self.budget().taken()).saturating_add(wanted) <= self.memory
     }
 
-    /// Machines for so many threads, each with what the registers hold by now.
+    /// Machines for `threads` threads, with the current values of the registers.
     fn crew_of(
         &mut self,
         mesh: &Mesh,
@@ -226,7 +228,7 @@ impl Machine {
         crew
     }
 
-    /// Takes the turns of a range.
+    /// Runs the turns of a range.
     fn take_range(
         &mut self,
         mesh: &mut Mesh,
@@ -239,7 +241,7 @@ impl Machine {
             self.stack[usize::from(reg.0)] = bound as u64;
         }
         self.kept.clear();
-        // Where there is no room for a value, it traps when it is to be kept.
+        // If this fails, the turn traps that cannot keep its value.
         let _ = self.kept.try_reserve_exact(part.keeps() * range.len());
         let outcome = match self.run_native(mesh, call, watch) {
             Some(outcome) => outcome,
@@ -247,7 +249,8 @@ impl Machine {
         };
         self.frames = frames;
         let mut kept = std::mem::take(&mut self.kept);
-        // The machine puts writes into the buffer; native code may take over, but not it again.
+        // The machine keeps writes in the buffer. Native code may take over from it, but not the
+        // reverse: the writes in the buffer come first.
         if part.task == Task::Update
             && let Some(held) = self.buffers.get_mut(usize::from(part.held))
             && !held.is_empty()
@@ -259,19 +262,19 @@ impl Machine {
     }
 }
 
-/// The head of a mesh, so that code can run on it that wants the mesh for itself, and only reads.
+/// A copy of the head of a mesh, for code that needs a `&mut Mesh` but only reads.
 ///
 /// # Safety
-/// What is done to it writes to no table of the mesh, and neither takes nor gives back memory of it.
-/// It is not dropped.
+/// The copy must not be used to write to a table of the mesh, nor to allocate or free memory of it.
+/// It must not be dropped.
 unsafe fn head(mesh: &Mesh) -> ManuallyDrop<Mesh> {
-    // SAFETY: the bits are those of a mesh. It stays borrowed, so that its tables stay where they
-    // are; who reads them through the copy reads what nobody writes. Since the copy is not dropped,
-    // nothing is given back twice.
+    // SAFETY: the bits are those of a mesh. It stays borrowed, so its tables are neither moved nor
+    // written while they are read through the copy. Since the copy is not dropped, nothing is freed
+    // twice.
     ManuallyDrop::new(unsafe { std::ptr::read(mesh) })
 }
 
-/// Watches the only thread, and looks itself.
+/// The watcher of the only thread, which also calls the caller's watcher.
 struct Alone<'s> {
     bystander: Bystander<'s>,
     look: &'s mut dyn FnMut() -> ControlFlow<()>,
@@ -288,7 +291,7 @@ impl Watch for Alone<'_> {
     }
 }
 
-/// Watches a thread for whoever waits.
+/// The watcher of one of the threads, which counts turns for the waiting caller.
 struct Bystander<'s> {
     stop: &'s AtomicBool,
     turns: &'s AtomicUsize,

@@ -1,7 +1,8 @@
-//! Instructions that write to the mesh, count turns of loops, and keep the keys of drains.
+//! Translation of instructions that write to the mesh, count turns of loops, and maintain the keys
+//! of drains.
 //!
-//! Who is told of a write is told before: a stub is called where a journal is open, or a drain runs
-//! whose keys depend on the field.
+//! Journals and drains are notified before a write: a stub is called if a journal is open, or a
+//! drain is open whose keys depend on the field.
 
 use std::mem::offset_of;
 
@@ -21,7 +22,8 @@ use crate::rewrite::watch::{DEPTHS, Loop, Progress, TURNS_PER_LOOK};
 use crate::rewrite::{Inst, Label, Reg, Room};
 
 impl Translator<'_, '_> {
-    /// Spells an instruction that writes; false if it is none, or one for the machine.
+    /// Translates an instruction that writes; returns false if it is another one, or one for the
+    /// machine.
     pub(super) fn write(&mut self, inst: &Inst) -> bool {
         match *inst {
             Inst::Store { field, halfedge, value } => {
@@ -50,7 +52,7 @@ impl Translator<'_, '_> {
                 let flags = self.flags(region);
                 self.b.ins().store(flags, value, record, offset as i32);
             }
-            // The machine tells.
+            // The machine does it, and notifies of the write.
             Inst::StoreHole { .. } if self.variant == Variant::Careful => return false,
             Inst::StoreHole { face, hole } => {
                 self.living(ElementKind::Face, face);
@@ -162,7 +164,7 @@ impl Translator<'_, '_> {
         true
     }
 
-    /// Sets a register to the element that a stub has answered; jumps if there is none.
+    /// Sets a register to the element that a stub has returned; jumps if there is none.
     fn element_or(&mut self, found: Value, to: Reg, otherwise: Label) {
         let is_none = self.b.ins().icmp_imm_s(IntCC::Equal, found, drains::NONE);
         self.jump_if(is_none, otherwise);
@@ -170,7 +172,7 @@ impl Translator<'_, '_> {
         self.set_whole(to, found);
     }
 
-    /// Counts a turn; at one of many a stub looks.
+    /// Counts a turn; once in [`TURNS_PER_LOOK`] turns a stub calls the watcher.
     fn turn(&mut self, stub: usize) {
         let progress = self.field(offset_of!(Context, progress));
         let (flags, turns) = (self.flags(Region::Progress), offset_of!(Progress, turns) as i32);
@@ -191,7 +193,7 @@ impl Translator<'_, '_> {
         self.b.switch_to_block(on);
     }
 
-    /// Calls a stub where somebody is told of a write to fields of an element of some kind.
+    /// Calls a stub if writes to these fields of elements of this kind are to be notified.
     fn tell<const N: usize>(
         &mut self,
         kind: ElementKind,
@@ -216,7 +218,7 @@ impl Translator<'_, '_> {
         self.b.switch_to_block(on);
     }
 
-    /// Takes this instruction and those of its sort that follow it at once.
+    /// Translates this instruction and those of its sort that follow it as one.
     fn add_and_erase(&mut self) {
         let (first, code) = (self.at, self.text.code);
         let end =
@@ -237,7 +239,7 @@ impl Translator<'_, '_> {
         self.skip = end - first - 1;
     }
 
-    /// Puts new elements behind all others, and goes on there; or here, where nothing has been done.
+    /// Appends new elements to the tables and jumps to `on`; continues here if nothing was done.
     fn append(&mut self, new: &[(ElementKind, Reg)], on: Block) {
         let mut counts = [0_u64; 4];
         let places: Vec<u64> = new
@@ -271,7 +273,7 @@ impl Translator<'_, '_> {
     }
 }
 
-/// The kind of what an instruction adds, and where its number goes.
+/// The kind of the element that an instruction adds, and the register of its number.
 fn added(inst: &Inst) -> Option<(ElementKind, Reg)> {
     match *inst {
         Inst::NewVertex { to } => Some((ElementKind::Vertex, to)),
