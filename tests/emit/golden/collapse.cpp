@@ -68,7 +68,7 @@ inline std::vector<Mesh::VertexRef> vertices(Mesh::FaceRef f) {
 
 #ifndef HEDGEROW_on_boundary
 #define HEDGEROW_on_boundary
-/// Whether a hole lies around v.
+/// Whether a hole is among the faces around v.
 inline bool on_boundary(Mesh::VertexRef v) {
   Mesh::HalfedgeRef h = v->halfedge;
   do {
@@ -81,7 +81,7 @@ inline bool on_boundary(Mesh::VertexRef v) {
 
 #ifndef HEDGEROW_holds
 #define HEDGEROW_holds
-/// Whether one of all is x.
+/// Whether all contains x.
 template <class T>
 bool holds(const std::vector<T>& all, T x) {
   return std::find(all.begin(), all.end(), x) != all.end();
@@ -90,7 +90,7 @@ bool holds(const std::vector<T>& all, T x) {
 
 #ifndef HEDGEROW_same_elements
 #define HEDGEROW_same_elements
-/// Whether a and b hold the same.
+/// Whether a and b have the same elements, in any order.
 template <class T>
 bool same_elements(const std::vector<T>& a, const std::vector<T>& b) {
   return a.size() == b.size() && std::is_permutation(a.begin(), a.end(), b.begin());
@@ -100,9 +100,9 @@ bool same_elements(const std::vector<T>& a, const std::vector<T>& b) {
 #ifndef HEDGEROW_link_condition
 #define HEDGEROW_link_condition
 /// Whether contracting e, and the triangles at it, leaves a simple mesh simple: its ends share
-/// the tips of the triangles at e and no other neighbor, and no face that is not at e; both lie
-/// on the boundary only if e does, whose hole has more than three sides then; and no two faces
-/// have the same corners but for the ends.
+/// the tips of the triangles at e and no other neighbor, and no face that is not at e; both are
+/// on the boundary only if e is, and then its hole has more than three sides; and no two faces
+/// would have the same corners.
 inline bool link_condition(Mesh::EdgeRef e) {
   Mesh::HalfedgeRef h = e->halfedge;
   Mesh::VertexRef a = h->vertex;

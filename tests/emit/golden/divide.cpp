@@ -24,7 +24,7 @@ inline long long floor_div(long long a, long long b) {
 
 #ifndef HEDGEROW_floor_mod
 #define HEDGEROW_floor_mod
-/// The rest of a / b, with the sign of b.
+/// The remainder of a / b, with the sign of b.
 inline long long floor_mod(long long a, long long b) { return a - b * hedgerow::floor_div(a, b); }
 #endif
 
@@ -86,7 +86,7 @@ inline bool is_finite(Vec3 a) {
 
 #ifndef HEDGEROW_holds
 #define HEDGEROW_holds
-/// Whether one of all is x.
+/// Whether all contains x.
 template <class T>
 bool holds(const std::vector<T>& all, T x) {
   return std::find(all.begin(), all.end(), x) != all.end();
@@ -95,7 +95,7 @@ bool holds(const std::vector<T>& all, T x) {
 
 #ifndef HEDGEROW_all_differ
 #define HEDGEROW_all_differ
-/// Whether nothing stands twice in all.
+/// Whether all are different.
 template <class T>
 bool all_differ(const std::vector<T>& all) {
   for (auto it = all.begin(); it != all.end(); ++it) {
@@ -107,7 +107,7 @@ bool all_differ(const std::vector<T>& all) {
 
 #ifndef HEDGEROW_same_elements
 #define HEDGEROW_same_elements
-/// Whether a and b hold the same.
+/// Whether a and b have the same elements, in any order.
 template <class T>
 bool same_elements(const std::vector<T>& a, const std::vector<T>& b) {
   return a.size() == b.size() && std::is_permutation(a.begin(), a.end(), b.begin());
@@ -116,24 +116,24 @@ bool same_elements(const std::vector<T>& a, const std::vector<T>& b) {
 
 #ifndef HEDGEROW_Refused
 #define HEDGEROW_Refused
-/// What a step throws that must be done and refuses.
+/// Thrown by a step that must be done and refuses.
 struct Refused {};
 #endif
 
 #ifndef HEDGEROW_Journal
 #define HEDGEROW_Journal
-/// What holds of a mesh: as in the reference of the language.
+/// The level of a mesh, as in the language reference.
 enum class Level { map, surface, simple };
 
-/// A mesh, and what steps have done to it, so that it can be undone. What they erase counts as
-/// gone, and leaves the mesh when all steps are done.
+/// A mesh, and a record of what steps have done to it, so that it can be undone. Elements that
+/// they erase are noted as gone, and removed from the mesh when all steps are done.
 class Journal {
  public:
   explicit Journal(Mesh& mesh) : mesh_(mesh) {}
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;
 
-  /// Does the steps; if one refuses, or the mesh is not of the level in the end, undoes them.
+  /// Runs the steps; undoes them if one refuses, or the mesh does not have the level in the end.
   template <class Steps>
   auto whole(Level level, Steps steps) -> decltype(steps()) {
     const std::size_t begin = undo_.size();
@@ -168,7 +168,7 @@ class Journal {
   void keep(T... elements) {
     (note(elements), ...);
   }
-  /// Says how what is done next is undone.
+  /// Records how the next change is undone.
   template <class Back>
   void undone_by(Back back) {
     undo_.push_back(back);
@@ -266,7 +266,7 @@ class Journal {
     undo_.clear();
     gone_ = Elements();
   }
-  /// Adds what was written to what was written before.
+  /// Adds the elements that were written to those written before.
   template <class T>
   void append(Elements& before) const {
     const std::vector<T>& more = std::get<std::vector<T>>(written_);
@@ -274,7 +274,7 @@ class Journal {
     all.insert(all.end(), more.begin(), more.end());
   }
 
-  /// Those that live, each once.
+  /// The elements that no step has erased, each once.
   template <class T>
   std::vector<T> living(const std::vector<T>& all) const {
     std::vector<T> found;
@@ -283,12 +283,12 @@ class Journal {
     }
     return found;
   }
-  /// Whether the mesh has the level that it had: then it is enough to look where something was
-  /// written.
+  /// Whether the mesh still has the level that it had; only the elements near those that were
+  /// written are tested.
   bool has(Level level) const {
     if (level == Level::map) return true;
     auto [vs, hs, es, fs] = written_;
-    // A face that becomes a hole matters to all that lie on it.
+    // A face that becomes a hole affects all elements at it.
     for (Mesh::FaceRef f : living(fs)) {
       for (Mesh::HalfedgeRef h : hedgerow::halfedges(f)) hs.push_back(h);
     }
@@ -341,7 +341,7 @@ class Journal {
 
 #ifndef HEDGEROW_must
 #define HEDGEROW_must
-/// What a step gives that must be done.
+/// The result of a step that must be done.
 template <class T>
 T must(const std::optional<T>& done) {
   if (!done) throw hedgerow::Refused();
@@ -381,9 +381,8 @@ inline long long twos(long long n) {
 ///      '---Q---'               '---Q---'
 /// ```
 ///
-/// The loops at the edge, faces or holes, get a side more. Each of the two halfedges is
-/// followed by a new one, and the twin of the old one is now the new one across. Never
-/// refused.
+/// The loops at the edge, faces or holes, gain a side. Each of the two halfedges is followed by a
+/// new one, and its twin is now the new one on the other side. Never refused.
 inline std::optional<Mesh::VertexRef> bisect(Journal& journal, Mesh::EdgeRef e) {
   using VertexRef = Mesh::VertexRef;
   using HalfedgeRef = Mesh::HalfedgeRef;

@@ -49,9 +49,8 @@ fn twos(_mesh: &Mesh, n: i64) -> i64 {
 ///      '---Q---'               '---Q---'
 /// ```
 ///
-/// The loops at the edge, faces or holes, get a side more. Each of the two halfedges is
-/// followed by a new one, and the twin of the old one is now the new one across. Never
-/// refused.
+/// The loops at the edge, faces or holes, gain a side. Each of the two halfedges is followed by a
+/// new one, and its twin is now the new one on the other side. Never refused.
 #[allow(non_snake_case)]
 fn bisect(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
     // 1. Collect: nothing is written before all of this has passed.
@@ -118,7 +117,7 @@ fn set_attribute<T: Attribute>(mesh: &mut Mesh, column: ColumnId, element: u32, 
     mesh.values_mut(column).expect("a column of this type")[element as usize] = value;
 }
 
-/// Does the steps; if one refuses, or the mesh is not of the level in the end, undoes them.
+/// Runs the steps; undoes them if one refuses, or the mesh does not have the level in the end.
 fn all_or_nothing<T>(
     mesh: &mut Mesh,
     level: Level,

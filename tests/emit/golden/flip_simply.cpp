@@ -18,8 +18,8 @@ inline Mesh::HalfedgeRef prev(Mesh::HalfedgeRef h) {
 
 #ifndef HEDGEROW_Preview
 #define HEDGEROW_Preview
-/// The mesh as it will be: what is noted here counts, and of all else what the mesh says. An
-/// operation looks at its result on it before anything is written.
+/// A preview of the mesh after an operation: the changes noted here, on top of the mesh. The
+/// operation tests its result on it before anything is written.
 class Preview {
  public:
   /// An element of the mesh, or a new one by its number.
@@ -101,7 +101,8 @@ class Preview {
     for (SeenHalfedge h : star(v)) met += is_hole(face(h));
     return met <= 1;
   }
-  /// Whether it is so where the halfedges of a run of the mesh start, or those of a loop.
+  /// Whether one_hole is true where the halfedges of the mesh from first up to until start; of
+  /// the whole loop if these are the same.
   bool one_hole_along(Mesh::HalfedgeRef first, Mesh::HalfedgeRef until) const {
     Mesh::HalfedgeRef h = first;
     do {
@@ -140,7 +141,7 @@ class Preview {
     }
     return true;
   }
-  /// Whether no other face around v has the corners of f.
+  /// Whether no other face around v has the same corners as f.
   bool corners_own(SeenFace f, SeenVertex v) const {
     if (is_hole(f)) return true;
     for (SeenHalfedge h : star(v)) {
@@ -188,7 +189,7 @@ class Preview {
     Mesh::FaceRef at = f.element;
     return at->halfedge;
   }
-  /// The halfedges that start at v; questions come when all is noted, so they stay.
+  /// The halfedges that start at v; kept, since all changes are noted before the first test.
   const std::vector<SeenHalfedge>& star(SeenVertex v) const {
     if (!star_.empty() && star_of_ == v) return star_;
     star_of_ = v;

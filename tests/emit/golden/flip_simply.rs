@@ -119,8 +119,8 @@ pub fn flip_simply(mesh: &mut Mesh, e: EdgeId) -> bool {
     false
 }
 
-/// The mesh as it will be: what is noted here counts, and of all else what the mesh says. An
-/// operation looks at its result on it before anything is written.
+/// A preview of the mesh after an operation: the changes noted here, on top of the mesh. The
+/// operation tests its result on it before anything is written.
 struct Preview<'m> {
     mesh: &'m Mesh,
     new: u32,
@@ -149,7 +149,7 @@ impl<'m> Preview<'m> {
         }
     }
 
-    /// A number from the top of the range, where the mesh has none.
+    /// A number from the top of the range, which no element of the mesh has.
     fn number(&mut self) -> u32 {
         self.new -= 1;
         self.new
@@ -163,7 +163,7 @@ impl<'m> Preview<'m> {
         HalfedgeId(self.number())
     }
 
-    /// A new face is no hole.
+    /// A new face, which is not a hole.
     fn add_face(&mut self) -> FaceId {
         let face = FaceId(self.number());
         self.set_hole(face, false);
@@ -250,7 +250,7 @@ impl<'m> Preview<'m> {
         around
     }
 
-    /// The corners of a face, in an order that tells whether two have the same.
+    /// The corners of a face, sorted, so that those of two faces can be compared.
     fn sorted_corners(&self, f: FaceId) -> Vec<VertexId> {
         let mut corners = self.corners(f);
         corners.sort_unstable();
@@ -288,7 +288,8 @@ impl<'m> Preview<'m> {
         self.star(v).into_iter().filter(|&h| self.is_hole(self.face(h))).count() <= 1
     }
 
-    /// Whether it is so where the halfedges of a run of the mesh start, or those of a loop.
+    /// Whether `one_hole` is true where the halfedges of the mesh from `first` up to `until`
+    /// start; of the whole loop if these are the same.
     fn one_hole_along(&self, first: HalfedgeId, until: HalfedgeId) -> bool {
         let mut h = first;
         loop {
@@ -329,7 +330,7 @@ impl<'m> Preview<'m> {
         Self::differ(faces.map(|f| self.sorted_corners(f)).collect())
     }
 
-    /// Whether no other face around a vertex has the corners of a face.
+    /// Whether no other face around a vertex has the same corners as a face.
     fn corners_own(&self, f: FaceId, v: VertexId) -> bool {
         let others = self.star(v).into_iter().map(|h| self.face(h));
         let mut others = others.filter(|&other| other != f && !self.is_hole(other));
@@ -337,7 +338,7 @@ impl<'m> Preview<'m> {
     }
 }
 
-/// Values that are noted of elements: the first few in a list, more of them in a map.
+/// Values noted for elements: the first few in a list, the others in a map.
 struct Notes<K, V> {
     few: Vec<(K, V)>,
     more: HashMap<K, V>,

@@ -35,7 +35,7 @@ bool some(std::size_t n, C condition) {
 
 #ifndef HEDGEROW_all_differ
 #define HEDGEROW_all_differ
-/// Whether nothing stands twice in all.
+/// Whether all are different.
 template <class T>
 bool all_differ(const std::vector<T>& all) {
   for (auto it = all.begin(); it != all.end(); ++it) {

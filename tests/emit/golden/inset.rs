@@ -75,7 +75,7 @@ pub fn inset(mesh: &mut Mesh, f: FaceId, t: f64) -> bool {
     true
 }
 
-/// Whether nothing stands twice in `all`.
+/// Whether all are different.
 fn all_differ<T: PartialEq>(all: &[T]) -> bool {
     (1..all.len()).all(|at| !all[..at].contains(&all[at]))
 }
