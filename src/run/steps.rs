@@ -21,11 +21,11 @@ use crate::rewrite::{self, BELOW, Code, Phase, Plan, Refusal, TooLarge};
 const MOST_REFUSALS: usize = 1024;
 
 /// Makes the plans of the operations in steps of a program, and adds them to the plans of the
-/// others. An operation that calls one without a plan gets none.
+/// others. An operation that calls one without a plan, or a function without code, gets none.
 ///
 /// # Errors
-/// One diagnostic for each operation that calls itself, directly or indirectly, or calls such an
-/// operation, and for each that is too large.
+/// One diagnostic for each operation that calls itself, directly or indirectly, and for each that is
+/// too large.
 pub fn plan_steps(
     program: &Program,
     functions: &Functions,
@@ -41,8 +41,24 @@ pub fn plan_steps(
             Err(TooLarge) => diagnostics.push(too_large(op)),
         }
     }
-    diagnostics.extend(left.keys().map(|&number| calls_itself(&program.ops[number])));
+    let on_cycle = left.keys().filter(|&&number| leads_back(&left, number));
+    diagnostics.extend(on_cycle.map(|&number| calls_itself(&program.ops[number])));
     diagnostics
+}
+
+/// Whether the calls of an operation lead back to it.
+fn leads_back(all: &BTreeMap<usize, BTreeSet<usize>>, number: usize) -> bool {
+    let mut seen = BTreeSet::new();
+    let mut open = vec![number];
+    while let Some(calls) = open.pop().and_then(|at| all.get(&at)) {
+        if calls.contains(&number) {
+            return true;
+        }
+        open.extend(
+            calls.iter().filter(|&&called| all.contains_key(&called) && seen.insert(called)),
+        );
+    }
+    false
 }
 
 /// The operations that are on no cycle of calls and call none that is, in topological order: each
@@ -114,7 +130,8 @@ pub(super) fn with_steps<'p>(
     all
 }
 
-/// The plan of an operation in steps; `None` if an operation that it calls has none.
+/// The plan of an operation in steps; `None` if an operation that it calls has none, or a function
+/// that it calls no code.
 fn plan(
     op: &ResolvedOp,
     calls: &BTreeSet<usize>,
@@ -124,9 +141,14 @@ fn plan(
     let Some(steps) = &op.steps else {
         return Ok(None);
     };
+    let effects = Effects::of_steps(steps);
+    let called: Vec<_> = effects.functions.iter().map(|&number| number as usize).collect();
+    if functions.first_missing(&functions.reached(&called)).is_some() {
+        return Ok(None);
+    }
     let routine =
         Routine { params: &op.params, variables: &steps.body.variables, block: &steps.body.block };
-    let mut lowering = Lowering::of_steps(routine, Effects::of_steps(steps), functions.texts());
+    let mut lowering = Lowering::of_steps(routine, effects, functions.texts());
     for require in &steps.requires {
         let mark = lowering.asm.mark();
         let condition = lowering.value(&require.condition);

@@ -176,4 +176,26 @@ fn what_depends_on_something_broken_says_so() {
     assert!(said.out.contains("depends on `bad`, which has an error"), "{said:?}");
     assert!(said.out.contains("depends on `flip`, which has an error"), "{said:?}");
     assert_eq!(said.err.matches("error[").count(), 1, "{said:?}");
+    // So do steps that call a function.
+    bench.write(
+        "b.hedge",
+        "use \"std/triangle.hedge\"
+        fn bad(e: edge) -> edge { if e == e { return e } nothing }
+        op steps_of(e: edge) { steps { let x = bad(e) must flip(x) } }
+        op around(e: edge) { steps { must again(e) } }
+        op again(e: edge) { steps { must again(e) must flip(e) } }
+        script fine() { for e in edges { flip(e) } }
+        script steps_run() { for e in edges { steps_of(e) } }",
+    );
+    let said = bench.run(&["check", "b.hedge"]);
+    assert!(said.out.contains("steps_of  depends on `bad`"), "{said:?}");
+    assert!(said.out.contains("around    depends on `again`"), "{said:?}");
+    assert_eq!(said.err.matches("error[cyclic-steps]").count(), 1, "{said:?}");
+    // A script that depends on nothing of that runs when it is named.
+    let run = |script: &str| bench.run(&["run", script, "octahedron()"]);
+    assert_eq!(run("b.hedge::fine").code, 0);
+    let said = run("b.hedge::steps_run");
+    assert!(said.code == 1 && said.err.contains("unproved-op"), "{said:?}");
+    let said = run("b.hedge");
+    assert!(said.code == 1 && said.err.contains("`hedgerow run b.hedge::fine`"), "{said:?}");
 }
