@@ -79,9 +79,9 @@ pub use dump::{Dump, DumpError, DumpReason, read_dump, write_dump};
 pub use equality::{equal_up_to_renumbering, same_connectivity, same_up_to_renumbering};
 pub use faults::{FaultKind, Faults};
 pub use file::{
-    Encoding, FileError, FileFaultKind, FileFaults, FileFormat, FileReason, Material, MeshFile,
-    MshVersion, WantedAttribute, WrittenNumbers, expect_writable, read_mesh, read_mesh_from,
-    read_mesh_reordered, replace_file, write_mesh, write_mesh_to,
+    Encoding, FileError, FileFaultKind, FileFaults, FileFormat, FileReason, Loss, LostValues,
+    Material, MeshFile, MshVersion, WantedAttribute, WrittenNumbers, expect_writable, read_mesh,
+    read_mesh_from, read_mesh_reordered, replace_file, write_mesh, write_mesh_to,
 };
 pub use history::History;
 pub use id::{EdgeId, Element, ElementKind, FaceId, HalfedgeId, VertexId};

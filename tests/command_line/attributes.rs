@@ -76,6 +76,42 @@ fn what_a_file_cannot_hold_is_said_in_one_line() {
 }
 
 #[test]
+fn values_that_a_file_changes_are_told() {
+    let bench = Bench::new();
+    bench.write("m.obj", SQUARE);
+    bench.write(
+        "a.hedge",
+        "attr tag: halfedge int = 0
+        attr mark: face int = 0
+        attr big: face int = 0
+        script holes() { for h in halfedges where boundary(h) { h.tag = 5 }
+                         for f in holes { f.mark = 6 } }
+        script large() { for f in faces { f.big = 9007199254740993 } }
+        script near() { for f in faces { f.big = 9007199254740992 } }",
+    );
+    let err = |script: &str, file: &str| {
+        let said = bench.run(&["run", &format!("a.hedge::{script}"), "m.obj", "-o", file]);
+        assert_eq!(said.code, 0, "{said:?}");
+        said.err
+    };
+    let told = err("holes", "n.ply");
+    assert!(told.contains("4 values of `tag` (halfedge) on holes are not in it"), "{told}");
+    assert!(told.contains("1 value of `mark` (face) on holes is not in it"), "{told}");
+    assert!(err("large", "n.ply").contains("`big` (face) beyond 2^53 "));
+    assert_eq!(err("near", "n.ply"), "");
+    for script in ["holes", "large"] {
+        assert_eq!(err(script, "n.halfedges"), "");
+    }
+    bench.write(
+        "c.hedge",
+        "attr color: vertex vec3 = vec3(0)
+        script main() { for v in vertices { v.color = vec3(0, 2, 0.5) } }",
+    );
+    let told = bench.run(&["run", "c.hedge", "m.obj", "-o", "c.off"]).err;
+    assert!(told.contains("4 values of `color` (vertex) with parts that are not from 0"), "{told}");
+}
+
+#[test]
 fn tables_hold_all_attributes_after_erasing() {
     let bench = Bench::new();
     bench.write("m.obj", TWO);
