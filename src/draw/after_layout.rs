@@ -135,9 +135,12 @@ fn cut_edges(figure: &Figure, places: &mut [Option<DVec2>]) {
             () if to == b => (from, a),
             () => continue,
         };
-        let mut others = figure.after.strands.iter();
-        let is_parted = others
-            .any(|other| matches!(other.ends(), ends if ends == [cut, far] || ends == [far, cut]));
+        let joins = |from: usize, to: usize| {
+            let mut others = figure.after.strands.iter();
+            others.any(|other| [[from, to], [to, from]].contains(&other.ends()))
+        };
+        // Where an edge still joins the ends, a vertex was split instead.
+        let is_parted = joins(cut, far) && !joins(a, b);
         let middle = old.nodes.len() / 2;
         if let (Some(a), Some(b)) = (places[old.nodes[middle - 1]], places[old.nodes[middle]])
             && is_parted

@@ -21,7 +21,8 @@ pub struct View {
     /// The width and height of the picture, without a legend.
     pub size: f64,
     /// The attribute that is shown in colour: a number, the length of a vector or matrix, or a
-    /// truth value as 0 or 1.
+    /// truth value as 0 or 1. Vectors of an attribute named `color` or `colour` with components
+    /// from 0 to 1 are colours themselves: red, green and blue.
     pub attribute: Option<ColumnId>,
 }
 
@@ -52,7 +53,8 @@ pub fn draw_mesh(mesh: &Mesh, view: &View) -> Picture {
     let size =
         if view.size.is_finite() { view.size.clamp(16.0, 16_384.0) } else { View::default().size };
     let colours = view.attribute.and_then(|column| Colours::new(mesh, column));
-    let legend = colours.as_ref().map_or(0.0, |_| LEGEND);
+    let range = colours.as_ref().and_then(|colours| colours.range);
+    let legend = range.map_or(0.0, |_| LEGEND);
     let mut picture = Picture {
         title: "mesh".into(),
         // The legend may be higher than the mesh.
@@ -80,9 +82,9 @@ pub fn draw_mesh(mesh: &Mesh, view: &View) -> Picture {
         }
         picture.image = Some(raster.image(size));
     }
-    if let Some(colours) = colours {
+    if let (Some(colours), Some(range)) = (colours, range) {
         let at = DVec2::new(size + LEGEND / 2.0, picture.size.y / 2.0);
-        picture.groups.push(colours.range.legend(&colours.title, at));
+        picture.groups.push(range.legend(&colours.title, at));
     }
     picture
 }
@@ -92,33 +94,53 @@ struct Colours {
     column: ColumnId,
     kind: ElementKind,
     title: String,
-    range: Range,
+    /// The range of the values; `None` if they are colours.
+    range: Option<Range>,
 }
 
 impl Colours {
     fn new(mesh: &Mesh, column: ColumnId) -> Option<Self> {
         let kind = column.kind;
-        let slots = 0..mesh.capacity(kind) as u32;
-        let numbers = slots.filter_map(|slot| mesh.value(column, slot)).map(Value::magnitude);
-        Some(Self {
-            column,
-            kind,
-            title: mesh.column(column)?.name().to_string(),
-            range: Range::of(numbers)?,
-        })
+        let values = || {
+            let slots = 0..mesh.capacity(kind) as u32;
+            slots.filter_map(|slot| mesh.value(column, slot))
+        };
+        let title = mesh.column(column)?.name().to_string();
+        let is_named_so = ["color", "colour"].contains(&title.as_str());
+        let range = match is_named_so && values().all(|value| rgb(value).is_some()) {
+            true => None,
+            false => Some(Range::of(values().map(Value::magnitude))?),
+        };
+        Some(Self { column, kind, title, range })
     }
 
-    /// The value of an element as a number; NaN if it has none.
-    fn number(&self, mesh: &Mesh, index: u32) -> f64 {
-        mesh.value(self.column, index).map_or(f64::NAN, Value::magnitude)
+    /// The value of an element: its colour, or three times the number; NaN if it has none.
+    fn value(&self, mesh: &Mesh, index: u32) -> DVec3 {
+        let value = mesh.value(self.column, index);
+        let seen = value.and_then(|value| match self.range {
+            Some(_) => Some(DVec3::splat(value.magnitude())),
+            None => rgb(value),
+        });
+        seen.unwrap_or(DVec3::NAN)
     }
 
-    fn colour(&self, number: f64) -> [u8; 3] {
-        match number.is_finite() {
-            true => self.range.colour(number),
-            false => PALE,
+    fn colour(&self, value: DVec3) -> [u8; 3] {
+        match self.range {
+            _ if !value.is_finite() => PALE,
+            Some(range) => range.colour(value.x),
+            None => value.to_array().map(|part| (part * 255.0).round() as u8),
         }
     }
+}
+
+/// Red, green and blue of a vector with components from 0 to 1; a fourth is ignored.
+fn rgb(value: Value) -> Option<DVec3> {
+    let colour = match value {
+        Value::Vec3(colour) => colour,
+        Value::Vec4(colour) => colour.truncate(),
+        _ => return None,
+    };
+    (colour.cmpge(DVec3::ZERO) & colour.cmple(DVec3::ONE)).all().then_some(colour)
 }
 
 /// Half the widths of lines, in pixels.
@@ -217,14 +239,14 @@ impl Seen {
             .map(|(&half, side)| (side, self.line(mesh, half, colours, pen)))
             .collect();
         let of_vertices = colours.filter(|colours| colours.kind == ElementKind::Vertex);
-        let numbers: Option<Vec<_>> = of_vertices.map(|colours| {
+        let values: Option<Vec<_>> = of_vertices.map(|colours| {
             let vertices = self.halfedges.iter().map(|&half| mesh.vertex(half));
-            vertices.map(|vertex| colours.number(mesh, vertex.0)).collect()
+            vertices.map(|vertex| colours.value(mesh, vertex.0)).collect()
         });
         let ground = match colours {
             None => self.shaded(FACE, 1.0),
             Some(colours) if colours.kind == ElementKind::Face => {
-                self.shaded(colours.colour(colours.number(mesh, self.face.0)), 0.5)
+                self.shaded(colours.colour(colours.value(mesh, self.face.0)), 0.5)
             }
             Some(_) => self.shaded(PALE, 1.0),
         };
@@ -233,12 +255,12 @@ impl Seen {
                 let (half_width, colour) = (*line)?;
                 (distance(place.at, *side) < half_width).then_some(colour)
             });
-            match (near, colours, &numbers) {
+            match (near, colours, &values) {
                 (Some(colour), ..) => colour,
-                (None, Some(colours), Some(numbers)) => {
-                    let parts = numbers.iter().zip(place.weights);
-                    let number = parts.map(|(number, weight)| number * weight).sum();
-                    self.shaded(colours.colour(number), 0.5)
+                (None, Some(colours), Some(values)) => {
+                    let parts = values.iter().zip(place.weights);
+                    let value = parts.map(|(&value, weight)| value * weight).sum();
+                    self.shaded(colours.colour(value), 0.5)
                 }
                 _ => ground,
             }
@@ -261,7 +283,7 @@ impl Seen {
             _ => None,
         });
         if let Some((colours, index)) = index {
-            let colour = colours.colour(colours.number(mesh, index));
+            let colour = colours.colour(colours.value(mesh, index));
             let sides = if is_on_boundary { 2.0 } else { 1.0 };
             return Some((pen.coloured * sides, colour));
         }

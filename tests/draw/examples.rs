@@ -98,6 +98,47 @@ fn no_two_edges_cross() {
     }
 }
 
+/// The inverse of a collapse: the two new triangles open beside the vertex that is split.
+#[test]
+fn a_split_vertex_opens() {
+    let ops = super::ops_of(
+        "op split(a: halfedge, b: halfedge) -> w {
+          before {
+            vertex v: a *S b *T
+            edge ea: a | a'
+            edge eb: b | b'
+            face f0: v -a-> p -c0-> r -c1-> v
+            face f1: v -b-> q -d0-> s -d1-> v
+          }
+          after {
+            new w x x' ex y y' z z' e2 e3 f g
+            face f0: w -a-> p -c0-> r -c1-> w
+            face f1: v -b-> q -d0-> s -d1-> v
+            face f: w -x'-> v -z-> p -y-> w
+            face g: v -x-> w -z'-> q -y'-> v
+            edge ex: x | x'
+            edge ea: a | y
+            edge eb: b | y'
+            edge e2: z | a'
+            edge e3: z' | b'
+            vertex w: a *S z' x'
+            vertex v: b *T z x
+            w.position = v.position + vec3(0.1, 0, 0)
+          }
+        }",
+    );
+    let picture = draw_op(&ops[0]);
+    assert_eq!(picture.crossings(), 0);
+    // Those of `after` come last.
+    let texts = picture.texts();
+    let at = |name: &str| {
+        let text = texts.iter().rfind(|text| text.text == name).expect("a name of `after`");
+        [0, 1].map(|axis| (text.from[axis] + text.to[axis]) / 2.0)
+    };
+    assert!(at("q")[0] < at("g")[0] && at("g")[0] < at("f")[0] && at("f")[0] < at("p")[0]);
+    assert!(at("w")[1] < at("f")[1] && at("f")[1] < at("s")[1]);
+}
+
 #[test]
 fn drawing_twice_is_drawing_once() {
     for (_, op) in example_ops() {

@@ -46,6 +46,26 @@ fn an_attribute_has_the_colours_of_its_values() {
 }
 
 #[test]
+fn colours_are_shown_as_they_are() {
+    let mut mesh = shape::grid(2, 1);
+    let colour = |red, green| Value::Vec3(DVec3::new(red, green, 0.0));
+    let column = mesh.add_column(ElementKind::Face, "color", colour(1.0, 0.0));
+    let column = column.expect("the first of its name");
+    assert!(mesh.set_value(column, 1, colour(0.0, 1.0)));
+    let view = View { from: DVec3::Z, attribute: Some(column), ..View::default() };
+    let picture = draw_mesh(&mesh, &view);
+    assert_eq!(picture.size()[0], picture.size()[1], "there is no legend");
+    for shown in [[255, 0, 0], [0, 255, 0]] {
+        let count = pixels(&mesh, view, shown);
+        assert!(count > 5000, "{count} pixels of {shown:?}");
+    }
+    // Out of range they are vectors like others.
+    assert!(mesh.set_value(column, 1, colour(0.0, 2.0)));
+    let picture = draw_mesh(&mesh, &view);
+    assert!(picture.size()[0] > picture.size()[1], "no room for a legend");
+}
+
+#[test]
 fn faces_hide_each_other_in_any_order() {
     // A roof over a floor, the roof first and last.
     let corner = |x: f64, y: f64, z: f64| DVec3::new(x, y, z);
