@@ -387,7 +387,8 @@ impl Printer<'_> {
                 (result, name)
             }
         };
-        self.lines.open(&format!("{result} {name}({}) {{", params.join(", ")));
+        let inline = if self.style.is_inline() && !self.is_noted { "inline " } else { "" };
+        self.lines.open(&format!("{inline}{result} {name}({}) {{", params.join(", ")));
         if member {
             self.fixed(&fixed, used);
             return;

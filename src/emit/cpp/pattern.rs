@@ -52,6 +52,7 @@ pub(super) const PATTERNS: &[(&str, Form, &str, Option<&str>)] = &[
     ("include", Files, "", None),
     ("nested", Word(&["yes", "no"]), "yes", None),
     ("member", Word(&["yes", "no"]), "no", None),
+    ("inline", Word(&["yes", "no"]), "no", None),
     ("result", Word(&["bool", "given"]), "bool", None),
     ("defaults", Word(&["kept", "fixed"]), "kept", None),
     ("function", NameOrNone, "", None),
@@ -146,6 +147,12 @@ impl fmt::Display for StyleError {
                 }
             }
             Self::NotCode { name, why } => write!(f, "the pattern of `{name}` {why}"),
+            Self::NotAName { name, value } if name == "include" => {
+                write!(
+                    f,
+                    "`include` is the bare name of a file, as `mesh.h`, and `{value}` is none"
+                )
+            }
             Self::NotAName { name, value } => {
                 write!(f, "`{name}` is to be a name in C++, and `{value}` is none")
             }

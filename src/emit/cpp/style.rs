@@ -165,6 +165,11 @@ impl Style {
     /// The lines before everything else that include the mesh class: the first of the files that
     /// exists.
     pub(in crate::emit) fn include(&self) -> String {
+        let once = if self.is_inline() { "#pragma once\n" } else { "" };
+        once.to_owned() + &self.include_mesh()
+    }
+
+    fn include_mesh(&self) -> String {
         let files: Vec<_> = self.pattern("include").split_whitespace().collect();
         let Some((last, others)) = files.split_last() else {
             return String::new();
@@ -208,6 +213,11 @@ impl Style {
     /// True if operations are members of the mesh class.
     pub(in crate::emit) fn is_member(&self) -> bool {
         self.pattern("member") == "yes"
+    }
+
+    /// True if operations are defined in a header that several files include.
+    pub(in crate::emit) fn is_inline(&self) -> bool {
+        self.pattern("inline") == "yes"
     }
 
     /// True if halfedges store `prev`.
