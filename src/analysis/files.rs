@@ -157,12 +157,12 @@ pub fn meant(path: &str, name: &str, reader: &mut dyn Reader) -> Option<String> 
     if known.iter().any(|other| other == path) {
         return None; // it is there, and cannot be had for another reason
     }
+    let stem = |name: &str| last(name).trim_end_matches(".hedge").to_owned();
     let distance = |other: &String| {
         let ended = format!("{path}.hedge");
         let apart = |one: &str| damerau_levenshtein(one, other);
         let alone = damerau_levenshtein(&ended, &last(other));
         // `triangel.hedge` for `std/triangle.hedge`: compared without the folder and the ending.
-        let stem = |name: &str| last(name).trim_end_matches(".hedge").to_owned();
         let (written, known) = (stem(path), stem(other));
         let stems = damerau_levenshtein(&written, &known);
         let is_near = stems <= written.chars().count() / 4;
@@ -171,7 +171,8 @@ pub fn meant(path: &str, name: &str, reader: &mut dyn Reader) -> Option<String> 
     };
     let near = known.into_iter().filter(|other| other != path);
     let near = near.min_by_key(|other| distance(other))?;
-    (distance(&near) <= path.chars().count() / 3).then_some(near)
+    let most = (stem(path).chars().count() / 3).max(1);
+    (distance(&near) <= most).then_some(near)
 }
 
 /// Each path that a file uses, with its span.

@@ -12,9 +12,9 @@ use super::output::{complain, is_standard, pour};
 use super::program::{Program, is_mesh};
 use crate::analysis::Analysis;
 use crate::mesh::{
-    Dump, FileError, FileFormat, FileReason, Mesh, MeshFile, Places, Repair, Unset, WrittenNumbers,
-    expect_writable, read_dump, read_mesh, read_mesh_from, read_mesh_reordered, write_mesh,
-    write_mesh_to,
+    Dump, FileError, FileFormat, FileReason, Loss, LostValues, Mesh, MeshFile, Places, Repair,
+    Unset, WrittenNumbers, expect_writable, read_dump, read_mesh, read_mesh_from,
+    read_mesh_reordered, write_mesh, write_mesh_to,
 };
 use crate::resolve::TestMesh;
 use crate::run;
@@ -151,12 +151,13 @@ fn near(path: &Path) -> Option<PathBuf> {
     let entries = std::fs::read_dir(here).ok()?.flatten();
     let names = entries.filter_map(|entry| entry.file_name().into_string().ok());
     let meshes = names.filter(|name| is_mesh(Path::new(name)));
+    let stem = |name: &str| name.rsplit_once('.').map_or(name, |(stem, _)| stem).to_owned();
     let distance = |name: &str| {
-        let stem = name.rsplit_once('.').map_or(name, |(stem, _)| stem);
-        damerau_levenshtein(wanted, name).min(damerau_levenshtein(wanted, stem))
+        damerau_levenshtein(wanted, name).min(damerau_levenshtein(wanted, &stem(name)))
     };
     let near = meshes.map(|name| (distance(&name), name)).min()?;
-    (near.0 <= wanted.chars().count() / 3).then(|| folder.join(near.1))
+    let most = (stem(wanted).chars().count() / 3).max(1);
+    (near.0 <= most).then(|| folder.join(near.1))
 }
 
 impl RepairArguments {
@@ -230,6 +231,7 @@ pub(super) fn write(
         pour(&bytes)?;
     }
     tell_unheld(path, format, file);
+    tell_lost_values(path, format, file);
     tell_lost_vertices(path, format, file);
     if format == FileFormat::Obj {
         tell_bare(path, file);
@@ -253,6 +255,25 @@ fn tell_unheld(path: &Path, format: FileFormat, file: &MeshFile) {
     if !told.is_empty() {
         let (shown, told) = (path.display(), told.join(", "));
         complain(&format!("warning: {shown} cannot hold {told}; a .ply or .halfedges file can"));
+    }
+}
+
+/// Warns about values that a file does not hold as they are.
+fn tell_lost_values(path: &Path, format: FileFormat, file: &MeshFile) {
+    let shown = path.display();
+    for LostValues { kind, name, count, loss } in file.lost_values(format) {
+        let (values, are) = if count == 1 { ("value", "is") } else { ("values", "are") };
+        let what = match loss {
+            Loss::AtHoles => format!("on holes {are} not in it"),
+            Loss::Rounded => format!("beyond 2^53 {are} rounded"),
+            Loss::NoColours => format!("with parts that are not from 0 to 1 {are} read otherwise"),
+        };
+        let other = if loss == Loss::NoColours { ".ply or .halfedges" } else { ".halfedges" };
+        complain(&format!(
+            "warning: {shown}: {count} {values} of `{name}` ({kind}) {what}; a {other} file holds {}",
+            if count == 1 { "it" } else { "them" },
+            kind = kind.name(),
+        ));
     }
 }
 

@@ -160,6 +160,51 @@ fn run_writes_a_mesh_and_a_table() {
 }
 
 #[test]
+fn a_failure_is_data_where_data_is_wanted() {
+    let bench = Bench::with_square();
+    bench.write("s.hedge", "script s() { print 1 div (count(vertices) - 4) }");
+    let error = |code, arguments: &[&str]| -> serde_json::Value {
+        let said = bench.run(&[arguments, &["--format", "json"]].concat());
+        assert_eq!(said.code, code, "{said:?}");
+        serde_json::from_str(&said.out).expect("JSON")
+    };
+    let told = error(1, &["run", "s.hedge", "square.obj"]);
+    assert_eq!(told["error"], "division by zero");
+    assert_eq!(told["diagnostics"][0]["labels"][0]["line"], 1);
+    for command in [&["run", "s.hedge", "no.obj"][..], &["info", "no.obj"]] {
+        let told = error(2, command);
+        assert_eq!(told["error"], "cannot read `no.obj`: there is no such file", "{told}");
+    }
+    for command in ["check", "test"] {
+        let told = error(2, &[command, "no.hedge", "s.hedge"]);
+        let error = told["files"][0]["error"].as_str().expect("a reason");
+        assert!(error.contains("cannot read `no.hedge`"), "{told}");
+        assert_eq!(told["files"][1]["file"], "s.hedge");
+    }
+}
+
+#[test]
+fn a_shape_stands_in_place_of_a_mesh() {
+    let bench = Bench::new();
+    bench.succeeds(&["convert", "torus(12, 8)", "t.obj"]);
+    bench.succeeds(&["convert", "torus(12, 8)", "-o", "u.obj"]);
+    assert_eq!(bench.read("t.obj"), bench.read("u.obj"));
+    let summary = bench.json(&["info", "t.obj"]);
+    assert_eq!((&summary["faces"], &summary["measures"]["genus"]), (&96.into(), &1.into()));
+    bench.fails(2, &["info", "torus(2, 8)"], "`torus` wants a number from 3");
+    bench.fails(2, &["info", "tours(12, 8)"], "nothing makes a mesh under the name `tours`");
+    bench.fails(2, &["convert", "t.obj"], "<OUTPUT>");
+    // An element as scripts print it.
+    bench.write("p.hedge", "script p() { for e in edges where not boundary(e) { print e break } }");
+    let printed = bench.run(&["run", "p.hedge", "icosphere(1)"]);
+    let element = printed.out.lines().next().expect("a line");
+    let apply = ["apply", "std/triangle.hedge::flip", "icosphere(1)", "-o", "f.obj", "--at"];
+    bench.succeeds(&[&apply[..], &[element]].concat());
+    bench.fails(2, &[&apply[..], &["edge 1000"]].concat(), "the mesh has no edge 1000");
+    bench.fails(2, &[&apply[..], &["edge:10"]].concat(), "'edge N' as scripts print it");
+}
+
+#[test]
 fn a_script_that_fails_points_at_the_place_and_writes_nothing() {
     let bench = Bench::with_square();
     bench.write("s.hedge", "script s() { print 1 div (count(vertices) - 4) }");
