@@ -17,7 +17,7 @@ const HARD = [
 ];
 
 // Keywords only where no name can stand.
-const SOFT = ["private", "test", "by", "steps"];
+const SOFT = ["private", "test", "by", "steps", "parallel"];
 
 const list = (rule) => seq(rule, repeat(seq(",", rule)));
 
@@ -185,7 +185,9 @@ module.exports = grammar({
       field("of", $.name), ".", field("field", $.word), "=", field("value", $._value),
     ),
 
-    name: ($) => prec.right(seq($.identifier, optional($._subscript))),
+    name: ($) => prec.right(seq(
+      choice($.identifier, alias("parallel", $.identifier)), optional($._subscript),
+    )),
     _subscript: ($) => seq("[", $.index, "]"),
     index: ($) => choice(
       seq($.identifier, optional(seq(choice("+", "-"), $.int))),
@@ -213,7 +215,7 @@ module.exports = grammar({
     ),
     repeat: ($) => seq("repeat", field("count", $._value), field("body", $.block)),
     while: ($) => seq("while", field("condition", $._value), field("body", $.block)),
-    for: ($) => seq("for", $._source, field("body", $.block)),
+    for: ($) => seq(optional("parallel"), "for", $._source, field("body", $.block)),
     update: ($) => seq("update", $._source, field("body", $.block)),
     drain: ($) => seq(
       "drain", field("variable", $.identifier), "in", field("in", $._value),
@@ -253,7 +255,9 @@ module.exports = grammar({
     must: ($) => prec.right(seq("must", choice($.name, $.call))),
     asked: ($) => prec.right(seq(choice("can", "why"), choice($.name, $.call))),
     call: ($) => prec(9, seq(
-      field("function", choice($.identifier, alias("hole", $.identifier))),
+      field("function", choice(
+        $.identifier, alias("hole", $.identifier), alias("parallel", $.identifier),
+      )),
       // On the line of the name; the next statement may begin with one, too.
       alias(token.immediate(prec(1, /[ \t\r\f\uFEFF]*\(/)), "("),
       optional(choice(

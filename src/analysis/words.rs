@@ -58,6 +58,10 @@ pub const MEANINGS: &[(&str, &str)] = &[
         "for",
         "visits the elements that exist when the loop starts, and still do when their turn comes",
     ),
+    (
+        "parallel",
+        "before `for`: its `where` is tested for all elements before the first turn, on all threads, and again when the turn of an element comes",
+    ),
     ("in", "what is visited"),
     ("where", "which elements are visited, asked when their turn comes"),
     ("while", "goes on as long as a condition holds"),

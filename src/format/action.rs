@@ -62,7 +62,10 @@ impl Printer<'_> {
             }
             ActionKind::For { sequence, filter, body, .. }
             | ActionKind::Update { sequence, filter, body, .. } => {
-                let keyword = self.spaced_token();
+                let mut keyword = self.spaced_token();
+                if matches!(action.kind, ActionKind::For { parallel: Some(_), .. }) {
+                    keyword = keyword.append(self.spaced_token());
+                }
                 let source = self.visited(sequence, filter.as_ref(), width);
                 let head = keyword.append(source).nest(HANG).group();
                 self.with_body(head, body, width)

@@ -42,6 +42,10 @@ const PICKED: Here = Said(
     "an element is found by a loop that ends with `break`, `for e in edges where … { … }`, or by \
      `argmin(length(e) for e in edges)`; in random order in `shuffle(edges)`",
 );
+const PARALLEL: Here = Said(
+    "on several threads there are `parallel for e in edges where … { … }`, whose `where` is tested \
+     on all of them, and `update`",
+);
 const CHANGED: Here =
     Said("a script changes a mesh by calling operations: `split(e)`, `dissolve_edge(e)`");
 const STOPPED: Here = Said("`assert c else \"…\"` stops a script");
@@ -154,6 +158,7 @@ pub(super) fn function(word: &str) -> Option<Here> {
             Said("attributes and pointers stand behind a dot: `v.position`")
         }
         "clamp" => Said("it is `min(max(x, low), high)`"),
+        "parallel_for" | "parfor" => PARALLEL,
         "sqr" | "square" => Said("it is `x * x`"),
         "next"
         | "prev"
@@ -254,6 +259,7 @@ pub(super) fn name(word: &str) -> Option<Here> {
             Said("there are no objects: an op is given its element, `op flip(e: edge)`")
         }
         "end" | "done" | "fi" => Said("a block ends with `}`"),
+        "parallel" | "parfor" | "par" => PARALLEL,
         "foreach" | "do" | "until" | "loop" => VISITED,
         "mesh" | "bm" | "bmesh" | "geometry" | "geom" => Said(
             "a script has one mesh, which has no name: `vertices` and `edges` are its own; a test \

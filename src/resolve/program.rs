@@ -174,8 +174,16 @@ pub enum StatementKind {
     /// `while c { … }`
     While { condition: Expr, body: Block },
     /// `for x in xs where c { … }`, `update x in xs where c { … }`: visits the elements that exist
-    /// when the loop starts and still exist when their turn comes.
-    For { variable: u32, collection: Collection, filter: Option<Expr>, body: Block, visit: Visit },
+    /// when the loop starts and still exist when their turn comes. In a `parallel for`, which has
+    /// a filter, only those that also pass the filter when the loop starts.
+    For {
+        variable: u32,
+        collection: Collection,
+        filter: Option<Expr>,
+        body: Block,
+        visit: Visit,
+        parallel: bool,
+    },
     /// `drain x in xs by key while c { … }`: takes the element with the least key first and keeps
     /// keys up to date. The condition may refer to the element too.
     Drain { variable: u32, collection: Collection, key: Expr, condition: Option<Expr>, body: Block },

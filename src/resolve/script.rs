@@ -38,6 +38,8 @@ pub(super) struct Scripting<'a> {
 
 /// The head of a `for` or `update`, and its body.
 struct Loop<'a> {
+    /// The place of `parallel for`.
+    parallel: Option<Span>,
     variable: &'a Ident,
     sequence: &'a tree::Expr,
     filter: Option<&'a tree::Expr>,
@@ -162,11 +164,13 @@ impl Scripting<'_> {
             ActionKind::Assign { target, value } => self.assignment(target, value, action.span),
             ActionKind::Repeat { count, body } => self.repeat(count, body),
             ActionKind::While { condition, body } => self.repeat_while(condition, body),
-            ActionKind::For { variable, sequence, filter, body } => {
-                self.visit_each(Loop { variable, sequence, filter: filter.as_ref(), body })
+            ActionKind::For { parallel, variable, sequence, filter, body } => {
+                let (parallel, filter) = (*parallel, filter.as_ref());
+                self.visit_each(Loop { parallel, variable, sequence, filter, body })
             }
             ActionKind::Update { variable, sequence, filter, body } => {
-                self.update_each(Loop { variable, sequence, filter: filter.as_ref(), body })
+                let filter = filter.as_ref();
+                self.update_each(Loop { parallel: None, variable, sequence, filter, body })
             }
             ActionKind::Drain { variable, sequence, key, condition, body } => {
                 self.drain(variable, sequence, (key, condition.as_ref()), body)
@@ -217,8 +221,11 @@ impl Scripting<'_> {
         Some(StatementKind::While { condition, body })
     }
 
-    /// `for x in xs where c { … }`
+    /// `for x in xs where c { … }`, `parallel for x in xs where c { … }`
     fn visit_each(&mut self, visited: Loop) -> Option<StatementKind> {
+        if let (Some(parallel), None) = (visited.parallel, visited.filter) {
+            self.typing.report.add(parallel_without_where(parallel));
+        }
         match &visited.sequence.kind {
             tree::ExprKind::Call { function, args } if function.text == SHUFFLE => {
                 self.typing.right_count(function, 1, args.len(), visited.sequence.span)?;
@@ -318,6 +325,15 @@ impl Scripting<'_> {
             Some(filter) => Some(filter?),
             None => None,
         };
-        Some(StatementKind::For { variable, collection: collection?, filter, body, visit })
+        let (collection, parallel) = (collection?, visited.parallel.is_some());
+        Some(StatementKind::For { variable, collection, filter, body, visit, parallel })
     }
+}
+
+/// The error for `parallel for` without a filter, which has nothing to do on several threads.
+fn parallel_without_where(parallel: Span) -> Diagnostic {
+    let message = "a `parallel for` has no `where`, which is what it tests on all threads";
+    Diagnostic::error("parallel-without-where", message, parallel)
+        .note("its turns run one after the other, as those of a `for`; an `update` runs on all threads")
+        .fix("drop `parallel`", parallel, "for")
 }

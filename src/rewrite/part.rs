@@ -6,9 +6,10 @@
 //! in the order of the parts, and of several traps the first counts, so the result is that of one
 //! thread.
 //!
-//! The values of an aggregate and the keys of a drain are computed in the same way. Their turns
-//! have separate code, which a single thread never reaches: it only keeps values, which the
-//! aggregate or the drain then combines in their order. If a turn traps, one thread starts over.
+//! The values of an aggregate, the elements that pass the filter of a `parallel for` and the keys of
+//! a drain are computed in the same way. Their turns have separate code, which a single thread never
+//! reaches: it only keeps values, which the statement then combines in their order. If a turn traps,
+//! one thread starts over.
 
 use super::inst::computation;
 use super::memory::HELD_USUALLY;
@@ -37,6 +38,9 @@ pub enum Task {
     Update,
     /// To keep the values of an aggregate, which are put into a buffer when all parts are done.
     Aggregate,
+    /// To keep the elements that pass the filter of a `parallel for`, which are put into a buffer
+    /// when all parts are done.
+    Filter,
     /// To keep elements of the innermost drain and their keys, which are set when all parts are
     /// done.
     Keys,
@@ -176,7 +180,7 @@ impl Part {
     pub(super) fn keeps(&self) -> usize {
         let slots = self.code.insts.iter().map(|inst| match (self.task, inst) {
             (Task::Update, Inst::HoldPosition { .. } | Inst::HoldAttribute { .. }) => HELD_USUALLY,
-            (Task::Aggregate | Task::Keys, Inst::Keep { .. }) => 1,
+            (Task::Aggregate | Task::Filter | Task::Keys, Inst::Keep { .. }) => 1,
             _ => 0,
         });
         slots.sum()

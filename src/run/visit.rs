@@ -2,7 +2,7 @@
 
 use super::live::Exits;
 use super::lower::{Loop, Lowering};
-use crate::compile::{Scope, each, elements};
+use crate::compile::{Scope, each, elements, lower};
 use crate::diagram::{Collection, Expr, Type};
 use crate::resolve::{Statement, StatementKind, Visit};
 use crate::rewrite::{Assembler, Elements, Inst, Label, Reg, Task, Turns};
@@ -61,7 +61,8 @@ impl Lowering<'_> {
 
     /// `for x in xs where c { … }`, `update`; the writes of an `update` are kept back.
     pub(super) fn visit(&mut self, statement: &Statement) {
-        let StatementKind::For { variable, collection, filter, body, visit } = &statement.kind
+        let StatementKind::For { variable, collection, filter, body, visit, parallel } =
+            &statement.kind
         else {
             return;
         };
@@ -71,7 +72,6 @@ impl Lowering<'_> {
             self.asm.emit(Inst::BufferClear { buffer });
             self.held = Some(buffer);
         }
-        let buffer = self.asm.buffer();
         let [again, first, end] = [(); 3].map(|()| self.asm.label());
         let (index, total) = (self.asm.reg(), self.asm.reg());
         if let (Some(of), Some(held)) = (elements(collection), self.held)
@@ -84,10 +84,12 @@ impl Lowering<'_> {
                 Turns { of, depth, element, index, total, one, task, held, again, first, end };
             self.asm.spread(turns);
         }
-        self.list(collection, buffer, span);
-        if *visit == Visit::Shuffled {
-            self.asm.emit(Inst::BufferShuffle { buffer });
-        }
+        let buffer = match filter {
+            Some(filter) if *parallel => {
+                self.list_where((*variable, collection, filter), *visit, span)
+            }
+            _ => self.listed(collection, *visit, span),
+        };
         let zero = self.asm.constant_int(0);
         let element = self.names.local(*variable);
         self.asm.emit(Inst::BufferLength { buffer, to: total });
@@ -111,7 +113,72 @@ impl Lowering<'_> {
         }
     }
 
-    /// Lists the elements that a loop visits in a buffer.
+    /// A buffer of the elements that a loop visits, in the order in which it does.
+    fn listed(&mut self, collection: &Collection, visit: Visit, span: Span) -> u16 {
+        let buffer = self.asm.buffer();
+        self.list(collection, buffer, span);
+        if visit == Visit::Shuffled {
+            self.asm.emit(Inst::BufferShuffle { buffer });
+        }
+        buffer
+    }
+
+    /// A buffer of the elements that a `parallel for` visits: those that pass its filter now.
+    /// Several threads test all elements of the mesh, unless their order is random.
+    fn list_where(
+        &mut self,
+        (variable, collection, filter): (u32, &Collection, &Expr),
+        visit: Visit,
+        span: Span,
+    ) -> u16 {
+        let element = self.names.local(variable);
+        let random = (visit == Visit::Shuffled).then(|| self.listed(collection, visit, span));
+        let mark = self.asm.mark();
+        let turns = match (random, elements(collection)) {
+            (None, Some(of)) => self.asm.spread_values(of, element, Task::Filter),
+            _ => None,
+        };
+        let passed = turns.map_or_else(|| self.asm.buffer(), |turns| turns.held);
+        self.asm.emit(Inst::BufferClear { buffer: passed });
+        let push = &mut |asm: &mut Assembler, scope: &mut dyn Scope, from: Reg, next: Label| {
+            let mark = asm.mark();
+            asm.emit(Inst::Copy { to: element, from });
+            let condition = lower(asm, scope, filter);
+            asm.emit(Inst::JumpUnless { condition, to: next });
+            asm.emit(Inst::BufferPush { buffer: passed, from: element });
+            asm.release(mark);
+        };
+        match random {
+            Some(buffer) => {
+                let (again, end) = (self.asm.label(), self.asm.label());
+                let (index, to) = (self.asm.reg(), self.asm.reg());
+                let from = self.asm.constant_int(0);
+                self.asm.emit(Inst::Copy { to: index, from });
+                self.asm.bind(again);
+                self.asm.emit(Inst::BufferNext { buffer, index, to, otherwise: end });
+                self.trap_at(span, Inst::Tick);
+                push(&mut self.asm, &mut self.names, to, again);
+                self.asm.emit(Inst::Jump { to: again });
+                self.asm.bind(end);
+            }
+            None => {
+                let base = collection.base().map(|base| self.value(base));
+                each(&mut self.asm, &mut self.names, (collection, base), span, push);
+            }
+        }
+        if let Some(turns) = turns {
+            self.trap_at(span, Inst::Jump { to: turns.end });
+            self.asm.begin_values(turns);
+            let condition = self.value(filter);
+            self.asm.emit(Inst::JumpUnless { condition, to: turns.again });
+            self.asm.emit(Inst::Keep { from: element });
+            self.asm.end_values(turns);
+        }
+        self.asm.release(mark);
+        passed
+    }
+
+    /// Lists the elements of a collection in a buffer.
     pub(super) fn list(&mut self, collection: &Collection, buffer: u16, span: Span) {
         self.asm.emit(Inst::BufferClear { buffer });
         if let Some(of) = elements(collection) {

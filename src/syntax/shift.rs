@@ -205,8 +205,14 @@ impl Shift for ActionKind {
                 head.shift(by);
                 body.shift(by);
             }
-            ActionKind::For { variable, sequence, filter, body }
-            | ActionKind::Update { variable, sequence, filter, body } => {
+            ActionKind::For { parallel, variable, sequence, filter, body } => {
+                parallel.shift(by);
+                variable.shift(by);
+                sequence.shift(by);
+                filter.shift(by);
+                body.shift(by);
+            }
+            ActionKind::Update { variable, sequence, filter, body } => {
                 variable.shift(by);
                 sequence.shift(by);
                 filter.shift(by);

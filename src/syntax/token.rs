@@ -105,7 +105,7 @@ token_kinds! {
         "steps" Steps
         "face" Face "hole" Hole "loop" Loop "edge" Edge "vertex" Vertex
         "each" Each "new" New "keep" Keep "erase" Erase
-        "let" Let "var" Var "if" If "else" Else "repeat" Repeat "for" For "in" In
+        "let" Let "var" Var "if" If "else" Else "repeat" Repeat "parallel" Parallel "for" For "in" In
         "where" Where "while" While "drain" Drain "by" By "update" Update
         "must" Must "can" Can "why" Why "print" Print "assert" Assert
         "return" Return "break" Break "continue" Continue
@@ -126,9 +126,10 @@ impl TokenKind {
     }
 
     /// True if it is a keyword that may also be a name, since it is special in one place only:
-    /// `test` before a text, `private` before `attr`, `by` after a sequence, `steps` in an op.
+    /// `test` before a text, `private` before `attr`, `by` after a sequence, `steps` in an op,
+    /// `parallel` before `for`.
     pub fn is_soft(self) -> bool {
-        matches!(self, Self::Test | Self::Private | Self::By | Self::Steps)
+        matches!(self, Self::Test | Self::Private | Self::By | Self::Steps | Self::Parallel)
     }
 
     /// True if it can be used as a name.

@@ -19,9 +19,11 @@ use \"std/triangle.hedge\"
 attr heat: vertex real = 0
 attr level: face int = 1
 attr sharp: edge bool = false
+attr rank: edge int = 0
 attr way: halfedge vec3 = vec3(0)
 
 fn warmth(v: vertex) -> real { mean(w.heat + length(w.position - v.position) for w in v.neighbors) }
+fn mean_edge() -> edge { argmin(abs(length(e) - 0.25) for e in edges) }
 fn is_near(v: vertex) -> bool { v.position.z > -0.2 and degree(v) > 0 }
 fn warm(t: real) {
   update v in vertices where is_near(v) { v.heat = t * warmth(v) v.position = mix(v.position, vec3(t), 0.25) }
@@ -185,7 +187,84 @@ fn aggregates_and_keys_are_those_of_one_thread() {
 }
 
 #[test]
-fn what_fails_in_an_aggregate_or_a_key_is_that_of_one_thread() {
+fn filters_tested_ahead_are_those_of_one_thread() {
+    let bodies = [
+        "parallel for e in edges where length(e) > 0.15 { split(e) }",
+        "parallel for e in edges where not boundary(e) and is_near(e.halfedge.vertex) { collapse(e) }
+         parallel for e in edges where can flip(e) and degree(e.halfedge.vertex) > 6 { flip(e) }",
+        "for v in vertices { v.heat = v.position.x }
+         parallel for v in vertices where warmth(v) > mean(warmth(w) for w in vertices) { v.heat = 9 }",
+        "var sum = 0.0
+         parallel for f in shuffle(faces) where sum < 3 and normal(f).z > 0 {
+           sum = sum + random()
+           f.level = round(100 * sum)
+         }",
+        "for v in vertices where degree(v) == 5 {
+           parallel for h in v.halfedges where length(h) > 0.05 and h.target.heat == 0 { h.target.heat = 1 }
+         }",
+        "drain e in edges by -length(e) while length(e) > 0.16 {
+           split(e)
+           parallel for v in vertices where v.heat < 1 and degree(v) > 5 { v.heat = v.heat + 0.5 }
+         }",
+        "parallel for e in edges where length(e) > 0.15 {
+           for h in e.halfedge.vertex.halfedges { h.target.heat = h.target.heat + 1 }
+           if e.halfedge.target.heat > 3 { break }
+         }",
+    ];
+    change_with_all(&bodies);
+}
+
+/// It is a `for` over the elements that another loop has marked before.
+#[test]
+fn a_parallel_for_is_a_for_over_what_passed_before() {
+    let mut dice = Dice(7);
+    for _ in 0..12 {
+        let bound = 0.13 + 0.002 * dice.below(20) as f64;
+        let filters = [
+            format!("length(x) > {bound}"),
+            format!("can collapse(x) and length(x) < {bound}"),
+            "degree(x.halfedge.vertex) + degree(x.halfedge.target) > 11".to_owned(),
+        ];
+        let bodies = ["split(x)", "collapse(x)", "flip(x)", "if n < 40 { split(x) } n = n + 1"];
+        let filter = &filters[dice.below(filters.len())];
+        let body = bodies[dice.below(bodies.len())];
+        let parallel = format!("var n = 0 parallel for x in edges where {filter} {{ {body} }}");
+        let marked = format!(
+            "var n = 0
+             for x in edges where {filter} {{ x.sharp = true }}
+             for x in edges where x.sharp and {filter} {{ {body} }}"
+        );
+        let [parallel, marked] = [parallel, marked].map(|body| {
+            let (mesh, done) = run_with_all(&body, &shape::icosphere(3));
+            assert_eq!(done, Ok(()), "{body}");
+            mesh.to_polygons()
+        });
+        assert_eq!(parallel, marked, "{filter} {body}");
+    }
+}
+
+#[test]
+fn a_parallel_for_visits_in_the_order_of_a_for() {
+    let loops = ["edges", "shuffle(edges)", "mean_edge().halfedge.vertex.edges"].map(|xs| {
+        ["", "parallel "].map(|word| {
+            let body = format!(
+                "var rank = 0
+                 {word}for x in {xs} where length(x) > 0.14 {{ rank = rank + 1 x.rank = rank }}"
+            );
+            let (mesh, done) = run_with_all(&body, &shape::icosphere(3));
+            assert_eq!(done, Ok(()), "{body}");
+            let column = mesh.find_column(hedgerow::mesh::ElementKind::Edge, "rank").unwrap();
+            mesh.values::<i64>(column).unwrap().to_vec()
+        })
+    });
+    for [one, other] in loops {
+        assert_eq!(one, other);
+        assert!(one.contains(&2));
+    }
+}
+
+#[test]
+fn what_fails_in_an_aggregate_a_filter_or_a_key_is_that_of_one_thread() {
     let bodies = [
         "let n = sum(100 div (f.level - 1) for f in faces)",
         "let x = min(v.position.x for v in vertices where v.position.x > 9)",
@@ -195,6 +274,8 @@ fn what_fails_in_an_aggregate_or_a_key_is_that_of_one_thread() {
         "assert sum(length(e) for e in edges) < 0 or all(length(e) < 0.1 for e in edges)",
         "let n = sum(9223372036854775807 for f in faces)",
         "let n = sum(depth(100000) for f in faces where normal(f).z > 0.5)",
+        "parallel for f in faces where 100 div (f.level - 1) > 2 { f.level = 3 }",
+        "parallel for v in vertices where v.position.x > 0 and depth(2000) > 1 { v.heat = 1 }",
         "drain v in vertices by 0 / (v.position.x - v.position.x) { v.heat = 1 }",
         "drain v in vertices by max(w.heat for w in v.neighbors where w.position.z > 0.9) { v.heat = 1 }",
     ];
@@ -326,6 +407,7 @@ fn all_threads_are_interrupted() {
         "let x = sum(sum(sum(length(e) for e in edges) for f in faces) for w in vertices)",
         "drain w in vertices by sum(sum(length(e) for e in edges) for f in faces) { w.heat = 1 }",
         "var n = 0 while true { n = n + count(length(e) > 0.1 for e in edges) }",
+        "parallel for w in vertices where sum(sum(length(e) for e in edges) for f in faces) > 0 { w.heat = 1 }",
     ];
     for body in bodies {
         is_interrupted(body);

@@ -11,7 +11,7 @@
 [ "new" "keep" "erase" ] @keyword
 [ "let" "var" "update" "drain" "by" "where" "in" "print" "assert" "must" "can" "why" ] @keyword
 [ "if" ] @keyword.conditional
-[ "repeat" "for" "while" (break) (continue) ] @keyword.repeat
+[ "repeat" "parallel" "for" "while" (break) (continue) ] @keyword.repeat
 [ "return" ] @keyword.return
 [ "and" "or" "not" "div" "mod" ] @keyword.operator
 

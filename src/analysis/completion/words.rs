@@ -41,6 +41,7 @@ pub(super) const ACTIONS: &[(&str, &str)] = &[
     ("let", "let ${1:x} = $0"),
     ("var", "var ${1:x} = $0"),
     ("for", "for ${1:e} in ${2:edges} where ${3:condition} { $0 }"),
+    ("parallel", "parallel for ${1:e} in ${2:edges} where ${3:condition} { $0 }"),
     ("repeat", "repeat ${1:5} {\n  $0\n}"),
     ("while", "while ${1:condition} {\n  $0\n}"),
     ("update", "update ${1:v} in ${2:vertices} { ${1:v}.position = $0 }"),

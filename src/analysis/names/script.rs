@@ -42,7 +42,7 @@ impl SymbolCollector<'_> {
                     _ => self.value(target),
                 }
             }
-            ActionKind::For { variable, sequence, filter, body }
+            ActionKind::For { variable, sequence, filter, body, .. }
             | ActionKind::Update { variable, sequence, filter, body } => {
                 self.sequence(sequence);
                 self.enter();

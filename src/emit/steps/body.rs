@@ -153,7 +153,10 @@ impl<'s> Writer<'s> {
             StatementKind::For { visit: Visit::Shuffled, .. } => {
                 return Err(NotEmitted::new("a random order", span));
             }
-            StatementKind::For { variable, collection, filter, body, visit } => {
+            StatementKind::For { parallel: true, .. } => {
+                return Err(NotEmitted::new("`parallel for`", span));
+            }
+            StatementKind::For { variable, collection, filter, body, visit, .. } => {
                 let outer = self.names.mark();
                 if *visit == Visit::Update {
                     self.held = self.written_in(body);

@@ -25,7 +25,7 @@ use crate::rewrite::{Call, Engine, Machine, Message, Part, Task, Trap, Watch, at
 fn least(task: Task) -> usize {
     match task {
         _ if cfg!(debug_assertions) => 64,
-        Task::Update => 10_000,
+        Task::Update | Task::Filter => 10_000,
         Task::Aggregate | Task::Keys => 40_000,
     }
 }
@@ -95,7 +95,7 @@ impl Machine {
         let progress = &mut self.progress;
         let mut look = |watch: &mut dyn Watch| match part.task {
             Task::Update => progress.show(watch, part.depth, [turns.load(Relaxed), slots]),
-            Task::Aggregate | Task::Keys => watch.tick(),
+            Task::Aggregate | Task::Filter | Task::Keys => watch.tick(),
         };
         if let [machine] = crew.as_mut_slice() {
             take_all(machine, &mut Alone { bystander: bystander(), look: &mut || look(watch) });
@@ -143,7 +143,7 @@ impl Machine {
         let slots = mesh.capacity(part.of.kind());
         let is_noted = match part.task {
             Task::Keys => !self.drains.takes_keys(),
-            Task::Update | Task::Aggregate => !self.drains.is_empty(),
+            Task::Update | Task::Aggregate | Task::Filter => !self.drains.is_empty(),
         };
         let is_alone = self.is_dry || is_noted || call.op.is_some() || call.steps.is_some();
         slots >= least(part.task)
@@ -165,7 +165,7 @@ impl Machine {
                 let write = |mut held| attribute::release(mesh, &self.columns, &mut held);
                 Some(kept.try_for_each(write).map_err(|_| Trap::new(Message::Malformed)))
             }
-            Task::Aggregate => {
+            Task::Aggregate | Task::Filter => {
                 let list = self.buffers.get_mut(call.buffers + usize::from(part.held))?;
                 *list = parallel::joined(kept.collect());
                 Some(Ok(()))

@@ -117,19 +117,22 @@ fn source<'t>(code: &Code<'t>) -> Rule<'t, (Ident, Expr)> {
     ident().then_ignore(just(T::In)).then(head(&code.expression)).boxed()
 }
 
-/// `for x in xs where c { … }`, `update x in xs where c { … }`
+/// `for x in xs where c { … }`, `parallel for x in xs where c { … }`,
+/// `update x in xs where c { … }`
 fn visit<'t>(code: &Code<'t>) -> Rule<'t, ActionKind> {
-    let update = select! { T::For => false, T::Update => true };
+    let parallel = just(T::Parallel).then(just(T::For));
+    let parallel = parallel.map_with(|_, scene: &mut Scene<'t, '_>| Some(scene.span()));
+    let word = parallel.or(just(T::For).to(None)).map(|parallel| (false, parallel));
+    let word = word.or(just(T::Update).to((true, None)));
     let filter = just(T::Where).ignore_then(head(&code.expression));
-    update
-        .then(source(code))
+    word.then(source(code))
         .then(filter.or_not())
         .then(code.block.clone())
-        .map(|(((update, (variable, sequence)), filter), body)| {
+        .map(|((((update, parallel), (variable, sequence)), filter), body)| {
             if update {
                 ActionKind::Update { variable, sequence, filter, body }
             } else {
-                ActionKind::For { variable, sequence, filter, body }
+                ActionKind::For { parallel, variable, sequence, filter, body }
             }
         })
         .boxed()

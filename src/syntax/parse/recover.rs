@@ -71,7 +71,8 @@ fn follows_action(input: &mut Input, kind: T, level: usize) -> bool {
     level == 0
         && (kind == T::RightBrace
             || begins_action(kind)
-            || matches!(kind, T::For | T::If | T::Must | T::Word) && begins_line(input))
+            || matches!(kind, T::Parallel | T::For | T::If | T::Must | T::Word)
+                && begins_line(input))
 }
 
 /// Skips the rest of a pair of parentheses, and the closing one if it comes before the next

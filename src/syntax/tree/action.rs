@@ -30,8 +30,15 @@ pub enum ActionKind {
     Assign { target: Expr, value: Expr },
     /// `repeat n { … }`
     Repeat { count: Expr, body: Block },
-    /// `for x in xs where c { … }`
-    For { variable: Ident, sequence: Expr, filter: Option<Expr>, body: Block },
+    /// `for x in xs where c { … }`, `parallel for x in xs where c { … }` with the place of
+    /// `parallel for`.
+    For {
+        parallel: Option<Span>,
+        variable: Ident,
+        sequence: Expr,
+        filter: Option<Expr>,
+        body: Block,
+    },
     /// `while c { … }`
     While { condition: Expr, body: Block },
     /// `drain x in xs by key while c { … }`

@@ -141,11 +141,12 @@ fn every_token_of_every_program_is_coloured_as_what_it_is() {
 fn every_keyword_is_named() {
     let patterns = patterns();
     for &(word, kind) in TokenKind::KEYWORDS {
-        // Only before `attr`, before the name of a test, and before a brace.
+        // Only before `attr`, the name of a test, a brace, and `for`.
         let text = match kind {
             TokenKind::Private => "private attr".to_owned(),
             TokenKind::Test => "test \"\"".to_owned(),
             TokenKind::Steps => "steps {".to_owned(),
+            TokenKind::Parallel => "parallel for".to_owned(),
             _ => word.to_owned(),
         };
         let scope = &scopes(&patterns, &text)[0];

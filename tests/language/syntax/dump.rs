@@ -136,8 +136,9 @@ impl Page {
                 self.line(format!("repeat {}", value(count)));
                 self.block(body);
             }
-            ActionKind::For { variable, sequence, filter, body } => {
-                self.visit("for", variable, sequence, filter.as_ref(), body)
+            ActionKind::For { parallel, variable, sequence, filter, body } => {
+                let word = if parallel.is_some() { "parallel for" } else { "for" };
+                self.visit(word, variable, sequence, filter.as_ref(), body)
             }
             ActionKind::Update { variable, sequence, filter, body } => {
                 self.visit("update", variable, sequence, filter.as_ref(), body)

@@ -8,6 +8,7 @@ const BRACES: &str = "a block stands in braces: `$w … { … }`";
 const LEAST: &str = "`drain` takes the least key first; `by -x` takes the greatest";
 const ORDERED: &str =
     "`for` has no order; `drain $n in … by x while … { … }` takes the least first";
+const PARALLEL: &str = "`where` is tested on all threads: `parallel for $n in … where … { … }`";
 const CHOICE: &str = "a choice is `if c { … } else { … }`, also as a value";
 
 pub(super) const LINES: &[Line] = &[
@@ -33,6 +34,10 @@ pub(super) const LINES: &[Line] = &[
         "`{}` is written `for`",
     ),
     sure(CODE, "^foreach/forall ( $n in $s:inside ) {", "for $n in $s {", LOOP),
+    sure(CODE, "^for parallel $n in", "parallel for $n in", PARALLEL),
+    sure(CODE, "^parallel_for/parfor/pfor/parallelfor $n in", "parallel for $n in", PARALLEL),
+    sure(CODE, "^parallel foreach/forall $n in", "parallel for $n in", PARALLEL),
+    told(CODE, "^parallel for $n in $s:some by $k:some {", "parallel for $n in $s {", ORDERED),
     sure(CODE, "^for each/all/every $n in", "for $n in", "a loop is `for $n in … { … }`"),
     sure(CODE, "^for $t:word $n in", "for $n in", "a variable has no kind: `for $n in …`"),
     sure(CODE, "^for $n :/of/= $s:part {", "for $n in $s {", "a loop is `for $n in … { … }`"),
