@@ -252,18 +252,10 @@ fn unread(part: &Part) -> Vec<(Span, bool)> {
     let items = part.parsed.tree.items.iter();
     let unread = items.filter_map(|item| {
         let is_lost = matches!(item, Item::Broken(_));
-        let is_unread = is_lost || is_misread(&part.parsed, item.span());
+        let is_unread = is_lost || part.parsed.tree.is_misread(item.span());
         is_unread.then_some((item.span(), is_lost))
     });
     unread.collect()
-}
-
-/// True if some part of an item cannot be parsed as written.
-pub(super) fn is_misread(parsed: &Parsed, item: Span) -> bool {
-    let mut errors = parsed.diagnostics.iter().filter(|told| told.is_error());
-    let mut mended = parsed.mended.iter();
-    errors.any(|error| item.touches(error.span().start as usize))
-        || mended.any(|mended| mended.start < item.end && item.start < mended.end)
 }
 
 /// The files of a program, the root first, and the errors of their `use`.

@@ -4,7 +4,6 @@
 use super::action::{Action, Purpose};
 use super::cursor_context::{op_near, rule_near};
 use super::edits::{append, indentation, slice, statement_span};
-use super::files::is_misread;
 use super::hover::op_named;
 use super::invert::inverse;
 use super::side::subject;
@@ -19,7 +18,7 @@ pub(super) fn rewriting(snapshot: &Snapshot, offset: usize) -> Vec<Action> {
     let Some((_, op)) = op_near(snapshot, offset).filter(|(_, op)| op.span.touches(offset)) else {
         return Vec::new();
     };
-    if is_misread(snapshot.parsed(), op.span) {
+    if snapshot.parsed().tree.is_misread(op.span) {
         return Vec::new();
     }
     let mut actions = Vec::new();

@@ -57,7 +57,7 @@ fn list(file: LibraryFile) -> String {
     }
     let mut sources = Sources::new();
     let parsed = parse(sources.add(file.name, file.text), file.text);
-    let Tree { docs, items } = &parsed.tree;
+    let Tree { docs, items, .. } = &parsed.tree;
     let mut rows = Vec::new();
     for item in items {
         let (word, name, docs) = match item {

@@ -48,7 +48,7 @@ fn shape(path: &Path) -> Option<Result<MeshFile, Failure>> {
     let Analysis { program, diagnostics, .. } = Program::of("MESH".to_owned(), test).analysis;
     Some(match (program.tests.first().map(|test| &test.begin), diagnostics.first()) {
         (Some(TestMesh::Made { constructor, sizes }), None) => {
-            Ok(MeshFile::from_mesh(run::constructed(constructor, sizes)))
+            Ok(MeshFile::from_polygons(run::constructed(constructor, sizes)))
         }
         (_, error) => {
             let why = error.map_or("this is no shape", |error| error.message.as_str());

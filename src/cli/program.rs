@@ -10,6 +10,7 @@ use crate::analysis::{Analysis, Disk, meant, read_program};
 use crate::library;
 use crate::mesh::{FileFormat, Level};
 use crate::rewrite::Plan;
+use crate::run::prepare;
 use crate::source::{Sources, Span};
 
 /// A program as read from a file.
@@ -129,8 +130,11 @@ pub(super) fn read_script(script: &str) -> Result<(Program, usize), Failure> {
     if let Some(script) = found {
         return Ok((program, script));
     }
-    let all = program.analysis.program.scripts.iter();
-    let mut own = all.filter(|script| script.span.file == program.analysis.file);
+    let Analysis { program: known, plans, file, .. } = &program.analysis;
+    let mut own = known.scripts.iter().enumerate().filter_map(|(number, script)| {
+        let runs = script.span.file == *file && prepare(known, number, plans).is_ok();
+        runs.then_some(script)
+    });
     complain(&match own.next().filter(|_| name.is_none()) {
         None => "nothing is run until this is fixed".to_owned(),
         Some(script) => format!(

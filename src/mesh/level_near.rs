@@ -76,16 +76,11 @@ pub fn validate_level_near(
 
 /// The living vertices, edges and faces in whose orbits something was written, each once.
 fn orbits(mesh: &Mesh, written: &Footprint) -> Footprint {
-    let mut near = Footprint {
-        vertices: written.vertices.clone(),
-        halfedges: Vec::new(),
-        edges: written.edges.clone(),
-        faces: written.faces.clone(),
-    };
-    let written_halfedges = written.halfedges.iter().copied();
+    // A large face may be listed many times, and is walked once.
+    let mut near = each_once(written.clone());
     // A face that becomes a hole is written itself, which affects all elements along it.
-    let on_faces = written.faces.iter().flat_map(|&f| mesh.face_halfedges(f));
-    for h in written_halfedges.chain(on_faces) {
+    let on_faces = near.faces.iter().flat_map(|&f| mesh.face_halfedges(f)).collect();
+    for h in [std::mem::take(&mut near.halfedges), on_faces].concat() {
         near.vertices.extend(mesh.get_vertex(h));
         near.vertices.extend(mesh.get_target(h));
         near.edges.extend(mesh.get_edge(h));
@@ -95,13 +90,23 @@ fn orbits(mesh: &Mesh, written: &Footprint) -> Footprint {
     near.vertices.retain(|&v| mesh.get_vertex_halfedge(v).is_some_and(|h| !h.is_none()));
     near.edges.retain(|&e| mesh.get_edge_halfedge(e).is_some());
     near.faces.retain(|&f| mesh.get_face_halfedge(f).is_some());
-    near.vertices.sort_unstable();
-    near.vertices.dedup();
-    near.edges.sort_unstable();
-    near.edges.dedup();
-    near.faces.sort_unstable();
-    near.faces.dedup();
-    near
+    each_once(near)
+}
+
+/// The footprint without the repetitions in its lists.
+fn each_once(footprint: Footprint) -> Footprint {
+    fn distinct<T: Ord>(mut list: Vec<T>) -> Vec<T> {
+        list.sort_unstable();
+        list.dedup();
+        list
+    }
+    let Footprint { vertices, halfedges, edges, faces } = footprint;
+    Footprint {
+        vertices: distinct(vertices),
+        halfedges: distinct(halfedges),
+        edges: distinct(edges),
+        faces: distinct(faces),
+    }
 }
 
 /// A loop has three sides, and meets no vertex twice.

@@ -12,19 +12,24 @@ use super::scopes::Scopes;
 use super::typing::{Place, Typing};
 use super::unit::Unit;
 
-/// The attributes of all files with their defaults, by number. An invalid one keeps its index, but
-/// no name refers to it.
+/// The attributes of all files with their defaults, by number. An invalid one, as one whose default
+/// has an error, keeps its index, but no name refers to it.
 pub(super) fn attributes(
     units: &[Unit],
-    declared: &[Declared],
+    declared: &mut [Declared],
     diagnostics: &mut Vec<Diagnostic>,
 ) -> Arc<[Attribute]> {
     let mut attributes = Vec::new();
-    for (unit, declared) in units.iter().zip(declared) {
+    for (number, unit) in units.iter().enumerate() {
         for item in &unit.tree.items {
-            if let Item::Attr(attr) = item {
-                attributes.push(attribute(attr, declared, diagnostics));
+            let Item::Attr(attr) = item else {
+                continue;
+            };
+            let resolved = attribute(attr, &declared[number], diagnostics);
+            if attr.default.is_some() && resolved.default.is_none() {
+                declared.iter_mut().for_each(|file| file.lose_attribute(&attr.name));
             }
+            attributes.push(resolved);
         }
     }
     attributes.into()

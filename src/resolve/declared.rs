@@ -143,7 +143,8 @@ impl Declared {
                     diagnostics.extend(self.declare_called(&function.name, named));
                 }
                 Item::Attr(attr) => {
-                    self.declare_attribute(attr, numbers, diagnostics);
+                    let misread = file.is_misread(attr.span);
+                    self.declare_attribute((attr, misread), numbers, diagnostics);
                 }
                 Item::Test(_) | Item::Use(_) | Item::Broken(_) => {}
             }
@@ -168,13 +169,13 @@ impl Declared {
 
     fn declare_attribute(
         &mut self,
-        attr: &tree::Attr,
+        (attr, misread): (&tree::Attr, bool),
         numbers: &mut Numbers,
         diagnostics: &mut Vec<Diagnostic>,
     ) {
         let number = numbers.attributes;
         numbers.attributes += 1;
-        let head = head(attr, number, diagnostics).and_then(|head| {
+        let head = head(attr, number, diagnostics).filter(|_| !misread).and_then(|head| {
             let others = self.attributes.iter();
             let public = numbers.public.iter().filter(|_| !head.private);
             match others.chain(public).find(|other| other.is_named_as(&head)) {
@@ -343,6 +344,14 @@ impl Declared {
     pub(super) fn attributes_of(&self, element: Type) -> impl Iterator<Item = &str> {
         let of_element = self.attributes.iter().filter(move |head| head.element == element);
         of_element.map(|head| head.name.as_str())
+    }
+
+    /// Removes an attribute whose declaration has an error.
+    pub(super) fn lose_attribute(&mut self, name: &Ident) {
+        if let Some(at) = self.attributes.iter().position(|head| head.span == name.span) {
+            self.attributes.remove(at);
+            self.lost_attributes.insert(name.text.clone());
+        }
     }
 
     /// The attribute declared at this span.

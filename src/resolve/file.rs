@@ -36,7 +36,8 @@ pub struct Resolved {
 /// value.
 ///
 /// Items are resolved independently: an error in one does not affect the others. What the parser
-/// has already reported is not reported again.
+/// has already reported is not reported again, and code that it could not read as it is written is
+/// left out of the program, as code with an error is.
 pub fn resolve(tree: &tree::File) -> Resolved {
     let uses = |item: &Item| matches!(item, Item::Use(_));
     resolve_all(&[Unit { tree, uses: Vec::new(), lacks: tree.items.iter().any(uses) }])
@@ -48,8 +49,8 @@ pub fn resolve(tree: &tree::File) -> Resolved {
 /// them, then the functions that call ops, then the steps of ops, then scripts and tests.
 pub fn resolve_all(units: &[Unit]) -> Resolved {
     let mut diagnostics = Vec::new();
-    let declared = Declared::of_all(units, &mut diagnostics);
-    let attributes = attributes(units, &declared, &mut diagnostics);
+    let mut declared = Declared::of_all(units, &mut diagnostics);
+    let attributes = attributes(units, &mut declared, &mut diagnostics);
     let mut functions = Functions::of(units, declared);
     let mut program = Program { attributes, ..Program::default() };
     let mut signatures = Vec::new();
@@ -76,8 +77,9 @@ pub fn resolve_all(units: &[Unit]) -> Resolved {
             if let Some(steps) = &op.steps {
                 let mut report = Report::default();
                 let signature = &signatures[number];
-                program.ops[number].steps =
+                let resolved =
                     resolve_steps(op, steps, signature, &signatures, declared, &mut report);
+                program.ops[number].steps = resolved.filter(|_| !unit.tree.is_misread(op.span));
                 diagnostics.extend(report.into_diagnostics());
             }
             number += 1;
@@ -88,6 +90,7 @@ pub fn resolve_all(units: &[Unit]) -> Resolved {
             if let Item::Script(script) = item {
                 let mut report = Report::default();
                 let resolved = resolve_script(script, &signatures, declared, &mut report);
+                let resolved = resolved.filter(|_| !unit.tree.is_misread(script.span));
                 let place = resolved.is_some().then_some(program.scripts.len());
                 program.called_scripts.push(place);
                 program.scripts.extend(resolved);
@@ -95,7 +98,8 @@ pub fn resolve_all(units: &[Unit]) -> Resolved {
             }
             if let Item::Test(test) = item {
                 let mut report = Report::default();
-                match resolve_test(test, &signatures, declared, &mut report) {
+                let resolved = resolve_test(test, &signatures, declared, &mut report);
+                match resolved.filter(|_| !unit.tree.is_misread(test.span)) {
                     Some(resolved) => program.tests.push(resolved),
                     None => program.unread_tests.push((test.name.clone(), test.span)),
                 }

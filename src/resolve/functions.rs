@@ -29,6 +29,8 @@ pub(super) struct Functions<'t> {
 /// A function that is being resolved.
 struct Pending<'t> {
     tree: &'t tree::Fn,
+    /// True if it could not be read as it is written.
+    misread: bool,
     /// The index of its file.
     home: usize,
     found: TreeEffects,
@@ -53,6 +55,7 @@ impl<'t> Functions<'t> {
                     written_signature(tree, found.effects, &declared[home], &mut report);
                 items.push(Pending {
                     tree,
+                    misread: unit.tree.is_misread(tree.span),
                     home,
                     found,
                     signature: Rc::new(signature),
@@ -123,7 +126,7 @@ impl<'t> Functions<'t> {
         let item = &mut self.items[at];
         let mut report = item.report.take().unwrap_or_default();
         let open = item.tree.result.is_none();
-        let (value, resolved) = resolve_function(
+        let (value, mut resolved) = resolve_function(
             item.tree,
             &item.signature,
             ops,
@@ -131,6 +134,7 @@ impl<'t> Functions<'t> {
             &self.declared[item.home],
             &mut report,
         );
+        resolved.body = resolved.body.filter(|_| !item.misread);
         item.resolved = Some(resolved);
         self.diagnostics.extend(report.into_diagnostics());
         self.give(at, value);

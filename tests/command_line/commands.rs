@@ -202,6 +202,56 @@ fn a_shape_stands_in_place_of_a_mesh() {
     bench.succeeds(&[&apply[..], &[element]].concat());
     bench.fails(2, &[&apply[..], &["edge 1000"]].concat(), "the mesh has no edge 1000");
     bench.fails(2, &[&apply[..], &["edge:10"]].concat(), "'edge N' as scripts print it");
+    // Elements have the numbers that they would have in a file.
+    bench.succeeds(&["convert", "icosphere(1)", "i.obj"]);
+    for place in ["edge:2-13", "edge:13-2"] {
+        bench.succeeds(&[&apply[..], &[place]].concat());
+        let of_file = ["apply", "std/triangle.hedge::flip", "i.obj", "-o", "g.obj", "--at", place];
+        bench.succeeds(&of_file);
+        assert_eq!(bench.read("f.obj"), bench.read("g.obj"));
+    }
+}
+
+/// Nor is it asked of what depends on it: a function, an attribute, an operation, another script.
+#[test]
+fn nothing_that_is_written_wrongly_is_run() {
+    let bench = Bench::with_square();
+    bench.write(
+        "s.hedge",
+        "attr x: vertex real = true
+attr y: vertex real = 7 % 2
+fn bad() -> real { 7 % 2 }
+op moved(v: vertex) { steps { var x = 1 x += 1 v.position = vec3(x) } }
+script a() { var x = 1 x += 1 print x }
+script b() { print 0x10 }
+script c() { print 99999999999999999999999 }
+script d() { for v in vertices { v.x = 1 } }
+script e() { for v in vertices { v.y = 1 } }
+script f() { print bad() }
+script g() { a() }
+script h() { for v in vertices { moved(v) } }
+script i() { if count(edges) > 3 { print 1 } elif count(edges) > 1 { print 2 } }
+test \"t\" { mesh = cube() assert 7 % 2 == 1 }
+test \"u\" { mesh = cube() assert bad() == 1 }
+script sound() { print 5 }
+",
+    );
+    bench.write("u.hedge", "use \"s.hedge\" script u() { print bad() }");
+    for script in ["a", "b", "c", "d", "e", "f", "g", "h", "i"] {
+        let script = format!("s.hedge::{script}");
+        bench.fails(1, &["run", &script, "square.obj", "-o", "o.obj"], "error");
+    }
+    bench.fails(1, &["run", "u.hedge", "square.obj", "-o", "o.obj"], "error");
+    bench.fails(1, &["run", "u.hedge::u", "square.obj", "-o", "o.obj"], "error");
+    let apply = ["apply", "s.hedge::moved", "square.obj", "--at", "vertex:1", "-o", "o.obj"];
+    bench.fails(1, &apply, "error");
+    let tested = bench.run(&["test", "s.hedge"]);
+    assert!(tested.out.ends_with("0 passed, 1 failed, 1 not run\n"), "{}", tested.out);
+    assert_eq!(bench.files(), ["s.hedge", "square.obj", "u.hedge"]);
+    // The way out names a script that runs.
+    bench.fails(1, &["run", "s.hedge", "square.obj"], "`hedgerow run s.hedge::sound`");
+    let sound = bench.run(&["run", "s.hedge::sound", "square.obj"]);
+    assert!(sound.code == 0 && sound.out.starts_with("5\n"), "{sound:?}");
 }
 
 #[test]

@@ -110,6 +110,11 @@ impl MeshFile {
         Self { by_ids: true, ..Self::from_mesh(mesh) }
     }
 
+    /// A mesh just built from polygons, with the numbers of a file of these polygons.
+    pub fn from_polygons(mesh: Mesh) -> Self {
+        Self::from_file(mesh, Kept::default())
+    }
+
     /// A mesh just built from a file, its elements in the order of their slots.
     pub(super) fn from_file(mesh: Mesh, kept: Kept) -> Self {
         let mut file = Self::from_mesh(mesh);

@@ -12,23 +12,15 @@ pub fn parse_again(file: FileId, text: &str, was: &str, earlier: &Parsed) -> Par
     parse_with(file, text, &Known::of(was, earlier))
 }
 
-/// Items that have been parsed, by their texts. Only items without diagnostics are kept, since the
-/// report of an error can depend on the surrounding text.
+/// Items that have been parsed, by their texts. Only items that could be read as they are written
+/// are kept, since the report of an error can depend on the surrounding text.
 #[derive(Debug, Default)]
 pub(super) struct Known<'t>(HashMap<&'t str, (u32, &'t Item)>);
 
 impl<'t> Known<'t> {
     fn of(text: &'t str, read: &'t Parsed) -> Self {
-        let labels = read.diagnostics.iter().flat_map(|told| &told.labels);
-        let mut wrong: Vec<u32> =
-            labels.flat_map(|label| [label.span.start, label.span.end]).collect();
-        wrong.sort_unstable();
-        let is_right = |span: Span| {
-            let first = wrong.partition_point(|&place| place < span.start);
-            wrong.get(first).is_none_or(|&place| place > span.end)
-        };
         let items = read.tree.items.iter().map(|item| (item.span(), item));
-        let right = items.filter(|(span, _)| is_right(*span));
+        let right = items.filter(|(span, _)| !read.tree.is_misread(*span));
         let named =
             right.filter_map(|(span, item)| Some((text.get(span.range())?, (span.start, item))));
         Self(named.collect())

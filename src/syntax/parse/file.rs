@@ -38,11 +38,10 @@ pub fn parse(file: FileId, text: &str) -> Parsed {
 /// The same, reusing known items.
 pub(super) fn parse_with(file: FileId, text: &str, known: &Known) -> Parsed {
     let Lexed { tokens, comments, mut diagnostics } = lex(file, text);
-    let mut mended = Vec::new();
-    let tree = File {
-        docs: file_docs(text, &tokens, &comments),
-        items: items(text, &tokens, &comments, (&mut diagnostics, &mut mended), known),
-    };
+    let (mut misread, mut mended) = (Vec::new(), Vec::new());
+    let report = (&mut diagnostics, &mut misread, &mut mended);
+    let items = items(text, &tokens, &comments, report, known);
+    let tree = File { docs: file_docs(text, &tokens, &comments), items, misread };
     diagnostics.sort_by_key(|diagnostic| diagnostic.span().start);
     diagnostics.dedup_by_key(|diagnostic| diagnostic.span().start);
     Parsed { tree, tokens, comments, diagnostics, mended }
@@ -52,11 +51,13 @@ fn items(
     text: &str,
     tokens: &[Token],
     comments: &[Comment],
-    (diagnostics, mended): (&mut Vec<Diagnostic>, &mut Vec<Span>),
+    (diagnostics, misread, mended): (&mut Vec<Diagnostic>, &mut Vec<Span>, &mut Vec<Span>),
     known: &Known,
 ) -> Vec<Item> {
     let grammar = item();
-    let mut reading = Reading { text, grammar: &grammar, diagnostics, mended };
+    // The lexer reports in the order of the text.
+    let of_lexer: Vec<u32> = diagnostics.iter().map(|told| told.span().start).collect();
+    let mut reading = Reading { text, grammar: &grammar, diagnostics, misread, mended };
     let mut docs = Docs { text, comments, next: 0 };
     let mut items = Vec::new();
     for range in cut(text, tokens) {
@@ -67,6 +68,10 @@ fn items(
             document(&mut item, docs.of_item(before, first));
             items.push(item);
             continue;
+        }
+        let wrong = of_lexer.partition_point(|&place| place < whole.start);
+        if of_lexer.get(wrong).is_some_and(|&place| place < whole.end) {
+            reading.misread.push(whole);
         }
         let next = tokens.get(range.end).copied();
         for (first, mut item) in reading.items(&tokens[range], next) {
@@ -92,6 +97,7 @@ struct Reading<'t, 'g> {
     text: &'t str,
     grammar: &'g Rule<'t, Item>,
     diagnostics: &'g mut Vec<Diagnostic>,
+    misread: &'g mut Vec<Span>,
     mended: &'g mut Vec<Span>,
 }
 
@@ -101,6 +107,7 @@ impl<'t> Reading<'t, '_> {
         let whole = whole(tokens);
         let first = tokens.first().map_or(whole, |token| token.span);
         if let Some(token) = too_deep(tokens) {
+            self.misread.push(whole);
             let message = format!("this nests deeper than {DEEPEST} levels");
             let found = Diagnostic::error("nesting-too-deep", message, token.span);
             let counted = "open brackets, chained operators, dots and branches all count";
@@ -111,6 +118,7 @@ impl<'t> Reading<'t, '_> {
         if failures.is_empty() {
             return vec![(first, as_it_is.unwrap_or(Item::Broken(whole)))];
         }
+        self.misread.push(whole);
         let Mended { tokens: mended, found } = mend(self.text, tokens);
         if found.is_empty() {
             let around = Around::new(self.text, tokens, next);

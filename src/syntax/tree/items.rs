@@ -10,6 +10,17 @@ pub struct File {
     pub docs: Vec<String>,
     /// Its items, in order.
     pub items: Vec<Item>,
+    /// The spans of what could not be read as it is written, in order: what the tree has of the
+    /// items there may not be what was meant.
+    pub misread: Vec<Span>,
+}
+
+impl File {
+    /// True if some part of an item could not be read as it is written.
+    pub fn is_misread(&self, item: Span) -> bool {
+        let first = self.misread.partition_point(|misread| misread.end <= item.start);
+        self.misread.get(first).is_some_and(|misread| misread.start < item.end)
+    }
 }
 
 /// An item at the top level.

@@ -36,7 +36,8 @@ fn resolve_statement(kind: impl FnOnce() -> ActionKind + Send + 'static) -> Reso
             body: block(vec![kind()]),
             span: Span::default(),
         };
-        let tree = File { docs: Vec::new(), items: vec![Item::Script(script)] };
+        let tree =
+            File { docs: Vec::new(), items: vec![Item::Script(script)], misread: Vec::new() };
         let resolved = resolve(&tree);
         // The tree's own destructor recurses; that is the tree's business.
         std::mem::forget(tree);
