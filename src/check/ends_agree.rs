@@ -148,17 +148,19 @@ impl Law<'_> {
                     .label(end.span, format!("{} ends here", rule.quoted(ends.name)))
                     .label(start.span, format!("{} starts here", rule.quoted(starts.name)));
                 let back = [left, right].map(|half| runs_back(drawing, view, half.name));
-                diagnostic.notes.extend(back.into_iter().flatten().next());
+                let back = back.into_iter().flatten().next();
+                let note = run_alike(drawing, view, edge).or(back);
+                diagnostic.notes.extend(note);
                 wrong.push((edge, diagnostic));
                 break;
             }
         }
-        self.tell_of_edges(wrong);
+        self.tell_of_edges(wrong, view);
     }
 
     /// Reports all edges whose halfedges are not twins at once: what is swapped in one is swapped
     /// in another.
-    fn tell_of_edges(&mut self, wrong: Vec<(&Edge, Diagnostic)>) {
+    fn tell_of_edges(&mut self, wrong: Vec<(&Edge, Diagnostic)>, view: &View) {
         if self.drawing.rule.cycle.is_some() {
             wrong.into_iter().for_each(|(_, diagnostic)| self.tell(diagnostic));
             return;
@@ -170,7 +172,10 @@ impl Law<'_> {
         let anew = pairs
             .filter(|pairs| pairs.len() == wrong.len())
             .map(|pairs| edges.by_ref().map(|edge| edge.edge.name).zip(pairs).collect::<Vec<_>>());
-        let remedies: Vec<_> = anew.map(Remedy::PairAnew).into_iter().collect();
+        let mut remedies: Vec<_> = anew.map(Remedy::PairAnew).into_iter().collect();
+        let mut faces: Vec<_> = halves.iter().filter_map(|&half| view.loop_of_item(half)).collect();
+        faces.dedup();
+        remedies.extend(faces.into_iter().map(|orbit| Remedy::Turn(orbit.span)));
         let mut wrong = wrong.into_iter();
         let Some((_, mut diagnostic)) = wrong.next() else {
             return;
@@ -344,6 +349,21 @@ impl Law<'_> {
             }
         }
     }
+}
+
+/// What is wrong if two halves of an edge run from the same vertex to the same vertex, in words.
+fn run_alike(drawing: &Drawing, view: &View, edge: &Edge) -> Option<String> {
+    let rule = drawing.rule;
+    let [left, right] = edge.halfedges.map(|half| half.name);
+    let ends = |half: NameId| Some([view.loop_origin(half)?, view.loop_target(half)?]);
+    if ends(left)? != ends(right)? {
+        return None;
+    }
+    let [left, right] = [left, right].map(|half| rule.quoted(half));
+    Some(format!(
+        "{left} and {right} run the same way, but twins run in opposite ways: every loop is drawn \
+         counterclockwise, so one of these two is drawn the other way round"
+    ))
 }
 
 /// The only halfedge of a side that runs between the ends of another in reverse, in words.

@@ -5,7 +5,7 @@ use super::fan_repair::Taken;
 use super::problem::{Problem, Remedy, enumerate};
 use crate::diagnostic::{Diagnostic, Edit, Fix};
 use crate::diagram::{
-    Drawing, Edge, Kind, LoopItem, LoopKind, Name, NameId, Ref, Role, Rule, Spoke, Star,
+    Drawing, Edge, Kind, Loop, LoopItem, LoopKind, Name, NameId, Ref, Role, Rule, Spoke, Star,
 };
 use crate::source::Span;
 
@@ -33,6 +33,7 @@ pub(super) fn add_fixes(
         let good = match remedy {
             Remedy::Erase(_) => left.is_empty(),
             Remedy::Keep(_)
+            | Remedy::Turn(_)
             | Remedy::Take(_)
             | Remedy::KeepAndTake { .. }
             | Remedy::Insert { .. }
@@ -175,6 +176,10 @@ impl Remedy {
                 drawn.span = span;
                 mended.after.loops.push(drawn);
             }
+            Remedy::Turn(statement) => {
+                let mut orbits = mended.before.loops.iter_mut().chain(&mut mended.after.loops);
+                turn(orbits.find(|orbit| orbit.span == *statement)?)?;
+            }
             Remedy::PairAnew(edges) => {
                 for (edge, halfedges) in edges {
                     let mut statements = mended.after.edges.iter_mut();
@@ -245,25 +250,20 @@ impl Remedy {
                 let text = format!("{drawn} ");
                 return Some(Fix { title, edits: vec![Edit { span: behind.span.before(), text }] });
             }
+            Remedy::Turn(statement) => {
+                let mut orbits = rule.before.loops.iter().chain(&rule.after.loops);
+                let mut turned = orbits.find(|orbit| orbit.span == *statement)?.clone();
+                turn(&mut turned)?;
+                let text = loop_statement(rule, &turned)?;
+                let title = format!("draw it the other way round: `{text}`");
+                return Some(Fix { title, edits: vec![Edit { span: *statement, text }] });
+            }
             Remedy::PairAnew(edges) => return pair_anew(rule, edges),
             Remedy::PairAll(pairs) => return pair_all(rule, &[], pairs),
             Remedy::CreateAndPair { created, pairs } => return pair_all(rule, created, pairs),
-            Remedy::Draw { face, items } => {
-                let word = |name: NameId| &rule.name(name).text;
-                let kind = match Drawing::new(rule).before.loop_of_face(*face)?.kind {
-                    LoopKind::Face => "face",
-                    LoopKind::Hole => "hole",
-                    LoopKind::Any => "loop",
-                };
-                if items.iter().any(|&(_, item)| !rule.name(item).named) {
-                    return None;
-                }
-                let mut drawn = String::new();
-                for &(from, item) in items {
-                    drawn.push_str(&format!("{} {} ", word(from), arrow(rule, item)));
-                }
-                let (first, _) = items.first()?;
-                (format!("{kind} {}: {drawn}{}", word(*face), word(*first)), end_of_after(rule)?)
+            Remedy::Draw { .. } => {
+                let mended = self.apply(rule)?;
+                (loop_statement(rule, mended.after.loops.last()?)?, end_of_after(rule)?)
             }
             Remedy::Pair { edge, halfedges } => {
                 let [left, right] = halfedges.map(|half| &rule.name(half).text);
@@ -286,6 +286,39 @@ fn pair_anew(rule: &Rule, edges: &[(NameId, [NameId; 2])]) -> Option<Fix> {
     }
     let written: Vec<_> = edits.iter().map(|edit| format!("`{}`", edit.text)).collect();
     Some(Fix { title: format!("write {}", written.join(" and ")), edits })
+}
+
+/// Turns the statement of a loop round: each item runs from where it ended to where it started.
+fn turn(orbit: &mut Loop) -> Option<()> {
+    let first = orbit.items.first()?.from;
+    if orbit.each || orbit.end.name != first.name {
+        return None;
+    }
+    let ends = orbit.items.iter().skip(1).map(|item| item.from).chain([first]);
+    let turned = orbit.items.iter().zip(ends).map(|(item, end)| LoopItem { from: end, ..*item });
+    let mut turned: Vec<_> = turned.collect();
+    // It begins where it began.
+    turned.reverse();
+    orbit.items = turned;
+    Some(())
+}
+
+/// A loop statement as it is written; `None` if some item of it has no name.
+fn loop_statement(rule: &Rule, orbit: &Loop) -> Option<String> {
+    let word = |mention: Ref| &rule.name(mention.name).text;
+    let kind = match orbit.kind {
+        LoopKind::Face => "face",
+        LoopKind::Hole => "hole",
+        LoopKind::Any => "loop",
+    };
+    if orbit.each || orbit.items.iter().any(|item| !rule.name(item.item.name).named) {
+        return None;
+    }
+    let mut drawn = String::new();
+    for item in &orbit.items {
+        drawn.push_str(&format!("{} {} ", word(item.from), arrow(rule, item.item.name)));
+    }
+    Some(format!("{kind} {}: {drawn}{}", word(orbit.face), word(orbit.end)))
 }
 
 /// An item of a loop as it is written.

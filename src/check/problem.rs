@@ -2,6 +2,7 @@
 
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{NameId, Rule};
+use crate::source::Span;
 
 /// A broken law.
 #[derive(Clone, Debug)]
@@ -33,6 +34,8 @@ pub(super) enum Remedy {
     Insert { face: NameId, at: usize, from: NameId, item: NameId },
     /// `edge e: x | y`
     Pair { edge: NameId, halfedges: [NameId; 2] },
+    /// The loop with this statement, drawn the other way round.
+    Turn(Span),
     /// These edges of `after`, each with these halfedges instead of its own.
     PairAnew(Vec<(NameId, [NameId; 2])>),
     /// An edge with a new name for each of these pairs, listed in `new`.

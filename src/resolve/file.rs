@@ -85,6 +85,7 @@ pub fn resolve_all(units: &[Unit]) -> Resolved {
             number += 1;
         }
     }
+    let mut tests = HashMap::new();
     for (unit, declared) in units.iter().zip(&functions.declared) {
         for item in &unit.tree.items {
             if let Item::Script(script) = item {
@@ -97,6 +98,12 @@ pub fn resolve_all(units: &[Unit]) -> Resolved {
                 diagnostics.extend(report.into_diagnostics());
             }
             if let Item::Test(test) = item {
+                let name = Span { end: test.body.span.start.max(test.span.start), ..test.span };
+                if let Some(first) = tests.insert((name.file, &test.name), name) {
+                    let message = format!("there are two tests `{}`", test.name);
+                    let told = Diagnostic::warning("duplicate-name", message, name);
+                    diagnostics.push(told.label(first, "the first one"));
+                }
                 let mut report = Report::default();
                 let resolved = resolve_test(test, &signatures, declared, &mut report);
                 match resolved.filter(|_| !unit.tree.is_misread(test.span)) {

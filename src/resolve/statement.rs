@@ -15,6 +15,7 @@ use super::script::Scripting;
 use super::suggestion::suggest;
 use super::type_name::type_named;
 use super::typed::to_real;
+use super::typing::converted;
 use super::words::{a_type, short, subject};
 
 /// The maximum number of statements after one on its line that are taken for foreign syntax.
@@ -226,7 +227,22 @@ impl Scripting<'_> {
         }
         self.typing.may_change = !self.updating;
         let value = match local.ty {
-            Some(ty) => self.typing.expression_as(value, ty, &format!("`{word}`"))?,
+            Some(ty) => {
+                let typed = self.typing.expression(value)?;
+                let is_wider = (ty, typed.ty) == (Type::Int, Type::Real);
+                match converted(value, typed, ty, &format!("`{word}`")) {
+                    Ok(value) => value,
+                    Err(error) => {
+                        let error =
+                            error.label(local.span, format!("`{word}` is {} here", a_type(ty)));
+                        self.typing.report.add(match is_wider {
+                            true => error.note(format!("`var {word}: real = …` makes it a real")),
+                            false => error,
+                        });
+                        return None;
+                    }
+                }
+            }
             None => self.typing.expression(value)?,
         };
         Some(StatementKind::Set { variable, value })

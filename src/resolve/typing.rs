@@ -138,36 +138,8 @@ impl Typing<'_> {
         wanted: Type,
         whose: &str,
     ) -> Option<Expr> {
-        match (wanted, value.ty) {
-            (wanted, ty) if wanted == ty => Some(value),
-            (Type::Real, Type::Int) => Some(to_real(value)),
-            (wanted, ty) => {
-                let message = format!(
-                    "{whose} wants {}, but {} is {}",
-                    a_type(wanted),
-                    subject(expr),
-                    a_type(ty)
-                );
-                let error = Diagnostic::error("type-mismatch", message, expr.span)
-                    .saying(format!("this is {}", a_type(ty)));
-                let pointer = match (ty, wanted) {
-                    (Type::Halfedge, Type::Edge) => Some("edge"),
-                    (Type::Halfedge, Type::Face) => Some("face"),
-                    (Type::Edge | Type::Vertex | Type::Face, Type::Halfedge) => Some("halfedge"),
-                    _ => None,
-                };
-                let is_name = matches!(expr.kind, tree::ExprKind::Name(_));
-                self.report.add(match pointer.filter(|_| is_name) {
-                    Some(pointer) => error.fix(
-                        format!("write `.{pointer}` behind it"),
-                        expr.span.after(),
-                        format!(".{pointer}"),
-                    ),
-                    None => error,
-                });
-                None
-            }
-        }
+        let value = converted(expr, value, wanted, whose);
+        value.map_err(|error| self.report.add(error)).ok()
     }
 
     /// `if c { x } else { y }`
@@ -278,4 +250,36 @@ impl Typing<'_> {
         let message = "this block is a value, so a value stands at its end";
         self.report.add(Diagnostic::error("not-a-value", message, span));
     }
+}
+
+/// The value as one of the type `wanted` by `whose`, or the error that it has another type.
+pub(super) fn converted(
+    expr: &tree::Expr,
+    value: Expr,
+    wanted: Type,
+    whose: &str,
+) -> Result<Expr, Diagnostic> {
+    let ty = match (wanted, value.ty) {
+        (wanted, ty) if wanted == ty => return Ok(value),
+        (Type::Real, Type::Int) => return Ok(to_real(value)),
+        (_, ty) => ty,
+    };
+    let (wants, what, is) = (a_type(wanted), subject(expr), a_type(ty));
+    let message = format!("{whose} wants {wants}, but {what} is {is}");
+    let error = Diagnostic::error("type-mismatch", message, expr.span);
+    let error = error.saying(format!("this is {is}"));
+    let pointer = match (ty, wanted) {
+        (Type::Halfedge, Type::Edge) => Some("edge"),
+        (Type::Halfedge, Type::Face) => Some("face"),
+        (Type::Edge | Type::Vertex | Type::Face, Type::Halfedge) => Some("halfedge"),
+        _ => None,
+    };
+    let is_name = matches!(expr.kind, tree::ExprKind::Name(_));
+    Err(match pointer.filter(|_| is_name) {
+        Some(pointer) => {
+            let title = format!("write `.{pointer}` behind it");
+            error.fix(title, expr.span.after(), format!(".{pointer}"))
+        }
+        None => error,
+    })
 }

@@ -799,9 +799,15 @@ impl Machine {
                         None => Message::Malformed,
                     };
                 }
-                Fail { text } => {
-                    let text = call.texts.get(text as usize).cloned();
-                    break text.map_or(Message::Malformed, Message::Said);
+                Fail { text, around } => {
+                    let Some(mut text) = call.texts.get(text as usize).cloned() else {
+                        break Message::Malformed;
+                    };
+                    if let Some((kind, element)) = around {
+                        append(&mut text, " around ");
+                        append(&mut text, ElementText(kind, w.id(element)));
+                    }
+                    break Message::Said(text);
                 }
             }
             if STEP {

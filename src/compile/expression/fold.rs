@@ -4,6 +4,7 @@ use super::collection::elements;
 use super::operator::wide;
 use super::{copy, width};
 use crate::diagram::{ExprKind, Fold, FoldFunction, Type};
+use crate::mesh::ElementKind;
 use crate::rewrite::{Assembler, Elements, Inst, Label, Lanes, Reg};
 
 /// The instruction for the number of all elements of a kind, which the mesh stores.
@@ -148,7 +149,15 @@ impl Sum {
         asm.emit(Inst::Copy { to, from });
     }
 
-    pub(super) fn end(self, asm: &mut Assembler, place: u32, function: FoldFunction) {
+    /// Sets the value of the aggregate, or fails if it has none; `around` is the element, if any,
+    /// around which the collection is.
+    pub(super) fn end(
+        self,
+        asm: &mut Assembler,
+        place: u32,
+        function: FoldFunction,
+        around: Option<(ElementKind, Reg)>,
+    ) {
         let text = match function {
             FoldFunction::Mean => "the mean of nothing",
             FoldFunction::Min | FoldFunction::ArgMin => "the least of nothing",
@@ -158,7 +167,7 @@ impl Sum {
         let some = asm.label();
         asm.emit(Inst::JumpIf { condition: self.seen, to: some });
         let text = asm.text(text);
-        asm.trap_at(place, Inst::Fail { text });
+        asm.trap_at(place, Inst::Fail { text, around });
         asm.bind(some);
         if function == FoldFunction::Mean {
             let (to, left, right) = (self.to, self.to, self.seen);

@@ -5,7 +5,7 @@ use super::collection::{each, elements};
 use super::fold::{Sum, known_count, settle};
 use super::operator::{binary, unary};
 use super::pointer::{first, load};
-use super::{Scope, copy, width};
+use super::{Scope, copy, element_kind, width};
 use crate::diagram::{Access, Binary, Expr, ExprKind, Fold, FoldFunction, Pointer, Type};
 use crate::rewrite::{Assembler, ElementField, HalfedgeField, Inst, Label, Reg, Task, Turns};
 
@@ -182,10 +182,11 @@ fn fold(asm: &mut Assembler, scope: &mut dyn Scope, fold: &Fold, of: &Expr, to: 
         asm.trap_at(place, Inst::Jump { to: done });
         fold_of_threads(asm, scope, fold, (sum, turns, place));
     }
-    asm.release(mark);
     asm.bind(done);
     let place = scope.place(of.span);
-    sum.end(asm, place, fold.function);
+    let kind = fold.collection.base().and_then(|base| element_kind(base.ty));
+    sum.end(asm, place, fold.function, kind.zip(base));
+    asm.release(mark);
 }
 
 /// Lets several threads compute the values of an aggregate if it is over all elements of a kind,

@@ -391,6 +391,7 @@ impl Surroundings<'_> {
             | Inst::PrintBool { from }
             | Inst::PrintInt { from }
             | Inst::PrintElement { from, .. }
+            | Inst::Fail { around: Some((_, from)), .. }
             | Inst::ExpectAlive { from, .. } => operands! { Read Whole from, 1; },
             Inst::PrintReal { from, .. } => operands! { Read Real from, 1; },
             Inst::PrintVec { from, .. } => operands! { Read Real from, 3; },
@@ -425,7 +426,7 @@ impl Surroundings<'_> {
             | Inst::PrintDifference { .. }
             | Inst::MeshKeep { .. }
             | Inst::FailShowing { .. }
-            | Inst::Fail { .. } => {}
+            | Inst::Fail { around: None, .. } => {}
         }
     }
 }

@@ -56,7 +56,7 @@ fn calls_trap_with_a_trace() {
 
     let code = code(1, |asm| {
         let text = asm.text("so it is");
-        asm.trap_at(8, Inst::Fail { text });
+        asm.trap_at(8, Inst::Fail { text, around: None });
     });
     let trap = trap_in(Some(plan("fails", &[1], &[], code)));
     assert_eq!(trap.to_string(), "so it is");
@@ -183,7 +183,7 @@ fn malformed_code_does_not_panic() {
     let insts = [
         Inst::BufferClear { buffer: 9 },
         Inst::PrintText { text: 9 },
-        Inst::Fail { text: 9 },
+        Inst::Fail { text: 9, around: None },
         Inst::Refused { op: 9 },
         Inst::Apply { op: 9, args: last, applied: last, result: last },
     ];

@@ -42,6 +42,14 @@ fn a_failure_points_at_its_place() {
             ["aggregate-of-nothing", "the mean of nothing", "mean(1.0 for h in holes)"],
         ),
         (
+            "for v in vertices { print mean(1.0 for w in v.neighbors where degree(w) > 9) }",
+            [
+                "aggregate-of-nothing",
+                "the mean of nothing around vertex 0",
+                "mean(1.0 for w in v.neighbors where degree(w) > 9)",
+            ],
+        ),
+        (
             "print max(1 for h in holes)",
             ["aggregate-of-nothing", "the greatest of nothing", "max(1 for h in holes)"],
         ),
