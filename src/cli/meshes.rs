@@ -16,7 +16,7 @@ use crate::mesh::{
     Unset, WrittenNumbers, expect_writable, read_dump, read_mesh, read_mesh_from,
     read_mesh_reordered, write_mesh, write_mesh_to,
 };
-use crate::resolve::TestMesh;
+use crate::resolve::{TestMesh, is_shape};
 use crate::run;
 
 /// True if a file holds tables of halfedges, by its name.
@@ -40,7 +40,7 @@ pub(super) fn read(path: &Path, arguments: &RepairArguments) -> Result<MeshFile,
 /// The shape that is named in place of a file, as in tests; `None` if it is none, or a file.
 fn shape(path: &Path) -> Option<Result<MeshFile, Failure>> {
     let text = path.to_str()?;
-    let is_written_so = |c: char| c.is_ascii_alphanumeric() || "_(), ".contains(c);
+    let is_written_so = |c: char| c.is_ascii_alphanumeric() || "_(), -.".contains(c);
     if !text.ends_with(')') || !text.chars().all(is_written_so) || path.exists() {
         return None;
     }
@@ -52,7 +52,9 @@ fn shape(path: &Path) -> Option<Result<MeshFile, Failure>> {
         }
         (_, error) => {
             let why = error.map_or("this is no shape", |error| error.message.as_str());
-            Err(Failure::usage(format!("`{text}`: {why}")))
+            let more = error.and_then(|error| error.notes.first());
+            let more = more.map_or(String::new(), |more| format!("; {more}"));
+            Err(Failure::usage(format!("`{text}`: {why}{more}")))
         }
     })
 }
@@ -132,6 +134,8 @@ fn unreadable(path: &Path, error: FileError) -> Failure {
         FileReason::Io(reason) if reason.kind() == ErrorKind::NotFound => {
             let advice = if shown.to_string().contains('=') {
                 format!("; the value of a parameter is given by `--set {shown}`")
+            } else if path.to_str().is_some_and(is_shape) {
+                format!("; a shape has parentheses: `{shown}(…)`")
             } else if let Some(near) = near(path) {
                 format!("; did you mean `{}`?", near.display())
             } else {

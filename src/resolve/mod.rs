@@ -75,6 +75,7 @@ pub use program::{
     Steps, Test, TestMesh, Variable, Visit,
 };
 pub use suggestion::closest;
+pub use testing::is_shape;
 pub use unit::Unit;
 pub use vocabulary::{
     FieldWord, Signature, fields, function_words, is_constant, is_function,

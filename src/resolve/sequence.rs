@@ -9,7 +9,7 @@ use super::foreign_words;
 use super::scopes::{Binding, Local};
 use super::sequence_names::{FOLDS, WHOLE_MESH, fold_names, sequences_of};
 use super::typed::{to_real, typed};
-use super::typing::{Place, Typing};
+use super::typing::{Place, Typing, with_field};
 use super::words::{a_type, quoted, subject};
 
 /// The sequence of this name around an element.
@@ -248,7 +248,13 @@ impl Typing<'_> {
         };
         let message =
             format!("{whose} wants {wants}, but {} is {}", subject(written), a_type(value.ty));
-        self.report.add(Diagnostic::error("type-mismatch", message, written.span));
+        let error = Diagnostic::error("type-mismatch", message, written.span);
+        self.report.add(match (fold, value.ty) {
+            (FoldFunction::Mean | FoldFunction::Sum, Type::Vertex) => {
+                with_field(error, written, "position")
+            }
+            _ => error,
+        });
         None
     }
 }

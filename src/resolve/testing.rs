@@ -41,9 +41,14 @@ pub(super) const CONSTRUCTORS: [(&str, &[i64]); 13] = [
     ("pillow", &[3]),
 ];
 
+/// True if the word is the name of a shape, as `cube`.
+pub fn is_shape(word: &str) -> bool {
+    CONSTRUCTORS.iter().any(|(known, _)| *known == word)
+}
+
 /// The message about a mesh constructor that is called outside of a test.
 pub(super) fn mesh_maker(word: &str) -> Option<Here> {
-    let makes = word == "load" || CONSTRUCTORS.iter().any(|(known, _)| *known == word);
+    let makes = word == "load" || is_shape(word);
     makes.then_some(Here::Said(
         "a mesh is made at the beginning of a test, `mesh = cube()`; a script has the mesh it is \
          run on",

@@ -272,14 +272,22 @@ pub(super) fn converted(
         (Type::Halfedge, Type::Edge) => Some("edge"),
         (Type::Halfedge, Type::Face) => Some("face"),
         (Type::Edge | Type::Vertex | Type::Face, Type::Halfedge) => Some("halfedge"),
+        (Type::Vertex, Type::Vec3) => Some("position"),
         _ => None,
     };
-    let is_name = matches!(expr.kind, tree::ExprKind::Name(_));
-    Err(match pointer.filter(|_| is_name) {
-        Some(pointer) => {
-            let title = format!("write `.{pointer}` behind it");
-            error.fix(title, expr.span.after(), format!(".{pointer}"))
-        }
+    Err(match pointer {
+        Some(pointer) => with_field(error, expr, pointer),
         None => error,
     })
+}
+
+/// The error with the fix that a name is followed by a field.
+pub(super) fn with_field(error: Diagnostic, expr: &tree::Expr, field: &str) -> Diagnostic {
+    match expr.kind {
+        tree::ExprKind::Name(_) => {
+            let title = format!("write `.{field}` behind it");
+            error.fix(title, expr.span.after(), format!(".{field}"))
+        }
+        _ => error,
+    }
 }

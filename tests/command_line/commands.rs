@@ -193,6 +193,9 @@ fn a_shape_stands_in_place_of_a_mesh() {
     assert_eq!((&summary["faces"], &summary["measures"]["genus"]), (&96.into(), &1.into()));
     bench.fails(2, &["info", "torus(2, 8)"], "`torus` wants a number from 3");
     bench.fails(2, &["info", "tours(12, 8)"], "nothing makes a mesh under the name `tours`");
+    bench.fails(2, &["info", "grid(-1, 2)"], "`grid` wants a number from 1");
+    bench.fails(2, &["info", "sphere(2)"], "`icosphere`");
+    bench.fails(2, &["info", "cube"], "`cube(…)`");
     bench.fails(2, &["convert", "t.obj"], "<OUTPUT>");
     // An element as scripts print it.
     bench.write("p.hedge", "script p() { for e in edges where not boundary(e) { print e break } }");
