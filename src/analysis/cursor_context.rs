@@ -242,9 +242,14 @@ fn op_body(opener: T, last: T) -> CursorContext {
 /// The context in the block of a script.
 fn value(last: T) -> CursorContext {
     CursorContext::Value(match last {
-        T::LeftBrace | T::RightBrace | T::RightParen | T::Word | T::Int | T::Real | T::Text => {
-            Start::Statement
-        }
+        T::LeftBrace
+        | T::RightBrace
+        | T::RightParen
+        | T::Word
+        | T::Int
+        | T::Real
+        | T::Text
+        | T::Parallel => Start::Statement,
         T::In => Start::Sequence,
         T::Let | T::Var | T::For | T::Drain | T::Update => return CursorContext::Nowhere,
         T::Colon => return CursorContext::Type,

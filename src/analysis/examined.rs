@@ -2,7 +2,7 @@
 
 use crate::check::{Counterexample, Outcome, Proved, examine};
 use crate::compile::compile;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Fix};
 use crate::diagram;
 use crate::resolve::ResolvedOp;
 use crate::rewrite::Plan;
@@ -36,7 +36,7 @@ impl Examined {
         sources: &Sources,
         functions: &Functions,
     ) -> Self {
-        let whole = op.diagram.as_ref().filter(|diagram| {
+        let whole = op.diagram.as_ref().filter(|_| !op.misread).filter(|diagram| {
             let inside = |error: &Diagnostic| {
                 let place = error.span();
                 place.file == diagram.span.file && diagram.span.touches(place.start as usize)
@@ -68,6 +68,10 @@ impl Examined {
             }
             None => {}
         }
+        // A fix that replaces a comment would lose it.
+        let keeps_comments =
+            |fix: &Fix| fix.edits.iter().all(|edit| !sources.slice(edit.span).contains("//"));
+        found.diagnostics.iter_mut().for_each(|told| told.fixes.retain(keeps_comments));
         found
     }
 }

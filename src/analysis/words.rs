@@ -60,10 +60,13 @@ pub const MEANINGS: &[(&str, &str)] = &[
     ),
     (
         "parallel",
-        "before `for`: its `where` is tested for all elements before the first turn, on all threads, and again when the turn of an element comes",
+        "before `for`: its `where` is tested for all elements before the first turn, on all threads if it only reads, and again when the turn of an element comes",
     ),
     ("in", "what is visited"),
-    ("where", "which elements are visited, asked when their turn comes"),
+    (
+        "where",
+        "which elements are visited, tested when their turn comes; of a `parallel for` also before the first turn",
+    ),
     ("while", "goes on as long as a condition holds"),
     ("drain", "takes the element with the least key first, and keeps keys current"),
     ("by", "the key of a `drain`"),

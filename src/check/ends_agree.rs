@@ -122,7 +122,7 @@ impl Law<'_> {
     fn edges_join_their_ends(&mut self, side: &Side, view: &View, word: &str) {
         let drawing = self.drawing;
         let rule = drawing.rule;
-        let mut wrong = Vec::new();
+        let (mut wrong, mut is_turned) = (Vec::new(), true);
         for edge in &side.edges {
             let [left, right] = edge.halfedges;
             for (ends, starts) in [(left, right), (right, left)] {
@@ -149,18 +149,20 @@ impl Law<'_> {
                     .label(start.span, format!("{} starts here", rule.quoted(starts.name)));
                 let back = [left, right].map(|half| runs_back(drawing, view, half.name));
                 let back = back.into_iter().flatten().next();
-                let note = run_alike(drawing, view, edge).or(back);
-                diagnostic.notes.extend(note);
+                let alike = run_alike(drawing, view, edge).filter(|_| back.is_none());
+                is_turned &= alike.is_some();
+                diagnostic.notes.extend(back.or(alike));
                 wrong.push((edge, diagnostic));
                 break;
             }
         }
-        self.tell_of_edges(wrong, view);
+        let turned = if is_turned { Some(view) } else { None };
+        self.tell_of_edges(wrong, turned);
     }
 
     /// Reports all edges whose halfedges are not twins at once: what is swapped in one is swapped
-    /// in another.
-    fn tell_of_edges(&mut self, wrong: Vec<(&Edge, Diagnostic)>, view: &View) {
+    /// in another. If a loop may be drawn the wrong way round, in the view, that is a remedy.
+    fn tell_of_edges(&mut self, wrong: Vec<(&Edge, Diagnostic)>, turned: Option<&View>) {
         if self.drawing.rule.cycle.is_some() {
             wrong.into_iter().for_each(|(_, diagnostic)| self.tell(diagnostic));
             return;
@@ -173,9 +175,13 @@ impl Law<'_> {
             .filter(|pairs| pairs.len() == wrong.len())
             .map(|pairs| edges.by_ref().map(|edge| edge.edge.name).zip(pairs).collect::<Vec<_>>());
         let mut remedies: Vec<_> = anew.map(Remedy::PairAnew).into_iter().collect();
-        let mut faces: Vec<_> = halves.iter().filter_map(|&half| view.loop_of_item(half)).collect();
-        faces.dedup();
-        remedies.extend(faces.into_iter().map(|orbit| Remedy::Turn(orbit.span)));
+        if let Some(view) = turned {
+            let loops = halves.iter().filter_map(|&half| view.loop_of_item(half));
+            let mut loops: Vec<_> = loops.map(|orbit| orbit.span).collect();
+            loops.sort_unstable();
+            loops.dedup();
+            remedies.extend(loops.into_iter().map(Remedy::Turn));
+        }
         let mut wrong = wrong.into_iter();
         let Some((_, mut diagnostic)) = wrong.next() else {
             return;
@@ -351,18 +357,19 @@ impl Law<'_> {
     }
 }
 
-/// What is wrong if two halves of an edge run from the same vertex to the same vertex, in words.
+/// A note for two halves of an edge that run from the same vertex to the same vertex in two loops.
 fn run_alike(drawing: &Drawing, view: &View, edge: &Edge) -> Option<String> {
     let rule = drawing.rule;
     let [left, right] = edge.halfedges.map(|half| half.name);
     let ends = |half: NameId| Some([view.loop_origin(half)?, view.loop_target(half)?]);
-    if ends(left)? != ends(right)? {
+    let [one, other] = [left, right].map(|half| view.loop_of_item(half).map(|orbit| orbit.span));
+    if ends(left)? != ends(right)? || one == other {
         return None;
     }
     let [left, right] = [left, right].map(|half| rule.quoted(half));
     Some(format!(
-        "{left} and {right} run the same way, but twins run in opposite ways: every loop is drawn \
-         counterclockwise, so one of these two is drawn the other way round"
+        "{left} and {right} run the same way, but twins run in opposite ways; every loop is drawn \
+         counterclockwise, and perhaps the loop of one of them is drawn the other way round"
     ))
 }
 

@@ -80,6 +80,8 @@ pub(super) fn read_reordered(
 ) -> Result<MeshFile, Failure> {
     let message = if is_standard_input(path) {
         "`--reorder` is for files, and not for standard input"
+    } else if shape(path).is_some() {
+        "`--reorder` is for files, and not for shapes"
     } else if is_tables(path) {
         "`--reorder` is for files of polygons; tables of halfedges have their order"
     } else {

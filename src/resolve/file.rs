@@ -59,8 +59,9 @@ pub fn resolve_all(units: &[Unit]) -> Resolved {
         for item in &unit.tree.items {
             if let Item::Op(op) = item {
                 let mut report = Report::default();
-                let (signature, resolved) =
+                let (signature, mut resolved) =
                     resolve_op(op, declared, &program.attributes, &mut report);
+                resolved.misread = unit.tree.is_misread(op.span);
                 signatures.push(signature);
                 program.ops.push(resolved);
                 diagnostics.extend(report.into_diagnostics());
@@ -79,7 +80,7 @@ pub fn resolve_all(units: &[Unit]) -> Resolved {
                 let signature = &signatures[number];
                 let resolved =
                     resolve_steps(op, steps, signature, &signatures, declared, &mut report);
-                program.ops[number].steps = resolved.filter(|_| !unit.tree.is_misread(op.span));
+                program.ops[number].steps = resolved.filter(|_| !program.ops[number].misread);
                 diagnostics.extend(report.into_diagnostics());
             }
             number += 1;
@@ -98,9 +99,10 @@ pub fn resolve_all(units: &[Unit]) -> Resolved {
                 diagnostics.extend(report.into_diagnostics());
             }
             if let Item::Test(test) = item {
-                let name = Span { end: test.body.span.start.max(test.span.start), ..test.span };
-                if let Some(first) = tests.insert((name.file, &test.name), name) {
-                    let message = format!("there are two tests `{}`", test.name);
+                let name = test.name_span;
+                let first = *tests.entry((name.file, &test.name)).or_insert(name);
+                if first != name {
+                    let message = format!("another test is called `{}`", test.name);
                     let told = Diagnostic::warning("duplicate-name", message, name);
                     diagnostics.push(told.label(first, "the first one"));
                 }

@@ -59,6 +59,8 @@ pub struct Op {
     pub still: Option<Box<diagram::Op>>,
     /// The steps, if this is an op in steps that could be resolved.
     pub steps: Option<Steps>,
+    /// True if it could not be read as it is written; then it cannot be proved.
+    pub misread: bool,
 }
 
 /// An op that calls other ops as one transaction: all or nothing.

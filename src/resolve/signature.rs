@@ -48,6 +48,7 @@ impl Signature {
     /// The op with this name span and diagram; an op in steps has none, and gets its steps later.
     pub(super) fn op(&self, name: Span, diagram: Option<diagram::Op>) -> program::Op {
         program::Op {
+            misread: false,
             name: self.name.clone(),
             span: name,
             params: self.params.iter().map(Parameter::param).collect(),

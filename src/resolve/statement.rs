@@ -230,14 +230,22 @@ impl Scripting<'_> {
             Some(ty) => {
                 let typed = self.typing.expression(value)?;
                 let is_wider = (ty, typed.ty) == (Type::Int, Type::Real);
+                let divides =
+                    matches!(value.kind, tree::ExprKind::Binary(tree::BinaryOp::Divide, ..));
                 match converted(value, typed, ty, &format!("`{word}`")) {
                     Ok(value) => value,
                     Err(error) => {
                         let error =
                             error.label(local.span, format!("`{word}` is {} here", a_type(ty)));
-                        self.typing.report.add(match is_wider {
-                            true => error.note(format!("`var {word}: real = …` makes it a real")),
-                            false => error,
+                        let is_wider = is_wider && local.binding == Binding::Var;
+                        self.typing.report.add(match (is_wider, divides) {
+                            (true, false) => {
+                                error.note(format!("`var {word}: real = …` makes it a real"))
+                            }
+                            (true, true) => error.note(format!(
+                                "`/` gives a real, `div` an int; `var {word}: real = …` makes it a real"
+                            )),
+                            (false, _) => error,
                         });
                         return None;
                     }

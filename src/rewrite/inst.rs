@@ -290,8 +290,8 @@ pub enum Inst {
     MeshSame { mesh: u16, to: Reg },
     /// Traps with a constant text, and with the text printed since the last end of a line.
     FailShowing { text: u32 },
-    /// Traps with a constant text: an assertion, or an aggregate of nothing, with the element that
-    /// nothing is around.
+    /// Traps with a constant text, and the element around which the values of an aggregate were
+    /// to be.
     Fail { text: u32, around: Option<(ElementKind, Reg)> },
 }
 

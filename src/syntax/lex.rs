@@ -55,6 +55,9 @@ pub struct Lexed {
     pub comments: Vec<Comment>,
     /// The errors: characters that belong to no token, and malformed tokens.
     pub diagnostics: Vec<Diagnostic>,
+    /// The places of all errors, in order. Of very many unknown characters, not all have a
+    /// diagnostic.
+    pub wrong: Vec<Span>,
 }
 
 /// Reads all tokens and comments of a text.
@@ -63,9 +66,12 @@ pub fn lex(file: FileId, text: &str) -> Lexed {
         tokens: Vec::with_capacity(text.len() / 4),
         comments: Vec::new(),
         diagnostics: Vec::new(),
+        wrong: Vec::new(),
     };
     let mut unknown: Vec<Span> = Vec::new();
     lexed.read(Span::new(file, 0, text.len()), text, &mut unknown);
+    lexed.wrong = lexed.diagnostics.iter().map(Diagnostic::span).chain(unknown.clone()).collect();
+    lexed.wrong.sort_unstable();
     report_unknown(text, &unknown, &mut lexed.diagnostics);
     lexed
 }

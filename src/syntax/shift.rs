@@ -91,7 +91,7 @@ shift! {
     Param: name ty default span;
     Fn: name params result body span;
     Script: name params body span;
-    Test: body span;
+    Test: name_span body span;
     Op: name params result keeps rules steps span;
     Steps: conditions body;
     Rule: name before conditions after span;

@@ -251,6 +251,19 @@ script sound() { print 5 }
     let tested = bench.run(&["test", "s.hedge"]);
     assert!(tested.out.ends_with("0 passed, 1 failed, 1 not run\n"), "{}", tested.out);
     assert_eq!(bench.files(), ["s.hedge", "square.obj", "u.hedge"]);
+    // Characters that belong to nothing, many of them, and beside other errors of the lexer.
+    let mut many: String =
+        (0..30).map(|n| format!("script s{n}() {{ print {n} - $ 3 }}\n")).collect();
+    many += "op o(e: edge) { before { edge e: a $ | d } after { edge e: a | d } }\n";
+    many += "script last() { print \"no end\n}\n";
+    bench.write("many.hedge", &many);
+    for script in ["s0", "s15", "s16", "s17", "s29", "last"] {
+        let script = format!("many.hedge::{script}");
+        bench.fails(1, &["run", &script, "square.obj", "-o", "o.obj"], "error");
+    }
+    let apply = ["apply", "many.hedge::o", "square.obj", "--at", "edge:1-2", "-o", "o.obj"];
+    bench.fails(1, &apply, "error");
+    std::fs::remove_file(bench.path("many.hedge")).unwrap();
     // The way out names a script that runs.
     bench.fails(1, &["run", "s.hedge", "square.obj"], "`hedgerow run s.hedge::sound`");
     let sound = bench.run(&["run", "s.hedge::sound", "square.obj"]);

@@ -149,8 +149,8 @@ impl Sum {
         asm.emit(Inst::Copy { to, from });
     }
 
-    /// Sets the value of the aggregate, or fails if it has none; `around` is the element, if any,
-    /// around which the collection is.
+    /// Sets the value of the aggregate, or fails if it has none; `around` is the element of a
+    /// collection around one.
     pub(super) fn end(
         self,
         asm: &mut Assembler,

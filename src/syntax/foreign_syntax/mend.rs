@@ -23,6 +23,7 @@ const BEGINNINGS: &[(Places, &[T])] = &[
             T::Let,
             T::Var,
             T::If,
+            T::Parallel,
             T::For,
             T::While,
             T::Repeat,

@@ -37,10 +37,10 @@ pub fn parse(file: FileId, text: &str) -> Parsed {
 
 /// The same, reusing known items.
 pub(super) fn parse_with(file: FileId, text: &str, known: &Known) -> Parsed {
-    let Lexed { tokens, comments, mut diagnostics } = lex(file, text);
+    let Lexed { tokens, comments, mut diagnostics, wrong } = lex(file, text);
     let (mut misread, mut mended) = (Vec::new(), Vec::new());
     let report = (&mut diagnostics, &mut misread, &mut mended);
-    let items = items(text, &tokens, &comments, report, known);
+    let items = items(text, (&tokens, &comments, &wrong), report, known);
     let tree = File { docs: file_docs(text, &tokens, &comments), items, misread };
     diagnostics.sort_by_key(|diagnostic| diagnostic.span().start);
     diagnostics.dedup_by_key(|diagnostic| diagnostic.span().start);
@@ -49,14 +49,11 @@ pub(super) fn parse_with(file: FileId, text: &str, known: &Known) -> Parsed {
 
 fn items(
     text: &str,
-    tokens: &[Token],
-    comments: &[Comment],
+    (tokens, comments, wrong): (&[Token], &[Comment], &[Span]),
     (diagnostics, misread, mended): (&mut Vec<Diagnostic>, &mut Vec<Span>, &mut Vec<Span>),
     known: &Known,
 ) -> Vec<Item> {
     let grammar = item();
-    // The lexer reports in the order of the text.
-    let of_lexer: Vec<u32> = diagnostics.iter().map(|told| told.span().start).collect();
     let mut reading = Reading { text, grammar: &grammar, diagnostics, misread, mended };
     let mut docs = Docs { text, comments, next: 0 };
     let mut items = Vec::new();
@@ -69,8 +66,8 @@ fn items(
             items.push(item);
             continue;
         }
-        let wrong = of_lexer.partition_point(|&place| place < whole.start);
-        if of_lexer.get(wrong).is_some_and(|&place| place < whole.end) {
+        let first = wrong.partition_point(|wrong| wrong.start < whole.start);
+        if wrong.get(first).is_some_and(|wrong| wrong.start < whole.end) {
             reading.misread.push(whole);
         }
         let next = tokens.get(range.end).copied();

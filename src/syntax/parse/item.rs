@@ -142,7 +142,10 @@ fn test<'t>(code: &Code<'t>) -> Rule<'t, Test> {
     just(T::Test)
         .ignore_then(text())
         .then(code.block.clone())
-        .map_with(|((name, _), body), scene| Test { name, body, span: scene.span() })
+        .map_with(|((name, name_span), body), scene| {
+            let span = scene.span();
+            Test { name, name_span, body, span }
+        })
         .boxed()
 }
 

@@ -342,6 +342,7 @@ fn form(told: Diagnostic, context: Span, around: &Around) -> Diagnostic {
         Some(T::Fn) => "a function is `fn f(x: real) -> real { … }`",
         Some(T::Script) => "a script is `script go(n: int = 3) { … }`",
         Some(T::For) => "a loop is `for v in vertices where … { … }`",
+        Some(T::Parallel) => "such a loop is `parallel for v in vertices where … { … }`",
         _ => return told,
     };
     told.note(form)

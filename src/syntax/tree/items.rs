@@ -122,6 +122,8 @@ pub struct Script {
 pub struct Test {
     /// Its name.
     pub name: String,
+    /// The span of its name, with the quotes.
+    pub name_span: Span,
     /// Its body.
     pub body: Block,
     /// The span of the whole item.
