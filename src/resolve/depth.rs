@@ -27,9 +27,9 @@ pub(super) fn shallow_block(block: &Block, report: &mut Report) -> bool {
     shallow(Part::Block(block), report)
 }
 
-/// Calls `look` with a block and all its parts, at any depth, in no particular order.
-pub(super) fn each_part<'a>(block: &'a Block, mut look: impl FnMut(Part<'a>)) {
-    let mut open = vec![Part::Block(block)];
+/// Calls `look` with a part and all its parts, at any depth, in no particular order.
+pub(super) fn each_part<'a>(part: Part<'a>, mut look: impl FnMut(Part<'a>)) {
+    let mut open = vec![part];
     while let Some(part) = open.pop() {
         look(part);
         inside(part, &mut |inner| open.push(inner));

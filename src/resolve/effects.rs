@@ -6,7 +6,7 @@
 
 use crate::source::Span;
 use crate::syntax::Part;
-use crate::syntax::tree::{self, ActionKind, Block, ExprKind, Item};
+use crate::syntax::tree::{self, ActionKind, ExprKind, Item};
 
 use super::builtin::SHUFFLE;
 use super::declared::{Declared, What};
@@ -33,7 +33,7 @@ pub(super) fn all_effects(units: &[Unit], declared: &[Declared]) -> Vec<TreeEffe
     for (unit, declared) in units.iter().zip(declared) {
         for item in &unit.tree.items {
             if let Item::Fn(function) = item {
-                all.push(own_effects(&function.body, declared));
+                all.push(own_effects(Part::Block(&function.body), declared));
             }
         }
     }
@@ -53,9 +53,22 @@ pub(super) fn all_effects(units: &[Unit], declared: &[Declared]) -> Vec<TreeEffe
     all
 }
 
-fn own_effects(body: &Block, declared: &Declared) -> TreeEffects {
+/// The effects of an expression, with those of the functions that it calls.
+pub(super) fn effects_of(expr: &tree::Expr, declared: &Declared) -> Effects {
+    let mut effects = own_effects(Part::Expr(expr), declared).effects;
+    each_part(Part::Expr(expr), |part| {
+        if let Part::Expr(tree::Expr { kind: ExprKind::Call { function, .. }, .. }) = part
+            && let Some(called) = declared.function(&function.text)
+        {
+            effects.take_in(called.effects);
+        }
+    });
+    effects
+}
+
+fn own_effects(part: Part, declared: &Declared) -> TreeEffects {
     let mut found = TreeEffects::default();
-    each_part(body, |part| match part {
+    each_part(part, |part| match part {
         Part::Expr(expr) => found.of_expr(expr, declared),
         Part::Block(block) => {
             for action in &block.statements {

@@ -8,13 +8,13 @@ use crate::syntax::tree::{self, Action, ActionKind, Ident};
 use super::builtin::SHUFFLE;
 use super::declared::Declared;
 use super::depth::shallow_block;
+use super::effects::effects_of;
 use super::parameter::{Owner, local, parameters};
 use super::program::{Block, Script, Statement, StatementKind, Visit};
 use super::report::Report;
 use super::return_value::Returns;
 use super::scopes::{Binding, Local, Scopes};
-use super::signature::Parameter;
-use super::signature::Signature;
+use super::signature::{Effects, Parameter, Signature};
 use super::test_meshes::Meshes;
 use super::typing::{Place, Typing};
 use super::words::not_held;
@@ -226,6 +226,16 @@ impl Scripting<'_> {
         if let (Some(parallel), None) = (visited.parallel, visited.filter) {
             self.typing.report.add(parallel_without_where(parallel));
         }
+        if let (Some(parallel), Some(filter)) = (visited.parallel, visited.filter)
+            && let Some((why, place)) = self.tested_alone(visited.sequence, filter)
+        {
+            let message = format!("this `where` is tested by one thread: {why}");
+            let told = Diagnostic::warning("parallel-on-one-thread", message, parallel);
+            self.typing.report.add(
+                told.label(place, "because of this")
+                    .note("`for` tests each element once, so it takes less time"),
+            );
+        }
         match &visited.sequence.kind {
             tree::ExprKind::Call { function, args } if function.text == SHUFFLE => {
                 self.typing.right_count(function, 1, args.len(), visited.sequence.span)?;
@@ -233,6 +243,33 @@ impl Scripting<'_> {
             }
             _ => self.visit(visited, Visit::InOrder),
         }
+    }
+
+    /// The reason why one thread alone tests the filter of a `parallel for`, and its place.
+    fn tested_alone(
+        &self,
+        sequence: &tree::Expr,
+        filter: &tree::Expr,
+    ) -> Option<(&'static str, Span)> {
+        match &sequence.kind {
+            tree::ExprKind::Call { function, .. } if function.text == SHUFFLE => {
+                return Some(("the elements are in random order", sequence.span));
+            }
+            tree::ExprKind::Field(..) => {
+                return Some(("the elements are around another one", sequence.span));
+            }
+            _ if self.steps_of.is_some() => {
+                return Some(("it is in the steps of an operation", sequence.span));
+            }
+            _ => {}
+        }
+        let Effects { asks, prints, draws, .. } = effects_of(filter, self.typing.declared);
+        let reasons = [
+            ("it asks an operation", asks),
+            ("it prints", prints),
+            ("it draws random numbers", draws),
+        ];
+        reasons.into_iter().find_map(|(why, place)| Some((why, place?)))
     }
 
     /// `update x in xs where c { … }`
