@@ -9,9 +9,9 @@ use super::registers::{Home, Registers};
 use super::write_target::WriteTarget;
 use super::{element_kind, width};
 use crate::check::{Proof, Proved};
-use crate::diagram::{Drawing, Kind, NameId, Op, Property, Rule};
+use crate::diagram::{Drawing, NameId, Op, Property, Rule};
 use crate::lower::{Element, Operation};
-use crate::mesh::Level;
+use crate::mesh::{ElementKind, Level};
 use crate::rewrite::{
     Cell, Code, Function, Holder, Inst, Label, Matched, Plan, Reg, Row, Stage, TooLarge,
 };
@@ -140,23 +140,19 @@ fn allocate(
 ) {
     let asm = &mut output.asm;
     for &Element { name, kind, .. } in created {
-        let new = |to: Reg| match kind {
-            Kind::Vertex => Inst::NewVertex { to },
-            Kind::Halfedge => Inst::NewHalfedge { to },
-            Kind::Edge => Inst::NewEdge { to },
-            _ => Inst::NewFace { to },
+        let Some(element) = kind_of_element(kind) else {
+            continue;
         };
-        match registers.home(name) {
-            Home::Reg(to) => asm.emit(new(to)),
-            Home::Member { buffer, .. } => {
-                asm.emit(Inst::BufferClear { buffer });
-                let indices = registers.begin_index_loop(asm);
-                let from = asm.reg();
-                asm.emit(new(from));
-                asm.emit(Inst::BufferPush { buffer, from });
-                registers.end_index_loop(asm, indices);
+        asm.emit(match (registers.home(name), element) {
+            (Home::Reg(to), ElementKind::Vertex) => Inst::NewVertex { to },
+            (Home::Reg(to), ElementKind::Halfedge) => Inst::NewHalfedge { to },
+            (Home::Reg(to), ElementKind::Edge) => Inst::NewEdge { to },
+            (Home::Reg(to), ElementKind::Face) => Inst::NewFace { to },
+            (Home::Member { buffer, .. }, kind) => {
+                let cycle = registers.cycle.unwrap_or_default();
+                Inst::BufferNew { kind, cycle, buffer }
             }
-        }
+        });
         let target = rule.name(name).text.clone();
         rows.push(Row::set(target, format!("new {}", kind.word()), true));
     }

@@ -51,6 +51,7 @@ impl Inst {
                 | Inst::NewHalfedge { .. }
                 | Inst::NewEdge { .. }
                 | Inst::NewFace { .. }
+                | Inst::BufferNew { .. }
                 | Inst::Store { .. }
                 | Inst::StoreHalfedge { .. }
                 | Inst::StoreHole { .. }

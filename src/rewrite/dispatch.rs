@@ -8,6 +8,7 @@ use super::access::{self, gone};
 use super::arithmetic::{direction, divide, fits, math, mix, modulo, round};
 use super::attribute;
 use super::call::{Frame, MOST_CALLS};
+use super::drain::Drains;
 use super::families;
 use super::memory::{self, Budget};
 use super::observe::Scene;
@@ -102,16 +103,9 @@ impl Machine {
             }};
         }
         macro_rules! create {
-            ($kind:expr, $to:expr) => {{
-                let id = or_trap!(access::add(mesh, $kind));
-                w.set_id($to, id);
-                if let Some(created) = &mut self.created {
-                    created.push(($kind, id));
-                }
-                if OBSERVED {
-                    self.drains.born(mesh, $kind, id);
-                }
-            }};
+            ($kind:expr) => {
+                create::<OBSERVED>(mesh, $kind, &mut self.created, &mut self.drains)
+            };
         }
         macro_rules! refuse {
             ($refusal:expr, $otherwise:expr) => {{
@@ -409,6 +403,16 @@ impl Machine {
                         w.set_bits(to.part(part), bits);
                     }
                 }
+                BufferNew { kind, cycle, buffer } => {
+                    let count = buffer!(cycle).len();
+                    buffer!(buffer).clear();
+                    make_room!(buffer, count);
+                    let mut slots = std::mem::take(buffer!(buffer));
+                    let mut create = |_| create!(kind).map(|id| slots.push(u64::from(id)));
+                    let created = (0..count).try_for_each(&mut create);
+                    *buffer!(buffer) = slots;
+                    or_trap!(created);
+                }
                 BufferAppend { from, to } => {
                     let more = buffer!(from).len();
                     make_room!(to, more);
@@ -536,10 +540,10 @@ impl Machine {
                 }
 
                 // Writes.
-                NewVertex { to } => create!(ElementKind::Vertex, to),
-                NewHalfedge { to } => create!(ElementKind::Halfedge, to),
-                NewEdge { to } => create!(ElementKind::Edge, to),
-                NewFace { to } => create!(ElementKind::Face, to),
+                NewVertex { to } => w.set_id(to, or_trap!(create!(ElementKind::Vertex))),
+                NewHalfedge { to } => w.set_id(to, or_trap!(create!(ElementKind::Halfedge))),
+                NewEdge { to } => w.set_id(to, or_trap!(create!(ElementKind::Edge))),
+                NewFace { to } => w.set_id(to, or_trap!(create!(ElementKind::Face))),
                 Store { field, halfedge, value } => {
                     or_trap!(access::store(mesh, field, w.id(halfedge), w.id(value)))
                 }
@@ -844,4 +848,22 @@ impl Machine {
         }
         self.buffers[call.buffers..end].iter_mut().for_each(Vec::clear);
     }
+}
+
+/// Adds an element, and notes it where the new elements are listed.
+#[inline]
+fn create<const OBSERVED: bool>(
+    mesh: &mut Mesh,
+    kind: ElementKind,
+    created: &mut Option<Vec<(ElementKind, u32)>>,
+    drains: &mut Drains,
+) -> Result<u32, Fault> {
+    let id = access::add(mesh, kind)?;
+    if let Some(created) = created {
+        created.push((kind, id));
+    }
+    if OBSERVED {
+        drains.born(mesh, kind, id);
+    }
+    Ok(id)
 }

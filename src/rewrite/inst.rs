@@ -165,6 +165,8 @@ pub enum Inst {
     Member { buffer: u16, index: Reg, shift: i16, to: Reg },
     /// The `width` slots from `index * width` on. Traps out of range.
     BufferGetWide { buffer: u16, index: Reg, width: u16, to: Reg },
+    /// Fills a buffer with new elements, one for each slot of `cycle`.
+    BufferNew { kind: ElementKind, cycle: u16, buffer: u16 },
     /// Appends a buffer to another.
     BufferAppend { from: u16, to: u16 },
     /// Appends every `period`-th slot, from the one at `place` on, to another buffer, rotated so

@@ -309,6 +309,7 @@ impl Drains {
             | Inst::BufferFree { .. } | Inst::Keep { .. }
             | Inst::BufferGet { .. } | Inst::BufferNext { .. } | Inst::NewVertex { .. }
             | Inst::NewHalfedge { .. } | Inst::NewEdge { .. } | Inst::NewFace { .. }
+            | Inst::BufferNew { .. }
             | Inst::Store { .. } | Inst::StoreHalfedge { .. } | Inst::StoreHole { .. }
             | Inst::StorePosition { .. } | Inst::HoldPosition { .. } | Inst::StoreAttribute { .. }
             | Inst::HoldAttribute { .. } | Inst::ReleaseHeld { .. } | Inst::StoreAll { .. }

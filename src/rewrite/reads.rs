@@ -377,7 +377,8 @@ impl<'c> Reads<'c> {
             // Instructions that occur neither in a key nor in an operation up to its first write.
             #[rustfmt::skip]
             Inst::Refuse | Inst::Return { .. } | Inst::NewVertex { .. } | Inst::NewHalfedge { .. }
-            | Inst::NewEdge { .. } | Inst::NewFace { .. } | Inst::Store { .. }
+            | Inst::NewEdge { .. } | Inst::NewFace { .. } | Inst::BufferNew { .. }
+            | Inst::Store { .. }
             | Inst::StoreHalfedge { .. } | Inst::StoreHole { .. }
             | Inst::StorePosition { .. } | Inst::HoldPosition { .. }
             | Inst::StoreAttribute { .. } | Inst::HoldAttribute { .. }

@@ -9,6 +9,7 @@ use cranelift_codegen::ir::types::I64;
 use cranelift_codegen::ir::{InstBuilder, Value};
 
 use super::access::size_of_value;
+use super::by_machine::is_always_a_step;
 use super::context::{Context, Slice};
 use super::stubs::lists;
 use super::translate::{Region, Translator};
@@ -26,11 +27,16 @@ impl Translator<'_, '_> {
             | Inst::BufferGet { buffer, .. }
             | Inst::BufferNext { buffer, .. }
             | Inst::NextIndex { buffer, .. }
+            | Inst::Member { buffer, .. }
             | Inst::Collect { buffer, .. }
             | Inst::HoldPosition { buffer, .. }
             | Inst::HoldAttribute { buffer, .. }
                 if buffer >= self.text.code.buffers =>
             {
+                return false;
+            }
+            // The machine does it with the instructions that follow.
+            Inst::BufferClear { .. } if self.end_of_run(is_always_a_step) > self.at + 1 => {
                 return false;
             }
             Inst::BufferClear { buffer } => {
@@ -86,6 +92,13 @@ impl Translator<'_, '_> {
                 self.jump_if(is_over, otherwise);
                 self.set_whole(index, next);
             }
+            Inst::Member { buffer, index, shift, to } => {
+                let index = self.whole(index);
+                let (start, count) = self.slots(buffer);
+                let index = self.in_cycle(index, shift, count);
+                let value = self.slot(start, index);
+                self.set_whole(to, value);
+            }
             Inst::Collect { walk, buffer, from, until, whole } => {
                 let [from, until] = [from, until].map(|reg| self.id(reg));
                 let on = self.b.create_block();
@@ -120,6 +133,37 @@ impl Translator<'_, '_> {
             _ => return false,
         }
         true
+    }
+
+    /// The index plus a shift, modulo the length of a buffer; traps if that is 0.
+    fn in_cycle(&mut self, index: Value, shift: i16, count: Value) -> Value {
+        let place = self.b.declare_var(I64);
+        let [far, on] = [(); 2].map(|()| self.b.create_block());
+        self.b.set_cold_block(far);
+        let shifted = self.b.ins().iadd_imm_s(index, i64::from(shift));
+        // Once around is enough, except in a short cycle.
+        let back = match shift {
+            0 => shifted,
+            1.. => self.b.ins().isub(shifted, count),
+            _ => self.b.ins().iadd(shifted, count),
+        };
+        let is_within = self.b.ins().icmp(IntCC::UnsignedLessThan, shifted, count);
+        let near = self.b.ins().select(is_within, shifted, back);
+        self.b.def_var(place, near);
+        let is_within = self.b.ins().icmp(IntCC::UnsignedLessThan, near, count);
+        self.b.ins().brif(is_within, on, &[], far, &[]);
+
+        self.b.switch_to_block(far);
+        let is_some = self.b.ins().icmp_imm_u(IntCC::NotEqual, count, 0);
+        self.or_fault(is_some);
+        let rest = self.b.ins().srem(shifted, count);
+        let positive = self.b.ins().iadd(rest, count);
+        let is_negative = self.b.ins().icmp_imm_s(IntCC::SignedLessThan, rest, 0);
+        let rest = self.b.ins().select(is_negative, positive, rest);
+        self.b.def_var(place, rest);
+        self.b.ins().jump(on, &[]);
+        self.b.switch_to_block(on);
+        self.b.use_var(place)
     }
 
     /// Keeps a write back: in the slots that the part of a loop keeps while there is room, else by

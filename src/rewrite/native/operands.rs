@@ -13,6 +13,7 @@ fn adds(inst: &Inst) -> bool {
             | Inst::NewHalfedge { .. }
             | Inst::NewEdge { .. }
             | Inst::NewFace { .. }
+            | Inst::BufferNew { .. }
             | Inst::ExpectRoom { .. }
             | Inst::ExpectRoomFor { .. }
     )
@@ -403,6 +404,7 @@ impl Surroundings<'_> {
             | Inst::ExpectRoom { .. }
             | Inst::PreviewClear
             | Inst::PreviewUndo
+            | Inst::BufferNew { .. }
             | Inst::BufferAppend { .. }
             | Inst::BufferDeal { .. }
             | Inst::ExpectAllDistinct { .. }

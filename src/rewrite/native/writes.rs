@@ -114,14 +114,17 @@ impl Translator<'_, '_> {
                 let counts = [vertices, halfedges, edges, faces].map(u64::from);
                 let room = counts[0] | counts[1] << 16 | counts[2] << 32 | counts[3] << 48;
                 let room = self.b.ins().iconst(I64, room as i64);
-                let fits = self.call_stub(stubs::has_room as *const () as usize, &[room]);
-                let (on, full) = (self.b.create_block(), self.b.create_block());
-                self.b.set_cold_block(full);
-                self.b.ins().brif(fits, on, &[], full, &[]);
-                self.b.switch_to_block(full);
-                self.step(inst);
-                self.b.ins().jump(on, &[]);
-                self.b.switch_to_block(on);
+                let full = self.b.create_block();
+                self.or_full(inst, room, full);
+            }
+            Inst::ExpectRoomFor { kind, count, .. } => {
+                let count = self.whole(count);
+                let (few, full) = (self.b.create_block(), self.b.create_block());
+                let is_few = self.b.ins().icmp_imm_u(IntCC::UnsignedLessThan, count, 1 << 16);
+                self.b.ins().brif(is_few, few, &[], full, &[]);
+                self.b.switch_to_block(few);
+                let room = self.b.ins().ishl_imm_u(count, 16 * kind as i64);
+                self.or_full(inst, room, full);
             }
             Inst::Tick => self.turn(stubs::tick as *const () as usize),
             Inst::Turn { depth, done, total } => {
@@ -162,6 +165,19 @@ impl Translator<'_, '_> {
             _ => return false,
         }
         true
+    }
+
+    /// Continues if there is room for new elements, their numbers in 16 bits for each kind; else,
+    /// or from the block `full`, the machine executes the instruction.
+    fn or_full(&mut self, inst: &Inst, room: Value, full: Block) {
+        let fits = self.call_stub(stubs::has_room as *const () as usize, &[room]);
+        let on = self.b.create_block();
+        self.b.set_cold_block(full);
+        self.b.ins().brif(fits, on, &[], full, &[]);
+        self.b.switch_to_block(full);
+        self.step(inst);
+        self.b.ins().jump(on, &[]);
+        self.b.switch_to_block(on);
     }
 
     /// Sets a register to the element that a stub has returned; jumps if there is none.
