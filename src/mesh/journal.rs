@@ -56,20 +56,22 @@ impl Mesh {
         self.journal = Journal::default();
     }
 
-    /// The elements whose records or positions were written since the journal was opened.
+    /// What has changed since the journal was opened, as far as levels depend on it.
     pub fn written_since(&self, mark: &Bookmark) -> Footprint {
-        let mut footprint = Footprint::default();
+        let mut changes = Footprint::default();
         let notes = self.journal.notes.get(mark.0..).unwrap_or_default();
         for note in notes {
             match note {
-                Note::Vertex(v, _) | Note::Position(v, _) => footprint.vertices.push(*v),
-                Note::Halfedge(h, _) => footprint.halfedges.push(*h),
-                Note::Edge(e, _) => footprint.edges.push(*e),
-                Note::Face(f, ..) => footprint.faces.push(*f),
+                Note::Halfedge(h, was) if *was != self.halfedges[h.index()] => {
+                    changes.halfedges.push(*h);
+                }
+                Note::Face(f, _, was) if *was != self.face_states[f.index()] => {
+                    changes.faces.push(*f);
+                }
                 _ => {}
             }
         }
-        footprint
+        changes
     }
 
     /// Calls `tell` with what has been written since the journal was opened and has changed, with
