@@ -1,7 +1,7 @@
 //! Declarations: the names that are visible in a file, collected before anything is resolved.
 //!
-//! These are its own items and the items of the files it uses. Two used files may have items of the
-//! same name; only a call of that name is an error.
+//! These are its own items and the items of the files it uses, of which an own item hides one of the
+//! same name. Two used files may have items of the same name; only a call of that name is an error.
 
 use std::cell::RefCell;
 use std::collections::{BTreeMap, HashMap, HashSet};
@@ -195,19 +195,11 @@ impl Declared {
         }
     }
 
-    /// Adds the declarations of a used file. Clashes with the file's `own` declarations are errors.
+    /// Adds the declarations of a used file, except those that one of the file's `own` hides. A
+    /// clash of attributes is an error.
     fn take_in(&mut self, used: &Self, own: &Self, diagnostics: &mut Vec<Diagnostic>) {
-        for (name, named) in &used.called {
-            if let Some(mine) = own.called.get(name) {
-                // An own item shadows a script of a used file.
-                if named.what == What::Script {
-                    continue;
-                }
-                let name = Ident { text: name.clone(), span: mine.span };
-                let error = duplicate(named.what.a_word(), &name, named.span);
-                diagnostics.push(error.note("a file has the names of the files it uses"));
-                continue;
-            }
+        let is_hidden = |name: &String| own.called.contains_key(name);
+        for (name, named) in used.called.iter().filter(|(name, _)| !is_hidden(name)) {
             match self.called.get(name) {
                 None => drop(self.called.insert(name.clone(), *named)),
                 Some(_) => drop(self.others.insert(name.clone(), named.span)),

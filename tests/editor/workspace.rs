@@ -152,7 +152,7 @@ fn a_rename_reaches_attributes_and_heeds_what_other_files_declare() {
     let library = "file:///work/ops.hedge";
     client.open_as(library, "attr mass: vertex real = 0\nfn half(x: real) -> real { x / 2 }\n");
     client.open(
-        "use \"ops.hedge\"\nfn third(x: real) -> real { x / 3 }\n\
+        "use \"ops.hedge\"\nfn third(x: real) -> real { half(x) * 2 / 3 }\n\
          script s() { for h in halfedges { h.vertex.mass = h.target.mass } }\n",
     );
     let mut rename = |uri: &str, line: u32, character: u32, to: &str| {
@@ -169,7 +169,7 @@ fn a_rename_reaches_attributes_and_heeds_what_other_files_declare() {
         assert_eq!(counts, [1, 2]);
     }
     let (_, why) = rename(library, 1, 3, "third").unwrap_err();
-    assert_eq!(why, "there is already a function `third`");
+    assert_eq!(why, "there is already a function `third` in `/work/test.hedge`");
 }
 
 #[test]

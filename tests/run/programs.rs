@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use hedgerow::mesh::{EdgeId, ElementKind, VertexId, identical, shape};
-use hedgerow::{Argument, Program, Session, Unwatched, Values};
+use hedgerow::{Argument, Outcome, Program, Session, Unwatched, Values};
 
 const FUNCTIONS: &str = "
 use \"std/triangle.hedge\"
@@ -179,4 +179,29 @@ fn a_program_goes_to_texts_and_back() {
     // What is not among the texts is not looked for on the disk.
     let lost = [("lost.hedge".to_owned(), "use \"/etc/hostname\"".to_owned())];
     assert!(Program::from_texts(&lost).unwrap_err().to_string().contains("no such file"));
+}
+
+#[test]
+fn an_own_item_hides_one_of_the_same_name() {
+    let texts = [
+        (
+            "own.hedge",
+            "use \"std/triangle.hedge\"\nuse \"parts.hedge\"\n\
+             fn digit() -> int { 1 }\n\
+             fn both() -> int { 10 * digit() + that_of_parts() }\n\
+             op flip(e: edge) {\n  require length(e) < 0 else \"mine\"\n  steps { must split(e) }\n}",
+        ),
+        ("parts.hedge", "fn digit() -> int { 2 }\nfn that_of_parts() -> int { digit() }"),
+    ];
+    let program =
+        Program::from_texts(&texts.map(|(name, text)| (name.into(), text.into()))).unwrap();
+    let mut session = Session::new(&program, shape::tetrahedron());
+    let both = program.function("both").unwrap();
+    assert_eq!(session.call(&both, ()).unwrap(), Some(Argument::Int(12)));
+    let flip = program.op("flip").unwrap();
+    let edge = session.mesh().edges().next().unwrap();
+    match session.apply(&flip, edge).unwrap() {
+        Outcome::Refused(reason) => assert_eq!(reason.to_string(), "mine"),
+        Outcome::Applied(_) => panic!("the flip of the library was applied"),
+    }
 }
