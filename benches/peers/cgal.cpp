@@ -1,7 +1,7 @@
 // The work of `peers.py` by CGAL's Surface_mesh, for comparison:
 //   cgal JOB ORDER IN.off [OUT.off]
-// where JOB is flip, split, collapse, loop, remesh or simplify and ORDER is `in-order` or `random`
-// (of the edges; the last three have none). Prints the processor seconds of the job alone.
+// where JOB is flip, split, collapse, loop, catmull-clark, remesh or simplify and ORDER is
+// `in-order` or `random` (of the edges; the last four have none). Prints the processor seconds of the job alone.
 #include <CGAL/Polygon_mesh_processing/remesh.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -89,6 +89,9 @@ int main(int count, char** words) {
   else if (job == "collapse") applied = each(collapse);
   else if (job == "loop")
     CGAL::Subdivision_method_3::Loop_subdivision(mesh, CGAL::parameters::number_of_iterations(1));
+  else if (job == "catmull-clark")
+    CGAL::Subdivision_method_3::CatmullClark_subdivision(
+        mesh, CGAL::parameters::number_of_iterations(1));
   else if (job == "remesh")
     CGAL::Polygon_mesh_processing::isotropic_remeshing(
         mesh.faces(), length, mesh, CGAL::parameters::number_of_iterations(5));

@@ -32,6 +32,7 @@ TIMES = 3
 OPERATIONS = ["flip", "split", "collapse"]
 ALGORITHMS = {
     "loop": 'use "std/subdivide.hedge" script main() { loop_subdivide() }',
+    "catmull-clark": 'use "std/subdivide.hedge" script main() { catmull_clark() }',
     "remesh": 'use "std/remesh.hedge" script main() { remesh() }',
     "simplify": 'use "std/simplify.hedge" script main() { simplify(-1, 1, 0.1) }',
     "smooth": 'use "std/smooth.hedge" script main() { laplacian(10, 0.5) }',
@@ -108,7 +109,7 @@ class Contest:
         row(job, self.measure(job, "in-order", ALGORITHMS[job], empty), "s", self.quality(job))
 
     def quality(self, job):
-        if job == "loop":
+        if job in ("loop", "catmull-clark"):
             return ""
         ours, theirs = self.folder / "ours.obj", self.folder / "theirs.off"
         self.hedgerow([], ALGORITHMS[job], "script main() { }", ours)

@@ -15,7 +15,7 @@ use super::observe::Scene;
 use super::print::{ElementText, RealText, VectorText, WideText, append};
 use super::question::ask;
 use super::vectors;
-use super::watch::LONG_LIST;
+use super::watch::{LONG_FACE, LONG_LIST};
 use super::window::{Window, reserve};
 use super::{
     Engine, Fault, Inst, Machine, Message, Outcome, Phase, Reg, Room, Trap, Triangles, Watch,
@@ -373,7 +373,11 @@ impl Machine {
                         Triangles::BestShape => mesh.ears(face),
                         Triangles::LeastBend => mesh.patch(face),
                     };
+                    let is_long = order.len() >= LONG_FACE;
                     buffer!(buffer).extend(order.into_iter().map(|h| u64::from(h.0)));
+                    if is_long && watch.tick().is_break() {
+                        break Message::Interrupted;
+                    }
                 }
                 Meets { walk, to, from, goal, stop } => {
                     let ends = [w.id(goal), w.id(stop)];

@@ -10,6 +10,9 @@ pub(super) const TURNS_PER_LOOK: u32 = 256;
 /// two calls of the watcher.
 pub(super) const LONG_LIST: usize = 10_000;
 
+/// The number of diagonals from which the watcher is called whenever those of a face are listed.
+pub(super) const LONG_FACE: usize = 1_000;
+
 /// The number of nested loops whose progress is reported.
 pub(super) const DEPTHS: usize = 8;
 

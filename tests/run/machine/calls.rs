@@ -128,6 +128,20 @@ fn the_watcher_sees_all_loops_and_interrupts() {
 }
 
 #[test]
+fn the_watcher_is_called_after_a_face_with_many_diagonals() {
+    for (sides, is_called) in [(1_000, false), (1_010, true)] {
+        let code = code(1, |asm| {
+            let buffer = asm.buffer();
+            asm.emit(Inst::CollectEars { triangles: Triangles::BestShape, buffer, face: Reg(0) });
+        });
+        let mut watch = Impatient(Vec::new());
+        let run =
+            Machine::default().run(&mut shape::single_polygon(sides), &code, &[0], &mut watch);
+        assert_eq!(run.is_err(), is_called);
+    }
+}
+
+#[test]
 fn lines_are_put_together() {
     let lines = printed(&mut shape::cube(), |asm| {
         let (two, yes) = (asm.constant_int(2), asm.constant_bool(true));
