@@ -42,10 +42,27 @@ impl Scripting<'_> {
             ActionKind::If { binding, condition, then, otherwise: Some(otherwise) } => {
                 self.if_applied_at_end(binding.as_ref(), condition, [then, otherwise])
             }
+            ActionKind::If { then, otherwise: None, .. } if self.lacks_else(then) => None,
             ActionKind::Block(block) => return statements.extend(self.body(block)),
             _ => return self.actions(std::slice::from_ref(action), statements),
         };
         statements.extend(kind.map(|kind| Statement { kind, span }));
+    }
+
+    /// Reports a branch at the end of a function that gives a value while there is no other.
+    fn lacks_else(&mut self, then: &tree::Block) -> bool {
+        let Some(Action { kind: ActionKind::Expr(value), .. }) = then.statements.last() else {
+            return false;
+        };
+        let returns = matches!(self.returns.value, Value::Of(_)) && self.is_value(value);
+        if returns {
+            let message = "an `if` without `else` gives no value";
+            let error = Diagnostic::error("unused-value", message, value.span).note(
+                "both branches give one, `if c { x } else { y }`, or `return` gives this one",
+            );
+            self.typing.report.add(error);
+        }
+        returns
     }
 
     /// True if an expression at the end of a function is its value, not a statement.
