@@ -5,6 +5,7 @@
 
 use glam::DVec3;
 
+use super::drain::Drains;
 use super::{ElementField, Elements, Fault, HalfedgeField, Walk};
 use crate::mesh::{EdgeId, ElementKind, FaceId, HalfedgeId, Mesh, VertexId};
 
@@ -204,7 +205,7 @@ pub(super) fn place(mesh: &Mesh, id: u32, position: DVec3) -> Result<(VertexId, 
 
 /// Adds an element.
 #[inline]
-pub(super) fn add(mesh: &mut Mesh, kind: ElementKind) -> Result<u32, Fault> {
+fn add(mesh: &mut Mesh, kind: ElementKind) -> Result<u32, Fault> {
     if mesh.capacity(kind) >= u32::MAX as usize - 1 && !room_for_one(mesh, kind) {
         return Err(Fault::NoRoom(kind));
     }
@@ -214,6 +215,25 @@ pub(super) fn add(mesh: &mut Mesh, kind: ElementKind) -> Result<u32, Fault> {
         ElementKind::Edge => mesh.add_edge().0,
         ElementKind::Face => mesh.add_face().0,
     })
+}
+
+/// Adds an element, and notes it: in the list of created elements, if there is one, and for the
+/// drains that are told.
+#[inline]
+pub(super) fn create(
+    mesh: &mut Mesh,
+    kind: ElementKind,
+    created: &mut Option<Vec<(ElementKind, u32)>>,
+    drains: Option<&mut Drains>,
+) -> Result<u32, Fault> {
+    let id = add(mesh, kind)?;
+    if let Some(created) = created {
+        created.push((kind, id));
+    }
+    if let Some(drains) = drains {
+        drains.born(mesh, kind, id);
+    }
+    Ok(id)
 }
 
 /// Whether there is room for `count` new elements of a kind.

@@ -8,7 +8,6 @@ use super::access::{self, gone};
 use super::arithmetic::{direction, divide, fits, math, mix, modulo, round};
 use super::attribute;
 use super::call::{Frame, MOST_CALLS};
-use super::drain::Drains;
 use super::families;
 use super::memory::{self, Budget};
 use super::observe::Scene;
@@ -103,9 +102,10 @@ impl Machine {
             }};
         }
         macro_rules! create {
-            ($kind:expr) => {
-                create::<OBSERVED>(mesh, $kind, &mut self.created, &mut self.drains)
-            };
+            ($kind:expr) => {{
+                let drains = OBSERVED.then_some(&mut self.drains);
+                access::create(mesh, $kind, &mut self.created, drains)
+            }};
         }
         macro_rules! refuse {
             ($refusal:expr, $otherwise:expr) => {{
@@ -412,8 +412,8 @@ impl Machine {
                     buffer!(buffer).clear();
                     make_room!(buffer, count);
                     let mut slots = std::mem::take(buffer!(buffer));
-                    let mut create = |_| create!(kind).map(|id| slots.push(u64::from(id)));
-                    let created = (0..count).try_for_each(&mut create);
+                    let create = |_| create!(kind).map(|id| slots.push(u64::from(id)));
+                    let created = (0..count).try_for_each(create);
                     *buffer!(buffer) = slots;
                     or_trap!(created);
                 }
@@ -852,22 +852,4 @@ impl Machine {
         }
         self.buffers[call.buffers..end].iter_mut().for_each(Vec::clear);
     }
-}
-
-/// Adds an element, and notes it where the new elements are listed.
-#[inline]
-fn create<const OBSERVED: bool>(
-    mesh: &mut Mesh,
-    kind: ElementKind,
-    created: &mut Option<Vec<(ElementKind, u32)>>,
-    drains: &mut Drains,
-) -> Result<u32, Fault> {
-    let id = access::add(mesh, kind)?;
-    if let Some(created) = created {
-        created.push((kind, id));
-    }
-    if OBSERVED {
-        drains.born(mesh, kind, id);
-    }
-    Ok(id)
 }

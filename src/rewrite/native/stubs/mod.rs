@@ -338,14 +338,9 @@ pub(super) unsafe extern "C" fn add_and_erase(context: *mut Context, span: i64) 
                 Inst::NewFace { to } => (ElementKind::Face, to),
                 _ => continue,
             };
-            let id = access::add(mesh, kind).map_err(failed)?;
+            let drains = is_told.then_some(&mut machine.drains);
+            let id = access::create(mesh, kind, &mut machine.created, drains).map_err(failed)?;
             window.set_id(to, id);
-            if let Some(created) = &mut machine.created {
-                created.push((kind, id));
-            }
-            if is_told {
-                machine.drains.born(mesh, kind, id);
-            }
         }
         context.refresh(run);
         Ok(0)
