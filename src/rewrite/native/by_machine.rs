@@ -103,16 +103,14 @@ impl Translator<'_, '_> {
     }
 }
 
-/// Whether the machine executes an instruction in any case, at least in a run of such, and the next
-/// instruction follows it.
-pub(super) fn is_always_a_step(inst: &Inst) -> bool {
+/// Whether the machine executes an instruction in any case, and the next instruction follows it.
+fn is_always_a_step(inst: &Inst) -> bool {
     matches!(
         inst,
         Inst::PreviewStoreSpan { .. }
             | Inst::ForeseeAlong { .. }
             | Inst::StoreAll { .. }
             | Inst::StoreSpan { .. }
-            | Inst::BufferClear { .. }
             | Inst::BufferNew { .. }
             | Inst::BufferAppend { .. }
             | Inst::BufferDeal { .. }

@@ -9,7 +9,6 @@ use cranelift_codegen::ir::types::I64;
 use cranelift_codegen::ir::{InstBuilder, Value};
 
 use super::access::size_of_value;
-use super::by_machine::is_always_a_step;
 use super::context::{Context, Slice};
 use super::stubs::lists;
 use super::translate::{Region, Translator};
@@ -33,10 +32,6 @@ impl Translator<'_, '_> {
             | Inst::HoldAttribute { buffer, .. }
                 if buffer >= self.text.code.buffers =>
             {
-                return false;
-            }
-            // The machine does it with the instructions that follow.
-            Inst::BufferClear { .. } if self.end_of_run(is_always_a_step) > self.at + 1 => {
                 return false;
             }
             Inst::BufferClear { buffer } => {
