@@ -1,7 +1,8 @@
 // The work of `peers.py` by CGAL's Surface_mesh, for comparison:
 //   cgal JOB ORDER IN.off [OUT.off]
 // where JOB is flip, split, collapse, loop, catmull-clark, remesh or simplify and ORDER is
-// `in-order` or `random` (of the edges; the last four have none). Prints the processor seconds of the job alone.
+// `in-order` or `random` (of the edges; the last four have none). Prints the processor seconds of
+// the job alone.
 #include <CGAL/Polygon_mesh_processing/remesh.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
