@@ -8,6 +8,8 @@ use std::hint::black_box;
 use super::attribute::ColumnId;
 use super::connectivity::Mesh;
 use super::id::{ElementKind, HalfedgeId};
+use super::prefetch::prefetch;
+use super::records::HalfedgeRecord;
 
 /// The number of halfedges from which on a mesh is larger than the caches of a core.
 const LARGE: usize = 50_000;
@@ -27,6 +29,66 @@ impl Mesh {
         self.halfedges.len() >= LARGE
     }
 
+    /// Prefetches around the elements of a list from an index on, so that nothing is waited for: at
+    /// each eighth index, of the elements that come last the slots are requested, of those before
+    /// them the records that the slots lead to, and so on to the two loops at the next elements.
+    pub(crate) fn prefetch_list(&self, kind: ElementKind, list: &[u64], index: usize) {
+        let group = |number: usize| {
+            let ids = list.get(index + number * Self::TOGETHER..).unwrap_or_default();
+            ids.iter().take(Self::TOGETHER).map(|&id| id as usize)
+        };
+        let record = |h: HalfedgeId| self.halfedges.get(h.index());
+        let record_of = |id: usize| record(self.halfedge_of(kind, id)?);
+        let twin_of = |id: usize| record(record_of(id)?.twin);
+        group(4).for_each(|id| match kind {
+            ElementKind::Halfedge => {}
+            ElementKind::Vertex => prefetch(&self.vertices, id),
+            ElementKind::Edge => prefetch(&self.edges, id),
+            ElementKind::Face => prefetch(&self.faces, id),
+        });
+        for halfedge in group(3).filter_map(|id| self.halfedge_of(kind, id)) {
+            prefetch(&self.halfedges, halfedge.index());
+        }
+        group(2).filter_map(record_of).for_each(|record| {
+            prefetch(&self.halfedges, record.twin.index());
+            self.prefetch_around(record);
+        });
+        group(1).filter_map(twin_of).for_each(|twin| self.prefetch_around(twin));
+        group(1).filter_map(record_of).for_each(|record| self.prefetch_neighbors(record));
+        group(0).filter_map(twin_of).for_each(|twin| self.prefetch_neighbors(twin));
+    }
+
+    /// The halfedge of an element; it itself, if it is one.
+    fn halfedge_of(&self, kind: ElementKind, id: usize) -> Option<HalfedgeId> {
+        match kind {
+            ElementKind::Halfedge => Some(HalfedgeId(id as u32)),
+            ElementKind::Vertex => self.vertices.get(id).copied(),
+            ElementKind::Edge => self.edges.get(id).copied(),
+            ElementKind::Face => self.faces.get(id).copied(),
+        }
+    }
+
+    /// Prefetches what the pointers of a halfedge lead to, except its twin and edge.
+    fn prefetch_around(&self, record: &HalfedgeRecord) {
+        prefetch(&self.halfedges, record.next.index());
+        prefetch(&self.halfedges, record.prev.index());
+        prefetch(&self.vertices, record.vertex.index());
+        prefetch(&self.positions, record.vertex.index());
+        prefetch(&self.faces, record.face.index());
+    }
+
+    /// Prefetches what the next and the previous halfedge lead to outside their loop.
+    fn prefetch_neighbors(&self, record: &HalfedgeRecord) {
+        for side in [record.next, record.prev] {
+            let Some(side) = self.halfedges.get(side.index()) else {
+                continue;
+            };
+            prefetch(&self.halfedges, side.twin.index());
+            prefetch(&self.vertices, side.vertex.index());
+            prefetch(&self.edges, side.edge.index());
+        }
+    }
+
     /// Reads around elements: the stars of their vertices (of two of a face) and the attributes
     /// there in `columns`. `see` is called with the elements there. Ids without a slot and erased
     /// vertices, edges and faces are skipped; for an erased halfedge, the pointers that it had are
@@ -40,13 +102,7 @@ impl Mesh {
     ) {
         let mut starts = [[HalfedgeId::NONE; 2]; Mesh::TOGETHER];
         for (start, &id) in starts.iter_mut().zip(ids) {
-            start[0] = match kind {
-                ElementKind::Halfedge => Some(HalfedgeId(id)),
-                ElementKind::Vertex => self.vertices.get(id as usize).copied(),
-                ElementKind::Edge => self.edges.get(id as usize).copied(),
-                ElementKind::Face => self.faces.get(id as usize).copied(),
-            }
-            .unwrap_or(HalfedgeId::NONE);
+            start[0] = self.halfedge_of(kind, id as usize).unwrap_or(HalfedgeId::NONE);
         }
         for start in &mut starts {
             start[1] = match (kind, self.halfedges.get(start[0].index())) {

@@ -58,6 +58,7 @@ mod loops;
 pub(crate) mod parallel;
 mod polygon_sides;
 mod polygons;
+mod prefetch;
 mod repair;
 pub mod shape;
 

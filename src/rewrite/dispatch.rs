@@ -9,6 +9,7 @@ use super::arithmetic::{direction, divide, fits, math, mix, modulo, round};
 use super::attribute;
 use super::call::{Frame, MOST_CALLS};
 use super::families;
+use super::lookahead;
 use super::memory::{self, Budget};
 use super::observe::Scene;
 use super::print::{ElementText, RealText, VectorText, WideText, append};
@@ -534,6 +535,9 @@ impl Machine {
                         }
                         None => at = otherwise.0 as usize,
                     }
+                }
+                Prefetch { of, buffer, index } => {
+                    lookahead::prefetch(mesh, of.kind(), buffer!(buffer), w.bits(index));
                 }
                 BufferLiving { of, buffer } => {
                     make_room!(buffer, mesh.count(of.kind()));

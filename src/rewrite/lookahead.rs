@@ -5,7 +5,14 @@ use super::Elements;
 use super::paths::{Fields, Paths};
 use super::queue::Queue;
 use super::stale::Stale;
-use crate::mesh::{ColumnId, Mesh};
+use crate::mesh::{ColumnId, ElementKind, Mesh};
+
+/// Prefetches around the elements of a list that follow an index, where that is due.
+pub(super) fn prefetch(mesh: &Mesh, kind: ElementKind, list: &[u64], index: u64) {
+    if index.is_multiple_of(Mesh::TOGETHER as u64) && mesh.is_large() {
+        mesh.prefetch_list(kind, list, index as usize);
+    }
+}
 
 /// The number of recently visited elements that are remembered.
 const LOOKED_AT: usize = 256;

@@ -307,7 +307,7 @@ impl Drains {
             | Inst::PreviewStoreAll { .. } | Inst::Refuse | Inst::Return { .. }
             | Inst::BufferClear { .. } | Inst::BufferPush { .. } | Inst::BufferLength { .. }
             | Inst::BufferFree { .. } | Inst::Keep { .. }
-            | Inst::BufferGet { .. } | Inst::BufferNext { .. } | Inst::NewVertex { .. }
+            | Inst::BufferGet { .. } | Inst::BufferNext { .. } | Inst::Prefetch { .. } | Inst::NewVertex { .. }
             | Inst::NewHalfedge { .. } | Inst::NewEdge { .. } | Inst::NewFace { .. }
             | Inst::BufferNew { .. }
             | Inst::Store { .. } | Inst::StoreHalfedge { .. } | Inst::StoreHole { .. }

@@ -371,7 +371,7 @@ impl<'c> Reads<'c> {
             | Inst::PrintText { .. } | Inst::PrintTextOf { .. } | Inst::PrintBool { .. }
             | Inst::PrintInt { .. } | Inst::PrintReal { .. } | Inst::PrintVec { .. }
             | Inst::PrintWide { .. } | Inst::PrintElement { .. } | Inst::BufferFree { .. }
-            | Inst::Keep { .. } => {}
+            | Inst::Keep { .. } | Inst::Prefetch { .. } => {}
             // The drain still holds ids, so nothing is recycled.
             Inst::Recycle => {}
             // Instructions that occur neither in a key nor in an operation up to its first write.

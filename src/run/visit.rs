@@ -95,6 +95,9 @@ impl Lowering<'_> {
         self.asm.emit(Inst::BufferLength { buffer, to: total });
         self.asm.emit(Inst::Copy { to: index, from: zero });
         self.asm.bind(again);
+        if *visit == Visit::Shuffled {
+            self.asm.emit(Inst::Prefetch { of: kind(collection), buffer, index });
+        }
         self.asm.emit(Inst::BufferNext { buffer, index, to: element, otherwise: end });
         self.turn(span, index, total);
         self.asm.bind(first);

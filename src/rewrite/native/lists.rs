@@ -12,7 +12,7 @@ use super::access::size_of_value;
 use super::context::{Context, Slice};
 use super::stubs::lists;
 use super::translate::{Region, Translator};
-use crate::mesh::ElementKind;
+use crate::mesh::{ElementKind, Mesh};
 use crate::rewrite::{Inst, Reg, Walk, attribute};
 
 impl Translator<'_, '_> {
@@ -25,6 +25,7 @@ impl Translator<'_, '_> {
             | Inst::BufferLength { buffer, .. }
             | Inst::BufferGet { buffer, .. }
             | Inst::BufferNext { buffer, .. }
+            | Inst::Prefetch { buffer, .. }
             | Inst::NextIndex { buffer, .. }
             | Inst::Member { buffer, .. }
             | Inst::Collect { buffer, .. }
@@ -78,6 +79,18 @@ impl Translator<'_, '_> {
                 self.set_whole(to, value);
                 let next = self.b.ins().iadd_imm_s(place, 1);
                 self.set_whole(index, next);
+            }
+            Inst::Prefetch { of, buffer, index } => {
+                let place = self.whole(index);
+                let [here, on] = [(); 2].map(|()| self.b.create_block());
+                let place_in_group = self.b.ins().band_imm_u(place, Mesh::TOGETHER as i64 - 1);
+                self.b.ins().brif(place_in_group, on, &[], here, &[]);
+                self.b.switch_to_block(here);
+                let which = i64::from(buffer) | (of.kind() as i64) << 16;
+                let which = self.b.ins().iconst(I64, which);
+                self.call_stub(lists::prefetch as *const () as usize, &[which, place]);
+                self.b.ins().jump(on, &[]);
+                self.b.switch_to_block(on);
             }
             Inst::NextIndex { buffer, index, otherwise } => {
                 let next = self.whole(index);

@@ -359,6 +359,7 @@ impl Surroundings<'_> {
             Inst::BufferNext { index, to, .. } => operands! {
                 Change Whole index, 1; Change Any to, 1;
             },
+            Inst::Prefetch { index, .. } => operands! { Read Whole index, 1; },
             Inst::StorePosition { vertex, value } | Inst::HoldPosition { vertex, value, .. } => {
                 operands! { Read Whole vertex, 1; Read Real value, 3; }
             }

@@ -3,8 +3,9 @@
 use std::slice;
 
 use super::{LEAVE, within_guarded};
+use crate::mesh::ElementKind;
 use crate::rewrite::native::context::{Context, Run};
-use crate::rewrite::{Machine, Walk, access, memory};
+use crate::rewrite::{Machine, Walk, access, lookahead, memory};
 
 /// Empties the buffers of the code that starts to run.
 ///
@@ -60,6 +61,28 @@ pub(in super::super) unsafe extern "C" fn push(
     };
     // SAFETY: as for all stubs.
     unsafe { within_guarded(context, push) }
+}
+
+/// Reads ahead around the elements that follow in a buffer.
+///
+/// # Safety
+/// As for all stubs.
+pub(in super::super) unsafe extern "C" fn prefetch(
+    context: *mut Context,
+    which: i64,
+    index: i64,
+) -> i64 {
+    let look = |context: &mut Context, run: &mut Run<'_>| {
+        let at = context.list_at(run, which as u16);
+        if let (Some(list), Some(&kind)) =
+            (run.machine.buffers.get(at), ElementKind::ALL.get((which >> 16) as usize))
+        {
+            lookahead::prefetch(run.mesh, kind, list, index as u64);
+        }
+        Ok(0)
+    };
+    // SAFETY: as for all stubs.
+    unsafe { within_guarded(context, look) }
 }
 
 /// Appends the halfedges of a walk to a buffer: `which` has the number of the buffer in its low 16
