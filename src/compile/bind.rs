@@ -75,8 +75,14 @@ impl Collect<'_, '_, '_, '_> {
         }
         self.output.asm.emit(Inst::Copy { to, from: start });
         // One try needs no counting: if it fails, all have failed.
-        if begin.tries != Tries::Some(1) {
-            self.try_again(begin, to, start);
+        match begin.tries {
+            Tries::Some(1) => {}
+            Tries::AllForValues => {
+                let fail = self.fail;
+                self.try_again(begin, to, start);
+                self.fail_of_values = Some(std::mem::replace(&mut self.fail, fail));
+            }
+            Tries::All | Tries::Some(_) => self.try_again(begin, to, start),
         }
         // A halfedge, or the first of a path.
         let bound = match self.drawing.rule.kind(begin.halfedge) {
@@ -93,7 +99,7 @@ impl Collect<'_, '_, '_, '_> {
         let (first, again) = (self.output.asm.label(), self.output.asm.label());
         let tried = match begin.tries {
             Tries::Some(most) => Some((most, self.output.asm.reg())),
-            Tries::All => None,
+            Tries::All | Tries::AllForValues => None,
         };
         if let Some((_, to)) = tried {
             self.output.asm.emit(Inst::Const { to, bits: 1 });

@@ -16,6 +16,8 @@ pub(super) struct Collect<'o, 's, 'd, 'r> {
     pub registers: Registers,
     /// The label to jump to when a test fails: the next attempt, or the next alternative.
     pub fail: Label,
+    /// The same for a new value, if it is another one.
+    pub fail_of_values: Option<Label>,
     pub rows: &'r mut Vec<Row>,
 }
 
@@ -37,6 +39,7 @@ impl Collect<'_, '_, '_, '_> {
             collected.runs = self.runs();
             self.guard(operation, &collected);
         }
+        self.fail = self.fail_of_values.unwrap_or(self.fail);
         collected.values = self.values(&operation.values);
         self.room(&operation.created);
         if !is_guarded {

@@ -94,9 +94,15 @@ fn alternative(
     let registers = Registers::new(&mut output.asm, &drawing, params);
     let mut stage = Stage { rule: rule.label.clone(), ..Stage::default() };
     let operation = Operation::new(&drawing, proof);
-    let mut collected =
-        Collect { output, drawing: &drawing, registers, fail, rows: &mut stage.collect }
-            .emit(&operation);
+    let mut collected = Collect {
+        output,
+        drawing: &drawing,
+        registers,
+        fail,
+        fail_of_values: None,
+        rows: &mut stage.collect,
+    }
+    .emit(&operation);
     let matched = matched(output, &drawing, &collected.registers);
     allocate(output, rule, &operation.created, &mut collected.registers, &mut stage.allocate);
     Reassign {

@@ -1,6 +1,5 @@
 //! Phase 1, collect: how each name is found, and what is tested.
 
-use super::symmetric::is_symmetric;
 use super::words;
 use crate::check::matching::{self, Bound, Claim, Source};
 use crate::diagram::{Drawing, Kind, NameId, Pointer};
@@ -45,10 +44,13 @@ pub struct Begin {
     pub claim: String,
 }
 
-/// The number of halfedges of an element that are tried while matching fails.
+/// The number of halfedges of an element that are tried until the rule is not refused.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Tries {
     All,
+    /// All if the new values are refused; only one if matching or the guard fails, which would fail
+    /// for the others too.
+    AllForValues,
     /// Only this many: further ones would match alike.
     Some(u16),
 }
@@ -134,6 +136,27 @@ impl Matching {
     }
 }
 
+impl Matching {
+    /// The halfedge at which it begins, if that is one of an edge, which is the only choice.
+    pub(super) fn begins_at_edge(&self, drawing: &Drawing) -> Option<NameId> {
+        let mut begins = self.steps.iter().filter_map(|step| match step {
+            Step::Begin(begin) => Some(begin),
+            _ => None,
+        });
+        let begin = begins.next().filter(|_| begins.next().is_none())?;
+        (drawing.rule.kind(begin.element) == Kind::Edge).then_some(begin.halfedge)
+    }
+
+    /// Sets the number of halfedges that are tried.
+    pub(super) fn set_tries(&mut self, tries: Tries) {
+        for step in &mut self.steps {
+            if let Step::Begin(begin) = step {
+                begin.tries = tries;
+            }
+        }
+    }
+}
+
 fn begin(drawing: &Drawing, element: NameId, halfedge: NameId, tries: Option<u16>) -> Begin {
     let rule = drawing.rule;
     let text = &rule.name(element).text;
@@ -151,17 +174,12 @@ fn begin(drawing: &Drawing, element: NameId, halfedge: NameId, tries: Option<u16
         Some(1) => format!("{text}.halfedge"),
         _ => format!("{text}.halfedge, or {other}"),
     };
-    let is_alike = kind == Kind::Edge && is_symmetric(drawing, halfedge);
     Begin {
         element,
         halfedge,
         first,
         step,
-        tries: match tries {
-            _ if is_alike => Tries::Some(1),
-            Some(tries) => Tries::Some(tries),
-            None => Tries::All,
-        },
+        tries: tries.map_or(Tries::All, Tries::Some),
         isolated: (kind == Kind::Vertex)
             .then(|| format!("{} is isolated: no halfedge starts there", rule.quoted(element))),
         claim,

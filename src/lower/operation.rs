@@ -1,6 +1,7 @@
 //! The four phases of a rule.
 
-use super::{Guard, Matching};
+use super::symmetric::refuses_alike;
+use super::{Guard, Matching, Tries};
 use crate::check::Proof;
 use crate::diagram::{Access, Drawing, Expr, Kind, NameId, Ref};
 
@@ -64,8 +65,18 @@ impl<'r> Operation<'r> {
             });
             elements.filter(|one| !matches!(one.kind, Kind::Path | Kind::Fan)).collect()
         };
+        let mut matching = Matching::new(drawing, proof.matching());
+        let guard = Guard::new(drawing, proof.guard());
+        if let Some(halfedge) = matching.begins_at_edge(drawing)
+            && refuses_alike(drawing, halfedge, &matching, &guard)
+        {
+            matching.set_tries(match rule.assignments.is_empty() {
+                true => Tries::Some(1),
+                false => Tries::AllForValues,
+            });
+        }
         Self {
-            matching: Matching::new(drawing, proof.matching()),
+            matching,
             requires: requires
                 .map(|require| Condition {
                     condition: &require.condition,
@@ -73,7 +84,7 @@ impl<'r> Operation<'r> {
                     refusal: &require.reason,
                 })
                 .collect(),
-            guard: Guard::new(drawing, proof.guard()),
+            guard,
             values: values
                 .map(|set| Value {
                     element: set.target.name,

@@ -176,6 +176,60 @@ fn variants(op: &Op, dice: &mut Dice) -> Vec<String> {
     texts
 }
 
+/// A text with a value that some vertices refuse.
+fn with_value(text: &str) -> String {
+    let end = text.rfind('}').and_then(|end| text[..end].rfind('}')).unwrap();
+    format!("{}v0.position = v0.position / v0.position.x }} }}", &text[..end])
+}
+
+/// An op that begins at an edge tries both halfedges, or one where both would be refused alike: it
+/// does what the op that begins at a halfedge does at the first of them that is not refused.
+#[test]
+fn an_edge_is_refused_exactly_if_both_halfedges_are() {
+    let mut dice = Dice(5);
+    let mut done = BTreeMap::<&str, [usize; 2]>::new();
+    for level in [Level::Surface, Level::Simple] {
+        let meshes = meshes(level, &mut dice);
+        let begins = |op: &&Op| !op.two && op.text.contains("edge e: a | ");
+        for op in OPS.iter().filter(begins) {
+            let mut texts = variants(op, &mut dice);
+            while texts.len() > 8 {
+                texts.swap_remove(dice.below(texts.len()));
+            }
+            texts.push(op.text.to_owned());
+            let texts = texts.iter().flat_map(|text| [text.clone(), with_value(text)]);
+            for text in texts.map(|text| text.replace("GUARD", &format!("guard {level}"))) {
+                let of_edge = text.replace("(a: halfedge)", "(e: edge)");
+                let plans = [text, of_edge].map(|text| try_compiled(&text));
+                let [Some(of_halfedge), Some(of_edge)] = plans else {
+                    continue;
+                };
+                for _ in 0..12 {
+                    let mut mesh = meshes[dice.below(meshes.len())].clone();
+                    shuffle_pointers(&mut mesh, &mut dice);
+                    let apply = |plan: &Plan, id: u32| {
+                        let mut result = mesh.clone();
+                        let done = Machine::default().apply(&mut result, plan, &[u64::from(id)]);
+                        matches!(done.unwrap(), Outcome::Applied { .. }).then_some(result)
+                    };
+                    for edge in mesh.edges() {
+                        let half = mesh.edge_halfedge(edge);
+                        let halves = [half, mesh.twin(half)];
+                        let wanted = halves.iter().find_map(|half| apply(&of_halfedge, half.0));
+                        let got = apply(&of_edge, edge.0);
+                        assert_eq!(got.is_some(), wanted.is_some(), "{level} {} {edge}", op.name);
+                        let pair = got.as_ref().zip(wanted.as_ref());
+                        assert!(pair.is_none_or(|(got, wanted)| identical(got, wanted)));
+                        done.entry(op.name).or_default()[usize::from(got.is_some())] += 1;
+                    }
+                }
+            }
+        }
+    }
+    println!("{done:?}");
+    assert!(done.len() > 6 && done.values().all(|[refused, applied]| refused.min(applied) > &20));
+}
+
 #[test]
 fn guards_are_weakest_whatever_the_kinds_of_loops() {
     let mut dice = Dice(99);
