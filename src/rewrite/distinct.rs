@@ -55,8 +55,26 @@ impl Seen {
     }
 
     /// Whether no two numbers are equal.
+    #[inline]
     pub fn are_distinct(&mut self, numbers: &[u32]) -> bool {
+        if numbers.len() <= FEW / 2 {
+            return few_are_distinct(numbers);
+        }
         self.clear();
         numbers.iter().all(|&number| self.is_new(number))
     }
+}
+
+/// Whether no two of a few numbers are equal: a number is compared with those before it only if its
+/// hash may be among theirs.
+#[inline]
+fn few_are_distinct(numbers: &[u32]) -> bool {
+    let mut hashes = [0_u64; 8];
+    numbers.iter().enumerate().all(|(at, number)| {
+        let hash = number.wrapping_mul(0x9E37_79B9) >> 23;
+        let (word, bit) = (&mut hashes[hash as usize / 64], 1 << (hash % 64));
+        let is_new = *word & bit == 0 || !numbers[..at].contains(number);
+        *word |= bit;
+        is_new
+    })
 }
