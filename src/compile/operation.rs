@@ -55,6 +55,7 @@ pub fn compile(
     Ok(Plan {
         name: op.name.clone(),
         params: widths,
+        of: op.params.first().and_then(|param| element_kind(param.ty)),
         result: op.result.and_then(element_kind),
         level: level(op),
         keeps: kept_levels(proved),

@@ -831,7 +831,9 @@ impl Machine {
             }
         };
         self.preview.undo(mesh);
-        Err(Trap::new(message).through_all(&call, at.saturating_sub(1), &returns))
+        let at = at.saturating_sub(1);
+        let trap = Trap { about: self.about(&call, at), ..Trap::new(message) };
+        Err(trap.through_all(&call, at, &returns))
     }
 
     /// Copies slots from a register of one window to the start of another window, for which it

@@ -346,11 +346,18 @@ impl Drains {
         };
         self.noting -= usize::from(drain.is_noted());
         if key.is_nan() {
+            drain.reading = Some(id);
             return Err(Message::KeyNotANumber);
         }
         self.computed = self.computed.wrapping_add(1);
         drain.queue.set(id, key);
         Ok(())
+    }
+
+    /// The element whose key is being computed.
+    pub(super) fn in_progress(&self) -> Option<(ElementKind, u32)> {
+        let drain = self.all.last()?;
+        Some((drain.of.kind(), drain.reading?))
     }
 
     /// The element of the innermost drain with the least key.

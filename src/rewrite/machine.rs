@@ -450,6 +450,6 @@ impl Machine {
 impl Trap {
     /// A trap with an empty trace: no call has added its place yet.
     pub(super) fn new(message: Message) -> Self {
-        Self { message, trace: Vec::new() }
+        Self { message, trace: Vec::new(), about: None }
     }
 }

@@ -25,6 +25,7 @@ mod call;
 mod dispatch;
 mod window;
 
+mod about;
 mod access;
 pub mod arithmetic;
 mod asked;

@@ -18,6 +18,8 @@ pub struct Plan {
     /// The widths of the parameters in slots: 1, or 3 for a vector. The window begins with the
     /// parameters, in order.
     pub params: Vec<u16>,
+    /// The kind of the first parameter, if it is an element.
+    pub of: Option<ElementKind>,
     /// The kind of the result.
     pub result: Option<ElementKind>,
     /// The level that its guard requires of a mesh.

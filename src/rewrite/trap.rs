@@ -5,6 +5,7 @@
 
 use std::fmt;
 
+use super::print::ElementText;
 use crate::mesh::{ElementKind, Level};
 
 /// The end of a run that could not continue.
@@ -14,6 +15,8 @@ pub struct Trap {
     pub message: Message,
     /// The call stack, the innermost call first.
     pub trace: Vec<Site>,
+    /// The kind and number of the element that the failed instruction was about, if that is known.
+    pub about: Option<(ElementKind, u32)>,
 }
 
 /// A place in one call.
@@ -172,7 +175,16 @@ impl fmt::Display for Message {
 
 impl fmt::Display for Trap {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.message.fmt(f)
+        let Some(element) = self.about.map(|(kind, id)| ElementText(kind, id)) else {
+            return self.message.fmt(f);
+        };
+        match &self.message {
+            Message::Gone(kind) if *kind == element.0 => write!(f, "{element} no longer exists"),
+            Message::NotFinite => write!(f, "the new position of {element} is not finite"),
+            Message::KeyNotANumber => write!(f, "the key of {element} is not a number"),
+            Message::Refused { op, reason } => write!(f, "`{op}` refused {element}: {reason}"),
+            message => message.fmt(f),
+        }
     }
 }
 

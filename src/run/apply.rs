@@ -212,7 +212,7 @@ impl Application {
         let Some(span) = trap.trace.iter().find_map(|site| self.span(site)) else {
             return diagnostic(&self.parameters, trap);
         };
-        let message = trap.message.to_string();
+        let message = trap.to_string();
         match &trap.message {
             Message::Interrupted | Message::NoRoom(_) | Message::NoMemory(_) => {
                 diagnostic(&self.parameters, trap)

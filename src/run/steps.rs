@@ -179,6 +179,7 @@ fn plan(
         matched: Vec::new(),
         name: op.name.clone(),
         params: op.params.iter().map(|param| width(param.ty)).collect(),
+        of: op.params.first().and_then(|param| element_kind(param.ty)),
         result: op.result.and_then(element_kind),
         level: steps.level,
         keeps: keeps.into_iter().filter(|&kept| kept <= steps.level).collect(),

@@ -52,7 +52,7 @@ fn tests_are_run_and_told() {
         "the reason is: two edges would join `v2` and `v3`",
         "the operation was applied",
         "error[assertion-failed]: no\n",
-        "`collapse` refused: ",
+        "`collapse` refused edge 0: ",
         "`no.obj` cannot be loaded",
         "is for meshes of level simple",
     ] {

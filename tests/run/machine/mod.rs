@@ -32,6 +32,7 @@ fn plan(name: &str, params: &[u16], refusals: &[(&str, Phase)], code: Code) -> P
         matched: Vec::new(),
         name: name.to_owned(),
         params: params.to_vec(),
+        of: None,
         result: None,
         level: Level::Map,
         keeps: Vec::new(),

@@ -114,9 +114,9 @@ fn dead_and_wild_arguments_trap() {
     let before = format!("{mesh:?}");
     let mut machine = Machine::default();
     for (id, message) in [
-        (99, "the edge no longer exists"),
+        (99, "edge 99 no longer exists"),
         (u64::from(u32::MAX), "there is no edge here"),
-        (u64::from(u32::MAX - 1), "the edge no longer exists"),
+        (u64::from(u32::MAX - 1), "edge 4294967294 no longer exists"),
     ] {
         let trap = machine.apply(&mut mesh, &flip, &[id]).unwrap_err();
         assert_eq!(trap.to_string(), message);

@@ -65,7 +65,7 @@ fn a_failure_points_at_its_place() {
             "for v in vertices { v.position = vec3(1, 2, 1 / count(holes)) }",
             [
                 "not-finite",
-                "the new position is not finite",
+                "the new position of vertex 0 is not finite",
                 "v.position = vec3(1, 2, 1 / count(holes))",
             ],
         ),
@@ -73,17 +73,17 @@ fn a_failure_points_at_its_place() {
             "update v in vertices { v.position = vec3(1, 2, 1 / count(holes)) }",
             [
                 "not-finite",
-                "the new position is not finite",
+                "the new position of vertex 0 is not finite",
                 "v.position = vec3(1, 2, 1 / count(holes))",
             ],
         ),
         (
             "for e in edges { collapse(e, 100.0)  print length(e) }",
-            ["element-gone", "the edge no longer exists", "length(e)"],
+            ["element-gone", "edge 0 no longer exists", "length(e)"],
         ),
         (
             "for e in edges { collapse(e, 100.0)  print e }",
-            ["element-gone", "the edge no longer exists", "e"],
+            ["element-gone", "edge 0 no longer exists", "e"],
         ),
         (
             "print round(sqrt(-1))",
@@ -93,7 +93,7 @@ fn a_failure_points_at_its_place() {
             "for e in edges { must collapse(e, 0.0) }",
             [
                 "op-refused",
-                "`collapse` refused: an edge would become too long",
+                "`collapse` refused edge 0: an edge would become too long",
                 "must collapse(e, 0.0)",
             ],
         ),

@@ -168,7 +168,9 @@ pub(super) unsafe extern "C" fn turn(context: *mut Context, inst: i64) -> i64 {
 /// The trap of an instruction of the running code.
 #[cold]
 pub(super) fn failed(context: &Context, run: &Run<'_>, inst: i64, message: Message) -> Trap {
-    Trap::new(message).through(&context.call(run), inst as usize)
+    let call = context.call(run);
+    let about = run.machine.about(&call, inst as usize);
+    Trap { about, ..Trap::new(message) }.through(&call, inst as usize)
 }
 
 /// Answers a question from registers in the window, into the window; [`LEAVE`] if there is no
