@@ -8,9 +8,7 @@ use glam::DVec3;
 use super::access;
 use super::window::Window;
 use super::{Fault, Reg};
-#[cfg(feature = "native")]
-use crate::mesh::ElementKind;
-use crate::mesh::Mesh;
+use crate::mesh::{ElementKind, Mesh};
 
 /// A question to the mesh about one element; [`Question::Adjacent`] is about two.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -35,7 +33,6 @@ pub enum Question {
 
 impl Question {
     /// The kind of the elements that the question is about.
-    #[cfg(feature = "native")]
     pub(super) fn kind(self) -> ElementKind {
         match self {
             Self::Degree | Self::BoundaryVertex | Self::NormalVertex | Self::Adjacent => {
