@@ -506,6 +506,24 @@ impl Law<'_> {
     }
 }
 
+/// Whether a face or edge that is drawn before may stay as it was: its halfedges are neither erased
+/// nor drawn at another one. Of a vertex that is not known.
+fn may_be_kept(drawing: &Drawing, name: NameId) -> bool {
+    let Drawing { before, after, .. } = drawing;
+    let survives = |item: NameId| drawing.erased(item).is_none();
+    match drawing.rule.kind(name) {
+        Kind::Face => before.loop_of_face(name).is_none_or(|face| {
+            let mut items = face.items.iter().map(|item| item.item.name);
+            items.all(|item| survives(item) && after.loop_of_item(item).is_none())
+        }),
+        Kind::Edge => before.edge_statement(name).is_none_or(|edge| {
+            let mut halves = edge.halfedges.iter().map(|half| half.name);
+            halves.all(|half| survives(half) && after.pairing(half).is_none())
+        }),
+        _ => true,
+    }
+}
+
 /// The problem that names of one kind are drawn before, and nowhere after.
 fn is_forgotten(drawing: &Drawing, kind: Kind, names: &[NameId]) -> Problem {
     let rule = drawing.rule;
@@ -529,17 +547,23 @@ fn is_forgotten(drawing: &Drawing, kind: Kind, names: &[NameId]) -> Problem {
     diagnostic = diagnostic.label(after_keyword(drawing), format!("{list} {stand} nowhere here"));
     let words: Vec<_> = names.iter().map(|&name| &*rule.name(name).text).collect();
     let words = words.join(" ");
+    let may_be_kept = names.iter().all(|&name| may_be_kept(drawing, name));
     diagnostic = match kind {
         Kind::Fan => {
             diagnostic.note("list it in the vertex statement of the vertex that takes its spokes")
         }
-        Kind::Vertex | Kind::Edge | Kind::Face => diagnostic
-            .note(format!("draw {list} in `after`, or write `keep {words}` or `erase {words}`")),
+        Kind::Vertex | Kind::Edge | Kind::Face => diagnostic.note(match may_be_kept {
+            true => format!("draw {list} in `after`, or write `keep {words}` or `erase {words}`"),
+            false => format!("draw {list} in `after`, or write `erase {words}`"),
+        }),
         Kind::Halfedge | Kind::Path => diagnostic,
     };
     let remedies = match kind {
         Kind::Vertex | Kind::Edge | Kind::Face => {
-            let mut remedies = vec![Remedy::Keep(names.to_vec()), Remedy::Erase(names.to_vec())];
+            let mut remedies = vec![Remedy::Erase(names.to_vec())];
+            if may_be_kept {
+                remedies.insert(0, Remedy::Keep(names.to_vec()));
+            }
             let erased = drawing.rule.erased.iter().map(|erased| erased.name);
             let erased = erased.filter(|&name| kind == Kind::Vertex && rule.kind(name) == kind);
             let kept = || names.to_vec();
