@@ -6,11 +6,11 @@
 //! separately.
 
 use std::fmt;
-use std::hint::black_box;
 
 use glam::{DMat3, DMat4, DVec2, DVec3, DVec4};
 
 use super::id::ElementKind;
+use super::prefetch::prefetch;
 
 /// A type that an attribute can have. Implemented for exactly the types of [`Value`].
 pub trait Attribute: Copy + Sized {
@@ -90,9 +90,9 @@ macro_rules! attribute_types {
                 match self { $(Self::$variant(xs) => xs.iter().for_each(|&x| see(Value::$variant(x)))),* }
             }
 
-            /// Reads a value, to bring it into the caches.
-            pub(super) fn touch(&self, index: usize) {
-                match self { $(Self::$variant(xs) => { black_box(xs.get(index).copied()); })* }
+            /// Requests the memory of a value.
+            pub(super) fn prefetch(&self, index: usize) {
+                match self { $(Self::$variant(xs) => prefetch(xs, index),)* }
             }
 
             pub(super) fn get(&self, index: usize) -> Option<Value> {

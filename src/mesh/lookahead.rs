@@ -1,9 +1,8 @@
 //! Prefetching of the surroundings of elements that are needed soon.
 //!
 //! Scattered accesses to a large mesh wait for memory, one pointer after the other. Around several
-//! elements at once the waits overlap, and what has been read is in the caches when it is needed.
-
-use std::hint::black_box;
+//! elements at once the waits overlap, and what has been requested is in the caches when it is
+//! needed.
 
 use super::attribute::ColumnId;
 use super::connectivity::Mesh;
@@ -131,9 +130,9 @@ impl Mesh {
                     continue;
                 };
                 *before = record.prev;
-                black_box(self.edges.get(record.edge.index()).copied());
-                black_box(self.face_states.get(record.face.index()).copied());
-                self.look_at_values(ElementKind::Edge, record.edge.index(), columns);
+                prefetch(&self.edges, record.edge.index());
+                prefetch(&self.face_states, record.face.index());
+                self.prefetch_values(ElementKind::Edge, record.edge.index(), columns);
                 see(ElementKind::Halfedge, spoke.0);
                 see(ElementKind::Edge, record.edge.0);
                 see(ElementKind::Face, record.face.0);
@@ -147,18 +146,18 @@ impl Mesh {
                     *spoke = record.twin;
                 }
                 let vertex = record.vertex.index();
-                black_box(self.vertices.get(vertex).copied());
-                black_box(self.positions.get(vertex).copied());
-                self.look_at_values(ElementKind::Vertex, vertex, columns);
+                prefetch(&self.vertices, vertex);
+                prefetch(&self.positions, vertex);
+                self.prefetch_values(ElementKind::Vertex, vertex, columns);
                 see(ElementKind::Vertex, record.vertex.0);
             }
         }
     }
 
-    fn look_at_values(&self, kind: ElementKind, index: usize, columns: &[ColumnId]) {
+    fn prefetch_values(&self, kind: ElementKind, index: usize, columns: &[ColumnId]) {
         for &column in columns.iter().filter(|column| column.kind == kind) {
             if let Some(column) = self.column(column) {
-                column.data().touch(index);
+                column.data().prefetch(index);
             }
         }
     }

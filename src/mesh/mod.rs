@@ -97,6 +97,7 @@ pub use orbit_condition::OrbitCondition;
 pub use parallel::set_threads;
 pub use parallel::threads;
 pub use polygons::Polygons;
+pub(crate) use prefetch::prefetch;
 pub use records::HalfedgeRecord;
 pub use repair::{Repair, RepairReport, Repaired};
 pub use summary::{AttributeSummary, Bin, Lengths, Measures, Summary};

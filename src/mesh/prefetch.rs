@@ -2,30 +2,38 @@
 //!
 //! # Safety
 //!
-//! A request accesses nothing, in Rust's sense, and its address is that of an element of a slice.
+//! A request accesses nothing, in Rust's sense, and its address lies in an element of a slice.
 
 #![allow(unsafe_code)]
 
+/// The bytes of a line of the cache.
+const LINE: usize = 64;
+
 /// Requests the memory of an element of a table, if there is one at that index.
 #[inline]
-pub(super) fn prefetch<T>(table: &[T], index: usize) {
+pub(crate) fn prefetch<T>(table: &[T], index: usize) {
     if let Some(element) = table.get(index) {
-        request(element);
+        let start = std::ptr::from_ref(element).cast::<u8>();
+        for offset in (0..size_of::<T>()).step_by(LINE) {
+            request(start.wrapping_add(offset));
+        }
+        if size_of::<T>() > LINE {
+            request(start.wrapping_add(size_of::<T>() - 1));
+        }
     }
 }
 
 #[cfg(target_arch = "x86_64")]
 #[inline]
-fn request<T>(element: &T) {
+fn request(place: *const u8) {
     use std::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};
     // SAFETY: see the module.
-    unsafe { _mm_prefetch::<_MM_HINT_T0>(std::ptr::from_ref(element).cast()) };
+    unsafe { _mm_prefetch::<_MM_HINT_T0>(place.cast()) };
 }
 
 #[cfg(target_arch = "aarch64")]
 #[inline]
-fn request<T>(element: &T) {
-    let place = std::ptr::from_ref(element);
+fn request(place: *const u8) {
     // SAFETY: see the module; the instruction changes neither registers, flags nor memory.
     unsafe {
         std::arch::asm!(
@@ -38,4 +46,4 @@ fn request<T>(element: &T) {
 
 #[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64")))]
 #[inline]
-fn request<T>(_: &T) {}
+fn request(_: *const u8) {}

@@ -55,8 +55,8 @@ impl Lookahead {
         }
         mesh.look_around(of.kind(), &soon, &self.columns, |kind, id| {
             if kind == of.kind() {
-                queue.touch(id);
-                stale.touch(id);
+                queue.prefetch(id);
+                stale.prefetch(id);
             }
         });
     }

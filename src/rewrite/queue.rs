@@ -9,7 +9,7 @@
 //! Of equal keys the lower element number comes first, so that the order does not depend on the
 //! history of the queue.
 
-use std::hint::black_box;
+use crate::mesh::prefetch;
 
 /// The place of an element that is not in the queue.
 const NOWHERE: u32 = u32::MAX;
@@ -145,11 +145,11 @@ impl Queue {
         }
     }
 
-    /// Reads the entries of an element, so that they are in the cache later.
+    /// Requests the memory of the entries of an element.
     #[inline]
-    pub(super) fn touch(&self, id: u32) {
-        black_box(self.keys.get(id as usize).copied());
-        black_box(self.places.get(id as usize).copied());
+    pub(super) fn prefetch(&self, id: u32) {
+        prefetch(&self.keys, id as usize);
+        prefetch(&self.places, id as usize);
     }
 
     /// Puts an entry at the place `from`, whose own entry is dropped, and moves it to its place in

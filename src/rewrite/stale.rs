@@ -1,6 +1,6 @@
 //! Elements with something that has to be recomputed.
 
-use std::hint::black_box;
+use crate::mesh::prefetch;
 
 /// A stack of numbers without duplicates.
 #[derive(Debug, Default)]
@@ -26,10 +26,10 @@ impl Stale {
         Some(id)
     }
 
-    /// Reads the entry of an element, so that it is in the cache later.
+    /// Requests the memory of the entry of an element.
     #[inline]
-    pub(super) fn touch(&self, id: u32) {
-        black_box(self.is_in.get(id as usize).copied());
+    pub(super) fn prefetch(&self, id: u32) {
+        prefetch(&self.is_in, id as usize);
     }
 
     /// The memory that it takes, in bytes.
