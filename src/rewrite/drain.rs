@@ -300,6 +300,7 @@ impl Drains {
         let drain = self.all.last_mut()?;
         drain.walk_back(mesh, &mut self.walk, held);
         while let Some(id) = drain.stale.pop() {
+            drain.stale.soon().for_each(|next| drain.queue.prefetch_around(next));
             if drain.is_member(mesh, id) {
                 drain.reading = Some(id);
                 self.noting += usize::from(drain.is_noted());

@@ -152,6 +152,17 @@ impl Queue {
         prefetch(&self.places, id as usize);
     }
 
+    /// Requests the memory near the place of an element in the heap.
+    #[inline]
+    pub(super) fn prefetch_around(&self, id: u32) {
+        let Some(&place) = self.places.get(id as usize).filter(|&&place| place != NOWHERE) else {
+            return;
+        };
+        let place = place as usize;
+        prefetch(&self.heap, place / CHILDREN);
+        prefetch(&self.heap, place - ROOT + 1);
+    }
+
     /// Puts an entry at the place `from`, whose own entry is dropped, and moves it to its place in
     /// the order.
     fn settle(&mut self, from: usize, entry: Entry) {

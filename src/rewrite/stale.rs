@@ -26,6 +26,12 @@ impl Stale {
         Some(id)
     }
 
+    /// The elements that are popped next but one, and after that.
+    #[inline]
+    pub(super) fn soon(&self) -> impl Iterator<Item = u32> {
+        self.all.iter().rev().skip(1).take(2).copied()
+    }
+
     /// Requests the memory of the entry of an element.
     #[inline]
     pub(super) fn prefetch(&self, id: u32) {
