@@ -89,7 +89,12 @@ fn alternative(
         let Step::Begin(begin) = step else {
             continue;
         };
-        if begin.tries == Tries::Some(1) {
+        let is_tried_once = match begin.tries {
+            Tries::Some(1) => true,
+            Tries::AllForValues => !operation.values.iter().any(may_be_refused),
+            Tries::All | Tries::Some(_) => false,
+        };
+        if is_tried_once {
             continue;
         }
         let mut body = matching.steps(&steps[at + 1..end]);
@@ -195,6 +200,11 @@ fn conjuncts(term: Term, parts: &mut Vec<Term>) {
     }
 }
 
+/// Whether a new position may be infinite.
+fn may_be_refused(assigned: &Value) -> bool {
+    assigned.infinite.is_some() && !is_surely_finite(assigned.value)
+}
+
 /// Evaluates the right-hand sides on the mesh before any change, and returns the statements that
 /// assign them.
 fn values(
@@ -204,7 +214,8 @@ fn values(
     body: &mut Vec<Statement>,
 ) -> Result<Vec<Statement>, NotEmitted> {
     let mut sets = Vec::new();
-    for Value { element, attribute, value: expr, at_each_index: member, infinite } in values {
+    for assigned in values {
+        let Value { element, attribute, value: expr, at_each_index: member, infinite } = assigned;
         let attribute = match attribute {
             Access::Position => None,
             Access::Declared(number) => names.attribute(*number),
@@ -227,7 +238,7 @@ fn values(
             };
             (names.term(*element), value)
         });
-        if let (Some(reason), false) = (infinite, is_surely_finite(expr)) {
+        if let (Some(reason), true) = (infinite, may_be_refused(assigned)) {
             let infinite = Term::Call(Function::IsFinite, vec![value.clone()]).not();
             let when = match member {
                 true => infinite.for_some(names.indices()),

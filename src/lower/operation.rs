@@ -65,12 +65,24 @@ impl<'r> Operation<'r> {
             });
             elements.filter(|one| !matches!(one.kind, Kind::Path | Kind::Fan)).collect()
         };
+        let values: Vec<_> = values
+            .map(|set| Value {
+                element: set.target.name,
+                attribute: set.attribute,
+                value: &set.value,
+                at_each_index: rule.is_member(set.target.name),
+                infinite: (set.attribute == Access::Position).then(|| {
+                    let text = &rule.name(set.target.name).text;
+                    format!("the new position of `{text}` is not finite")
+                }),
+            })
+            .collect();
         let mut matching = Matching::new(drawing, proof.matching());
         let guard = Guard::new(drawing, proof.guard());
         if let Some(halfedge) = matching.begins_at_edge(drawing)
             && refuses_alike(drawing, halfedge, &matching, &guard)
         {
-            matching.set_tries(match rule.assignments.is_empty() {
+            matching.set_tries(match values.iter().all(|value| value.infinite.is_none()) {
                 true => Tries::Some(1),
                 false => Tries::AllForValues,
             });
@@ -85,18 +97,7 @@ impl<'r> Operation<'r> {
                 })
                 .collect(),
             guard,
-            values: values
-                .map(|set| Value {
-                    element: set.target.name,
-                    attribute: set.attribute,
-                    value: &set.value,
-                    at_each_index: rule.is_member(set.target.name),
-                    infinite: (set.attribute == Access::Position).then(|| {
-                        let text = &rule.name(set.target.name).text;
-                        format!("the new position of `{text}` is not finite")
-                    }),
-                })
-                .collect(),
+            values,
             created: elements(&rule.created),
             erased: elements(&rule.erased),
             result: rule.result.map(|result| result.name),

@@ -390,49 +390,46 @@ inline std::optional<Mesh::VertexRef> bisect(Journal& journal, Mesh::EdgeRef e) 
   using FaceRef = Mesh::FaceRef;
 
   // 1. Collect: nothing is written before all of this has passed.
-  // Both directions of e are tried.
-  for (HalfedgeRef a : {e->halfedge, e->halfedge->twin}) {
-    HalfedgeRef d = a->twin;
-    FaceRef f0 = a->face;
-    VertexRef v0 = a->vertex;
-    VertexRef v1 = d->vertex;
-    FaceRef f1 = d->face;
-    HalfedgeRef P_first = a->next;
-    HalfedgeRef Q_first = d->next;
-    if (v0 == v1) continue;  // `v0` and `v1` are one vertex
-    if (f0 == f1) continue;  // `f0` and `f1` are one face
-    Vec3 m_position = (v0->position + v1->position) / 2.0;
+  HalfedgeRef a = e->halfedge;
+  HalfedgeRef d = a->twin;
+  FaceRef f0 = a->face;
+  VertexRef v0 = a->vertex;
+  VertexRef v1 = d->vertex;
+  FaceRef f1 = d->face;
+  HalfedgeRef P_first = a->next;
+  HalfedgeRef Q_first = d->next;
+  if (v0 == v1) return std::nullopt;  // `v0` and `v1` are one vertex
+  if (f0 == f1) return std::nullopt;  // `f0` and `f1` are one face
+  Vec3 m_position = (v0->position + v1->position) / 2.0;
 
-    // 2. Allocate what is new.
-    VertexRef m = journal.new_vertex();
-    HalfedgeRef p = journal.new_halfedge();
-    HalfedgeRef q = journal.new_halfedge();
-    EdgeRef e1 = journal.new_edge();
+  // 2. Allocate what is new.
+  VertexRef m = journal.new_vertex();
+  HalfedgeRef p = journal.new_halfedge();
+  HalfedgeRef q = journal.new_halfedge();
+  EdgeRef e1 = journal.new_edge();
 
-    // 3. Reassign every pointer that changes.
-    journal.keep(a, d, e);
-    a->next = p;
-    a->twin = q;
-    d->next = q;
-    d->twin = p;
-    d->edge = e1;
-    p->next = P_first;
-    p->twin = d;
-    p->vertex = m;
-    p->edge = e1;
-    p->face = f0;
-    q->next = Q_first;
-    q->twin = a;
-    q->vertex = m;
-    q->edge = e;
-    q->face = f1;
-    m->halfedge = p;
-    e->halfedge = a;
-    e1->halfedge = p;
-    m->position = m_position;
-    return m;
-  }
-  return std::nullopt;
+  // 3. Reassign every pointer that changes.
+  journal.keep(a, d, e);
+  a->next = p;
+  a->twin = q;
+  d->next = q;
+  d->twin = p;
+  d->edge = e1;
+  p->next = P_first;
+  p->twin = d;
+  p->vertex = m;
+  p->edge = e1;
+  p->face = f0;
+  q->next = Q_first;
+  q->twin = a;
+  q->vertex = m;
+  q->edge = e;
+  q->face = f1;
+  m->halfedge = p;
+  e->halfedge = a;
+  e1->halfedge = p;
+  m->position = m_position;
+  return m;
 }
 #endif
 

@@ -54,56 +54,53 @@ fn twos(_mesh: &Mesh, n: i64) -> i64 {
 #[allow(non_snake_case)]
 fn bisect(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
     // 1. Collect: nothing is written before all of this has passed.
-    // Both directions of e are tried.
-    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
-        let d = mesh.twin(a);
-        let f0 = mesh.face(a);
-        let v0 = mesh.vertex(a);
-        let v1 = mesh.vertex(d);
-        let f1 = mesh.face(d);
-        let P_first = mesh.next(a);
-        let Q_first = mesh.next(d);
-        if v0 == v1 {
-            continue; // `v0` and `v1` are one vertex
-        }
-        if f0 == f1 {
-            continue; // `f0` and `f1` are one face
-        }
-        let m_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
-
-        // 2. Allocate what is new.
-        let m = mesh.add_vertex();
-        let p = mesh.add_halfedge();
-        let q = mesh.add_halfedge();
-        let e1 = mesh.add_edge();
-
-        // 3. Reassign every pointer that changes.
-        mesh.set_next(a, p);
-        mesh.set_twin(a, q);
-        mesh.set_prev(P_first, p);
-        mesh.set_next(d, q);
-        mesh.set_twin(d, p);
-        mesh.set_edge(d, e1);
-        mesh.set_prev(Q_first, q);
-        mesh.set_next(p, P_first);
-        mesh.set_prev(p, a);
-        mesh.set_twin(p, d);
-        mesh.set_vertex(p, m);
-        mesh.set_edge(p, e1);
-        mesh.set_face(p, f0);
-        mesh.set_next(q, Q_first);
-        mesh.set_prev(q, d);
-        mesh.set_twin(q, a);
-        mesh.set_vertex(q, m);
-        mesh.set_edge(q, e);
-        mesh.set_face(q, f1);
-        mesh.set_vertex_halfedge(m, p);
-        mesh.set_edge_halfedge(e, a);
-        mesh.set_edge_halfedge(e1, p);
-        mesh.set_position(m, m_position);
-        return Some(m);
+    let a = mesh.edge_halfedge(e);
+    let d = mesh.twin(a);
+    let f0 = mesh.face(a);
+    let v0 = mesh.vertex(a);
+    let v1 = mesh.vertex(d);
+    let f1 = mesh.face(d);
+    let P_first = mesh.next(a);
+    let Q_first = mesh.next(d);
+    if v0 == v1 {
+        return None; // `v0` and `v1` are one vertex
     }
-    None
+    if f0 == f1 {
+        return None; // `f0` and `f1` are one face
+    }
+    let m_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
+
+    // 2. Allocate what is new.
+    let m = mesh.add_vertex();
+    let p = mesh.add_halfedge();
+    let q = mesh.add_halfedge();
+    let e1 = mesh.add_edge();
+
+    // 3. Reassign every pointer that changes.
+    mesh.set_next(a, p);
+    mesh.set_twin(a, q);
+    mesh.set_prev(P_first, p);
+    mesh.set_next(d, q);
+    mesh.set_twin(d, p);
+    mesh.set_edge(d, e1);
+    mesh.set_prev(Q_first, q);
+    mesh.set_next(p, P_first);
+    mesh.set_prev(p, a);
+    mesh.set_twin(p, d);
+    mesh.set_vertex(p, m);
+    mesh.set_edge(p, e1);
+    mesh.set_face(p, f0);
+    mesh.set_next(q, Q_first);
+    mesh.set_prev(q, d);
+    mesh.set_twin(q, a);
+    mesh.set_vertex(q, m);
+    mesh.set_edge(q, e);
+    mesh.set_face(q, f1);
+    mesh.set_vertex_halfedge(m, p);
+    mesh.set_edge_halfedge(e, a);
+    mesh.set_edge_halfedge(e1, p);
+    mesh.set_position(m, m_position);
+    Some(m)
 }
 
 /// The value of an attribute.
