@@ -134,9 +134,7 @@ impl Matching {
             });
         Self { steps, empty_paths: empty_paths.collect(), tests }
     }
-}
 
-impl Matching {
     /// The halfedge at which it begins, if that is one of an edge, which is the only choice.
     pub(super) fn begins_at_edge(&self, drawing: &Drawing) -> Option<NameId> {
         let mut begins = self.steps.iter().filter_map(|step| match step {

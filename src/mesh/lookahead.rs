@@ -28,12 +28,14 @@ impl Mesh {
         self.halfedges.len() >= LARGE
     }
 
-    /// Prefetches around the elements of a list from an index on, so that nothing is waited for: at
-    /// each eighth index, of the elements that come last the slots are requested, of those before
-    /// them the records that the slots lead to, and so on to the two loops at the next elements.
+    /// Requests the memory around the elements of a list from an index on, in stages, so that
+    /// nothing is waited for: of the last of five groups the slots in the tables, of the group
+    /// before it the records to which the slots lead, and so on to the loops on both sides of the
+    /// first group. It is to be called once for each group.
     pub(crate) fn prefetch_list(&self, kind: ElementKind, list: &[u64], index: usize) {
         let group = |number: usize| {
-            let ids = list.get(index + number * Self::TOGETHER..).unwrap_or_default();
+            let start = index.saturating_add(number * Self::TOGETHER);
+            let ids = list.get(start..).unwrap_or_default();
             ids.iter().take(Self::TOGETHER).map(|&id| id as usize)
         };
         let record = |h: HalfedgeId| self.halfedges.get(h.index());
@@ -67,7 +69,7 @@ impl Mesh {
         }
     }
 
-    /// Prefetches what the pointers of a halfedge lead to, except its twin and edge.
+    /// Requests what the pointers of a halfedge lead to, except its twin and edge.
     fn prefetch_around(&self, record: &HalfedgeRecord) {
         prefetch(&self.halfedges, record.next.index());
         prefetch(&self.halfedges, record.prev.index());
@@ -76,7 +78,7 @@ impl Mesh {
         prefetch(&self.faces, record.face.index());
     }
 
-    /// Prefetches what the next and the previous halfedge lead to outside their loop.
+    /// Requests what the next and the previous halfedge lead to outside their loop.
     fn prefetch_neighbors(&self, record: &HalfedgeRecord) {
         for side in [record.next, record.prev] {
             let Some(side) = self.halfedges.get(side.index()) else {

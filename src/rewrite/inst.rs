@@ -194,8 +194,8 @@ pub enum Inst {
     BufferGet { buffer: u16, to: Reg, index: Reg },
     /// `to = buffer[index]`, and increments `index`; jumps if no slot is left.
     BufferNext { buffer: u16, index: Reg, to: Reg, otherwise: Label },
-    /// Reads ahead around the elements that follow in a buffer, at every eighth index: see
-    /// [`Mesh::look_around`](crate::mesh::Mesh::look_around).
+    /// Requests the memory around the elements that follow in a buffer, if that is due at this
+    /// index. Changes nothing.
     Prefetch { of: Elements, buffer: u16, index: Reg },
     /// Appends all living elements, in order of their ids.
     BufferLiving { of: Elements, buffer: u16 },

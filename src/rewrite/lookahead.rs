@@ -1,5 +1,5 @@
-//! The lookahead of a drain: memory near the elements that come next is read in advance, so that it
-//! is in the processor's cache.
+//! The lookahead of drains and loops: memory near the elements that come next is requested in
+//! advance, so that it is in the processor's cache.
 
 use super::Elements;
 use super::paths::{Fields, Paths};
@@ -7,7 +7,7 @@ use super::queue::Queue;
 use super::stale::Stale;
 use crate::mesh::{ColumnId, ElementKind, Mesh};
 
-/// Prefetches around the elements of a list that follow an index, where that is due.
+/// Requests the memory around the elements of a list that follow an index, if that is due.
 pub(super) fn prefetch(mesh: &Mesh, kind: ElementKind, list: &[u64], index: u64) {
     if index.is_multiple_of(Mesh::TOGETHER as u64) && mesh.is_large() {
         mesh.prefetch_list(kind, list, index as usize);
@@ -36,8 +36,8 @@ impl Lookahead {
         Self { columns: read.collect(), looked_at: Box::new([u32::MAX; LOOKED_AT]) }
     }
 
-    /// Reads ahead around the element with the least key and those that are likely to follow it,
-    /// unless they have been visited.
+    /// Requests the memory around the element with the least key and those that are likely to
+    /// follow it, unless they have been visited.
     pub(super) fn look(&mut self, mesh: &Mesh, of: Elements, queue: &Queue, stale: &Stale) {
         if !mesh.is_large() {
             return;

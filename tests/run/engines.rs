@@ -183,6 +183,25 @@ fn scripts_do_the_same_on_a_larger_mesh() {
     }
 }
 
+/// Loops in random order over elements of each kind, on a mesh that is large enough for memory to be
+/// requested in advance: around elements that follow, and that may be erased by then.
+#[test]
+fn loops_in_random_order_do_the_same_on_a_large_mesh() {
+    let text = "use \"std/triangle.hedge\"
+        script main() {
+          for e in shuffle(edges) { if random() < 0.5 { collapse(e) } else { flip(e) } }
+          for v in shuffle(vertices) { v.position = 0.5 * v.position }
+          for h in shuffle(halfedges) { if boundary(h.edge) { print h } }
+          for f in shuffle(faces) { for e in f.edges { split(e) break } }
+        }";
+    let prepared = script("random.hedge", text);
+    let mut mesh = shape::triangle_torus(100, 100);
+    assert!(mesh.halfedge_count() > 50_000, "memory is requested for larger meshes only");
+    let (report, _) = run_on_both(&prepared, &mut mesh, &[], Engine::Native);
+    let report = report.expect("it comes to its end");
+    assert!(report.ops.iter().all(|op| op.applied > 3000), "{report:?}");
+}
+
 /// Says stop at one of its looks.
 struct Stop {
     looks: u32,

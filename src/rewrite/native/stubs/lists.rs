@@ -63,7 +63,8 @@ pub(in super::super) unsafe extern "C" fn push(
     unsafe { within_guarded(context, push) }
 }
 
-/// Reads ahead around the elements that follow in a buffer.
+/// Requests the memory around the elements that follow in a buffer: `which` has the number of the
+/// buffer in its low 16 bits and then the kind of the elements.
 ///
 /// # Safety
 /// As for all stubs.
