@@ -138,12 +138,12 @@ impl Bound {
         }
     }
 
-    /// The same for the member that is `by` further around the cycle.
-    pub fn turned(self, rule: &Rule, by: i64) -> Self {
+    /// The same for another name.
+    pub fn map(self, image: impl FnOnce(NameId) -> NameId) -> Self {
         match self {
-            Bound::Element(name) => Bound::Element(rule.turned(name, by)),
-            Bound::First(name) => Bound::First(rule.turned(name, by)),
-            Bound::Last(name) => Bound::Last(rule.turned(name, by)),
+            Bound::Element(name) => Bound::Element(image(name)),
+            Bound::First(name) => Bound::First(image(name)),
+            Bound::Last(name) => Bound::Last(image(name)),
         }
     }
 }
@@ -181,20 +181,25 @@ impl Source {
         }
     }
 
+    /// The same from another name.
+    pub fn map(self, image: impl FnOnce(NameId) -> NameId) -> Self {
+        match self {
+            Source::Next(from) => Source::Next(from.map(image)),
+            Source::Prev(from) => Source::Prev(from.map(image)),
+            Source::Twin(from) => Source::Twin(from.map(image)),
+            Source::Origin(from) => Source::Origin(from.map(image)),
+            Source::Target(from) => Source::Target(from.map(image)),
+            Source::Edge(from) => Source::Edge(from.map(image)),
+            Source::Face(from) => Source::Face(from.map(image)),
+            Source::Counterclockwise(from) => Source::Counterclockwise(from.map(image)),
+            Source::Clockwise(from) => Source::Clockwise(from.map(image)),
+            Source::FaceHalfedge(face) => Source::FaceHalfedge(image(face)),
+        }
+    }
+
     /// The same for the member that is `by` further around the cycle.
     pub fn turned(self, rule: &Rule, by: i64) -> Self {
-        match self {
-            Source::Next(from) => Source::Next(from.turned(rule, by)),
-            Source::Prev(from) => Source::Prev(from.turned(rule, by)),
-            Source::Twin(from) => Source::Twin(from.turned(rule, by)),
-            Source::Origin(from) => Source::Origin(from.turned(rule, by)),
-            Source::Target(from) => Source::Target(from.turned(rule, by)),
-            Source::Edge(from) => Source::Edge(from.turned(rule, by)),
-            Source::Face(from) => Source::Face(from.turned(rule, by)),
-            Source::Counterclockwise(from) => Source::Counterclockwise(from.turned(rule, by)),
-            Source::Clockwise(from) => Source::Clockwise(from.turned(rule, by)),
-            Source::FaceHalfedge(face) => Source::FaceHalfedge(rule.turned(face, by)),
-        }
+        self.map(|name| rule.turned(name, by))
     }
 }
 

@@ -560,10 +560,9 @@ fn is_forgotten(drawing: &Drawing, kind: Kind, names: &[NameId]) -> Problem {
     };
     let remedies = match kind {
         Kind::Vertex | Kind::Edge | Kind::Face => {
-            let mut remedies = vec![Remedy::Erase(names.to_vec())];
-            if may_be_kept {
-                remedies.insert(0, Remedy::Keep(names.to_vec()));
-            }
+            let keep = may_be_kept.then(|| Remedy::Keep(names.to_vec()));
+            let mut remedies: Vec<_> = keep.into_iter().collect();
+            remedies.push(Remedy::Erase(names.to_vec()));
             let erased = drawing.rule.erased.iter().map(|erased| erased.name);
             let erased = erased.filter(|&name| kind == Kind::Vertex && rule.kind(name) == kind);
             let kept = || names.to_vec();

@@ -91,7 +91,7 @@ fn alternative(
         };
         let is_tried_once = match begin.tries {
             Tries::Some(1) => true,
-            Tries::AllForValues => !operation.values.iter().any(may_be_refused),
+            Tries::AllForValues => operation.values.iter().all(|set| refusal(set).is_none()),
             Tries::All | Tries::Some(_) => false,
         };
         if is_tried_once {
@@ -200,9 +200,9 @@ fn conjuncts(term: Term, parts: &mut Vec<Term>) {
     }
 }
 
-/// Whether a new position may be infinite.
-fn may_be_refused(assigned: &Value) -> bool {
-    assigned.infinite.is_some() && !is_surely_finite(assigned.value)
+/// The reason to refuse a new position, if it may be infinite.
+fn refusal<'v>(assigned: &'v Value) -> Option<&'v String> {
+    assigned.infinite.as_ref().filter(|_| !is_surely_finite(assigned.value))
 }
 
 /// Evaluates the right-hand sides on the mesh before any change, and returns the statements that
@@ -215,7 +215,7 @@ fn values(
 ) -> Result<Vec<Statement>, NotEmitted> {
     let mut sets = Vec::new();
     for assigned in values {
-        let Value { element, attribute, value: expr, at_each_index: member, infinite } = assigned;
+        let Value { element, attribute, value: expr, at_each_index: member, .. } = assigned;
         let attribute = match attribute {
             Access::Position => None,
             Access::Declared(number) => names.attribute(*number),
@@ -238,7 +238,7 @@ fn values(
             };
             (names.term(*element), value)
         });
-        if let (Some(reason), true) = (infinite, may_be_refused(assigned)) {
+        if let Some(reason) = refusal(assigned) {
             let infinite = Term::Call(Function::IsFinite, vec![value.clone()]).not();
             let when = match member {
                 true => infinite.for_some(names.indices()),

@@ -22,7 +22,7 @@
 
 use super::guard::{Guard, Question};
 use super::matching::{Matching, Test};
-use crate::check::matching::{Bound, Claim, Source};
+use crate::check::matching::Claim;
 use crate::diagram::{Drawing, Kind, NameId, View};
 use crate::mesh::OrbitCondition;
 
@@ -178,39 +178,14 @@ impl Turn<'_> {
 
     /// What a claim becomes; `None` if that is not known.
     fn image_of_claim(&self, claim: &Claim) -> Option<Claim> {
+        let is_known = claim.names().iter().all(|&name| self.image(name).is_some());
+        let image = |name: NameId| self.image(name).unwrap_or(name);
         Some(match claim {
-            Claim::Leads(source, to) => {
-                Claim::Leads(self.image_of_source(*source)?, self.image_of_bound(*to)?)
-            }
-            Claim::Distinct(left, right) => {
-                Claim::Distinct(self.image(*left)?, self.image(*right)?)
-            }
-            Claim::Kind(face, kind) => Claim::Kind(self.image(*face)?, *kind),
+            _ if !is_known => return None,
+            Claim::Leads(source, to) => Claim::Leads(source.map(image), to.map(image)),
+            Claim::Distinct(left, right) => Claim::Distinct(image(*left), image(*right)),
+            Claim::Kind(face, kind) => Claim::Kind(image(*face), *kind),
             _ => return None,
-        })
-    }
-
-    fn image_of_source(&self, source: Source) -> Option<Source> {
-        let image = |bound| self.image_of_bound(bound);
-        Some(match source {
-            Source::Next(bound) => Source::Next(image(bound)?),
-            Source::Prev(bound) => Source::Prev(image(bound)?),
-            Source::Twin(bound) => Source::Twin(image(bound)?),
-            Source::Origin(bound) => Source::Origin(image(bound)?),
-            Source::Target(bound) => Source::Target(image(bound)?),
-            Source::Edge(bound) => Source::Edge(image(bound)?),
-            Source::Face(bound) => Source::Face(image(bound)?),
-            Source::Counterclockwise(bound) => Source::Counterclockwise(image(bound)?),
-            Source::Clockwise(bound) => Source::Clockwise(image(bound)?),
-            Source::FaceHalfedge(_) => return None,
-        })
-    }
-
-    fn image_of_bound(&self, bound: Bound) -> Option<Bound> {
-        Some(match bound {
-            Bound::Element(name) => Bound::Element(self.image(name)?),
-            Bound::First(name) => Bound::First(self.image(name)?),
-            Bound::Last(name) => Bound::Last(self.image(name)?),
         })
     }
 

@@ -1,6 +1,6 @@
 //! The element that an instruction that trapped is about, for its message.
 
-use super::{Call, Inst, Machine, Reg};
+use super::{Call, Inst, Machine, Reg, attribute};
 use crate::mesh::ElementKind;
 
 impl Machine {
@@ -40,8 +40,7 @@ impl Machine {
             Inst::LoadAttribute { attribute, element, .. }
             | Inst::StoreAttribute { attribute, element, .. }
             | Inst::HoldAttribute { attribute, element, .. } => {
-                let column = self.columns.get(usize::from(attribute)).copied().flatten();
-                (column?.kind, element)
+                (attribute::column(&self.columns, attribute).ok()?.kind, element)
             }
             Inst::Ask { question, elements: [element, _], .. } => (question.kind(), element),
             Inst::ExpectAlive { kind, from } => (kind, from),

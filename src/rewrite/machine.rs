@@ -449,7 +449,7 @@ impl Machine {
 
 impl Trap {
     /// A trap with an empty trace: no call has added its place yet.
-    pub(super) fn new(message: Message) -> Self {
+    pub(crate) fn new(message: Message) -> Self {
         Self { message, trace: Vec::new(), about: None }
     }
 }

@@ -186,7 +186,7 @@ impl Session {
                 return Err(self.error(diagnostic.note(format!("asked at number {id}"))));
             }
             if id % IDS_PER_LOOK == 0 && watch.tick().is_break() {
-                let trap = Trap { message: Message::Interrupted, trace: Vec::new(), about: None };
+                let trap = Trap::new(Message::Interrupted);
                 return Err(self.error(run::diagnostic(prepared, trap)));
             }
             self.take_value(function, values, id as usize);
