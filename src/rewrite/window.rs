@@ -97,7 +97,10 @@ impl<'a> Window<'a> {
 #[inline]
 pub(super) fn reserve(stack: &mut Vec<u64>, base: usize) {
     let wanted = base + SLOTS;
-    if stack.len() < wanted {
+    if stack.is_empty() {
+        // Memory that is zero as it comes.
+        *stack = vec![0; wanted];
+    } else if stack.len() < wanted {
         stack.resize(wanted, 0);
     }
 }

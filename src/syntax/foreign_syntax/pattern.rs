@@ -92,7 +92,8 @@ impl Pattern {
         if self.begins && !begins {
             return None;
         }
-        let mut found = Vec::with_capacity(self.elements.len());
+        // Most patterns fail at their first element: nothing is allocated for them.
+        let mut found = Vec::new();
         rest_matches(&self.elements, item, at, &mut found).then_some(found)
     }
 }
