@@ -147,8 +147,8 @@ impl Machine {
         })
     }
 
-    /// Begins the steps of an operation; returns the known level from before, to be restored when
-    /// they are done or undone.
+    /// Begins the steps of an operation; returns the known level from before, for
+    /// [`end_steps`](Self::end_steps).
     pub(super) fn begin_steps(&mut self, mesh: &Mesh, calls: &[(u16, u16)]) -> KnownLevel {
         let plans = calls.iter().filter_map(|&(op, _)| self.plans.get(usize::from(op))?.as_ref());
         let wanted = plans.map(|plan| plan.level).max().unwrap_or(Level::Map);
@@ -159,6 +159,14 @@ impl Machine {
         let KnownLevel { lowered, at_start, is_valid, now, .. } = self.known;
         let inner = KnownLevel { lowered, at_start, is_valid, ..KnownLevel::new(now) };
         std::mem::replace(&mut self.known, inner)
+    }
+
+    /// Ends the steps of an operation: the known level is that from before, or what the steps have
+    /// found and tracked if that is more and they are not undone.
+    pub(super) fn end_steps(&mut self, before: KnownLevel, is_applied: bool) {
+        if !is_applied || self.known.was <= before.was {
+            self.known = before;
+        }
     }
 
     /// Whether the mesh has to be validated before an operation, or its writes have to be tracked.

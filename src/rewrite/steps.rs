@@ -100,10 +100,12 @@ impl Machine {
             let reason = Some(steps.below.saturating_add(place(&below)));
             outcome = Ok(Outcome::Refused { reason });
         }
-        // The steps may have changed the known level, and left drains and calls open.
-        (self.known, self.holding) = (known, holding);
+        // The steps may have left drains and calls open.
+        self.holding = holding;
         self.drains.leave(drains);
-        if let Ok(Outcome::Applied { .. }) = outcome {
+        let is_applied = matches!(outcome, Ok(Outcome::Applied { .. }));
+        self.end_steps(known, is_applied);
+        if is_applied {
             mesh.keep(mark);
         } else {
             mesh.roll_back(mark);

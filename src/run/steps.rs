@@ -160,10 +160,13 @@ fn plan(
     let mut refusals = lowering.refusals;
     let number = |place: usize| u16::try_from(place).map_err(|_| TooLarge);
     let mut first = Vec::new();
+    let mut keeps = vec![Level::Surface, Level::Simple];
     for &called in calls {
         let Some(plan) = plans.get(called).and_then(Option::as_ref) else {
             return Ok(None);
         };
+        // The mesh has the level of the guard at the end, and keeps what every step keeps.
+        keeps.retain(|kept| *kept <= steps.level || plan.keeps.contains(kept));
         first.push((number(called)?, number(refusals.len())?));
         refusals.extend(plan.refusals.iter().map(|refusal| within(plan, refusal)));
         if refusals.len() > MOST_REFUSALS {
@@ -174,7 +177,6 @@ fn plan(
     let guard = |reason: &str| Refusal { reason: reason.to_owned(), phase: Phase::Guard };
     refusals.extend(BELOW.map(guard));
     number(refusals.len())?;
-    let keeps = [Level::Surface, Level::Simple];
     Ok(Some(Plan {
         matched: Vec::new(),
         name: op.name.clone(),
@@ -182,7 +184,7 @@ fn plan(
         of: op.params.first().and_then(|param| element_kind(param.ty)),
         result: op.result.and_then(element_kind),
         level: steps.level,
-        keeps: keeps.into_iter().filter(|&kept| kept <= steps.level).collect(),
+        keeps,
         code: Code { functions: Arc::clone(&functions.code), ..lowering.asm.finish()? },
         places: lowering.names.places,
         refusals,

@@ -114,6 +114,42 @@ op shrink(e: edge) -> vertex {
 ";
 
 #[test]
+fn a_level_that_all_steps_keep_is_kept_and_known() {
+    let analysis = sound(
+        "use \"std/triangle.hedge\"
+         op bare(e: edge) {
+           before { face f0: v0 -a-> v1 -b-> v2 -c-> v0  face f1: v1 -d-> v0 -g-> v3 -h-> v1
+                    edge e: a | d }
+           after { face f0: v3 -a-> v2 -c-> v0 -g-> v3  face f1: v2 -d-> v3 -h-> v1 -b-> v2
+                   edge e: a | d }
+         }
+         op as_it_is(e: edge) { steps { must flip(e) } }
+         op of_both(e: edge) { steps { must flip(e) must bare(e) } }
+         op guarded(e: edge) { guard simple steps { must bare(e) } }
+         op of_steps(e: edge) { steps { must as_it_is(e) must guarded(e) } }",
+    );
+    let (surface, simple) = (Level::Surface, Level::Simple);
+    for (op, keeps, after) in [
+        ("as_it_is", &[surface, simple][..], simple),
+        ("of_both", &[surface], surface),
+        ("guarded", &[surface, simple], simple),
+        ("of_steps", &[surface, simple], simple),
+    ] {
+        let plan = analysis.plans[analysis.op(op).unwrap()].as_ref().unwrap();
+        assert_eq!(plan.keeps, keeps, "{op}");
+        let mut mesh = shape::icosahedron();
+        let mut machine = Machine::new(&analysis.plans);
+        machine.trust_level(Level::Map);
+        let outcome = machine.apply(&mut mesh, plan, &[0]).unwrap();
+        assert!(matches!(outcome, Outcome::Applied { .. }), "{op}");
+        // What was found before a step is known after the steps, and need not be found again.
+        let known = if op == "guarded" { Level::Map } else { after };
+        assert_eq!(machine.level(), known, "{op}");
+        validate_level(&mesh, after).unwrap();
+    }
+}
+
+#[test]
 fn attributes_are_undone_as_well() {
     let analysis = sound(&format!(
         "{MARKS}
