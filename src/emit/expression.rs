@@ -192,12 +192,16 @@ pub(super) fn collection_words(collection: &Collection) -> &'static str {
     }
 }
 
-/// True if a value is finite for all finite positions of ordinary size: sums, differences,
-/// products, means and mixtures, and quotients by a literal that is not zero.
+/// The greatest size of a number in a value that is finite by its form. The positions of a mesh are
+/// taken to be no larger.
+const ORDINARY: f64 = 1e50;
+
+/// True if a value is finite for all positions of ordinary size: sums, differences, products, means
+/// and mixtures, and quotients by a literal that is not zero.
 pub(super) fn is_surely_finite(expr: &Expr) -> bool {
     match &expr.kind {
         ExprKind::Int(_) | ExprKind::Read(Access::Position, _) => true,
-        ExprKind::Real(value) => value.is_finite(),
+        ExprKind::Real(value) => value.abs() <= ORDINARY,
         ExprKind::Component(_, of) | ExprKind::Unary(_, of) => is_surely_finite(of),
         ExprKind::Vector(parts) => parts.iter().all(is_surely_finite),
         ExprKind::Binary(operator, left, right) => match operator {
@@ -235,7 +239,7 @@ pub(super) fn is_surely_finite(expr: &Expr) -> bool {
 
 fn is_not_zero(expr: &Expr) -> bool {
     match &expr.kind {
-        ExprKind::Real(value) => *value != 0.0 && value.is_finite(),
+        ExprKind::Real(value) => (1.0 / ORDINARY..=ORDINARY).contains(&value.abs()),
         ExprKind::Int(value) => *value != 0,
         ExprKind::Unary(Unary::ToReal, of) => is_not_zero(of),
         _ => false,

@@ -56,3 +56,35 @@ fn what_only_a_run_can_do_is_said() {
         assert_eq!((told.0.as_str(), told.1.as_str()), (what, place));
     }
 }
+
+#[test]
+fn a_position_is_tested_unless_its_form_says_that_it_is_finite() {
+    for (value, is_tested) in [
+        ("v.position * 1e300", true),
+        ("v.position / 1e-300", true),
+        ("v.position / length(e)", true),
+        ("(v.position + w.position) / 2", false),
+        ("mix(v.position, w.position, 1e3)", false),
+    ] {
+        let mut sources = Sources::new();
+        let text = format!(
+            "op f(e: edge) {{
+              before {{ edge e: a | b  loop f: v -a-> w =P=> v }}
+              after {{ keep e f  v.position = {value} }}
+            }}"
+        );
+        let file = sources.add("test.hedge", text);
+        let analysis = Analysis::of(&sources, file);
+        let selection = Selection {
+            program: &analysis.program,
+            proved: &analysis.proved,
+            sources: &sources,
+            ops: &[0],
+            exhaustive: false,
+        };
+        let texts = [cpp(&selection, &Style::default()), rust(&selection)];
+        for text in texts.map(Result::unwrap) {
+            assert_eq!(text.contains("is_finite"), is_tested, "{value}: {text}");
+        }
+    }
+}

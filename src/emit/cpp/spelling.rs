@@ -79,7 +79,13 @@ impl Language for Printer<'_> {
     }
 
     fn call(&mut self, function: Function, args: Vec<Spelled>) -> Spelled {
-        let mut texts: Vec<String> = args.into_iter().map(|arg| arg.at(Level::Or)).collect();
+        let level = |at: usize| match function {
+            // Spelled as a difference.
+            Function::Builtin(Builtin::Distance) if at == 1 => Level::Product,
+            _ => Level::Or,
+        };
+        let mut texts: Vec<String> =
+            args.into_iter().enumerate().map(|(at, arg)| arg.at(level(at))).collect();
         let builtin = match function {
             Function::Builtin(builtin) => builtin,
             Function::Of(operation, ty) => return self.of_type(operation, ty, texts),

@@ -81,7 +81,10 @@ class Preview {
   }
 
   /// Whether a face or hole has three sides or more.
-  bool three_sides(SeenFace f) const { return corners(f).size() > 2; }
+  bool three_sides(SeenFace f) const {
+    SeenHalfedge first = first_of(f), second = next(first);
+    return second != first && next(second) != first;
+  }
   /// Whether no vertex is two corners of f.
   bool meets_once(SeenFace f) const { return differ(corners(f)); }
   /// Whether f has no more than one corner at v.

@@ -237,10 +237,13 @@ impl<'m> Preview<'m> {
         around
     }
 
+    fn first_along(&self, f: FaceId) -> HalfedgeId {
+        self.face_halfedge.get(f).unwrap_or_else(|| self.mesh.face_halfedge(f))
+    }
+
     /// The corners of a face.
     fn corners(&self, f: FaceId) -> Vec<VertexId> {
-        let first = self.face_halfedge.get(f);
-        let first = first.unwrap_or_else(|| self.mesh.face_halfedge(f));
+        let first = self.first_along(f);
         let mut around = vec![self.vertex(first)];
         let mut h = self.next(first);
         while h != first {
@@ -264,7 +267,9 @@ impl<'m> Preview<'m> {
 
     /// Whether a face or hole has three sides or more.
     fn three_sides(&self, f: FaceId) -> bool {
-        self.corners(f).len() > 2
+        let first = self.first_along(f);
+        let second = self.next(first);
+        second != first && self.next(second) != first
     }
 
     /// Whether no vertex is two corners of a face.
