@@ -256,7 +256,7 @@ module.exports = grammar({
     asked: ($) => prec.right(seq(choice("can", "why"), choice($.name, $.call))),
     call: ($) => prec(9, seq(
       field("function", choice(
-        $.identifier, alias("hole", $.identifier), alias("parallel", $.identifier),
+        $.identifier, alias("hole", $.identifier), alias("parallel", $.identifier), $.qualified,
       )),
       // On the line of the name; the next statement may begin with one, too.
       alias(token.immediate(prec(1, /[ \t\r\f\uFEFF]*\(/)), "("),
@@ -266,6 +266,10 @@ module.exports = grammar({
       )),
       ")",
     )),
+    qualified: ($) => seq(
+      field("file", choice($.identifier, alias("parallel", $.identifier))), "::",
+      field("name", $.identifier),
+    ),
     choice: ($) => seq(
       "if", field("condition", $._value), field("then", $.block),
       "else", field("else", choice($.block, $.choice)),

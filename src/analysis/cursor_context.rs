@@ -31,6 +31,8 @@ pub enum CursorContext {
     Value(Start),
     /// After a dot: the words of the chain before it, such as `e`, `halfedge`.
     Field(Vec<String>),
+    /// After `::`: the word for a file before it.
+    File(String),
 }
 
 /// The forms that may begin where a value is wanted.
@@ -110,6 +112,10 @@ pub fn place(snapshot: &Snapshot, offset: usize) -> CursorContext {
     }
     if last.kind == T::Dot {
         return CursorContext::Field(chain(snapshot, &tokens[..tokens.len() - 1]));
+    }
+    if last.kind == T::DoubleColon {
+        let file = tokens.iter().rev().nth(1).map(|token| snapshot.sources().slice(token.span));
+        return CursorContext::File(file.unwrap_or_default().to_owned());
     }
     let start = tokens.iter().rposition(|token| begins_item(snapshot, *token));
     let Some(start) = start else {

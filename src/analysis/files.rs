@@ -13,7 +13,7 @@ use strsim::damerau_levenshtein;
 use super::parse_cache::Readings;
 use crate::diagnostic::Diagnostic;
 use crate::library::{self, FOLDER};
-use crate::resolve::Unit;
+use crate::resolve::{Unit, qualifier};
 use crate::source::{FileId, Sources, Span};
 use crate::syntax::Parsed;
 use crate::syntax::tree::Item;
@@ -188,6 +188,8 @@ fn uses(parsed: &Parsed) -> Vec<(String, Span)> {
 /// A file of the program.
 pub(super) struct Part {
     pub file: FileId,
+    /// The word for it in front of what it declares.
+    qualifier: String,
     pub parsed: Rc<Parsed>,
     /// The files it uses, as indices of the parts.
     pub uses: Vec<usize>,
@@ -198,7 +200,8 @@ pub(super) struct Part {
 impl Part {
     /// The file as input of `resolve`.
     pub fn unit(&self) -> Unit<'_> {
-        Unit { tree: &self.parsed.tree, uses: self.uses.clone(), lacks: self.lacks }
+        let qualifier = &self.qualifier;
+        Unit { qualifier, tree: &self.parsed.tree, uses: self.uses.clone(), lacks: self.lacks }
     }
 }
 
@@ -287,7 +290,8 @@ impl Parts {
         let paths = uses(&parsed);
         let place = self.parts.len();
         self.places.insert(file, place);
-        self.parts.push(Part { file, parsed, uses: Vec::new(), lacks: false });
+        let qualifier = qualifier(sources.get(file).name()).to_owned();
+        self.parts.push(Part { file, qualifier, parsed, uses: Vec::new(), lacks: false });
         if self.open.is_empty() {
             self.open.push((file, None));
         }

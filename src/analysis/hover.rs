@@ -105,16 +105,11 @@ pub fn op_here(snapshot: &Snapshot, offset: usize) -> Option<&tree::Op> {
 
 /// The first op of a name, here or in a file that is used.
 pub fn op_named<'s>(snapshot: &'s Snapshot, name: &str) -> Option<&'s tree::Op> {
-    items(snapshot).find_map(|item| match item {
+    let (mut items, name) = snapshot.items_for(name);
+    items.find_map(|item| match item {
         Item::Op(op) if op.name.text == name => Some(op),
         _ => None,
     })
-}
-
-/// The items that can be named: those of the text, then those of the files that it uses.
-fn items(snapshot: &Snapshot) -> impl Iterator<Item = &Item> {
-    let used = snapshot.seen().flat_map(|(_, tree)| &tree.items);
-    snapshot.items().iter().chain(used)
 }
 
 fn of_mention(snapshot: &Snapshot, mention: Mention, offset: usize) -> Option<Card> {
@@ -154,7 +149,8 @@ fn declared(snapshot: &Snapshot, id: SymbolId) -> Card {
 }
 
 fn item_card(snapshot: &Snapshot, name: &str) -> Option<Card> {
-    let (start, end, docs) = items(snapshot).find_map(|item| match item {
+    let (mut items, name) = snapshot.items_for(name);
+    let (start, end, docs) = items.find_map(|item| match item {
         Item::Script(script) if script.name.text == name => {
             Some((script.span, script.body.span.start, &script.docs))
         }

@@ -8,7 +8,9 @@ use std::collections::BTreeSet;
 
 use crate::diagnostic::Diagnostic;
 use crate::library::{self, LibraryFile};
+use crate::resolve::qualifier;
 use crate::source::{Sources, Span};
+use crate::syntax::tree::split_qualified;
 
 /// Adds to each unknown op or function which files of the library declare it.
 pub(super) fn tell_where(diagnostics: &mut [Diagnostic], sources: &Sources) {
@@ -25,7 +27,11 @@ fn name_files(told: &mut Diagnostic, sources: &Sources) {
     let Some(word) = source.text().get(span.range()) else {
         return;
     };
-    let files = library::files().filter(|file| declares(file, word) && file.name != source.name());
+    let (of, word) = split_qualified(word);
+    let files = library::files().filter(|file| {
+        let is_of = of.is_none_or(|of| qualifier(file.name) == of);
+        is_of && declares(file, word) && file.name != source.name()
+    });
     let names: Vec<_> = files.map(|file| format!("`{}`", file.name)).collect();
     let [first, others @ ..] = names.as_slice() else {
         return;

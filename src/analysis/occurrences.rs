@@ -5,7 +5,7 @@ use std::ops::Range;
 use super::names::{Mention, Symbol, SymbolKind};
 use super::snapshot::Snapshot;
 use crate::source::Span;
-use crate::syntax::tree::Item;
+use crate::syntax::tree::{Item, split_qualified};
 
 /// The place that declares the name at a byte, or draws it first; perhaps in another file.
 pub fn definition(snapshot: &Snapshot, offset: usize) -> Option<Span> {
@@ -20,9 +20,10 @@ fn declared(snapshot: &Snapshot, symbol: &Symbol) -> Option<Span> {
     }
 }
 
-/// The place of an op, script or function of a used file, by its name.
+/// The place of an op, script or function of a used file, by its name, with the word for the file or
+/// without.
 fn called_elsewhere(snapshot: &Snapshot, name: &str) -> Option<Span> {
-    let items = snapshot.seen().flat_map(|(_, tree)| &tree.items);
+    let (items, name) = snapshot.items_for(name);
     let mut names = items.filter_map(|item| match item {
         Item::Op(op) => Some(&op.name),
         Item::Script(script) => Some(&script.name),
@@ -56,7 +57,7 @@ fn shared_item(snapshot: &Snapshot, symbol: &Symbol) -> Option<Shared> {
     let place = declared(snapshot, symbol)?;
     Some(Shared {
         file: snapshot.sources().get(place.file).name().to_owned(),
-        name: symbol.name.clone(),
+        name: split_qualified(&symbol.name).1.to_owned(),
         place: place.range(),
     })
 }
@@ -64,9 +65,11 @@ fn shared_item(snapshot: &Snapshot, symbol: &Symbol) -> Option<Shared> {
 /// The mentions in a text of an item that may be declared in another file.
 pub fn mentions_of_shared(snapshot: &Snapshot, shared: &Shared) -> Vec<Mention> {
     let names = snapshot.names();
-    let mut symbols = names.symbols().filter(|(_, symbol)| symbol.name == shared.name);
-    let symbol = symbols.find(|(_, symbol)| shared_item(snapshot, symbol).as_ref() == Some(shared));
-    symbol.map_or_else(Vec::new, |(id, _)| names.mentions_of(id).copied().collect())
+    let of_name =
+        names.symbols().filter(|(_, symbol)| split_qualified(&symbol.name).1 == shared.name);
+    let symbols =
+        of_name.filter(|(_, symbol)| shared_item(snapshot, symbol).as_ref() == Some(shared));
+    symbols.flat_map(|(id, _)| names.mentions_of(id)).copied().collect()
 }
 
 /// All mentions of the name at a byte, in text order; those of a name of a rule are on both sides.

@@ -11,7 +11,7 @@ use super::snapshot::Snapshot;
 use super::soundness::Known;
 use crate::diagnostic::{Diagnostic, Edit};
 use crate::resolve::is_constant;
-use crate::syntax::{TokenKind, parse};
+use crate::syntax::is_name;
 
 /// The mention at a byte, if its name can be changed here.
 ///
@@ -76,13 +76,6 @@ pub fn rename_shared(snapshot: &Snapshot, item: &Shared, to: &str) -> Result<Vec
     let edits =
         mentions.into_iter().map(|mention| Edit { span: mention.span, text: to.to_owned() });
     Ok(edits.collect())
-}
-
-/// True if a text can be a name.
-fn is_name(text: &str) -> bool {
-    let tokens = parse(Default::default(), text).tokens;
-    matches!(tokens.as_slice(), [only] if only.kind.is_name() && only.span.range() == (0..text.len()))
-        && TokenKind::KEYWORDS.iter().all(|(word, kind)| *word != text || kind.is_soft())
 }
 
 /// Another name that would clash with this one once it is renamed.

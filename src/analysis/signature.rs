@@ -3,6 +3,7 @@
 use super::snapshot::Snapshot;
 use super::words::meaning;
 use crate::resolve::signatures;
+use crate::source::Span;
 use crate::syntax::TokenKind as T;
 use crate::syntax::tree::{Item, Param};
 
@@ -27,8 +28,13 @@ pub fn signature(snapshot: &Snapshot, offset: usize) -> Option<(Vec<Call>, usize
             T::RightParen => depth += 1,
             T::LeftParen if depth > 0 => depth -= 1,
             T::LeftParen if tokens[at - 1].kind.is_wordlike() => {
-                let is_head = at > 1 && matches!(tokens[at - 2].kind, T::Op | T::Script | T::Fn);
-                let word = snapshot.sources().slice(tokens[at - 1].span);
+                let before = |back| Some(tokens[usize::checked_sub(at, back)?]);
+                let is_head =
+                    before(2).is_some_and(|token| matches!(token.kind, T::Op | T::Script | T::Fn));
+                let is_qualified = before(2).is_some_and(|token| token.kind == T::DoubleColon);
+                let first = before(3).filter(|_| is_qualified).unwrap_or(tokens[at - 1]);
+                let span = Span { start: first.span.start, ..tokens[at - 1].span };
+                let word = snapshot.sources().slice(span);
                 let calls = if is_head { Vec::new() } else { calls(snapshot, word) };
                 return (!calls.is_empty()).then_some((calls, argument));
             }
@@ -42,8 +48,8 @@ pub fn signature(snapshot: &Snapshot, offset: usize) -> Option<(Vec<Call>, usize
 }
 
 fn calls(snapshot: &Snapshot, word: &str) -> Vec<Call> {
-    let used = snapshot.seen().flat_map(|(_, tree)| &tree.items);
-    let declared = snapshot.items().iter().chain(used).find_map(|item| {
+    let (mut items, own_name) = snapshot.items_for(word);
+    let declared = items.find_map(|item| {
         let (name, params, result, docs) = match item {
             Item::Op(op) => (&op.name, &op.params, &op.result, &op.docs),
             Item::Fn(function) => {
@@ -52,7 +58,7 @@ fn calls(snapshot: &Snapshot, word: &str) -> Vec<Call> {
             Item::Script(script) => (&script.name, &script.params, &None, &script.docs),
             _ => return None,
         };
-        (name.text == word).then(|| {
+        (name.text == own_name).then(|| {
             let params: Vec<String> = params.iter().map(written).collect();
             let result = result.as_ref().map(|result| format!(" -> {}", result.text));
             Call {

@@ -20,12 +20,12 @@ use super::{Examined, NoExample, StepsVerdict, Verdict, example, files};
 use crate::diagnostic::Diagnostic;
 use crate::diagram;
 use crate::library;
-use crate::resolve::{Fields, Program, resolve_all};
+use crate::resolve::{Fields, Program, qualifier, resolve_all};
 use crate::rewrite::Plans;
 use crate::run::{Functions, calls_of_steps, plan_steps};
 use crate::source::{FileId, Sources, Span};
 use crate::syntax::Parsed;
-use crate::syntax::tree::{self, Item};
+use crate::syntax::tree::{self, Item, split_qualified};
 
 /// The analysis of one text.
 #[derive(Clone, Debug)]
@@ -164,6 +164,17 @@ impl Snapshot {
     /// The files whose items can be named in it: those it uses itself.
     pub fn seen(&self) -> impl Iterator<Item = (FileId, &tree::File)> {
         self.used().filter(|(file, _)| self.seen.contains(file))
+    }
+
+    /// The items that a name may mean, and their own name: those of the text, then those of the files
+    /// that it uses itself; with the word for a file, `polygon::flip`, those of that file.
+    pub fn items_for<'n>(&self, name: &'n str) -> (impl Iterator<Item = &Item>, &'n str) {
+        let (file, name) = split_qualified(name);
+        let own = self.items().iter().filter(move |_| file.is_none());
+        let is_of =
+            move |of| file.is_none_or(|file| qualifier(self.sources.get(of).name()) == file);
+        let used = self.seen().filter(move |(of, _)| is_of(*of)).flat_map(|(_, tree)| &tree.items);
+        (own.chain(used), name)
     }
 
     /// The names of the files it uses, directly or through others.

@@ -14,7 +14,7 @@ use super::remedies::{around, by_ends, insertions, unpaired};
 use super::stale::Stale;
 use super::unknown_names::Unknown;
 use crate::diagnostic::Diagnostic;
-use crate::diagram::{Drawing, Edge, Kind, Loop, NameId, Ref};
+use crate::diagram::{Drawing, Edge, Kind, Loop, LoopKind, NameId, Ref};
 use crate::source::Span;
 
 /// Tests the laws.
@@ -242,6 +242,13 @@ impl Law<'_> {
             _ => diagnostic.label(after_keyword(drawing), format!("no loop here holds {list}")),
         };
         diagnostic = diagnostic.note(Stale::of_loop(drawing, &names).sentence());
+        let is_whole = orbits.len() == 1 && items.len() == first.items.len();
+        if is_whole && drawing.erased(face).is_some() && first.kind == LoopKind::Face {
+            let face = &rule.name(face).text;
+            diagnostic = diagnostic.note(format!(
+                "to delete a face alone, draw its loop as a hole in `after`: `hole {face}: …`"
+            ));
+        }
         let mut remedies = vec![Remedy::Erase(names.clone())];
         let lost = drawing.rule.before.loops.iter().map(|orbit| orbit.face.name);
         let mut lost = lost

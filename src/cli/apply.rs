@@ -32,7 +32,8 @@ pub(super) fn apply(arguments: &ApplyArguments) -> Result<(), Failure> {
         }
         return Err(failure);
     };
-    meshes::expect_mesh(&arguments.output)?;
+    let output = arguments.output.as_deref();
+    output.map_or(Ok(()), meshes::expect_mesh)?;
     let mut obj = meshes::read(&arguments.mesh, &arguments.repair)?;
     let values = values(&program, op, arguments, &mut obj)?;
     let attributes = run::attributes(&program.analysis.program, op, &program.analysis.plans);
@@ -44,18 +45,21 @@ pub(super) fn apply(arguments: &ApplyArguments) -> Result<(), Failure> {
     };
     let places = Places::of(&obj.mesh, is_known);
     let before = Counts::of(&obj.mesh);
-    let failed = |diagnostic| Failure::of(&[diagnostic], &program.sources, 2);
+    let failed = |diagnostic, code| Failure::of(&[diagnostic], &program.sources, code);
     let application = Application::new(&program.analysis.program, op, &program.analysis.plans);
-    let mut application = application.map_err(failed)?;
+    let mut application = application.map_err(|told| failed(told, 2))?;
     application.use_engine(arguments.engine.get());
     let applied = application.apply(&mut obj.mesh, &values, &mut Unwatched);
-    let applied = applied.map_err(|failure| failed(failure.diagnostic))?;
+    let applied = applied.map_err(|failure| failed(failure.diagnostic, 1))?;
     match applied {
         Applied::Done { result, created } => {
-            let blame = || program::blame(&program, [plan.name.as_str()]);
-            meshes::write(&arguments.output, &mut obj, &arguments.encoding, blame)?;
-            meshes::tell_displaced(&arguments.output, &places, &obj.mesh);
-            let numbers = meshes::numbers(&arguments.output, &obj);
+            if let Some(output) = output {
+                let blame = || program::blame(&program, [plan.name.as_str()]);
+                meshes::write(output, &mut obj, &arguments.encoding, blame)?;
+                meshes::tell_displaced(output, &places, &obj.mesh);
+            }
+            // Without a result, elements are named as in the mesh that was given.
+            let numbers = meshes::numbers(output.unwrap_or(&arguments.mesh), &obj);
             let name = |(kind, id)| element(&obj.mesh, &numbers, kind, id);
             let report = Report {
                 result: result.and_then(name),
@@ -65,11 +69,14 @@ pub(super) fn apply(arguments: &ApplyArguments) -> Result<(), Failure> {
                 repaired: obj.repaired,
                 ..Report::nothing(plan, before)
             };
-            match (arguments.format, is_standard(&arguments.output)) {
+            match (arguments.format, output.is_some_and(is_standard)) {
                 (Format::Json, false) => say_json(&report)?,
                 (Format::Json, true) => complain_json(&report)?,
                 (Format::Human, false) => say(&report.show()),
                 (Format::Human, true) => complain(&report.show()),
+            }
+            if output.is_none() && arguments.format == Format::Human {
+                complain("the result is not kept; `-o FILE` writes it");
             }
             Ok(())
         }

@@ -78,11 +78,11 @@ impl Command {
     /// True if the answer is wanted as JSON on standard output.
     pub fn answers_json(&self) -> bool {
         let format = match self {
-            Self::Run(RunArguments { format, output, .. }) => match output {
+            Self::Run(RunArguments { format, output, .. })
+            | Self::Apply(ApplyArguments { format, output, .. }) => match output {
                 Some(output) if is_standard(output) => return false,
                 _ => format,
             },
-            Self::Apply(ApplyArguments { format, output, .. }) if !is_standard(output) => format,
             Self::Check(CheckArguments { format, .. })
             | Self::Test(TestArguments { format, .. })
             | Self::Info(InfoArguments { format, .. }) => format,
@@ -154,9 +154,11 @@ pub(super) struct RunArguments {
     /// Most memory that the mesh and lists may take, as 4G; if not
     /// given, three quarters of the machine's
     #[arg(long, value_name = "SIZE", value_parser = super::memory::read, verbatim_doc_comment)]
+    #[arg(allow_negative_numbers = true)]
     pub memory: Option<usize>,
     /// Seed of `random` and `shuffle`: the same seed, the same numbers
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = within(0, u64::MAX))]
+    #[arg(allow_negative_numbers = true)]
     pub seed: u64,
     /// Also tell how each `drain` keeps its keys current,
     /// and how long native code took to compile
@@ -198,9 +200,10 @@ pub(super) struct ApplyArguments {
     /// A value; a vector is written x,y,z
     #[arg(long = "set", value_name = "NAME=VALUE")]
     pub set: Vec<String>,
-    /// File for the result, in one of these formats
-    #[arg(short, long, value_name = "FILE")]
-    pub output: PathBuf,
+    /// File for the result, in one of these formats, or - for standard
+    /// output, as .obj; without it the operation is only tried
+    #[arg(short, long, value_name = "FILE", verbatim_doc_comment)]
+    pub output: Option<PathBuf>,
     /// Format of the answer
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
@@ -375,10 +378,12 @@ pub(super) struct TestArguments {
     pub filter: Option<String>,
     /// Seed of `random` and `shuffle`: the same seed, the same numbers
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = within(0, u64::MAX))]
+    #[arg(allow_negative_numbers = true)]
     pub seed: u64,
     /// Most memory that the meshes and lists of a test may take, as 4G;
     /// if not given, three quarters of what there is
     #[arg(long, value_name = "SIZE", value_parser = super::memory::read, verbatim_doc_comment)]
+    #[arg(allow_negative_numbers = true)]
     pub memory: Option<usize>,
     #[command(flatten)]
     pub engine: EngineArguments,

@@ -62,9 +62,13 @@ pub fn main() -> ExitCode {
                 return ended(Err(Failure::usage(advice)));
             }
             suggest_set(&mut error);
-            // Help and version are not failures; a closed pipe is ignored.
+            // Help and version are not failures.
+            if !error.use_stderr() {
+                output::say(error.to_string().trim_end());
+                return ended(Ok(()));
+            }
             let _ = error.print();
-            return ExitCode::from(if error.use_stderr() { 2 } else { 0 });
+            return ExitCode::from(2);
         }
     };
     if let Some(threads) = arguments.command.threads() {

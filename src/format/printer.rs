@@ -138,6 +138,7 @@ impl<'t> Printer<'t> {
                     | TokenKind::RightParen
                     | TokenKind::Comma
                     | TokenKind::Colon
+                    | TokenKind::DoubleColon
                     | TokenKind::Dot
             )
         );

@@ -3,7 +3,7 @@
 use super::action::headed;
 use super::printer::{Doc, HANG, Printer, joined, line, nil, text};
 use crate::syntax::TokenKind as T;
-use crate::syntax::tree::{ActionKind, BinaryOp, Expr, ExprKind};
+use crate::syntax::tree::{ActionKind, BinaryOp, Expr, ExprKind, Ident};
 
 impl Printer<'_> {
     /// A value, with the parentheses around it.
@@ -24,7 +24,7 @@ impl Printer<'_> {
                 let dot = self.token();
                 of.append(dot).append(self.token())
             }
-            ExprKind::Call { args, .. } => self.call(args, width),
+            ExprKind::Call { function, args } => self.call(function, args, width),
             ExprKind::Aggregate { body, sequence, filter, .. } => {
                 let open = self.token().append(self.token());
                 let body = self.value(body, width);
@@ -49,8 +49,8 @@ impl Printer<'_> {
     }
 
     /// `f(x, y)`
-    fn call(&mut self, args: &[Expr], width: usize) -> Doc {
-        let open = self.token().append(self.token());
+    fn call(&mut self, function: &Ident, args: &[Expr], width: usize) -> Doc {
+        let open = self.tokens(function.span).append(self.token());
         let mut inside = Vec::new();
         for (at, arg) in args.iter().enumerate() {
             if at > 0 {

@@ -2,6 +2,8 @@
 //!
 //! These are its own items and the items of the files it uses, of which an own item hides one of the
 //! same name. Two used files may have items of the same name; only a call of that name is an error.
+//! With the word for its file before it, `polygon::flip`, each item of a used file has a name that
+//! nothing hides.
 
 use std::cell::RefCell;
 use std::collections::{BTreeMap, HashMap, HashSet};
@@ -9,17 +11,21 @@ use std::rc::Rc;
 
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Access, Type};
-use crate::source::Span;
-use crate::syntax::tree::{self, Ident, Item};
+use crate::source::{FileId, Span};
+use crate::syntax::is_name;
+use crate::syntax::tree::{self, Ident, Item, QUALIFIES, split_qualified};
 
 use super::attribute_head::{Head, head};
 use super::builtin::function_names;
 use super::fields::is_taken;
 use super::file::Fields;
+use super::foreign_words;
 use super::report::Report;
 use super::sequence_names::fold_names;
 use super::signature::FunctionSignature;
-use super::unit::Unit;
+use super::suggestion::suggest;
+use super::testing::mesh_maker;
+use super::unit::{Unit, qualified};
 use super::words::a_type;
 
 /// The meaning of a name of an item.
@@ -61,6 +67,8 @@ pub(super) struct Declared {
     called: BTreeMap<String, Named>,
     /// Items of other used files with the same name as one in `called`.
     others: HashMap<String, Span>,
+    /// For each used file, the word for it in front of what it declares.
+    qualifiers: HashMap<FileId, String>,
     /// The signatures of functions and scripts, as far as they are known, by name.
     functions: HashMap<String, Rc<FunctionSignature>>,
     /// The visible attributes.
@@ -103,8 +111,9 @@ impl Declared {
         let with_used = |(own_of, unit): (&Self, &Unit)| {
             let mut all = own_of.clone();
             all.lacks = unit.lacks;
-            for used in unit.uses.iter().filter_map(|&used| own.get(used)) {
-                all.take_in(used, own_of, diagnostics);
+            let used = unit.uses.iter().filter_map(|&used| own.get(used).zip(units.get(used)));
+            for (used, unit) in used {
+                all.take_in((used, unit.qualifier), own_of, diagnostics);
             }
             all
         };
@@ -195,14 +204,23 @@ impl Declared {
         }
     }
 
-    /// Adds the declarations of a used file, except those that one of the file's `own` hides. A
-    /// clash of attributes is an error.
-    fn take_in(&mut self, used: &Self, own: &Self, diagnostics: &mut Vec<Diagnostic>) {
-        let is_hidden = |name: &String| own.called.contains_key(name);
-        for (name, named) in used.called.iter().filter(|(name, _)| !is_hidden(name)) {
-            match self.called.get(name) {
-                None => drop(self.called.insert(name.clone(), *named)),
-                Some(_) => drop(self.others.insert(name.clone(), named.span)),
+    /// Adds the declarations of a used file; one that the file's `own` hide only with the word for
+    /// its file. A clash of attributes is an error.
+    fn take_in(
+        &mut self,
+        (used, qualifier): (&Self, &str),
+        own: &Self,
+        diagnostics: &mut Vec<Diagnostic>,
+    ) {
+        for (name, named) in &used.called {
+            self.qualifiers.entry(named.span.file).or_insert_with(|| qualifier.to_owned());
+            let qualified = qualified(qualifier, name);
+            let alone = (!own.called.contains_key(name)).then(|| name.clone());
+            for name in alone.into_iter().chain([qualified]) {
+                match self.called.get(&name) {
+                    None => drop(self.called.insert(name, *named)),
+                    Some(_) => drop(self.others.insert(name, named.span)),
+                }
             }
         }
         for head in used.attributes.iter().filter(|head| !head.private) {
@@ -235,10 +253,12 @@ impl Declared {
 
     /// Stores what is currently known of a function if its name refers to it in this file.
     pub(super) fn learn(&mut self, signature: &Rc<FunctionSignature>) {
-        let named = self.called(&signature.name);
-        if named.is_some_and(|named| named.span == signature.span) {
-            let name = signature.name.clone();
-            self.functions.insert(name, Rc::clone(signature));
+        let file = self.qualifiers.get(&signature.span.file);
+        let qualified = file.map(|file| qualified(file, &signature.name));
+        for name in [signature.name.clone()].into_iter().chain(qualified) {
+            if self.called(&name).is_some_and(|named| named.span == signature.span) {
+                self.functions.insert(name, Rc::clone(signature));
+            }
         }
     }
 
@@ -249,16 +269,59 @@ impl Declared {
             return Some(());
         };
         let message = format!("two of the files that are used declare `{}`", name.text);
-        let error = Diagnostic::error("ambiguous-name", message, name.span)
+        let mut error = Diagnostic::error("ambiguous-name", message, name.span)
             .label(first.span, "one is here")
-            .label(*other, "the other is here")
-            .note(format!(
-                "one of them has another name in a file of its own that uses only that: as `op \
-                 other_name(…) {{ steps {{ must {}(…) }} }}`",
-                name.text
-            ));
+            .label(*other, "the other is here");
+        let ways = [first.span, *other].map(|place| self.with_file(name, place));
+        if let [Some(first), Some(other)] = &ways
+            && first != other
+        {
+            error = error.note(format!("with the file it is `{first}(…)` or `{other}(…)`"));
+            for way in [first, other] {
+                error = error.fix(format!("write `{way}`"), name.span, way);
+            }
+        } else {
+            error = error.note(
+                "a name has the word for its file before it, `triangle::flip(…)`, if the files \
+                 have different names that are names of the language, too",
+            );
+        }
         report.add(error);
         None
+    }
+
+    /// Adds to the error about an unknown function or op what may have been meant, perhaps one of
+    /// the `candidates`.
+    pub(super) fn tell_what_is_meant<'a>(
+        &'a self,
+        error: Diagnostic,
+        function: &Ident,
+        candidates: impl IntoIterator<Item = &'a str>,
+    ) -> Diagnostic {
+        let (name, file) = function.unqualified();
+        let (word, span) = (name.text.as_str(), function.span);
+        let is_known = |file: &str| self.qualifiers.values().any(|known| known == file);
+        if file.is_some() && is_of_the_language(word)
+            || file.is_some_and(|file| !is_known(file)) && self.is_called(word)
+        {
+            return error
+                .saying(format!("a name stands alone, without what it belongs to: `{word}`"))
+                .fix(format!("write `{word}`"), span, word);
+        }
+        if let Some(file) = file.filter(|file| is_known(file)) {
+            let is_there = |name: &&str| split_qualified(name).0 == Some(file);
+            let there = self.called.keys().map(String::as_str).filter(is_there);
+            return suggest(error, &function.text, span, there);
+        }
+        let here = foreign_words::function(word).or_else(|| mesh_maker(word));
+        foreign_words::tell(error, (word, span), here, candidates)
+    }
+
+    /// A name of an item of a used file with the word for its file, if that can be written.
+    fn with_file(&self, name: &Ident, place: Span) -> Option<String> {
+        let file = self.qualifiers.get(&place.file)?;
+        let (name, before) = name.unqualified();
+        (before.is_none() && is_name(file)).then(|| qualified(file, &name.text))
     }
 
     /// True if the name refers to the op, function or script declared here, and not to an earlier
@@ -267,15 +330,14 @@ impl Declared {
         self.called(&name.text).is_some_and(|named| named.span == name.span)
     }
 
-    /// The names of all callable items.
+    /// Names that are called, those of the used files without the word for the file.
     pub(super) fn called_names(&self) -> impl Iterator<Item = &str> {
-        self.called.keys().map(String::as_str)
+        self.called.keys().map(String::as_str).filter(|name| !name.contains(QUALIFIES))
     }
 
-    /// The names of the ops.
+    /// The names of the ops among these.
     pub(super) fn op_names(&self) -> impl Iterator<Item = &str> {
-        let ops = self.called.iter().filter(|(_, named)| named.what == What::Op);
-        ops.map(|(name, _)| name.as_str())
+        self.called_names().filter(|name| self.op(name).is_some())
     }
 
     /// True if there is a script of this name.

@@ -40,7 +40,12 @@ pub struct Resolved {
 /// left out of the program, as code with an error is.
 pub fn resolve(tree: &tree::File) -> Resolved {
     let uses = |item: &Item| matches!(item, Item::Use(_));
-    resolve_all(&[Unit { tree, uses: Vec::new(), lacks: tree.items.iter().any(uses) }])
+    resolve_all(&[Unit {
+        qualifier: "",
+        tree,
+        uses: Vec::new(),
+        lacks: tree.items.iter().any(uses),
+    }])
 }
 
 /// Resolves the files of a program; the first one is the program itself.
@@ -62,6 +67,7 @@ pub fn resolve_all(units: &[Unit]) -> Resolved {
                 let (signature, mut resolved) =
                     resolve_op(op, declared, &program.attributes, &mut report);
                 resolved.misread = unit.tree.is_misread(op.span);
+                resolved.qualifier = unit.qualifier.to_owned();
                 signatures.push(signature);
                 program.ops.push(resolved);
                 diagnostics.extend(report.into_diagnostics());

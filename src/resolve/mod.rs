@@ -76,7 +76,7 @@ pub use program::{
 };
 pub use suggestion::closest;
 pub use testing::is_shape;
-pub use unit::Unit;
+pub use unit::{Unit, qualifier};
 pub use vocabulary::{
     FieldWord, Signature, fields, function_words, is_constant, is_function,
     mesh_and_constant_words, sequence_words, signatures, type_with_article,

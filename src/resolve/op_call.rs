@@ -5,13 +5,11 @@ use crate::diagram::{Expr, Type};
 use crate::source::Span;
 use crate::syntax::tree::{self, Ident};
 
-use super::foreign_words;
 use super::program::{Block, Statement, StatementKind};
 use super::scopes::{Binding, Local};
 use super::script::Scripting;
 use super::sequence::is_sequence;
 use super::signature::Returned;
-use super::testing::mesh_maker;
 use super::typing::Typing;
 use super::words::a_type;
 
@@ -85,13 +83,15 @@ impl Scripting<'_> {
             tree::ExprKind::Call { function, .. } if self.is_op_call(expr) => {
                 let word = &function.text;
                 let message = format!("`{word}` may be refused, and then there is no value");
-                let error = Diagnostic::error("needs-must", message, expr.span).note(format!(
-                    "`if let x = {word}(…)` asks, `must {word}(…)` stops the script"
-                ));
+                let error = Diagnostic::error("needs-must", message, expr.span);
                 let called = self.typing.declared.op(word).and_then(|op| self.ops.get(op));
                 let gives = called.filter(|op| op.result != Returned::Nothing);
                 self.typing.report.add(match gives {
-                    Some(_) => error.fix("write `must`", expr.span.before(), "must "),
+                    Some(_) => error
+                        .note(format!(
+                            "`if let x = {word}(…)` asks, `must {word}(…)` stops the script"
+                        ))
+                        .fix("write `must`", expr.span.before(), "must "),
                     None => error.note(format!(
                         "`{word}` returns nothing; whether it applied is asked by `if {word}(…) {{ … }}`"
                     )),
@@ -271,9 +271,7 @@ impl Typing<'_> {
         }
         let message = format!("there is no op `{word}`");
         let error = Diagnostic::error("unknown-op", message, function.span);
-        let here = foreign_words::function(word).or_else(|| mesh_maker(word));
-        let place = (word, function.span);
-        let error = foreign_words::tell(error, place, here, declared.op_names());
+        let error = declared.tell_what_is_meant(error, function, declared.op_names());
         let is_meant = !error.fixes.is_empty();
         self.report.add(error);
         is_meant

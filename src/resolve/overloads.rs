@@ -7,7 +7,6 @@ use crate::syntax::tree::{self, Ident};
 
 use super::builtin::{SHUFFLE, function_names};
 use super::constructors::constructed;
-use super::foreign_words;
 use super::sequence::is_sequence;
 use super::sequence_names::fold_names;
 use super::testing::mesh_maker;
@@ -234,9 +233,7 @@ impl Typing<'_> {
         let declared = self.declared;
         let mut candidates: Vec<&str> = function_names().chain(fold_names()).collect();
         candidates.extend(declared.called_names());
-        let here = foreign_words::function(word).or_else(|| mesh_maker(word));
-        let place = (word, function.span);
-        let error = foreign_words::tell(error, place, here, candidates);
+        let error = declared.tell_what_is_meant(error, function, candidates);
         let is_meant = !error.fixes.is_empty();
         self.report.add(error);
         is_meant
@@ -247,7 +244,8 @@ impl Typing<'_> {
         let message = format!("`{op}` is an op; it cannot be called inside of an expression");
         let error = Diagnostic::error("op-in-expression", message, span).note(format!(
             "an op stands as a statement `{op}(…)`, as the condition of `if` or `if let x =`, \
-             or after `let x = must`; whether it would apply is asked by `can {op}(…)`"
+             or after `let x = must`; what is done where it is refused stands in `else {{ … }}`, and \
+             whether it would apply is asked by `can {op}(…)`"
         ));
         self.report.add(error);
     }

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use super::unit::qualified;
 use crate::diagram::{self, Access, Attribute, Collection, Expr, Param, Type};
 use crate::source::Span;
 use crate::syntax::tree::Digits;
@@ -45,6 +46,8 @@ impl Program {
 pub struct Op {
     /// Its name.
     pub name: String,
+    /// The word for its file in front of its name.
+    pub qualifier: String,
     /// The span of its name.
     pub span: Span,
     /// Its parameters. One of invalid type counts as a real; then there is no diagram.
@@ -61,6 +64,13 @@ pub struct Op {
     pub steps: Option<Steps>,
     /// True if it could not be read as it is written; then it cannot be proved.
     pub misread: bool,
+}
+
+impl Op {
+    /// The name with the word for its file before it: `polygon::flip`.
+    pub fn qualified_name(&self) -> String {
+        qualified(&self.qualifier, &self.name)
+    }
 }
 
 /// An op that calls other ops as one transaction: all or nothing.

@@ -11,7 +11,7 @@ use crate::compile::width;
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Param, Type};
 use crate::mesh::{Level, Mesh, WantedAttribute};
-use crate::resolve::{Program, Script};
+use crate::resolve::{Program, ResolvedOp, Script};
 use crate::rewrite::{self, Code, Engine, Plans, TooLarge, Unbounded};
 use crate::source::Span;
 
@@ -37,6 +37,8 @@ pub struct Prepared {
     pub(super) assertions: Vec<u32>,
     /// The operations that it may call, in the order of the program.
     pub(super) called: Vec<usize>,
+    /// Their names; those of several with one name have the words for their files before them.
+    pub(super) names: Vec<String>,
     /// The greatest number of bytes that the mesh and the lists may take.
     pub(super) memory: usize,
     pub(super) engine: Engine,
@@ -118,6 +120,7 @@ pub(super) fn prepare_script(
     let called_plans = with_steps(plans, called_plans);
     let all_code = called_plans.iter().map(|plan| &plan.code).chain([&code]);
     let columns = Columns::of(&program.attributes, all_code).map_err(|error| vec![error])?;
+    let called: Vec<usize> = called.into_iter().map(|(op, _)| op).collect();
     Ok(Prepared {
         name: script.name.clone(),
         span: script.span,
@@ -131,9 +134,20 @@ pub(super) fn prepare_script(
         assertions: lowering.assertions,
         memory: usize::MAX,
         engine: Engine::default(),
-        called: called.into_iter().map(|(op, _)| op).collect(),
+        names: names(program, &called),
+        called,
         of_polygons: false,
     })
+}
+
+/// The names of operations, which tell them apart.
+fn names(program: &Program, called: &[usize]) -> Vec<String> {
+    let ops: Vec<_> = called.iter().filter_map(|&op| program.ops.get(op)).collect();
+    let name = |op: &&ResolvedOp| match ops.iter().filter(|other| other.name == op.name).count() {
+        1 => op.name.clone(),
+        _ => op.qualified_name(),
+    };
+    ops.iter().map(name).collect()
 }
 
 fn not_proved(program: &Program, op: usize, call: Span) -> Diagnostic {

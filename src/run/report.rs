@@ -122,15 +122,15 @@ pub(super) fn expect_level(plan: &Plan, mesh: &Mesh, place: Span) -> Result<(), 
 
 /// The report on the calls of the operations that a script calls.
 pub(crate) fn report(prepared: &Prepared, counts: &[Count]) -> Report {
-    let called = prepared.called.iter();
-    let ops = called.filter_map(|&op| {
+    let called = prepared.called.iter().zip(&prepared.names);
+    let ops = called.filter_map(|(&op, name)| {
         let plan = prepared.plans.get(op)?.as_ref()?;
-        Some(op_report(plan, counts.get(op)?))
+        Some(op_report(name, plan, counts.get(op)?))
     });
     Report { ops: ops.collect() }
 }
 
-fn op_report(plan: &Plan, count: &Count) -> OpReport {
+fn op_report(name: &str, plan: &Plan, count: &Count) -> OpReport {
     let mut refused: Vec<(String, u64)> = Vec::new();
     for (refusal, &times) in plan.refusals.iter().zip(&count.refused) {
         match refused.iter_mut().find(|(known, _)| *known == refusal.reason) {
@@ -139,7 +139,7 @@ fn op_report(plan: &Plan, count: &Count) -> OpReport {
         }
     }
     refused.retain(|&(_, times)| times > 0);
-    OpReport { name: plan.name.clone(), applied: count.applied, refused }
+    OpReport { name: name.to_owned(), applied: count.applied, refused }
 }
 
 /// The greatest number of calls shown as labels of a failure.

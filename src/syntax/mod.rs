@@ -25,3 +25,9 @@ pub use lex::{Comment, CommentKind, Lexed, lex};
 pub use parse::{Parsed, parse, parse_again};
 pub use parts::Part;
 pub use token::{Token, TokenKind};
+
+/// True if a text can be a name.
+pub fn is_name(text: &str) -> bool {
+    let tokens = lex(Default::default(), text).tokens;
+    matches!(tokens.as_slice(), [only] if only.kind.is_name() && only.span.range() == (0..text.len()))
+}

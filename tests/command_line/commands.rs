@@ -296,6 +296,18 @@ fn apply_does_one_thing_at_one_place() {
 }
 
 #[test]
+fn apply_without_an_output_tries() {
+    let bench = Bench::with_square();
+    let told = bench.run(&["apply", &flip(), "square.obj", "--at", "edge:1-3"]);
+    assert!(told.code == 0 && told.out.contains("applied flip"), "{told:?}");
+    assert!(told.err.contains("the result is not kept; `-o FILE` writes it"), "{told:?}");
+    let report = bench.json(&["apply", &flip(), "square.obj", "--at", "edge:1-3"]);
+    assert_eq!(report["applied"], true);
+    let told = bench.run(&["apply", &flip(), "square.obj", "--at", "edge:1-2"]);
+    assert_eq!(told.code, 3, "{told:?}");
+}
+
+#[test]
 fn a_refusal_has_a_code_a_reason_and_no_output() {
     let bench = Bench::new();
     bench.write("t.obj", TETRAHEDRON);

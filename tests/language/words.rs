@@ -3,7 +3,7 @@
 use hedgerow::analysis::{MEANINGS, functions, meaning, word};
 use hedgerow::diagram::{Property, Type};
 use hedgerow::resolve::{closest, fields, function_words, mesh_and_constant_words, sequence_words};
-use hedgerow::syntax::TokenKind;
+use hedgerow::syntax::{TokenKind, parse};
 
 #[test]
 fn every_word_is_explained() {
@@ -51,4 +51,37 @@ fn a_third_of_the_letters_may_differ() {
     assert_eq!(closest("linkcondition", words), Some("link_condition"));
     assert_eq!(closest("v1", words), None, "too short to guess");
     assert_eq!(closest("width", words), None);
+}
+
+/// A meaning quotes the language: each quoted piece can be read where it would stand.
+#[test]
+fn what_a_meaning_quotes_can_be_read() {
+    const AROUND: [(&str, &str); 7] = [
+        ("", ""),
+        ("script s() { ", " }"),
+        ("script s() { let x = ", " }"),
+        ("script s() { print \"", "\" }"),
+        ("op t(e: edge) { ", " }"),
+        ("op t(e: edge) { before { ", " } after { } }"),
+        ("op t(e: edge) { before { } ", " after { } }"),
+    ];
+    let (mut count, mut unread) = (0, Vec::new());
+    for (word, meaning) in MEANINGS {
+        for quoted in meaning.split('`').skip(1).step_by(2) {
+            let written = quoted.replace("where …", "where true");
+            let written = written.replace(": …", ": v -a-> w -b-> v").replace('…', "");
+            let is_read = |(before, after): &(&str, &str)| {
+                let text = format!("{before}{written}{after}");
+                parse(Default::default(), &text).diagnostics.is_empty()
+            };
+            let is_part = ["*", "=", "->"].contains(&quoted)
+                || TokenKind::KEYWORDS.iter().any(|(known, _)| *known == quoted);
+            if !is_part && !AROUND.iter().any(is_read) {
+                unread.push(format!("{word}: `{quoted}`"));
+            }
+            count += 1;
+        }
+    }
+    assert_eq!(unread, Vec::<String>::new());
+    assert!(count > 60, "only {count}");
 }

@@ -51,3 +51,4 @@
 (script name: (identifier) @function)
 (rule name: (identifier) @function)
 (call function: (identifier) @function.call)
+(qualified file: (identifier) @module "::" @punctuation.delimiter name: (identifier) @function.call)

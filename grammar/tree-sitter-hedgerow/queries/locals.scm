@@ -28,3 +28,4 @@
 
 (name (identifier) @local.reference)
 (call function: (identifier) @local.reference)
+(qualified name: (identifier) @local.reference)

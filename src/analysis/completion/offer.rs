@@ -2,7 +2,7 @@
 
 use super::choice::{Choice, Completion};
 use super::drawing::{drawn, of_side};
-use super::value::{of_chain, values};
+use super::value::{of_chain, of_file, values};
 use super::words::{PARTS, TOP, keywords, types};
 use crate::analysis::cursor_context::{CursorContext, place};
 use crate::analysis::snapshot::Snapshot;
@@ -28,6 +28,7 @@ pub fn completions(snapshot: &Snapshot, offset: usize) -> Vec<Completion> {
         CursorContext::OpBody => keywords(PARTS),
         CursorContext::Side(side, wanted) => of_side(snapshot, offset, side, wanted),
         CursorContext::Value(start) => values(snapshot, offset, start),
+        CursorContext::File(file) => of_file(snapshot, &file),
         CursorContext::Field(chain) => of_chain(snapshot, offset, &chain),
     };
     found.sort_by(|left, right| (left.rank, &left.word).cmp(&(right.rank, &right.word)));

@@ -8,7 +8,7 @@ use crate::analysis::names::{Names, Symbol, SymbolId, SymbolKind};
 use crate::analysis::snapshot::Snapshot;
 use crate::analysis::types::type_of;
 use crate::diagram::{Kind, Type};
-use crate::resolve::{fields, function_words, sequence_words, signatures};
+use crate::resolve::{fields, function_words, qualifier, sequence_words, signatures};
 use crate::syntax::tree::Item;
 
 /// Completions in a value; a statement, where one may begin.
@@ -34,20 +34,29 @@ pub(super) fn values(snapshot: &Snapshot, offset: usize, start: Start) -> Vec<Co
         });
     }
     let seen = snapshot.seen().flat_map(|(_, tree)| &tree.items);
-    for item in snapshot.items().iter().chain(seen) {
-        let (name, choice) = match item {
-            Item::Op(op) => (&op.name.text, Choice::Op),
-            Item::Fn(function) => (&function.name.text, Choice::Function),
-            Item::Script(script) => (&script.name.text, Choice::Function),
-            _ => continue,
-        };
-        let snippet = format!("{name}($1)");
-        found.push(Completion::new(name, choice, 2).with(&snippet));
-    }
+    found.extend(snapshot.items().iter().chain(seen).filter_map(called));
     for word in ["if", "true", "false", "not", "can", "why", "pi"] {
         found.push(Completion::new(word, Choice::Keyword, 6));
     }
     found
+}
+
+/// What the used files of a name declare, to be called.
+pub(super) fn of_file(snapshot: &Snapshot, file: &str) -> Vec<Completion> {
+    let is_of = |of| qualifier(snapshot.sources().get(of).name()) == file;
+    let files = snapshot.seen().filter(|(of, _)| is_of(*of));
+    files.flat_map(|(_, tree)| &tree.items).filter_map(called).collect()
+}
+
+/// The call of an item.
+fn called(item: &Item) -> Option<Completion> {
+    let (name, choice) = match item {
+        Item::Op(op) => (&op.name.text, Choice::Op),
+        Item::Fn(function) => (&function.name.text, Choice::Function),
+        Item::Script(script) => (&script.name.text, Choice::Function),
+        _ => return None,
+    };
+    Some(Completion::new(name, choice, 2).with(&format!("{name}($1)")))
 }
 
 /// The variables and parameters of the item around a byte; in an op also the elements it draws.

@@ -156,6 +156,7 @@ fn goes_on(kind: T) -> bool {
             | T::Mod
             | T::Bar
             | T::Colon
+            | T::DoubleColon
             | T::Dot
             | T::LeftParen
     )

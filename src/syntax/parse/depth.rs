@@ -99,7 +99,7 @@ fn chains(kind: T) -> bool {
 /// follows another.
 fn restarts(before: Option<T>, kind: T) -> bool {
     match kind {
-        T::Comma | T::Colon | T::Equals | T::Arrow | T::FatArrow | T::Bar => true,
+        T::Comma | T::Colon | T::DoubleColon | T::Equals | T::Arrow | T::FatArrow | T::Bar => true,
         kind if chains(kind) && !matches!(kind, T::If | T::Not | T::Must) => false,
         T::LeftBrace
         | T::LeftParen

@@ -5,7 +5,7 @@
 use super::failure::{Failure, Mistake, Phrase};
 use super::foreign_syntax;
 use super::input::{Rule, Scene, slice};
-use super::name::{ident, int_here, name, name_here, text, word};
+use super::name::{ident, int_here, name, name_here, qualified, text, word};
 use super::recover;
 use super::text::text_with_values;
 use crate::source::Span;
@@ -204,13 +204,17 @@ fn call<'t>(expression: Rule<'t, Expr>) -> Rule<'t, ExprKind> {
     });
     let open = open.labelled(Phrase::Operator).boxed();
     let hole = select! { T::Hole => () }.map_with(|(), scene| name_here(scene));
-    let callee = name().or(hole.then_ignore(open.clone().rewind())).boxed();
+    let hole = hole.then_ignore(open.clone().rewind());
+    let callee = hole.or(qualified()).or(name()).boxed();
     let inside = inside.recover_with(via_parser(broken)).boxed();
     let arguments = open.ignore_then(inside).boxed();
     callee
         .then(arguments.or_not())
         .validate(|(name, arguments), _, emitter| {
             let Some(arguments) = arguments else {
+                if name.ident.is_qualified() {
+                    emitter.emit(Failure::mistake(Mistake::QualifiedName, name.span));
+                }
                 return ExprKind::Name(name);
             };
             if let Some(index) = &name.index {

@@ -143,8 +143,7 @@ pub(super) fn no_type<'t>() -> Rule<'t, Ident> {
 /// `std::polygon` or `std/polygon` in place of a text: a mistake, and the path that is meant.
 pub(super) fn bare_path<'t>() -> Rule<'t, (String, Span)> {
     let word = select! { kind if T::is_wordlike(kind) => () };
-    let colons = just(T::Colon).repeated().exactly(2);
-    let between = choice((colons, just(T::Slash).ignored(), just(T::Dot).ignored()));
+    let between = choice((just(T::DoubleColon), just(T::Slash), just(T::Dot)));
     word.separated_by(between)
         .at_least(1)
         .validate(|(), scene, emitter| {

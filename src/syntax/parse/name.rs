@@ -5,7 +5,7 @@ use super::input::{Rule, Scene, slice};
 use crate::source::Span;
 use crate::syntax::text::read_text;
 use crate::syntax::token::TokenKind as T;
-use crate::syntax::tree::{Ident, Index, Name};
+use crate::syntax::tree::{Ident, Index, Name, QUALIFIES};
 use chumsky::prelude::*;
 
 fn ident_here(scene: &mut Scene) -> Ident {
@@ -22,6 +22,21 @@ pub(super) fn ident<'t>() -> Rule<'t, Ident> {
     select! { kind if T::is_name(kind) => () }
         .map_with(|(), scene| ident_here(scene))
         .labelled(Phrase::Name)
+        .boxed()
+}
+
+/// What is called, with the word for its file: `triangle::flip`.
+pub(super) fn qualified<'t>() -> Rule<'t, Name> {
+    // It goes on as an operator would.
+    let mark = just(T::DoubleColon).labelled(Phrase::Operator);
+    ident()
+        .then_ignore(mark)
+        .then(ident())
+        .map_with(|(file, name), scene| {
+            let text = format!("{}{QUALIFIES}{}", file.text, name.text);
+            let span = scene.span();
+            Name { ident: Ident { text, span }, index: None, span }
+        })
         .boxed()
 }
 

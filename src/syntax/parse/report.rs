@@ -6,6 +6,7 @@ use super::recover::begins_part;
 use crate::diagnostic::Diagnostic;
 use crate::source::Span;
 use crate::syntax::token::{Token, TokenKind as T};
+use crate::syntax::tree::split_qualified;
 
 /// The start of the note about a keyword used as a name.
 const ANOTHER_NAME: &str = "another name is needed";
@@ -154,6 +155,13 @@ fn mistaken(mistake: Mistake, span: Span, text: &str) -> Diagnostic {
         Mistake::CalledFamily => {
             let message = "what is called has no subscript";
             Diagnostic::error("syntax-error", message, span)
+        }
+        Mistake::QualifiedName => {
+            let (_, name) = split_qualified(written);
+            let name = name.trim();
+            let message = format!("a name stands alone, without what it belongs to: `{name}`");
+            let found = Diagnostic::error("syntax-error", message, span);
+            found.fix(format!("write `{name}`"), span, name)
         }
         Mistake::ValuesInText => {
             let message = "a text with values in it stands behind `print` only";

@@ -3,13 +3,40 @@
 use super::{Block, Name};
 use crate::source::Span;
 
-/// A word with its place.
+/// The mark between the word for a file and a name that the file declares.
+pub const QUALIFIES: &str = "::";
+
+/// A word with its place, or what is called with the word for its file before it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ident {
     /// The word, with its primes.
     pub text: String,
     /// Its place in the source.
     pub span: Span,
+}
+
+impl Ident {
+    /// True if it has the word for a file before it.
+    pub fn is_qualified(&self) -> bool {
+        self.text.contains(QUALIFIES)
+    }
+
+    /// The name without the file before it, and the word for that file: `flip` and `triangle` of
+    /// `triangle::flip`.
+    pub fn unqualified(&self) -> (Ident, Option<&str>) {
+        match split_qualified(&self.text) {
+            (None, _) => (self.clone(), None),
+            (file, name) => {
+                let start = self.span.end.saturating_sub(name.len() as u32);
+                (Ident { text: name.to_owned(), span: Span { start, ..self.span } }, file)
+            }
+        }
+    }
+}
+
+/// The word for a file, if a name has one before it, and the name alone.
+pub fn split_qualified(name: &str) -> (Option<&str>, &str) {
+    name.split_once(QUALIFIES).map_or((None, name), |(file, name)| (Some(file), name))
 }
 
 /// An expression.
@@ -73,7 +100,7 @@ pub enum ExprKind {
     Name(Name),
     /// `x.field`
     Field(Box<Expr>, Ident),
-    /// `f(x, y)`
+    /// `f(x, y)`, `file::f(x, y)`
     Call { function: Ident, args: Vec<Expr> },
     /// `must f(x)`
     Must(Box<Expr>),

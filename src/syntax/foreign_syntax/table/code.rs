@@ -9,7 +9,7 @@ const REFUSED: &str = "`must` stops where an op refuses, `if let x = …` asks";
 pub(super) const LINES: &[Line] = &[
     told(
         CODE,
-        "std : : cout/cerr $l:line",
+        "std :: cout/cerr $l:line",
         "",
         "values are printed by `print \"{count(edges)} edges\"`",
     ),

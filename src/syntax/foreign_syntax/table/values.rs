@@ -196,18 +196,6 @@ pub(super) const LINES: &[Line] = &[
     ),
     fixed(CODE | PARTS, "| $x |", "$x", "abs($x)", "the size of a number is `abs(x)`"),
     sure(CODE | PARTS, "=>", ">=", "`{}` is written `>=`"),
-    sure(
-        CODE | PARTS,
-        "$a:word : : $b:word ~(",
-        "$b(",
-        "a name stands alone, without what it belongs to: `$b`",
-    ),
-    told(
-        CODE | PARTS,
-        "$a:word : : $b:word",
-        "$b",
-        "a name stands alone, without what it belongs to: `$b`",
-    ),
     told(CODE | PARTS, "null/None/nullptr/nil", "true", EXISTS),
     told(PARTS, "^face/edge/vertex/hole/loop $n : $l:line", "", SIDES),
 ];
