@@ -319,12 +319,12 @@ const FUNCTIONS: &[(&str, &str, &[Overload])] = &[
     ),
     (
         "angle",
-        "the angle between two directions, or of the corner where a halfedge starts, in radians",
+        "the angle between two directions, or of the corner where a halfedge starts, in radians; of a corner of a hole, in the hole",
         &[of(&[X, X], REAL, Builtin::Angle), of(&[H], REAL, Builtin::AngleCorner)],
     ),
     (
         "cotangent",
-        "the cotangent of the angle opposite to a halfedge in its triangle",
+        "the cotangent of the angle opposite to a halfedge in its triangle, zero in a hole: `(cotangent(h) + cotangent(h.twin)) / 2` is the weight of an edge",
         &[of(&[H], REAL, Builtin::Cotangent)],
     ),
     (

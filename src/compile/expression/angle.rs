@@ -1,7 +1,7 @@
 //! Angles on a mesh: of corners, opposite to halfedges, and across edges.
 
 use crate::diagram::Builtin;
-use crate::rewrite::{Assembler, ElementField, HalfedgeField, Inst, Question, Reg};
+use crate::rewrite::{Assembler, ElementField, HalfedgeField, Inst, Label, Question, Reg};
 
 use super::pointer::{ask, first, load};
 
@@ -49,6 +49,10 @@ pub(super) fn lower(asm: &mut Assembler, place: u32, builtin: Builtin, from: Reg
             asm.emit(angle);
         }
         Builtin::Cotangent => {
+            let (face, in_hole) = (asm.reg(), asm.reg());
+            load(asm, place, HalfedgeField::Face, [face, from]);
+            asm.trap_at(place, Inst::LoadHole { to: in_hole, face });
+            let end = zero_if(asm, in_hole, to);
             let around = Triangle::at(asm, place, from);
             let [left, right] = [around.start, around.end].map(|far| {
                 let to = asm.vec();
@@ -59,6 +63,7 @@ pub(super) fn lower(asm: &mut Assembler, place: u32, builtin: Builtin, from: Reg
             let [sine, cosine] = sine_and_cosine(asm, left, right);
             let (left, right) = (cosine, sine);
             asm.emit(Inst::DivReal { to, left, right });
+            asm.bind(end);
         }
         _ => dihedral(asm, place, from, to),
     }
@@ -99,17 +104,20 @@ fn follow(asm: &mut Assembler, place: u32, path: &[HalfedgeField], [to, from]: [
     }
 }
 
+/// Sets a value to zero, and jumps to the label if the condition holds.
+fn zero_if(asm: &mut Assembler, condition: Reg, to: Reg) -> Label {
+    let (from, end) = (asm.constant_real(0.0), asm.label());
+    asm.emit(Inst::Copy { to, from });
+    asm.emit(Inst::JumpIf { condition, to: end });
+    end
+}
+
 /// The angle between the normals on both sides, positive at a convex edge: the arc tangent of the
 /// sine along the edge over the cosine. It is zero on the boundary.
 fn dihedral(asm: &mut Assembler, place: u32, edge: Reg, to: Reg) {
-    let (flat, end) = (asm.constant_real(0.0), asm.label());
-    let from = flat;
-    asm.emit(Inst::Copy { to, from });
-    let condition = asm.reg();
-    let on_boundary = condition;
-    let asked = ask(Question::BoundaryEdge, on_boundary, edge);
-    asm.trap_at(place, asked);
-    asm.emit(Inst::JumpIf { condition, to: end });
+    let on_boundary = asm.reg();
+    asm.trap_at(place, ask(Question::BoundaryEdge, on_boundary, edge));
+    let end = zero_if(asm, on_boundary, to);
     let halfedge = asm.reg();
     first(asm, place, ElementField::Edge, [halfedge, edge]);
     let [first, second] = [&[][..], &[HalfedgeField::Twin]].map(|side| {

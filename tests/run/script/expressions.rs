@@ -203,6 +203,15 @@ fn angles() {
       assert all(dihedral_angle(e) <= 0 for e in v.edges) and any(dihedral_angle(e) < -0.1 for e in v.edges)
       print count(dihedral_angle(e) == 0 for e in edges where boundary(e)) == count(boundary(e) for e in edges)";
     assert_eq!(printed(&mut shape::triangle_grid(2, 2), body), ["true"]);
+    // The Laplacian of the plane: a coordinate is harmonic inside, and holes weigh nothing.
+    let body = "
+      assert all(cotangent(h) == 0 for h in halfedges where hole(h.face))
+      let squares = sum(cotangent(h) * length(h) * length(h) for h in halfedges)
+      assert abs(squares / 4 - sum(area(f) for f in faces)) < 1e-9
+      assert all(abs(sum((cotangent(h) + cotangent(h.twin)) * (h.target.position.x - v.position.x)
+          for h in v.halfedges)) < 1e-9 for v in vertices where not boundary(v))
+      print \"done\"";
+    assert_eq!(printed(&mut shape::triangle_grid(3, 4), body), ["done"]);
 }
 
 #[test]
