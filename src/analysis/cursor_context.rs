@@ -31,7 +31,7 @@ pub enum CursorContext {
     Value(Start),
     /// After a dot: the words of the chain before it, such as `e`, `halfedge`.
     Field(Vec<String>),
-    /// After `::`: the word for a file before it.
+    /// After `::`: the qualifier before it.
     File(String),
 }
 

@@ -188,7 +188,7 @@ fn uses(parsed: &Parsed) -> Vec<(String, Span)> {
 /// A file of the program.
 pub(super) struct Part {
     pub file: FileId,
-    /// The word for it in front of what it declares.
+    /// The qualifier of the names that it declares.
     qualifier: String,
     pub parsed: Rc<Parsed>,
     /// The files it uses, as indices of the parts.

@@ -167,7 +167,7 @@ impl Snapshot {
     }
 
     /// The items that a name may mean, and their own name: those of the text, then those of the files
-    /// that it uses itself; with the word for a file, `polygon::flip`, those of that file.
+    /// that it uses itself; a qualified name, `polygon::flip`, means those of that file.
     pub fn items_for<'n>(&self, name: &'n str) -> (impl Iterator<Item = &Item>, &'n str) {
         let (file, name) = split_qualified(name);
         let own = self.items().iter().filter(move |_| file.is_none());

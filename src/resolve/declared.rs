@@ -2,8 +2,7 @@
 //!
 //! These are its own items and the items of the files it uses, of which an own item hides one of the
 //! same name. Two used files may have items of the same name; only a call of that name is an error.
-//! With the word for its file before it, `polygon::flip`, each item of a used file has a name that
-//! nothing hides.
+//! Each item of a used file also has a qualified name, `polygon::flip`, which nothing hides.
 
 use std::cell::RefCell;
 use std::collections::{BTreeMap, HashMap, HashSet};
@@ -67,7 +66,7 @@ pub(super) struct Declared {
     called: BTreeMap<String, Named>,
     /// Items of other used files with the same name as one in `called`.
     others: HashMap<String, Span>,
-    /// For each used file, the word for it in front of what it declares.
+    /// The qualifier of each used file.
     qualifiers: HashMap<FileId, String>,
     /// The signatures of functions and scripts, as far as they are known, by name.
     functions: HashMap<String, Rc<FunctionSignature>>,
@@ -204,8 +203,8 @@ impl Declared {
         }
     }
 
-    /// Adds the declarations of a used file; one that the file's `own` hide only with the word for
-    /// its file. A clash of attributes is an error.
+    /// Adds the declarations of a used file; one that the file's `own` hide only by its qualified
+    /// name. A clash of attributes is an error.
     fn take_in(
         &mut self,
         (used, qualifier): (&Self, &str),
@@ -272,18 +271,18 @@ impl Declared {
         let mut error = Diagnostic::error("ambiguous-name", message, name.span)
             .label(first.span, "one is here")
             .label(*other, "the other is here");
-        let ways = [first.span, *other].map(|place| self.with_file(name, place));
+        let ways = [first.span, *other].map(|place| self.qualified(name, place));
         if let [Some(first), Some(other)] = &ways
             && first != other
         {
-            error = error.note(format!("with the file it is `{first}(…)` or `{other}(…)`"));
+            error = error.note(format!("their qualified names are `{first}` and `{other}`"));
             for way in [first, other] {
                 error = error.fix(format!("write `{way}`"), name.span, way);
             }
         } else {
             error = error.note(
-                "a name has the word for its file before it, `triangle::flip(…)`, if the files \
-                 have different names that are names of the language, too",
+                "qualified names, such as `triangle::flip(…)`, need files of different names that \
+                 are names of the language, too",
             );
         }
         report.add(error);
@@ -317,8 +316,8 @@ impl Declared {
         foreign_words::tell(error, (word, span), here, candidates)
     }
 
-    /// A name of an item of a used file with the word for its file, if that can be written.
-    fn with_file(&self, name: &Ident, place: Span) -> Option<String> {
+    /// The qualified name of an item of a used file, if it can be written.
+    fn qualified(&self, name: &Ident, place: Span) -> Option<String> {
         let file = self.qualifiers.get(&place.file)?;
         let (name, before) = name.unqualified();
         (before.is_none() && is_name(file)).then(|| qualified(file, &name.text))
@@ -330,7 +329,7 @@ impl Declared {
         self.called(&name.text).is_some_and(|named| named.span == name.span)
     }
 
-    /// Names that are called, those of the used files without the word for the file.
+    /// The names of all callable items, without qualified ones.
     pub(super) fn called_names(&self) -> impl Iterator<Item = &str> {
         self.called.keys().map(String::as_str).filter(|name| !name.contains(QUALIFIES))
     }

@@ -46,7 +46,7 @@ impl Program {
 pub struct Op {
     /// Its name.
     pub name: String,
-    /// The word for its file in front of its name.
+    /// The qualifier of its name.
     pub qualifier: String,
     /// The span of its name.
     pub span: Span,
@@ -67,7 +67,7 @@ pub struct Op {
 }
 
 impl Op {
-    /// The name with the word for its file before it: `polygon::flip`.
+    /// Its qualified name: `polygon::flip`.
     pub fn qualified_name(&self) -> String {
         qualified(&self.qualifier, &self.name)
     }

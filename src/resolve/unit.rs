@@ -2,14 +2,14 @@
 
 use crate::syntax::tree::{self, QUALIFIES};
 
-/// The word for a file in front of what it declares, `polygon::flip`: the name of the file, without
-/// its folder and ending.
+/// The qualifier of the names that a file declares, `polygon` of `polygon::flip`: the name of the
+/// file, without its folder and ending.
 pub fn qualifier(file: &str) -> &str {
     let name = file.rsplit('/').next().unwrap_or(file);
     name.strip_suffix(".hedge").unwrap_or(name)
 }
 
-/// A name with the word for its file before it.
+/// A qualified name.
 pub(super) fn qualified(file: &str, name: &str) -> String {
     format!("{file}{QUALIFIES}{name}")
 }
@@ -17,7 +17,7 @@ pub(super) fn qualified(file: &str, name: &str) -> String {
 /// A file of a program.
 #[derive(Clone, Debug)]
 pub struct Unit<'t> {
-    /// The word for it in front of what it declares.
+    /// The qualifier of the names that it declares.
     pub qualifier: &'t str,
     /// Its tree.
     pub tree: &'t tree::File,

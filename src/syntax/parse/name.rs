@@ -25,7 +25,7 @@ pub(super) fn ident<'t>() -> Rule<'t, Ident> {
         .boxed()
 }
 
-/// What is called, with the word for its file: `triangle::flip`.
+/// A qualified name: `triangle::flip`.
 pub(super) fn qualified<'t>() -> Rule<'t, Name> {
     // It goes on as an operator would.
     let mark = just(T::DoubleColon).labelled(Phrase::Operator);

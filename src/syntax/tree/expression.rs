@@ -3,10 +3,10 @@
 use super::{Block, Name};
 use crate::source::Span;
 
-/// The mark between the word for a file and a name that the file declares.
+/// The mark between the qualifier of a name, which stands for the file that declares it, and the name.
 pub const QUALIFIES: &str = "::";
 
-/// A word with its place, or what is called with the word for its file before it.
+/// A word with its place, or the qualified name of what is called.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ident {
     /// The word, with its primes.
@@ -16,12 +16,12 @@ pub struct Ident {
 }
 
 impl Ident {
-    /// True if it has the word for a file before it.
+    /// True if it is a qualified name.
     pub fn is_qualified(&self) -> bool {
         self.text.contains(QUALIFIES)
     }
 
-    /// The name without the file before it, and the word for that file: `flip` and `triangle` of
+    /// The name alone, and its qualifier if it has one: `flip` and `triangle` of
     /// `triangle::flip`.
     pub fn unqualified(&self) -> (Ident, Option<&str>) {
         match split_qualified(&self.text) {
@@ -34,7 +34,7 @@ impl Ident {
     }
 }
 
-/// The word for a file, if a name has one before it, and the name alone.
+/// The qualifier of a name, if it has one, and the name alone.
 pub fn split_qualified(name: &str) -> (Option<&str>, &str) {
     name.split_once(QUALIFIES).map_or((None, name), |(file, name)| (Some(file), name))
 }
