@@ -188,8 +188,6 @@ fn uses(parsed: &Parsed) -> Vec<(String, Span)> {
 /// A file of the program.
 pub(super) struct Part {
     pub file: FileId,
-    /// The qualifier of the names that it declares.
-    qualifier: String,
     pub parsed: Rc<Parsed>,
     /// The files it uses, as indices of the parts.
     pub uses: Vec<usize>,
@@ -199,8 +197,8 @@ pub(super) struct Part {
 
 impl Part {
     /// The file as input of `resolve`.
-    pub fn unit(&self) -> Unit<'_> {
-        let qualifier = &self.qualifier;
+    pub fn unit<'t>(&'t self, sources: &'t Sources) -> Unit<'t> {
+        let qualifier = qualifier(sources.get(self.file).name());
         Unit { qualifier, tree: &self.parsed.tree, uses: self.uses.clone(), lacks: self.lacks }
     }
 }
@@ -290,8 +288,7 @@ impl Parts {
         let paths = uses(&parsed);
         let place = self.parts.len();
         self.places.insert(file, place);
-        let qualifier = qualifier(sources.get(file).name()).to_owned();
-        self.parts.push(Part { file, qualifier, parsed, uses: Vec::new(), lacks: false });
+        self.parts.push(Part { file, parsed, uses: Vec::new(), lacks: false });
         if self.open.is_empty() {
             self.open.push((file, None));
         }

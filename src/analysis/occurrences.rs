@@ -20,8 +20,8 @@ fn declared(snapshot: &Snapshot, symbol: &Symbol) -> Option<Span> {
     }
 }
 
-/// The place of an op, script or function of a used file, by its name, qualified or
-/// not.
+/// The place of an op, script or function of a used file, by its name, which may
+/// be qualified.
 fn called_elsewhere(snapshot: &Snapshot, name: &str) -> Option<Span> {
     let (items, name) = snapshot.items_for(name);
     let mut names = items.filter_map(|item| match item {

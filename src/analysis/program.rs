@@ -3,9 +3,7 @@
 use super::Examined;
 use super::before::tell_of_before;
 use super::broken_dependencies::tell_what_is_lacking;
-use super::files::{
-    Absent, Part, Parts, Reader, fetch, without_consequences, without_lost_attributes,
-};
+use super::files::{Absent, Parts, Reader, fetch, without_consequences, without_lost_attributes};
 use super::foreign::tell_as_elsewhere;
 use super::library_hints::tell_where;
 use super::parse_cache::Readings;
@@ -63,7 +61,7 @@ impl Analysis {
         readings: &mut Readings,
     ) -> Self {
         let Parts { parts, mut diagnostics, .. } = Parts::of(sources, file, absent, readings);
-        let units: Vec<_> = parts.iter().map(Part::unit).collect();
+        let units: Vec<_> = parts.iter().map(|part| part.unit(sources)).collect();
         let mut resolved = resolve_all(&units);
         without_consequences(&parts, &mut resolved.diagnostics, sources);
         tell_as_elsewhere(&parts, &mut resolved.diagnostics, sources);

@@ -92,7 +92,7 @@ impl Snapshot {
             let absent = fetch(&mut sources, file, reader, readings);
             Parts::of(&sources, file, &absent, readings)
         };
-        let units: Vec<_> = parts.iter().map(files::Part::unit).collect();
+        let units: Vec<_> = parts.iter().map(|part| part.unit(&sources)).collect();
         let mut resolved = resolve_all(&units);
         files::without_consequences(&parts, &mut resolved.diagnostics, &sources);
         tell_as_elsewhere(&parts, &mut resolved.diagnostics, &sources);
@@ -171,10 +171,13 @@ impl Snapshot {
     pub fn items_for<'n>(&self, name: &'n str) -> (impl Iterator<Item = &Item>, &'n str) {
         let (file, name) = split_qualified(name);
         let own = self.items().iter().filter(move |_| file.is_none());
-        let is_of =
-            move |of| file.is_none_or(|file| qualifier(self.sources.get(of).name()) == file);
-        let used = self.seen().filter(move |(of, _)| is_of(*of)).flat_map(|(_, tree)| &tree.items);
-        (own.chain(used), name)
+        (own.chain(self.seen_items(file)), name)
+    }
+
+    /// The items of the files that it uses itself, or only of those of a qualifier.
+    pub fn seen_items(&self, of: Option<&str>) -> impl Iterator<Item = &Item> {
+        let is_of = move |file| of.is_none_or(|of| qualifier(self.sources.get(file).name()) == of);
+        self.seen().filter(move |(file, _)| is_of(*file)).flat_map(|(_, tree)| &tree.items)
     }
 
     /// The names of the files it uses, directly or through others.

@@ -12,7 +12,7 @@ use crate::diagnostic::Diagnostic;
 use crate::diagram::{Access, Type};
 use crate::source::{FileId, Span};
 use crate::syntax::is_name;
-use crate::syntax::tree::{self, Ident, Item, QUALIFIES, split_qualified};
+use crate::syntax::tree::{self, Ident, Item, qualified, split_qualified};
 
 use super::attribute_head::{Head, head};
 use super::builtin::function_names;
@@ -24,7 +24,7 @@ use super::sequence_names::fold_names;
 use super::signature::FunctionSignature;
 use super::suggestion::suggest;
 use super::testing::mesh_maker;
-use super::unit::{Unit, qualified};
+use super::unit::Unit;
 use super::words::a_type;
 
 /// The meaning of a name of an item.
@@ -297,8 +297,8 @@ impl Declared {
         function: &Ident,
         candidates: impl IntoIterator<Item = &'a str>,
     ) -> Diagnostic {
-        let (name, file) = function.unqualified();
-        let (word, span) = (name.text.as_str(), function.span);
+        let (file, word) = split_qualified(&function.text);
+        let span = function.span;
         let is_known = |file: &str| self.qualifiers.values().any(|known| known == file);
         if file.is_some() && is_of_the_language(word)
             || file.is_some_and(|file| !is_known(file)) && self.is_called(word)
@@ -319,8 +319,8 @@ impl Declared {
     /// The qualified name of an item of a used file, if it can be written.
     fn qualified(&self, name: &Ident, place: Span) -> Option<String> {
         let file = self.qualifiers.get(&place.file)?;
-        let (name, before) = name.unqualified();
-        (before.is_none() && is_name(file)).then(|| qualified(file, &name.text))
+        let (before, name) = split_qualified(&name.text);
+        (before.is_none() && is_name(file)).then(|| qualified(file, name))
     }
 
     /// True if the name refers to the op, function or script declared here, and not to an earlier
@@ -331,7 +331,7 @@ impl Declared {
 
     /// The names of all callable items, without qualified ones.
     pub(super) fn called_names(&self) -> impl Iterator<Item = &str> {
-        self.called.keys().map(String::as_str).filter(|name| !name.contains(QUALIFIES))
+        self.called.keys().map(String::as_str).filter(|name| split_qualified(name).0.is_none())
     }
 
     /// The names of the ops among these.

@@ -2,10 +2,9 @@
 
 use std::sync::Arc;
 
-use super::unit::qualified;
 use crate::diagram::{self, Access, Attribute, Collection, Expr, Param, Type};
 use crate::source::Span;
-use crate::syntax::tree::Digits;
+use crate::syntax::tree::{Digits, qualified};
 
 /// Everything the files of a program declare, as far as it could be resolved.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -1,17 +1,12 @@
 //! A file of a program.
 
-use crate::syntax::tree::{self, QUALIFIES};
+use crate::syntax::tree;
 
 /// The qualifier of the names that a file declares, `polygon` of `polygon::flip`: the name of the
 /// file, without its folder and ending.
 pub fn qualifier(file: &str) -> &str {
     let name = file.rsplit('/').next().unwrap_or(file);
     name.strip_suffix(".hedge").unwrap_or(name)
-}
-
-/// A qualified name.
-pub(super) fn qualified(file: &str, name: &str) -> String {
-    format!("{file}{QUALIFIES}{name}")
 }
 
 /// A file of a program.

@@ -1,11 +1,11 @@
 //! What cannot be emitted is said, with its place.
 
 use hedgerow::analysis::Analysis;
-use hedgerow::emit::{Selection, Style, cpp, rust};
+use hedgerow::emit::{NotEmitted, Selection, Style, cpp, rust};
 use hedgerow::source::Sources;
 
-/// An op that is proved, and cannot be emitted: what that is, and its words in the text.
-fn refused(text: &str) -> (String, String) {
+/// The first op of a sound program as C++ and as Rust, with the sources.
+fn emitted(text: &str) -> ([Result<String, NotEmitted>; 2], Sources) {
     let mut sources = Sources::new();
     let file = sources.add("test.hedge", text);
     let analysis = Analysis::of(&sources, file);
@@ -17,8 +17,14 @@ fn refused(text: &str) -> (String, String) {
         ops: &[0],
         exhaustive: false,
     };
-    let told = cpp(&selection, &Style::default()).expect_err("it cannot be emitted");
-    assert_eq!(rust(&selection), Err(told.clone()));
+    ([cpp(&selection, &Style::default()), rust(&selection)], sources)
+}
+
+/// An op that is proved, and cannot be emitted: what that is, and its words in the text.
+fn refused(text: &str) -> (String, String) {
+    let ([cpp, rust], sources) = emitted(text);
+    let told = cpp.expect_err("it cannot be emitted");
+    assert_eq!(rust, Err(told.clone()));
     (told.what, sources.slice(told.span).to_string())
 }
 
@@ -66,23 +72,12 @@ fn a_position_is_tested_unless_its_form_says_that_it_is_finite() {
         ("(v.position + w.position) / 2", false),
         ("mix(v.position, w.position, 1e3)", false),
     ] {
-        let mut sources = Sources::new();
-        let text = format!(
+        let (texts, _) = emitted(&format!(
             "op f(e: edge) {{
               before {{ edge e: a | b  loop f: v -a-> w =P=> v }}
               after {{ keep e f  v.position = {value} }}
             }}"
-        );
-        let file = sources.add("test.hedge", text);
-        let analysis = Analysis::of(&sources, file);
-        let selection = Selection {
-            program: &analysis.program,
-            proved: &analysis.proved,
-            sources: &sources,
-            ops: &[0],
-            exhaustive: false,
-        };
-        let texts = [cpp(&selection, &Style::default()), rust(&selection)];
+        ));
         for text in texts.map(Result::unwrap) {
             assert_eq!(text.contains("is_finite"), is_tested, "{value}: {text}");
         }

@@ -8,7 +8,7 @@ use crate::analysis::names::{Names, Symbol, SymbolId, SymbolKind};
 use crate::analysis::snapshot::Snapshot;
 use crate::analysis::types::type_of;
 use crate::diagram::{Kind, Type};
-use crate::resolve::{fields, function_words, qualifier, sequence_words, signatures};
+use crate::resolve::{fields, function_words, sequence_words, signatures};
 use crate::syntax::tree::Item;
 
 /// Completions in a value; a statement, where one may begin.
@@ -33,7 +33,7 @@ pub(super) fn values(snapshot: &Snapshot, offset: usize, start: Start) -> Vec<Co
             ..Completion::new(word, Choice::Function, 3).with(&snippet)
         });
     }
-    let seen = snapshot.seen().flat_map(|(_, tree)| &tree.items);
+    let seen = snapshot.seen_items(None);
     found.extend(snapshot.items().iter().chain(seen).filter_map(called));
     for word in ["if", "true", "false", "not", "can", "why", "pi"] {
         found.push(Completion::new(word, Choice::Keyword, 6));
@@ -43,9 +43,7 @@ pub(super) fn values(snapshot: &Snapshot, offset: usize, start: Start) -> Vec<Co
 
 /// What the used files of a name declare, to be called.
 pub(super) fn of_file(snapshot: &Snapshot, file: &str) -> Vec<Completion> {
-    let is_of = |of| qualifier(snapshot.sources().get(of).name()) == file;
-    let files = snapshot.seen().filter(|(of, _)| is_of(*of));
-    files.flat_map(|(_, tree)| &tree.items).filter_map(called).collect()
+    snapshot.seen_items(Some(file)).filter_map(called).collect()
 }
 
 /// The call of an item.

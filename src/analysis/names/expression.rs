@@ -49,7 +49,7 @@ impl SymbolCollector<'_> {
     fn called(&mut self, function: &Ident) {
         let declared = self.find_item(&function.text);
         match declared {
-            Some(id) => self.mention(function.unqualified().0.span, id, Role::Read),
+            Some(id) => self.mention(function.name_span(), id, Role::Read),
             None if is_function(&function.text) => {}
             None => self.elsewhere(function),
         }

@@ -245,6 +245,6 @@ impl<'f> SymbolCollector<'f> {
             items.insert(name.text.clone(), id);
         }
         (self.item, self.rule) = (item, rule);
-        self.mention(name.unqualified().0.span, id, Role::Read);
+        self.mention(name.name_span(), id, Role::Read);
     }
 }

@@ -5,13 +5,14 @@
 use super::failure::{Failure, Mistake, Phrase};
 use super::foreign_syntax;
 use super::input::{Rule, Scene, slice};
-use super::name::{ident, int_here, name, name_here, qualified, text, word};
+use super::name::{ident, int_here, name, name_here, qualified_name, text, word};
 use super::recover;
 use super::text::text_with_values;
 use crate::source::Span;
 use crate::syntax::token::TokenKind as T;
 use crate::syntax::tree::{
     Action, ActionKind, Asking, BinaryOp, Block, Expr, ExprKind, Ident, Name, UnaryOp,
+    split_qualified,
 };
 use chumsky::prelude::*;
 
@@ -205,14 +206,14 @@ fn call<'t>(expression: Rule<'t, Expr>) -> Rule<'t, ExprKind> {
     let open = open.labelled(Phrase::Operator).boxed();
     let hole = select! { T::Hole => () }.map_with(|(), scene| name_here(scene));
     let hole = hole.then_ignore(open.clone().rewind());
-    let callee = hole.or(qualified()).or(name()).boxed();
+    let callee = hole.or(qualified_name()).or(name()).boxed();
     let inside = inside.recover_with(via_parser(broken)).boxed();
     let arguments = open.ignore_then(inside).boxed();
     callee
         .then(arguments.or_not())
         .validate(|(name, arguments), _, emitter| {
             let Some(arguments) = arguments else {
-                if name.ident.is_qualified() {
+                if split_qualified(&name.ident.text).0.is_some() {
                     emitter.emit(Failure::mistake(Mistake::QualifiedName, name.span));
                 }
                 return ExprKind::Name(name);

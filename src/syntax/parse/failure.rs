@@ -125,7 +125,7 @@ pub(super) enum Mistake {
     Misplaced(&'static str),
     /// `v[i](…)`: a function has no subscript.
     CalledFamily,
-    /// A name with a file before it that is not called.
+    /// A qualified name that is not called.
     QualifiedName,
     /// `"a {b}"` outside of `print`.
     ValuesInText,

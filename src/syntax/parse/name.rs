@@ -5,7 +5,7 @@ use super::input::{Rule, Scene, slice};
 use crate::source::Span;
 use crate::syntax::text::read_text;
 use crate::syntax::token::TokenKind as T;
-use crate::syntax::tree::{Ident, Index, Name, QUALIFIES};
+use crate::syntax::tree::{Ident, Index, Name, qualified};
 use chumsky::prelude::*;
 
 fn ident_here(scene: &mut Scene) -> Ident {
@@ -26,15 +26,14 @@ pub(super) fn ident<'t>() -> Rule<'t, Ident> {
 }
 
 /// A qualified name: `triangle::flip`.
-pub(super) fn qualified<'t>() -> Rule<'t, Name> {
+pub(super) fn qualified_name<'t>() -> Rule<'t, Name> {
     // It goes on as an operator would.
     let mark = just(T::DoubleColon).labelled(Phrase::Operator);
     ident()
         .then_ignore(mark)
         .then(ident())
         .map_with(|(file, name), scene| {
-            let text = format!("{}{QUALIFIES}{}", file.text, name.text);
-            let span = scene.span();
+            let (text, span) = (qualified(&file.text, &name.text), scene.span());
             Name { ident: Ident { text, span }, index: None, span }
         })
         .boxed()

@@ -3,8 +3,8 @@
 use super::{Block, Name};
 use crate::source::Span;
 
-/// The mark between the qualifier of a name, which stands for the file that declares it, and the name.
-pub const QUALIFIES: &str = "::";
+/// The mark between a qualifier and a name.
+const QUALIFIES: &str = "::";
 
 /// A word with its place, or the qualified name of what is called.
 #[derive(Clone, Debug, PartialEq)]
@@ -16,22 +16,21 @@ pub struct Ident {
 }
 
 impl Ident {
-    /// True if it is a qualified name.
-    pub fn is_qualified(&self) -> bool {
-        self.text.contains(QUALIFIES)
-    }
-
-    /// The name alone, and its qualifier if it has one: `flip` and `triangle` of
-    /// `triangle::flip`.
-    pub fn unqualified(&self) -> (Ident, Option<&str>) {
+    /// The place of the name alone: of `flip` in `triangle::flip`.
+    pub fn name_span(&self) -> Span {
         match split_qualified(&self.text) {
-            (None, _) => (self.clone(), None),
-            (file, name) => {
+            (None, _) => self.span,
+            (Some(_), name) => {
                 let start = self.span.end.saturating_sub(name.len() as u32);
-                (Ident { text: name.to_owned(), span: Span { start, ..self.span } }, file)
+                Span { start, ..self.span }
             }
         }
     }
+}
+
+/// A qualified name: the qualifier stands for the file that declares it.
+pub fn qualified(qualifier: &str, name: &str) -> String {
+    format!("{qualifier}{QUALIFIES}{name}")
 }
 
 /// The qualifier of a name, if it has one, and the name alone.

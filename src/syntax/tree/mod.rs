@@ -13,6 +13,6 @@ mod expression;
 pub use action::{Action, ActionKind, Block, Digits, Piece, Shown};
 pub use drawing::{Arrow, Index, Loop, LoopItem, LoopKeyword, Name, Side, Spoke, Star, Statement};
 pub use expression::{
-    Asking, BinaryOp, Expr, ExprKind, Ident, QUALIFIES, UnaryOp, split_qualified,
+    Asking, BinaryOp, Expr, ExprKind, Ident, UnaryOp, qualified, split_qualified,
 };
 pub use items::{Attr, Condition, File, Fn, Item, Op, Param, Rule, Script, Steps, Test, Use};
