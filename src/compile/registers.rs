@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use super::Scope;
 use crate::check::matching::Bound;
 use crate::diagram::{Drawing, Expr, ExprKind, Kind, NameId};
-use crate::rewrite::{Assembler, Inst, Reg};
+use crate::rewrite::{Assembler, Reg};
 use crate::source::Span;
 
 /// The place where the value of a name is held.
@@ -138,9 +138,7 @@ impl Registers {
             Home::Reg(reg) => reg,
             Home::Member { buffer, shift } => {
                 let index = self.index.unwrap_or_else(|| asm.constant_int(0));
-                let to = asm.reg();
-                asm.emit(Inst::Member { buffer, index, shift, to });
-                to
+                asm.member(buffer, index, shift)
             }
         }
     }

@@ -123,7 +123,6 @@ impl Mesh {
 
     /// True if the given numbers of new elements, by kind, can be appended to the tables: no slot
     /// is free, and no journal or history notes writes.
-    #[cfg(feature = "native")]
     #[inline]
     pub(crate) fn can_append(&self, counts: [usize; 4]) -> bool {
         !self.journal.is_open()
@@ -136,7 +135,6 @@ impl Mesh {
 
     /// Appends `count` new elements to a table, as that many calls of its `add_` function would,
     /// and returns the number of the first. Requires [`Mesh::can_append`].
-    #[cfg(feature = "native")]
     #[inline]
     pub(crate) fn append(&mut self, kind: ElementKind, count: usize) -> u32 {
         let first = self.capacity(kind);

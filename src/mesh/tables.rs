@@ -7,7 +7,7 @@ use glam::DVec3;
 
 use super::attribute::{Column, ColumnData, ColumnId};
 use super::connectivity::Mesh;
-use super::id::HalfedgeId;
+use super::id::{ElementKind, HalfedgeId, ID_SPACE};
 pub(crate) use super::records::FaceState;
 use super::records::HalfedgeRecord;
 
@@ -27,6 +27,8 @@ pub(crate) struct Tables {
     pub(crate) positions: *mut DVec3,
     /// The number of holes.
     pub(crate) holes: *mut usize,
+    /// By kind, a number of further elements that fit without allocation.
+    pub(crate) room: [usize; 4],
 }
 
 /// The first pointer of an erased element.
@@ -50,6 +52,7 @@ impl Mesh {
             face_states: self.face_states.as_mut_ptr(),
             positions: self.positions.as_mut_ptr(),
             holes: &raw mut self.holes,
+            room: ElementKind::ALL.map(|kind| self.room(kind)),
         }
     }
 
@@ -92,13 +95,31 @@ impl Mesh {
         self.journal.is_open()
     }
 
+    /// The number of further elements of a kind that fit without allocation.
+    #[inline]
+    fn room(&self, kind: ElementKind) -> usize {
+        let reserved = self.reserved(kind).min(ID_SPACE - self.capacity(kind));
+        self.slots[kind as usize].free.len() + reserved
+    }
+
     /// True if `more` further elements of each kind fit without allocation.
     #[inline]
     pub(crate) fn has_room(&self, more: [usize; 4]) -> bool {
-        self.can_add(more[0], more[1], more[2], more[3])
-            && super::id::ElementKind::ALL.into_iter().zip(more).all(|(kind, more)| {
-                let free = self.slots[kind as usize].free.len();
-                more <= free || more - free <= self.reserved(kind)
-            })
+        ElementKind::ALL.into_iter().zip(more).all(|(kind, more)| more <= self.room(kind))
+    }
+}
+
+impl Tables {
+    /// Updates the numbers after elements have been appended without allocation.
+    #[inline]
+    pub(crate) fn appended(&mut self, counts: [usize; 4]) {
+        for (room, count) in self.room.iter_mut().zip(counts) {
+            *room -= count;
+        }
+        let [vertices, halfedges, edges, faces] = counts;
+        self.vertex_count += vertices;
+        self.halfedge_count += halfedges;
+        self.edge_count += edges;
+        self.face_count += faces;
     }
 }

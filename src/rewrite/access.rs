@@ -236,26 +236,40 @@ pub(super) fn create(
     Ok(id)
 }
 
+/// Adds elements of a kind as [`create`] does, and appends their ids to a list.
+pub(super) fn create_all(
+    mesh: &mut Mesh,
+    (kind, count): (ElementKind, usize),
+    into: &mut Vec<u64>,
+    created: &mut Option<Vec<(ElementKind, u32)>>,
+    drains: &mut Drains,
+) -> Result<(), Fault> {
+    if created.is_none() && drains.is_empty() && mesh.can_append(counts_of(kind, count)) {
+        let first = u64::from(mesh.append(kind, count));
+        into.extend(first..first + count as u64);
+        return Ok(());
+    }
+    for _ in 0..count {
+        let id = create(mesh, kind, created, Some(&mut *drains))?;
+        into.push(u64::from(id));
+    }
+    Ok(())
+}
+
 /// Whether there is room for `count` new elements of a kind.
 pub(super) fn has_room(mesh: &Mesh, kind: ElementKind, count: usize) -> bool {
-    let of = |this| if kind == this { count } else { 0 };
-    mesh.can_add(
-        of(ElementKind::Vertex),
-        of(ElementKind::Halfedge),
-        of(ElementKind::Edge),
-        of(ElementKind::Face),
-    )
+    let [vertices, halfedges, edges, faces] = counts_of(kind, count);
+    mesh.can_add(vertices, halfedges, edges, faces)
 }
 
 #[cold]
 fn room_for_one(mesh: &Mesh, kind: ElementKind) -> bool {
-    let one = |this| usize::from(kind == this);
-    mesh.can_add(
-        one(ElementKind::Vertex),
-        one(ElementKind::Halfedge),
-        one(ElementKind::Edge),
-        one(ElementKind::Face),
-    )
+    has_room(mesh, kind, 1)
+}
+
+/// `count` of a kind and none of the others, by kind.
+pub(super) fn counts_of(kind: ElementKind, count: usize) -> [usize; 4] {
+    ElementKind::ALL.map(|this| if kind == this { count } else { 0 })
 }
 
 /// Erases a living element.

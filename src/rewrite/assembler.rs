@@ -12,6 +12,25 @@ use std::sync::Arc;
 
 use super::{Code, Inst, Label, Native, Part, Reg, Traps, Turns};
 
+/// Whether an instruction changes no register that holds a member of a family, its index, or the
+/// buffer.
+fn keeps_members(inst: &Inst) -> bool {
+    matches!(
+        inst,
+        // These write new registers.
+        Inst::Member { .. }
+            | Inst::Load { .. }
+            | Inst::LoadHalfedge { .. }
+            // These write no registers.
+            | Inst::Store { .. }
+            | Inst::StoreHalfedge { .. }
+            | Inst::StoreHole { .. }
+            | Inst::PreviewStore { .. }
+            | Inst::PreviewStoreHalfedge { .. }
+            | Inst::PreviewStoreHole { .. }
+    )
+}
+
 /// Builds a [`Code`].
 #[derive(Debug, Default)]
 pub struct Assembler {
@@ -26,6 +45,9 @@ pub struct Assembler {
     constant_registers: HashMap<u64, Reg>,
     registers: Registers,
     buffers: u16,
+    /// The members of families that have been loaded on every way to the next instruction, and
+    /// their registers.
+    members: Vec<((u16, Reg, i16), Reg)>,
     /// The loops that may be run by several threads.
     pub(super) spread: Vec<Turns>,
     /// Whether a turn that keeps values is being emitted.
@@ -97,6 +119,7 @@ impl Assembler {
     /// order.
     pub fn release(&mut self, mark: Mark) {
         self.registers.release(mark);
+        self.members.clear();
     }
 
     /// Allocates a buffer, which is empty when the code starts.
@@ -118,6 +141,7 @@ impl Assembler {
     /// Binds a label to the next instruction.
     pub fn bind(&mut self, label: Label) {
         let here = self.insts.len() as u32;
+        self.members.clear();
         if let Some(place) = self.labels.get_mut(label.0 as usize) {
             debug_assert!(place.is_none(), "a label is bound once");
             *place = Some(here);
@@ -126,7 +150,24 @@ impl Assembler {
 
     /// Appends an instruction.
     pub fn emit(&mut self, inst: Inst) {
+        if !keeps_members(&inst) {
+            self.members.clear();
+        }
         self.insts.push(inst);
+    }
+
+    /// A register that holds a member of a family, of which a buffer holds all; it must not be
+    /// written.
+    pub fn member(&mut self, buffer: u16, index: Reg, shift: i16) -> Reg {
+        let wanted = (buffer, index, shift);
+        let loaded = self.members.iter().find(|(member, _)| *member == wanted);
+        if let Some(&(_, reg)) = loaded {
+            return reg;
+        }
+        let to = self.reg();
+        self.emit(Inst::Member { buffer, index, shift, to });
+        self.members.push((wanted, to));
+        to
     }
 
     /// The number of the next instruction.

@@ -18,7 +18,7 @@ use super::vectors;
 use super::watch::{LONG_FACE, LONG_LIST};
 use super::window::{Window, reserve};
 use super::{
-    Engine, Fault, Inst, Machine, Message, Outcome, Phase, Reg, Room, Trap, Triangles, Watch,
+    Engine, Fault, Inst, List, Machine, Message, Outcome, Phase, Reg, Room, Trap, Triangles, Watch,
 };
 use crate::mesh::{ElementKind, Mesh, VertexId, difference, same_up_to_renumbering};
 
@@ -257,7 +257,7 @@ impl Machine {
                     w.set_int(to, chosen);
                 }
                 BufferShuffle { buffer } => {
-                    let mut slots = std::mem::take(buffer!(buffer));
+                    let mut slots: List = std::mem::take(buffer!(buffer));
                     self.random.shuffle(&mut slots);
                     *buffer!(buffer) = slots;
                 }
@@ -365,7 +365,7 @@ impl Machine {
                 Collect { walk, buffer, from, until, whole } => {
                     let ends = [w.id(from), w.id(until)];
                     if whole || ends[0] != ends[1] {
-                        or_trap!(access::collect(mesh, walk, ends, buffer!(buffer)));
+                        or_trap!(access::collect(mesh, walk, ends, &mut buffer!(buffer).grow()));
                     }
                 }
                 CollectEars { triangles, buffer, face } => {
@@ -375,7 +375,7 @@ impl Machine {
                         Triangles::LeastBend => mesh.patch(face),
                     };
                     let is_long = order.len() >= LONG_FACE;
-                    buffer!(buffer).extend(order.into_iter().map(|h| u64::from(h.0)));
+                    buffer!(buffer).grow().extend(order.into_iter().map(|h| u64::from(h.0)));
                     if is_long && watch.tick().is_break() {
                         break Message::Interrupted;
                     }
@@ -408,27 +408,10 @@ impl Machine {
                         w.set_bits(to.part(part), bits);
                     }
                 }
-                BufferNew { kind, cycle, buffer } => {
-                    let count = buffer!(cycle).len();
-                    buffer!(buffer).clear();
-                    make_room!(buffer, count);
-                    let mut slots = std::mem::take(buffer!(buffer));
-                    let create = |_| create!(kind).map(|id| slots.push(u64::from(id)));
-                    let created = (0..count).try_for_each(create);
-                    *buffer!(buffer) = slots;
-                    or_trap!(created);
-                }
-                BufferAppend { from, to } => {
-                    let more = buffer!(from).len();
-                    make_room!(to, more);
-                    let slots = std::mem::take(buffer!(from));
-                    buffer!(to).extend_from_slice(&slots);
-                    *buffer!(from) = slots;
-                }
-                BufferDeal { from, to, place, period, turn } => {
-                    let slots = std::mem::take(buffer!(from));
-                    families::deal(&slots, [place, period], turn, buffer!(to));
-                    *buffer!(from) = slots;
+                BufferNew { .. } | BufferAppend { .. } | BufferDeal { .. } => {
+                    let filled = self.fill(mesh, call.buffers, inst);
+                    look_again!();
+                    or_trap!(filled);
                 }
                 ExpectAllDistinct { buffer, refusal, otherwise } => {
                     if !families::are_distinct(buffer!(buffer)) {
@@ -513,10 +496,10 @@ impl Machine {
 
                 // Buffers.
                 BufferClear { buffer } => buffer!(buffer).clear(),
-                BufferFree { buffer } => *buffer!(buffer) = Vec::new(),
+                BufferFree { buffer } => *buffer!(buffer) = List::default(),
                 BufferPush { buffer, from } => {
                     make_room!(buffer, 1);
-                    buffer!(buffer).push(w.bits(from));
+                    buffer!(buffer).grow().push(w.bits(from));
                 }
                 BufferLength { buffer, to } => w.set_int(to, buffer!(buffer).len() as i64),
                 BufferGet { buffer, to, index } => {
@@ -541,7 +524,7 @@ impl Machine {
                 }
                 BufferLiving { of, buffer } => {
                     make_room!(buffer, mesh.count(of.kind()));
-                    access::collect_living(mesh, of, buffer!(buffer));
+                    access::collect_living(mesh, of, &mut buffer!(buffer).grow());
                     if mesh.capacity(of.kind()) >= LONG_LIST && watch.tick().is_break() {
                         break Message::Interrupted;
                     }
@@ -571,7 +554,7 @@ impl Machine {
                     let (v, position) =
                         or_trap!(access::place(mesh, w.id(vertex), w.vector(value)));
                     make_room!(buffer, memory::HELD);
-                    attribute::hold_position(v, position, buffer!(buffer));
+                    attribute::hold_position(v, position, &mut buffer!(buffer).grow());
                 }
                 StoreAttribute { attribute, element, value } => {
                     let column = or_trap!(attribute::column(&self.columns, attribute));
@@ -581,23 +564,24 @@ impl Machine {
                     let column = or_trap!(attribute::column(&self.columns, attribute));
                     let target = (attribute, w.id(element));
                     make_room!(buffer, memory::HELD);
-                    or_trap!(attribute::hold(mesh, column, target, &w, value, buffer!(buffer)));
+                    let held = &mut buffer!(buffer).grow();
+                    or_trap!(attribute::hold(mesh, column, target, &w, value, held));
                 }
                 ReleaseHeld { buffer } => {
-                    let held = buffer!(buffer);
+                    let held = &mut buffer!(buffer).grow();
                     or_trap!(attribute::release(mesh, &self.columns, held));
                 }
                 StoreAll { field, buffer, value } => {
                     or_trap!(access::store_all(mesh, field, buffer!(buffer), w.id(value)))
                 }
                 StoreSpan { field, span, index, value } => {
-                    let ends = std::mem::take(buffer!(span.ends));
+                    let ends: List = std::mem::take(buffer!(span.ends));
                     let part = families::part(buffer!(span.buffer), &ends, w.int(index), span);
                     or_trap!(access::store_all(mesh, field, or_trap!(part), w.id(value)));
                     *buffer!(span.ends) = ends;
                 }
                 PreviewStoreSpan { field, span, index, value } => {
-                    let ends = std::mem::take(buffer!(span.ends));
+                    let ends: List = std::mem::take(buffer!(span.ends));
                     let part = families::part(buffer!(span.buffer), &ends, w.int(index), span);
                     let part = or_trap!(part);
                     or_trap!(self.preview.store_all(mesh, field, part, w.id(value)));
@@ -615,7 +599,7 @@ impl Machine {
                 // Drains.
                 DrainOpen { of, members } => {
                     let members = match members {
-                        Some(buffer) => Some(buffer!(buffer).as_slice()),
+                        Some(buffer) => Some(&**buffer!(buffer)),
                         None => None,
                     };
                     let paths = self.paths.of(&call, at - 1);
@@ -748,7 +732,7 @@ impl Machine {
                     if self.kept.len() == self.kept.capacity() {
                         break Message::NoMemory(self.memory);
                     }
-                    self.kept.push(w.bits(from));
+                    self.kept.grow().push(w.bits(from));
                 }
                 PrintText { text } => match call.texts.get(text as usize) {
                     Some(text) => self.line.push_str(text),
@@ -854,8 +838,8 @@ impl Machine {
     pub(super) fn clear_buffers(&mut self, call: &super::Call<'_>) {
         let end = call.buffers + usize::from(call.code.buffers);
         if self.buffers.len() < end {
-            self.buffers.resize_with(end, Vec::new);
+            self.buffers.resize_with(end, List::default);
         }
-        self.buffers[call.buffers..end].iter_mut().for_each(Vec::clear);
+        self.buffers[call.buffers..end].iter_mut().for_each(List::clear);
     }
 }

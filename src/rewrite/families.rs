@@ -1,7 +1,7 @@
 //! Families: buffers with one slot for each index of a cycle.
 
-use super::access::load;
-use super::{Fault, HalfedgeField, Span, Walk};
+use super::access::{self, load};
+use super::{Fault, HalfedgeField, Inst, List, Machine, Message, Span, Walk, memory};
 use crate::mesh::{ElementKind, Mesh};
 
 /// The index plus the shift, modulo `length`.
@@ -67,4 +67,61 @@ pub(super) fn meets_all(mesh: &Mesh, walk: Walk, halfedges: &[u64]) -> Result<bo
         }
     }
     Err(Fault::Endless)
+}
+
+impl Machine {
+    /// Executes an instruction that empties a buffer of the running code or fills it with members;
+    /// the buffers of the code begin at `base`.
+    pub(super) fn fill(
+        &mut self,
+        mesh: &mut Mesh,
+        base: usize,
+        inst: &Inst,
+    ) -> Result<(), Message> {
+        let at = |buffer: u16| base + usize::from(buffer);
+        let length = |buffer| self.buffers.get(at(buffer)).map_or(0, |list| list.len());
+        let count = match *inst {
+            Inst::BufferNew { cycle: from, .. } | Inst::BufferAppend { from, .. } => length(from),
+            Inst::BufferDeal { from, period, .. } => length(from).div_ceil(period.max(1).into()),
+            _ => 0,
+        };
+        let (Inst::BufferClear { buffer: to }
+        | Inst::BufferNew { buffer: to, .. }
+        | Inst::BufferAppend { to, .. }
+        | Inst::BufferDeal { to, .. }) = *inst
+        else {
+            return Err(Message::Malformed);
+        };
+        let list = self.buffers.get_mut(at(to)).ok_or(Message::Malformed)?;
+        if let Inst::BufferClear { .. } | Inst::BufferNew { .. } = inst {
+            list.clear();
+        }
+        memory::for_list(&mut self.buffers, at(to), count, (mesh, &self.drains, self.memory))?;
+        match *inst {
+            Inst::BufferNew { kind, .. } => {
+                let Self { buffers, created, drains, .. } = self;
+                access::create_all(
+                    mesh,
+                    (kind, count),
+                    &mut buffers[at(to)].grow(),
+                    created,
+                    drains,
+                )?
+            }
+            Inst::BufferAppend { from, .. } => {
+                let [from, to] = self.two_buffers(at(from), at(to))?;
+                to.grow().extend_from_slice(from);
+            }
+            Inst::BufferDeal { from, place, period, turn, .. } => {
+                let [from, to] = self.two_buffers(at(from), at(to))?;
+                deal(from, [place, period], turn, &mut to.grow());
+            }
+            _ => {}
+        }
+        Ok(())
+    }
+
+    fn two_buffers(&mut self, from: usize, to: usize) -> Result<[&mut List; 2], Message> {
+        self.buffers.get_disjoint_mut([from, to]).map_err(|_| Message::Malformed)
+    }
 }

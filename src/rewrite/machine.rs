@@ -17,7 +17,8 @@ use super::random::RandomNumbers;
 use super::watch::Progress;
 use super::window::reserve;
 use super::{
-    Call, Code, Engine, Holder, Matched, Message, Outcome, Plan, Plans, Reg, Trap, Unwatched, Watch,
+    Call, Code, Engine, Holder, List, Matched, Message, Outcome, Plan, Plans, Reg, Trap, Unwatched,
+    Watch,
 };
 use crate::mesh::{AttributeType, Bookmark, ColumnId, ElementKind, Level, Mesh};
 
@@ -31,10 +32,10 @@ pub struct Machine {
     /// The columns of the mesh for the attributes of the program, by number.
     pub(super) columns: Vec<Option<ColumnId>>,
     pub(super) stack: Vec<u64>,
-    pub(super) buffers: Vec<Vec<u64>>,
+    pub(super) buffers: Vec<List>,
     /// The slots that the part of a loop has kept; there is room for all values that it will keep,
     /// and for the writes of most parts.
-    pub(super) kept: Vec<u64>,
+    pub(super) kept: List,
     /// The preview that guards query.
     pub(super) preview: Preview,
     pub(super) drains: Drains,
@@ -120,7 +121,7 @@ impl Machine {
             columns: Vec::new(),
             stack: Vec::new(),
             buffers: Vec::new(),
-            kept: Vec::new(),
+            kept: List::default(),
             preview: Preview::default(),
             drains: Drains::default(),
             paths: KeyPaths::default(),
@@ -219,7 +220,7 @@ impl Machine {
         let names = plan.matched[rule].names.iter().map(|(name, kind, holder)| {
             let slots = match *holder {
                 Holder::Reg(reg) => self.stack.get(usize::from(reg.0)).map(std::slice::from_ref),
-                Holder::Buffer(buffer) => self.buffers.get(usize::from(buffer)).map(Vec::as_slice),
+                Holder::Buffer(buffer) => self.buffers.get(usize::from(buffer)).map(|list| &**list),
             };
             (name.as_str(), *kind, slots.map_or_else(Vec::new, ids))
         });

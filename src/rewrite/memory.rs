@@ -1,7 +1,8 @@
 //! The memory limit of a run: for the mesh, the lists and the keys of drains.
 
+use super::access::counts_of;
 use super::drain::Drains;
-use super::{Machine, Message};
+use super::{List, Machine, Message};
 use crate::mesh::{ElementKind, Mesh};
 
 /// The greatest number of slots of a write that is kept back.
@@ -12,7 +13,7 @@ pub(super) const HELD_USUALLY: usize = 5;
 
 /// The memory of a run besides the mesh, and its limit.
 pub(super) struct Budget<'r> {
-    pub(super) buffers: &'r [Vec<u64>],
+    pub(super) buffers: &'r [List],
     pub(super) drains: &'r Drains,
     pub(super) limit: usize,
 }
@@ -49,14 +50,13 @@ pub(super) fn for_kind(
     (kind, count): (ElementKind, usize),
     budget: &Budget,
 ) -> Result<(), Message> {
-    let more = ElementKind::ALL.map(|this| if kind == this { count } else { 0 });
-    for_elements(mesh, more, budget)
+    for_elements(mesh, counts_of(kind, count), budget)
 }
 
 /// Makes room for more slots in a list.
 #[inline]
 pub(super) fn for_list(
-    buffers: &mut [Vec<u64>],
+    buffers: &mut [List],
     at: usize,
     more: usize,
     (mesh, drains, limit): (&Mesh, &Drains, usize),
@@ -70,7 +70,7 @@ pub(super) fn for_list(
 
 #[cold]
 fn grow(
-    buffers: &mut [Vec<u64>],
+    buffers: &mut [List],
     at: usize,
     more: usize,
     (mesh, drains, limit): (&Mesh, &Drains, usize),
@@ -79,7 +79,7 @@ fn grow(
     let left = limit.saturating_sub(taken) / size_of::<u64>();
     let list = &mut buffers[at];
     let wanted = list.len().max(more).max(16).min((left / 2).max(more));
-    match more <= left && list.try_reserve_exact(wanted).is_ok() {
+    match more <= left && list.grow().try_reserve_exact(wanted).is_ok() {
         true => Ok(()),
         false => Err(Message::NoMemory(limit)),
     }

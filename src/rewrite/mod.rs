@@ -37,6 +37,7 @@ mod drain;
 pub mod families;
 mod key_paths;
 mod known_level;
+mod list;
 mod lookahead;
 mod memory;
 mod mesh_reads;
@@ -78,3 +79,4 @@ pub use vectors::{Lanes, Matrix};
 pub use watch::{Unwatched, Watch};
 
 use call::Call;
+use list::List;

@@ -14,7 +14,7 @@ use super::paths::Fields;
 use super::preview::Looked;
 use super::readers::Place;
 use super::window::Window;
-use super::{ElementField, HalfedgeField, Inst, Question, Walk};
+use super::{ElementField, HalfedgeField, Inst, List, Question, Walk};
 use crate::mesh::{
     ColumnId, EdgeId, ElementKind, FaceId, HalfedgeId, HalfedgeRecord, Mesh, VertexId,
 };
@@ -24,7 +24,7 @@ pub(super) struct Scene<'a, 'w> {
     pub(super) mesh: &'a Mesh,
     pub(super) w: &'a Window<'w>,
     /// The buffers of the running call.
-    pub(super) buffers: &'a [Vec<u64>],
+    pub(super) buffers: &'a [List],
     pub(super) columns: &'a [Option<ColumnId>],
 }
 
@@ -57,13 +57,15 @@ impl Drains {
                 self.pointer_set(mesh, field, w.id(halfedge), w.id(value))
             }
             Inst::StoreAll { field, buffer, value } => {
-                for &halfedge in scene.buffers.get(usize::from(buffer)).into_iter().flatten() {
+                for &halfedge in
+                    scene.buffers.get(usize::from(buffer)).into_iter().flat_map(|list| &**list)
+                {
                     self.pointer_set(mesh, field, halfedge as u32, w.id(value));
                 }
             }
             Inst::StoreSpan { field, span, index, value } => {
                 let [all, ends] = [span.buffer, span.ends]
-                    .map(|buffer| scene.buffers.get(usize::from(buffer)).map(Vec::as_slice));
+                    .map(|buffer| scene.buffers.get(usize::from(buffer)).map(|list| &**list));
                 let all = all.unwrap_or_default();
                 let part = families::part(all, ends.unwrap_or_default(), w.int(index), span);
                 for &halfedge in part.into_iter().flatten() {
@@ -86,7 +88,7 @@ impl Drains {
             }
             Inst::ReleaseHeld { buffer } => {
                 let held = scene.buffers.get(usize::from(buffer));
-                let held = held.map_or(&[][..], Vec::as_slice);
+                let held = held.map_or(&[][..], |list| &**list);
                 for (target, id, _) in Held::new(scene.columns, held) {
                     let (kind, fields) = match target {
                         None => (ElementKind::Vertex, Fields::POSITION),

@@ -111,9 +111,6 @@ fn is_always_a_step(inst: &Inst) -> bool {
             | Inst::ForeseeAlong { .. }
             | Inst::StoreAll { .. }
             | Inst::StoreSpan { .. }
-            | Inst::BufferNew { .. }
-            | Inst::BufferAppend { .. }
-            | Inst::BufferDeal { .. }
             | Inst::PrintText { .. }
             | Inst::PrintTextOf { .. }
             | Inst::PrintBool { .. }

@@ -11,7 +11,7 @@ use cranelift_codegen::ir::types::{F64, I32, I64};
 use cranelift_codegen::ir::{Block, InstBuilder, Value};
 
 use super::compile::{Expected, is_flat};
-use super::context::{Context, NOTHING, Slice};
+use super::context::{Context, NOTHING};
 use super::facts::reached;
 use super::operands::Surroundings;
 use super::translate::{REFUSED, Region, TRAPPED, Translator};
@@ -19,7 +19,7 @@ use super::{Variant, stubs};
 use crate::rewrite::engine::Way;
 use crate::rewrite::known_level::KnownLevel;
 use crate::rewrite::watch::{Progress, TURNS_PER_LOOK};
-use crate::rewrite::{Code, Count, Inst, Reg};
+use crate::rewrite::{Code, Count, Inst, List, Reg};
 
 /// The number of slots that a function gives, if it is always the same.
 pub(super) fn gives(code: &Code) -> Option<u16> {
@@ -342,7 +342,7 @@ impl Translator<'_, '_> {
     /// Enters the callee, whose window, function and operation the context has; afterwards the
     /// context is that of the caller again.
     fn enter(&mut self, entry: Value) -> Value {
-        let lists = i64::from(self.text.code.buffers) * size_of::<Slice>() as i64;
+        let lists = i64::from(self.text.code.buffers) * size_of::<List>() as i64;
         self.move_field(offset_of!(Context, lists), lists);
         let signature = self.signature(&[I64, I64], &[I64]);
         let zero = self.b.ins().iconst(I64, 0);

@@ -4,13 +4,13 @@ use std::any::Any;
 use std::ffi::c_void;
 
 use super::translate::{APPLIED, REFUSED};
-use crate::mesh::Mesh;
 use crate::mesh::tables::Tables;
+use crate::mesh::{ElementKind, Mesh};
 use crate::rewrite::dispatch::Place;
 use crate::rewrite::paths::Fields;
 use crate::rewrite::watch::Progress;
 use crate::rewrite::window::{SLOTS, reserve};
-use crate::rewrite::{Call, Count, Inst, Machine, Outcome, Phase, Trap, Watch};
+use crate::rewrite::{Call, Count, Inst, List, Machine, Outcome, Phase, Trap, Watch};
 
 /// The part that native code reads and writes itself.
 #[repr(C)]
@@ -26,9 +26,11 @@ pub(super) struct Context {
     /// The start of the stack of registers, and the last place in it where a window may begin.
     pub(super) stack: *mut u64,
     pub(super) last: *mut u64,
-    /// The buffers of the running code, by number, and those of the code that was entered.
-    pub(super) lists: *const Slice,
-    pub(super) first_list: *const Slice,
+    /// The buffers of the running code, by number, those of the code that was entered, and the end
+    /// of all buffers of the machine.
+    pub(super) lists: *mut List,
+    pub(super) first_list: *mut List,
+    pub(super) last_list: *mut List,
     /// The number of the running function, plus 1; 0 if none runs.
     pub(super) function: u64,
     /// The number of the running operation, plus 1, if it is not the code that was entered; else 0.
@@ -44,11 +46,8 @@ pub(super) struct Context {
     /// The state of the known level; [`NOT_DIRECTLY`] if native code must not call operations
     /// directly.
     pub(super) level: u64,
-    /// The place where the part of a loop keeps slots, the number of slots that it has kept, and
-    /// the number for which there is room.
-    pub(super) kept: *mut u64,
-    pub(super) kept_count: u64,
-    pub(super) kept_room: u64,
+    /// The slots that the part of a loop keeps.
+    pub(super) kept: *mut List,
     /// The starts of the lists of neighbors, and the neighbors in them; null if there are none.
     pub(super) neighbors: [*const u32; 2],
     /// By kind, the fields whose writes are reported, as bits of [`Fields`].
@@ -65,8 +64,8 @@ pub(super) struct Context {
     pub(super) noted: u32,
 }
 
-/// The address and number of the values of a column or the slots of a buffer. Addresses are
-/// integers here, since the machine keeps lists of these for reuse.
+/// The address and number of the values of a column. Addresses are integers here, since the machine
+/// keeps a list of these for reuse.
 #[derive(Clone, Copy, Debug, Default)]
 #[repr(C)]
 pub(crate) struct Slice {
@@ -81,12 +80,10 @@ pub(super) const NOT_DIRECTLY: u64 = 63;
 /// The result of an operation that returns nothing.
 pub(super) const NOTHING: u64 = u64::MAX;
 
-/// Lists that a run needs, kept for reuse.
+/// A list that a run needs, kept for reuse.
 #[derive(Debug, Default)]
 pub(crate) struct Scratch {
     columns: Vec<Slice>,
-    /// The buffers of the code that was entered and of the running functions.
-    lists: Vec<Slice>,
 }
 
 /// The part of a run that only the machine accesses.
@@ -131,8 +128,9 @@ impl Context {
             window: std::ptr::null_mut(),
             stack: std::ptr::null_mut(),
             last: std::ptr::null_mut(),
-            lists: std::ptr::null(),
-            first_list: std::ptr::null(),
+            lists: std::ptr::null_mut(),
+            first_list: std::ptr::null_mut(),
+            last_list: std::ptr::null_mut(),
             function: function.map_or(0, |number| u64::from(number) + 1),
             op: 0,
             left: run.left,
@@ -140,9 +138,7 @@ impl Context {
             counts: run.machine.counts.as_mut_ptr(),
             lowered: &raw mut run.machine.known.lowered,
             level: run.level(),
-            kept: std::ptr::null_mut(),
-            kept_count: 0,
-            kept_room: 0,
+            kept: &raw mut run.machine.kept,
             neighbors,
             listens: run.listens(),
             run: (&raw mut *run).cast(),
@@ -151,10 +147,9 @@ impl Context {
             given: 0,
             noted,
         };
-        context.find_kept(run.machine);
         context.find_stack(run, base);
-        context.find_columns(run);
-        context.find_lists(run, (0, usize::from(run.call.code.buffers)));
+        context.find_columns(run, |_| true);
+        context.find_lists(run, 0);
         context
     }
 
@@ -164,8 +159,8 @@ impl Context {
     }
 
     /// The index of the first buffer of the running code among those of the run.
-    fn first_of_lists(&self) -> usize {
-        (self.lists.addr() - self.first_list.addr()) / size_of::<Slice>()
+    pub(super) fn first_of_lists(&self) -> usize {
+        (self.lists.addr() - self.first_list.addr()) / size_of::<List>()
     }
 
     /// The index of a buffer of the running code among those of the machine.
@@ -196,7 +191,7 @@ impl Context {
     /// calls.
     pub(super) fn begin_op(&mut self, run: &mut Run<'_>, call: &Call<'_>, op: u16, buffers: u16) {
         self.find_stack(run, call.base);
-        self.lists = self.lists.wrapping_add(usize::from(buffers));
+        self.find_lists(run, self.first_of_lists() + usize::from(buffers));
         (self.function, self.op) = (0, u64::from(op) + 1);
         (self.noted, self.result) = (0, NOTHING);
         self.level = NOT_DIRECTLY;
@@ -206,9 +201,9 @@ impl Context {
     }
 
     /// Becomes the context of the caller again, whose window has this base.
-    pub(super) fn end_op(&mut self, run: &Run<'_>, base: usize, lists: usize, function: u64) {
+    pub(super) fn end_op(&mut self, run: &Run<'_>, base: usize, buffers: u16, function: u64) {
         self.window = self.stack.wrapping_add(base);
-        self.lists = self.first_list.wrapping_byte_add(lists);
+        self.lists = self.lists.wrapping_sub(usize::from(buffers));
         (self.function, self.op) = (function, 0);
         (self.noted, self.result) = (0, NOTHING);
         self.find_level(run);
@@ -235,7 +230,7 @@ impl Context {
     #[inline]
     pub(super) fn refresh_tables(&mut self, run: &mut Run<'_>) {
         self.tables = run.mesh.tables();
-        self.find_columns(run);
+        self.find_columns(run, |_| true);
     }
 
     /// Updates everything that may have changed.
@@ -243,6 +238,7 @@ impl Context {
     pub(super) fn refresh(&mut self, run: &mut Run<'_>) {
         self.refresh_tables(run);
         self.find_stack(run, self.base());
+        self.find_lists(run, self.first_of_lists());
         self.listens = run.listens();
         self.find_level(run);
     }
@@ -262,8 +258,13 @@ impl Context {
         self.last = self.stack.wrapping_add(stack.len() - SLOTS);
     }
 
+    /// Updates the addresses of the columns of some kinds of elements.
     #[inline]
-    fn find_columns(&mut self, run: &mut Run<'_>) {
+    pub(super) fn find_columns(
+        &mut self,
+        run: &mut Run<'_>,
+        of_kind: impl Fn(ElementKind) -> bool,
+    ) {
         let Run { machine, mesh, scratch: Scratch { columns, .. }, attributes, .. } = run;
         for &attribute in *attributes {
             let at = usize::from(attribute);
@@ -271,6 +272,9 @@ impl Context {
                 columns.resize(at + 1, Slice::default());
             }
             let column = machine.columns.get(at).copied().flatten();
+            if column.is_some_and(|column| !of_kind(column.kind)) {
+                continue;
+            }
             columns[at] = column.map_or_else(Slice::default, |column| {
                 // While other threads read too, no exclusive reference to the column may exist.
                 let (start, count) = match machine.is_beside_others {
@@ -283,57 +287,14 @@ impl Context {
         self.columns = columns.as_ptr();
     }
 
-    /// Updates `count` buffers of the run from `first` on, and makes these the running code's.
-    #[inline]
-    fn find_lists(&mut self, run: &mut Run<'_>, (first, count): (usize, usize)) {
-        let Run { machine, call, scratch: Scratch { lists, .. }, .. } = run;
-        if lists.len() < first + count {
-            lists.resize(first + count, Slice::default());
-        }
-        let found = machine.buffers.iter().skip(call.buffers + first);
-        let known = &mut lists[first..first + count];
-        known.fill(Slice::default());
-        for (known, list) in known.iter_mut().zip(found) {
-            *known = Slice { start: list.as_ptr().expose_provenance(), count: list.len() };
-        }
-        self.first_list = lists.as_ptr();
+    /// Updates the addresses of the buffers; those of the running code begin at `first` in those of
+    /// the run.
+    pub(super) fn find_lists(&mut self, run: &mut Run<'_>, first: usize) {
+        let Run { machine, call, .. } = run;
+        let all = machine.buffers.as_mut_ptr();
+        self.first_list = all.wrapping_add(call.buffers);
+        self.last_list = all.wrapping_add(machine.buffers.len());
         self.lists = self.first_list.wrapping_add(first);
-    }
-
-    /// Updates the buffers of the running code, after some may have been written.
-    #[inline]
-    pub(super) fn refresh_lists(&mut self, run: &mut Run<'_>, count: u16) {
-        if count > 0 {
-            self.find_lists(run, (self.first_of_lists(), usize::from(count)));
-        }
-    }
-
-    /// Updates one of these buffers.
-    #[inline]
-    pub(super) fn refresh_list(&mut self, run: &mut Run<'_>, buffer: u16) {
-        let at = self.first_of_lists() + usize::from(buffer);
-        let list = run.machine.buffers.get(run.call.buffers + at);
-        if let (Some(known), Some(list)) = (run.scratch.lists.get_mut(at), list) {
-            *known = Slice { start: list.as_ptr().expose_provenance(), count: list.len() };
-        }
-    }
-
-    /// Updates the place where the next slot is to be kept.
-    pub(super) fn find_kept(&mut self, machine: &mut Machine) {
-        let kept = &mut machine.kept;
-        self.kept_room = (kept.capacity() - kept.len()) as u64;
-        self.kept = kept.as_mut_ptr().wrapping_add(kept.len());
-    }
-
-    /// Adds the kept slots to the length of the machine's list.
-    ///
-    /// # Safety
-    /// Since [`find_kept`](Self::find_kept), nothing has changed the list except native code, which
-    /// has written `kept_count` slots behind its end, within the capacity.
-    pub(super) unsafe fn count_kept(&mut self, machine: &mut Machine) {
-        let kept = machine.kept.len() + std::mem::take(&mut self.kept_count) as usize;
-        // SAFETY: see above.
-        unsafe { machine.kept.set_len(kept) };
     }
 
     /// The place where the machine continues.

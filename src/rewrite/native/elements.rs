@@ -64,7 +64,8 @@ impl Translator<'_, '_> {
                 self.set_whole(turns, zero);
             }
             Inst::WalkNext { walk, from, at, turns, again } => {
-                let next = self.step_of_walk(walk, at);
+                let record = self.living(ElementKind::Halfedge, at);
+                let next = self.step_of_walk(walk, record);
                 let first = self.id(from);
                 let (back, on) = (self.b.create_block(), self.b.create_block());
                 let is_back = self.b.ins().icmp(IntCC::Equal, next, first);
@@ -144,9 +145,8 @@ impl Translator<'_, '_> {
         self.b.ins().load(I64, flags, holes, 0)
     }
 
-    /// The next halfedge of a walk.
-    fn step_of_walk(&mut self, walk: Walk, at: Reg) -> Value {
-        let record = self.living(ElementKind::Halfedge, at);
+    /// The halfedge of a walk that follows the one with this record.
+    pub(super) fn step_of_walk(&mut self, walk: Walk, record: Value) -> Value {
         let mut step = |record, field| {
             let (offset, region, _) = pointer(field);
             self.number(region, record, offset)

@@ -192,11 +192,7 @@ impl Machine {
         }
         machine.given = (call.base, Reg(0), context.given as u16);
         match (context.outcome(answer), trap, refused) {
-            (Some(outcome), _, _) => {
-                // SAFETY: native code has written the slots that it has counted.
-                unsafe { context.count_kept(machine) };
-                Ok(outcome)
-            }
+            (Some(outcome), _, _) => Ok(outcome),
             (None, Some(trap), _) => Err(trap),
             (None, None, Some(reason)) => Ok(Outcome::Refused { reason }),
             (None, None, None) => Err(Trap::new(Message::Malformed)),

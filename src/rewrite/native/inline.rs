@@ -11,7 +11,7 @@ use cranelift_frontend::Variable;
 
 use super::calls::gives;
 use super::compile::entries;
-use super::context::{Context, Slice};
+use super::context::Context;
 use super::facts::{Fact, Facts, KnownAt, Walk, targets};
 use super::liveness::Liveness;
 use super::neighbors::NeighborLoop;
@@ -19,7 +19,7 @@ use super::registers::reals;
 use super::translate::{Text, Translator};
 use super::{Variant, stubs};
 use crate::rewrite::engine::Way;
-use crate::rewrite::{Function, Inst, Reg};
+use crate::rewrite::{Function, Inst, List, Reg};
 
 /// The greatest number of instructions of an inlined function, of all inlined functions in one
 /// code, and the greatest depth of inlining.
@@ -81,7 +81,7 @@ impl<'a> Translator<'a, '_> {
         self.set_field(offset_of!(Context, window), next);
         let running = self.b.ins().iconst(I64, i64::from(number) + 1);
         self.set_field(offset_of!(Context, function), running);
-        let lists = i64::from(self.text.code.buffers) * size_of::<Slice>() as i64;
+        let lists = i64::from(self.text.code.buffers) * size_of::<List>() as i64;
         self.move_field(offset_of!(Context, lists), lists);
         if holds {
             self.hold(1);

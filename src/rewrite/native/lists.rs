@@ -1,27 +1,27 @@
 //! Instructions that read and fill buffers.
 //!
-//! Native code reads a buffer itself, at indices below its length; stubs write to it.
+//! Native code reads a buffer itself, at indices below its length, and writes to it while it has room;
+//! stubs do the rest.
 
 use std::mem::offset_of;
 
 use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::types::I64;
-use cranelift_codegen::ir::{InstBuilder, Value};
+use cranelift_codegen::ir::{Block, InstBuilder, Value};
 
 use super::access::size_of_value;
-use super::context::{Context, Slice};
+use super::context::Context;
 use super::stubs::lists;
 use super::translate::{Region, Translator};
 use crate::mesh::{ElementKind, Mesh};
-use crate::rewrite::{Inst, Reg, Walk, attribute};
+use crate::rewrite::{Inst, List, Reg, Walk, attribute};
 
 impl Translator<'_, '_> {
     /// Translates an instruction about buffers; false if it is another one, or is left to the
     /// machine.
     pub(super) fn list(&mut self, inst: &Inst) -> bool {
         match *inst {
-            Inst::BufferClear { buffer }
-            | Inst::BufferPush { buffer, .. }
+            Inst::BufferPush { buffer, .. }
             | Inst::BufferLength { buffer, .. }
             | Inst::BufferGet { buffer, .. }
             | Inst::BufferNext { buffer, .. }
@@ -29,34 +29,32 @@ impl Translator<'_, '_> {
             | Inst::NextIndex { buffer, .. }
             | Inst::Member { buffer, .. }
             | Inst::Collect { buffer, .. }
+            | Inst::ExpectAllDistinct { buffer, .. }
             | Inst::HoldPosition { buffer, .. }
             | Inst::HoldAttribute { buffer, .. }
                 if buffer >= self.text.code.buffers =>
             {
                 return false;
             }
-            Inst::BufferClear { buffer } => {
-                let number = self.b.ins().iconst(I64, i64::from(buffer));
-                let done = self.call_stub(lists::clear as *const () as usize, &[number]);
-                self.leave_if_negative(done);
-            }
+            _ if fills(inst) => return self.fill(inst),
             Inst::BufferPush { buffer, from } => {
-                let (number, bits) =
-                    (self.b.ins().iconst(I64, i64::from(buffer)), self.whole(from));
-                let done = self.call_stub(lists::push as *const () as usize, &[number, bits]);
-                self.or_fault_if_negative(done);
+                let (list, bits) = (self.list_of(buffer), self.whole(from));
+                self.push(buffer, list, bits);
             }
             Inst::Keep { from } => {
-                let [count, room] =
-                    [offset_of!(Context, kept_count), offset_of!(Context, kept_room)]
-                        .map(|offset| self.field(offset));
+                let (kept, bits) = (self.field(offset_of!(Context, kept)), self.whole(from));
+                let count = self.in_list(kept, List::COUNT);
+                let room = self.in_list(kept, List::ROOM);
                 let has_room = self.b.ins().icmp(IntCC::UnsignedLessThan, count, room);
                 self.or_fault(has_room);
-                let place = self.kept_slot(count);
-                let (flags, bits) = (self.flags(Region::Slots), self.whole(from));
-                self.b.ins().store(flags, bits, place, 0);
-                let count = self.b.ins().iadd_imm_s(count, 1);
-                self.set_field(offset_of!(Context, kept_count), count);
+                self.append_to(kept, count, &[bits]);
+            }
+            Inst::ExpectAllDistinct { buffer, refusal, otherwise } => {
+                let number = self.b.ins().iconst(I64, i64::from(buffer));
+                let stub = lists::are_distinct as *const () as usize;
+                let are_distinct = self.call_stub(stub, &[number]);
+                self.or_fault_if_negative(are_distinct);
+                self.expect(are_distinct, refusal, otherwise);
             }
             Inst::BufferLength { buffer, to } => {
                 let (_, count) = self.slots(buffer);
@@ -116,13 +114,7 @@ impl Translator<'_, '_> {
                     self.b.ins().brif(differ, walks, &[], on, &[]);
                     self.b.switch_to_block(walks);
                 }
-                let star = i64::from(walk == Walk::Star);
-                let which = self.b.ins().iconst(I64, i64::from(buffer) | star << 16);
-                let stub = lists::collect as *const () as usize;
-                let done = self.call_stub(stub, &[which, from, until]);
-                self.or_fault_if_negative(done);
-                self.b.ins().jump(on, &[]);
-                self.b.switch_to_block(on);
+                self.collect((walk, buffer), [from, until], on);
             }
             Inst::HoldPosition { buffer, vertex, value } => {
                 self.living(ElementKind::Vertex, vertex);
@@ -141,6 +133,39 @@ impl Translator<'_, '_> {
             _ => return false,
         }
         true
+    }
+
+    /// Empties the buffers of the code. A stub adds those that the machine has not yet.
+    pub(super) fn begin_lists(&mut self) {
+        let buffers = self.text.code.buffers;
+        if buffers == 0 {
+            return;
+        }
+        let [here, few, on] = [(); 3].map(|()| self.b.create_block());
+        self.b.set_cold_block(few);
+        let [lists, last] = [offset_of!(Context, lists), offset_of!(Context, last_list)]
+            .map(|offset| self.field(offset));
+        let size = size_of::<List>() as i64;
+        let end = self.b.ins().iadd_imm_s(lists, i64::from(buffers) * size);
+        let are_there = self.b.ins().icmp(IntCC::UnsignedLessThanOrEqual, end, last);
+        self.b.ins().brif(are_there, here, &[], few, &[]);
+
+        self.b.switch_to_block(here);
+        (0..buffers).for_each(|buffer| self.clear(buffer));
+        self.b.ins().jump(on, &[]);
+
+        self.b.switch_to_block(few);
+        let begun = self.call_stub(lists::begin as *const () as usize, &[]);
+        self.leave_if_negative(begun);
+        self.b.ins().jump(on, &[]);
+        self.b.switch_to_block(on);
+    }
+
+    /// Empties a buffer.
+    fn clear(&mut self, buffer: u16) {
+        let (list, none) = (self.list_of(buffer), self.b.ins().iconst(I64, 0));
+        let flags = self.flags(Region::Lists);
+        self.b.ins().store(flags, none, list, List::COUNT as i32);
     }
 
     /// The index plus a shift, modulo the length of a buffer; traps if that is 0.
@@ -187,21 +212,16 @@ impl Translator<'_, '_> {
         let element = self.id(element);
         let [here, full, on] = [(); 3].map(|()| self.b.create_block());
         self.b.set_cold_block(full);
-        let [count, room] = [offset_of!(Context, kept_count), offset_of!(Context, kept_room)]
-            .map(|offset| self.field(offset));
+        let kept = self.field(offset_of!(Context, kept));
+        let [count, room] = [List::COUNT, List::ROOM].map(|offset| self.in_list(kept, offset));
         let behind = self.b.ins().iadd_imm_s(count, i64::from(width) + 2);
         let fits = self.b.ins().icmp(IntCC::UnsignedLessThanOrEqual, behind, room);
         self.b.ins().brif(fits, here, &[], full, &[]);
 
         self.b.switch_to_block(here);
-        let place = self.kept_slot(count);
         let slots = (0..width).map(|part| self.whole(Reg(value.0.wrapping_add(part))));
         let slots: Vec<Value> = [header, element].into_iter().chain(slots).collect();
-        let flags = self.flags(Region::Slots);
-        for (at, slot) in (0..).zip(slots) {
-            self.b.ins().store(flags, slot, place, at * size_of::<u64>() as i32);
-        }
-        self.set_field(offset_of!(Context, kept_count), behind);
+        self.append_to(kept, count, &slots);
         self.b.ins().jump(on, &[]);
 
         self.b.switch_to_block(full);
@@ -215,22 +235,128 @@ impl Translator<'_, '_> {
         self.b.switch_to_block(on);
     }
 
-    /// The address of a slot that is kept.
-    fn kept_slot(&mut self, at: Value) -> Value {
-        let start = self.field(offset_of!(Context, kept));
-        let offset = self.b.ins().ishl_imm_u(at, 3);
-        self.b.ins().iadd(start, offset)
+    /// Lets a stub execute this instruction and those of its sort that follow it; a single one that
+    /// empties a buffer is done in place.
+    fn fill(&mut self, inst: &Inst) -> bool {
+        let (first, code) = (self.at, self.text.code);
+        let end = self.end_of_run(fills);
+        if let (Inst::BufferClear { buffer }, true) = (*inst, end == first + 1)
+            && buffer < code.buffers
+        {
+            self.clear(buffer);
+            return true;
+        }
+        let span = self.b.ins().iconst(I64, (first | end << 32) as i64);
+        let done = self.call_stub(lists::fill as *const () as usize, &[span]);
+        self.leave_if_negative(done);
+        self.skip = end - first - 1;
+        true
+    }
+
+    /// Appends a slot to a buffer, whose list this is.
+    fn push(&mut self, buffer: u16, list: Value, bits: Value) {
+        let [count, room] = [List::COUNT, List::ROOM].map(|offset| self.in_list(list, offset));
+        let [here, full, on] = [(); 3].map(|()| self.b.create_block());
+        self.b.set_cold_block(full);
+        let has_room = self.b.ins().icmp(IntCC::UnsignedLessThan, count, room);
+        self.b.ins().brif(has_room, here, &[], full, &[]);
+        self.b.switch_to_block(here);
+        self.append_to(list, count, &[bits]);
+        self.b.ins().jump(on, &[]);
+
+        self.b.switch_to_block(full);
+        let number = self.b.ins().iconst(I64, i64::from(buffer));
+        let done = self.call_stub(lists::push as *const () as usize, &[number, bits]);
+        self.or_fault_if_negative(done);
+        self.b.ins().jump(on, &[]);
+        self.b.switch_to_block(on);
+    }
+
+    /// Appends the halfedges of a walk to a buffer, and jumps to `on`. A stub walks again if the
+    /// buffer becomes full or the walk has no end.
+    fn collect(&mut self, (walk, buffer): (Walk, u16), [from, until]: [Value; 2], on: Block) {
+        let list = self.list_of(buffer);
+        let [start, before, room] =
+            [List::START, List::COUNT, List::ROOM].map(|offset| self.in_list(list, offset));
+        let [at, count] = [(); 2].map(|()| self.b.declare_var(I64));
+        self.b.def_var(at, from);
+        self.b.def_var(count, before);
+        let [head, here, done, full] = [(); 4].map(|()| self.b.create_block());
+        self.b.set_cold_block(full);
+        self.b.ins().jump(head, &[]);
+
+        self.b.switch_to_block(head);
+        let place = self.b.use_var(count);
+        let has_room = self.b.ins().icmp(IntCC::UnsignedLessThan, place, room);
+        self.b.ins().brif(has_room, here, &[], full, &[]);
+        self.b.switch_to_block(here);
+        let halfedge = self.b.use_var(at);
+        let offset = self.b.ins().ishl_imm_u(place, 3);
+        let slot = self.b.ins().iadd(start, offset);
+        let flags = self.flags(Region::Slots);
+        self.b.ins().store(flags, halfedge, slot, 0);
+        let place = self.b.ins().iadd_imm_s(place, 1);
+        self.b.def_var(count, place);
+        let record = self.record(ElementKind::Halfedge, halfedge);
+        let lives = self.is_not_dead(ElementKind::Halfedge, record);
+        self.or_fault(lives);
+        let next = self.step_of_walk(walk, record);
+        self.b.def_var(at, next);
+        let is_over = self.b.ins().icmp(IntCC::Equal, next, until);
+        let goes_on = self.b.create_block();
+        self.b.ins().brif(is_over, done, &[], goes_on, &[]);
+        self.b.switch_to_block(goes_on);
+        // Without end, if it comes back first.
+        let is_back = self.b.ins().icmp(IntCC::Equal, next, from);
+        self.b.ins().brif(is_back, full, &[], head, &[]);
+
+        self.b.switch_to_block(done);
+        let place = self.b.use_var(count);
+        let flags = self.flags(Region::Lists);
+        self.b.ins().store(flags, place, list, List::COUNT as i32);
+        self.b.ins().jump(on, &[]);
+
+        // Nothing has been appended.
+        self.b.switch_to_block(full);
+        let star = i64::from(walk == Walk::Star);
+        let which = self.b.ins().iconst(I64, i64::from(buffer) | star << 16);
+        let stub = lists::collect as *const () as usize;
+        let walked = self.call_stub(stub, &[which, from, until]);
+        self.or_fault_if_negative(walked);
+        self.b.ins().jump(on, &[]);
+        self.b.switch_to_block(on);
+    }
+
+    /// The address of the list of a buffer.
+    fn list_of(&mut self, buffer: u16) -> Value {
+        let lists = self.field(offset_of!(Context, lists));
+        self.b.ins().iadd_imm_s(lists, i64::from(buffer) * size_of::<List>() as i64)
+    }
+
+    /// A part of a list.
+    fn in_list(&mut self, list: Value, offset: usize) -> Value {
+        let flags = self.flags(Region::Lists);
+        self.b.ins().load(I64, flags, list, offset as i32)
+    }
+
+    /// Appends slots to a list that has `count` slots, and room for these.
+    fn append_to(&mut self, list: Value, count: Value, slots: &[Value]) {
+        let start = self.in_list(list, List::START);
+        let offset = self.b.ins().ishl_imm_u(count, 3);
+        let place = self.b.ins().iadd(start, offset);
+        let flags = self.flags(Region::Slots);
+        for (at, slot) in (0..).zip(slots) {
+            self.b.ins().store(flags, *slot, place, at * size_of::<u64>() as i32);
+        }
+        let count = self.b.ins().iadd_imm_s(count, slots.len() as i64);
+        let flags = self.flags(Region::Lists);
+        self.b.ins().store(flags, count, list, List::COUNT as i32);
     }
 
     /// The address and number of the slots of a buffer.
     fn slots(&mut self, buffer: u16) -> (Value, Value) {
-        let lists = self.field(offset_of!(Context, lists));
-        let flags = self.flags(Region::Lists);
-        let place = usize::from(buffer) * size_of::<Slice>();
-        let start = (place + offset_of!(Slice, start)) as i32;
-        let count = (place + offset_of!(Slice, count)) as i32;
-        let start = self.b.ins().load(I64, flags, lists, start);
-        (start, self.b.ins().load(I64, flags, lists, count))
+        let list = self.list_of(buffer);
+        (self.in_list(list, List::START), self.in_list(list, List::COUNT))
     }
 
     fn slot(&mut self, start: Value, index: Value) -> Value {
@@ -239,4 +365,15 @@ impl Translator<'_, '_> {
         let flags = self.flags(Region::Slots);
         self.b.ins().load(I64, flags, place, 0)
     }
+}
+
+/// Whether an instruction empties a buffer, or fills it with members of a family.
+fn fills(inst: &Inst) -> bool {
+    matches!(
+        inst,
+        Inst::BufferClear { .. }
+            | Inst::BufferNew { .. }
+            | Inst::BufferAppend { .. }
+            | Inst::BufferDeal { .. }
+    )
 }

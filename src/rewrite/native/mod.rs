@@ -5,11 +5,12 @@
 //!
 //! # Safety
 //!
-//! Besides the allocator of the program, this is the only module of the crate with `unsafe`. It is
+//! Besides lists and the allocator of the program, this is the only module of the crate with
+//! `unsafe`. It is
 //! sound for these reasons:
 //!
 //! * Native code reads and writes the window of its call, its context, the machine's progress, and
-//!   the tables of the mesh; it reads buffers. A register is a constant offset into the window,
+//!   the tables of the mesh, and lists. A register is a constant offset into the window,
 //!   which always has all slots that a register can address. The number of an element is tested
 //!   against the length of its table before an address is computed from it, unless the same number
 //!   has been tested in this call; tables do not shrink while code runs that uses such a number.
@@ -19,14 +20,11 @@
 //!   of tables are kept across such calls only in code that neither adds elements nor makes room
 //!   for some, nor calls or asks anything that does ([`operands::Surroundings::may_add`]): nothing
 //!   else moves tables.
-//! * The part of a loop writes the slots that it keeps behind the end of the machine's list, within
-//!   its capacity; the machine adds their number to the length when native code has been left, or
-//!   before it makes more room.
 //! * Lists of neighbors are read only for vertices that have a list, from its start to its end, in
 //!   loops that cannot be entered in the middle ([`neighbors`]).
-//! * An index into a buffer is tested against its length before it is read. The address and length
-//!   of a buffer are updated after each instruction that may have changed it; buffers are changed
-//!   only by the code that names them.
+//! * Native code accesses a [`List`](super::List) in place: it reads below its length, and appends
+//!   within its capacity. The lists of the running code are those that it has asked for at its
+//!   start; their address is loaded again after each call that may have added some.
 //! * A stub notifies journals and drains of a write before the write. It only records and moves no
 //!   table.
 //! * Native code calls a function or an operation directly only where [`Made::entries`] has its

@@ -167,7 +167,7 @@ impl Machine {
             }
             Task::Aggregate | Task::Filter => {
                 let list = self.buffers.get_mut(call.buffers + usize::from(part.held))?;
-                *list = parallel::joined(kept.collect());
+                *list = parallel::joined(kept.collect()).into();
                 Some(Ok(()))
             }
             // A key that is not a number, or too little memory, traps on one thread.
@@ -242,21 +242,21 @@ impl Machine {
         }
         self.kept.clear();
         // If this fails, the turn traps that cannot keep its value.
-        let _ = self.kept.try_reserve_exact(part.keeps() * range.len());
+        let _ = self.kept.grow().try_reserve_exact(part.keeps() * range.len());
         let outcome = match self.run_native(mesh, call, watch) {
             Some(outcome) => outcome,
             None => self.execute::<false>(mesh, call, watch),
         };
         self.frames = frames;
-        let mut kept = std::mem::take(&mut self.kept);
+        let mut kept: Vec<u64> = std::mem::take(&mut self.kept).into();
         // The machine keeps writes in the buffer. Native code may take over from it, but not the
         // reverse: the writes in the buffer come first.
         if part.task == Task::Update
             && let Some(held) = self.buffers.get_mut(usize::from(part.held))
             && !held.is_empty()
         {
-            held.append(&mut kept);
-            kept = std::mem::take(held);
+            held.grow().append(&mut kept);
+            kept = std::mem::take(held).into();
         }
         (kept, outcome.err())
     }

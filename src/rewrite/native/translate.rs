@@ -12,6 +12,7 @@ use cranelift_codegen::ir::{Block, InstBuilder, Value};
 use cranelift_codegen::isa::CallConv;
 use cranelift_frontend::{FunctionBuilder, Switch, Variable};
 
+use super::Variant;
 use super::compile::entries;
 use super::context::{Context, noted};
 use super::facts::{Facts, KnownAt, Walk, ends, targets};
@@ -21,7 +22,6 @@ use super::liveness::Liveness;
 use super::neighbors::NeighborLoop;
 use super::operands::{Surroundings, Use};
 use super::registers::reals;
-use super::{Variant, stubs};
 use crate::rewrite::engine::Way;
 use crate::rewrite::{Code, Inst, Label, Phase, Refusal, Reg};
 
@@ -249,11 +249,7 @@ impl<'a, 'f> Translator<'a, 'f> {
             }
             self.b.switch_to_block(begin);
         }
-        if self.text.code.buffers > 0 {
-            let begun = self.call_stub(stubs::lists::begin as *const () as usize, &[]);
-            let failed = self.b.ins().icmp_imm_s(IntCC::SignedLessThan, begun, 0);
-            self.leave_if(failed);
-        }
+        self.begin_lists();
         first.into_iter().for_each(|reg| self.reload(reg));
     }
 

@@ -111,20 +111,16 @@ impl Translator<'_, '_> {
             | Inst::Erase { .. } => self.add_and_erase(),
             Inst::ExpectRoom { room, .. } => {
                 let Room { vertices, halfedges, edges, faces } = room;
-                let counts = [vertices, halfedges, edges, faces].map(u64::from);
-                let room = counts[0] | counts[1] << 16 | counts[2] << 32 | counts[3] << 48;
-                let room = self.b.ins().iconst(I64, room as i64);
-                let full = self.b.create_block();
-                self.or_full(inst, room, full);
+                let counts = ElementKind::ALL.into_iter().zip([vertices, halfedges, edges, faces]);
+                let wanted = counts.filter(|(_, count)| *count > 0);
+                let wanted: Vec<(ElementKind, Value)> = wanted
+                    .map(|(kind, count)| (kind, self.b.ins().iconst(I64, i64::from(count))))
+                    .collect();
+                self.expect_room(inst, &wanted);
             }
             Inst::ExpectRoomFor { kind, count, .. } => {
                 let count = self.whole(count);
-                let (few, full) = (self.b.create_block(), self.b.create_block());
-                let is_few = self.b.ins().icmp_imm_u(IntCC::UnsignedLessThan, count, 1 << 16);
-                self.b.ins().brif(is_few, few, &[], full, &[]);
-                self.b.switch_to_block(few);
-                let room = self.b.ins().ishl_imm_u(count, 16 * kind as i64);
-                self.or_full(inst, room, full);
+                self.expect_room(inst, &[(kind, count)]);
             }
             Inst::Tick => self.turn(stubs::tick as *const () as usize),
             Inst::Turn { depth, done, total } => {
@@ -167,13 +163,18 @@ impl Translator<'_, '_> {
         true
     }
 
-    /// Continues if there is room for new elements, their numbers in 16 bits for each kind; else,
-    /// or from the block `full`, the machine executes the instruction.
-    fn or_full(&mut self, inst: &Inst, room: Value, full: Block) {
-        let fits = self.call_stub(stubs::has_room as *const () as usize, &[room]);
-        let on = self.b.create_block();
+    /// Continues if there is room for new elements; else the machine executes the instruction.
+    fn expect_room(&mut self, inst: &Inst, wanted: &[(ElementKind, Value)]) {
+        let [full, on] = [(); 2].map(|()| self.b.create_block());
         self.b.set_cold_block(full);
-        self.b.ins().brif(fits, on, &[], full, &[]);
+        for &(kind, count) in wanted {
+            let room = offset_of!(Tables, room) + kind as usize * size_of::<usize>();
+            let (room, next) = (self.table_field(room), self.b.create_block());
+            let fits = self.b.ins().icmp(IntCC::UnsignedLessThanOrEqual, count, room);
+            self.b.ins().brif(fits, next, &[], full, &[]);
+            self.b.switch_to_block(next);
+        }
+        self.b.ins().jump(on, &[]);
         self.b.switch_to_block(full);
         self.step(inst);
         self.b.ins().jump(on, &[]);

@@ -2,7 +2,7 @@
 
 use super::{LEAVE, failed, within, within_any, within_guarded};
 use crate::rewrite::native::compile::Entry;
-use crate::rewrite::native::context::{Context, Run, Slice};
+use crate::rewrite::native::context::{Context, Run};
 use crate::rewrite::{Inst, Message, Outcome, Trap};
 
 /// Calls a function that native code does not call directly.
@@ -76,8 +76,7 @@ pub(in super::super) unsafe extern "C" fn apply(context: *mut Context, inst: i64
 /// The state of the context for the caller of an operation.
 struct Before {
     base: usize,
-    lists: *const Slice,
-    first_list: *const Slice,
+    buffers: u16,
     function: u64,
     frames: usize,
 }
@@ -105,8 +104,7 @@ fn begin_op(context: &mut Context, run: &mut Run<'_>, inst: i64) -> Option<(Entr
     let (_, call) = machine.begin_call(mesh, &caller, [op, args.0]).ok()?;
     let before = Before {
         base: caller.base,
-        lists: context.lists,
-        first_list: context.first_list,
+        buffers: caller.code.buffers,
         function: context.function,
         frames: run.frames,
     };
@@ -123,8 +121,8 @@ fn end_op(
     before: Before,
 ) -> Result<i64, Trap> {
     let outcome = context.outcome(answer);
-    let Before { base, lists, first_list, function, frames } = before;
-    context.end_op(run, base, lists.addr() - first_list.addr(), function);
+    let Before { base, buffers, function, frames } = before;
+    context.end_op(run, base, buffers, function);
     run.frames = frames;
     let caller = context.call(run);
     let (Some(outcome), Some(&Inst::Apply { op, .. })) =

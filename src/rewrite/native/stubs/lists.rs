@@ -1,11 +1,11 @@
-//! Buffers: a stub that changes one updates its address and length in the context.
+//! Buffers: what native code does not do in place.
 
 use std::slice;
 
-use super::{LEAVE, within_guarded};
+use super::{LEAVE, failed, within_guarded};
 use crate::mesh::ElementKind;
 use crate::rewrite::native::context::{Context, Run};
-use crate::rewrite::{Machine, Walk, access, lookahead, memory};
+use crate::rewrite::{Inst, Machine, Walk, access, families, lookahead, memory};
 
 /// Empties the buffers of the code that starts to run.
 ///
@@ -15,28 +15,48 @@ pub(in super::super) unsafe extern "C" fn begin(context: *mut Context) -> i64 {
     let begin = |context: &mut Context, run: &mut Run<'_>| {
         let call = context.call(run);
         run.machine.clear_buffers(&call);
-        context.refresh_lists(run, call.code.buffers);
+        context.find_lists(run, context.first_of_lists());
         Ok(0)
     };
     // SAFETY: as for all stubs.
     unsafe { within_guarded(context, begin) }
 }
 
-/// Empties a buffer.
+/// Empties and fills buffers: executes the instructions from the one in the lower half of `span` up
+/// to, but without, that in its upper half.
 ///
 /// # Safety
 /// As for all stubs.
-pub(in super::super) unsafe extern "C" fn clear(context: *mut Context, buffer: i64) -> i64 {
-    let clear = |context: &mut Context, run: &mut Run<'_>| {
-        let at = context.list_at(run, buffer as u16);
-        if let Some(list) = run.machine.buffers.get_mut(at) {
-            list.clear();
+pub(in super::super) unsafe extern "C" fn fill(context: *mut Context, span: i64) -> i64 {
+    let fill = |context: &mut Context, run: &mut Run<'_>| {
+        let call = context.call(run);
+        let (first, end) = (span as u32 as usize, (span >> 32) as usize);
+        let insts = call.code.insts.get(first..end).unwrap_or_default();
+        for (at, inst) in (first..).zip(insts) {
+            let filled = run.machine.fill(run.mesh, call.buffers, inst);
+            filled.map_err(|message| failed(context, run, at as i64, message))?;
         }
-        context.refresh_list(run, buffer as u16);
+        if insts.iter().any(|inst| matches!(inst, Inst::BufferNew { .. })) {
+            context.refresh_tables(run);
+        }
         Ok(0)
     };
     // SAFETY: as for all stubs.
-    unsafe { within_guarded(context, clear) }
+    unsafe { within_guarded(context, fill) }
+}
+
+/// Whether no two slots of a buffer are equal; reorders the slots.
+///
+/// # Safety
+/// As for all stubs.
+pub(in super::super) unsafe extern "C" fn are_distinct(context: *mut Context, buffer: i64) -> i64 {
+    let ask = |context: &mut Context, run: &mut Run<'_>| {
+        let at = context.list_at(run, buffer as u16);
+        let list = run.machine.buffers.get_mut(at);
+        Ok(list.map_or(LEAVE, |list| families::are_distinct(list).into()))
+    };
+    // SAFETY: as for all stubs.
+    unsafe { within_guarded(context, ask) }
 }
 
 /// Appends a slot to a buffer; [`LEAVE`] if that fails and the machine has to determine the trap.
@@ -55,8 +75,7 @@ pub(in super::super) unsafe extern "C" fn push(
         if memory::for_list(&mut machine.buffers, at, 1, limit).is_err() {
             return Ok(LEAVE);
         }
-        machine.buffers[at].push(bits as u64);
-        context.refresh_list(run, buffer as u16);
+        machine.buffers[at].grow().push(bits as u64);
         Ok(0)
     };
     // SAFETY: as for all stubs.
@@ -104,12 +123,11 @@ pub(in super::super) unsafe extern "C" fn collect(
         let Some(list) = run.machine.buffers.get_mut(at) else {
             return Ok(LEAVE);
         };
-        let before = list.len();
-        let walked = access::collect(run.mesh, walk, [from as u32, until as u32], list);
+        let (before, mut list) = (list.len(), list.grow());
+        let walked = access::collect(run.mesh, walk, [from as u32, until as u32], &mut list);
         if walked.is_err() {
             list.truncate(before);
         }
-        context.refresh_list(run, buffer);
         Ok(walked.map_or(LEAVE, |()| 0))
     };
     // SAFETY: as for all stubs.
@@ -132,11 +150,6 @@ pub(in super::super) unsafe extern "C" fn hold(
         let [buffer, first, width] = [0, 16, 32].map(|shift| (which >> shift) as u16);
         let (at, first) = (context.list_at(run, buffer), context.base() + usize::from(first));
         let is_kept = run.machine.is_beside_others;
-        if is_kept {
-            // SAFETY: native code passes on its context, and has written the slots that it has
-            // counted.
-            unsafe { context.count_kept(run.machine) };
-        }
         let Machine { buffers, kept, drains, memory: limit, stack, .. } = &mut *run.machine;
         let (lists, at) = match is_kept {
             true => (slice::from_mut(kept), 0),
@@ -147,13 +160,9 @@ pub(in super::super) unsafe extern "C" fn hold(
         let (Some(slots), Ok(())) = (slots, has_room) else {
             return Ok(LEAVE);
         };
-        let list = &mut lists[at];
+        let mut list = lists[at].grow();
         list.extend([header as u64, element as u64]);
         list.extend_from_slice(slots);
-        match is_kept {
-            true => context.find_kept(run.machine),
-            false => context.refresh_list(run, buffer),
-        }
         Ok(0)
     };
     // SAFETY: as for all stubs.

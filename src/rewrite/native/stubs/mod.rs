@@ -109,7 +109,6 @@ pub(super) unsafe extern "C" fn step(context: *mut Context, span: i64) -> i64 {
             true => machine.execute_from::<false, true>(mesh, call, &mut place, *watch)?,
             false => machine.execute_from::<true, true>(mesh, call, &mut place, *watch)?,
         };
-        context.refresh_lists(run, call.code.buffers);
         if let Outcome::Refused { reason } = outcome {
             run.refused = Some(reason);
             return Ok(LEAVE);
@@ -298,11 +297,18 @@ pub(super) unsafe extern "C" fn append(context: *mut Context, counts: i64) -> i6
         if is_told || !mesh.can_append(counts) {
             return Ok(LEAVE);
         }
+        let fit = mesh.has_room(counts);
         let wanted = ElementKind::ALL.into_iter().zip(counts).filter(|(_, count)| *count > 0);
         for (kind, count) in wanted {
             context.appended[kind as usize] = mesh.append(kind, count);
         }
-        context.refresh_tables(run);
+        match fit {
+            true => {
+                context.tables.appended(counts);
+                context.find_columns(run, |kind| counts[kind as usize] > 0);
+            }
+            false => context.refresh_tables(run),
+        }
         Ok(0)
     };
     // SAFETY: as for all stubs.
@@ -349,17 +355,6 @@ pub(super) unsafe extern "C" fn add_and_erase(context: *mut Context, span: i64) 
     };
     // SAFETY: as for all stubs.
     unsafe { within_guarded(context, take) }
-}
-
-/// 1 if there is room for new elements, their numbers in 16 bits for each kind; else 0.
-///
-/// # Safety
-/// As for all stubs.
-pub(super) unsafe extern "C" fn has_room(context: *mut Context, room: i64) -> i64 {
-    let more = [0, 16, 32, 48].map(|shift| (room as u64 >> shift) as usize & 0xffff);
-    let ask = |_: &mut Context, run: &mut Run<'_>| Ok(i64::from(run.mesh.has_room(more)));
-    // SAFETY: as for all stubs.
-    unsafe { within(context, ask) }
 }
 
 pub(super) extern "C" fn min(left: f64, right: f64) -> f64 {
