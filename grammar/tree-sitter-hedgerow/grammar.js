@@ -231,9 +231,11 @@ module.exports = grammar({
     continue: (_) => "continue",
 
     _source: ($) => seq(
-      field("variable", $.identifier), "in", field("in", $._value),
+      field("variable", $.identifier), "in", field("in", choice($._value, $.range)),
       optional(seq("where", field("where", $._value))),
     ),
+
+    range: ($) => seq(field("first", $._value), "..", field("end", $._value)),
 
     // Values
 

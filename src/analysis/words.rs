@@ -80,7 +80,7 @@ pub const MEANINGS: &[(&str, &str)] = &[
     ("repeat", "does something a number of times: `repeat 5 { smooth() }`"),
     (
         "for",
-        "visits the elements that exist when the loop starts, and still do when their turn comes: `for e in edges where boundary(e) { split(e) }`",
+        "visits the elements that exist when the loop starts, and still do when their turn comes: `for e in edges where boundary(e) { split(e) }`; or takes the ints of a range, without its end: `for i in 0..5 { print i }`",
     ),
     (
         "parallel",

@@ -186,7 +186,8 @@ impl Case<'_> {
             Some(one_span) => diagnostic = diagnostic.label(one_span, one),
             None => diagnostic = diagnostic.note(one),
         }
-        diagnostic.notes.extend(moved_alone(self.drawing));
+        let reason = reversed_path(self.drawing).or_else(|| moved_alone(self.drawing));
+        diagnostic.notes.extend(reason);
         let erased = [first.0, second.0].into_iter();
         let erased = erased.filter(|&vertex| self.drawing.erased(vertex).is_some());
         Problem {
@@ -344,6 +345,23 @@ impl Case<'_> {
                 .into(),
         )
     }
+}
+
+/// A path that `after` draws from its end to its start, in words.
+fn reversed_path(drawing: &Drawing) -> Option<String> {
+    let rule = drawing.rule;
+    let mut reversed = rule.names_of(Kind::Path).filter_map(|path| {
+        let [before, after] = [&drawing.before, &drawing.after]
+            .map(|view| view.loop_origin(path).zip(view.loop_target(path)));
+        let (from, to) = before?;
+        (from != to && after? == (to, from)).then_some((path, from, to))
+    });
+    let (path, from, to) = reversed.next()?;
+    let [path, from, to] = [path, from, to].map(|name| rule.name(name).text.as_str());
+    Some(format!(
+        "`{path}` leads from `{from}` to `{to}`, and no operation turns its halfedges around: write \
+         `{from} ={path}=> {to}`"
+    ))
 }
 
 /// Halfedges that change their ends while their twins outside stay where they are, in words.

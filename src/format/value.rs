@@ -42,6 +42,10 @@ impl Printer<'_> {
                 let sign = self.token().append(text(apart));
                 sign.append(self.value(operand, width))
             }
+            ExprKind::Range(first, end) => {
+                let first = self.value(first, width).append(self.token());
+                first.append(self.value(end, width))
+            }
             ExprKind::Binary(op, ..) => self.chain(*op, value, width),
             ExprKind::If { .. } => self.choice(value, width),
             ExprKind::Broken => nil(),

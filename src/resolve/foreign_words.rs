@@ -25,7 +25,7 @@ use Here::{Said, Written};
 const COUNTED: Here =
     Said("`count(vertices)` counts a sequence, `degree(v)` what is around an element");
 const REPEATED: Here =
-    Said("there are no ranges and no lists; `repeat n { … }` does something `n` times");
+    Said("there are no lists; `for i in 0..n { … }` takes the ints from 0 to n - 1");
 const PRINTED: Here = Said("`print x, y` stands without parentheses: `print \"{x} of {y}\"`");
 const DECLARED: Here = Said("a variable begins with `let`, or with `var` if it changes");
 const BRANCHED: Here = Said("a choice is `if c { … } else if d { … } else { … }`");

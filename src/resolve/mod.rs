@@ -19,6 +19,7 @@ mod unit;
 mod declared;
 mod depth;
 mod foreign_words;
+mod range;
 mod report;
 mod suggestion;
 mod words;

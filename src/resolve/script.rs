@@ -37,13 +37,13 @@ pub(super) struct Scripting<'a> {
 }
 
 /// The head of a `for` or `update`, and its body.
-struct Loop<'a> {
+pub(super) struct Loop<'a> {
     /// The place of `parallel for`.
-    parallel: Option<Span>,
-    variable: &'a Ident,
-    sequence: &'a tree::Expr,
-    filter: Option<&'a tree::Expr>,
-    body: &'a tree::Block,
+    pub(super) parallel: Option<Span>,
+    pub(super) variable: &'a Ident,
+    pub(super) sequence: &'a tree::Expr,
+    pub(super) filter: Option<&'a tree::Expr>,
+    pub(super) body: &'a tree::Block,
 }
 
 /// Resolves a script; `None` if the report has an error.
@@ -135,6 +135,15 @@ impl Scripting<'_> {
             match &action.kind {
                 // A block in a block is only a scope.
                 ActionKind::Block(inner) => statements.extend(self.block(inner)),
+                ActionKind::For { parallel, variable, sequence, filter, body }
+                    if let tree::ExprKind::Range(first, end) = &sequence.kind
+                        && !self.updating =>
+                {
+                    let (parallel, filter) = (*parallel, filter.as_ref());
+                    let visited = Loop { parallel, variable, sequence, filter, body };
+                    let counted = self.count(&visited, (first, end), action.span);
+                    statements.extend(counted.into_iter().flatten());
+                }
                 _ if self.testing.is_some() => {
                     statements.extend(
                         self.tested(action).map(|kind| Statement { kind, span: action.span }),
@@ -310,7 +319,7 @@ impl Scripting<'_> {
     }
 
     /// The body of a loop.
-    fn repeated(&mut self, body: &tree::Block) -> Block {
+    pub(super) fn repeated(&mut self, body: &tree::Block) -> Block {
         self.loops += 1;
         let body = self.block(body);
         self.loops -= 1;

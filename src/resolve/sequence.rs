@@ -104,7 +104,9 @@ impl Typing<'_> {
         let message = format!("{} is {}, not a sequence", subject(expr), a_type(ty));
         let error = Diagnostic::error("not-a-sequence", message, expr.span);
         self.report.add(match sequences_of(of) {
-            [] if of == Type::Int => error.note("`repeat n { … }` does something `n` times"),
+            [] if of == Type::Int => {
+                error.note("`for i in 0..n { … }` takes the ints from 0 to n - 1")
+            }
             [] => {
                 let words = WHOLE_MESH.map(|(known, _)| known);
                 error.note(format!("the sequences of the mesh are {}", quoted(&words)))

@@ -111,6 +111,7 @@ impl Typing<'_> {
                 self.choice(condition, [then, otherwise], span)
             }
             tree::ExprKind::Aggregate { .. } => self.aggregate(expr),
+            tree::ExprKind::Range(..) => self.misplaced_range(span),
             // Chains are handled before; the parser has reported what is broken.
             tree::ExprKind::Binary(..) | tree::ExprKind::Field(..) | tree::ExprKind::Broken => {
                 self.report.fail();

@@ -23,7 +23,7 @@ impl Expr {
             | ExprKind::Asked(_, inner)
             | ExprKind::Unary(_, inner) => look(Part::Expr(inner)),
             ExprKind::Call { args, .. } => args.iter().for_each(|arg| look(Part::Expr(arg))),
-            ExprKind::Binary(_, left, right) => {
+            ExprKind::Binary(_, left, right) | ExprKind::Range(left, right) => {
                 look(Part::Expr(left));
                 look(Part::Expr(right));
             }

@@ -260,7 +260,7 @@ impl Shift for ExprKind {
             ExprKind::Must(inner) | ExprKind::Asked(_, inner) | ExprKind::Unary(_, inner) => {
                 inner.shift(by);
             }
-            ExprKind::Binary(_, left, right) => {
+            ExprKind::Binary(_, left, right) | ExprKind::Range(left, right) => {
                 left.shift(by);
                 right.shift(by);
             }

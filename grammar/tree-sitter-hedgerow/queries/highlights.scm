@@ -15,7 +15,7 @@
 [ "return" ] @keyword.return
 [ "and" "or" "not" "div" "mod" ] @keyword.operator
 
-[ "+" "-" "*" "/" "==" "!=" "<" "<=" ">" ">=" "=" "|" "->" "=>" ] @operator
+[ "+" "-" "*" "/" "==" "!=" "<" "<=" ">" ">=" "=" "|" "->" "=>" ".." ] @operator
 [ "(" ")" "[" "]" "{" "}" ] @punctuation.bracket
 [ "," "." ":" ] @punctuation.delimiter
 

@@ -100,7 +100,7 @@ fn matching(
 fn foreign(item: &mut Item, at: usize, place: Places) -> Found {
     let span = item.tokens[at].span;
     let (span, written) = item.comment(at).unwrap_or((span, item.word(at)));
-    let around = Around { alone: item.is_last(at), touches: item.touches(at), place };
+    let around = Around { alone: item.is_last(at), place };
     let Sign { kind, says, fix } = sign(written, span, around);
     let first = item.word(at).chars().next().map_or(0, u32::from);
     match kind {

@@ -19,8 +19,6 @@ pub(super) struct Sign {
 pub(super) struct Around {
     /// True if nothing follows it on its line.
     pub alone: bool,
-    /// True if nothing separates it from the previous token.
-    pub touches: bool,
     /// Its place in the program.
     pub place: Places,
 }
@@ -66,11 +64,6 @@ pub(super) fn sign(written: &str, span: Span, around: Around) -> Sign {
                 fix: whole(format!("\"{inside}\"")),
             }
         }
-        '.' if around.touches => Sign {
-            kind: None,
-            says: "there are no ranges: `repeat n { … }` does something `n` times".to_owned(),
-            fix: None,
-        },
         '.' => Sign {
             kind: Some(T::Real),
             says: "a number has a digit before its point".to_owned(),

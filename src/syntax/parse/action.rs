@@ -1,7 +1,7 @@
 //! Statements of scripts, functions and tests, and their blocks.
 
 use super::drawing::mark;
-use super::expression::{broken_value, expression};
+use super::expression::{broken_value, expression, sequence};
 use super::failure::Phrase;
 use super::foreign_syntax;
 use super::input::{Rule, Scene};
@@ -112,12 +112,12 @@ fn repeated_while<'t>(code: &Code<'t>) -> Rule<'t, ActionKind> {
         .boxed()
 }
 
-/// `x in xs`
-fn source<'t>(code: &Code<'t>) -> Rule<'t, (Ident, Expr)> {
-    ident().then_ignore(just(T::In)).then(head(&code.expression)).boxed()
+/// `x in xs`, where `sequence` reads what is behind `in`.
+fn source<'t>(sequence: &Rule<'t, Expr>) -> Rule<'t, (Ident, Expr)> {
+    ident().then_ignore(just(T::In)).then(head(sequence)).boxed()
 }
 
-/// `for x in xs where c { … }`, `parallel for x in xs where c { … }`,
+/// `for x in xs where c { … }`, `for i in 0..n { … }`, `parallel for x in xs where c { … }`,
 /// `update x in xs where c { … }`
 fn visit<'t>(code: &Code<'t>) -> Rule<'t, ActionKind> {
     let parallel = just(T::Parallel).then(just(T::For));
@@ -125,7 +125,7 @@ fn visit<'t>(code: &Code<'t>) -> Rule<'t, ActionKind> {
     let word = parallel.or(just(T::For).to(None)).map(|parallel| (false, parallel));
     let word = word.or(just(T::Update).to((true, None)));
     let filter = just(T::Where).ignore_then(head(&code.expression));
-    word.then(source(code))
+    word.then(source(&sequence(&code.expression)))
         .then(filter.or_not())
         .then(code.block.clone())
         .map(|((((update, parallel), (variable, sequence)), filter), body)| {
@@ -142,7 +142,7 @@ fn visit<'t>(code: &Code<'t>) -> Rule<'t, ActionKind> {
 fn drain<'t>(code: &Code<'t>) -> Rule<'t, ActionKind> {
     let condition = just(T::While).ignore_then(head(&code.expression));
     just(T::Drain)
-        .ignore_then(source(code))
+        .ignore_then(source(&code.expression))
         .then_ignore(just(T::By))
         .then(head(&code.expression))
         .then(condition.or_not())

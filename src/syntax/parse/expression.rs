@@ -178,7 +178,7 @@ fn call<'t>(expression: Rule<'t, Expr>) -> Rule<'t, ExprKind> {
     let each = just(T::For)
         .ignore_then(ident())
         .then_ignore(just(T::In))
-        .then(expression.clone())
+        .then(sequence(&expression))
         .then(filter.or_not())
         .map(|((variable, sequence), filter)| Each { variable, sequence, filter });
     let rest = just(T::Comma)
@@ -222,6 +222,22 @@ fn call<'t>(expression: Rule<'t, Expr>) -> Rule<'t, ExprKind> {
                 emitter.emit(Failure::mistake(Mistake::CalledFamily, index.span));
             }
             called_with(name, arguments)
+        })
+        .boxed()
+}
+
+/// `xs`, `0..n`
+pub(super) fn sequence<'t>(expression: &Rule<'t, Expr>) -> Rule<'t, Expr> {
+    let end = just(T::DotDot).ignore_then(expression.clone());
+    expression
+        .clone()
+        .then(end.or_not())
+        .map(|(first, end)| match end {
+            Some(end) => {
+                let span = Span { end: end.span.end, ..first.span };
+                Expr { kind: ExprKind::Range(Box::new(first), Box::new(end)), span }
+            }
+            None => first,
         })
         .boxed()
 }

@@ -75,9 +75,7 @@ pub(super) fn told_here(told: Diagnostic, failure: &Failure, around: &Around) ->
             None => told,
         },
         T::If if failure.wanted.has(T::Where) => written(told, here.span, "where"),
-        T::Dot if last == Some(T::Dot) => {
-            told.note("there are no ranges; `repeat n { … }` does something `n` times")
-        }
+        T::DotDot => told.note("a range stands in the head of a loop: `for i in 0..n { … }`"),
         T::Colon if failure.wanted.has(T::LeftBrace) => told.note(IN_BRACES),
         _ if failure.wanted.has(T::LeftBrace) && failure.wanted.phrases().next().is_none() => {
             told.note(format!("{IN_BRACES}: `{{ … }}`"))

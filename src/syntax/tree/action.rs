@@ -30,8 +30,8 @@ pub enum ActionKind {
     Assign { target: Expr, value: Expr },
     /// `repeat n { … }`
     Repeat { count: Expr, body: Block },
-    /// `for x in xs where c { … }`, `parallel for x in xs where c { … }` with the place of
-    /// `parallel for`.
+    /// `for x in xs where c { … }`, `for i in 0..n { … }`, `parallel for x in xs where c { … }` with
+    /// the place of `parallel for`.
     For {
         parallel: Option<Span>,
         variable: Ident,

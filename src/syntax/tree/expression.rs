@@ -109,6 +109,8 @@ pub enum ExprKind {
     Unary(UnaryOp, Box<Expr>),
     /// `x + y`
     Binary(BinaryOp, Box<Expr>, Box<Expr>),
+    /// `x..y`: the ints from x up to, but without, y; only where a sequence is wanted.
+    Range(Box<Expr>, Box<Expr>),
     /// `if c { x } else { y }`
     If { condition: Box<Expr>, then: Box<Block>, otherwise: Box<Block> },
     /// `mean(x for e in edges where c)`

@@ -49,8 +49,9 @@ pub fn of_pages() -> Vec<String> {
 
 /// What the grammar is known to read otherwise. A keyword that touches a star: tree-sitter takes
 /// it for the name of a fan. And a word that begins items where any word may stand, as a field or a
-/// type or, as `private`, a name: if it looks like the start of an item, hedgerow takes it for that, so that a file which
-/// someone is in the middle of typing falls apart into the right items.
+/// type, as `private`, a name, or as `test`, a name before a text: if it looks like the start of an
+/// item, hedgerow takes it for that, so that a file which someone is in the middle of typing falls
+/// apart into the right items.
 pub fn is_known_to_differ(text: &str) -> bool {
     use TokenKind as T;
     let tokens = parse(FileId(0), text).tokens;
@@ -63,9 +64,19 @@ pub fn is_known_to_differ(text: &str) -> bool {
     tokens.iter().enumerate().any(|(at, token)| {
         let touches = before(at, 1)
             .is_some_and(|star| star.kind == T::Star && star.span.end == token.span.start);
-        touches && token.kind.is_keyword()
+        let begins_test = token.kind == T::Test
+            && tokens.get(at + 1).is_some_and(|next| next.kind == T::Text)
+            && is_in_braces(&tokens[..at]);
+        begins_test
+            || touches && token.kind.is_keyword()
             || begins.contains(&token.kind) && (leads(before(at, 1)) || leads(before(at, 2)))
     })
+}
+
+/// Whether more braces are opened than closed.
+fn is_in_braces(tokens: &[Token]) -> bool {
+    let count = |kind| tokens.iter().filter(|token| token.kind == kind).count();
+    count(TokenKind::LeftBrace) > count(TokenKind::RightBrace)
 }
 
 /// Whether hedgerow reads a text without a mistake in how it is written, or `None` if that is

@@ -316,6 +316,7 @@ fn value(expr: &Expr) -> String {
         ExprKind::Asked(Asking::Why, call) => format!("(why {})", value(call)),
         ExprKind::Unary(UnaryOp::Negate, of) => format!("(neg {})", value(of)),
         ExprKind::Unary(UnaryOp::Not, of) => format!("(not {})", value(of)),
+        ExprKind::Range(first, end) => format!("(range {} {})", value(first), value(end)),
         ExprKind::Binary(op, left, right) => {
             format!("({} {} {})", operator(*op), value(left), value(right))
         }

@@ -207,6 +207,25 @@ fn repeat_while_break_and_continue() {
 }
 
 #[test]
+fn a_range_is_taken_without_its_end_and_its_bounds_once() {
+    let lines = printed(
+        &mut shape::cube(),
+        "var n = 3
+         for i in n - 1..2 * n where i != 4 { n = 0  print i }
+         for i in 0..0 { print \"none\" }
+         for i in 5..-5 { print \"none\" }
+         for i in -2..9 {
+           if i == -1 { continue }
+           for j in i..i + 2 { print \"{i} {j}\" }
+           if i == 0 { break }
+         }
+         for i in 0..count(faces) { n = n + i }
+         print n",
+    );
+    assert_eq!(lines, ["2", "3", "5", "-2 -2", "-2 -1", "0 0", "0 1", "15"]);
+}
+
+#[test]
 fn slots_are_used_again_between_turns_of_a_repeat() {
     let mut mesh = shape::icosphere(1);
     let before = mesh.edge_count();

@@ -110,12 +110,24 @@ pub(super) const LINES: &[Line] = &[
         "for $v in $s {",
         "a loop has one variable: `for $v in vertices { … }`; `var i = 0` and `i = i + 1` count",
     ),
-    told(
+    fixed(
         CODE,
-        "^for $i in range/seq/xrange ( $n:inside ) {",
-        "repeat $n {",
-        "there are no ranges: `repeat n { … }` does something `n` times, `for e in edges { … }` \
-         visits what there is",
+        "^for $i in range/seq/xrange ( len ( $s:inside ) ) {",
+        "for $i in 0..1 {",
+        "for $i in 0..count($s) {",
+        "a range is `0..n`: from 0 up to, but without, n",
+    ),
+    sure(
+        CODE,
+        "^for $i in range/seq/xrange ( $a:part , $n:part ) {",
+        "for $i in $a..$n {",
+        "a range is `a..n`: from a up to, but without, n",
+    ),
+    sure(
+        CODE,
+        "^for $i in range/seq/xrange ( $n:part ) {",
+        "for $i in 0..$n {",
+        "a range is `0..n`: from 0 up to, but without, n",
     ),
     sure(
         CODE | PARTS,

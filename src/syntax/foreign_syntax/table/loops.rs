@@ -4,6 +4,7 @@ use super::{Line, fixed, sure, told};
 use crate::syntax::foreign_syntax::place::CODE;
 
 const LOOP: &str = "a loop is `for v in vertices where … { … }`";
+const COUNTED: &str = "a loop over ints is `for i in 0..n { … }`: from 0 up to, but without, n";
 const BRACES: &str = "a block stands in braces: `$w … { … }`";
 const LEAST: &str = "`drain` takes the least key first; `by -x` takes the greatest";
 const ORDERED: &str =
@@ -12,11 +13,23 @@ const PARALLEL: &str = "`where` is tested on all threads: `parallel for $n in �
 const CHOICE: &str = "a choice is `if c { … } else { … }`, also as a value";
 
 pub(super) const LINES: &[Line] = &[
+    sure(
+        CODE,
+        "^for ( $t=let/var/int/auto/size_t/unsigned/long $i = $a:part ; $j < $n:part ; $s:inside ) {",
+        "for $i in $a..$n {",
+        COUNTED,
+    ),
+    sure(
+        CODE,
+        "^for ( $t=let/var/int/auto/size_t/unsigned/long $i = $a:part ; $j <= $n:part ; $s:inside ) {",
+        "for $i in $a..$n + 1 {",
+        COUNTED,
+    ),
     told(
         CODE,
         "^for ( $i:inside ; $c:inside ; $s:inside ) {",
         "repeat true {",
-        "there are no counting loops: `repeat n { … }`, `while c { … }`, `for v in vertices { … }`",
+        "a loop is `for i in 0..n { … }`, `while c { … }` or `for v in vertices { … }`",
     ),
     sure(CODE, "for/foreach ( $t:inside $n : $s:inside ) {", "for $n in $s {", LOOP),
     sure(CODE, "for/foreach ( $n : $s:inside ) {", "for $n in $s {", LOOP),
@@ -48,24 +61,9 @@ pub(super) const LINES: &[Line] = &[
     sure(CODE, "^for each/all/every $n in", "for $n in", "a loop is `for $n in … { … }`"),
     sure(CODE, "^for $t:word $n in", "for $n in", "a variable has no kind: `for $n in …`"),
     sure(CODE, "^for $n :/of/= $s:part {", "for $n in $s {", "a loop is `for $n in … { … }`"),
-    told(
-        CODE,
-        "^for $n in $a:part . ~./.. $l:part {",
-        "repeat true {",
-        "there are no ranges: `repeat n { … }` does something `n` times",
-    ),
-    told(
-        CODE,
-        "^for $n in $a:part .5/.6/.7/.8/.9/.10/.3/.4/.2/.1/.20/.50/.100 {",
-        "repeat true {",
-        "there are no ranges: `repeat n { … }` does something `n` times",
-    ),
-    told(
-        CODE,
-        "^repeat $i in/=/: $n:some {",
-        "repeat true {",
-        "`repeat n { … }` has no variable; `var $i = 0` before it and `$i = $i + 1` in it count",
-    ),
+    sure(CODE, "^for $i in $a:part .. = $n:part {", "for $i in $a..$n + 1 {", COUNTED),
+    sure(CODE, "^repeat $i in/=/: $a:part .. $n:part {", "for $i in $a..$n {", COUNTED),
+    sure(CODE, "^repeat $i in/=/: $n:some {", "for $i in 0..$n {", COUNTED),
     sure(CODE, "^repeat $n:some times/time/x {", "repeat $n {", "it is `repeat n { … }`"),
     sure(CODE, "^drain min/least/smallest/lowest $n in", "drain $n in", LEAST),
     told(CODE, "^drain max/most/largest/greatest/highest $n in", "drain $n in", LEAST),
@@ -95,7 +93,7 @@ pub(super) const LINES: &[Line] = &[
         CODE,
         "^for $n in range ( $a:inside ) : $:end",
         "",
-        "there are no ranges: `repeat n { … }` does something `n` times, in braces",
+        "a loop over ints is `for $n in 0..n { … }`, in braces",
     ),
     told(CODE, "^$w=for/while/if/elif $l:part : $:end", "$w $l { }", BRACES),
     told(CODE, "^$w=else/repeat/try $l:part : $:end", "", BRACES),

@@ -98,7 +98,10 @@ impl Form {
     fn of(line: &Line) -> Self {
         let ours = pieces(line.ours);
         let is_ours = |piece: &Piece| {
-            piece.hole.is_some() || piece.kind.spelling().is_some() || piece.word == "main"
+            piece.hole.is_some()
+                || piece.kind.spelling().is_some()
+                || piece.kind == TokenKind::Int
+                || piece.word == "main"
         };
         debug_assert!(ours.iter().all(is_ours), "`{}` is not of the language", line.ours);
         Self {

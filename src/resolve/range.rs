@@ -1,0 +1,80 @@
+//! Loops over ranges of ints: `for i in 0..n { … }`.
+
+use crate::diagnostic::Diagnostic;
+use crate::diagram::{Binary, Expr, ExprKind, Type};
+use crate::source::Span;
+use crate::syntax::tree;
+
+use super::program::{Block, Statement, StatementKind};
+use super::scopes::{Binding, Local};
+use super::script::{Loop, Scripting};
+use super::typed::typed;
+use super::typing::Typing;
+
+impl Scripting<'_> {
+    /// `for i in first..end where c { … }`, as a `repeat` before whose turns `i` is set. Both bounds
+    /// are evaluated once.
+    pub(super) fn count(
+        &mut self,
+        visited: &Loop,
+        (first, end): (&tree::Expr, &tree::Expr),
+        span: Span,
+    ) -> Option<Block> {
+        if let Some(parallel) = visited.parallel {
+            let message = "a `parallel for` visits elements, not the ints of a range";
+            let error = Diagnostic::error("not-a-sequence", message, visited.sequence.span);
+            self.typing.report.add(error.fix("drop `parallel`", parallel, "for"));
+        }
+        let [first, end] =
+            [first, end].map(|bound| self.typing.expression_as(bound, Type::Int, "a range"));
+        self.typing.scopes.enter();
+        let variable = self.typing.scopes.declare(Local {
+            name: visited.variable.text.clone(),
+            span: visited.variable.span,
+            ty: Some(Type::Int),
+            binding: Binding::Head,
+        });
+        let filter =
+            visited.filter.map(|filter| self.typing.expression_as(filter, Type::Bool, "`where`"));
+        let inside = self.repeated(visited.body);
+        self.typing.scopes.leave();
+
+        let here = visited.variable.span;
+        let one = || int(ExprKind::Int(1), here);
+        let index = || int(ExprKind::Local(variable), here);
+        let with =
+            |op, left, right| int(ExprKind::Binary(op, Box::new(left), Box::new(right)), here);
+        let set = |value| Statement { kind: StatementKind::Set { variable, value }, span: here };
+        let before_first = set(with(Binary::SubtractInt, first?, one()));
+        let before_end = with(Binary::SubtractInt, end?, one());
+        let count = with(Binary::SubtractInt, before_end, index());
+        let mut body = vec![set(with(Binary::AddInt, index(), one()))];
+        match filter {
+            Some(condition) => {
+                let kind = StatementKind::If {
+                    condition: condition?,
+                    then: inside,
+                    otherwise: Block::new(),
+                };
+                body.push(Statement { kind, span });
+            }
+            None => body.extend(inside),
+        }
+        let kind = StatementKind::Repeat { count, body };
+        Some(vec![before_first, Statement { kind, span }])
+    }
+}
+
+impl Typing<'_> {
+    /// The error for a range where no loop counts through it.
+    pub(super) fn misplaced_range(&mut self, span: Span) -> Option<Expr> {
+        let message = "a range is no value: only `for` takes one";
+        let error = Diagnostic::error("not-a-sequence", message, span);
+        self.report.add(error.note("`for i in 0..n { … }` takes the ints from 0 to n - 1"));
+        None
+    }
+}
+
+fn int(kind: ExprKind, span: Span) -> Expr {
+    typed(Type::Int, kind, span)
+}
