@@ -152,6 +152,11 @@ impl Translator<'_, '_> {
     pub(super) fn record(&mut self, kind: ElementKind, id: Value) -> Value {
         let is_in_range = self.is_in_range(kind, id);
         self.or_fault(is_in_range);
+        self.place(kind, id)
+    }
+
+    /// The address of the record of an element in range.
+    pub(super) fn place(&mut self, kind: ElementKind, id: Value) -> Value {
         let (table, _, size) = table(kind);
         let table = self.table_field(table);
         let offset = self.b.ins().imul_imm_s(id, size as i64);

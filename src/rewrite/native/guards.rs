@@ -12,9 +12,9 @@ use super::compile::entries;
 use super::facts::jumps;
 use super::stubs::guards;
 use super::translate::{Region, Translator};
-use crate::mesh::ElementKind;
 use crate::mesh::tables::{DEAD, FaceState};
-use crate::rewrite::{Code, Inst, Reg};
+use crate::mesh::{ElementKind, OrbitCondition};
+use crate::rewrite::{Code, ElementField, HalfedgeField, Inst, Label, Reg};
 
 /// A part of code that looks ahead: it is entered only at its start, all values are set before any
 /// question, and it is left with everything restored, or by a trap.
@@ -32,6 +32,25 @@ pub(super) enum Set {
     Here { before: Value, place: Value, offset: i32, region: Region },
     /// The preview of the machine knows it.
     ByMachine,
+}
+
+/// A condition that is asked, and the refusal if it does not hold.
+struct Asked {
+    condition: OrbitCondition,
+    to: Reg,
+    refusal: u16,
+    otherwise: Label,
+}
+
+/// Whether a condition is about the spokes of a vertex and nothing else.
+fn is_about_star(condition: OrbitCondition) -> bool {
+    matches!(
+        condition,
+        OrbitCondition::OneHole
+            | OrbitCondition::FacesDiffer
+            | OrbitCondition::NeighborsDiffer
+            | OrbitCondition::CornersDiffer
+    )
 }
 
 impl Guard {
@@ -97,12 +116,14 @@ impl Translator<'_, '_> {
     /// machine.
     pub(super) fn guard(&mut self, inst: &Inst) -> bool {
         match *inst {
+            Inst::Foresee { condition: OrbitCondition::TwoSpokes, to, element, .. } => {
+                self.two_spokes(to, element);
+            }
+            Inst::Foresee { element, .. } if self.asked_about_star(element).len() > 1 => {
+                self.foresee_star(element);
+            }
             Inst::Foresee { condition, to, element, at } => {
-                let number = self.b.ins().iconst(I64, condition as i64);
-                let [element, at] = [element, at].map(|reg| self.id(reg));
-                let stub = guards::foresee as *const () as usize;
-                let holds = self.call_stub(stub, &[number, element, at]);
-                self.or_fault_if_negative(holds);
+                let holds = self.foresee(condition, [element, at]);
                 self.set_whole(to, holds);
             }
             _ if !sets(inst) => return false,
@@ -113,6 +134,100 @@ impl Translator<'_, '_> {
             }
         }
         true
+    }
+
+    /// Whether a vertex would have no single spoke; a stub answers about a new one.
+    fn two_spokes(&mut self, to: Reg, vertex: Reg) {
+        let id = self.id(vertex);
+        let [here, some, other, on] = [(); 4].map(|()| self.b.create_block());
+        self.b.set_cold_block(other);
+        let is_in_range = self.is_in_range(ElementKind::Vertex, id);
+        self.b.ins().brif(is_in_range, here, &[], other, &[]);
+
+        self.b.switch_to_block(here);
+        let holds = self.b.ins().iconst(I64, 1);
+        self.set_whole(to, holds);
+        let place = self.place(ElementKind::Vertex, id);
+        let (region, offset) = first(ElementField::Vertex);
+        let start = self.number(region, place, offset);
+        let is_none = self.b.ins().icmp_imm_u(IntCC::Equal, start, i64::from(u32::MAX));
+        self.b.ins().brif(is_none, on, &[], some, &[]);
+
+        self.b.switch_to_block(some);
+        let mut at = start;
+        for field in [HalfedgeField::Prev, HalfedgeField::Twin] {
+            let next = self.b.create_block();
+            let is_in_range = self.is_in_range(ElementKind::Halfedge, at);
+            self.b.ins().brif(is_in_range, next, &[], other, &[]);
+            self.b.switch_to_block(next);
+            let place = self.place(ElementKind::Halfedge, at);
+            let (offset, region, _) = pointer(field);
+            at = self.number(region, place, offset);
+        }
+        let differ = self.b.ins().icmp(IntCC::NotEqual, at, start);
+        let holds = self.b.ins().uextend(I64, differ);
+        self.set_whole(to, holds);
+        self.b.ins().jump(on, &[]);
+
+        self.b.switch_to_block(other);
+        let holds = self.foresee(OrbitCondition::TwoSpokes, [vertex; 2]);
+        self.set_whole(to, holds);
+        self.b.ins().jump(on, &[]);
+        self.b.switch_to_block(on);
+    }
+
+    /// The conditions of a vertex, answered by one walk around it, that this and the following
+    /// instructions ask one after the other, each with the refusal if it does not hold.
+    fn asked_about_star(&self, vertex: Reg) -> Vec<Asked> {
+        let insts = self.text.code.insts.get(self.at..).unwrap_or_default();
+        let pairs = insts.chunks_exact(2).enumerate().map_while(|(pair, two)| {
+            let at = self.at + 2 * pair;
+            let is_entered = (at.max(self.at + 1)..at + 2).any(|at| self.blocks[at].is_some());
+            match *two {
+                [
+                    Inst::Foresee { condition, to, element, .. },
+                    Inst::Expect { condition: asked, refusal, otherwise },
+                ] if is_about_star(condition)
+                    && (element, asked) == (vertex, to)
+                    && !is_entered =>
+                {
+                    Some(Asked { condition, to, refusal, otherwise })
+                }
+                _ => None,
+            }
+        });
+        pairs.take(guards::MOST_ASKED).collect()
+    }
+
+    /// Asks all conditions of [`Self::asked_about_star`] by one call of a stub.
+    fn foresee_star(&mut self, vertex: Reg) {
+        let all = self.asked_about_star(vertex);
+        let packed = all
+            .iter()
+            .rev()
+            .fold(0, |packed, asked| packed << guards::BITS | (asked.condition as i64 + 1));
+        let packed = self.b.ins().iconst(I64, packed);
+        let (vertex, at) = (self.id(vertex), self.b.ins().iconst(I64, self.at as i64));
+        let stub = guards::foresee_star as *const () as usize;
+        let count = self.call_stub(stub, &[packed, vertex, at]);
+        self.leave_restored_if_negative(count);
+        for (at, asked) in (0..).zip(&all) {
+            let holds = self.b.ins().icmp_imm_s(IntCC::SignedGreaterThan, count, at);
+            let truth = self.b.ins().uextend(I64, holds);
+            self.set_whole(asked.to, truth);
+            self.expect(truth, asked.refusal, asked.otherwise);
+        }
+        self.skip = 2 * all.len() - 1;
+    }
+
+    /// The answer of a stub about an element, and the second one of a condition about two.
+    fn foresee(&mut self, condition: OrbitCondition, elements: [Reg; 2]) -> Value {
+        let number = self.b.ins().iconst(I64, condition as i64);
+        let [element, at] = elements.map(|reg| self.id(reg));
+        let stub = guards::foresee as *const () as usize;
+        let holds = self.call_stub(stub, &[number, element, at]);
+        self.or_fault_if_negative(holds);
+        holds
     }
 
     fn set(&mut self, inst: &Inst) {
@@ -184,6 +299,19 @@ impl Translator<'_, '_> {
         }
     }
 
+    /// Restores the values that have been set and leaves, if the answer of a stub is negative.
+    fn leave_restored_if_negative(&mut self, answer: Value) {
+        let (failed, on) = (self.b.create_block(), self.b.create_block());
+        self.b.set_cold_block(failed);
+        let has_failed = self.b.ins().icmp_imm_s(IntCC::SignedLessThan, answer, 0);
+        self.b.ins().brif(has_failed, failed, &[], on, &[]);
+        self.b.switch_to_block(failed);
+        let set = self.set.clone();
+        self.put_back(&set);
+        self.b.ins().jump(self.leave, &[]);
+        self.b.switch_to_block(on);
+    }
+
     /// Lets a stub execute the instructions up to, but without, `end`.
     fn set_by_machine(&mut self, end: usize) {
         let (first, code) = (self.at, self.text.code);
@@ -192,15 +320,7 @@ impl Translator<'_, '_> {
         let span = self.b.ins().iconst(I64, (first | end << 32) as i64);
         let done = self.call_stub(guards::set as *const () as usize, &[span]);
         // The stub has restored the values of the preview before the trap.
-        let (failed, on) = (self.b.create_block(), self.b.create_block());
-        self.b.set_cold_block(failed);
-        let has_failed = self.b.ins().icmp_imm_s(IntCC::SignedLessThan, done, 0);
-        self.b.ins().brif(has_failed, failed, &[], on, &[]);
-        self.b.switch_to_block(failed);
-        let set = self.set.clone();
-        self.put_back(&set);
-        self.b.ins().jump(self.leave, &[]);
-        self.b.switch_to_block(on);
+        self.leave_restored_if_negative(done);
         all.iter().for_each(|inst| self.reload_written(inst));
         self.skip = end - first - 1;
     }

@@ -5,7 +5,7 @@ use super::{LEAVE, failed, within, within_guarded};
 use crate::mesh::OrbitCondition;
 use crate::rewrite::native::context::{Context, Run};
 use crate::rewrite::window::Window;
-use crate::rewrite::{Fault, Inst, Machine};
+use crate::rewrite::{Fault, Inst, Machine, Message};
 
 /// Executes instructions that set or restore values of the preview: from the one in the lower half
 /// of `span` up to, but without, that in its upper half.
@@ -104,6 +104,42 @@ pub(in super::super) unsafe extern "C" fn foresee(
         };
         let holds = run.machine.preview.foresees(run.mesh, condition, element as u32, at as u32);
         Ok(holds.map_or(LEAVE, i64::from))
+    };
+    // SAFETY: as for all stubs.
+    unsafe { within_guarded(context, foresee) }
+}
+
+/// The greatest number of conditions that [`foresee_star`] answers, and the bits of each.
+pub(in super::super) const MOST_ASKED: usize = 8;
+pub(in super::super) const BITS: usize = 8;
+
+/// The number of conditions of a vertex that would hold before the first that would not: each is
+/// 1 more than its number, the first in the lowest bits. The instruction at `inst` asks the first,
+/// and every second one from there on the next.
+///
+/// # Safety
+/// As for all stubs.
+pub(in super::super) unsafe extern "C" fn foresee_star(
+    context: *mut Context,
+    conditions: i64,
+    vertex: i64,
+    inst: i64,
+) -> i64 {
+    let foresee = |context: &mut Context, run: &mut Run<'_>| {
+        let all = (0..MOST_ASKED).map(|place| conditions >> (place * BITS) & 0xff);
+        let all = all.map_while(|number| usize::try_from(number - 1).ok());
+        for (count, number) in (0..).zip(all) {
+            let Some(&condition) = OrbitCondition::ALL.get(number) else {
+                return Err(failed(context, run, inst, Message::Malformed));
+            };
+            let Run { machine, mesh, .. } = &mut *run;
+            match machine.preview.foresees(mesh, condition, vertex as u32, vertex as u32) {
+                Ok(true) => {}
+                Ok(false) => return Ok(count),
+                Err(fault) => return Err(failed(context, run, inst + 2 * count, fault.into())),
+            }
+        }
+        Ok(MOST_ASKED as i64)
     };
     // SAFETY: as for all stubs.
     unsafe { within_guarded(context, foresee) }
