@@ -45,9 +45,14 @@ impl Scripting<'_> {
         let with =
             |op, left, right| int(ExprKind::Binary(op, Box::new(left), Box::new(right)), here);
         let set = |value| Statement { kind: StatementKind::Set { variable, value }, span: here };
-        let before_first = set(with(Binary::SubtractInt, first?, one()));
-        let before_end = with(Binary::SubtractInt, end?, one());
-        let count = with(Binary::SubtractInt, before_end, index());
+        let less = |value, by| with(Binary::SubtractInt, value, by);
+        let (first, end) = (first?, end?);
+        // Where the first int is known, so is the one before it, and the count needs no variable.
+        let (before, count) = match first.kind {
+            ExprKind::Int(0) => (int(ExprKind::Int(-1), here), end),
+            ExprKind::Int(known) => (int(ExprKind::Int(known - 1), here), less(end, first)),
+            _ => (less(first, one()), less(less(end, one()), index())),
+        };
         let mut body = vec![set(with(Binary::AddInt, index(), one()))];
         match filter {
             Some(condition) => {
@@ -61,7 +66,7 @@ impl Scripting<'_> {
             None => body.extend(inside),
         }
         let kind = StatementKind::Repeat { count, body };
-        Some(vec![before_first, Statement { kind, span }])
+        Some(vec![set(before), Statement { kind, span }])
     }
 }
 

@@ -19,6 +19,14 @@ pub fn divide(mesh: &mut Mesh, e: EdgeId, n: i64) -> Option<VertexId> {
             let e_2 = mesh.edge(mesh.vertex_halfedge(m));
             m = bisect(mesh, e_2)?;
         }
+        let mut i: i64 = 0;
+        for _ in 0..n - 1 {
+            i = i + 1;
+            if i != 2 {
+                let weight = attribute::<f64>(mesh, weight_column, m.0) + (i as f64);
+                set_attribute(mesh, weight_column, m.0, weight);
+            }
+        }
         Some(m)
     })
 }

@@ -99,11 +99,11 @@ pub(super) const LINES: &[Line] = &[
     ),
     told(
         DRAWING,
-        "^vertex $v : $l:part . ~. ~. $m:line",
+        "^vertex $v : $l:part .. ~. $m:line",
         "",
         "spokes that have no name are a fan: `*S`, or `*` without a name",
     ),
-    sure(DRAWING, "- $a . ~. ~. ->", "=$a=>", "a path is `=$a=>`"),
+    sure(DRAWING, "- $a .. ~. ->", "=$a=>", "a path is `=$a=>`"),
     sure(DRAWING, "~ $a ~ >", "=$a=>", "a path is `=$a=>`"),
     sure(
         DRAWING,
@@ -267,7 +267,7 @@ pub(super) const LINES: &[Line] = &[
         "an arrow ends with `->`: `-$a-> $v`",
     ),
     told(DRAWING, "$a - > $b", "$a => $b", "an arrow has the name of its halfedge: `$a -h-> $b`"),
-    sure(DRAWING, "$a . ~. ~. $b", "$a => $b", "a path without a name is `=>`"),
+    sure(DRAWING, "$a .. ~. $b", "$a => $b", "a path without a name is `=>`"),
     told(
         DRAWING,
         "$v:vertex , $w:vertex $d=-/=",
@@ -288,7 +288,7 @@ pub(super) const LINES: &[Line] = &[
     ),
     told(
         DRAWING,
-        ". ~. ~.",
+        ".. ~.",
         "",
         "spokes that have no name are a fan, `*S` or `*`; a path without a name is `=>`",
     ),
