@@ -211,9 +211,8 @@ impl StepsVerdict {
     pub(super) fn of(program: &Program, plans: &[Option<Plan>], op: usize) -> Option<Self> {
         let plan = plans.get(op)?.as_ref()?;
         let calls = plan.steps.as_ref()?.calls.iter();
-        let calls = calls
-            .filter_map(|&(called, _)| Some(program.ops.get(usize::from(called))?.name.clone()));
-        Some(Self { calls: calls.collect(), level: plan.level })
+        let calls = program.names_of_ops(calls.map(|&(called, _)| usize::from(called)));
+        Some(Self { calls, level: plan.level })
     }
 }
 

@@ -147,9 +147,9 @@ pub(super) fn read_script(script: &str) -> Result<(Program, usize), Failure> {
     Err(failure)
 }
 
-/// Splits `FILE::NAME`.
+/// Splits `FILE::NAME`; the name may be qualified.
 pub(super) fn part(text: &str) -> (&Path, Option<&str>) {
-    match text.rsplit_once("::") {
+    match text.split_once("::") {
         Some((file, name)) => (Path::new(file), Some(name)),
         None => (Path::new(text), None),
     }

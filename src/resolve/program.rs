@@ -28,6 +28,19 @@ pub struct Program {
 }
 
 impl Program {
+    /// The names of operations, qualified where two have the same.
+    pub fn names_of_ops(&self, ops: impl IntoIterator<Item = usize>) -> Vec<String> {
+        let ops: Vec<&Op> = ops.into_iter().filter_map(|op| self.ops.get(op)).collect();
+        let name = |op: &&Op| {
+            let others = ops.iter().filter(|other| other.span != op.span);
+            match others.into_iter().any(|other| other.name == op.name) {
+                true => qualified(&op.qualifier, &op.name),
+                false => op.name.clone(),
+            }
+        };
+        ops.iter().map(name).collect()
+    }
+
     /// The variables, parameters included, of all functions, ops in steps, scripts and tests.
     pub fn variables(&self) -> impl Iterator<Item = &Variable> {
         let functions = self.functions.iter().filter_map(|of| of.body.as_ref());
@@ -63,13 +76,6 @@ pub struct Op {
     pub steps: Option<Steps>,
     /// True if it could not be read as it is written; then it cannot be proved.
     pub misread: bool,
-}
-
-impl Op {
-    /// Its qualified name: `polygon::flip`.
-    pub fn qualified_name(&self) -> String {
-        qualified(&self.qualifier, &self.name)
-    }
 }
 
 /// An op that calls other ops as one transaction: all or nothing.

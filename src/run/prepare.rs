@@ -11,7 +11,7 @@ use crate::compile::width;
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Param, Type};
 use crate::mesh::{Level, Mesh, WantedAttribute};
-use crate::resolve::{Program, ResolvedOp, Script};
+use crate::resolve::{Program, Script};
 use crate::rewrite::{self, Code, Engine, Plans, TooLarge, Unbounded};
 use crate::source::Span;
 
@@ -134,20 +134,10 @@ pub(super) fn prepare_script(
         assertions: lowering.assertions,
         memory: usize::MAX,
         engine: Engine::default(),
-        names: names(program, &called),
+        names: program.names_of_ops(called.iter().copied()),
         called,
         of_polygons: false,
     })
-}
-
-/// The names of operations, which tell them apart.
-fn names(program: &Program, called: &[usize]) -> Vec<String> {
-    let ops: Vec<_> = called.iter().filter_map(|&op| program.ops.get(op)).collect();
-    let name = |op: &&ResolvedOp| match ops.iter().filter(|other| other.name == op.name).count() {
-        1 => op.name.clone(),
-        _ => op.qualified_name(),
-    };
-    ops.iter().map(name).collect()
 }
 
 fn not_proved(program: &Program, op: usize, call: Span) -> Diagnostic {

@@ -199,3 +199,16 @@ fn what_depends_on_something_broken_says_so() {
     let said = run("b.hedge");
     assert!(said.code == 1 && said.err.contains("`hedgerow run b.hedge::fine`"), "{said:?}");
 }
+
+#[test]
+fn ops_of_one_name_are_told_apart_by_their_files() {
+    let bench = Bench::with_square();
+    let uses = "use \"std/triangle.hedge\"\nuse \"std/polygon.hedge\"\n";
+    let steps = "steps { must triangle::flip(e) must polygon::flip(e) }";
+    bench.write("both.hedge", format!("{uses}op both(e: edge) {{ guard simple {steps} }}\n"));
+    let told = bench.succeeds(&["check", "both.hedge"]);
+    assert!(told.contains("in steps: triangle::flip, polygon::flip"), "{told}");
+    let [one, other] = ["triangle", "polygon"]
+        .map(|file| bench.succeeds(&["plan", &format!("both.hedge::{file}::flip")]));
+    assert_ne!(one, other);
+}

@@ -524,3 +524,20 @@ fn what_is_wrong_with_a_program_is_told_with_its_places() {
     let names: Vec<_> = program.ops().map(|op| op.name().to_owned()).collect();
     assert_eq!(names, ["flip", "visit", "divide", "split", "twice"]);
 }
+
+#[test]
+fn qualified_names_tell_items_of_two_files_apart() {
+    let text = "use \"std/triangle.hedge\"
+use \"std/polygon.hedge\"
+op both(e: edge) { guard simple steps { must triangle::flip(e) must polygon::flip(e) } }";
+    let program = Program::parse("mine.hedge", text).unwrap();
+    let docs = ["triangle::flip", "polygon::flip", "mine::both"].map(|name| {
+        let op = program.op(name).unwrap_or_else(|error| panic!("{name}: {error}"));
+        assert_eq!(op.name(), name.split("::").last().unwrap());
+        op.docs().to_owned()
+    });
+    assert_ne!(docs[0], docs[1]);
+    for name in ["mine::flip", "nothing::flip", "triangle::nothing", "::flip"] {
+        assert!(program.op(name).is_err(), "{name}");
+    }
+}
