@@ -55,7 +55,7 @@ pub(super) enum Command {
     Test(TestArguments),
     /// Show the page of a browser: program, diagram, mesh in 3D, lessons
     Play(PlayArguments),
-    /// Learn the language in twelve lessons
+    /// Learn the language in fifteen lessons
     Learn(LearnArguments),
     /// List the standard library, print a file of it, or copy it out
     Std(StdArguments),

@@ -3,7 +3,7 @@
 //! A lesson is a file of [`texts`](self): a title, the mesh to try it on, the text in Markdown, and
 //! the complete program. What is left out at first is between `//{` and `//}`; lines that begin
 //! with `//|` are shown instead of it. After that come the mistakes of hand-written operations that
-//! the lesson is about, seventeen in all lessons together: a title, a text, and a diff of the
+//! the lesson is about, twenty-two in all lessons together: a title, a text, and a diff of the
 //! solution, as lines with `-`, `+` or a space before them.
 //!
 //! A text solves a lesson if it does what the lesson's own program does: every operation is proved,
@@ -63,6 +63,9 @@ const LESSONS: &[(&str, &str)] = lessons![
     "10_family",
     "11_script",
     "12_remesh",
+    "13_drain",
+    "14_attribute",
+    "15_steps",
 ];
 
 /// All lessons, in order.
