@@ -80,40 +80,32 @@ impl Machine {
     ) -> Result<(), Message> {
         let at = |buffer: u16| base + usize::from(buffer);
         let length = |buffer| self.buffers.get(at(buffer)).map_or(0, |list| list.len());
-        let count = match *inst {
-            Inst::BufferNew { cycle: from, .. } | Inst::BufferAppend { from, .. } => length(from),
-            Inst::BufferDeal { from, period, .. } => length(from).div_ceil(period.max(1).into()),
-            _ => 0,
+        let (to, is_emptied, count) = match *inst {
+            Inst::BufferClear { buffer } => (at(buffer), true, 0),
+            Inst::BufferNew { cycle, buffer, .. } => (at(buffer), true, length(cycle)),
+            Inst::BufferAppend { from, to } => (at(to), false, length(from)),
+            Inst::BufferDeal { from, to, period, .. } => {
+                (at(to), false, length(from).div_ceil(period.max(1).into()))
+            }
+            _ => return Err(Message::Malformed),
         };
-        let (Inst::BufferClear { buffer: to }
-        | Inst::BufferNew { buffer: to, .. }
-        | Inst::BufferAppend { to, .. }
-        | Inst::BufferDeal { to, .. }) = *inst
-        else {
-            return Err(Message::Malformed);
-        };
-        let list = self.buffers.get_mut(at(to)).ok_or(Message::Malformed)?;
-        if let Inst::BufferClear { .. } | Inst::BufferNew { .. } = inst {
+        let list = self.buffers.get_mut(to).ok_or(Message::Malformed)?;
+        if is_emptied {
             list.clear();
         }
-        memory::for_list(&mut self.buffers, at(to), count, (mesh, &self.drains, self.memory))?;
+        memory::for_list(&mut self.buffers, to, count, (mesh, &self.drains, self.memory))?;
         match *inst {
             Inst::BufferNew { kind, .. } => {
                 let Self { buffers, created, drains, .. } = self;
-                access::create_all(
-                    mesh,
-                    (kind, count),
-                    &mut buffers[at(to)].grow(),
-                    created,
-                    drains,
-                )?
+                let new = &mut buffers[to].grow();
+                access::create_all(mesh, (kind, count), new, created, drains)?;
             }
             Inst::BufferAppend { from, .. } => {
-                let [from, to] = self.two_buffers(at(from), at(to))?;
+                let [from, to] = self.two_buffers(at(from), to)?;
                 to.grow().extend_from_slice(from);
             }
             Inst::BufferDeal { from, place, period, turn, .. } => {
-                let [from, to] = self.two_buffers(at(from), at(to))?;
+                let [from, to] = self.two_buffers(at(from), to)?;
                 deal(from, [place, period], turn, &mut to.grow());
             }
             _ => {}

@@ -80,7 +80,7 @@ pub(super) const NOT_DIRECTLY: u64 = 63;
 /// The result of an operation that returns nothing.
 pub(super) const NOTHING: u64 = u64::MAX;
 
-/// A list that a run needs, kept for reuse.
+/// The list of columns that a run needs, kept for reuse.
 #[derive(Debug, Default)]
 pub(crate) struct Scratch {
     columns: Vec<Slice>,

@@ -1,7 +1,7 @@
 //! Instructions that read and fill buffers.
 //!
-//! Native code reads a buffer itself, at indices below its length, and writes to it while it has room;
-//! stubs do the rest.
+//! Native code reads a buffer itself, at indices below its length, and writes to it while it has
+//! room; stubs do the rest.
 
 use std::mem::offset_of;
 

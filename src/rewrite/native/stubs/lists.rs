@@ -37,7 +37,7 @@ pub(in super::super) unsafe extern "C" fn fill(context: *mut Context, span: i64)
             filled.map_err(|message| failed(context, run, at as i64, message))?;
         }
         if insts.iter().any(|inst| matches!(inst, Inst::BufferNew { .. })) {
-            context.refresh_tables(run);
+            context.refresh(run);
         }
         Ok(0)
     };
