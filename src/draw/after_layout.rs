@@ -12,6 +12,7 @@ use super::curve::{Curve, area, cross};
 use super::example::moved_on_mesh;
 use super::figure::{Figure, Node};
 use super::layout::{NEAR, pulls, settle, stretch};
+use super::opened::{open_vertices, opened};
 use super::routing::{bend_beside, bend_paths};
 
 /// The places of the nodes on the side `after`; nodes that it does not show keep theirs.
@@ -99,6 +100,7 @@ fn placed(
         }
     }
     cut_edges(figure, &mut places);
+    open_vertices(figure, before, &mut places);
     bend_paths(figure, before, &mut places);
     let side = &figure.after;
     let mut all = places.clone();
@@ -145,6 +147,7 @@ fn cut_edges(figure: &Figure, places: &mut [Option<DVec2>]) {
         if let (Some(a), Some(b)) = (places[old.nodes[middle - 1]], places[old.nodes[middle]])
             && is_parted
             && places[cut].is_none()
+            && opened(figure, cut).is_none()
         {
             places[cut] = Some(match old.nodes.len() % 2 {
                 0 => (a + b) / 2.0,

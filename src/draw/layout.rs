@@ -17,7 +17,7 @@ use super::example::flat;
 use super::family_sector::sector;
 use super::figure::{Dart, Figure, Node, Side};
 use super::outer::outside;
-use crate::diagram::NameId;
+use crate::diagram::{NameId, Spoke};
 
 /// The number of relaxation sweeps.
 const SWEEPS: usize = 600;
@@ -46,17 +46,48 @@ fn parts_in_a_row(figure: &Figure) -> Vec<Option<DVec2>> {
     let mut places = vec![None; figure.nodes.len()];
     let parts = parts(figure, &figure.before);
     let mut x = 0.0;
-    for part in parts {
-        place_blocks(figure, &part, &mut places);
+    for (at, part) in parts.iter().enumerate() {
+        place_blocks(figure, part, &mut places);
+        face_others(figure, &parts, at, &mut places);
         let xs = part.iter().filter_map(|&node| places[node]).map(|at: DVec2| at.x);
         let (low, high) = xs.fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(x), high.max(x)));
-        for &node in &part {
+        for &node in part {
             places[node] = places[node].map(|at| at + DVec2::X * (x - low));
         }
         x += (high - low).max(0.0) + 0.9;
     }
     level_main(figure, &mut places);
     places
+}
+
+/// Turns a connected component so that the nodes that `after` joins to other components face those:
+/// earlier ones are to the left, later ones to the right.
+fn face_others(figure: &Figure, parts: &[Vec<usize>], at: usize, places: &mut [Option<DVec2>]) {
+    let part_of = |node: usize| parts.iter().position(|part| part.contains(&node));
+    let mut way = DVec2::ZERO;
+    let mut joined = Vec::new();
+    for strand in &figure.after.strands {
+        let [from, to] = strand.ends();
+        for (here, there) in [(from, to), (to, from)] {
+            if let (Some(part), Some(other)) = (part_of(here), part_of(there))
+                && part == at
+                && other != at
+                && let Some(place) = places[here]
+            {
+                way += DVec2::X * if other > at { 1.0 } else { -1.0 };
+                joined.push(place);
+            }
+        }
+    }
+    let mean = |all: &[DVec2]| all.iter().copied().sum::<DVec2>() / all.len().max(1) as f64;
+    let placed: Vec<_> = parts[at].iter().filter_map(|&node| places[node]).collect();
+    let there = mean(&joined) - mean(&placed);
+    if !joined.is_empty() && way != DVec2::ZERO && there.length() > NEAR {
+        let turn = DVec2::from_angle(there.angle_to(way));
+        for &node in &parts[at] {
+            places[node] = places[node].map(|place| turn.rotate(place));
+        }
+    }
 }
 
 /// Turns a figure so that the edge an operation is called with is horizontal, unless the outside
@@ -135,34 +166,68 @@ fn main_dart(figure: &Figure) -> Option<Dart> {
 /// that it shares with those before.
 fn place_blocks(figure: &Figure, part: &[usize], places: &mut [Option<DVec2>]) {
     let among = |node: usize| part.contains(&node);
-    let mut blocks = blocks(&figure.before, part).into_iter();
+    let all = blocks(&figure.before, part);
+    let mut blocks = all.iter();
     let Some((first, nodes)) = blocks.next() else {
         return place_part(figure, &figure.before, part, &[], places);
     };
-    let others: Vec<_> = blocks.collect();
-    let mut rest = others.iter().flat_map(|(_, nodes)| nodes);
-    match rest.next() {
-        None => return place_part(figure, &first, part, &outside(&first, &among), places),
-        Some(_) => place_part(figure, &first, &nodes, &outside(&first, &among), places),
+    match all.len() {
+        1 => return place_part(figure, first, part, &outside(first, &among), places),
+        _ => place_part(figure, first, nodes, &outside(first, &among), places),
     }
-    for (side, nodes) in others {
+    for (at, (side, nodes)) in all.iter().enumerate().skip(1) {
         let mut here = vec![None; places.len()];
-        place_part(figure, &side, &nodes, &outside(&side, &among), &mut here);
+        place_part(figure, side, nodes, &outside(side, &among), &mut here);
         let joint = nodes.iter().find(|&&node| places[node].is_some());
-        let Some((joint, at, from)) =
+        let Some((joint, root, from)) =
             joint.and_then(|&joint| Some((joint, places[joint]?, here[joint]?)))
         else {
             continue;
         };
-        let placed: Vec<_> = part.iter().filter_map(|&node| places[node]).collect();
-        let center = placed.iter().copied().sum::<DVec2>() / placed.len().max(1) as f64;
-        let away = (at - center).normalize_or(DVec2::X);
+        let away = bearing(figure, &all, at, joint, places);
         let turn = DVec2::from_angle((-from).normalize_or(DVec2::X).angle_to(away));
-        for node in nodes.into_iter().filter(|&node| node != joint) {
-            let place = here[node].map(|place| at + turn.rotate(place - from));
+        for &node in nodes.iter().filter(|&&node| node != joint) {
+            let place = here[node].map(|place| root + turn.rotate(place - from));
             places[node] = places[node].or(place);
         }
     }
+}
+
+/// The direction of a block from a node that it shares with earlier ones: the blocks around the
+/// node divide the full turn, in the order of its spokes if that is drawn.
+fn bearing(
+    figure: &Figure,
+    blocks: &[(Side, Vec<usize>)],
+    at: usize,
+    joint: usize,
+    places: &[Option<DVec2>],
+) -> DVec2 {
+    let mut stars = figure.drawing.rule.before.stars.iter();
+    let star = stars.find(|star| figure.nodes[joint] == Node::Vertex(star.vertex.name));
+    let spoke = |side: &Side| {
+        let darts = side.loops.iter().flat_map(|orbit| &orbit.darts);
+        let starts = darts.filter(|&&dart| side.nodes(dart)[0] == joint);
+        let item = |dart: &Dart| side.strands[dart.strand].items[usize::from(!dart.forward)];
+        let items: Vec<_> = starts.filter_map(item).collect();
+        let is_here = |spoke: &Spoke| match spoke {
+            Spoke::Halfedge(name) => items.contains(&name.name),
+            _ => false,
+        };
+        star.and_then(|star| star.spokes.iter().position(is_here))
+    };
+    let is_here = |(_, (_, nodes)): &(usize, &(Side, Vec<usize>))| nodes.contains(&joint);
+    let around = blocks.iter().enumerate().filter(is_here);
+    let mut around: Vec<_> = around.map(|(at, (side, _))| (spoke(side), at)).collect();
+    let first = around.first().map_or(at, |&(_, first)| first);
+    around.sort_unstable();
+    let rank = |block: usize| around.iter().position(|&(_, at)| at == block).unwrap_or(0);
+    let steps = rank(at) as f64 - rank(first) as f64;
+    let nodes = blocks[first].1.iter().filter_map(|&node| places[node]);
+    let nodes: Vec<_> = nodes.collect();
+    let center = nodes.iter().copied().sum::<DVec2>() / nodes.len().max(1) as f64;
+    let way = (center - places[joint].unwrap_or_default()).normalize_or(-DVec2::X);
+    // Counterclockwise, which is towards negative angles in a picture.
+    way.rotate(DVec2::from_angle(-TAU * steps / around.len().max(1) as f64))
 }
 
 fn place_part(

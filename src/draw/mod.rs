@@ -15,6 +15,7 @@ mod example;
 mod family_sector;
 mod figure;
 mod layout;
+mod opened;
 mod outer;
 mod routing;
 mod split_vertices;

@@ -2,8 +2,9 @@
 //!
 //! Where loops that are connected along edges meet again at a vertex, and what lies between them is
 //! not drawn, the outside passes the vertex twice. With one dot for it the loops would have to be
-//! bent around each other; textbooks draw two dots of the same name. A vertex whose spokes are
-//! listed has one dot, since their order is drawn around it.
+//! bent around each other; textbooks draw two dots of the same name. The same holds for loops that
+//! meet at several vertices without an edge between them. A vertex whose spokes are listed has one
+//! dot, since their order is drawn around it.
 
 use std::collections::BTreeMap;
 
@@ -22,6 +23,15 @@ pub(super) fn split(figure: &mut Figure, side: &mut Side) -> Copies {
     let stars = rule.before.stars.iter().chain(&rule.after.stars);
     let listed: Vec<_> = stars.map(|star| star.vertex.name).collect();
     let mut copies = Copies::new();
+    let in_loops: Vec<_> = side.loop_of().chunks(2).map(|of| of != [None, None]).collect();
+    // The blocks that vertices with one dot hold together.
+    let mut held: Vec<usize> = (0..side.strands.len()).collect();
+    for &name in &listed {
+        let ends: Vec<_> = figure.vertex(name).map_or(Vec::new(), |node| ends_at(side, node));
+        for pair in ends.windows(2) {
+            join(&mut held, block[pair[0] / 2], block[pair[1] / 2]);
+        }
+    }
     for node in 0..figure.nodes.len() {
         let Node::Vertex(name) = figure.nodes[node] else {
             continue;
@@ -30,19 +40,25 @@ pub(super) fn split(figure: &mut Figure, side: &mut Side) -> Copies {
         if listed.contains(&name) {
             continue;
         }
-        // The node of each sector; the first sector of each block keeps the vertex's own.
+        // The node of each sector; the first sector of each block keeps the vertex's own, unless
+        // the block is held elsewhere.
         let mut nodes: BTreeMap<usize, usize> = BTreeMap::new();
         let mut seen = Vec::new();
         for &end in &ends {
             let of = block[end / 2];
             nodes.entry(sector[end]).or_insert_with(|| {
-                if seen.contains(&of) {
+                let is_held = |&other: &usize| held[other] == held[of];
+                let is_elsewhere = in_loops[end / 2] && seen.iter().any(is_held);
+                if seen.contains(&of) || is_elsewhere {
                     figure.nodes.push(Node::Vertex(name));
                     return figure.nodes.len() - 1;
                 }
                 seen.push(of);
                 node
             });
+        }
+        for pair in seen.windows(2) {
+            join(&mut held, pair[0], pair[1]);
         }
         if nodes.values().all(|&other| other == node) {
             continue;
