@@ -4,6 +4,7 @@
 
 mod colours;
 mod examples;
+mod loops;
 mod meshes;
 mod mutants;
 mod steps;
