@@ -450,6 +450,14 @@ std::optional<Mesh::VertexRef> divide(Mesh& mesh, Mesh::EdgeRef e, long long n) 
       m->weight = m->weight + 1.0;
       m = hedgerow::must(hedgerow::bisect(journal, m->halfedge->edge));
     }
+    long long i = 0;
+    for (long long i_2 = n - 1; i_2 > 0; --i_2) {
+      i = i + 1;
+      if (i != 2) {
+        journal.undone_by([m, was = m->weight] { m->weight = was; });
+        m->weight = m->weight + static_cast<double>(i);
+      }
+    }
     return m;
   });
 }
