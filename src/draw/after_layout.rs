@@ -2,7 +2,8 @@
 //!
 //! A vertex keeps its place unless the operation moves it to one that the drawing determines, such
 //! as the midpoint of a collapsed edge. Nodes that are only in `after` are placed among the
-//! existing ones, at the position that an assignment gives, if there is one.
+//! existing ones: at the position that an assignment gives, on an edge that they cut, or beside a
+//! vertex that they split.
 
 use glam::DVec2;
 

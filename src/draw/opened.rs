@@ -14,8 +14,8 @@ use crate::diagram::NameId;
 /// The maximum length of the edge that opens.
 const OPEN: f64 = 0.7;
 
-/// A vertex that is split: for each of its strands, those that change over to the new vertex and
-/// those that stay, the node that comes next, and whether it ends the strand.
+/// A vertex that is split: the strands that change over to the new vertex, and those that stay. A
+/// strand is given by the node that comes next on it, and whether the strand ends there.
 pub(super) struct Opened {
     from: usize,
     taken: BTreeSet<(usize, bool)>,
