@@ -9,7 +9,7 @@ use super::library_hints::tell_where;
 use super::parse_cache::Readings;
 use crate::check::{Counterexample, Proved};
 use crate::diagnostic::Diagnostic;
-use crate::resolve::{Program, qualifier, resolve_all};
+use crate::resolve::{Program, resolve_all};
 use crate::rewrite::Plans;
 use crate::run::{Functions, plan_steps};
 use crate::source::{FileId, Sources, Span};
@@ -22,8 +22,6 @@ pub struct Analysis {
     pub file: FileId,
     /// The files whose items can be named in it: itself first, then those it uses.
     pub seen: Vec<FileId>,
-    /// The qualifiers of the names of these files.
-    qualifiers: Vec<String>,
     /// The declarations of all files, each once, those of `file` first.
     pub program: Program,
     /// For each op of the program, its proof, if there is one.
@@ -76,10 +74,8 @@ impl Analysis {
         let program = resolved.program;
         let used = parts.first().map(|root| root.uses.as_slice());
         let used = used.unwrap_or_default().iter();
-        let seen: Vec<FileId> =
-            std::iter::once(file).chain(used.map(|&used| parts[used].file)).collect();
-        let qualifiers = seen.iter().map(|&file| qualifier(sources.get(file).name()).to_owned());
-        let qualifiers = qualifiers.collect();
+        let seen = std::iter::once(file).chain(used.map(|&used| parts[used].file));
+        let seen = seen.collect();
         let (functions, too_large) = Functions::of(&program);
         diagnostics.extend(too_large);
         tell_of_before(&program, &mut diagnostics);
@@ -107,7 +103,7 @@ impl Analysis {
             (next.code, &next.message, next.span()) == (last.code, &last.message, last.span())
         });
         let plans = plans.into();
-        Self { file, seen, qualifiers, program, proved, plans, lacks, counterexamples, diagnostics }
+        Self { file, seen, program, proved, plans, lacks, counterexamples, diagnostics }
     }
 
     /// True if there is no error in the file, nor in those it uses.
@@ -139,10 +135,11 @@ impl Analysis {
     /// uses that has one.
     fn meant<'p>(&self, name: &str, items: impl Iterator<Item = (&'p str, Span)>) -> Option<usize> {
         let (file, name) = split_qualified(name);
-        let is_meant = |at: &usize| file.is_none_or(|file| self.qualifiers[*at] == file);
-        let order =
-            |span: Span| self.seen.iter().position(|&seen| seen == span.file).filter(is_meant);
-        let named = items.enumerate().filter(|(_, (known, _))| *known == name);
+        let qualifier = |span: Span| self.program.qualifiers.get(&span.file).map(String::as_str);
+        let is_of = |span: Span| file.is_none() || file == qualifier(span);
+        let order = |span: Span| self.seen.iter().position(|&seen| seen == span.file);
+        let named = items.enumerate();
+        let named = named.filter(|(_, (known, span))| *known == name && is_of(*span));
         let visible = named.filter_map(|(at, (_, span))| Some((order(span)?, at)));
         visible.min().map(|(_, at)| at)
     }

@@ -57,7 +57,11 @@ pub fn resolve_all(units: &[Unit]) -> Resolved {
     let mut declared = Declared::of_all(units, &mut diagnostics);
     let attributes = attributes(units, &mut declared, &mut diagnostics);
     let mut functions = Functions::of(units, declared);
-    let mut program = Program { attributes, ..Program::default() };
+    let qualifiers = units
+        .iter()
+        .filter_map(|unit| Some((unit.tree.items.first()?.span().file, unit.qualifier.to_owned())));
+    let qualifiers = qualifiers.collect();
+    let mut program = Program { qualifiers, attributes, ..Program::default() };
     let mut signatures = Vec::new();
     functions.resolve(&signatures, |found| !found.calls_ops);
     for (unit, declared) in units.iter().zip(&functions.declared) {
@@ -67,7 +71,6 @@ pub fn resolve_all(units: &[Unit]) -> Resolved {
                 let (signature, mut resolved) =
                     resolve_op(op, declared, &program.attributes, &mut report);
                 resolved.misread = unit.tree.is_misread(op.span);
-                resolved.qualifier = unit.qualifier.to_owned();
                 signatures.push(signature);
                 program.ops.push(resolved);
                 diagnostics.extend(report.into_diagnostics());

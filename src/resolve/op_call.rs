@@ -6,7 +6,6 @@ use crate::source::Span;
 use crate::syntax::tree::{self, Ident};
 
 use super::program::{Block, Statement, StatementKind};
-use super::scopes::{Binding, Local};
 use super::script::Scripting;
 use super::sequence::is_sequence;
 use super::signature::Returned;
@@ -206,12 +205,7 @@ impl Scripting<'_> {
         let variable = binding.map(|binding| {
             let op = applied.as_ref().map(|(op, _)| *op);
             let ty = op.and_then(|op| self.result(op, condition.span));
-            self.typing.scopes.declare(Local {
-                name: binding.text.clone(),
-                span: binding.span,
-                ty,
-                binding: Binding::Head,
-            })
+            self.typing.scopes.declare_in_head(binding, ty)
         });
         let (op, args) = applied?;
         Some(Asked { op, args, variable })

@@ -1,14 +1,17 @@
 //! A program: operations as diagrams, scripts as typed statements.
 
+use std::collections::HashMap;
 use std::sync::Arc;
 
 use crate::diagram::{self, Access, Attribute, Collection, Expr, Param, Type};
-use crate::source::Span;
+use crate::source::{FileId, Span};
 use crate::syntax::tree::{Digits, qualified};
 
 /// Everything the files of a program declare, as far as it could be resolved.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Program {
+    /// The qualifiers of the names that each file declares.
+    pub qualifiers: HashMap<FileId, String>,
     /// The attributes that elements have; an [`Access`] names one by its number.
     pub attributes: Arc<[Attribute]>,
     /// The operations. One that could not be resolved keeps its index, so that its calls can be
@@ -32,10 +35,10 @@ impl Program {
     pub fn names_of_ops(&self, ops: impl IntoIterator<Item = usize>) -> Vec<String> {
         let ops: Vec<&Op> = ops.into_iter().filter_map(|op| self.ops.get(op)).collect();
         let name = |op: &&Op| {
-            let others = ops.iter().filter(|other| other.span != op.span);
-            match others.into_iter().any(|other| other.name == op.name) {
-                true => qualified(&op.qualifier, &op.name),
-                false => op.name.clone(),
+            let is_like = |other: &&Op| other.name == op.name && other.span != op.span;
+            match self.qualifiers.get(&op.span.file) {
+                Some(file) if ops.iter().any(is_like) => qualified(file, &op.name),
+                _ => op.name.clone(),
             }
         };
         ops.iter().map(name).collect()
@@ -58,8 +61,6 @@ impl Program {
 pub struct Op {
     /// Its name.
     pub name: String,
-    /// The qualifier of its name.
-    pub qualifier: String,
     /// The span of its name.
     pub span: Span,
     /// Its parameters. One of invalid type counts as a real; then there is no diagram.

@@ -6,10 +6,12 @@ use crate::source::Span;
 use crate::syntax::tree;
 
 use super::program::{Block, Statement, StatementKind};
-use super::scopes::{Binding, Local};
 use super::script::{Loop, Scripting};
 use super::typed::typed;
 use super::typing::Typing;
+
+/// What a range is for.
+pub(super) const TAKES_INTS: &str = "`for i in 0..n { … }` takes the ints from 0 to n - 1";
 
 impl Scripting<'_> {
     /// `for i in first..end where c { … }`, as a `repeat` before whose turns `i` is set. Both bounds
@@ -28,14 +30,8 @@ impl Scripting<'_> {
         let [first, end] =
             [first, end].map(|bound| self.typing.expression_as(bound, Type::Int, "a range"));
         self.typing.scopes.enter();
-        let variable = self.typing.scopes.declare(Local {
-            name: visited.variable.text.clone(),
-            span: visited.variable.span,
-            ty: Some(Type::Int),
-            binding: Binding::Head,
-        });
-        let filter =
-            visited.filter.map(|filter| self.typing.expression_as(filter, Type::Bool, "`where`"));
+        let variable = self.typing.scopes.declare_in_head(visited.variable, Some(Type::Int));
+        let filter = self.typing.condition(visited.filter, "`where`");
         let inside = self.repeated(visited.body);
         self.typing.scopes.leave();
 
@@ -54,13 +50,10 @@ impl Scripting<'_> {
             _ => (less(first, one()), less(less(end, one()), index())),
         };
         let mut body = vec![set(with(Binary::AddInt, index(), one()))];
-        match filter {
+        match filter? {
             Some(condition) => {
-                let kind = StatementKind::If {
-                    condition: condition?,
-                    then: inside,
-                    otherwise: Block::new(),
-                };
+                let otherwise = Block::new();
+                let kind = StatementKind::If { condition, then: inside, otherwise };
                 body.push(Statement { kind, span });
             }
             None => body.extend(inside),
@@ -75,7 +68,7 @@ impl Typing<'_> {
     pub(super) fn misplaced_range(&mut self, span: Span) -> Option<Expr> {
         let message = "a range is no value: only `for` takes one";
         let error = Diagnostic::error("not-a-sequence", message, span);
-        self.report.add(error.note("`for i in 0..n { … }` takes the ints from 0 to n - 1"));
+        self.report.add(error.note(TAKES_INTS));
         None
     }
 }

@@ -4,6 +4,7 @@ use std::collections::HashMap;
 
 use crate::diagram::Type;
 use crate::source::Span;
+use crate::syntax::tree::Ident;
 
 use super::program::Variable;
 
@@ -69,6 +70,12 @@ impl Scopes {
         }
         self.locals.push(local);
         number
+    }
+
+    /// Declares the variable of a loop, an aggregate or an `if let`.
+    pub(super) fn declare_in_head(&mut self, name: &Ident, ty: Option<Type>) -> u32 {
+        let (name, span) = (name.text.clone(), name.span);
+        self.declare(Local { name, span, ty, binding: Binding::Head })
     }
 
     /// The visible variable of this name.

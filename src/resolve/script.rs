@@ -13,7 +13,7 @@ use super::parameter::{Owner, local, parameters};
 use super::program::{Block, Script, Statement, StatementKind, Visit};
 use super::report::Report;
 use super::return_value::Returns;
-use super::scopes::{Binding, Local, Scopes};
+use super::scopes::Scopes;
 use super::signature::{Effects, Parameter, Signature};
 use super::test_meshes::Meshes;
 use super::typing::{Place, Typing};
@@ -336,42 +336,26 @@ impl Scripting<'_> {
     ) -> Option<StatementKind> {
         let collection = self.typing.sequence(sequence);
         self.typing.scopes.enter();
-        let variable = self.typing.scopes.declare(Local {
-            name: variable.text.clone(),
-            span: variable.span,
-            ty: collection.as_ref().map(Collection::element),
-            binding: Binding::Head,
-        });
+        let ty = collection.as_ref().map(Collection::element);
+        let variable = self.typing.scopes.declare_in_head(variable, ty);
         let key = self.typing.expression_as(key, Type::Real, "`by`");
-        let condition =
-            condition.map(|condition| self.typing.expression_as(condition, Type::Bool, "`while`"));
+        let condition = self.typing.condition(condition, "`while`");
         let body = self.repeated(body);
         self.typing.scopes.leave();
-        let condition = match condition {
-            Some(condition) => Some(condition?),
-            None => None,
-        };
-        Some(StatementKind::Drain { variable, collection: collection?, key: key?, condition, body })
+        let (collection, key, condition) = (collection?, key?, condition?);
+        Some(StatementKind::Drain { variable, collection, key, condition, body })
     }
 
     fn visit(&mut self, visited: Loop, visit: Visit) -> Option<StatementKind> {
         let collection = self.typing.sequence(visited.sequence);
         self.typing.scopes.enter();
-        let variable = self.typing.scopes.declare(Local {
-            name: visited.variable.text.clone(),
-            span: visited.variable.span,
-            ty: collection.as_ref().map(Collection::element),
-            binding: Binding::Head,
-        });
-        let filter =
-            visited.filter.map(|filter| self.typing.expression_as(filter, Type::Bool, "`where`"));
+        let ty = collection.as_ref().map(Collection::element);
+        let variable = self.typing.scopes.declare_in_head(visited.variable, ty);
+        let filter = self.typing.condition(visited.filter, "`where`");
         let body = self.repeated(visited.body);
         self.typing.scopes.leave();
-        let filter = match filter {
-            Some(filter) => Some(filter?),
-            None => None,
-        };
-        let (collection, parallel) = (collection?, visited.parallel.is_some());
+        let (collection, filter) = (collection?, filter?);
+        let parallel = visited.parallel.is_some();
         Some(StatementKind::For { variable, collection, filter, body, visit, parallel })
     }
 }

@@ -6,6 +6,7 @@ use crate::source::Span;
 use crate::syntax::tree::{self, Ident};
 
 use super::foreign_words;
+use super::range::TAKES_INTS;
 use super::scopes::{Binding, Local};
 use super::sequence_names::{FOLDS, WHOLE_MESH, fold_names, sequences_of};
 use super::typed::{to_real, typed};
@@ -104,9 +105,7 @@ impl Typing<'_> {
         let message = format!("{} is {}, not a sequence", subject(expr), a_type(ty));
         let error = Diagnostic::error("not-a-sequence", message, expr.span);
         self.report.add(match sequences_of(of) {
-            [] if of == Type::Int => {
-                error.note("`for i in 0..n { … }` takes the ints from 0 to n - 1")
-            }
+            [] if of == Type::Int => error.note(TAKES_INTS),
             [] => {
                 let words = WHOLE_MESH.map(|(known, _)| known);
                 error.note(format!("the sequences of the mesh are {}", quoted(&words)))
@@ -125,21 +124,12 @@ impl Typing<'_> {
         let fold = self.fold_function(function);
         let collection = self.sequence(sequence);
         self.scopes.enter();
-        let number = self.scopes.declare(Local {
-            name: variable.text.clone(),
-            span: variable.span,
-            ty: collection.as_ref().map(Collection::element),
-            binding: Binding::Head,
-        });
-        let filter =
-            filter.as_ref().map(|filter| self.expression_as(filter, Type::Bool, "`where`"));
+        let element = collection.as_ref().map(Collection::element);
+        let number = self.scopes.declare_in_head(variable, element);
+        let filter = self.condition(filter.as_deref(), "`where`");
         let value = self.expression(body);
         self.scopes.leave();
-        let filter = match filter {
-            Some(filter) => Some(filter?),
-            None => None,
-        };
-        let (fold, value) = (fold?, value?);
+        let (filter, fold, value) = (filter?, fold?, value?);
         let (ty, value) = self.fold_body(fold, function, body, value)?;
         let ty = match (fold, &collection) {
             (FoldFunction::ArgMin | FoldFunction::ArgMax, Some(of)) => of.element(),

@@ -49,7 +49,6 @@ impl Signature {
     pub(super) fn op(&self, name: Span, diagram: Option<diagram::Op>) -> program::Op {
         program::Op {
             misread: false,
-            qualifier: String::new(),
             name: self.name.clone(),
             span: name,
             params: self.params.iter().map(Parameter::param).collect(),

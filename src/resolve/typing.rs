@@ -120,6 +120,18 @@ impl Typing<'_> {
         }
     }
 
+    /// The condition of a loop or an aggregate, if it has one; `None` if that cannot be resolved.
+    pub(super) fn condition(
+        &mut self,
+        condition: Option<&tree::Expr>,
+        whose: &str,
+    ) -> Option<Option<Expr>> {
+        match condition {
+            Some(condition) => self.expression_as(condition, Type::Bool, whose).map(Some),
+            None => Some(None),
+        }
+    }
+
     /// An expression, converted to the type `wanted` by `whose`.
     pub(super) fn expression_as(
         &mut self,
