@@ -4,6 +4,7 @@
 
 use glam::DVec2;
 
+use super::curve::mean;
 use super::figure::Figure;
 use crate::diagram::{Access, Binary, Builtin, Expr, ExprKind, NameId, Unary};
 
@@ -96,7 +97,6 @@ impl Scene<'_> {
             (None, None) => return None,
         };
         let places: Vec<_> = nodes.iter().filter_map(|&node| self.places[node]).collect();
-        let count = places.len().max(1) as f64;
-        Some(places.into_iter().sum::<DVec2>() / count)
+        Some(mean(&places))
     }
 }

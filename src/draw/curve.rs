@@ -186,6 +186,11 @@ pub(super) fn inside(point: DVec2, polygon: &[DVec2]) -> bool {
     inside
 }
 
+/// The mean of some points; zero if there are none.
+pub(super) fn mean(points: &[DVec2]) -> DVec2 {
+    points.iter().copied().sum::<DVec2>() / points.len().max(1) as f64
+}
+
 /// Twice the area of a polygon, positive if it runs counterclockwise.
 pub(super) fn area(outline: &[DVec2]) -> f64 {
     let count = outline.len();

@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use super::curve::{area, inside};
+use super::curve::{area, inside, mean};
 use super::figure::Orbit;
 use super::hatch::{hatch, ticks};
 use super::label_boxes::Spot;
@@ -66,7 +66,7 @@ impl Panel<'_> {
             }
         }
         let low = outline.iter().map(|at| at.y).fold(f64::MIN, f64::max);
-        let middle = outline.iter().copied().sum::<DVec2>() / outline.len().max(1) as f64;
+        let middle = mean(&outline);
         self.text(group, orbit.face, LETTERS, |label| {
             if is_inside {
                 return (label, inner_spots(&outline, &islands));

@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use glam::DVec2;
 
-use super::curve::{Curve, distance, inside, left, turn};
+use super::curve::{Curve, distance, inside, left, mean, turn};
 use super::label_boxes::{Spot, reach};
 use super::letters::Label;
 
@@ -76,7 +76,7 @@ pub(super) fn inner_spots(outline: &[DVec2], islands: &[Vec<DVec2>]) -> Vec<Spot
     let most = points.iter().map(|(_, room)| *room).fold(0.0, f64::max);
     let good = points.iter().filter(|(_, room)| *room > most - 1.0);
     let good: Vec<_> = good.map(|(at, _)| *at).collect();
-    let center = good.iter().copied().sum::<DVec2>() / good.len().max(1) as f64;
+    let center = mean(&good);
     let mut all = Vec::new();
     // The middle of a ring is not part of it.
     if islands.is_empty() {

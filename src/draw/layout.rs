@@ -12,7 +12,7 @@ use glam::DVec2;
 
 use super::after_layout::places_after;
 use super::components::{blocks, parts};
-use super::curve::direction;
+use super::curve::{direction, mean};
 use super::example::flat;
 use super::family_sector::sector;
 use super::figure::{Dart, Figure, Node, Side};
@@ -79,7 +79,6 @@ fn face_others(figure: &Figure, parts: &[Vec<usize>], at: usize, places: &mut [O
             }
         }
     }
-    let mean = |all: &[DVec2]| all.iter().copied().sum::<DVec2>() / all.len().max(1) as f64;
     let placed: Vec<_> = parts[at].iter().filter_map(|&node| places[node]).collect();
     let there = mean(&joined) - mean(&placed);
     if !joined.is_empty() && way != DVec2::ZERO && there.length() > NEAR {
@@ -222,10 +221,8 @@ fn bearing(
     around.sort_unstable();
     let rank = |block: usize| around.iter().position(|&(_, at)| at == block).unwrap_or(0);
     let steps = rank(at) as f64 - rank(first) as f64;
-    let nodes = blocks[first].1.iter().filter_map(|&node| places[node]);
-    let nodes: Vec<_> = nodes.collect();
-    let center = nodes.iter().copied().sum::<DVec2>() / nodes.len().max(1) as f64;
-    let way = (center - places[joint].unwrap_or_default()).normalize_or(-DVec2::X);
+    let placed: Vec<_> = blocks[first].1.iter().filter_map(|&node| places[node]).collect();
+    let way = (mean(&placed) - places[joint].unwrap_or_default()).normalize_or(-DVec2::X);
     // Counterclockwise, which is towards negative angles in a picture.
     way.rotate(DVec2::from_angle(-TAU * steps / around.len().max(1) as f64))
 }

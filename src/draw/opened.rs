@@ -8,6 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use glam::DVec2;
 
+use super::curve::mean;
 use super::figure::{Figure, Node, Side};
 use crate::diagram::NameId;
 
@@ -70,11 +71,11 @@ pub(super) fn open_vertices(
             continue;
         };
         let way = |&(node, _): &(usize, bool)| before[node].map(|next| next - root);
-        let mean = |nodes: &BTreeSet<_>| {
-            let sum: DVec2 = nodes.iter().filter_map(way).map(DVec2::normalize_or_zero).sum();
-            sum / nodes.len().max(1) as f64
+        let towards = |nodes: &BTreeSet<_>| {
+            let ways = nodes.iter().filter_map(way).map(DVec2::normalize_or_zero);
+            mean(&ways.collect::<Vec<_>>())
         };
-        let away = (mean(&taken) - mean(&left)).normalize_or_zero();
+        let away = (towards(&taken) - towards(&left)).normalize_or_zero();
         // The edges that change over keep half of their length.
         let edges = taken.iter().filter(|(_, is_end)| *is_end).filter_map(way);
         let length = edges.map(|way| way.length() / 2.0).fold(OPEN, f64::min);

@@ -8,7 +8,7 @@ use std::f64::consts::PI;
 
 use glam::DVec2;
 
-use super::curve::{Curve, angle, area, cross, inside, left, turn};
+use super::curve::{Curve, angle, area, cross, inside, left, mean, turn};
 use super::figure::{Figure, Node, Side, Strand};
 
 /// The factor by which a path that keeps its shape is flattened.
@@ -25,8 +25,8 @@ const CLEAR: f64 = 1.5;
 
 /// Bends the paths that get other ends, or whose ends move; `before` holds the earlier places.
 pub(super) fn bend_paths(figure: &Figure, before: &[Option<DVec2>], places: &mut [Option<DVec2>]) {
-    let known: Vec<_> = before.iter().flatten().collect();
-    let center = known.iter().copied().sum::<DVec2>() / known.len().max(1) as f64;
+    let known: Vec<_> = before.iter().flatten().copied().collect();
+    let center = mean(&known);
     for (at, strand) in figure.after.strands.iter().enumerate() {
         let mut earlier = figure.before.strands.iter();
         let old = earlier.find(|other| strand.is_path && other.items == strand.items);
@@ -87,8 +87,7 @@ impl Scene<'_> {
     /// The places along a path that closes.
     fn petal(&self, strand: usize, root: DVec2, old: &[DVec2]) -> Vec<DVec2> {
         let last = old.len() - 1;
-        let inner = &old[1..last];
-        let middle = inner.iter().copied().sum::<DVec2>() / inner.len().max(1) as f64;
+        let middle = mean(&old[1..last]);
         // Also away from the middle of the figure, to leave room between two petals.
         let outward = (middle - self.center).normalize_or_zero();
         let away = (middle - root).normalize_or(DVec2::X) + outward;

@@ -6,7 +6,7 @@
 
 use glam::DVec2;
 
-use super::curve::{Curve, direction, left};
+use super::curve::{Curve, direction, left, mean};
 use super::figure::Figure;
 use super::layout::places;
 use super::panel::Panel;
@@ -199,8 +199,8 @@ impl Canvas {
         }
         for orbit in side.loops.iter().filter(|orbit| is_written(&orbit.face)) {
             let nodes = side.around(&orbit.darts);
-            let middle = nodes.iter().map(|&node| panel.places[node]).sum::<DVec2>();
-            let middle = middle / nodes.len().max(1) as f64;
+            let around: Vec<_> = nodes.iter().map(|&node| panel.places[node]).collect();
+            let middle = mean(&around);
             let low = curves.iter().flat_map(Curve::points).map(|at| at.y);
             let below = low.fold(0.0, f64::max) + 1.5;
             let middle = match panel.middle(orbit) {

@@ -4,9 +4,9 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
-use hedgerow::draw::{TextBox, draw_op, draw_sheet, text_op};
+use hedgerow::draw::{draw_op, draw_sheet, text_op};
 
-use super::{example_ops, folder, shipped_ops, steps};
+use super::{example_ops, folder, overlap, shipped_ops, steps};
 
 #[test]
 fn pictures_are_as_committed() {
@@ -77,9 +77,7 @@ fn no_two_texts_overlap() {
         let texts = picture.texts();
         for (at, a) in texts.iter().enumerate() {
             for b in &texts[..at] {
-                let apart =
-                    (0..2).any(|axis| a.to[axis] <= b.from[axis] || b.to[axis] <= a.from[axis]);
-                assert!(apart, "{stem}::{}: `{}` covers `{}`", op.name, a.text, b.text);
+                assert!(!overlap(a, b), "{stem}::{}: `{}` covers `{}`", op.name, a.text, b.text);
                 pairs += 1;
             }
             let [width, height] = picture.size();
@@ -161,10 +159,7 @@ fn pictures_of_the_library_can_be_read() {
         seen += 1;
         let texts = picture.texts();
         for (at, a) in texts.iter().enumerate() {
-            let covers = |b: &&TextBox| {
-                (0..2).all(|axis| a.to[axis] > b.from[axis] && b.to[axis] > a.from[axis])
-            };
-            if let Some(b) = texts[..at].iter().find(covers) {
+            if let Some(b) = texts[..at].iter().find(|b| overlap(a, b)) {
                 wrong.push(format!("{name}: `{}` covers `{}`", a.text, b.text));
             }
         }

@@ -3,9 +3,9 @@
 use std::fs;
 
 use hedgerow::diagram::Op;
-use hedgerow::draw::{TextBox, draw_op};
+use hedgerow::draw::draw_op;
 
-use super::{folder, ops_of, shipped_ops};
+use super::{folder, ops_of, overlap, shipped_ops};
 
 /// The least distance between two vertices, and the greatest width of a picture of one rule.
 const APART: f64 = 90.0;
@@ -78,10 +78,7 @@ fn loops_that_meet_can_be_read() {
         }
         let texts = picture.texts();
         for (at, a) in texts.iter().enumerate() {
-            let covers = |b: &&TextBox| {
-                (0..2).all(|axis| a.to[axis] > b.from[axis] && b.to[axis] > a.from[axis])
-            };
-            let covered = texts[..at].iter().find(covers);
+            let covered = texts[..at].iter().find(|b| overlap(a, b));
             assert_eq!(covered, None, "{name}: `{}` covers a text", a.text);
         }
     }

@@ -14,7 +14,13 @@ use std::path::{Path, PathBuf};
 
 use hedgerow::analysis::Analysis;
 use hedgerow::diagram::Op;
+use hedgerow::draw::TextBox;
 use hedgerow::source::Sources;
+
+/// Whether the boxes of two texts overlap.
+fn overlap(a: &TextBox, b: &TextBox) -> bool {
+    (0..2).all(|axis| a.to[axis] > b.from[axis] && b.to[axis] > a.from[axis])
+}
 
 fn folder(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join(name)

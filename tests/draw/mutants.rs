@@ -3,7 +3,7 @@
 use hedgerow::diagram::{NameId, Op, Ref, Rule, Side, Spoke};
 use hedgerow::draw::{draw_op, text_op};
 
-use super::{example_ops, ops_of};
+use super::{example_ops, ops_of, overlap};
 use support::dice::Dice;
 
 /// A name of the same kind, so that the diagram is still one the resolver could make.
@@ -140,9 +140,7 @@ fn odd_patterns_have_pictures() {
         assert!(!picture.svg().contains("NaN"), "{}", op.name);
         let texts = picture.texts();
         for (at, a) in texts.iter().enumerate() {
-            let covers = texts[..at]
-                .iter()
-                .any(|b| (0..2).all(|axis| a.to[axis] > b.from[axis] && b.to[axis] > a.from[axis]));
+            let covers = texts[..at].iter().any(|b| overlap(a, b));
             assert!(!covers, "`{}` of {} covers another text", a.text, op.name);
         }
         if let Some(folder) = std::env::var_os("PICTURES") {
