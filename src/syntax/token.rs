@@ -113,7 +113,8 @@ token_kinds! {
     }
     marks {
         "{" LeftBrace "}" RightBrace "(" LeftParen ")" RightParen "[" LeftBracket "]" RightBracket
-        ":" Colon "::" DoubleColon "," Comma "." Dot ".." DotDot "|" Bar "->" Arrow "=>" FatArrow "=" Equals
+        ":" Colon "::" DoubleColon "," Comma "." Dot ".." DotDot "|" Bar
+        "->" Arrow "=>" FatArrow "=" Equals
         "+" Plus "-" Minus "*" Star "/" Slash
         "==" Equal "!=" NotEqual "<" Less "<=" LessEqual ">" Greater ">=" GreaterEqual
     }

@@ -119,12 +119,14 @@ impl Translator<'_, '_> {
             Inst::Foresee { condition: OrbitCondition::TwoSpokes, to, element, .. } => {
                 self.two_spokes(to, element);
             }
-            Inst::Foresee { element, .. } if self.asked_about_star(element).len() > 1 => {
-                self.foresee_star(element);
-            }
             Inst::Foresee { condition, to, element, at } => {
-                let holds = self.foresee(condition, [element, at]);
-                self.set_whole(to, holds);
+                let asked = self.asked_about_star(element);
+                if asked.len() > 1 {
+                    self.foresee_star(element, &asked);
+                } else {
+                    let holds = self.foresee(condition, [element, at]);
+                    self.set_whole(to, holds);
+                }
             }
             _ if !sets(inst) => return false,
             _ if self.guards.iter().any(|guard| guard.contains(self.at)) => self.set(inst),
@@ -199,9 +201,8 @@ impl Translator<'_, '_> {
         pairs.take(guards::MOST_ASKED).collect()
     }
 
-    /// Asks all conditions of [`Self::asked_about_star`] by one call of a stub.
-    fn foresee_star(&mut self, vertex: Reg) {
-        let all = self.asked_about_star(vertex);
+    /// Asks all these conditions by one call of a stub.
+    fn foresee_star(&mut self, vertex: Reg, all: &[Asked]) {
         let packed = all
             .iter()
             .rev()
@@ -211,7 +212,7 @@ impl Translator<'_, '_> {
         let stub = guards::foresee_star as *const () as usize;
         let count = self.call_stub(stub, &[packed, vertex, at]);
         self.leave_restored_if_negative(count);
-        for (at, asked) in (0..).zip(&all) {
+        for (at, asked) in (0..).zip(all) {
             let holds = self.b.ins().icmp_imm_s(IntCC::SignedGreaterThan, count, at);
             let truth = self.b.ins().uextend(I64, holds);
             self.set_whole(asked.to, truth);

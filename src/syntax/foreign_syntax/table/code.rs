@@ -6,6 +6,8 @@ use crate::syntax::foreign_syntax::place::{CODE, HEAD, PARTS};
 const CHANGED: &str = "a script changes a mesh by calling operations: `dissolve_edge(e)`";
 const REFUSED: &str = "`must` stops where an op refuses, `if let x = …` asks";
 
+const RANGE: &str = "a range is `0..n`: from 0 up to, but without, n";
+
 pub(super) const LINES: &[Line] = &[
     told(
         CODE,
@@ -115,7 +117,7 @@ pub(super) const LINES: &[Line] = &[
         "^for $i in range/seq/xrange ( len ( $s:inside ) ) {",
         "for $i in 0..1 {",
         "for $i in 0..count($s) {",
-        "a range is `0..n`: from 0 up to, but without, n",
+        RANGE,
     ),
     sure(
         CODE,
@@ -123,12 +125,7 @@ pub(super) const LINES: &[Line] = &[
         "for $i in $a..$n {",
         "a range is `a..n`: from a up to, but without, n",
     ),
-    sure(
-        CODE,
-        "^for $i in range/seq/xrange ( $n:part ) {",
-        "for $i in 0..$n {",
-        "a range is `0..n`: from 0 up to, but without, n",
-    ),
+    sure(CODE, "^for $i in range/seq/xrange ( $n:part ) {", "for $i in 0..$n {", RANGE),
     sure(
         CODE | PARTS,
         "$f ( mesh/bm/geometry/geom , ",
