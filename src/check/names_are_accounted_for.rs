@@ -9,11 +9,11 @@
 //! not a pointer.
 
 use super::outside::beside;
-use super::problem::{Problem, Remedy, enumerate, is_or_are, join};
+use super::problem::{Problem, Remedy, enumerate, is_or_are};
 use super::remedies::{around, by_ends, insertions, unpaired};
 use super::stale::Stale;
 use super::unknown_names::Unknown;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, all_of};
 use crate::diagram::{Drawing, Edge, Kind, Loop, LoopKind, NameId, Ref};
 use crate::source::Span;
 
@@ -343,7 +343,7 @@ impl Law<'_> {
         let rule = drawing.rule;
         let names = edges.iter().flat_map(|(_, missing)| missing);
         let names: Vec<_> = names.map(|half| half.name).collect();
-        let twins = join(names.iter().map(|&name| format!("`{}.twin`", rule.name(name).text)));
+        let twins = all_of(names.iter().map(|&name| format!("`{}.twin`", rule.name(name).text)));
         let message = format!("{twins} {} not reassigned", is_or_are(names.len()));
         let place = |(edge, missing): &(&Edge, Vec<Ref>)| {
             let drawn = missing.iter().map(|half| half.span).reduce(Span::to);

@@ -1,6 +1,6 @@
 //! A broken law: the diagnostic, and what a repair has to know about it.
 
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, all_of};
 use crate::diagram::{NameId, Rule};
 use crate::source::Span;
 
@@ -52,17 +52,7 @@ impl From<Diagnostic> for Problem {
 
 /// Names in backticks as an enumeration: "`a`, `b` and `c`".
 pub(super) fn enumerate(rule: &Rule, names: &[NameId]) -> String {
-    join(names.iter().map(|&name| rule.quoted(name)))
-}
-
-/// Words as an enumeration: "x, y and z".
-pub(super) fn join(words: impl IntoIterator<Item = String>) -> String {
-    let words: Vec<_> = words.into_iter().collect();
-    match words.as_slice() {
-        [] => String::new(),
-        [one] => one.clone(),
-        [init @ .., last] => format!("{} and {last}", init.join(", ")),
-    }
+    all_of(names.iter().map(|&name| rule.quoted(name)))
 }
 
 /// "is" or "are".

@@ -4,9 +4,9 @@ use super::change::Change;
 use super::facts::Facts;
 use super::guard::Obligation;
 use super::keeps::left_to_test;
-use super::problem::{Problem, join};
+use super::problem::Problem;
 use super::properties::wrong_size;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, all_of};
 use crate::diagram::{Drawing, Level, Op, Property};
 
 /// The properties that `keeps` declares and the rule does not keep.
@@ -31,7 +31,7 @@ pub(super) fn broken_claims(op: &Op, drawing: &Drawing, facts: &Facts) -> Vec<Pr
                     Some("a hole may lose or gain vertices, or come or go".into())
                 }
                 Property::ConstantTime => {
-                    Some(format!("its time grows with {}", join(facts.grows_with.iter().cloned())))
+                    Some(format!("its time grows with {}", all_of(&facts.grows_with)))
                 }
             };
             match why {

@@ -5,9 +5,9 @@ use super::case::{Case, Step};
 use super::chain::vertex_after;
 use super::fan_repair::fan_names;
 use super::port::Port;
-use super::problem::{Problem, Remedy, enumerate, join};
+use super::problem::{Problem, Remedy, enumerate};
 use super::star_order::{Token, agrees};
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, all_of};
 use crate::diagram::{Drawing, Kind, NameId, Spoke};
 use crate::source::Span;
 
@@ -242,7 +242,7 @@ impl Case<'_> {
             let arcs =
                 cycle.iter().any(|step| matches!(step, Step::Arc(arc) if arc.lies != Lies::Empty));
             let outside = arcs.then(|| "spokes outside of the drawing".to_string());
-            join(drawn.into_iter().chain(outside))
+            all_of(drawn.into_iter().chain(outside))
         };
         let message = format!("{text} would split in two");
         let span = self.drawing.after.mention(vertex).unwrap_or(rule.after.span);

@@ -3,8 +3,8 @@
 //! It is tested before the laws: where the parameter is missing in the drawing, much else is
 //! missing with it, and would be reported instead.
 
-use super::problem::{Problem, join};
-use crate::diagnostic::{Diagnostic, Edit, Fix};
+use super::problem::Problem;
+use crate::diagnostic::{Diagnostic, Edit, Fix, all_of};
 use crate::diagram::{Drawing, Kind, NameId, Op, Type};
 use crate::source::Span;
 
@@ -26,7 +26,7 @@ pub(super) fn test(op: &Op, drawing: &Drawing) -> Vec<Problem> {
             .note(format!("name one that `before` draws: `op {}(e: edge)`", op.name));
         return vec![problem.into()];
     };
-    let words = join(elements.iter().map(|param| format!("`{}`", param.name)));
+    let words = all_of(elements.iter().map(|param| format!("`{}`", param.name)));
     let (parameter, it) = match elements.len() {
         1 => ("the parameter", "it"),
         _ => ("any of the parameters", "one"),

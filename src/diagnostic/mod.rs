@@ -9,8 +9,10 @@ mod data;
 mod explain;
 mod render;
 mod shown;
+mod words;
 
 pub use data::{Diagnostic, Edit, Fix, Label, Severity};
 pub use explain::{explain, explained};
 pub use render::{Rendering, render};
 pub use shown::shown;
+pub use words::{all_of, one_of};

@@ -1,6 +1,6 @@
 //! Calls of built-in functions: the overload is chosen by the types of the arguments.
 
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, one_of};
 use crate::diagram::{Access, Expr, ExprKind, Overload, Type, Wanted, overloads};
 use crate::source::Span;
 use crate::syntax::tree::{self, Ident};
@@ -13,7 +13,7 @@ use super::testing::mesh_maker;
 use super::typed::{to_real, typed};
 use super::typing::{Place, Typing};
 use super::vocabulary::signatures;
-use super::words::{a_type, arguments, either, subject};
+use super::words::{a_type, arguments, subject};
 
 /// How well a type fits a parameter.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -141,7 +141,7 @@ impl Typing<'_> {
         let error = Diagnostic::error("wrong-count", message, span);
         let error = match ways.is_empty() {
             true => error,
-            false => error.note(format!("it is {}", either(&ways))),
+            false => error.note(format!("it is {}", one_of(&ways))),
         };
         let is_distance = function.text == "length" && given == "2";
         self.report.add(match is_distance {
@@ -177,7 +177,7 @@ impl Typing<'_> {
                 let message = format!(
                     "`{}` wants {}, but {} is {}",
                     function.text,
-                    either(&words),
+                    one_of(&words),
                     subject(written),
                     a_type(value.ty)
                 );

@@ -22,18 +22,6 @@ pub(super) fn a_type(ty: Type) -> &'static str {
     }
 }
 
-/// `a, b or c`
-pub(super) fn either<S: AsRef<str>>(words: &[S]) -> String {
-    match words {
-        [] => String::new(),
-        [one] => one.as_ref().to_owned(),
-        [most @ .., last] => {
-            let most: Vec<&str> = most.iter().map(AsRef::as_ref).collect();
-            format!("{} or {}", most.join(", "), last.as_ref())
-        }
-    }
-}
-
 /// Each word in backticks, joined by commas.
 pub(super) fn quoted<S: AsRef<str>>(words: &[S]) -> String {
     let words: Vec<String> = words.iter().map(|w| format!("`{}`", w.as_ref())).collect();

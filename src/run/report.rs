@@ -1,9 +1,9 @@
 //! Running a prepared script, and the report on the run.
 
 use super::{Argument, Prepared};
-use crate::diagnostic::Diagnostic;
-use crate::mesh::{Level, Mesh, level_of_polygons, validate_level};
-use crate::rewrite::{Count, Machine, Message, Plan, Site, Trap, Watch};
+use crate::diagnostic::{Diagnostic, all_of};
+use crate::mesh::{ElementKind, Level, Mesh, level_of_polygons, validate_level};
+use crate::rewrite::{Count, Inst, Machine, Message, Plan, Site, Trap, Watch};
 use crate::source::Span;
 
 /// The report on a script.
@@ -79,7 +79,10 @@ pub(super) fn run_with(
     let report = report(prepared, machine.counts());
     match outcome {
         Ok(_) => Ok(report),
-        Err(trap) => Err(Box::new(Failure { diagnostic: diagnostic(prepared, trap), report })),
+        Err(trap) => {
+            let diagnostic = diagnostic(prepared, trap, machine.counts());
+            Err(Box::new(Failure { diagnostic, report }))
+        }
     }
 }
 
@@ -145,8 +148,8 @@ fn op_report(name: &str, plan: &Plan, count: &Count) -> OpReport {
 /// The greatest number of calls shown as labels of a failure.
 const MOST_CALLERS: usize = 8;
 
-/// The diagnostic of a trap, at the innermost place that is known.
-pub(crate) fn diagnostic(prepared: &Prepared, trap: Trap) -> Diagnostic {
+/// The diagnostic of a trap, at the innermost place that is known. `counts` are those of the run.
+pub(crate) fn diagnostic(prepared: &Prepared, trap: Trap, counts: &[Count]) -> Diagnostic {
     let known: Vec<(&Site, Span)> =
         trap.trace.iter().filter_map(|site| Some((site, span(prepared, site)?))).collect();
     let (first, calls) = match known.split_first() {
@@ -159,6 +162,7 @@ pub(crate) fn diagnostic(prepared: &Prepared, trap: Trap) -> Diagnostic {
             diagnostic = diagnostic.note(values.clone());
         }
         Message::BelowLevel { why, .. } => diagnostic = diagnostic.note(why.clone()),
+        Message::Gone(kind) => diagnostic.notes.extend(erased_by(prepared, *kind, counts)),
         _ => {}
     }
     let mut told = vec![first];
@@ -176,6 +180,25 @@ pub(crate) fn diagnostic(prepared: &Prepared, trap: Trap) -> Diagnostic {
         Some(name) => diagnostic.note(format!("it happened inside of `{name}`")),
         None => diagnostic,
     }
+}
+
+/// The operations that were applied in the run and erase elements of a kind.
+fn erased_by(prepared: &Prepared, kind: ElementKind, counts: &[Count]) -> Option<String> {
+    let is_applied = |op: usize| counts.get(op).is_some_and(|count| count.applied > 0);
+    let called = prepared.called.iter().zip(&prepared.names);
+    let ops = called.filter(|&(&op, _)| is_applied(op) && erases(&prepared.plans, op, kind));
+    let ops: Vec<_> = ops.map(|(_, name)| format!("`{name}`")).collect();
+    let erase = if ops.len() == 1 { "erases" } else { "erase" };
+    (!ops.is_empty()).then(|| format!("{} {erase} {}", all_of(ops), kind.plural()))
+}
+
+/// True if an operation, or one that its steps call, erases elements of a kind.
+fn erases(plans: &[Option<Plan>], op: usize, kind: ElementKind) -> bool {
+    let Some(Some(plan)) = plans.get(op) else { return false };
+    let erases_itself = |inst: &Inst| matches!(inst, Inst::Erase { kind: of, .. } if *of == kind);
+    let calls = plan.steps.iter().flat_map(|steps| &steps.calls);
+    plan.code.insts.iter().any(erases_itself)
+        || calls.into_iter().any(|&(called, _)| erases(plans, usize::from(called), kind))
 }
 
 fn plan<'p>(prepared: &'p Prepared, site: &Site) -> Option<&'p Plan> {

@@ -312,7 +312,7 @@ impl Session {
         match outcome {
             Ok(_) => Ok(report),
             Err(trap) => {
-                let diagnostic = run::diagnostic(prepared, trap);
+                let diagnostic = run::diagnostic(prepared, trap, self.engine.machine.counts());
                 Err(Error::failure(Failure { diagnostic, report }, &self.engine.program.0.sources))
             }
         }

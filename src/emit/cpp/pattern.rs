@@ -6,6 +6,7 @@
 use std::fmt;
 
 use super::super::reserved::is_keyword_of_cpp;
+use crate::diagnostic::all_of;
 
 /// The form of a pattern.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -168,8 +169,7 @@ impl fmt::Display for StyleError {
 }
 
 fn quoted(words: &[&str]) -> String {
-    let words: Vec<_> = words.iter().map(|word| format!("`{word}`")).collect();
-    words.join(" and ").replacen(" and ", ", ", words.len().saturating_sub(2))
+    all_of(words.iter().map(|word| format!("`{word}`")))
 }
 
 /// Checks that a text has the form of its pattern.

@@ -139,6 +139,21 @@ fn what_was_done_before_is_reported() {
 }
 
 #[test]
+fn a_use_of_what_is_erased_names_the_operations_that_erase() {
+    let notes = |text: &str| {
+        let failed = try_run(&mut shape::icosphere(1), text, &[]).unwrap_err();
+        assert_eq!(failed.diagnostic.code, "element-gone");
+        failed.diagnostic.notes
+    };
+    let body = "for e in edges { split(e)  flip(e)  collapse(e, 100.0)  print length(e) }";
+    let direct = format!("script main() {{ {body} }}");
+    assert_eq!(notes(&direct), ["`collapse` erases edges"]);
+    let nested = "op shorten(e: edge) { steps { collapse(e, 100.0) } }
+                  script main() { for e in edges { shorten(e)  print length(e) } }";
+    assert_eq!(notes(nested), ["`shorten` erases edges"]);
+}
+
+#[test]
 fn an_operation_that_is_not_proved_cannot_be_called() {
     let mut sources = Sources::new();
     let text = "op bad(e: edge) { before { edge e: a | b } after { } }
