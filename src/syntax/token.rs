@@ -1,11 +1,15 @@
 //! The tokens of the language, recognized by one automaton.
 //!
+//! Keywords are looked up after a word has been recognized, and what directly follows a number is
+//! recognized on its own: an automaton for all of this would have five times as many states, each
+//! of which takes time to compile.
+//!
 //! A [`Token`] is a kind and a span; its text is read from the source when it is needed. Keywords
 //! are not names, but the parser accepts some of them where no statement can begin: after a dot, as
 //! a type, and, for the few that are [soft](TokenKind::is_soft), as any name.
 
 use crate::source::Span;
-use logos::Logos;
+use logos::{Lexer, Logos};
 use std::fmt;
 
 /// A token and its place.
@@ -28,22 +32,21 @@ macro_rules! token_kinds {
         #[logos(skip r"[ \t\r\n\x0C\u{FEFF}]+")]
         #[repr(u8)]
         pub enum TokenKind {
-            $(#[token($word)] $keyword,)*
+            $($keyword,)*
             $(#[token($mark)] $name,)*
             /// A name, perhaps with primes.
-            #[regex(r"[\p{XID_Start}_]\p{XID_Continue}*'*", priority = 3)]
+            #[regex(r"[\p{XID_Start}_]\p{XID_Continue}*'*", TokenKind::of_word)]
             Word,
             /// `12`
-            #[regex(r"[0-9]+", priority = 5)]
+            #[regex(r"[0-9]+", |lexer| number(lexer, TokenKind::Int))]
             Int,
             /// `0.5`, `1e-3`
-            #[regex(r"[0-9]+\.[0-9]+([eE][+-]?[0-9]+)?", priority = 5)]
-            #[regex(r"[0-9]+[eE][+-]?[0-9]+", priority = 5)]
+            #[regex(
+                r"[0-9]+\.[0-9]+([eE][+-]?[0-9]+)?|[0-9]+[eE][+-]?[0-9]+",
+                |lexer| number(lexer, TokenKind::Real)
+            )]
             Real,
             /// A number directly followed by a name: `2x`.
-            #[regex(r"[0-9]+(\.[0-9]+)?\p{XID_Start}\p{XID_Continue}*", priority = 4)]
-            #[regex(r"[0-9]+(\.[0-9]+)?_\p{XID_Continue}*", priority = 4)]
-            #[regex(r"[0-9]+(\.[0-9]+)?[eE][+-]?[0-9]+\p{XID_Start}\p{XID_Continue}*", priority = 6)]
             BadNumber,
             /// A sign, comment, text or number in foreign syntax; no rule of the grammar accepts
             /// it.
@@ -51,7 +54,7 @@ macro_rules! token_kinds {
             #[regex(r"#[^\n]*", allow_greedy = true)]
             #[regex(r"/\*([^*]|\*+[^*/])*\*+/")]
             #[regex(r"'[^'\r\n]*'")]
-            #[regex(r"'[\p{XID_Start}_]\p{XID_Continue}*")]
+            #[regex(r"'", quote)]
             #[regex(r"“[^”\r\n]*”")]
             #[regex(r"\.[0-9]+")]
             Foreign,
@@ -79,6 +82,14 @@ macro_rules! token_kinds {
 
             /// The tokens of fixed spelling that are not words.
             pub const MARKS: &[(&str, Self)] = &[$(($mark, Self::$name)),*];
+
+            /// The keyword that is recognized, or a name.
+            fn of_word(lexer: &mut Lexer<'_, Self>) -> Self {
+                match lexer.slice() {
+                    $($word => Self::$keyword,)*
+                    _ => Self::Word,
+                }
+            }
 
             /// The spelling, where there is only one.
             pub fn spelling(self) -> Option<&'static str> {
@@ -118,6 +129,30 @@ token_kinds! {
         "+" Plus "-" Minus "*" Star "/" Slash
         "==" Equal "!=" NotEqual "<" Less "<=" LessEqual ">" Greater ">=" GreaterEqual
     }
+}
+
+/// A number of the given kind, unless it is directly followed by a word.
+fn number(lexer: &mut Lexer<'_, TokenKind>, kind: TokenKind) -> TokenKind {
+    if takes_word(lexer) { TokenKind::BadNumber } else { kind }
+}
+
+/// A word in foreign syntax, of which the quote is recognized.
+fn quote(lexer: &mut Lexer<'_, TokenKind>) -> Result<TokenKind, ()> {
+    if takes_word(lexer) { Ok(TokenKind::Foreign) } else { Err(()) }
+}
+
+/// Lengthens a token by the word that directly follows, if there is one.
+fn takes_word(lexer: &mut Lexer<'_, TokenKind>) -> bool {
+    let following = lexer.remainder();
+    if !following.starts_with(|c: char| c.is_alphabetic() || c == '_') {
+        return false;
+    }
+    let mut word = TokenKind::lexer(following);
+    let is_word = word.next().is_some_and(|kind| kind.is_ok_and(TokenKind::is_wordlike));
+    if is_word {
+        lexer.bump(word.slice().len());
+    }
+    is_word
 }
 
 impl TokenKind {
