@@ -1,6 +1,5 @@
 //! The client: its capabilities and its settings.
 
-use gen_lsp_types::{ClientCapabilities, InitializeParams};
 use serde::Deserialize;
 use serde_json::Value;
 
@@ -11,8 +10,8 @@ use super::position::Encoding;
 pub(super) struct Client {
     /// The unit that a column counts.
     pub(super) encoding: Encoding,
-    /// Its capabilities.
-    pub(super) can: ClientCapabilities,
+    /// Its capabilities, of which few are asked for.
+    capabilities: Value,
     /// The settings it asks for.
     pub(super) settings: Settings,
     /// True if it is known to draw the images of a hover.
@@ -69,18 +68,25 @@ const DRAWING_CLIENTS: [&str; 6] =
     ["visual studio code", "code - oss", "vscod", "code-server", "monaco", "codemirror"];
 
 impl Client {
-    pub(super) fn new(params: &InitializeParams) -> Self {
-        let general = params.capabilities.general.as_ref();
-        let offered = general.and_then(|general| general.position_encodings.as_deref());
-        let name = params.client_info.as_ref().map(|info| info.name.to_lowercase());
-        let name = name.unwrap_or_default();
-        let options = params.initialization_options.as_ref();
+    /// The client that says this of itself in `initialize`. What is missing or malformed counts as
+    /// absent.
+    pub(super) fn new(hello: &Value) -> Self {
+        let name = hello.pointer("/clientInfo/name").and_then(Value::as_str);
+        let name = name.unwrap_or_default().to_lowercase();
+        let options = hello.get("initializationOptions");
+        let capabilities = hello.get("capabilities").cloned().unwrap_or_default();
+        let encodings: Vec<&str> = words(&capabilities, "/general/positionEncodings").collect();
         Self {
-            encoding: Encoding::agreed(offered.unwrap_or_default()),
-            can: params.capabilities.clone(),
+            encoding: Encoding::agreed(&encodings),
             settings: options.map(Settings::read).unwrap_or_default(),
             draws_images: DRAWING_CLIENTS.iter().any(|known| name.contains(known)),
+            capabilities,
         }
+    }
+
+    /// True if the client has the capability at a path.
+    fn can(&self, path: &str) -> bool {
+        self.capabilities.pointer(path).and_then(Value::as_bool).unwrap_or(false)
     }
 
     /// True if a hover shows an image.
@@ -95,61 +101,53 @@ impl Client {
     /// True if the client shows published diagnostics. Most clients that can also request them
     /// would show them all twice.
     pub(super) fn shows_published(&self) -> bool {
-        let text = self.can.text_document.as_ref();
-        text.is_some_and(|text| text.publish_diagnostics.is_some())
+        let published = self.capabilities.pointer("/textDocument/publishDiagnostics");
+        published.is_some_and(Value::is_object)
     }
 
     /// True if a hover may be Markdown.
     pub(super) fn reads_markdown(&self) -> bool {
-        let hover = self.can.text_document.as_ref().and_then(|can| can.hover.as_ref());
-        let formats = hover.and_then(|hover| hover.content_format.as_ref());
-        formats.is_some_and(|formats| formats.contains(&gen_lsp_types::MarkupKind::Markdown))
+        words(&self.capabilities, "/textDocument/hover/contentFormat").any(|it| it == "markdown")
     }
 
     /// True if completions may have placeholders.
     pub(super) fn takes_snippets(&self) -> bool {
-        let text = self.can.text_document.as_ref();
-        let completion = text.and_then(|text| text.completion.as_ref());
-        let item = completion.and_then(|completion| completion.completion_item.as_ref());
-        item.and_then(|item| item.snippet_support).unwrap_or(false)
+        self.can("/textDocument/completion/completionItem/snippetSupport")
     }
 
     /// True if the server may show progress of its own.
     pub(super) fn shows_progress(&self) -> bool {
-        let window = self.can.window.as_ref();
-        window.and_then(|window| window.work_done_progress).unwrap_or(false)
+        self.can("/window/workDoneProgress")
     }
 
     /// True if the client opens a page when it is asked to.
     pub(super) fn shows_documents(&self) -> bool {
-        let window = self.can.window.as_ref();
-        window.and_then(|window| window.show_document.as_ref()).is_some_and(|show| show.support)
+        self.can("/window/showDocument/support")
     }
 
     /// True if symbols may be nested.
     pub(super) fn nests_symbols(&self) -> bool {
-        let text = self.can.text_document.as_ref();
-        let symbols = text.and_then(|text| text.document_symbol.as_ref());
-        symbols.and_then(|symbols| symbols.hierarchical_document_symbol_support).unwrap_or(false)
+        self.can("/textDocument/documentSymbol/hierarchicalDocumentSymbolSupport")
     }
 
     /// True if a change may say which version of a document it is about.
     pub(super) fn takes_versioned_edits(&self) -> bool {
-        let workspace = self.can.workspace.as_ref();
-        let edit = workspace.and_then(|workspace| workspace.workspace_edit.as_ref());
-        edit.and_then(|edit| edit.document_changes).unwrap_or(false)
+        self.can("/workspace/workspaceEdit/documentChanges")
     }
 
     /// True if the client can be asked for its settings.
     pub(super) fn has_configuration(&self) -> bool {
-        let workspace = self.can.workspace.as_ref();
-        workspace.and_then(|workspace| workspace.configuration).unwrap_or(false)
+        self.can("/workspace/configuration")
     }
 
     /// True if the client can be asked to watch files.
     pub(super) fn watches_files(&self) -> bool {
-        let workspace = self.can.workspace.as_ref();
-        let watched = workspace.and_then(|workspace| workspace.did_change_watched_files.as_ref());
-        watched.and_then(|watched| watched.dynamic_registration).unwrap_or(false)
+        self.can("/workspace/didChangeWatchedFiles/dynamicRegistration")
     }
+}
+
+/// The words of the list at a path.
+fn words<'v>(value: &'v Value, path: &str) -> impl Iterator<Item = &'v str> {
+    let list = value.pointer(path).and_then(Value::as_array);
+    list.into_iter().flatten().filter_map(Value::as_str)
 }

@@ -1,7 +1,7 @@
 //! Initialization: the capabilities of the server.
 
 use gen_lsp_types::*;
-use serde_json::{Value, json};
+use serde_json::Value;
 
 use super::client::Client;
 use super::lenses::{RUN_SCRIPT, RUN_TEST, SHOW_DIAGRAM};
@@ -10,15 +10,10 @@ use super::tokens::{MODIFIERS, TYPES};
 use super::workspace::Workspace;
 
 impl Server {
-    /// Answers `initialize`. Parameters that are missing or `null` count as absent.
-    pub(super) fn initialize(&mut self, mut params: Value) -> InitializeResult {
-        if let Value::Object(fields) = &mut params {
-            fields.retain(|_, value| !value.is_null());
-            fields.entry("capabilities").or_insert_with(|| json!({}));
-        }
-        self.workspace = Workspace::new(&params);
-        let params: InitializeParams = serde_json::from_value(params).unwrap_or_default();
-        self.client = Client::new(&params);
+    /// Answers `initialize`.
+    pub(super) fn initialize(&mut self, hello: &Value) -> InitializeResult {
+        self.workspace = Workspace::new(hello);
+        self.client = Client::new(hello);
         self.stage = Stage::Ready;
         InitializeResult {
             capabilities: self.capabilities(),

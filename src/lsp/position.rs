@@ -19,17 +19,11 @@ pub enum Encoding {
 }
 
 impl Encoding {
-    /// The encoding for a client that offers these: UTF-8 if possible.
-    pub fn agreed(offered: &[PositionEncodingKind]) -> Self {
-        if offered.contains(&PositionEncodingKind::UTF8) {
-            Self::Utf8
-        } else if offered.contains(&PositionEncodingKind::UTF16) || offered.is_empty() {
-            Self::Utf16
-        } else if offered.contains(&PositionEncodingKind::UTF32) {
-            Self::Utf32
-        } else {
-            Self::Utf16
-        }
+    /// The encoding for a client that offers these, by the protocol's words: UTF-8 if possible.
+    pub fn agreed(offered: &[&str]) -> Self {
+        let known = [("utf-8", Self::Utf8), ("utf-16", Self::Utf16), ("utf-32", Self::Utf32)];
+        let found = known.into_iter().find(|(word, _)| offered.contains(word));
+        found.map_or(Self::Utf16, |(_, encoding)| encoding)
     }
 
     /// The protocol's word for it.

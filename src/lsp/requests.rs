@@ -40,7 +40,7 @@ impl Server {
         let method = request.method.clone();
         match Method::from(method.as_str()) {
             Method::Initialize => {
-                let answer = self.initialize(request.params);
+                let answer = self.initialize(&request.params);
                 Response::new_ok(request.id, answer)
             }
             Method::Shutdown => {
