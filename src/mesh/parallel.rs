@@ -86,7 +86,9 @@ pub(crate) fn cut(count: usize, parts: usize) -> Vec<Range<usize>> {
 pub(crate) fn map<I: Send, T: Send>(items: Vec<I>, work: impl Fn(I) -> T + Sync + Send) -> Vec<T> {
     #[cfg(feature = "threads")]
     if items.len() > 1 && threads() > 1 {
-        return pool::within(|| items.into_par_iter().with_max_len(1).map(work).collect());
+        let mut results: Vec<Option<T>> = items.iter().map(|_| None).collect();
+        pool::beside(|scope| start(scope, items, &mut results, &work), || ());
+        return results.into_iter().flatten().collect();
     }
     items.into_iter().map(work).collect()
 }
@@ -133,21 +135,29 @@ pub(crate) fn in_order<I: Send, T: Send, E>(
         let mut some = || -> Vec<I> { items.by_ref().take(4 * threads()).collect() };
         let (mut now, mut ready): (_, Vec<T>) = (some(), Vec::new());
         while !now.is_empty() || !ready.is_empty() {
-            let mut answers: Vec<Option<T>> = now.iter().map(|_| None).collect();
+            let mut results: Vec<Option<T>> = now.iter().map(|_| None).collect();
             now = pool::beside(
-                |scope| {
-                    for (item, answer) in now.into_iter().zip(&mut answers) {
-                        let work = &work;
-                        scope.spawn(move |_| *answer = Some(work(item)));
-                    }
-                },
+                |scope| start(scope, now, &mut results, &work),
                 || ready.drain(..).try_for_each(&mut take).map(|()| some()),
             )?;
-            ready.extend(answers.into_iter().flatten());
+            ready.extend(results.into_iter().flatten());
         }
         return Ok(());
     }
     items.try_for_each(|item| take(work(item)))
+}
+
+/// Starts work on all items; the results are complete when the scope ends.
+#[cfg(feature = "threads")]
+fn start<'s, I: Send + 's, T: Send>(
+    scope: &rayon::Scope<'s>,
+    items: Vec<I>,
+    results: &'s mut [Option<T>],
+    work: &'s (impl Fn(I) -> T + Sync),
+) {
+    for (item, result) in items.into_iter().zip(results) {
+        scope.spawn(move |_| *result = Some(work(item)));
+    }
 }
 
 /// The concatenated parts.

@@ -180,7 +180,7 @@ impl Facts {
     }
 
     fn forget_written(&mut self, inst: &Inst, surroundings: &Surroundings) {
-        surroundings.each_operand(inst, |operand| {
+        surroundings.each_operand(inst, &mut |operand| {
             if operand.used != Use::Read {
                 for reg in operand.registers() {
                     if self.of(reg).kind == Some(ElementKind::Halfedge) {

@@ -86,12 +86,12 @@ impl<'a> Liveness<'a> {
             }
             see(at, &now);
             let surroundings = self.surroundings;
-            surroundings.each_operand(inst, |operand| {
+            surroundings.each_operand(inst, &mut |operand| {
                 if operand.used == Use::Write {
                     operand.registers().for_each(|reg| now.remove(reg));
                 }
             });
-            surroundings.each_operand(inst, |operand| {
+            surroundings.each_operand(inst, &mut |operand| {
                 if operand.used != Use::Write {
                     operand.registers().for_each(|reg| now.add(reg));
                 }

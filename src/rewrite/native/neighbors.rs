@@ -84,7 +84,7 @@ impl NeighborLoop {
         // the middle.
         let is_free = |inst: &Inst| {
             let mut is_free = !matches!(inst, Inst::Turn { .. } | Inst::Tick);
-            surroundings.each_operand(inst, |operand| {
+            surroundings.each_operand(inst, &mut |operand| {
                 is_free &= !operand.registers().any(|reg| [from, at, turns].contains(&reg));
             });
             is_free

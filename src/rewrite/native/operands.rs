@@ -135,7 +135,7 @@ impl Surroundings<'_> {
     }
 
     /// Calls `tell` with each operand of an instruction, in any order.
-    pub(super) fn each_operand(&self, inst: &Inst, mut tell: impl FnMut(Operand)) {
+    pub(super) fn each_operand(&self, inst: &Inst, tell: &mut dyn FnMut(Operand)) {
         use Class::{Any, Real, Whole};
         let mut tell = |used: Use, class: Class, first: Reg, width: u16| {
             tell(Operand { used, first, width, class });

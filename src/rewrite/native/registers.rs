@@ -16,7 +16,7 @@ use crate::rewrite::{Inst, Reg};
 impl Translator<'_, '_> {
     pub(super) fn spill_operands(&mut self, inst: &Inst) {
         let mut read: Vec<Operand> = Vec::new();
-        self.text.surroundings.each_operand(inst, |operand| {
+        self.text.surroundings.each_operand(inst, &mut |operand| {
             if operand.used != Use::Write {
                 read.push(operand);
             }
@@ -27,7 +27,7 @@ impl Translator<'_, '_> {
     /// Writes the registers that an instruction only reads to the window.
     pub(super) fn spill_read(&mut self, inst: &Inst) {
         let mut read: Vec<Operand> = Vec::new();
-        self.text.surroundings.each_operand(inst, |operand| {
+        self.text.surroundings.each_operand(inst, &mut |operand| {
             if operand.used == Use::Read {
                 read.push(operand);
             }
@@ -37,7 +37,7 @@ impl Translator<'_, '_> {
 
     pub(super) fn reload_written(&mut self, inst: &Inst) {
         let mut written = Vec::new();
-        self.text.surroundings.each_operand(inst, |operand| {
+        self.text.surroundings.each_operand(inst, &mut |operand| {
             if operand.used != Use::Read {
                 written.extend(operand.registers());
             }
@@ -171,7 +171,7 @@ impl Translator<'_, '_> {
 pub(super) fn reals(insts: &[Inst], registers: usize, surroundings: &Surroundings) -> Vec<bool> {
     let mut votes = vec![(false, false); registers];
     for inst in insts {
-        surroundings.each_operand(inst, |operand| {
+        surroundings.each_operand(inst, &mut |operand| {
             for reg in operand.registers() {
                 if let Some((real, whole)) = votes.get_mut(usize::from(reg.0)) {
                     *real |= operand.class == Class::Real;

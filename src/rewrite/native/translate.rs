@@ -282,7 +282,7 @@ impl<'a, 'f> Translator<'a, 'f> {
                 // A part reads the registers that it needs from the window.
                 let mut read = vec![false; self.variables.len()];
                 for inst in &part.code.insts {
-                    surroundings.each_operand(inst, |operand| {
+                    surroundings.each_operand(inst, &mut |operand| {
                         for reg in operand.registers().filter(|_| operand.used != Use::Write) {
                             if let Some(read) = read.get_mut(usize::from(reg.0)) {
                                 *read = true;
