@@ -14,7 +14,7 @@ use crate::analysis::read_program;
 use crate::emit::{NotEmitted, Selection, Style, cpp, rust};
 use crate::library;
 use crate::mesh::Level;
-use crate::rewrite::{Cell, Phase, Plan, Row, Stage, Steps};
+use crate::rewrite::{Cell, Plan, Refusal, Row, Stage, Steps};
 
 /// Shows operations as pointer assignments: as a table, as data, or as code.
 pub(super) fn plan(arguments: &PlanArguments) -> Result<(), Failure> {
@@ -199,20 +199,8 @@ fn data(
             result: plan.result.map(|kind| kind.name()),
             level: plan.level.name(),
             calls: plan.steps.as_ref().map(|steps| called(steps, program)),
-            rules: plan.stages.iter().map(|stage| RuleData::of(stage, exhaustive)).collect(),
-            refusals: plan
-                .refusals
-                .iter()
-                .map(|refusal| RefusalData {
-                    reason: &refusal.reason,
-                    phase: match refusal.phase {
-                        Phase::Match => "match",
-                        Phase::Require => "require",
-                        Phase::Guard => "guard",
-                        Phase::Evaluate => "evaluate",
-                    },
-                })
-                .collect(),
+            rules: plan.stages.iter().map(|stage| shown(stage, exhaustive)).collect(),
+            refusals: &plan.refusals,
         }
     });
     let plans = Plans { plans: plans.collect() };
@@ -231,8 +219,8 @@ struct PlanData<'a> {
     result: Option<&'static str>,
     level: &'static str,
     calls: Option<Vec<&'a str>>,
-    rules: Vec<RuleData<'a>>,
-    refusals: Vec<RefusalData<'a>>,
+    rules: Vec<Stage>,
+    refusals: &'a [Refusal],
 }
 
 #[derive(Serialize)]
@@ -242,57 +230,13 @@ struct ParamData<'a> {
     kind: &'static str,
 }
 
-#[derive(Serialize)]
-struct RuleData<'a> {
-    rule: Option<&'a str>,
-    collect: Vec<RowData<'a>>,
-    allocate: Vec<RowData<'a>>,
-    reassign: Vec<RowData<'a>>,
-    erase: Vec<RowData<'a>>,
-}
-
-#[derive(Serialize)]
-struct RefusalData<'a> {
-    reason: &'a str,
-    phase: &'static str,
-}
-
-#[derive(Serialize)]
-struct RowData<'a> {
-    #[serde(flatten)]
-    cell: CellData<'a>,
-    executed: bool,
-}
-
-#[derive(Serialize)]
-#[serde(tag = "kind", rename_all = "lowercase")]
-enum CellData<'a> {
-    Set { target: &'a str, value: &'a str },
-    Test { claim: &'a str, reason: &'a str },
-    Note { text: &'a str },
-}
-
-impl<'a> RuleData<'a> {
-    fn of(stage: &'a Stage, exhaustive: bool) -> Self {
-        let rows = |rows: &'a [Row]| {
-            let row = |row: &'a Row| RowData {
-                cell: match &row.cell {
-                    Cell::Set { target, value } => CellData::Set { target, value },
-                    Cell::Test { claim, reason } => CellData::Test { claim, reason },
-                    Cell::Note(text) => CellData::Note { text },
-                },
-                executed: row.executed,
-            };
-            rows.iter().filter(|row| exhaustive || !is_outside(row)).map(row).collect()
-        };
-        Self {
-            rule: stage.rule.as_deref(),
-            collect: rows(&stage.collect),
-            allocate: rows(&stage.allocate),
-            reassign: rows(&stage.reassign),
-            erase: rows(&stage.erase),
-        }
+/// A rule with the rows that are shown.
+fn shown(stage: &Stage, exhaustive: bool) -> Stage {
+    let mut stage = stage.clone();
+    for rows in [&mut stage.collect, &mut stage.allocate, &mut stage.reassign, &mut stage.erase] {
+        rows.retain(|row| exhaustive || !is_outside(row));
     }
+    stage
 }
 
 /// The four phases of every rule.
@@ -349,6 +293,6 @@ fn cells(row: &Row) -> Vec<String> {
         Cell::Test { claim, reason } => {
             vec![format!("{mark}test {claim}"), format!("else refuse: {reason}")]
         }
-        Cell::Note(note) => vec![format!("{mark}{note}")],
+        Cell::Note { text } => vec![format!("{mark}{text}")],
     }
 }

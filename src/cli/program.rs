@@ -2,13 +2,12 @@
 
 use std::path::Path;
 
-use strsim::damerau_levenshtein;
-
 use super::failure::Failure;
 use super::output::complain;
 use crate::analysis::{Analysis, Disk, meant, read_program};
 use crate::library;
 use crate::mesh::{FileFormat, Level};
+use crate::resolve::closest;
 use crate::rewrite::Plan;
 use crate::run::prepare;
 use crate::source::{Sources, Span};
@@ -246,8 +245,7 @@ fn find(
         return Err(Failure::usage(format!("the file has no {what}")));
     }
     let names = || known.iter().map(|candidate| candidate.name);
-    let near = names().min_by_key(|known| damerau_levenshtein(name, known));
-    let near = near.filter(|near| damerau_levenshtein(name, near) <= name.chars().count() / 3);
+    let near = closest(name, names());
     let near = near.or_else(|| names().find(|known| known.split('_').any(|word| word == name)));
     let advice = match near {
         Some(near) => format!("did you mean `{near}`?"),

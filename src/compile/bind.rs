@@ -14,7 +14,7 @@ impl Collect<'_, '_, '_, '_> {
         match step {
             Step::Given(name) => {
                 let text = &self.drawing.rule.name(*name).text;
-                self.row(Cell::Note(format!("{text} is given")));
+                self.row(Cell::Note { text: format!("{text} is given") });
             }
             Step::Begin(begin) => self.attempt(begin),
             Step::Walk(walk) => self.walk(walk),

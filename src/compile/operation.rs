@@ -184,6 +184,6 @@ fn erase(
             registers.end_index_loop(asm, indices);
         }
         let word = &rule.name(name).text;
-        rows.push(Row { cell: Cell::Note(format!("erase {word}")), executed: true });
+        rows.push(Row { cell: Cell::Note { text: format!("erase {word}") }, executed: true });
     }
 }

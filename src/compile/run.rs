@@ -19,7 +19,7 @@ impl Collect<'_, '_, '_, '_> {
         for fan in drawing.moved_fans().filter(first) {
             runs[fan.index()] = Some(self.collect_run(fan, Self::collect_fan));
             let text = &rule.name(fan).text;
-            self.row(Cell::Note(format!("collect the spokes of {text}")));
+            self.row(Cell::Note { text: format!("collect the spokes of {text}") });
         }
         runs
     }
@@ -27,7 +27,7 @@ impl Collect<'_, '_, '_, '_> {
     /// Collects the halfedges of a path.
     pub(super) fn collect_path(&mut self, path: NameId) -> Run {
         let text = &self.drawing.rule.name(path).text;
-        self.row(Cell::Note(format!("collect the halfedges of {text}")));
+        self.row(Cell::Note { text: format!("collect the halfedges of {text}") });
         self.collect_run(path, Self::collect_one_path)
     }
 

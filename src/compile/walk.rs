@@ -20,7 +20,7 @@ impl Collect<'_, '_, '_, '_> {
         let text = &rule.name(orbit.orbit).text;
         let words = orbit.families.iter().map(|&(half, _)| rule.name(half).text.as_str());
         let words = words.collect::<Vec<_>>().join(", ");
-        self.row(Cell::Note(format!("walk once {around} {text}: {words} at each index")));
+        self.row(Cell::Note { text: format!("walk once {around} {text}: {words} at each index") });
         let from = self.registers.begin(&mut self.output.asm, orbit.families[0].0);
         let buffer = self.buffer();
         self.output.asm.emit(Inst::Collect { walk, buffer, from, until: from, whole: true });

@@ -47,64 +47,28 @@ impl Server {
                 self.stage = Stage::ShutDown;
                 Response::new_ok(request.id, Value::Null)
             }
-            Method::TextDocumentDiagnostic => {
-                self.reply::<DocumentDiagnosticRequest>(request, Self::pull)
-            }
-            Method::TextDocumentHover => self.reply::<HoverRequest>(request, Self::hover),
-            Method::TextDocumentDefinition => {
-                self.reply::<DefinitionRequest>(request, Self::definition)
-            }
-            Method::TextDocumentReferences => {
-                self.reply::<ReferencesRequest>(request, Self::references)
-            }
-            Method::TextDocumentDocumentHighlight => {
-                self.reply::<DocumentHighlightRequest>(request, Self::highlight)
-            }
-            Method::TextDocumentPrepareRename => {
-                self.reply::<PrepareRenameRequest>(request, Self::prepare_rename)
-            }
-            Method::TextDocumentRename => self.reply::<RenameRequest>(request, Self::rename),
-            Method::TextDocumentDocumentSymbol => {
-                self.reply::<DocumentSymbolRequest>(request, Self::document_symbols)
-            }
-            Method::WorkspaceSymbol => {
-                self.reply::<WorkspaceSymbolRequest>(request, Self::workspace_symbols)
-            }
-            Method::TextDocumentFoldingRange => {
-                self.reply::<FoldingRangeRequest>(request, Self::folding)
-            }
-            Method::TextDocumentSelectionRange => {
-                self.reply::<SelectionRangeRequest>(request, Self::selection)
-            }
-            Method::TextDocumentSemanticTokensFull => {
-                self.reply::<SemanticTokensRequest>(request, Self::tokens)
-            }
-            Method::TextDocumentSemanticTokensRange => {
-                self.reply::<SemanticTokensRangeRequest>(request, Self::tokens_of_range)
-            }
-            Method::TextDocumentInlayHint => self.reply::<InlayHintRequest>(request, Self::hints),
-            Method::TextDocumentDocumentLink => {
-                self.reply::<DocumentLinkRequest>(request, Self::links)
-            }
-            Method::TextDocumentCodeAction => {
-                self.reply::<CodeActionRequest>(request, Self::actions)
-            }
-            Method::TextDocumentCompletion => {
-                self.reply::<CompletionRequest>(request, Self::completion)
-            }
-            Method::TextDocumentSignatureHelp => {
-                self.reply::<SignatureHelpRequest>(request, Self::signature)
-            }
-            Method::TextDocumentCodeLens => self.reply::<CodeLensRequest>(request, Self::lenses),
-            Method::WorkspaceExecuteCommand => {
-                self.reply::<ExecuteCommandRequest>(request, Self::execute)
-            }
-            Method::TextDocumentFormatting => {
-                self.reply::<DocumentFormattingRequest>(request, Self::format)
-            }
-            Method::TextDocumentRangeFormatting => {
-                self.reply::<DocumentRangeFormattingRequest>(request, Self::format_range)
-            }
+            Method::TextDocumentDiagnostic => self.respond(request, Self::pull),
+            Method::TextDocumentHover => self.respond(request, Self::hover),
+            Method::TextDocumentDefinition => self.respond(request, Self::definition),
+            Method::TextDocumentReferences => self.respond(request, Self::references),
+            Method::TextDocumentDocumentHighlight => self.respond(request, Self::highlight),
+            Method::TextDocumentPrepareRename => self.respond(request, Self::prepare_rename),
+            Method::TextDocumentRename => self.respond(request, Self::rename),
+            Method::TextDocumentDocumentSymbol => self.respond(request, Self::document_symbols),
+            Method::WorkspaceSymbol => self.respond(request, Self::workspace_symbols),
+            Method::TextDocumentFoldingRange => self.respond(request, Self::folding),
+            Method::TextDocumentSelectionRange => self.respond(request, Self::selection),
+            Method::TextDocumentSemanticTokensFull => self.respond(request, Self::tokens),
+            Method::TextDocumentSemanticTokensRange => self.respond(request, Self::tokens_of_range),
+            Method::TextDocumentInlayHint => self.respond(request, Self::hints),
+            Method::TextDocumentDocumentLink => self.respond(request, Self::links),
+            Method::TextDocumentCodeAction => self.respond(request, Self::actions),
+            Method::TextDocumentCompletion => self.respond(request, Self::completion),
+            Method::TextDocumentSignatureHelp => self.respond(request, Self::signature),
+            Method::TextDocumentCodeLens => self.respond(request, Self::lenses),
+            Method::WorkspaceExecuteCommand => self.respond(request, Self::execute),
+            Method::TextDocumentFormatting => self.respond(request, Self::format),
+            Method::TextDocumentRangeFormatting => self.respond(request, Self::format_range),
             Method::Custom("hedgerow/diagram") => self.respond(request, Self::diagram),
             _ => Response::new_err(
                 request.id,
@@ -112,14 +76,6 @@ impl Server {
                 format!("`{method}` is not known here"),
             ),
         }
-    }
-
-    fn reply<Q: Question>(
-        &mut self,
-        request: Request,
-        answer: fn(&mut Self, Q::Params) -> Answer<Q>,
-    ) -> Response {
-        self.respond(request, answer)
     }
 
     fn respond<P: DeserializeOwned, R: Serialize>(

@@ -7,8 +7,11 @@
 
 use std::fmt;
 
+use serde::Deserialize;
+
 /// The kinds of elements of a halfedge mesh.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum ElementKind {
     Vertex,
     Halfedge,
@@ -119,8 +122,8 @@ impl HalfedgeId {
 /// The number of ids that a kind can have: all of `u32` but the two reserved.
 pub(super) const ID_SPACE: usize = u32::MAX as usize - 1;
 
-/// An element of any kind, for messages.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+/// An element of any kind.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Deserialize)]
 pub struct Element {
     pub kind: ElementKind,
     pub index: u32,

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use serde::Deserialize;
 use serde_json::Value;
 
-use crate::mesh::{Element, ElementKind};
+use crate::mesh::Element;
 
 /// A question to a workbench.
 #[derive(Debug, Deserialize)]
@@ -42,14 +42,14 @@ pub(super) enum Ask {
     /// The elements that the names of an operation stand for at a place.
     Names {
         op: String,
-        element: At,
+        element: Element,
         #[serde(default)]
         given: Given,
     },
     /// Applies an operation at an element.
     Apply {
         op: String,
-        element: At,
+        element: Element,
         #[serde(default)]
         given: Given,
     },
@@ -81,34 +81,6 @@ pub(super) enum Ask {
 
 /// The arguments of a call, by name.
 pub(super) type Given = BTreeMap<String, Value>;
-
-/// An element of the mesh.
-#[derive(Clone, Copy, Debug, Deserialize)]
-pub(super) struct At {
-    kind: Kind,
-    index: u32,
-}
-
-#[derive(Clone, Copy, Debug, Deserialize)]
-#[serde(rename_all = "lowercase")]
-enum Kind {
-    Vertex,
-    Halfedge,
-    Edge,
-    Face,
-}
-
-impl From<At> for Element {
-    fn from(at: At) -> Self {
-        let kind = match at.kind {
-            Kind::Vertex => ElementKind::Vertex,
-            Kind::Halfedge => ElementKind::Halfedge,
-            Kind::Edge => ElementKind::Edge,
-            Kind::Face => ElementKind::Face,
-        };
-        Element { kind, index: at.index }
-    }
-}
 
 /// The forms in which operations are shown.
 #[derive(Clone, Copy, Debug, Deserialize)]

@@ -61,6 +61,6 @@ fn row(row: &Row) -> Value {
     match &row.cell {
         Cell::Set { target, value } => json!([target, value, executed]),
         Cell::Test { claim, .. } => json!([claim, null, executed]),
-        Cell::Note(words) => json!([words, null, executed]),
+        Cell::Note { text } => json!([text, null, executed]),
     }
 }

@@ -120,8 +120,8 @@ impl Workbench {
             }
             Ask::View { attribute } => Ok(view(self.session.mesh(), attribute.as_deref())),
             Ask::Places { op, given } => self.places(&op, &given),
-            Ask::Names { op, element, given } => self.names(&op, element.into(), &given),
-            Ask::Apply { op, element, given } => self.apply(&op, element.into(), &given),
+            Ask::Names { op, element, given } => self.names(&op, element, &given),
+            Ask::Apply { op, element, given } => self.apply(&op, element, &given),
             Ask::Run { script, given } => self.run(&script, &given, host),
             Ask::Seek { to } => self.seek(to, host),
             Ask::Undo => Ok(self.travel(Past::undo)),

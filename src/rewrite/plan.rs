@@ -2,6 +2,8 @@
 
 use std::sync::Arc;
 
+use serde::Serialize;
+
 use super::{Code, Reg, Steps};
 use crate::mesh::{ElementKind, Level};
 use crate::source::Span;
@@ -68,7 +70,7 @@ impl Plan {
 }
 
 /// The reason why an op can refuse.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize)]
 pub struct Refusal {
     /// The reason as text: "`f0` is a hole".
     pub reason: String,
@@ -78,7 +80,8 @@ pub struct Refusal {
 }
 
 /// The phase that an attempt reached.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Phase {
     /// The diagram does not match.
     Match,
@@ -91,7 +94,7 @@ pub enum Phase {
 }
 
 /// One alternative in four phases.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Stage {
     /// The name of the alternative.
     pub rule: Option<String>,
@@ -106,16 +109,18 @@ pub struct Stage {
 }
 
 /// A line of the table.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Row {
     /// The parts: `a.next`, `=`, `c`.
+    #[serde(flatten)]
     pub cell: Cell,
     /// Whether the code does this; a store that provably changes nothing is left out.
     pub executed: bool,
 }
 
 /// A cell of a line.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[serde(tag = "kind", rename_all = "lowercase")]
 pub enum Cell {
     /// `target = value`
     Set {
@@ -132,7 +137,10 @@ pub enum Cell {
         reason: String,
     },
     /// Anything else, in words.
-    Note(String),
+    Note {
+        /// The words.
+        text: String,
+    },
 }
 
 impl Cell {

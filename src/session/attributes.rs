@@ -76,10 +76,6 @@ impl Session {
         );
         self.wrong("wrong-argument", message)
     }
-
-    fn wrong(&self, code: &'static str, message: String) -> Error {
-        Error::nowhere(code, message, &self.engine.program.0.sources)
-    }
 }
 
 /// The default for new elements of an attribute that no program declares.

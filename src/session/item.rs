@@ -3,7 +3,7 @@
 use std::fmt;
 use std::sync::Arc;
 
-use super::{Error, Program};
+use super::{Error, Program, Reason};
 use crate::analysis;
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Param, Type};
@@ -147,6 +147,14 @@ impl Op {
             let reasons = refusals.iter().map(|refusal| refusal.reason.as_str());
             reasons.chain([UNKNOWN_REASON]).map(Arc::from).collect()
         })
+    }
+
+    /// The reason of a refusal by its number; the last one if that is unknown.
+    pub(super) fn reason(&self, number: Option<u16>) -> Reason {
+        let reasons = self.reasons();
+        let unknown = reasons.len() - 1;
+        let number = number.map_or(unknown, usize::from).min(unknown);
+        Reason { number, text: Arc::clone(&reasons[number]) }
     }
 }
 

@@ -55,8 +55,8 @@ impl Session {
         mut with: impl FnMut(&mut Self, Bookmark, Known),
     ) -> Result<(), Error> {
         let Some(at) = self.marks.open.iter().position(|(open, ..)| *open == mark) else {
-            let message = "this mark has ended, or belongs to another session".to_owned();
-            return Err(Error::nowhere("unknown-mark", message, &self.engine.program.0.sources));
+            let message = "this mark has ended, or belongs to another session";
+            return Err(self.wrong("unknown-mark", message));
         };
         while self.marks.open.len() > at {
             if let Some((_, bookmark, known)) = self.marks.open.pop() {

@@ -134,8 +134,8 @@ impl Session {
     /// Computes again what may have changed. Returns the index of the mask.
     fn bring_up_to_date(&mut self, mask: KeptMask) -> Result<usize, Error> {
         let Some(at) = self.masks.all.iter().position(|kept| kept.name == mask) else {
-            let message = "this mask is not kept, or belongs to another session".to_owned();
-            return Err(Error::nowhere("unknown-mask", message, &self.engine.program.0.sources));
+            let message = "this mask is not kept, or belongs to another session";
+            return Err(self.wrong("unknown-mask", message));
         };
         let mut kept = self.masks.all.swap_remove(at);
         let done = self.ask_again(&mut kept);

@@ -3,8 +3,6 @@
 use std::path::Path;
 use std::sync::{Arc, OnceLock};
 
-use strsim::damerau_levenshtein;
-
 use super::item::ApplicationOrError;
 use super::{Error, Function, Op, Script};
 #[cfg(feature = "play")]
@@ -12,6 +10,7 @@ use crate::analysis::Counterexample;
 use crate::analysis::{Analysis, Disk, Nowhere, Reader, read_program};
 use crate::diagnostic::Diagnostic;
 use crate::library;
+use crate::resolve::closest;
 use crate::run::Prepared;
 use crate::source::{FileId, Sources, Span};
 
@@ -252,9 +251,7 @@ impl Program {
         other: Option<&str>,
         known: Vec<String>,
     ) -> Error {
-        let distance = |known: &&String| damerau_levenshtein(name, known);
-        let near = known.iter().min_by_key(distance);
-        let near = near.filter(|near| distance(near) <= name.chars().count() / 3);
+        let near = closest(name, known.iter().map(String::as_str));
         let advice = match (other, near) {
             (Some(other), _) => format!("; {other}"),
             (None, Some(near)) => format!("; did you mean `{near}`?"),

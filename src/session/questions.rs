@@ -2,7 +2,6 @@
 
 use super::{Arguments, Error, Op, Reason, Session, Verdict};
 use crate::compile::{element_kind, width};
-use crate::diagnostic::Diagnostic;
 use crate::mesh::{Element, ElementKind};
 use crate::rewrite::{Outcome, Trap, Unwatched};
 use crate::run::{Application, Argument, Prepared};
@@ -37,10 +36,7 @@ impl Op {
     pub(super) fn verdict(&self, outcome: Outcome) -> Verdict {
         match outcome {
             Outcome::Applied { .. } => Verdict::Applies,
-            Outcome::Refused { reason } => {
-                let unknown = self.reasons().len() - 1;
-                Verdict::Refuses(reason.map_or(unknown, usize::from).min(unknown))
-            }
+            Outcome::Refused { reason } => Verdict::Refuses(self.reason(reason).number),
         }
     }
 }
@@ -70,7 +66,7 @@ impl Session {
     /// As for [`apply`](Self::apply).
     pub fn why(&mut self, op: &Op, arguments: impl Arguments) -> Result<Option<Reason>, Error> {
         let refusal = self.ask(op, arguments)?;
-        Ok(refusal.map(|reason| self.reason(op, reason)))
+        Ok(refusal.map(|reason| op.reason(reason)))
     }
 
     /// The rule of an operation that matches, with the elements that its names denote; or why the
@@ -84,7 +80,7 @@ impl Session {
         arguments: impl Arguments,
     ) -> Result<Result<Match, Reason>, Error> {
         if let Some(reason) = self.ask(op, arguments)? {
-            return Ok(Err(self.reason(op, reason)));
+            return Ok(Err(op.reason(reason)));
         }
         let Some((rule, names)) = self.engine.machine.matched(op.application()?.plan()) else {
             return Ok(Ok(Match::default()));
@@ -170,7 +166,7 @@ impl Session {
 
     pub(super) fn no_free_parameter(&self, name: &str) -> Error {
         let message = format!("`{name}` has no parameter left that is an element");
-        self.error(Diagnostic::error("wrong-argument", message, super::error::NOWHERE))
+        self.wrong("wrong-argument", message)
     }
 
     /// The error for a trap while an operation was tested at an element.

@@ -1,12 +1,10 @@
 //! A mesh with everything that calls of operations and scripts need.
 
-use std::sync::Arc;
-
 use super::engine::Engine;
 use super::level::Known;
 use super::marks::Marks;
 use super::masks::Masks;
-use super::{Arguments, Error, Given, Op, Outcome, Program, Reason, Script};
+use super::{Arguments, Error, Given, Op, Outcome, Program, Script};
 use crate::diagnostic::Diagnostic;
 use crate::mesh::{Element, ElementKind, Mesh};
 use crate::rewrite::{self, Machine, Trap, Unwatched, Watch};
@@ -215,7 +213,7 @@ impl Session {
                 self.forget_passing();
                 Outcome::Applied(plan.result.zip(result).map(|made| element(&made)))
             }
-            rewrite::Outcome::Refused { reason } => Outcome::Refused(self.reason(op, reason)),
+            rewrite::Outcome::Refused { reason } => Outcome::Refused(op.reason(reason)),
         })
     }
 
@@ -336,8 +334,7 @@ impl Session {
         if self.engine.program.is(program) {
             return Ok(());
         }
-        let message = "this belongs to another program than the session";
-        Err(Error::nowhere("foreign-program", message.to_owned(), &self.engine.program.0.sources))
+        Err(self.wrong("foreign-program", "this belongs to another program than the session"))
     }
 
     /// Takes the arguments.
@@ -396,15 +393,13 @@ impl Session {
         }
     }
 
-    pub(super) fn reason(&self, op: &Op, number: Option<u16>) -> Reason {
-        let reasons = op.reasons();
-        let unknown = reasons.len() - 1;
-        let number = number.map_or(unknown, usize::from).min(unknown);
-        Reason { number, text: Arc::clone(&reasons[number]) }
-    }
-
     pub(super) fn trapped(&self, application: &Application, trap: Trap) -> Error {
         self.error(application.told(trap, &self.mesh))
+    }
+
+    /// An error without a place.
+    pub(super) fn wrong(&self, code: &'static str, message: impl Into<String>) -> Error {
+        Error::nowhere(code, message.into(), &self.engine.program.0.sources)
     }
 
     pub(super) fn error(&self, diagnostic: Diagnostic) -> Error {

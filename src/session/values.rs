@@ -2,7 +2,6 @@
 
 use super::questions::free_parameter;
 use super::{Arguments, Error, Function, Session};
-use crate::diagnostic::Diagnostic;
 use crate::diagram::Type;
 use crate::mesh::ElementKind;
 use crate::rewrite::{Message, Trap, Unwatched, Watch};
@@ -131,17 +130,16 @@ impl Session {
     ) -> Result<Values, Error> {
         self.enter_function(function, arguments)?;
         let prepared = function.prepared()?;
-        let (name, nowhere) = (function.name(), super::error::NOWHERE);
+        let name = function.name();
         let Some(ty) = function.result_type() else {
-            let message = format!("`{name}` gives no value");
-            return Err(self.error(Diagnostic::error("wrong-argument", message, nowhere)));
+            return Err(self.wrong("wrong-argument", format!("`{name}` gives no value")));
         };
         let Some((at, kind, slot)) = free_parameter(prepared, &self.values) else {
             return Err(self.no_free_parameter(name));
         };
         if prepared.changes() {
             let message = format!("`{name}` may change the mesh: call it at one element");
-            return Err(self.error(Diagnostic::error("changing-function", message, nowhere)));
+            return Err(self.wrong("changing-function", message));
         }
         let mut values = Values::new(ty, self.mesh.capacity(kind));
         let ids = 0..self.mesh.capacity(kind) as u32;
