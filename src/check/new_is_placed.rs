@@ -27,13 +27,7 @@ pub(super) fn test(drawing: &Drawing) -> Vec<Problem> {
 /// The attributes of a kind of element that have no default.
 fn without_default(rule: &Rule, kind: Kind) -> Vec<Access> {
     let position = (kind == Kind::Vertex).then_some(Access::Position);
-    let element = match kind {
-        Kind::Vertex => Type::Vertex,
-        Kind::Halfedge => Type::Halfedge,
-        Kind::Edge => Type::Edge,
-        Kind::Face => Type::Face,
-        Kind::Path | Kind::Fan => return Vec::new(),
-    };
+    let Some(element) = kind.element_type() else { return Vec::new() };
     let declared = (0..).zip(rule.attributes.iter());
     let declared = declared
         .filter(|(_, attribute)| attribute.element == element && attribute.default.is_none())

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use super::{Attribute, Expr, Level, Type};
+use crate::mesh::ElementKind;
 use crate::source::Span;
 
 /// The kind of element or run that a name of a diagram stands for.
@@ -44,6 +45,28 @@ impl Kind {
             Kind::Face => "a face",
             Kind::Path => "a path",
             Kind::Fan => "a fan",
+        }
+    }
+
+    /// The type of an element of the kind; `None` for a run.
+    pub fn element_type(self) -> Option<Type> {
+        match self {
+            Kind::Vertex => Some(Type::Vertex),
+            Kind::Halfedge => Some(Type::Halfedge),
+            Kind::Edge => Some(Type::Edge),
+            Kind::Face => Some(Type::Face),
+            Kind::Path | Kind::Fan => None,
+        }
+    }
+}
+
+impl From<ElementKind> for Kind {
+    fn from(kind: ElementKind) -> Self {
+        match kind {
+            ElementKind::Vertex => Kind::Vertex,
+            ElementKind::Halfedge => Kind::Halfedge,
+            ElementKind::Edge => Kind::Edge,
+            ElementKind::Face => Kind::Face,
         }
     }
 }

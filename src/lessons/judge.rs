@@ -109,7 +109,7 @@ fn same_op(
     let Some(kind) = kind else {
         return Ok(());
     };
-    for index in (0..mesh.capacity(kind) as u32).filter(|&index| mesh.is_alive(kind, index)) {
+    for index in mesh.elements(kind) {
         let element = Element { kind, index };
         let mut sessions = [wanted, given].map(|program| Session::new(program, mesh.clone()));
         let [ours, theirs] = &mut sessions;

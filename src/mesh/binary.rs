@@ -273,8 +273,7 @@ impl<'b> Reader<'b> {
                 }
             }
         }
-        let ids = 0..mesh.capacity(kind) as u32;
-        let dead = ids.filter(|&id| !mesh.is_alive(kind, id)).count();
+        let dead = mesh.capacity(kind) - mesh.elements(kind).count();
         if dead != lists[0].len() + lists[1].len() {
             return Err(wrong());
         }

@@ -121,6 +121,11 @@ impl Mesh {
         living(&self.face_states, |&state| state != FaceState::Dead).map(FaceId)
     }
 
+    /// The numbers of all elements of a kind; holes count as faces.
+    pub fn elements(&self, kind: ElementKind) -> impl Iterator<Item = u32> + '_ {
+        (0..self.capacity(kind) as u32).filter(move |&index| self.is_alive(kind, index))
+    }
+
     pub fn holes(&self) -> impl Iterator<Item = FaceId> + Clone + '_ {
         self.faces().filter(|&f| self.is_hole(f))
     }

@@ -48,9 +48,7 @@ fn same_columns(a: &Mesh, b: &Mesh, kind: ElementKind) -> bool {
 }
 
 fn same_values((a, ours): (&Mesh, ColumnId), (b, theirs): (&Mesh, ColumnId)) -> bool {
-    let kind = ours.kind;
-    let mut living = (0..a.capacity(kind) as u32).filter(|&i| a.is_alive(kind, i));
-    living.all(|i| match (a.value(ours, i), b.value(theirs, i)) {
+    a.elements(ours.kind).all(|i| match (a.value(ours, i), b.value(theirs, i)) {
         (Some(x), Some(y)) => x.is_identical(y),
         _ => false,
     })

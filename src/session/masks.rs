@@ -155,8 +155,7 @@ impl Session {
         let Kept { op, values, at, kind, slot, level, asked, verdicts, applies, .. } = kept;
         let (at, kind, slot) = (*at, *kind, *slot);
         let application = op.application()?;
-        let ids = 0..self.mesh.capacity(kind) as u32;
-        let first = ids.into_iter().find(|&id| self.mesh.is_alive(kind, id));
+        let first = self.mesh.elements(kind).next();
         if let Some(first) = first {
             self.values.clone_from(values);
             self.values[at] = Some(Argument::Element(kind, first));

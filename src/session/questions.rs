@@ -131,8 +131,7 @@ impl Session {
     ) -> Result<Vec<T>, Error> {
         let Free { application, at, kind, slot } = self.free_parameter(op, arguments)?;
         let mut answers = vec![answer(Verdict::Gone); self.mesh.capacity(kind)];
-        let ids = 0..answers.len() as u32;
-        let living: Vec<u32> = ids.filter(|&id| self.mesh.is_alive(kind, id)).collect();
+        let living: Vec<u32> = self.mesh.elements(kind).collect();
         let Some(&first) = living.first() else {
             return Ok(answers);
         };

@@ -142,9 +142,7 @@ impl Session {
             return Err(self.wrong("changing-function", message));
         }
         let mut values = Values::new(ty, self.mesh.capacity(kind));
-        let ids = 0..self.mesh.capacity(kind) as u32;
-        let mut living =
-            ids.filter(|&id| self.mesh.is_alive(kind, id)).collect::<Vec<_>>().into_iter();
+        let mut living = self.mesh.elements(kind).collect::<Vec<_>>().into_iter();
         let Some(first) = living.next() else {
             return Ok(values);
         };

@@ -219,8 +219,7 @@ fn places(mesh: &Mesh, params: &[Param]) -> Vec<Vec<Option<Element>>> {
 }
 
 fn elements(mesh: &Mesh, kind: ElementKind) -> impl Iterator<Item = Element> + '_ {
-    let all = (0..mesh.capacity(kind) as u32).map(move |index| Element { kind, index });
-    all.filter(|of| mesh.is_alive(of.kind, of.index))
+    mesh.elements(kind).map(move |index| Element { kind, index })
 }
 
 /// The midpoint of an element, to compare distances between elements.

@@ -5,9 +5,7 @@
 //! halfedge it has met, an edge is a halfedge and its twin.
 
 use super::Counterexample;
-use crate::diagram::{
-    Edge, Kind, Loop, LoopItem, LoopKind, Name, NameId, Op, Ref, Role, Rule, Side,
-};
+use crate::diagram::{Edge, Loop, LoopItem, LoopKind, Name, NameId, Op, Ref, Role, Rule, Side};
 use crate::mesh::{Element, ElementKind, HalfedgeId, Mesh};
 use crate::source::Span;
 
@@ -90,12 +88,7 @@ impl Writer<'_> {
         let text = named.next().map(|(text, _)| text.clone());
         self.names.push(Name {
             text: text.unwrap_or_else(|| element.index.to_string()),
-            kind: match element.kind {
-                ElementKind::Vertex => Kind::Vertex,
-                ElementKind::Halfedge => Kind::Halfedge,
-                ElementKind::Edge => Kind::Edge,
-                ElementKind::Face => Kind::Face,
-            },
+            kind: element.kind.into(),
             named: true,
             role: Role::Single,
             span: Span::default(),

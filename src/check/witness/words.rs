@@ -3,7 +3,7 @@
 use super::literal::Carried;
 use super::place::Place;
 use super::sketch::{HalfedgeRole, VertexRole};
-use crate::diagram::{Drawing, Kind, NameId};
+use crate::diagram::{Drawing, NameId};
 use crate::mesh::{Element, ElementKind, HalfedgeId, Invalid, Mesh};
 
 /// Elements in words.
@@ -89,13 +89,8 @@ impl Words<'_> {
     /// The name that is bound to an element.
     fn name(&self, element: Element) -> Option<NameId> {
         let rule = self.drawing.rule;
-        let kind = match element.kind {
-            ElementKind::Vertex => Kind::Vertex,
-            ElementKind::Halfedge => Kind::Halfedge,
-            ElementKind::Edge => Kind::Edge,
-            ElementKind::Face => Kind::Face,
-        };
-        rule.names_of(kind).find(|name| self.carried.elements[name.index()] == Some(element.index))
+        let mut names = rule.names_of(element.kind.into());
+        names.find(|name| self.carried.elements[name.index()] == Some(element.index))
     }
 
     /// An element by its name, or by what it lies at.

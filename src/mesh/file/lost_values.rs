@@ -90,11 +90,9 @@ impl MeshFile {
 
     /// The number of living elements whose number and value fulfil a condition.
     fn count(&self, id: ColumnId, is_so: impl Fn(u32, Value) -> bool) -> usize {
-        let slots = 0..self.mesh.capacity(id.kind) as u32;
-        let living = slots.filter(|&index| self.mesh.is_alive(id.kind, index));
         let counts =
             |&index: &u32| self.mesh.value(id, index).is_some_and(|value| is_so(index, value));
-        living.filter(counts).count()
+        self.mesh.elements(id.kind).filter(counts).count()
     }
 }
 
