@@ -109,10 +109,11 @@
 //!
 //! # Features
 //!
-//! All are on by default: `cli`, the command line; `lsp`, the language server; `play`, the back end
-//! of a web page; `draw`, pictures; `native`, native code for operations; `threads`, files, checks
-//! and loops over all elements on all cores, with results that do not depend on the number of
-//! threads, which [`set_threads`] or the environment variable `HEDGEROW_THREADS` sets.
+//! All are on by default: `cli`, the command line, which includes `play`; `lsp`, the language
+//! server; `play`, the back end of a web page; `draw`, pictures; `native`, native code for
+//! operations; `threads`, files, checks and loops over all elements on all cores, with results that
+//! do not depend on the number of threads, which [`set_threads`] or the environment variable
+//! `HEDGEROW_THREADS` sets.
 //! A program that calls hedgerow needs none of them:
 //! `hedgerow = { version = "0.1", default-features = false }`.
 //!
@@ -139,7 +140,7 @@
 //!            lower                       what a program does, decided for all that spell it
 //! 2  syntax  resolve  check    draw      text to tree; tree to program; the proof; a picture
 //! 1  diagnostic   diagram    rewrite     what is wrong; what is drawn; plans and the machine
-//! 0  source       mesh        library    texts and places; the halfedge mesh and OBJ files; std
+//! 0  source       mesh        library    texts and places; the halfedge mesh and its files; std
 //! ```
 //!
 //! Three boundaries hold between them. The mesh knows nothing of the language. The checker knows

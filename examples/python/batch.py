@@ -7,7 +7,7 @@
 Each mesh is read here, goes to a worker with the program, and comes back; so workers need neither
 the files nor the disk, and Ray's may be other machines (`ray start --address=...`, then
 `--address auto`). A worker compiles the program when it meets it first, and keeps it. What fails is
-told by name with its message, and keeps nothing else from being done: a file that is no mesh, a mesh
+told by name with its message, and keeps nothing else from being done: a file that is not a mesh, a mesh
 that the script refuses, or one at which the worker dies.
 
 The runners are `ray`, `processes`, `threads` (a script releases the interpreter's lock while it
@@ -197,7 +197,7 @@ def value(text):
             return name, kind(word)
         except ValueError:
             pass
-    raise argparse.ArgumentTypeError(f"`{word}` is no number, nor true or false")
+    raise argparse.ArgumentTypeError(f"`{word}` is not a number, nor true or false")
 
 
 def main(arguments=None):

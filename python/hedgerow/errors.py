@@ -72,7 +72,7 @@ class RunError(Error, RuntimeError):
 
 
 class FileError(Error, OSError):
-    """A file cannot be read or written, or what is in it is no mesh; the text names the line."""
+    """A file cannot be read or written, or what is in it is not a mesh; the text names the line."""
 
     __str__ = Error.__str__
 

@@ -89,7 +89,7 @@ def test_the_command(folder, capsys):
     for wrong, message in (
         (["--script", "nothing"], "nothing"),
         (["--program", "nowhere.hedge"], "nowhere.hedge"),
-        (["--set", "target=long"], "is no number"),
+        (["--set", "target=long"], "is not a number"),
     ):
         with pytest.raises(SystemExit) as stopped:
             batch.main([*given, *wrong])

@@ -84,7 +84,7 @@ pub fn expect_regular(path: &Path, most: u64) -> Result<(), String> {
         return Err("it is a folder".to_owned());
     }
     if !about.is_file() {
-        return Err("it is no regular file".to_owned());
+        return Err("it is not a regular file".to_owned());
     }
     if about.len() > most {
         return Err(too_large(most));

@@ -109,7 +109,9 @@ fn text_of(name: &str, reader: &mut dyn Reader) -> Result<String, String> {
     let text = reader.read(name)?;
     match is_program(&text) {
         true => Ok(text),
-        false => Err("it is no program: one begins with an item, such as `op` or `use`".to_owned()),
+        false => {
+            Err("it is not a program: one begins with an item, such as `op` or `use`".to_owned())
+        }
     }
 }
 

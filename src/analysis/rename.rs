@@ -44,7 +44,7 @@ pub fn rename(snapshot: &Snapshot, offset: usize, to: &str) -> Result<Vec<Edit>,
     let to = to.trim();
     if !is_name(to) {
         return Err(format!(
-            "`{to}` is no name: a name has letters, digits and `_`, does not begin with a \
+            "`{to}` is not a name: a name has letters, digits and `_`, does not begin with a \
              digit, may end in primes, and is no keyword"
         ));
     }

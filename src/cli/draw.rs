@@ -35,7 +35,7 @@ pub(super) fn draw(arguments: &DrawArguments) -> Result<(), Failure> {
         if let Some(picture) = output.filter(|output| is_picture(output)) {
             let other = picture.with_extension("html");
             return Err(Failure::usage(format!(
-                "{}: a page is no picture: write -o {}",
+                "{}: a page is not a picture: write -o {}",
                 picture.display(),
                 other.display()
             )));

@@ -4,7 +4,7 @@ use sysinfo::System;
 
 /// Reads a size in bytes: `500M`, `4G`; without a letter, bytes.
 pub fn read(text: &str) -> Result<usize, String> {
-    let wrong = || format!("`{text}` is no size: write a number with K, M, G or T, as `4G`");
+    let wrong = || format!("`{text}` is not a size: write a number with K, M, G or T, as `4G`");
     let upper = text.trim().to_ascii_uppercase();
     let number = upper.trim_end_matches('B').trim_end_matches('I');
     let (number, shift) = match number.char_indices().next_back() {

@@ -51,7 +51,7 @@ fn shape(path: &Path) -> Option<Result<MeshFile, Failure>> {
             Ok(MeshFile::from_polygons(run::constructed(constructor, sizes)))
         }
         (_, error) => {
-            let why = error.map_or("this is no shape", |error| error.message.as_str());
+            let why = error.map_or("this is not a shape", |error| error.message.as_str());
             let more = error.and_then(|error| error.notes.first());
             let more = more.map_or(String::new(), |more| format!("; {more}"));
             Err(Failure::usage(format!("`{text}`: {why}{more}")))

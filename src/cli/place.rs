@@ -48,7 +48,7 @@ pub(super) struct Found {
 pub(super) fn read(text: &str) -> Result<Place, String> {
     let wrong = || {
         format!(
-            "`{text}` is no place: write edge:A-B, halfedge:A-B, vertex:A or face:N with the numbers of the file, or 'edge N' as scripts print it"
+            "`{text}` is not a place: write edge:A-B, halfedge:A-B, vertex:A or face:N with the numbers of the file, or 'edge N' as scripts print it"
         )
     };
     if let Some((kind, id)) = text.split_once(' ') {

@@ -258,7 +258,7 @@ fn find(
 pub(super) fn settings(texts: &[String]) -> Result<Vec<(String, String)>, Failure> {
     let part = |text: &String| match text.split_once('=') {
         Some((name, value)) => Ok((name.trim().to_string(), value.trim().to_string())),
-        None => Err(Failure::usage(format!("`{text}` is no setting: write NAME=VALUE"))),
+        None => Err(Failure::usage(format!("`{text}` is not a setting: write NAME=VALUE"))),
     };
     texts.iter().map(part).collect()
 }

@@ -67,6 +67,6 @@ fn direction(text: &str) -> Result<DVec3, Failure> {
     if direction.is_finite() && direction != DVec3::ZERO {
         Ok(direction)
     } else {
-        Err(Failure::usage(format!("`{text}` is no direction: write x,y,z")))
+        Err(Failure::usage(format!("`{text}` is not a direction: write x,y,z")))
     }
 }

@@ -195,7 +195,7 @@ fn walk(drawing: &Drawing, orbit: NameId, halfedges: &[NameId], is_first: bool) 
         families: halfedges.iter().map(|&half| (half, rule.offset(half))).collect(),
         is_whole: (period > 1).then(|| WalkTest {
             claim: format!("its {what} come in groups of {period}"),
-            refusal: format!("the number of {what} of {quoted} is no multiple of {period}"),
+            refusal: format!("the number of {what} of {quoted} is not a multiple of {period}"),
         }),
         fits: (!is_first).then(|| WalkTest {
             claim: "as many as before".into(),

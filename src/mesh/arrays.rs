@@ -77,7 +77,7 @@ pub struct NotATriangle(pub FaceId);
 
 impl fmt::Display for NotATriangle {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} is no triangle", self.0)
+        write!(f, "{} is not a triangle", self.0)
     }
 }
 

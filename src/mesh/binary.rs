@@ -53,13 +53,13 @@ pub enum BinaryError {
 impl fmt::Display for BinaryError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::NotAMesh => f.write_str("these bytes are no mesh"),
+            Self::NotAMesh => f.write_str("these bytes are not a mesh"),
             Self::Version(version) => {
                 write!(f, "this mesh is in version {version}, and only {VERSION} can be read")
             }
             Self::Damaged => f.write_str("the bytes of this mesh are damaged or cut off"),
             Self::Malformed(words) => write!(f, "the bytes of this mesh make no sense: {words}"),
-            Self::Invalid(invalid) => write!(f, "these bytes are no valid mesh: {invalid}"),
+            Self::Invalid(invalid) => write!(f, "these bytes are not a valid mesh: {invalid}"),
         }
     }
 }
@@ -291,7 +291,7 @@ impl<'b> Reader<'b> {
         let name = self.bytes(length as usize).ok_or(BinaryError::Damaged)?;
         let name = std::str::from_utf8(name);
         let name =
-            name.map_err(|_| BinaryError::Malformed("the name of an attribute is no text"))?;
+            name.map_err(|_| BinaryError::Malformed("the name of an attribute is not a text"))?;
         let [ty] = self.take().ok_or(BinaryError::Damaged)?;
         let ty = AttributeType::ALL.get(usize::from(ty)).copied();
         let ty = ty.ok_or(BinaryError::Malformed("there is no such type of attributes"))?;

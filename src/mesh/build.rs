@@ -24,11 +24,20 @@ use super::polygons::Polygons;
 use super::records::{FaceState, HalfedgeRecord};
 
 impl Mesh {
+    /// The mesh of a list of polygons, which are counterclockwise seen from outside.
+    ///
+    /// # Errors
+    /// The list is not a mesh: an index is out of range, a polygon repeats a corner or has fewer
+    /// than three, an edge has more than two polygons or two of opposite orientation, or the polygons
+    /// around a vertex form more than one fan.
     pub fn from_polygons(positions: &[DVec3], polygons: &Polygons) -> Result<Self, BuildError> {
         Self::from_owned_polygons(positions.to_vec(), polygons)
     }
 
     /// As [`Mesh::from_polygons`], but takes the positions instead of copying them.
+    ///
+    /// # Errors
+    /// As for [`Mesh::from_polygons`].
     pub fn from_owned_polygons(
         positions: Vec<DVec3>,
         polygons: &Polygons,

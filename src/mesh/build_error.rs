@@ -61,7 +61,7 @@ impl fmt::Display for BuildError {
             }
             Self::NotFinite { vertex, position } => {
                 let DVec3 { x, y, z } = position;
-                write!(f, "vertex {vertex} lies at {x} {y} {z}, which is no place")
+                write!(f, "vertex {vertex} lies at {x} {y} {z}, which is not finite")
             }
             Self::TooFewCorners { polygon, corners } => {
                 let s = if *corners == 1 { "" } else { "s" };

@@ -176,6 +176,8 @@ impl Mesh {
         Some(&mut columns.get_mut(id.place as usize)?.data)
     }
 
+    /// The values of a column of this type, to be changed; `None` for another type. A journal that
+    /// is kept records them all.
     #[inline]
     pub fn values_mut<T: Attribute>(&mut self, id: ColumnId) -> Option<&mut [T]> {
         self.note_values(id);

@@ -18,11 +18,14 @@ impl Mesh {
         positions.map_or(DVec3::ZERO, |(from, to)| to - from)
     }
 
+    /// The length of an edge, in the unit of the positions; 0 for an erased one.
     pub fn length(&self, e: EdgeId) -> f64 {
         self.get_edge_halfedge(e).map_or(0.0, |h| self.vector(h).length())
     }
 
-    /// The vector normal to the face whose length is its area.
+    /// The vector normal to the face whose length is its area: half the sum of the cross products of
+    /// consecutive corners (M. Newell, R. Newell and T. Sancha, "A solution to the hidden surface
+    /// problem", 1972).
     #[inline]
     pub fn vector_area(&self, f: FaceId) -> DVec3 {
         match self.triangle(f) {
@@ -63,6 +66,8 @@ impl Mesh {
         sum / 2.0
     }
 
+    /// The area of a face, in squared units of the positions; 0 for an erased one. That of a face
+    /// that is not flat is the area of its projection along its normal.
     pub fn area(&self, f: FaceId) -> f64 {
         self.vector_area(f).length()
     }

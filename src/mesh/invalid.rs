@@ -85,7 +85,7 @@ impl fmt::Display for Invalid {
                 write!(f, "{element} would be two {orbit}s, one with {a} and one with {b}")
             }
             Self::NotFinite { vertex, position: DVec3 { x, y, z } } => {
-                write!(f, "{vertex} lies at {x} {y} {z}, which is no place")
+                write!(f, "{vertex} lies at {x} {y} {z}, which is not finite")
             }
         }
     }

@@ -144,6 +144,7 @@ impl Mesh {
         self.halfedge_between(v, w).is_some()
     }
 
+    /// An edge that joins `v` and `w`; of several, the first that a walk around both in step finds.
     pub fn edge_between(&self, v: VertexId, w: VertexId) -> Option<EdgeId> {
         self.get_edge(self.halfedge_between(v, w)?)
     }

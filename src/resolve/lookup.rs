@@ -148,7 +148,7 @@ impl Typing<'_> {
             return;
         }
         if self.declared.is_called(word) {
-            let message = format!("`{word}` is no value; it is called: `{word}(…)`");
+            let message = format!("`{word}` is not a value; it is called: `{word}(…)`");
             self.report.add(Diagnostic::error("not-a-value", message, span));
             return;
         }

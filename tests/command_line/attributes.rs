@@ -151,7 +151,7 @@ fn places_in_tables_are_ids() {
     let words = "a file with one `mesh` is wanted; this has 2";
     bench.fails(2, &["view", "two.halfedges", "-o", "x.svg"], words);
     bench.write("broken.halfedges", "mesh a\nvertex 0 halfedge 3 at 0 0 0\n");
-    let words = "this is no valid mesh";
+    let words = "this is not a valid mesh";
     bench.fails(2, &["view", "broken.halfedges", "-o", "x.svg"], words);
 }
 

@@ -191,7 +191,7 @@ fn view_writes_pictures() {
     }
     let view = ["view", "square.obj", "-o", "v.png", "--from"];
     bench.succeeds(&[&view[..], &["-1,-2,3"]].concat());
-    bench.fails(2, &[&view[..], &["0,0,0"]].concat(), "is no direction");
+    bench.fails(2, &[&view[..], &["0,0,0"]].concat(), "is not a direction");
     bench.fails(2, &["view", "square.obj", "-o", "no/v.png"], "the folder `no` does not exist");
     bench.fails(2, &["view", "nothing.obj", "-o", "w.png"], "nothing.obj");
 }

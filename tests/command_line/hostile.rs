@@ -47,7 +47,7 @@ fn who_creates_without_end_is_stopped_at_the_limit() {
     }
     assert_eq!(bench.files(), ["grow.hedge", "square.obj"]);
     let run = ["run", "grow.hedge::grow", "square.obj", "--memory", "much"];
-    bench.fails(2, &run, "`much` is no size");
+    bench.fails(2, &run, "`much` is not a size");
 }
 
 #[test]

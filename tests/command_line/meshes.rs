@@ -145,7 +145,7 @@ fn a_repair_is_advised_where_it_helps() {
     bench.write("comma.off", "OFF\n3 1 0\n0,5 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
     for (file, line) in [("comma.obj", 1), ("comma.stl", 2), ("comma.off", 3)] {
         let said =
-            bench.fails(2, &["info", file], "is no number; numbers are written with a point");
+            bench.fails(2, &["info", file], "is not a number; numbers are written with a point");
         assert!(said.err.contains(&format!("{file}:{line}: ")), "{}", said.err);
         assert!(!said.err.contains("--repair"), "{}", said.err);
     }

@@ -155,7 +155,7 @@ fn pictures_go_nowhere_either() {
         bench.fails(2, &["view", "square.obj", "-o", output], output);
     }
     for output in ["page.png", "page.SVG"] {
-        let words = "a page is no picture: write -o page.html";
+        let words = "a page is not a picture: write -o page.html";
         bench.fails(2, &["draw", &flip(), "--html", "-o", output], words);
     }
     assert_eq!(bench.files(), ["folder.svg", "square.obj"]);

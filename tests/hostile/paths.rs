@@ -39,13 +39,13 @@ fn use_and_load_open_regular_files_only() {
     std::os::unix::fs::symlink("/dev/zero", at("zero.hedge")).unwrap();
     fs::File::create(at("large.hedge")).unwrap().set_len(65 << 20).unwrap();
     for (path, wanted) in [
-        ("pipe.hedge", "it is no regular file"),
-        ("zero.hedge", "it is no regular file"),
+        ("pipe.hedge", "it is not a regular file"),
+        ("zero.hedge", "it is not a regular file"),
         ("folder.hedge", "it is a folder"),
         ("large.hedge", "it is larger than 64 MiB"),
         ("none.hedge", "there is no such file"),
         ("secret", "the name of a program ends in `.hedge`"),
-        ("secret.hedge", "it is no program"),
+        ("secret.hedge", "it is not a program"),
     ] {
         fs::write(at("root.hedge"), format!("use \"{path}\"\n")).unwrap();
         let told = hedgerow(folder.path(), &["check", "root.hedge"]);
@@ -53,8 +53,8 @@ fn use_and_load_open_regular_files_only() {
         assert!(!told.contains("root:x"), "{path}: {told}");
     }
     for (path, wanted) in [
-        ("pipe.obj", "it is no regular file"),
-        ("/dev/zero", "it is no regular file"),
+        ("pipe.obj", "it is not a regular file"),
+        ("/dev/zero", "it is not a regular file"),
         ("none.obj", "there is no such file"),
     ] {
         let test = format!("test \"t\" {{ mesh = load(\"{path}\") assert true }}\n");

@@ -66,7 +66,7 @@ fn what_is_no_mesh_is_refused_in_words() {
 fn places_must_be_finite() {
     let positions = [DVec3::ZERO, DVec3::new(1.0, f64::INFINITY, 0.0)];
     let error = Mesh::from_polygons(&positions, &Polygons::new()).unwrap_err();
-    assert_eq!(error.to_string(), "vertex 1 lies at 1 inf 0, which is no place");
+    assert_eq!(error.to_string(), "vertex 1 lies at 1 inf 0, which is not finite");
 }
 
 #[test]

@@ -306,8 +306,10 @@ fn other_programs_files_are_read() {
     let heat = file.mesh.find_column(ElementKind::Vertex, "heat").unwrap();
     assert_eq!(file.mesh.value(heat, 0), Some(Value::Real(1.5)));
     assert!(String::from_utf8(write(FileFormat::Obj, &file)).unwrap().contains("g top\nf 1 2 3"));
-    let told =
-        ["1 section `$Comments`, first in line 4", "2 elements that are no triangles and no quads"];
+    let told = [
+        "1 section `$Comments`, first in line 4",
+        "2 elements that are neither triangles nor quads",
+    ];
     assert_eq!(file.losses(), told);
     // Bytes, in blocks.
     let mut bytes = b"$MeshFormat\n2.2 1 8\n\x01\0\0\0\n$EndMeshFormat\n$Nodes\n3\n".to_vec();
@@ -360,13 +362,19 @@ fn what_is_there_of_a_damaged_file_is_kept_on_demand() {
         (FileFormat::Ply, cut(ply(Encoding::Ascii), 4), "within face 6 of 6", [8, 5], 1),
         (FileFormat::Ply, cut(ply(Encoding::LittleEndian), 3), "within face 6 of 6", [8, 5], 1),
         (FileFormat::Ply, cut(ply(Encoding::BigEndian), 110), "within vertex 8 of 8", [7, 0], 1),
-        (FileFormat::Ply, head.into(), "t:3: `made by hand` is no line of the head", [3, 1], 1),
+        (
+            FileFormat::Ply,
+            head.into(),
+            "t:3: `made by hand` is not a line of the header",
+            [3, 1],
+            1,
+        ),
         (FileFormat::Stl, cut(stl, 120), "20 triangles, and there is room for 17", [12, 17], 1),
         (FileFormat::Stl, loop_of_four.into(), "a loop of STL has three vertices", [3, 1], 1),
         (
             FileFormat::Stl,
             loop_of_four.replace("1 0 0", "1 x 0").replace("vertex 0 3 0\n", "").into(),
-            "t:5: `x` is no number",
+            "t:5: `x` is not a number",
             [3, 1],
             1,
         ),
@@ -468,13 +476,13 @@ fn unknown_endings_and_garbage_are_refused_in_words() {
         (
             FileFormat::Ply,
             "ply\nformat ascii 1.0\nelement vertex x\n",
-            "t:3: `element vertex x` is no line of the head of a PLY file",
+            "t:3: `element vertex x` is not a line of the header of a PLY file",
         ),
         (FileFormat::Stl, "hello", "t: this is no STL file: it is too short"),
         (FileFormat::Stl, "solid\nvertex 1 2\n", "t:2: `vertex` needs three numbers"),
         (FileFormat::Off, "OFX\n", "t:1: `OFX` is not `OFF`, with a prefix or without"),
         (FileFormat::Off, "XOFF\n", "t:1: `XOFF` is not `OFF`, with a prefix or without"),
-        (FileFormat::Off, "nOFF 0\n", "t:1: 0 is no number of coordinates"),
+        (FileFormat::Off, "nOFF 0\n", "t:1: 0 is not a number of coordinates"),
         (FileFormat::Off, "appearance {\nOFF", "t:2: the braces of `appearance` do not end"),
         (
             FileFormat::Off,

@@ -115,7 +115,7 @@ fn positions_are_finite_fails() {
     let mut mesh = shape::cube();
     mesh.set_position(VertexId(5), glam::DVec3::new(0.0, f64::NAN, 1.0));
     let found = said(positions_are_finite(&mesh));
-    assert_eq!(found, "vertex 5 lies at 0 NaN 1, which is no place");
+    assert_eq!(found, "vertex 5 lies at 0 NaN 1, which is not finite");
 }
 
 fn built(polygons: &[&[u32]]) -> Mesh {

@@ -54,11 +54,11 @@ const TRIANGLE: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 fn malformed_files_are_refused_in_words() {
     let cases = [
         ("v 0 0\n", "1: `v` needs three numbers"),
-        ("\n\nv 0 x 0\n", "3: `x` is no number"),
-        ("v 0 \\\n0 x\nv 1 1 1\n", "1: `x` is no number"),
-        ("v 0 0 \u{e9}\n", "1: `\u{e9}` is no number"),
-        ("v 0,0 0 0\n", "1: `0,0` is no number; numbers are written with a point"),
-        ("vn 0 0,5 1\n", "1: `0,5` is no number; numbers are written with a point"),
+        ("\n\nv 0 x 0\n", "3: `x` is not a number"),
+        ("v 0 \\\n0 x\nv 1 1 1\n", "1: `x` is not a number"),
+        ("v 0 0 \u{e9}\n", "1: `\u{e9}` is not a number"),
+        ("v 0,0 0 0\n", "1: `0,0` is not a number; numbers are written with a point"),
+        ("vn 0 0,5 1\n", "1: `0,5` is not a number; numbers are written with a point"),
         (
             "v 0 0 0\nv 0 NaN 0\nv 1 1 1\n",
             "2: vertex 2 has a coordinate that is not a finite number",
@@ -70,7 +70,7 @@ fn malformed_files_are_refused_in_words() {
         ("T\nf 1 2 3.0\n", "4: `3.0` is not a corner of a face"),
         ("T\nf 1 2 3/1/1/1\n", "4: `3/1/1/1` is not a corner of a face"),
         ("T\nf 1 2 /1\n", "4: `/1` is not a corner of a face"),
-        ("T\nf 0 1 2\n", "4: 0 is no index: they count from 1, or back from -1"),
+        ("T\nf 0 1 2\n", "4: 0 is not an index: they count from 1, or back from -1"),
         ("T\nf 1 2 4\nv 0 0\n", "5: `v` needs three numbers"),
         ("T\nf 1 2 4\nf 1 2 3\n", "4: there is no vertex 4: the file has 3 vertices"),
         ("T\nf 1 2 -4\n", "4: there is no vertex -4: the file has 3 vertices"),

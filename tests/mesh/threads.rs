@@ -108,7 +108,7 @@ fn faults_amid_a_large_file_are_told_by_their_lines() {
     let broken = [
         (vertices / 2, "v 1 2", "`v` needs three numbers"),
         (vertices + 9000, "f 1 2 3x", "`3x` is not a corner of a face"),
-        (vertices + 9001, "f 1 2 0", "0 is no index"),
+        (vertices + 9001, "f 1 2 0", "0 is not an index"),
         (vertices + 9002, "f 1 2 99999999", "there is no vertex 99999999"),
         (vertices + 15000, "f -99999 2 3", "there is no vertex -99999"),
         (vertices + 15001, "f 1 2 2", "vertex 2 as a corner twice"),

@@ -68,7 +68,7 @@ export function clustered(positions, triangles, most) {
   return geometry
 }
 
-/** The colour of a part between 0 and 1; grey for what is no number. */
+/** The colour of a part between 0 and 1; grey for what is not a number. */
 export function viridis(part) {
   if (!Number.isFinite(part)) return new THREE.Color(0xcbd5e1)
   const along = Math.min(1, Math.max(0, part)) * (VIRIDIS.length - 1)

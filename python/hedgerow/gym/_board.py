@@ -114,7 +114,7 @@ class Board:
         return can
 
     def _inside(self):
-        """By number whether a halfedge lives, and has a face that is no hole."""
+        """By number whether a halfedge lives, and has a face that is not a hole."""
         faces = self.mesh.elements("face")
         halfedges = self.mesh.halfedges
         return halfedges.alive & ~faces.is_hole[halfedges.face]

@@ -44,8 +44,8 @@ impl fmt::Display for DumpError {
         match &self.reason {
             DumpReason::Unknown(word) => write!(f, "`{word}` begins no line of a dump"),
             DumpReason::NotOfForm(form) => write!(f, "expected `{form}`"),
-            DumpReason::NotAnId { text, below } => write!(f, "`{text}` is no id below {below}"),
-            DumpReason::NotANumber(text) => write!(f, "`{text}` is no number"),
+            DumpReason::NotAnId { text, below } => write!(f, "`{text}` is not an id below {below}"),
+            DumpReason::NotANumber(text) => write!(f, "`{text}` is not a number"),
             DumpReason::NotAValue(ty) => write!(f, "expected a value of type {ty}"),
             DumpReason::AttributeTwice(name) => {
                 write!(f, "the attribute `{name}` has a line already")

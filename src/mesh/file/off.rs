@@ -131,7 +131,7 @@ impl<'t> Reader<'t> {
         if head.dimension.is_none() {
             let number = self.next("the number of coordinates")?;
             if number.fract() != 0.0 || !(1.0..=1e6).contains(&number) {
-                return Err(format!("{number} is no number of coordinates"));
+                return Err(format!("{number} is not a number of coordinates"));
             }
             head.dimension = Some(number as usize);
         }
@@ -191,7 +191,7 @@ impl<'t> Reader<'t> {
             let number = self.next("the numbers of vertices, faces and edges")?;
             if number.fract() != 0.0 || number < 0.0 || (at < 2 && number > left as f64) {
                 return Err(format!(
-                    "the head speaks of {number} {}, and the file has {left} bytes more",
+                    "the header declares {number} {}, but only {left} bytes follow",
                     ["vertices", "faces", "edges"][at]
                 ));
             }
@@ -306,7 +306,7 @@ impl<'t> Reader<'t> {
     fn face(&mut self, corners: &mut Vec<u32>, colors: &mut Colors) -> Result<(), String> {
         let sides = self.next("the number of corners of a face")?;
         if sides.fract() != 0.0 || !(0.0..=1e9).contains(&sides) {
-            return Err(format!("{sides} is no number of corners"));
+            return Err(format!("{sides} is not a number of corners"));
         }
         let line = self.scanner.line();
         let vertices = self.contents.positions.len();

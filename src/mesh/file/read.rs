@@ -145,7 +145,7 @@ fn read_tables(text: &[u8]) -> Result<MeshFile, Failure> {
     let mut dump = read_dump(text).map_err(|error| malformed(error.to_string()))?;
     match (dump.meshes.pop(), dump.meshes.len()) {
         (Some((_, mesh)), 0) => {
-            validate(&mesh).map_err(|law| malformed(format!("this is no valid mesh: {law}")))?;
+            validate(&mesh).map_err(|law| malformed(format!("this is not a valid mesh: {law}")))?;
             Ok(MeshFile::from_tables(mesh))
         }
         (last, others) => {

@@ -262,7 +262,7 @@ pub(super) const POINT: &str = "; numbers are written with a point";
 #[cold]
 pub(super) fn no_number(word: &[u8]) -> String {
     let point = if word.contains(&b',') { POINT } else { "" };
-    format!("`{}` is no number{point}", shown(word))
+    format!("`{}` is not a number{point}", shown(word))
 }
 
 /// The start of a word, for a message.

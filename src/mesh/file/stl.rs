@@ -68,7 +68,7 @@ fn read_binary(text: &[u8], claimed: usize) -> Contents {
     if claimed > all.len() {
         contents.damage.add(None, || {
             let room = all.len();
-            format!("its head speaks of {claimed} triangles, and there is room for {room} in it")
+            format!("its header declares {claimed} triangles, and there is room for {room}")
         });
     }
     contents
@@ -107,7 +107,7 @@ fn read_text(text: &[u8]) -> Contents {
         } else if is("solid") {
             solids += 1;
         } else if !["facet", "outer", "endfacet", "endsolid"].into_iter().any(is) {
-            damage.add(Some(line), || format!("`{}` is no word of an STL file", shown(word)));
+            damage.add(Some(line), || format!("`{}` is not a word of an STL file", shown(word)));
         }
         scanner.end_line();
     }

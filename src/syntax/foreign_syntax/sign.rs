@@ -71,7 +71,7 @@ pub(super) fn sign(written: &str, span: Span, around: Around) -> Sign {
         },
         '\u{A0}' | '\u{2007}' | '\u{202F}' | '\u{3000}' => Sign {
             kind: None,
-            says: format!("this is no plain space but U+{:04X}", u32::from(first)),
+            says: format!("this is not a plain space but U+{:04X}", u32::from(first)),
             fix: whole(" ".to_owned()),
         },
         _ => Sign { kind: None, says: format!("`{written}` means nothing here"), fix: None },

@@ -169,7 +169,7 @@ fn mistaken(mistake: Mistake, span: Span, text: &str) -> Diagnostic {
             found.note("a brace that stands for itself is written `\\{`")
         }
         Mistake::UnknownFormat => {
-            let message = "this is no way to print a value";
+            let message = "this is not a way to print a value";
             let found = Diagnostic::error("syntax-error", message, span);
             let found =
                 found.note("`{x:.3}` has three digits behind the point, `{x:full}` all there are");

@@ -18,7 +18,7 @@ pub fn flip() -> Plan {
         asm.emit(Inst::Refuse);
     });
     let refusals = [
-        ("a face is no triangle", Phase::Match),
+        ("a face is not a triangle", Phase::Match),
         ("a face is a hole", Phase::Match),
         ("the edge is already there", Phase::Require),
     ];

@@ -53,7 +53,7 @@ fn a_loop_does_not_visit_what_is_gone() {
     assert_eq!(gone + refused(&report, "collapse"), turns);
 }
 
-/// A face that has become a hole is no face any more, and the other way round.
+/// A face that has become a hole is not a face any more, and the other way round.
 #[test]
 fn a_loop_over_faces_does_not_visit_what_has_become_a_hole() {
     let (_, lines) = run_alone(

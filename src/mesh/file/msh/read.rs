@@ -398,8 +398,8 @@ impl<'t> Reader<'t> {
         let mut contents = self.contents;
         let kept = &mut contents.kept;
         let others = [
-            "element that is no triangle and no quad",
-            "elements that are no triangles and no quads",
+            "element that is neither a triangle nor a quad",
+            "elements that are neither triangles nor quads",
         ];
         kept.note_count(others, self.others);
         let bent = [
@@ -408,7 +408,7 @@ impl<'t> Reader<'t> {
         ];
         kept.note_count(bent, self.bent);
         let unpaired =
-            ["value of an element that is no face", "values of elements that are no faces"];
+            ["value of an element that is not a face", "values of elements that are not faces"];
         kept.note_count(unpaired, self.unpaired);
         contents.msh_version = self.version;
         contents.encoding = Encoding::Ascii;
@@ -459,7 +459,7 @@ impl Reader<'_> {
         if count >= 0.0 && count * least as f64 <= left as f64 + 1.0 {
             return Ok(count as usize);
         }
-        Err(format!("{count} things are spoken of, and the file has {left} bytes more"))
+        Err(format!("{count} entries are declared, but only {left} bytes follow"))
     }
 
     fn bytes<const N: usize>(&mut self) -> Answer<[u8; N]> {

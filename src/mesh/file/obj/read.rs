@@ -260,7 +260,7 @@ impl Reader {
     #[cold]
     fn resolve_back(&mut self, back: u64, kind: usize, line: u32) -> u32 {
         if back == 0 {
-            let words = "0 is no index: they count from 1, or back from -1";
+            let words = "0 is not an index: they count from 1, or back from -1";
             self.contents.strays.add(Some(line), || words.to_owned());
             return MISSING;
         }

@@ -80,7 +80,7 @@ impl<'t> Body<'t> {
             return Ok(());
         }
         let words = format!(
-            "the head speaks of {} elements `{}`, and the file has {} bytes more",
+            "the header declares {} elements `{}`, but only {} bytes follow",
             element.count,
             shown(element.name.as_bytes()),
             self.left()
@@ -134,7 +134,7 @@ impl<'t> Body<'t> {
                 Some(scalar) => match self.number(scalar)? {
                     Some(length) if length >= 0.0 && length.fract() == 0.0 => length as usize,
                     Some(length) => {
-                        let words = format!("{length} is no length of a list");
+                        let words = format!("{length} is not a length of a list");
                         return Err((None, FileReason::Malformed(words)));
                     }
                     None => return Ok(false),

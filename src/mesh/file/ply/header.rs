@@ -188,7 +188,7 @@ impl Header {
             }
             if !known {
                 let line = shown(line.as_bytes());
-                let told = format!("`{line}` is no line of the head of a PLY file");
+                let told = format!("`{line}` is not a line of the header of a PLY file");
                 // Nothing can be read without these lines, which describe the body.
                 match words.first() {
                     Some(&("format" | "element" | "property" | "end_header")) => {

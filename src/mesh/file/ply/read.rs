@@ -57,7 +57,9 @@ fn check_corners(contents: &mut Contents) {
         if *corner as usize >= vertices {
             let index = *corner;
             contents.strays.add(None, || match index {
-                MISSING => "there is an index of a vertex that is no number from 0 on".to_owned(),
+                MISSING => {
+                    "there is an index of a vertex that is not a number from 0 on".to_owned()
+                }
                 _ => format!("there is no vertex {index}: there are {vertices}, counted from 0"),
             });
             *corner = MISSING;
@@ -298,8 +300,10 @@ impl Rows<'_> {
                 self.contents.columns.push(FileColumn::new(kind, &name, default, table.numbers));
             }
             _ => {
-                let what =
-                    format!("property `{name}` of the {}, a list that is no value", kind.plural());
+                let what = format!(
+                    "property `{name}` of the {}, a list that is not a value",
+                    kind.plural()
+                );
                 self.contents.kept.note_count([&what; 2], 1);
             }
         }

@@ -33,7 +33,7 @@ pub(super) const LINES: &[Line] = &[
         CODE,
         "^let/var $n = $s=vertices/edges/faces/halfedges/holes where $c:line",
         "",
-        "a sequence is no value: `count(c for x in $s)` counts, `for x in $s where c { … }` visits",
+        "a sequence is not a value: `count(c for x in $s)` counts, `for x in $s where c { … }` visits",
     ),
     sure(CODE, "^let mut $n", "var $n", "what changes is a `var`"),
     sure(CODE, "^$n : ~=", "let $n =", "a variable begins with `let`, or with `var` if it changes"),
