@@ -6,6 +6,7 @@ use super::failure::Failure;
 use super::output::{say, table};
 use crate::analysis::{MEANINGS, Word, functions, word};
 use crate::diagnostic::{explain as explanation, explained};
+use crate::resolve::closest;
 
 /// Explains a diagnostic and how to fix it, or a word of the language.
 pub(super) fn explain(arguments: &ExplainArguments) -> Result<(), Failure> {
@@ -36,10 +37,13 @@ pub(super) fn explain(arguments: &ExplainArguments) -> Result<(), Failure> {
         Some(format!("declared in `{name}`, which `hedgerow std {}` prints", file.short_name()))
     });
     let mut text = text.ok_or_else(|| {
-        Failure::usage(format!(
-            "there is no diagnostic and no word `{asked}`; `hedgerow explain` lists the \
-             diagnostics, `hedgerow explain functions` the functions"
-        ))
+        let advice = match closest(asked, explained().map(|(code, _)| code).chain(functions())) {
+            Some(near) => format!("did you mean `{near}`?"),
+            None => "`hedgerow explain` lists the diagnostics, `hedgerow explain functions` the \
+                     functions"
+                .to_owned(),
+        };
+        Failure::usage(format!("there is no diagnostic and no word `{asked}`; {advice}"))
     })?;
     // `outer` begins `outer halfedge`.
     for (phrase, meaning) in MEANINGS {

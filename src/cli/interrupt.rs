@@ -1,12 +1,16 @@
 //! Ctrl-C while a program runs.
 //!
-//! The first one asks the script to stop, which it does at its next turn, with nothing written; the
-//! second ends the process at once. So does the first one when the script is done and its result
-//! goes into a pipe, which may block indefinitely: no file is left half-written.
+//! The first one asks the script to stop, which it does at its next turn, or the writing of its
+//! result; nothing is written then. The second ends the process at once. So does the first one when
+//! the script is done and its result goes into a pipe, which may block indefinitely: no file is left
+//! half-written.
 
 use std::ops::ControlFlow;
 use std::process::exit;
 use std::sync::atomic::{AtomicBool, Ordering};
+
+use super::failure::Failure;
+use super::output::complain;
 
 /// The exit code of a command that was interrupted: 128 plus the number of the signal, as is usual
 /// in shells.
@@ -36,6 +40,15 @@ pub(super) fn end_at_once() {
 /// True if Ctrl-C was pressed.
 pub(super) fn is_asked() -> bool {
     ASKED.load(Ordering::Relaxed)
+}
+
+/// Fails if Ctrl-C was pressed.
+pub(super) fn expect_none() -> Result<(), Failure> {
+    if !is_asked() {
+        return Ok(());
+    }
+    complain("interrupted: nothing is written");
+    Err(Failure::Silent(CODE.into()))
 }
 
 /// Continues unless Ctrl-C was pressed.

@@ -7,6 +7,7 @@ use strsim::damerau_levenshtein;
 
 use super::failure::Failure;
 use super::files;
+use super::interrupt;
 use super::option_groups::{EncodingArguments, RepairArguments};
 use super::output::{complain, is_standard, pour};
 use super::program::{Program, is_mesh};
@@ -14,7 +15,7 @@ use crate::analysis::Analysis;
 use crate::mesh::{
     Dump, FileError, FileFormat, FileReason, Loss, LostValues, Mesh, MeshFile, Places, Repair,
     Unset, WrittenNumbers, expect_writable, read_dump, read_mesh, read_mesh_from,
-    read_mesh_reordered, write_mesh, write_mesh_to,
+    read_mesh_reordered, write_mesh_to, write_mesh_unless,
 };
 use crate::resolve::{TestMesh, is_shape};
 use crate::run;
@@ -204,6 +205,9 @@ pub(super) fn write(
 ) -> Result<(), Failure> {
     let shown = path.display();
     let format = format(path)?;
+    interrupt::listen();
+    interrupt::expect_none()?;
+    let bare = file.bare_faces();
     if format != FileFormat::Obj {
         file.bring_all();
     }
@@ -223,8 +227,11 @@ pub(super) fn write(
         })
     } else {
         files::expect_waiting(path);
-        write_mesh(path, file).map(|()| Vec::new())
+        write_mesh_unless(path, file, &interrupt::is_asked).map(|()| Vec::new())
     };
+    if written.is_err() {
+        interrupt::expect_none()?;
+    }
     let bytes = written.map_err(|error| match error.reason {
         FileReason::NotPolygons(_) => {
             let other = path.with_extension("halfedges");
@@ -239,9 +246,7 @@ pub(super) fn write(
     tell_unheld(path, format, file);
     tell_lost_values(path, format, file);
     tell_lost_vertices(path, format, file);
-    if format == FileFormat::Obj {
-        tell_bare(path, file);
-    }
+    tell_bare(path, format, bare);
     if file.loses_groups(format) {
         complain(&format!(
             "warning: {shown} cannot hold the groups and materials of the mesh; an .obj or .ply \
@@ -303,16 +308,22 @@ fn tell_lost_vertices(path: &Path, format: FileFormat, file: &MeshFile) {
     }
 }
 
-/// Warns about new corners without the texture coordinates or normals that the file that was read
-/// has.
-fn tell_bare(path: &Path, file: &MeshFile) {
+/// Warns about faces whose new corners do not have the texture coordinates or normals that the file
+/// that was read has.
+fn tell_bare(path: &Path, format: FileFormat, bare: [usize; 2]) {
     let shown = path.display();
-    let kinds = ["texture coordinates (`vt`)", "normals (`vn`)"];
-    for (count, kind) in file.bare_faces().into_iter().zip(kinds) {
+    let [texture, normals, rest] = match format {
+        FileFormat::Obj => ["texture coordinates (`vt`)", "normals (`vn`)", ""],
+        FileFormat::Ply | FileFormat::Halfedges => {
+            ["texture coordinates", "normals", ": they are zero there"]
+        }
+        FileFormat::Stl | FileFormat::Off | FileFormat::Msh => return,
+    };
+    for (count, kind) in bare.into_iter().zip([texture, normals]) {
         if count > 0 {
             let (faces, have) = if count == 1 { ("face", "has") } else { ("faces", "have") };
             complain(&format!(
-                "warning: {shown}: {count} {faces} with new corners {have} no {kind} any more"
+                "warning: {shown}: {count} {faces} with new corners {have} no {kind} any more{rest}"
             ));
         }
     }

@@ -12,11 +12,11 @@ use super::interrupt;
 use super::memory;
 use super::meshes;
 use super::output::{complain, complain_json, is_standard, say, say_json, table};
-use super::program::{self, settings};
+use super::program::{self, Program, settings};
 use super::progress::Progress;
 use super::view::attribute;
 use crate::draw::{View, draw_mesh};
-use crate::mesh::{Places, RepairReport};
+use crate::mesh::{MeshFile, Places, RepairReport};
 use crate::rewrite::Unbounded;
 use crate::run::{self, OpReport, prepare};
 use crate::source::{Sources, Span};
@@ -42,6 +42,9 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
     }
     if let Some(picture) = &arguments.picture {
         expect_picture(picture)?;
+        if is_standard(picture) && arguments.output.as_deref().is_some_and(is_standard) {
+            return Err(Failure::usage("the mesh and the picture cannot both be written to `-`"));
+        }
     }
 
     let started = Instant::now();
@@ -75,26 +78,8 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
     })?;
     let run = started.elapsed().as_secs_f64();
 
-    let started = Instant::now();
-    if let Some(output) = &arguments.output {
-        let blame = || {
-            let applied = report.ops.iter().filter(|op| op.applied > 0);
-            program::blame(&program, applied.map(|op| op.name.as_str()))
-        };
-        meshes::write(output, &mut obj, &arguments.encoding, blame)?;
-        meshes::tell_displaced(output, &places, &obj.mesh);
-    }
-    if let Some(picture) = &arguments.picture {
-        // The script may have created the attribute.
-        let shown = arguments.attribute.as_ref();
-        let shown = shown.map(|name| attribute(&obj.mesh, name)).transpose()?;
-        let view = View { attribute: shown, ..View::default() };
-        write_picture(&draw_mesh(&obj.mesh, &view), picture, 1.0)?;
-    }
-    let save = started.elapsed().as_secs_f64();
-
     let drains = prepared.drains().into_iter().filter(|_| arguments.verbose);
-    let report = Report {
+    let mut report = Report {
         script: name,
         drains: drains.map(|(place, why)| Drain::new(place, why, &program.sources)).collect(),
         repaired: obj.repaired,
@@ -105,10 +90,21 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
             load,
             compile,
             run,
-            save,
+            save: 0.0,
             native: arguments.verbose.then_some(progress.compiling.as_secs_f64()),
         },
     };
+
+    let started = Instant::now();
+    let saved = save(arguments, &program, &report, &mut obj, &places);
+    report.seconds.save = started.elapsed().as_secs_f64();
+    if let Err(failure) = saved {
+        // It shows what may have gone wrong.
+        if arguments.format == Format::Human && !interrupt::is_asked() {
+            complain(&report.show());
+        }
+        return Err(failure);
+    }
     match arguments.format {
         Format::Json if poured => complain_json(&report),
         Format::Json => say_json(&report),
@@ -123,6 +119,32 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
             Ok(())
         }
     }
+}
+
+/// Writes the mesh and its picture, as requested.
+fn save(
+    arguments: &RunArguments,
+    program: &Program,
+    report: &Report,
+    obj: &mut MeshFile,
+    places: &Places,
+) -> Result<(), Failure> {
+    // The script may have created the attribute.
+    let shown = arguments.attribute.as_ref();
+    let shown = shown.map(|name| attribute(&obj.mesh, name)).transpose()?;
+    if let Some(output) = &arguments.output {
+        let blame = || {
+            let applied = report.ops.iter().filter(|op| op.applied > 0);
+            program::blame(program, applied.map(|op| op.op.as_str()))
+        };
+        meshes::write(output, obj, &arguments.encoding, blame)?;
+        meshes::tell_displaced(output, places, &obj.mesh);
+    }
+    if let Some(picture) = &arguments.picture {
+        let view = View { attribute: shown, ..View::default() };
+        write_picture(&draw_mesh(&obj.mesh, &view), picture, 1.0)?;
+    }
+    Ok(())
 }
 
 #[derive(Serialize)]

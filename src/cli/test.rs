@@ -53,10 +53,11 @@ pub(super) fn test(arguments: &TestArguments) -> Result<(), Failure> {
                 told.push_str(&format!(", {broken} not run"));
             }
             say(&told);
-            if let Some(filter) =
-                arguments.filter.as_ref().filter(|_| passed + failed + broken == 0)
-            {
-                complain(&format!("warning: no test has `{filter}` in its name"));
+            if passed + failed + broken == 0 && unreadable.is_none() {
+                complain(&match &arguments.filter {
+                    Some(filter) => format!("warning: no test has `{filter}` in its name"),
+                    None => "warning: there is no `test`".to_owned(),
+                });
             }
         }
     }

@@ -83,6 +83,7 @@ pub use file::{
     Encoding, FileError, FileFaultKind, FileFaults, FileFormat, FileReason, Loss, LostValues,
     Material, MeshFile, MshVersion, WantedAttribute, WrittenNumbers, expect_writable, read_mesh,
     read_mesh_from, read_mesh_reordered, replace_file, write_mesh, write_mesh_to,
+    write_mesh_unless,
 };
 pub use history::History;
 pub use id::{EdgeId, Element, ElementKind, FaceId, HalfedgeId, VertexId};

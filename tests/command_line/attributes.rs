@@ -169,6 +169,40 @@ fn a_default_that_used_files_need_is_asked_for_once() {
 }
 
 #[test]
+fn new_corners_have_the_values_of_their_vertices_in_every_format() {
+    let bench = Bench::new();
+    let square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0.1 0.1\nvt 0.9 0.1\nvt 0.9 0.9\n\
+                  vt 0.1 0.9\nvn 0 0 1\nf 1/1/1 2/2/1 3/3/1 4/4/1\n";
+    bench.write("m.obj", square);
+    bench.succeeds(&["convert", "m.obj", "m.ply"]);
+    for from in ["m.obj", "m.ply"] {
+        for to in ["n.obj", "n.ply", "n.halfedges"] {
+            let run = ["run", "std/triangulate.hedge::triangulate", from, "-o", to];
+            bench.succeeds(&run);
+            bench.succeeds(&["convert", to, "o.obj"]);
+            let text = bench.read("o.obj");
+            let rows = |keyword: &str| -> Vec<&str> {
+                text.lines().filter_map(|line| line.strip_prefix(keyword)).collect()
+            };
+            let (places, textures) = (rows("v "), rows("vt "));
+            let mut corners = 0;
+            for face in rows("f ") {
+                for corner in face.split(' ') {
+                    let numbers: Vec<usize> =
+                        corner.split('/').map(|number| number.parse().unwrap()).collect();
+                    let near = |at: &str| if at == "0" { "0.1" } else { "0.9" };
+                    let place: Vec<&str> = places[numbers[0] - 1].split(' ').collect();
+                    let wanted = format!("{} {}", near(place[0]), near(place[1]));
+                    assert_eq!(textures[numbers[1] - 1], wanted, "{from} to {to}: {text}");
+                    corners += 1;
+                }
+            }
+            assert_eq!((corners, rows("vn ")), (6, vec!["0 0 1"]), "{from} to {to}: {text}");
+        }
+    }
+}
+
+#[test]
 fn what_of_a_file_is_lost_is_told() {
     let bench = Bench::new();
     bench.write("m.obj", TWO.replace("f 1/1/1 2/2/1", "l 1 2\np 3\nf 1/1/1 2/2/1"));
@@ -179,6 +213,13 @@ fn what_of_a_file_is_lost_is_told() {
         "4 faces with new corners have no texture coordinates (`vt`) any more\n",
         "4 faces with new corners have no normals (`vn`) any more\n",
         "lines (`l`), points (`p`), first in line ",
+    ] {
+        assert!(said.err.contains(words), "{}", said.err);
+    }
+    let said = bench.run(&[split.as_slice(), &["-o", "n.ply"]].concat());
+    for words in [
+        "4 faces with new corners have no texture coordinates any more: they are zero there\n",
+        "4 faces with new corners have no normals any more: they are zero there\n",
     ] {
         assert!(said.err.contains(words), "{}", said.err);
     }

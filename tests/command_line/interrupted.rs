@@ -2,8 +2,11 @@
 
 #![cfg(unix)]
 
+use std::collections::BTreeSet;
 use std::io::{BufRead, BufReader};
 use std::process::{Command, Stdio};
+use std::thread::sleep;
+use std::time::Duration;
 
 use crate::bench::{Bench, SQUARE};
 
@@ -48,6 +51,31 @@ fn an_endless_script_leaves_no_file() {
         assert_eq!(bench.files(), ["m.obj", "old.obj", "s.hedge"]);
     }
     assert_eq!(count, 6);
+}
+
+#[test]
+fn nothing_is_written_once_it_is_interrupted() {
+    let bench = Bench::new();
+    // Whatever moment the signal comes at, the file is the old one or the whole new one.
+    let arguments = ["convert", "icosphere(7)", "new.ply", "--encoding", "ascii"];
+    bench.succeeds(&arguments);
+    let whole = bench.read("new.ply");
+    let mut codes = BTreeSet::new();
+    for step in 0..16 {
+        bench.write("new.ply", "old");
+        let mut command = bench.command(&arguments);
+        let child = command.stderr(Stdio::piped()).spawn().unwrap();
+        sleep(Duration::from_millis(step * 50));
+        let sent = Command::new("kill").args(["-INT", &child.id().to_string()]).output().unwrap();
+        let said = child.wait_with_output().unwrap();
+        let written = bench.read("new.ply");
+        assert!(written == "old" || written == whole, "a part is written");
+        assert_eq!(bench.files(), ["new.ply"], "{said:?}");
+        let was_stopped = written == "old";
+        assert_eq!(said.status.code() == Some(0), !was_stopped, "{said:?}, {sent:?}");
+        codes.insert(said.status.code());
+    }
+    assert!(codes.len() > 1, "it was never stopped, or always: {codes:?}");
 }
 
 #[test]

@@ -150,3 +150,40 @@ fn places() {
     bench.fails(2, &set, "give --at e=PLACE");
     assert!(!bench.has("out.obj"));
 }
+
+#[test]
+fn what_cannot_be_shown_is_said_before_anything_is_written() {
+    let bench = Bench::with_square();
+    bench.write("s.hedge", "script s() { }");
+    let both = ["run", "s.hedge", "square.obj", "-o", "-", "--picture", "-"];
+    bench.fails(2, &both, "cannot both be written to `-`");
+    let picture = ["--picture", "p.svg", "--attribute", "nope"];
+    let wrong = [&["run", "s.hedge", "square.obj", "-o", "n.obj"][..], &picture].concat();
+    bench.fails(2, &wrong, "nope");
+    assert_eq!(bench.files(), ["s.hedge", "square.obj"]);
+}
+
+#[test]
+fn what_was_applied_is_told_where_the_result_cannot_be_written() {
+    let bench = Bench::with_square();
+    let text = "use \"std/polygon.hedge\"
+                op slit(e: edge) {
+                  before {
+                    face f: a -h-> b =P=> a
+                    face g: b -k-> a =Q=> b
+                    edge e: h | k
+                  }
+                  after {
+                    new n e2 x y
+                    face f: a -h-> b =P=> a
+                    face g: b -k-> a =Q=> b
+                    hole n: a -x-> b -y-> a
+                    edge e: h | y
+                    edge e2: k | x
+                  }
+                }
+                script s() { for e in edges { slit(e) } }";
+    bench.write("s.hedge", text);
+    let said = bench.fails(2, &["run", "s.hedge", "square.obj", "-o", "n.obj"], "n.halfedges");
+    assert!(said.err.contains("slit        1        4"), "{said:?}");
+}

@@ -19,7 +19,7 @@ use super::kept::MISSING;
 use super::mesh_file::MeshFile;
 use super::{msh, obj, off, stl};
 use crate::mesh::attribute::{AttributeType, ColumnId, Value};
-use crate::mesh::id::ElementKind;
+use crate::mesh::id::{ElementKind, FaceId, HalfedgeId};
 
 /// An attribute that a program uses: kind, name and default.
 pub type WantedAttribute<'n> = (ElementKind, &'n str, Value);
@@ -49,19 +49,19 @@ impl MeshFile {
         let Ok(column) = self.mesh.add_column(kind, name, default) else {
             return; // there is none of this name
         };
+        let faces: Vec<FaceId> = self.mesh.faces().filter(|&f| !self.mesh.is_hole(f)).collect();
+        let new = self.new_rows(what, &faces);
+        let at = |h: HalfedgeId| {
+            let row = self.kept_row(what, h).or_else(|| new.get(&h.0).copied())?;
+            Some(value(ty, *self.kept_rows(what).rows.get(row as usize)?))
+        };
         let values: Vec<(u32, Value)> = match kind {
             ElementKind::Halfedge => {
-                let all = self.mesh.halfedges();
-                all.filter_map(|h| Some((h.0, value(ty, self.kept_value(what, h)?)))).collect()
+                self.mesh.halfedges().filter_map(|h| Some((h.0, at(h)?))).collect()
             }
             _ => {
                 let all = self.mesh.vertices();
-                all.filter_map(|v| {
-                    let mut corners = self.mesh.spokes(v);
-                    let found = corners.find_map(|h| self.kept_value(what, h))?;
-                    Some((v.0, value(ty, found)))
-                })
-                .collect()
+                all.filter_map(|v| Some((v.0, self.mesh.spokes(v).find_map(at)?))).collect()
             }
         };
         for (index, value) in values {

@@ -152,7 +152,7 @@ impl MeshFile {
         }
     }
 
-    fn kept_rows(&self, what: OfCorner) -> &Rows {
+    pub(super) fn kept_rows(&self, what: OfCorner) -> &Rows {
         match what {
             OfCorner::Texture => &self.kept.texture,
             OfCorner::Normal => &self.kept.normals,
@@ -160,23 +160,18 @@ impl MeshFile {
     }
 
     /// The row of the file at the start of a halfedge in its face.
-    fn kept_row(&self, what: OfCorner, h: HalfedgeId) -> Option<u32> {
+    pub(super) fn kept_row(&self, what: OfCorner, h: HalfedgeId) -> Option<u32> {
         match what {
             OfCorner::Texture => self.texture_index(h),
             OfCorner::Normal => self.normal_index(h),
         }
-    }
-
-    pub(super) fn kept_value(&self, what: OfCorner, h: HalfedgeId) -> Option<[f64; 3]> {
-        let row = self.kept_row(what, h)?;
-        self.kept_rows(what).rows.get(row as usize).copied()
     }
 }
 
 /// New corners.
 impl MeshFile {
     /// The rows of corners that are not from the file, by halfedge.
-    fn new_rows(&self, what: OfCorner, faces: &[FaceId]) -> HashMap<u32, u32> {
+    pub(super) fn new_rows(&self, what: OfCorner, faces: &[FaceId]) -> HashMap<u32, u32> {
         let mut new = HashMap::new();
         if self.kept_corners(what).is_empty() {
             return new;

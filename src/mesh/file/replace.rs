@@ -19,6 +19,19 @@ pub fn replace_file(
     path: &Path,
     write: impl Fn(&mut dyn Write) -> Result<(), FileReason>,
 ) -> Result<(), FileReason> {
+    replace_file_unless(path, &|| false, write)
+}
+
+/// As [`replace_file`], unless `stops` is true at some time before the old file is replaced: it is
+/// asked at intervals.
+///
+/// # Errors
+/// As for [`replace_file`]; [`FileReason::Io`] if it was stopped.
+pub(super) fn replace_file_unless(
+    path: &Path,
+    stops: &dyn Fn() -> bool,
+    write: impl Fn(&mut dyn Write) -> Result<(), FileReason>,
+) -> Result<(), FileReason> {
     // A device or a pipe cannot be replaced, only written to. The target of a link to a pipe need
     // not be a path: `/dev/stdout`.
     if fs::metadata(path).is_ok_and(|old| !old.is_file()) {
@@ -39,17 +52,42 @@ pub fn replace_file(
     }
     let mut file = new_file(folder).map_err(FileReason::Io)?;
     {
-        let mut output = BufWriter::with_capacity(1 << 16, file.as_file_mut());
+        let output = Unless { output: file.as_file_mut(), stops };
+        let mut output = BufWriter::with_capacity(1 << 16, output);
         write(&mut output)?;
         output.flush().map_err(FileReason::Io)?;
     }
     // The name must refer to the complete text even if the power fails right after.
     file.as_file().sync_all().map_err(FileReason::Io)?;
+    if stops() {
+        return Err(FileReason::Io(stopped()));
+    }
     if let Some(old) = old {
         file.as_file().set_permissions(old.permissions()).map_err(FileReason::Io)?;
     }
     file.persist(&target).map_err(|failed| FileReason::Io(failed.error))?;
     Ok(())
+}
+
+/// An output that fails from when it is to stop.
+struct Unless<'o> {
+    output: &'o mut fs::File,
+    stops: &'o dyn Fn() -> bool,
+}
+
+impl Write for Unless<'_> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        if (self.stops)() { Err(stopped()) } else { self.output.write(bytes) }
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.output.flush()
+    }
+}
+
+/// The error for an output that was stopped. One of the kind `Interrupted` would be tried again.
+fn stopped() -> io::Error {
+    io::Error::other("interrupted")
 }
 
 /// Checks that a file may be written, if it exists. A protected file could be replaced all the

@@ -7,7 +7,7 @@ use std::path::Path;
 use super::error::{FileError, FileReason};
 use super::format::FileFormat;
 use super::mesh_file::MeshFile;
-use super::replace::replace_file;
+use super::replace::replace_file_unless;
 use super::{msh, obj, off, ply, stl};
 use crate::mesh::connectivity::Mesh;
 use crate::mesh::dump::{Dump, write_dump};
@@ -19,10 +19,23 @@ use crate::mesh::level::{Level, validate_level};
 /// # Errors
 /// The file cannot be written, or its format cannot hold the mesh.
 pub fn write_mesh(path: &Path, file: &MeshFile) -> Result<(), FileError> {
+    write_mesh_unless(path, file, &|| false)
+}
+
+/// As [`write_mesh`], unless `stops` is true at some time before the old file is replaced: it is
+/// asked at intervals.
+///
+/// # Errors
+/// As for [`write_mesh`]; [`FileReason::Io`] if it was stopped.
+pub fn write_mesh_unless(
+    path: &Path,
+    file: &MeshFile,
+    stops: &dyn Fn() -> bool,
+) -> Result<(), FileError> {
     let format = FileFormat::of(path);
     let written = format.and_then(|format| {
         let file = ready(format, file)?;
-        replace_file(path, |mut output| write_ready(&mut output, format, &file))
+        replace_file_unless(path, stops, |mut output| write_ready(&mut output, format, &file))
     });
     written.map_err(|reason| FileError { file: path.display().to_string(), line: None, reason })
 }
