@@ -8,7 +8,9 @@
 //! Both are reported together, one diagnostic for each missing orbit: a person forgets a statement,
 //! not a pointer.
 
-use super::outside::beside;
+use std::collections::BTreeSet;
+
+use super::outside::{beside, twin_beside};
 use super::problem::{Problem, Remedy, enumerate, is_or_are};
 use super::remedies::{around, by_ends, insertions, unpaired};
 use super::stale::Stale;
@@ -208,8 +210,18 @@ impl Law<'_> {
     fn loop_is_missing(&mut self, orbits: &[(&Loop, Vec<Ref>)]) {
         let drawing = self.drawing;
         let rule = drawing.rule;
-        let missing = || orbits.iter().flat_map(|(_, missing)| missing);
-        let names: Vec<_> = missing().map(|item| item.name).collect();
+        let is_whole = |(orbit, items): &(&Loop, Vec<Ref>)| items.len() == orbit.items.len();
+        let is_whole = orbits.len() == 1 && is_whole(&orbits[0]);
+        let open: Vec<_> =
+            orbits.iter().flat_map(|(_, missing)| missing).map(|item| item.name).collect();
+        // In an unrolled rule, the first member is reported for its family.
+        let mut orbits = orbits.to_vec();
+        for (_, items) in &mut orbits {
+            let mut written = BTreeSet::new();
+            items.retain(|item| written.insert(item.span));
+        }
+        let names: Vec<_> =
+            orbits.iter().flat_map(|(_, missing)| missing).map(|item| item.name).collect();
         let list = enumerate(rule, &names);
         let message = if names.len() == 1 && drawing.after.mention(names[0]).is_none() {
             format!("{list} is neither reassigned nor erased")
@@ -242,7 +254,6 @@ impl Law<'_> {
             _ => diagnostic.label(after_keyword(drawing), format!("no loop here holds {list}")),
         };
         diagnostic = diagnostic.note(Stale::of_loop(drawing, &names).sentence());
-        let is_whole = orbits.len() == 1 && items.len() == first.items.len();
         if is_whole && drawing.erased(face).is_some() && first.kind == LoopKind::Face {
             let face = &rule.name(face).text;
             diagnostic = diagnostic.note(format!(
@@ -265,7 +276,7 @@ impl Law<'_> {
         if let &[item] = names.as_slice() {
             remedies.extend(insertions(drawing, item));
         }
-        for (orbit, _) in orbits {
+        for (orbit, _) in &orbits {
             let face = orbit.face.name;
             if drawing.after.mention(face).is_none() && drawing.erased(face).is_none() {
                 remedies.push(Remedy::Erase(names.iter().copied().chain([face]).collect()));
@@ -277,7 +288,7 @@ impl Law<'_> {
                 remedies.push(remedy);
             }
         }
-        self.explained.extend(names.iter().filter(|&&name| drawing.after.pairing(name).is_none()));
+        self.explained.extend(open.iter().filter(|&&name| drawing.after.pairing(name).is_none()));
         self.problems.push(Problem { diagnostic, remedies });
     }
 
@@ -467,9 +478,12 @@ impl Law<'_> {
                 if self.all_unpaired(name, created.span) {
                     continue;
                 }
-                let diagnostic =
+                let mut diagnostic =
                     lacks("edge of `after`", format!("`{word}.twin` and `{word}.edge`"));
                 let remedies = self.pairings(None);
+                if remedies.is_empty() {
+                    diagnostic.notes.extend(twin_beside(drawing, name));
+                }
                 for remedy in &remedies {
                     if let Remedy::Pair { halfedges, .. } = remedy {
                         self.explained.extend(halfedges);

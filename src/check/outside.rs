@@ -1,10 +1,21 @@
-//! New halfedges that would lie in loops that are not drawn.
+//! New halfedges that would lie in loops that are not drawn, or have their twins there.
 
 use crate::diagram::{Drawing, Kind, NameId};
 
 /// The reason why a new halfedge is in no loop: the halfedge that it would be beside is in none
 /// either.
 pub(super) fn beside(drawing: &Drawing, new: NameId) -> Option<String> {
+    undrawn(drawing, new, drawing.rule.quoted(new))
+}
+
+/// The reason why a new halfedge has no twin: the halfedge that the twin would be beside is in no
+/// loop.
+pub(super) fn twin_beside(drawing: &Drawing, new: NameId) -> Option<String> {
+    undrawn(drawing, new, format!("a new twin of {}", drawing.rule.quoted(new)))
+}
+
+/// The advice to draw the loop of an outer halfedge near a new one, and in `after` with `what`.
+fn undrawn(drawing: &Drawing, new: NameId, what: String) -> Option<String> {
     let rule = drawing.rule;
     let after = |half| [drawing.origin_after(half), drawing.target_after(half)];
     let [from, to] = after(new);
@@ -31,7 +42,6 @@ pub(super) fn beside(drawing: &Drawing, new: NameId) -> Option<String> {
         None => ["v0".to_owned(), "v1".to_owned()],
     };
     Some(format!(
-        "{lacks}: draw its loop there, `loop o: {start} -{word}-> {end} =O=> {start}`, and in `after` with {}",
-        rule.quoted(new)
+        "{lacks}: draw its loop there, `loop o: {start} -{word}-> {end} =O=> {start}`, and in `after` with {what}"
     ))
 }
