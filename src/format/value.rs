@@ -153,7 +153,9 @@ impl Printer<'_> {
 /// The start of the first part of a value, inside of its parentheses.
 fn start_inside(value: &Expr) -> usize {
     match &value.kind {
-        ExprKind::Binary(_, first, _) | ExprKind::Field(first, _) => first.span.start as usize,
+        ExprKind::Binary(_, first, _) | ExprKind::Field(first, _) | ExprKind::Range(first, _) => {
+            first.span.start as usize
+        }
         // Nothing else begins with a parenthesis.
         _ => usize::MAX,
     }

@@ -35,7 +35,7 @@ impl Scripting<'_> {
         let inside = self.repeated(visited.body);
         self.typing.scopes.leave();
 
-        let here = visited.variable.span;
+        let here = visited.sequence.span;
         let one = || int(ExprKind::Int(1), here);
         let index = || int(ExprKind::Local(variable), here);
         let with =

@@ -22,8 +22,8 @@ use super::{
 };
 use crate::mesh::{AttributeType, Bookmark, ColumnId, ElementKind, Level, Mesh};
 
-/// The greatest depth of nested calls.
-const DEPTH: usize = 16;
+/// The greatest depth of nested calls of operations.
+const DEPTH: usize = 64;
 
 /// Runs code on meshes.
 #[derive(Debug)]

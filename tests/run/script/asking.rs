@@ -199,6 +199,21 @@ fn a_script_that_calls_itself_is_stopped() {
 }
 
 #[test]
+fn operations_in_steps_nest_deeply_but_not_without_end() {
+    let nested = |depth: usize| {
+        let outer = |at| format!("op f{at}(v: vertex) {{ steps {{ must f{}(v) }} }}\n", at + 1);
+        let inner = "op f_(v: vertex) { before { loop f: v -a-> w =P=> v } after { keep f
+                     v.position = vec3(7) } }\n";
+        let ops: String = (0..depth - 1).map(outer).collect();
+        let last = inner.replace("f_", &format!("f{}", depth - 1));
+        let call = "script main() { for v in vertices { must f0(v) print v.position.x break } }";
+        run_alone(&mut shape::cube(), &format!("{ops}{last}{call}"), &[])
+    };
+    assert_eq!(nested(60).unwrap().1, ["7"]);
+    assert_eq!(nested(80).unwrap_err().diagnostic.code, "calls-too-deep");
+}
+
+#[test]
 fn a_guarded_op_may_follow_any_other() {
     for mut mesh in [shape::triangle_grid(6, 5), shape::icosphere(2)] {
         // Turned four times, an edge is back.
