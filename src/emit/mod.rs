@@ -34,6 +34,7 @@ pub mod cpp;
 mod language;
 mod lines;
 mod rust;
+mod support;
 
 use crate::diagnostic::Diagnostic;
 use crate::source::Span;

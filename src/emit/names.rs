@@ -6,8 +6,8 @@
 
 use std::collections::BTreeSet;
 
-use super::cpp;
 use super::reserved::{is_reserved, plain, unreserved};
+use super::support::CPP;
 use super::term::{Attribute, IndexLoop, Term};
 use crate::diagram::{self, Kind, NameId, Op, Role, Rule, Type};
 use crate::resolve::Variable;
@@ -15,7 +15,7 @@ use crate::resolve::Variable;
 /// The name of a function of the program in code: in C++ it must differ from those of the support
 /// functions.
 pub(super) fn invoked(name: &str) -> String {
-    match cpp::is_written_out(name) {
+    match CPP.names().any(|known| known.trim_end_matches(".n") == name) {
         true => format!("{name}_"),
         false => unreserved(name, &[]),
     }

@@ -5,7 +5,7 @@
 use std::collections::BTreeSet;
 use std::sync::LazyLock;
 
-use super::rust;
+use super::support;
 
 /// Keywords of C++ up to C++23, with the alternative tokens and the contextual keywords.
 const CPP: &str = "
@@ -38,7 +38,7 @@ const MACROS: &str = "
 
 /// Types and values that emitted code uses without a namespace.
 const USED: &str = "
-    main std mesh hedgerow journal was abs
+    main std mesh hedgerow journal was abs Journal Refused
     new_vertex new_halfedge new_edge new_face erase size_t ptrdiff_t int8_t int16_t int32_t int64_t
     uint8_t uint16_t uint32_t uint64_t intptr_t uintptr_t nullptr_t max_align_t FILE
     Some None Ok Err Option Vec String Box Iterator HashMap
@@ -47,7 +47,7 @@ const USED: &str = "
 
 static RESERVED: LazyLock<BTreeSet<&str>> = LazyLock::new(|| {
     let lists = [CPP, RUST, MACROS, USED].into_iter();
-    lists.flat_map(str::split_whitespace).chain(rust::written_out()).collect()
+    lists.flat_map(str::split_whitespace).chain(support::RUST.names()).collect()
 });
 
 /// True if a word is reserved by a language, a macro, or emitted code itself.

@@ -9,6 +9,7 @@ fn everything_that_is_written_out_has_its_header() {
         include_str!("../../src/emit/cpp/values.txt"),
         include_str!("../../src/emit/cpp/preview.txt"),
         include_str!("../../src/emit/cpp/journal.txt"),
+        include_str!("../../src/emit/builtin.rs"),
         include_str!("../../src/emit/cpp/spelling.rs"),
         include_str!("../../src/emit/cpp/statement.rs"),
         include_str!("../../src/emit/cpp/steps.rs"),

@@ -8,6 +8,7 @@ use super::super::lines::{Lines, comment};
 use super::super::names::invoked;
 use super::super::routine::{Helper, Routine, Signature, Statement};
 use super::super::steps::{Item, Items, items};
+use super::super::support::CPP;
 use super::super::term::{Attribute, Parameter, Term};
 use super::super::{NotEmitted, Selection};
 use super::style::Style;
@@ -34,8 +35,6 @@ pub fn cpp(selection: &Selection<'_>, style: &Style) -> Result<String, NotEmitte
     let mut printer = Printer {
         style,
         lines: Lines::new(2),
-        used: Vec::new(),
-        headers: BTreeSet::from(["optional"]),
         fields: BTreeSet::new(),
         refusal: "",
         is_outside: false,
@@ -43,7 +42,7 @@ pub fn cpp(selection: &Selection<'_>, style: &Style) -> Result<String, NotEmitte
         preview: None,
     };
     let outside = called.iter().map(|(home, item)| printer.called(home, item));
-    let outside: Vec<_> = outside.collect();
+    let outside = outside.collect::<String>();
     let alone = ops.len() == 1;
     for (at, op) in ops.iter_mut().enumerate() {
         if at > 0 {
@@ -66,19 +65,19 @@ pub fn cpp(selection: &Selection<'_>, style: &Style) -> Result<String, NotEmitte
             }
         }
     }
-    if let Some(why) = printer.is_blind(&outside) {
+    let body = std::mem::take(&mut printer.lines).finish();
+    let needed = CPP.needed(&format!("{outside}{body}"), "hedgerow::");
+    if let Some(why) = printer.is_blind(&outside, &needed) {
         let first = selection.ops.first().and_then(|&op| selection.program.ops.get(op));
         let span = first.map_or(Span::default(), |op| op.span);
         return Err(NotEmitted::because("this style", why, span));
     }
-    Ok(printer.finish(&outside))
+    Ok(printer.finish(&outside, &needed, &body))
 }
 
 pub(super) struct Printer<'s> {
     pub style: &'s Style,
     pub lines: Lines,
-    pub used: Vec<&'static str>,
-    pub headers: BTreeSet<&'static str>,
     /// The attributes that elements must have: "vertex: double weight".
     pub fields: BTreeSet<String>,
     /// The statement that leaves the current attempt.
@@ -94,18 +93,18 @@ pub(super) struct Printer<'s> {
 impl Printer<'_> {
     /// The reason why the functions beside the operations cannot compile: the mesh that the style
     /// needs is not in scope there, or two kinds of elements have the same type.
-    fn is_blind(&self, outside: &[String]) -> Option<String> {
+    fn is_blind(&self, outside: &str, needed: &[(&str, &str)]) -> Option<String> {
         if let Some([one, other]) = self.style.one_type()
-            && (self.used.contains(&"Journal") || self.used.contains(&"Preview"))
+            && needed.iter().any(|(name, _)| ["Journal", "Preview"].contains(name))
         {
             return Some(format!(
                 "`{one}` and `{other}` are one type, and overloads tell elements apart by theirs"
             ));
         }
         let (pattern, word) = self.style.needs_mesh()?;
-        let mut needed = support::needed(&self.used).into_iter();
-        let whose = match (outside.is_empty(), needed.find(|name| support::looks_at_mesh(name))) {
-            (_, Some(name)) => format!("`{}`", name.trim_end_matches(".n")),
+        let looking = needed.iter().find(|(_, text)| support::looks_at_mesh(text));
+        let whose = match (outside.is_empty(), looking) {
+            (_, Some((name, _))) => format!("`{}`", name.trim_end_matches(".n")),
             (false, None) => "what they call".to_string(),
             (true, None) => return None,
         };
@@ -119,20 +118,15 @@ impl Printer<'_> {
         ))
     }
 
-    fn finish(self, helpers: &[String]) -> String {
-        let needed = support::needed(&self.used);
-        let mut headers = self.headers;
-        let mut functions = String::new();
-        for name in needed {
-            let text = support::spelled(name, self.style);
-            functions.push_str(&once(name, &text));
-        }
-        for helper in helpers {
-            functions.push_str(helper);
-        }
-        let body = self.lines.finish();
+    fn finish(self, outside: &str, needed: &[(&str, &str)], body: &str) -> String {
+        let needed = needed.iter();
+        let functions = needed
+            .map(|(name, text)| once(name, &support::spelled(name, text, self.style)))
+            .collect::<String>()
+            + outside;
+        let mut headers = BTreeSet::from(["optional"]);
         headers.extend(super::headers::headers(&functions));
-        headers.extend(super::headers::headers(&body));
+        headers.extend(super::headers::headers(body));
         let headers: String =
             headers.iter().map(|header| format!("#include <{header}>\n")).collect();
         let fields = self.fields.iter();
@@ -466,8 +460,7 @@ impl Printer<'_> {
     }
 
     /// A call of a support function.
-    pub fn support(&mut self, name: &'static str, args: Vec<String>) -> String {
-        self.used.push(name);
+    pub fn support(&mut self, name: &str, args: Vec<String>) -> String {
         format!("hedgerow::{name}({})", args.join(", "))
     }
 }

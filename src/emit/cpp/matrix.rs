@@ -9,18 +9,16 @@ use crate::diagram::{Binary, Builtin, Type};
 
 impl Printer<'_> {
     /// A call of a support template: `hedgerow::dot<4>(x, y)`.
-    fn sized(&mut self, name: &'static str, size: u8, args: &[String]) -> String {
+    fn sized(&mut self, name: &str, size: u8, args: &[String]) -> String {
         self.templated(name, &[size.to_string()], args)
     }
 
-    fn templated(&mut self, name: &'static str, of: &[String], args: &[String]) -> String {
-        self.used.push(name);
-        let word = name.trim_end_matches(".n");
-        format!("hedgerow::{word}<{}>({})", of.join(", "), args.join(", "))
+    fn templated(&mut self, name: &str, of: &[String], args: &[String]) -> String {
+        format!("hedgerow::{name}<{}>({})", of.join(", "), args.join(", "))
     }
 
     /// A sum or mean of values of the type.
-    pub(super) fn total(&mut self, name: &'static str, ty: Type, args: &[String]) -> String {
+    pub(super) fn total(&mut self, name: &str, ty: Type, args: &[String]) -> String {
         let of = [ty.size().to_string(), self.ty(ty)];
         self.templated(name, &of, args)
     }
@@ -43,23 +41,23 @@ impl Printer<'_> {
         let text = match operation {
             Operation::Operator(Binary::Transform) if ty == Type::Mat3 => {
                 args[1] = self.parts(Type::Vec3, args[1].clone());
-                let image = self.sized("transform.n", size, &args);
+                let image = self.sized("transform", size, &args);
                 self.support("vector_of", vec![image])
             }
             Operation::Operator(operator) => {
                 let name = match operator {
-                    Binary::AddVector => "add.n",
-                    Binary::SubtractVector => "subtract.n",
-                    Binary::MultiplyVector => "times.n",
-                    Binary::ScaleVector => "scale.n",
-                    Binary::DivideVector => "divide.n",
-                    Binary::MultiplyMatrices => "multiply_matrices.n",
-                    Binary::Transform => "transform.n",
-                    _ => "equal.n",
+                    Binary::AddVector => "add",
+                    Binary::SubtractVector => "subtract",
+                    Binary::MultiplyVector => "times",
+                    Binary::ScaleVector => "scale",
+                    Binary::DivideVector => "divide",
+                    Binary::MultiplyMatrices => "multiply_matrices",
+                    Binary::Transform => "transform",
+                    _ => "equal",
                 };
                 self.sized(name, size, &args)
             }
-            Operation::Negate => self.sized("negate.n", size, &args),
+            Operation::Negate => self.sized("negate", size, &args),
             Operation::Part(part) => format!("{}[{part}]", args.join("")),
             Operation::Column(column) => {
                 args.push(column.to_string());
@@ -82,9 +80,9 @@ impl Printer<'_> {
                 if ty == Type::Mat3 {
                     args = args.into_iter().map(|arg| self.parts(Type::Vec3, arg)).collect();
                 }
-                self.templated("columns.n", &[self.ty(ty)], &args)
+                self.templated("columns", &[self.ty(ty)], &args)
             }
-            Operation::Make => self.templated("made.n", &[self.ty(ty)], &args),
+            Operation::Make => self.templated("made", &[self.ty(ty)], &args),
             Operation::Builtin(builtin) => self.builtin_of(builtin, ty, args),
         };
         Spelled::whole(text)
@@ -93,42 +91,42 @@ impl Printer<'_> {
     fn builtin_of(&mut self, builtin: Builtin, ty: Type, mut args: Vec<String>) -> String {
         let size = ty.size();
         let name = match builtin {
-            Builtin::Dot => "dot.n",
-            Builtin::Normalize => "normalize.n",
-            Builtin::LengthVector => "length.n",
+            Builtin::Dot => "dot",
+            Builtin::Normalize => "normalize",
+            Builtin::LengthVector => "length",
             Builtin::Distance => {
-                args = vec![self.sized("subtract.n", size, &args)];
-                "length.n"
+                args = vec![self.sized("subtract", size, &args)];
+                "length"
             }
-            Builtin::MixVector => "blend.n",
+            Builtin::MixVector => "blend",
             Builtin::CrossPlane => return self.support("cross_plane", args),
             Builtin::IsNan => {
                 args = vec![self.parts(ty, args.join(""))];
-                "is_nan.n"
+                "is_nan"
             }
-            Builtin::IsFinite => "is_finite.n",
+            Builtin::IsFinite => "is_finite",
             Builtin::Diagonal => {
                 let of = [size.to_string(), self.ty(ty)];
-                return self.templated("diagonal.n", &of, &args);
+                return self.templated("diagonal", &of, &args);
             }
             Builtin::UpperLeft => return self.support("upper_left", args),
             Builtin::Outer => {
                 args = args.into_iter().map(|arg| self.parts(ty, arg)).collect();
                 let matrix = if size == 3 { Type::Mat3 } else { Type::Mat4 };
                 let of = [size.to_string(), self.ty(matrix)];
-                return self.templated("outer.n", &of, &args);
+                return self.templated("outer", &of, &args);
             }
-            Builtin::Transpose => "transpose.n",
-            Builtin::Inverse => "inverse.n",
+            Builtin::Transpose => "transpose",
+            Builtin::Inverse => "inverse",
             Builtin::Determinant if size == 3 => return self.support("determinant3", args),
             Builtin::Determinant => return self.support("determinant4", args),
             Builtin::Solve if size == 3 => {
                 args[1] = self.parts(Type::Vec3, args[1].clone());
-                let solution = self.sized("solve.n", size, &args);
+                let solution = self.sized("solve", size, &args);
                 return self.support("vector_of", vec![solution]);
             }
             // No other builtin has such arguments.
-            _ => "solve.n",
+            _ => "solve",
         };
         self.sized(name, size, &args)
     }

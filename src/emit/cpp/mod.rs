@@ -14,4 +14,3 @@ mod support;
 pub use function::cpp;
 pub use pattern::StyleError;
 pub use style::Style;
-pub(super) use support::is_written_out;

@@ -8,7 +8,6 @@ use crate::diagram::Kind;
 impl Printer<'_> {
     /// Writes a preview, and the block that looks at it.
     pub(super) fn preview_block(&mut self, preview: &str, body: &[Statement]) {
-        self.used.push("Preview");
         self.lines.blank();
         self.lines
             .comment("//", "The guard looks at what there would be, on a preview of the mesh.");

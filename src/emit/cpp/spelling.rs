@@ -6,7 +6,7 @@ use super::super::matrix::is_wide;
 use super::super::names::invoked;
 use super::super::term::{Around, Attribute, Fold, Function, IndexLoop, Term};
 use super::function::Printer;
-use super::support::{called, qualified, with_pointers};
+use super::support::{qualified, with_pointers};
 use crate::diagram::{Binary, Builtin, FoldFunction, Pointer, Type};
 
 /// From here on a number is written as a `long long`.
@@ -65,7 +65,6 @@ impl Language for Printer<'_> {
 
     fn vector(&mut self, parts: [Spelled; 3]) -> Spelled {
         let parts = parts.map(|part| part.text).join(", ");
-        self.used.push("vector");
         Spelled::whole(format!("hedgerow::vector({parts})"))
     }
 
@@ -119,18 +118,9 @@ impl Language for Printer<'_> {
         if builtin == Builtin::MixReal {
             let real = self.style.name("real");
             let text = format!("hedgerow::mix<{real}>({})", texts.join(", "));
-            self.used.push("mix");
             return Spelled::whole(text);
         }
         let [_, call] = spelled(builtin);
-        self.used.extend(called(call));
-        if let Some((_, name)) = call.split_once("std::") {
-            self.headers.insert(match name {
-                name if name.starts_with("llabs") => "cstdlib",
-                name if name.contains('<') => "algorithm",
-                _ => "cmath",
-            });
-        }
         let call = qualified("", &with_pointers(call, self.style));
         Spelled::whole(with_arguments(&call, &texts))
     }
@@ -187,10 +177,10 @@ impl Language for Printer<'_> {
         let body = format!("{head} {{ return {body}; }}");
         let (name, args) = match fold.function {
             FoldFunction::Sum if is_wide(fold.ty) => {
-                return Spelled::whole(self.total("total.n", fold.ty, &[all, body]));
+                return Spelled::whole(self.total("total", fold.ty, &[all, body]));
             }
             FoldFunction::Mean if is_wide(fold.ty) => {
-                return Spelled::whole(self.total("average.n", fold.ty, &[all, body]));
+                return Spelled::whole(self.total("average", fold.ty, &[all, body]));
             }
             FoldFunction::Count => ("count", vec![all, body]),
             FoldFunction::Any => ("any", vec![all, body]),

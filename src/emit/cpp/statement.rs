@@ -1,7 +1,5 @@
 //! Statements as C++.
 
-use std::collections::BTreeSet;
-
 use super::super::language::skipped;
 use super::super::lines::{Lines, comment};
 use super::super::routine::{HalfedgeWalk, Statement, Step};
@@ -51,7 +49,6 @@ impl Printer<'_> {
                 }
             }
             Statement::List { ty, name, items } => {
-                self.headers.insert("vector");
                 let items: Vec<_> = items.iter().map(|item| self.text(item)).collect();
                 let ty = self.ty(*ty);
                 let line = match items.is_empty() {
@@ -65,13 +62,11 @@ impl Printer<'_> {
                 self.lines.line(&format!("{list}.push_back({item});"));
             }
             Statement::BindList { ty, name, value } => {
-                self.headers.insert("vector");
                 let value = self.text(value);
                 let ty = self.ty(*ty);
                 self.lines.line(&format!("std::vector<{ty}> {name} = {value};"));
             }
             Statement::Size { name, list } => {
-                self.headers.insert("cstddef");
                 self.lines.line(&format!("std::size_t {name} = {list}.size();"));
             }
             Statement::Gather { ty, name, indices, item } => {
@@ -197,7 +192,6 @@ impl Printer<'_> {
 
     /// A list of one item for each index.
     pub(super) fn gather(&mut self, ty: &str, name: &str, indices: &IndexLoop, item: &str) {
-        self.headers.insert("vector");
         self.lines.line(&format!("std::vector<{ty}> {name};"));
         let (head, push) = (turn(indices), format!("{name}.push_back({item});"));
         match head.len() + push.len() < 92 {
@@ -212,22 +206,9 @@ impl Printer<'_> {
 
     /// A head and its body: on one line if the body is a single short statement.
     pub(super) fn held(&mut self, head: &str, body: &[Statement]) {
-        let mut inner = Printer {
-            style: self.style,
-            lines: Lines::new(2),
-            used: Vec::new(),
-            headers: BTreeSet::new(),
-            fields: BTreeSet::new(),
-            refusal: self.refusal,
-            is_outside: self.is_outside,
-            is_noted: self.is_noted,
-            preview: self.preview.clone(),
-        };
-        inner.block(body);
-        let text = std::mem::take(&mut inner.lines).finish();
-        self.used.append(&mut inner.used);
-        self.headers.append(&mut inner.headers);
-        self.fields.append(&mut inner.fields);
+        let outer = std::mem::replace(&mut self.lines, Lines::new(2));
+        self.block(body);
+        let text = std::mem::replace(&mut self.lines, outer).finish();
         let mut lines = text.lines();
         match (lines.next(), lines.next()) {
             (Some(only), None) if head.len() + only.len() < 92 => {

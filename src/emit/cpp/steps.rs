@@ -29,7 +29,6 @@ impl Printer<'_> {
             None => "return false;",
         };
         self.block(&whole.asks);
-        self.used.push("Journal");
         if !self.is_noted {
             let mesh = if self.style.is_member() { "*this" } else { "mesh" };
             self.lines.line(&format!("hedgerow::Journal journal({mesh});"));
@@ -77,7 +76,6 @@ impl Printer<'_> {
 
     /// A loop whose writes are deferred.
     pub(super) fn update(&mut self, visit: &Statement, held: &[Held]) {
-        self.headers.extend(["utility", "vector"]);
         for Held { list, element, ty, .. } in held {
             let (element, ty) = (self.ty(*element), self.ty(*ty));
             self.lines.line(&format!("std::vector<std::pair<{element}, {ty}>> {list};"));
@@ -164,7 +162,6 @@ impl Printer<'_> {
     pub(super) fn call_of(&mut self, call: &Call) -> String {
         let args = call.args.iter().map(|arg| format!(", {}", self.text(arg)));
         let args = args.collect::<String>();
-        self.used.push("Journal");
         format!("hedgerow::{}(journal{args})", invoked(&call.name))
     }
 

@@ -3,7 +3,8 @@
 use super::super::lines::{Lines, comment};
 use super::super::names::invoked;
 use super::super::routine::{Helper, Statement};
-use super::function::{Printer, names, ty};
+use super::super::support::names;
+use super::function::{Printer, ty};
 use super::steps::bare;
 
 impl Printer {

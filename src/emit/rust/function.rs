@@ -7,9 +7,9 @@ use super::super::language::spell;
 use super::super::lines::{Lines, comment};
 use super::super::routine::{Routine, Statement};
 use super::super::steps::{Item, Items, items};
+use super::super::support::{RUST, names};
 use super::super::term::{Parameter, Term};
 use super::super::{NotEmitted, Selection};
-use super::support;
 use crate::diagram::Type;
 
 /// Operations as Rust. A refused operation returns `None`; one without a result returns whether it
@@ -29,7 +29,6 @@ pub fn rust(selection: &Selection<'_>) -> Result<String, NotEmitted> {
     let Items { called, ops } = items(selection, conventions)?;
     let mut printer = Printer {
         lines: Lines::new(4),
-        used: BTreeSet::new(),
         refusal: "",
         applied: "true",
         gives_option: false,
@@ -47,7 +46,7 @@ pub fn rust(selection: &Selection<'_>) -> Result<String, NotEmitted> {
         }
     }
     let mut body = printer.lines.finish();
-    for (_, text) in support::needed(printer.used) {
+    for (_, text) in RUST.needed(&body, "") {
         body.push('\n');
         body.push_str(text);
     }
@@ -78,14 +77,8 @@ pub fn rust(selection: &Selection<'_>) -> Result<String, NotEmitted> {
     Ok(format!("{maps}{vectors}use hedgerow::mesh::{{{}}};\n{body}", used.join(", ")))
 }
 
-/// True if a text contains a word.
-pub(super) fn names(text: &str, word: &str) -> bool {
-    text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').any(|part| part == word)
-}
-
 pub(super) struct Printer {
     pub lines: Lines,
-    pub used: BTreeSet<&'static str>,
     /// The statement that leaves the current attempt.
     pub refusal: &'static str,
     /// The value that an operation without a result returns when it has applied.

@@ -7,8 +7,7 @@ use crate::diagram::{Binary, Builtin, Type};
 
 impl Printer {
     /// A call of a support function.
-    pub(super) fn support(&mut self, name: &'static str, args: &[String]) -> Spelled {
-        self.used.insert(name);
+    pub(super) fn support(&mut self, name: &str, args: &[String]) -> Spelled {
         Spelled::whole(format!("{name}({})", args.join(", ")))
     }
 

@@ -7,7 +7,5 @@ mod preview;
 mod spelling;
 mod statement;
 mod steps;
-mod support;
 
 pub use function::rust;
-pub(super) use support::written_out;

@@ -8,7 +8,6 @@ use super::function::Printer;
 impl Printer {
     /// Writes a preview, and the block that looks at it.
     pub(super) fn preview_block(&mut self, preview: &str, body: &[Statement]) {
-        self.used.insert("Preview");
         self.lines.line("// The guard looks at what there would be, on a preview of the mesh.");
         self.lines.open("{");
         self.lines.line(&format!("let mut {preview} = Preview::new(mesh);"));

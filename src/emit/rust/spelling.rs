@@ -3,9 +3,9 @@
 use super::super::builtin::{spelled, with_arguments};
 use super::super::language::{Language, Level, Spelled, field, number, spell};
 use super::super::names::invoked;
+use super::super::support::names;
 use super::super::term::{Around, Attribute, Fold, Function, IndexLoop, Term};
-use super::function::{Printer, names, ty};
-use super::support::{calls, written_out};
+use super::function::{Printer, ty};
 use crate::diagram::{Binary, Builtin, FoldFunction, Pointer, Type};
 
 impl Language for Printer {
@@ -29,7 +29,6 @@ impl Language for Printer {
     }
 
     fn attribute(&mut self, attribute: &Attribute, of: Spelled) -> Spelled {
-        self.used.insert("attribute");
         let (ty, column) = (ty(attribute.ty), &attribute.column);
         let of = of.at(Level::Whole);
         Spelled::whole(format!("attribute::<{ty}>(mesh, {column}, {of}.0)"))
@@ -72,7 +71,6 @@ impl Language for Printer {
         }
         let args: Vec<_> = args.into_iter().map(|arg| arg.text).collect();
         let [call, _] = spelled(builtin);
-        self.used.extend(written_out().filter(|name| calls(call, name)));
         // After a call that ends with a type, `<` would begin generic arguments.
         let level = if call.ends_with("as i64") { Level::Compare } else { Level::Whole };
         Spelled::new(with_arguments(call, &args), level)
@@ -220,7 +218,6 @@ impl Printer {
                 return Spelled::whole(format!("{}.is_finite()", args.join(", ")));
             }
         };
-        self.used.insert(name);
         match function {
             Function::InOrderAlongLoop | Function::InOrderAroundVertex => {
                 args.insert(0, "mesh".to_string());

@@ -172,7 +172,6 @@ impl Printer {
                 self.lines.line(&format!("mesh.set_position({vertex}, {value});"));
             }
             Statement::SetAttribute { attribute, element, value } => {
-                self.used.insert("set_attribute");
                 let (element, value) = (self.text(element), self.text(value));
                 let column = &attribute.column;
                 self.lines.line(&format!("set_attribute(mesh, {column}, {element}.0, {value});"));
@@ -214,7 +213,6 @@ impl Printer {
             Statement::Move { vertex, value, is_finite } => {
                 let (vertex, mut value) = (self.text(vertex), self.text(value));
                 if !is_finite {
-                    self.used.insert("finite");
                     value = format!("finite({value})?");
                 }
                 self.lines.line(&format!("mesh.set_position({vertex}, {value});"));

@@ -24,7 +24,6 @@ impl Printer {
             None => "return false;",
         };
         self.block(&whole.asks);
-        self.used.insert("all_or_nothing");
         let level = match whole.level {
             diagram::Level::Map => "Map",
             diagram::Level::Surface => "Surface",
@@ -112,11 +111,9 @@ impl Printer {
         self.lines.open(&format!("for (element, value) in {list} {{"));
         match &held.attribute {
             None => {
-                self.used.insert("finite");
                 self.lines.line("mesh.set_position(element, finite(value)?);");
             }
             Some(attribute) => {
-                self.used.insert("set_attribute");
                 let column = &attribute.column;
                 self.lines.line(&format!("set_attribute(mesh, {column}, element.0, value);"));
             }

@@ -20,6 +20,20 @@ inline std::vector<Mesh::HalfedgeRef> spokes(Mesh::VertexRef v) {
 }
 #endif
 
+#ifndef HEDGEROW_halfedges
+#define HEDGEROW_halfedges
+/// The halfedges of f, counterclockwise.
+inline std::vector<Mesh::HalfedgeRef> halfedges(Mesh::FaceRef f) {
+  std::vector<Mesh::HalfedgeRef> all;
+  Mesh::HalfedgeRef h = f->halfedge;
+  do {
+    all.push_back(h);
+    h = h->next;
+  } while (h != f->halfedge);
+  return all;
+}
+#endif
+
 #ifndef HEDGEROW_neighbors
 #define HEDGEROW_neighbors
 /// The vertices at the other ends of the edges of v.
@@ -38,20 +52,6 @@ inline std::vector<Mesh::FaceRef> faces_of_vertex(Mesh::VertexRef v) {
   for (Mesh::HalfedgeRef h : hedgerow::spokes(v)) {
     if (!h->face->boundary) all.push_back(h->face);
   }
-  return all;
-}
-#endif
-
-#ifndef HEDGEROW_halfedges
-#define HEDGEROW_halfedges
-/// The halfedges of f, counterclockwise.
-inline std::vector<Mesh::HalfedgeRef> halfedges(Mesh::FaceRef f) {
-  std::vector<Mesh::HalfedgeRef> all;
-  Mesh::HalfedgeRef h = f->halfedge;
-  do {
-    all.push_back(h);
-    h = h->next;
-  } while (h != f->halfedge);
   return all;
 }
 #endif

@@ -13,21 +13,6 @@
 
 namespace hedgerow {
 
-#ifndef HEDGEROW_floor_div
-#define HEDGEROW_floor_div
-/// a / b, rounded down.
-inline long long floor_div(long long a, long long b) {
-  if (b == 0) throw std::domain_error("division by zero");
-  return a / b - (a % b != 0 && (a < 0) != (b < 0));
-}
-#endif
-
-#ifndef HEDGEROW_floor_mod
-#define HEDGEROW_floor_mod
-/// The remainder of a / b, with the sign of b.
-inline long long floor_mod(long long a, long long b) { return a - b * hedgerow::floor_div(a, b); }
-#endif
-
 #ifndef HEDGEROW_spokes
 #define HEDGEROW_spokes
 /// The halfedges that start at v, counterclockwise.
@@ -77,13 +62,6 @@ inline std::vector<Mesh::VertexRef> vertices(Mesh::FaceRef f) {
 }
 #endif
 
-#ifndef HEDGEROW_is_finite
-#define HEDGEROW_is_finite
-inline bool is_finite(Vec3 a) {
-  return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
-}
-#endif
-
 #ifndef HEDGEROW_holds
 #define HEDGEROW_holds
 /// Whether all contains x.
@@ -114,10 +92,45 @@ bool same_elements(const std::vector<T>& a, const std::vector<T>& b) {
 }
 #endif
 
+#ifndef HEDGEROW_is_finite
+#define HEDGEROW_is_finite
+inline bool is_finite(Vec3 a) {
+  return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
+}
+#endif
+
+#ifndef HEDGEROW_floor_div
+#define HEDGEROW_floor_div
+/// a / b, rounded down.
+inline long long floor_div(long long a, long long b) {
+  if (b == 0) throw std::domain_error("division by zero");
+  return a / b - (a % b != 0 && (a < 0) != (b < 0));
+}
+#endif
+
+#ifndef HEDGEROW_floor_mod
+#define HEDGEROW_floor_mod
+/// The remainder of a / b, with the sign of b.
+inline long long floor_mod(long long a, long long b) { return a - b * hedgerow::floor_div(a, b); }
+#endif
+
 #ifndef HEDGEROW_Refused
 #define HEDGEROW_Refused
 /// Thrown by a step that must be done and refuses.
 struct Refused {};
+#endif
+
+#ifndef HEDGEROW_must
+#define HEDGEROW_must
+/// The result of a step that must be done.
+template <class T>
+T must(const std::optional<T>& done) {
+  if (!done) throw hedgerow::Refused();
+  return *done;
+}
+inline void must(bool done) {
+  if (!done) throw hedgerow::Refused();
+}
 #endif
 
 #ifndef HEDGEROW_Journal
@@ -337,19 +350,6 @@ class Journal {
   std::vector<std::function<void()>> undo_;
   int depth_ = 0;
 };
-#endif
-
-#ifndef HEDGEROW_must
-#define HEDGEROW_must
-/// The result of a step that must be done.
-template <class T>
-T must(const std::optional<T>& done) {
-  if (!done) throw hedgerow::Refused();
-  return *done;
-}
-inline void must(bool done) {
-  if (!done) throw hedgerow::Refused();
-}
 #endif
 
 #ifndef HEDGEROW_tests_emit_steps_twos

@@ -7,6 +7,20 @@
 
 namespace hedgerow {
 
+#ifndef HEDGEROW_halfedges
+#define HEDGEROW_halfedges
+/// The halfedges of f, counterclockwise.
+inline std::vector<Mesh::HalfedgeRef> halfedges(Mesh::FaceRef f) {
+  std::vector<Mesh::HalfedgeRef> all;
+  Mesh::HalfedgeRef h = f->halfedge;
+  do {
+    all.push_back(h);
+    h = h->next;
+  } while (h != f->halfedge);
+  return all;
+}
+#endif
+
 #ifndef HEDGEROW_loop_from
 #define HEDGEROW_loop_from
 /// The halfedges of a loop, from h on.
@@ -33,6 +47,16 @@ bool some(std::size_t n, C condition) {
 }
 #endif
 
+#ifndef HEDGEROW_vertices
+#define HEDGEROW_vertices
+/// The corners of f.
+inline std::vector<Mesh::VertexRef> vertices(Mesh::FaceRef f) {
+  std::vector<Mesh::VertexRef> all;
+  for (Mesh::HalfedgeRef h : hedgerow::halfedges(f)) all.push_back(h->vertex);
+  return all;
+}
+#endif
+
 #ifndef HEDGEROW_all_differ
 #define HEDGEROW_all_differ
 /// Whether all are different.
@@ -42,30 +66,6 @@ bool all_differ(const std::vector<T>& all) {
     if (std::find(all.begin(), it, *it) != it) return false;
   }
   return true;
-}
-#endif
-
-#ifndef HEDGEROW_halfedges
-#define HEDGEROW_halfedges
-/// The halfedges of f, counterclockwise.
-inline std::vector<Mesh::HalfedgeRef> halfedges(Mesh::FaceRef f) {
-  std::vector<Mesh::HalfedgeRef> all;
-  Mesh::HalfedgeRef h = f->halfedge;
-  do {
-    all.push_back(h);
-    h = h->next;
-  } while (h != f->halfedge);
-  return all;
-}
-#endif
-
-#ifndef HEDGEROW_vertices
-#define HEDGEROW_vertices
-/// The corners of f.
-inline std::vector<Mesh::VertexRef> vertices(Mesh::FaceRef f) {
-  std::vector<Mesh::VertexRef> all;
-  for (Mesh::HalfedgeRef h : hedgerow::halfedges(f)) all.push_back(h->vertex);
-  return all;
 }
 #endif
 
@@ -91,14 +91,10 @@ V vector_as(R x, R y, R z) {
 inline Vec3 vector(double x, double y, double z) { return hedgerow::vector_as<Vec3>(x, y, z); }
 #endif
 
-#ifndef HEDGEROW_centroid
-#define HEDGEROW_centroid
-/// The mean of the corners of f.
-inline Vec3 centroid(Mesh::FaceRef f) {
-  Vec3 total = hedgerow::vector(0, 0, 0);
-  std::vector<Mesh::VertexRef> corners = hedgerow::vertices(f);
-  for (Mesh::VertexRef v : corners) total = total + v->position;
-  return total / static_cast<double>(corners.size());
+#ifndef HEDGEROW_is_finite
+#define HEDGEROW_is_finite
+inline bool is_finite(Vec3 a) {
+  return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
 }
 #endif
 
@@ -109,10 +105,14 @@ template <class T>
 T mix(T a, T b, double t) { return a * (1 - t) + b * t; }
 #endif
 
-#ifndef HEDGEROW_is_finite
-#define HEDGEROW_is_finite
-inline bool is_finite(Vec3 a) {
-  return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
+#ifndef HEDGEROW_centroid
+#define HEDGEROW_centroid
+/// The mean of the corners of f.
+inline Vec3 centroid(Mesh::FaceRef f) {
+  Vec3 total = hedgerow::vector(0, 0, 0);
+  std::vector<Mesh::VertexRef> corners = hedgerow::vertices(f);
+  for (Mesh::VertexRef v : corners) total = total + v->position;
+  return total / static_cast<double>(corners.size());
 }
 #endif
 
