@@ -9,20 +9,20 @@ use super::guard;
 use super::matching::Matching;
 use super::names::Names;
 use super::reassign;
-use super::routine::{Alternative, Routine, Signature, Statement, without_unread};
+use super::routine::{Alternative, Item, ItemBody, Signature, Statement, without_unread};
 use super::term::{Function, Parameter, Term};
 use crate::check::{Proof, Proved};
 use crate::diagram::{Access, Binary, Drawing, Rule, Type};
 use crate::lower::{Condition, Element, Operation, Step, Tries, Value};
 
-/// The routine of a proved operation, and the functions that it calls; `looks` gives the attributes
+/// A proved operation as a routine, and the functions that it calls; `looks` gives the attributes
 /// that a function looks at.
 pub(super) fn routine(
     proved: &Proved,
     functions: &[Option<String>],
     conventions: Conventions<'_>,
     looks: &dyn Fn(u32) -> BTreeSet<u32>,
-) -> Result<(Routine, BTreeSet<u32>), NotEmitted> {
+) -> Result<(Item, BTreeSet<u32>), NotEmitted> {
     let op = proved.op();
     if let Some(param) = op.params.iter().find(|param| !is_spelled(param.ty)) {
         let what = format!("a parameter of type `{}`", param.ty.word());
@@ -60,7 +60,7 @@ pub(super) fn routine(
         params,
         result: op.result,
     };
-    Ok((Routine { signature, rules }, all_calls))
+    Ok((Item { signature, body: ItemBody::Drawn(rules) }, all_calls))
 }
 
 /// Finds the columns of the attributes that are used, and refuses a mesh without those that the
@@ -165,7 +165,7 @@ fn phases(
         let erase = Statement::Erase { kind, element };
         body.push(indexed(at_each_index, names, erase));
     }
-    body.push(Statement::Return { result: operation.result.map(|name| names.term(name)) });
+    body.push(Statement::Return { value: operation.result.map(|name| names.term(name)) });
     Ok(body)
 }
 
@@ -229,7 +229,7 @@ fn values(
         let bound = name.clone();
         body.push(match member {
             true => Statement::Gather { ty, name: bound, indices: names.indices(), item: value },
-            false => Statement::Bind { ty, name: bound, value },
+            false => Statement::Bind { ty, name: bound, value, is_list: false },
         });
         let (element, value) = names.for_each(*member, |names| {
             let value = match member {

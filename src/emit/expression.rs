@@ -145,7 +145,7 @@ impl Expressions<'_> {
         for (number, part) in &parts {
             let value = self.term(part)?;
             let name = self.names.bind(*number, wanted(part));
-            body.push(Statement::Bind { ty: part.ty, name, value });
+            body.push(Statement::Bind { ty: part.ty, name, value, is_list: false });
         }
         Ok(rest)
     }

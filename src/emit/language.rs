@@ -43,31 +43,34 @@ impl Spelled {
 }
 
 /// A target language: everything that it spells in its own way.
-pub(super) trait Language {
+pub(super) trait Language: Sized {
+    fn text(&self, term: &Term) -> String {
+        spell(self, term).text
+    }
+
     fn real(&self, value: f64) -> Spelled;
     fn int(&self, value: i64) -> Spelled;
-    fn follow(&mut self, pointer: Pointer, of: Spelled) -> Spelled;
-    fn position(&mut self, of: Spelled) -> Spelled;
-    fn attribute(&mut self, attribute: &Attribute, of: Spelled) -> Spelled;
-    fn hole(&mut self, of: Spelled) -> Spelled;
-    fn component(&mut self, part: u8, of: Spelled) -> Spelled;
-    fn vector(&mut self, parts: [Spelled; 3]) -> Spelled;
-    fn choice(&mut self, condition: Spelled, then: Spelled, otherwise: Spelled) -> Spelled;
-    fn to_real(&mut self, of: Spelled) -> Spelled;
+    fn follow(&self, pointer: Pointer, of: Spelled) -> Spelled;
+    fn position(&self, of: Spelled) -> Spelled;
+    fn attribute(&self, attribute: &Attribute, of: Spelled) -> Spelled;
+    fn hole(&self, of: Spelled) -> Spelled;
+    fn vector(&self, parts: [Spelled; 3]) -> Spelled;
+    fn choice(&self, condition: Spelled, then: Spelled, otherwise: Spelled) -> Spelled;
+    fn to_real(&self, of: Spelled) -> Spelled;
     /// A builtin function of the language, or a support function of the emitted text.
-    fn call(&mut self, function: Function, args: Vec<Spelled>) -> Spelled;
+    fn call(&self, function: Function, args: Vec<Spelled>) -> Spelled;
     /// A function of the program.
-    fn invoke(&mut self, name: &str, args: Vec<Spelled>) -> Spelled;
+    fn invoke(&self, name: &str, args: Vec<Spelled>) -> Spelled;
     /// Operators that are calls: `div`, `mod`, equality and products of vectors.
-    fn operator(&mut self, operator: Binary, args: [Spelled; 2]) -> Spelled;
-    fn fold(&mut self, fold: &Fold) -> Spelled;
+    fn operator(&self, operator: Binary, args: [Spelled; 2]) -> Spelled;
+    fn fold(&self, fold: &Fold) -> Spelled;
     /// The condition that something holds for some index.
-    fn some(&mut self, indices: &IndexLoop, condition: &Term) -> Spelled;
+    fn some(&self, indices: &IndexLoop, condition: &Term) -> Spelled;
 }
 
 /// The conditions under which an element is skipped: it is gone, or a filter rejects it.
 pub(super) fn skipped(
-    language: &mut impl Language,
+    language: &impl Language,
     gone: Option<String>,
     filter: Option<&Term>,
 ) -> Vec<String> {
@@ -87,47 +90,25 @@ pub(super) fn field(pointer: Pointer) -> &'static str {
 }
 
 /// Spells a term.
-pub(super) fn spell(language: &mut impl Language, term: &Term) -> Spelled {
+pub(super) fn spell(language: &impl Language, term: &Term) -> Spelled {
     match term {
         Term::Name(name) => Spelled::whole(name),
         Term::Bool(value) => Spelled::whole(value.to_string()),
         Term::Int(value) => language.int(*value),
         Term::Real(value) => language.real(*value),
-        Term::Follow(pointer, of) => {
-            let of = spell(language, of);
-            language.follow(*pointer, of)
-        }
-        Term::Position(of) => {
-            let of = spell(language, of);
-            language.position(of)
-        }
-        Term::Attribute(attribute, of) => {
-            let of = spell(language, of);
-            language.attribute(attribute, of)
-        }
-        Term::Hole(of) => {
-            let of = spell(language, of);
-            language.hole(of)
-        }
+        Term::Follow(pointer, of) => language.follow(*pointer, spell(language, of)),
+        Term::Position(of) => language.position(spell(language, of)),
+        Term::Attribute(attribute, of) => language.attribute(attribute, spell(language, of)),
+        Term::Hole(of) => language.hole(spell(language, of)),
         Term::Component(part, of) => {
-            let of = spell(language, of);
-            language.component(*part, of)
+            let name = ["x", "y", "z"][usize::from((*part).min(2))];
+            Spelled::whole(format!("{}.{name}", spell(language, of).at(Level::Whole)))
         }
-        Term::Vector(parts) => {
-            let [x, y, z] = &**parts;
-            let parts = [x, y, z].map(|part| spell(language, part));
-            language.vector(parts)
-        }
+        Term::Vector(parts) => language.vector(parts.each_ref().map(|part| spell(language, part))),
         Term::Unary(operator, of) => unary(language, *operator, of),
         Term::Binary(operator, left, right) => binary(language, *operator, [left, right]),
-        Term::Call(function, args) => {
-            let args = args.iter().map(|arg| spell(language, arg)).collect();
-            language.call(*function, args)
-        }
-        Term::Invoke(name, args) => {
-            let args = args.iter().map(|arg| spell(language, arg)).collect();
-            language.invoke(name, args)
-        }
+        Term::Call(function, args) => language.call(*function, spell_all(language, args)),
+        Term::Invoke(name, args) => language.invoke(name, spell_all(language, args)),
         Term::If(condition, then, otherwise) => {
             let [condition, then, otherwise] =
                 [condition, then, otherwise].map(|part| spell(language, part));
@@ -139,6 +120,10 @@ pub(super) fn spell(language: &mut impl Language, term: &Term) -> Spelled {
             Spelled::whole(format!("{list}[{}]", place(index.as_deref(), *shift, size)))
         }
     }
+}
+
+fn spell_all(language: &impl Language, terms: &[Term]) -> Vec<Spelled> {
+    terms.iter().map(|term| spell(language, term)).collect()
 }
 
 /// The index at a distance from `index`, or from 0, modulo the size of a list. Intermediate results
@@ -157,7 +142,7 @@ fn place(index: Option<&str>, shift: i64, size: &str) -> String {
     }
 }
 
-fn unary(language: &mut impl Language, operator: Unary, of: &Term) -> Spelled {
+fn unary(language: &impl Language, operator: Unary, of: &Term) -> Spelled {
     let sign = match operator {
         Unary::Not => {
             if let Some(turned) = turned(of) {
@@ -166,10 +151,7 @@ fn unary(language: &mut impl Language, operator: Unary, of: &Term) -> Spelled {
             "!"
         }
         Unary::NegateInt | Unary::NegateReal | Unary::NegateVector => "-",
-        Unary::ToReal => {
-            let of = spell(language, of);
-            return language.to_real(of);
-        }
+        Unary::ToReal => return language.to_real(spell(language, of)),
     };
     if let Term::Binary(equal, left, right) = of
         && let (Unary::Not, Some("==")) = (operator, symbol(*equal).map(|(symbol, _)| symbol))
@@ -216,17 +198,14 @@ fn symbol(operator: Binary) -> Option<(&'static str, Level)> {
     })
 }
 
-fn binary(language: &mut impl Language, operator: Binary, sides: [&Term; 2]) -> Spelled {
+fn binary(language: &impl Language, operator: Binary, sides: [&Term; 2]) -> Spelled {
     match symbol(operator) {
         Some((symbol, level)) => infix(language, symbol, level, sides),
-        None => {
-            let args = sides.map(|side| spell(language, side));
-            language.operator(operator, args)
-        }
+        None => language.operator(operator, sides.map(|side| spell(language, side))),
     }
 }
 
-fn infix(language: &mut impl Language, symbol: &str, level: Level, sides: [&Term; 2]) -> Spelled {
+fn infix(language: &impl Language, symbol: &str, level: Level, sides: [&Term; 2]) -> Spelled {
     let [left, right] = sides.map(|side| spell(language, side));
     let (left_level, right_level) = match level {
         Level::Compare => (Level::Sum, Level::Sum),

@@ -2,10 +2,10 @@
 
 use super::conventions::Conventions;
 use super::names::Names;
-use super::routine::Statement;
+use super::routine::{Statement, type_of};
 use super::term::{Function, Term};
 use crate::check::matching::{Bound, Claim, Source};
-use crate::diagram::{Drawing, Kind, LoopKind, NameId, Pointer, Type};
+use crate::diagram::{Drawing, LoopKind, NameId, Pointer, Type};
 use crate::lower::{self, Begin, EmptyPath, Step, Walk};
 
 /// Emits the statements of matching.
@@ -45,6 +45,7 @@ impl Matching<'_, '_> {
             ty: Type::Halfedge,
             name: self.names.begin(begin.halfedge),
             value: element.follow(begin.first),
+            is_list: false,
         });
     }
 
@@ -61,7 +62,7 @@ impl Matching<'_, '_> {
     fn named(&self, ty: Type, name: String, value: Term, member: bool) -> Statement {
         match member {
             true => Statement::Gather { ty, name, indices: self.names.indices(), item: value },
-            false => Statement::Bind { ty, name, value },
+            false => Statement::Bind { ty, name, value, is_list: false },
         }
     }
 
@@ -84,7 +85,7 @@ impl Matching<'_, '_> {
         if let Some(test) = &walk.is_whole {
             let name = self.names.fresh("all");
             let value = std::mem::replace(&mut all, Term::name(&name));
-            body.push(Statement::BindList { ty, name, value });
+            body.push(Statement::Bind { ty, name, value, is_list: true });
             let groups = vec![all.clone(), Term::Int(period)];
             let rest = Term::Call(Function::Remainder, groups);
             let (when, reason) = (rest.equals(Term::Int(0)).not(), test.refusal.clone());
@@ -100,7 +101,7 @@ impl Matching<'_, '_> {
                 value = Term::Call(Function::Turned, vec![value, Term::Int(turn)]);
             }
             let name = self.names.word(half).to_string();
-            body.push(Statement::BindList { ty, name: name.clone(), value });
+            body.push(Statement::Bind { ty, name: name.clone(), value, is_list: true });
             let size = self.names.indices().size;
             if place > 0 {
                 continue;
@@ -199,12 +200,7 @@ impl Matching<'_, '_> {
     fn ty(&self, bound: Bound) -> Type {
         match bound {
             Bound::First(_) | Bound::Last(_) => Type::Halfedge,
-            Bound::Element(name) => match self.drawing.rule.kind(name) {
-                Kind::Vertex => Type::Vertex,
-                Kind::Edge => Type::Edge,
-                Kind::Face => Type::Face,
-                Kind::Halfedge | Kind::Path | Kind::Fan => Type::Halfedge,
-            },
+            Bound::Element(name) => type_of(self.drawing.rule.kind(name)),
         }
     }
 

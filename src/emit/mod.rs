@@ -26,7 +26,6 @@ mod routine;
 mod steps;
 mod term;
 mod walks;
-mod whole;
 
 // A routine as text.
 mod builtin;
@@ -34,6 +33,7 @@ pub mod cpp;
 mod language;
 mod lines;
 mod rust;
+mod statement;
 mod support;
 
 use crate::diagnostic::Diagnostic;

@@ -6,10 +6,84 @@
 //! language spells it.
 
 use super::term::{Around, Attribute, IndexLoop, Parameter, Term};
-use super::whole::{Call, Form, Held, Target};
-use crate::diagram::{Kind, Pointer, Type};
+use super::walks::HalfedgeWalk;
+use crate::diagram::{Kind, Level, Pointer, Type};
 
-/// The signature of an operation.
+/// An operation, or a function that operations call.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Item {
+    pub signature: Signature,
+    pub body: ItemBody,
+}
+
+/// The statements of an item.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum ItemBody {
+    /// The alternatives of a drawn operation, tried in order.
+    Drawn(Vec<Alternative>),
+    /// An operation in steps, which calls others, and applies whole or not at all.
+    Steps {
+        /// The tests before anything is done.
+        requires: Vec<Statement>,
+        /// The level that the mesh must have in the end.
+        level: Level,
+        steps: Vec<Statement>,
+    },
+    /// A function; every path through it returns its value.
+    Function {
+        /// True if it changes the mesh.
+        changes: bool,
+        /// True if it may refuse midway; its caller then undoes what it has done.
+        refuses: bool,
+        body: Vec<Statement>,
+    },
+}
+
+/// One alternative of a drawn operation.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Alternative {
+    /// Its name, if it has one.
+    pub label: Option<String>,
+    /// Its statements.
+    pub body: Vec<Statement>,
+}
+
+impl Item {
+    /// The lists of its statements.
+    fn bodies_mut(&mut self) -> Vec<&mut Vec<Statement>> {
+        match &mut self.body {
+            ItemBody::Drawn(rules) => rules.iter_mut().map(|rule| &mut rule.body).collect(),
+            ItemBody::Steps { requires, steps, .. } => vec![requires, steps],
+            ItemBody::Function { body, .. } => vec![body],
+        }
+    }
+
+    /// Its statements.
+    pub fn statements(&self) -> Vec<&Statement> {
+        match &self.body {
+            ItemBody::Drawn(rules) => rules.iter().flat_map(|rule| &rule.body).collect(),
+            ItemBody::Steps { requires, steps, .. } => requires.iter().chain(steps).collect(),
+            ItemBody::Function { body, .. } => body.iter().collect(),
+        }
+    }
+
+    /// Reports the attributes that it reads or sets.
+    pub fn attributes(&self, see: &mut dyn FnMut(&Attribute)) {
+        let defaults = self.signature.params.iter().filter_map(|param| param.default.as_ref());
+        defaults.for_each(|default| default.attributes(see));
+        self.statements().into_iter().for_each(|statement| statement.attributes(see));
+    }
+
+    /// Makes the given element the result, if there is none.
+    pub fn give_back(&mut self) {
+        if let (None, Some(given)) = (self.signature.result, self.signature.given.clone()) {
+            self.signature.result = Some(given.ty);
+            self.bodies_mut().into_iter().for_each(|body| give_back(body, &given.name));
+        }
+    }
+}
+
+/// The signature of an operation or function.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Signature {
     /// Its name.
@@ -20,63 +94,17 @@ pub(super) struct Signature {
     pub docs: Vec<String>,
     /// Its parameters.
     pub params: Vec<Parameter>,
-    /// The type of its result; without one it returns whether it applied.
+    /// The type of its result; an operation without one returns whether it applied.
     pub result: Option<Type>,
     /// The first parameter that is an element and certainly outlives the operation.
     pub given: Option<Parameter>,
 }
 
-impl Signature {
-    /// Makes the given element the result of these bodies, if they have none.
-    pub fn give_back<'b>(&mut self, bodies: impl Iterator<Item = &'b mut Vec<Statement>>) {
-        if let (None, Some(given)) = (self.result, &self.given) {
-            self.result = Some(given.ty);
-            bodies.for_each(|body| give_back(body, &given.name));
-        }
-    }
-}
-
-/// An operation as a routine.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Routine {
-    pub signature: Signature,
-    /// The alternatives, tried in order.
-    pub rules: Vec<Alternative>,
-}
-
-/// A function that routines call.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Helper {
-    /// Its name.
-    pub name: String,
-    /// The lines of its doc comment.
-    pub docs: Vec<String>,
-    /// Its parameters.
-    pub params: Vec<Parameter>,
-    /// The type of its value, if it has one.
-    pub result: Option<Type>,
-    /// True if it changes the mesh.
-    pub changes: bool,
-    /// True if it may refuse midway; its caller then undoes what it has done.
-    pub refuses: bool,
-    /// Its statements; every path through them returns the value.
-    pub body: Vec<Statement>,
-}
-
-/// One alternative of a routine.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Alternative {
-    /// Its name, if it has one.
-    pub label: Option<String>,
-    /// Its statements.
-    pub body: Vec<Statement>,
-}
-
 /// Makes every `Return` without a result return a name.
 fn give_back(body: &mut [Statement], name: &str) {
     for statement in body {
-        if let Statement::Return { result: result @ None } = statement {
-            *result = Some(Term::name(name));
+        if let Statement::Return { value: value @ None } = statement {
+            *value = Some(Term::name(name));
         }
         for inner in statement.bodies_mut() {
             give_back(inner, name);
@@ -93,8 +121,8 @@ pub(super) enum Statement {
     Blank,
     /// Binds the column of an attribute; refuses a mesh without it.
     Column(Attribute),
-    /// Binds a value.
-    Bind { ty: Type, name: String, value: Term },
+    /// Binds a value of a type, or a list of such values.
+    Bind { ty: Type, name: String, value: Term, is_list: bool },
     /// Tries the halfedges of an element in turn; a refusal in the body continues with the next
     /// one.
     Attempt { kind: Kind, element: String, halfedge: String, body: Vec<Statement> },
@@ -104,16 +132,12 @@ pub(super) enum Statement {
     List { ty: Type, name: String, items: Vec<Term> },
     /// Adds to a list.
     Push { list: String, item: Term },
-    /// Binds a list.
-    BindList { ty: Type, name: String, value: Term },
     /// Binds the length of a list.
     Size { name: String, list: String },
     /// Binds the list of the values at each index.
     Gather { ty: Type, name: String, indices: IndexLoop, item: Term },
     /// Repeats the body for each index.
     IndexLoop { indices: IndexLoop, body: Vec<Statement> },
-    /// Changes the value of a variable.
-    Change { name: String, value: Term },
     /// Repeats the body for each halfedge of a walk.
     Walk { walk: HalfedgeWalk, body: Vec<Statement> },
     /// A preview of the mesh, and a block whose allocations and writes are noted on it.
@@ -132,13 +156,11 @@ pub(super) enum Statement {
     SetAttribute { attribute: Attribute, element: Term, value: Term },
     /// Erases an element.
     Erase { kind: Kind, element: Term },
-    /// Returns the value of a function.
-    Give(Term),
-    /// Returns from an operation that has applied.
-    Return { result: Option<Term> },
+    /// Returns from a function, or from an operation that has applied.
+    Return { value: Option<Term> },
 
     // Only steps and functions have the statements that follow.
-    /// Defines a variable with its first value.
+    /// Gives a variable a value, the first or another.
     Variable { place: Target, value: Term },
     /// Makes a call that changes the mesh and must succeed.
     Must { call: Call, place: Option<Target> },
@@ -183,33 +205,60 @@ pub(super) enum Statement {
     Keep(Vec<Term>),
     /// Notes the value of an attribute that will be written to.
     KeepAttribute { attribute: Attribute, element: Term },
-    /// Leaves a function that has no value.
-    Leave,
 }
 
-/// A walk over halfedges. While it runs, nothing that it follows is written; only the `face` or
-/// `vertex` of the halfedges themselves may be.
+/// A call of an operation, or of a function that changes the mesh.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct HalfedgeWalk {
-    /// The name of the halfedge.
-    pub halfedge: String,
-    /// The step from one to the next.
-    pub step: Step,
-    /// The first halfedge.
-    pub from: Term,
-    /// The halfedge after the last; if it is the first, the walk is empty.
-    pub until: Term,
-    /// True if a walk that ends where it starts goes all the way around instead.
-    pub around: bool,
+pub(super) struct Call {
+    /// The name of the called operation or function.
+    pub name: String,
+    pub args: Vec<Term>,
+    pub of: Called,
 }
 
-/// The step of a walk.
+/// The kind of thing that is called.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Step {
-    /// `h.next`, along a loop.
-    Next,
-    /// `h.twin.next`, clockwise around a vertex, which needs no `prev`.
-    Clockwise,
+pub(super) enum Called {
+    /// An operation with a result.
+    Operation,
+    /// An operation without a result.
+    Plain,
+    /// A function that may refuse.
+    Refusing,
+    /// A function that cannot refuse.
+    Sure,
+}
+
+/// The deferred writes to one attribute.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Held {
+    /// The name of their list.
+    pub list: String,
+    /// The type of the elements.
+    pub element: Type,
+    /// The type of the values.
+    pub ty: Type,
+    /// The attribute; `None` for positions.
+    pub attribute: Option<Attribute>,
+}
+
+/// The target of a value.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Target {
+    pub name: String,
+    pub ty: Type,
+    pub form: Form,
+}
+
+/// The form of an assignment: to a variable that exists, or to a new one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Form {
+    /// A new variable that keeps this value.
+    Fixed,
+    /// A new variable that will change.
+    Changing,
+    /// An existing variable.
+    Known,
 }
 
 /// The statements inside of one; `$of` is the method that returns them.
@@ -279,18 +328,14 @@ impl Statement {
     pub fn types(&self, see: &mut dyn FnMut(Type)) {
         self.terms(&mut |term| term.folds(&mut |fold| see(fold.variable.ty)));
         match self {
-            Self::Bind { ty, .. }
-            | Self::List { ty, .. }
-            | Self::BindList { ty, .. }
-            | Self::Gather { ty, .. } => see(*ty),
+            Self::Bind { ty, .. } | Self::List { ty, .. } | Self::Gather { ty, .. } => see(*ty),
             Self::Attempt { .. } | Self::Walk { .. } => see(Type::Halfedge),
-            Self::New { kind, .. } | Self::NewEach { kind, .. } => see(match kind {
-                Kind::Vertex => Type::Vertex,
-                Kind::Halfedge => Type::Halfedge,
-                Kind::Edge => Type::Edge,
-                _ => Type::Face,
-            }),
-            Self::Variable { place, .. } | Self::Must { place: Some(place), .. } => see(place.ty),
+            Self::New { kind, .. } | Self::NewEach { kind, .. } => see(type_of(*kind)),
+            Self::Variable { place, .. } | Self::Must { place: Some(place), .. } => {
+                if place.form != Form::Known {
+                    see(place.ty);
+                }
+            }
             Self::Apply { place: Some(variable), .. } | Self::For { variable, .. } => {
                 see(variable.ty);
             }
@@ -310,7 +355,7 @@ impl Statement {
             Self::Size { list: name, .. }
             | Self::Push { list: name, .. }
             | Self::Attempt { element: name, .. }
-            | Self::Change { name, .. }
+            | Self::Variable { place: Target { name, form: Form::Known, .. }, .. }
             | Self::Must { place: Some(Target { name, form: Form::Known, .. }), .. } => see(name),
             Self::Gather { indices, .. }
             | Self::NewEach { indices, .. }
@@ -320,19 +365,25 @@ impl Statement {
         self.bodies().into_iter().flatten().for_each(|inner| inner.names(see));
     }
 
+    /// Reports every attribute that it reads or sets, bodies included.
+    pub fn attributes(&self, see: &mut dyn FnMut(&Attribute)) {
+        self.terms(&mut |term| term.attributes(see));
+        if let Self::SetAttribute { attribute, .. } = self {
+            see(attribute);
+        }
+        self.bodies().into_iter().flatten().for_each(|inner| inner.attributes(see));
+    }
+
     /// Reports its own terms, without those of its bodies.
     fn terms(&self, see: &mut dyn FnMut(&Term)) {
         match self {
             Self::Bind { value: term, .. }
-            | Self::BindList { value: term, .. }
             | Self::Gather { item: term, .. }
             | Self::Refuse { when: term, .. }
             | Self::Push { item: term, .. }
-            | Self::Change { value: term, .. }
             | Self::Erase { element: term, .. }
             | Self::SetHole { face: term, .. }
-            | Self::Give(term)
-            | Self::Return { result: Some(term) }
+            | Self::Return { value: Some(term) }
             | Self::Variable { value: term, .. }
             | Self::Choose { condition: term, .. }
             | Self::While { condition: term, .. }
@@ -364,12 +415,21 @@ impl Statement {
             | Self::Preview { .. }
             | Self::New { .. }
             | Self::NewEach { .. }
-            | Self::Return { result: None }
+            | Self::Return { value: None }
             | Self::Break
             | Self::Continue
-            | Self::Ask(_)
-            | Self::Leave => {}
+            | Self::Ask(_) => {}
         }
+    }
+}
+
+/// The type of the elements of a kind; of a path or fan, that of its halfedges.
+pub(super) fn type_of(kind: Kind) -> Type {
+    match kind {
+        Kind::Vertex => Type::Vertex,
+        Kind::Halfedge | Kind::Path | Kind::Fan => Type::Halfedge,
+        Kind::Edge => Type::Edge,
+        Kind::Face => Type::Face,
     }
 }
 
@@ -380,7 +440,6 @@ pub(super) fn without_unread(body: Vec<Statement>) -> Vec<Statement> {
     for statement in body.into_iter().rev() {
         let statement = match statement {
             Statement::Bind { ref name, .. }
-            | Statement::BindList { ref name, .. }
             | Statement::Size { ref name, .. }
             | Statement::Gather { ref name, .. }
                 if !read.contains(name) =>

@@ -251,6 +251,14 @@ impl Term {
         self.parts(&mut |part| part.folds(see));
     }
 
+    /// Reports every attribute in it.
+    pub fn attributes(&self, see: &mut dyn FnMut(&Attribute)) {
+        if let Self::Attribute(attribute, _) = self {
+            see(attribute);
+        }
+        self.parts(&mut |part| part.attributes(see));
+    }
+
     /// Reports every name in it.
     pub fn names(&self, see: &mut dyn FnMut(&str)) {
         match self {

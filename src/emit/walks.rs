@@ -2,9 +2,34 @@
 //! loop, the vertex around a fan that changes its vertex.
 
 use super::names::Names;
-use super::routine::{HalfedgeWalk, Statement, Step};
+use super::routine::Statement;
 use super::term::Term;
 use crate::diagram::{Drawing, NameId, Pointer, Spoke};
+
+/// A walk over halfedges. While it runs, nothing that it follows is written; only the `face` or
+/// `vertex` of the halfedges themselves may be.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct HalfedgeWalk {
+    /// The name of the halfedge.
+    pub halfedge: String,
+    /// The step from one to the next.
+    pub step: Step,
+    /// The first halfedge.
+    pub from: Term,
+    /// The halfedge after the last; if it is the first, the walk is empty.
+    pub until: Term,
+    /// True if a walk that ends where it starts goes all the way around instead.
+    pub around: bool,
+}
+
+/// The step of a walk.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Step {
+    /// `h.next`, along a loop.
+    Next,
+    /// `h.twin.next`, clockwise around a vertex, which needs no `prev`.
+    Clockwise,
+}
 
 /// The walk along a path, from its first halfedge up to the item after it in `before`.
 pub(super) fn along_path(

@@ -9,34 +9,29 @@ use crate::diagram::{Binary, Builtin, Type};
 
 impl Printer<'_> {
     /// A call of a support template: `hedgerow::dot<4>(x, y)`.
-    fn sized(&mut self, name: &str, size: u8, args: &[String]) -> String {
+    fn sized(&self, name: &str, size: u8, args: &[String]) -> String {
         self.templated(name, &[size.to_string()], args)
     }
 
-    fn templated(&mut self, name: &str, of: &[String], args: &[String]) -> String {
+    fn templated(&self, name: &str, of: &[String], args: &[String]) -> String {
         format!("hedgerow::{name}<{}>({})", of.join(", "), args.join(", "))
     }
 
     /// A sum or mean of values of the type.
-    pub(super) fn total(&mut self, name: &str, ty: Type, args: &[String]) -> String {
+    pub(super) fn total(&self, name: &str, ty: Type, args: &[String]) -> String {
         let of = [ty.size().to_string(), self.ty(ty)];
         self.templated(name, &of, args)
     }
 
     /// A vector of three components as an array of its parts, which can be indexed.
-    fn parts(&mut self, ty: Type, vector: String) -> String {
+    fn parts(&self, ty: Type, vector: String) -> String {
         match ty {
             Type::Vec3 => self.support("parts", vec![vector]),
             _ => vector,
         }
     }
 
-    pub(super) fn of_type(
-        &mut self,
-        operation: Operation,
-        ty: Type,
-        mut args: Vec<String>,
-    ) -> Spelled {
+    pub(super) fn of_type(&self, operation: Operation, ty: Type, mut args: Vec<String>) -> Spelled {
         let size = ty.size();
         let text = match operation {
             Operation::Operator(Binary::Transform) if ty == Type::Mat3 => {
@@ -88,7 +83,7 @@ impl Printer<'_> {
         Spelled::whole(text)
     }
 
-    fn builtin_of(&mut self, builtin: Builtin, ty: Type, mut args: Vec<String>) -> String {
+    fn builtin_of(&self, builtin: Builtin, ty: Type, mut args: Vec<String>) -> String {
         let size = ty.size();
         let name = match builtin {
             Builtin::Dot => "dot",

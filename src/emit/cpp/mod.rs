@@ -5,6 +5,7 @@ pub mod headers;
 mod matrix;
 mod pattern;
 mod preview;
+mod signature;
 mod spelling;
 mod statement;
 mod steps;

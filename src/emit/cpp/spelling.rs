@@ -34,7 +34,7 @@ impl Language for Printer<'_> {
         }
     }
 
-    fn follow(&mut self, pointer: Pointer, of: Spelled) -> Spelled {
+    fn follow(&self, pointer: Pointer, of: Spelled) -> Spelled {
         let of = of.at(Level::Whole);
         match (pointer, self.style.read(&of, pointer)) {
             (_, Some(text)) => Spelled::whole(text),
@@ -45,39 +45,34 @@ impl Language for Printer<'_> {
         }
     }
 
-    fn position(&mut self, of: Spelled) -> Spelled {
+    fn position(&self, of: Spelled) -> Spelled {
         Spelled::whole(self.style.position(&of.at(Level::Whole)))
     }
 
-    fn attribute(&mut self, attribute: &Attribute, of: Spelled) -> Spelled {
+    fn attribute(&self, attribute: &Attribute, of: Spelled) -> Spelled {
         let of = of.at(Level::Whole);
-        Spelled::whole(self.field(attribute, &of))
+        Spelled::whole(self.style.attribute(&of, &attribute.name))
     }
 
-    fn hole(&mut self, of: Spelled) -> Spelled {
+    fn hole(&self, of: Spelled) -> Spelled {
         Spelled::whole(self.style.boundary(&of.at(Level::Whole)))
     }
 
-    fn component(&mut self, part: u8, of: Spelled) -> Spelled {
-        let name = ["x", "y", "z"][usize::from(part.min(2))];
-        Spelled::whole(format!("{}.{name}", of.at(Level::Whole)))
-    }
-
-    fn vector(&mut self, parts: [Spelled; 3]) -> Spelled {
+    fn vector(&self, parts: [Spelled; 3]) -> Spelled {
         let parts = parts.map(|part| part.text).join(", ");
         Spelled::whole(format!("hedgerow::vector({parts})"))
     }
 
-    fn choice(&mut self, condition: Spelled, then: Spelled, otherwise: Spelled) -> Spelled {
+    fn choice(&self, condition: Spelled, then: Spelled, otherwise: Spelled) -> Spelled {
         let (condition, then) = (condition.at(Level::Or), then.at(Level::Or));
         Spelled::new(format!("{condition} ? {then} : {}", otherwise.text), Level::Choice)
     }
 
-    fn to_real(&mut self, of: Spelled) -> Spelled {
+    fn to_real(&self, of: Spelled) -> Spelled {
         Spelled::whole(format!("static_cast<{}>({})", self.style.name("real"), of.text))
     }
 
-    fn call(&mut self, function: Function, args: Vec<Spelled>) -> Spelled {
+    fn call(&self, function: Function, args: Vec<Spelled>) -> Spelled {
         let level = |at: usize| match function {
             // Spelled as a difference.
             Function::Builtin(Builtin::Distance) if at == 1 => Level::Product,
@@ -125,13 +120,13 @@ impl Language for Printer<'_> {
         Spelled::whole(with_arguments(&call, &texts))
     }
 
-    fn invoke(&mut self, name: &str, args: Vec<Spelled>) -> Spelled {
+    fn invoke(&self, name: &str, args: Vec<Spelled>) -> Spelled {
         let args = args.into_iter().map(|arg| arg.at(Level::Or));
         let args = args.collect::<Vec<_>>().join(", ");
         Spelled::whole(format!("hedgerow::{}({args})", invoked(name)))
     }
 
-    fn operator(&mut self, operator: Binary, args: [Spelled; 2]) -> Spelled {
+    fn operator(&self, operator: Binary, args: [Spelled; 2]) -> Spelled {
         let args = args.map(|arg| arg.at(Level::Or)).to_vec();
         let name = match operator {
             Binary::Div => "floor_div",
@@ -142,13 +137,13 @@ impl Language for Printer<'_> {
         Spelled::whole(self.support(name, args))
     }
 
-    fn some(&mut self, indices: &IndexLoop, condition: &Term) -> Spelled {
+    fn some(&self, indices: &IndexLoop, condition: &Term) -> Spelled {
         let condition = self.text(condition);
         let condition = format!("[&](std::size_t {}) {{ return {condition}; }}", indices.index);
         Spelled::whole(self.support("some", vec![indices.size.clone(), condition]))
     }
 
-    fn fold(&mut self, fold: &Fold) -> Spelled {
+    fn fold(&self, fold: &Fold) -> Spelled {
         let mut all = self.all_around(fold.around, &fold.element);
         let head = format!("[&]({} {})", self.ty(fold.variable.ty), fold.variable.name);
         if let Some(filter) = &fold.filter {
@@ -198,7 +193,7 @@ impl Language for Printer<'_> {
 
 impl Printer<'_> {
     /// The elements around an element, as a list.
-    pub(super) fn all_around(&mut self, around: Around, element: &Term) -> String {
+    pub(super) fn all_around(&self, around: Around, element: &Term) -> String {
         let element = self.text(element);
         let name = match around {
             Around::VertexHalfedges => "spokes",

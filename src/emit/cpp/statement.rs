@@ -1,98 +1,107 @@
 //! Statements as C++.
 
-use super::super::language::skipped;
+use super::super::language::{Language, Level, skipped, spell};
 use super::super::lines::{Lines, comment};
-use super::super::routine::{HalfedgeWalk, Statement, Step};
+use super::super::routine::{Statement, type_of};
+use super::super::statement::Printing;
 use super::super::term::{IndexLoop, Parameter, Term};
+use super::super::walks::{HalfedgeWalk, Step};
 use super::function::Printer;
 use crate::diagram::{Kind, Pointer, Type};
 
-impl Printer<'_> {
-    pub(super) fn block(&mut self, body: &[Statement]) {
+/// The maximum length of a line.
+pub(super) const WIDTH: usize = 92;
+
+impl Printing for Printer<'_> {
+    fn lines(&mut self) -> &mut Lines {
+        &mut self.lines
+    }
+
+    fn block(&mut self, body: &[Statement]) {
         for statement in body {
             self.statement(statement);
         }
     }
 
+    fn if_head(&self, condition: &str) -> String {
+        format!("if ({condition})")
+    }
+
+    fn chained<'s>(&self, statement: &'s Statement) -> Option<(String, [&'s [Statement]; 2])> {
+        match statement {
+            Statement::Choose { condition, then, otherwise } => {
+                Some((self.text(condition), [then, otherwise]))
+            }
+            Statement::Apply { call, place: None, then, otherwise } if !then.is_empty() => {
+                Some((self.call_of(call), [then, otherwise]))
+            }
+            _ => None,
+        }
+    }
+}
+
+impl Printer<'_> {
     pub(super) fn statement(&mut self, statement: &Statement) {
         if let Some(preview) = self.preview.clone()
             && self.note(&preview, statement)
         {
             return;
         }
-        match statement {
-            Statement::Comment(text) => self.lines.comment("//", text),
-            Statement::Blank => self.lines.blank(),
+        let line = match statement {
+            Statement::Comment(text) => return self.lines.comment("//", text),
+            Statement::Blank => return self.lines.blank(),
             // Attributes are fields.
-            Statement::Column(_) | Statement::Ask(_) => {}
-            Statement::Bind { ty, name, value } => {
-                let value = self.text(value);
-                let ty = self.ty(*ty);
-                self.lines.line(&format!("{ty} {name} = {value};"));
+            Statement::Column(_) | Statement::Ask(_) => return,
+            Statement::Bind { ty, name, value, is_list } => {
+                let ty = match is_list {
+                    true => format!("std::vector<{}>", self.ty(*ty)),
+                    false => self.ty(*ty),
+                };
+                format!("{ty} {name} = {};", self.text(value))
             }
             Statement::Attempt { kind, element, halfedge, body } => {
-                self.attempt(*kind, element, halfedge, body)
+                return self.attempt(*kind, element, halfedge, body);
             }
             Statement::Refuse { when: Term::Bool(true), reason } if self.is_noted => {
-                let (refusal, reason) = (self.refusal, comment("//", reason));
-                self.lines.line(&format!("{refusal}  {reason}"));
+                format!("{}  {}", self.refusal, comment("//", reason))
             }
             Statement::Refuse { when, reason } => {
-                let when = self.text(when);
-                let line = format!("if ({when}) {}", self.refusal);
-                match line.len() + reason.len() < 92 {
-                    true => self.lines.line(&format!("{line}  {}", comment("//", reason))),
+                let line = format!("if ({}) {}", self.text(when), self.refusal);
+                match line.len() + reason.len() < WIDTH {
+                    true => format!("{line}  {}", comment("//", reason)),
                     false => {
                         self.lines.comment("//", &format!("Refused: {reason}."));
-                        self.lines.line(&line);
+                        line
                     }
                 }
             }
-            Statement::List { ty, name, items } => {
-                let items: Vec<_> = items.iter().map(|item| self.text(item)).collect();
-                let ty = self.ty(*ty);
-                let line = match items.is_empty() {
-                    true => format!("std::vector<{ty}> {name};"),
-                    false => format!("std::vector<{ty}> {name} = {{{}}};", items.join(", ")),
-                };
-                self.lines.line(&line);
-            }
-            Statement::Push { list, item } => {
-                let item = self.text(item);
-                self.lines.line(&format!("{list}.push_back({item});"));
-            }
-            Statement::BindList { ty, name, value } => {
-                let value = self.text(value);
-                let ty = self.ty(*ty);
-                self.lines.line(&format!("std::vector<{ty}> {name} = {value};"));
-            }
-            Statement::Size { name, list } => {
-                self.lines.line(&format!("std::size_t {name} = {list}.size();"));
-            }
+            Statement::List { ty, name, items } => match items.as_slice() {
+                [] => format!("std::vector<{}> {name};", self.ty(*ty)),
+                items => {
+                    let items = self.texts(items).join(", ");
+                    format!("std::vector<{}> {name} = {{{items}}};", self.ty(*ty))
+                }
+            },
+            Statement::Push { list, item } => format!("{list}.push_back({});", self.text(item)),
+            Statement::Size { name, list } => format!("std::size_t {name} = {list}.size();"),
             Statement::Gather { ty, name, indices, item } => {
-                let item = self.text(item);
-                self.gather(&self.ty(*ty), name, indices, &item);
+                return self.gather(&self.ty(*ty), name, indices, &self.text(item));
             }
-            Statement::IndexLoop { indices, body } => self.held(&turn(indices), body),
-            Statement::Change { name, value } => {
-                let value = self.text(value);
-                self.lines.line(&format!("{name} = {value};"));
-            }
+            Statement::IndexLoop { indices, body } => return self.held(&turn(indices), body),
             Statement::Choose { condition, then, otherwise } => {
                 let condition = self.text(condition);
-                match otherwise.as_slice() {
+                return match otherwise.as_slice() {
                     [] => self.held(&format!("if ({condition})"), then),
                     _ => self.branches(&condition, [then, otherwise]),
-                }
+                };
             }
             Statement::Repeat { index, count, body } => {
                 let count = self.text(count);
                 let head = format!("for (long long {index} = {count}; {index} > 0; --{index})");
-                self.held(&head, body);
+                return self.held(&head, body);
             }
             Statement::While { condition, body } => {
-                let condition = self.text(condition);
-                self.held(&format!("while ({condition})"), body);
+                return self.held(&format!("while ({})", self.text(condition)), body);
             }
             Statement::For { variable, around, element, may_go, filter, body } => {
                 let all = self.all_around(*around, element);
@@ -100,87 +109,68 @@ impl Printer<'_> {
                 let gone = may_go.then(|| format!("!journal.lives({name})"));
                 let skipped = skipped(self, gone, filter.as_ref());
                 let head = format!("for ({} {name} : {all})", self.ty(*ty));
-                self.visit(&head, &skipped, body);
+                return self.visit(&head, &skipped, body);
             }
-            Statement::Update { visit, held } => self.update(visit, held),
+            Statement::Update { visit, held } => return self.update(visit, held),
             Statement::Hold { list, element, value } => {
-                let (element, value) = (self.text(element), self.text(value));
-                self.lines.line(&format!("{list}.emplace_back({element}, {value});"));
+                format!("{list}.emplace_back({}, {});", self.text(element), self.text(value))
             }
-            Statement::Break => self.lines.line("break;"),
-            Statement::Continue => self.lines.line("continue;"),
-            Statement::Walk { walk, body } => self.walk(walk, body),
-            Statement::Preview { preview, body } => self.preview_block(preview, body),
+            Statement::Break => "break;".into(),
+            Statement::Continue => "continue;".into(),
+            Statement::Walk { walk, body } => return self.walk(walk, body),
+            Statement::Preview { preview, body } => return self.preview_block(preview, body),
             Statement::New { kind, name } => {
-                let ty = self.style.name(type_name(*kind));
-                let call = self.allocated(*kind);
-                let line = format!("{ty} {name} = {call};");
-                self.lines.line(&line);
+                format!("{} {name} = {};", self.ty(type_of(*kind)), self.allocated(*kind))
             }
             Statement::NewEach { kind, name, indices } => {
-                let ty = self.style.name(type_name(*kind)).to_string();
-                let call = self.allocated(*kind);
-                self.gather(&ty, name, indices, &call);
+                let (ty, call) = (self.ty(type_of(*kind)), self.allocated(*kind));
+                return self.gather(&ty, name, indices, &call);
             }
             Statement::Set { pointer, of, value } => {
-                let (of, value) = (self.spelled_whole(of), self.text(value));
-                if let Some(line) = self.style.write(&of, *pointer, &value) {
-                    self.lines.line(&format!("{line};"));
+                match self.style.write(&self.whole(of), *pointer, &self.text(value)) {
+                    Some(write) => format!("{write};"),
+                    None => return,
                 }
             }
             Statement::SetHole { face, hole } => {
-                let face = self.spelled_whole(face);
-                let line = self.style.set_boundary(&face, *hole);
-                self.lines.line(&format!("{line};"));
+                format!("{};", self.style.put(&self.whole(face), "boundary", &hole.to_string()))
             }
             Statement::SetPosition { vertex, value } => {
-                let (vertex, value) = (self.spelled_whole(vertex), self.text(value));
-                let line = format!("{} = {value};", self.style.position(&vertex));
-                self.lines.line(&line);
+                format!("{};", self.style.put(&self.whole(vertex), "position", &self.text(value)))
             }
             Statement::SetAttribute { attribute, element, value } => {
-                let (element, value) = (self.spelled_whole(element), self.text(value));
-                let line = format!("{} = {value};", self.field(attribute, &element));
-                self.lines.line(&line);
+                let field = self.style.attribute(&self.whole(element), &attribute.name);
+                format!("{field} = {};", self.text(value))
             }
             Statement::Erase { kind, element } => {
                 let element = self.text(element);
-                let call = match self.is_noted {
-                    true => format!("journal.erase({element})"),
-                    false => self.style.erase(*kind, &element),
-                };
-                self.lines.line(&format!("{call};"));
+                match self.is_noted {
+                    true => format!("journal.erase({element});"),
+                    false => format!("{};", self.style.erase(*kind, &element)),
+                }
             }
-            Statement::Give(value) => {
-                let value = self.text(value);
-                self.lines.line(&format!("return {value};"));
-            }
-            Statement::Return { result } => {
-                let result = result.as_ref().map_or("true".into(), |result| self.text(result));
-                self.lines.line(&format!("return {result};"));
-            }
-            Statement::Leave => self.lines.line("return;"),
-            Statement::Variable { place, value } => {
-                let value = self.text(value);
-                self.put(place, &value);
-            }
+            Statement::Return { value: Some(value) } => format!("return {};", self.text(value)),
+            Statement::Return { value: None } => self.applied.into(),
+            Statement::Variable { place, value } => self.put(place, &self.text(value)),
             Statement::Must { call, place } => self.must(call, place.as_ref()),
-            Statement::May { call } => {
-                let text = self.call_of(call);
-                self.lines.line(&format!("{text};"));
-            }
+            Statement::May { call } => format!("{};", self.call_of(call)),
             Statement::Apply { call, place, then, otherwise } => {
-                self.apply(call, place.as_ref(), [then, otherwise]);
+                return self.apply(call, place.as_ref(), [then, otherwise]);
             }
             Statement::Move { vertex, value, .. } => {
-                let (vertex, value) = (self.text(vertex), self.text(value));
-                self.lines.line(&format!("journal.set_position({vertex}, {value});"));
+                format!("journal.set_position({}, {});", self.text(vertex), self.text(value))
             }
-            Statement::Keep(elements) => self.keep(elements),
+            Statement::Keep(elements) => return self.keep(elements),
             Statement::KeepAttribute { attribute, element } => {
-                self.keep_attribute(attribute, element);
+                self.keep_attribute(attribute, element)
             }
-        }
+        };
+        self.lines.line(&line);
+    }
+
+    /// A term that something is selected of.
+    pub(super) fn whole(&self, term: &Term) -> String {
+        spell(self, term).at(Level::Whole)
     }
 
     fn allocated(&self, kind: Kind) -> String {
@@ -193,15 +183,7 @@ impl Printer<'_> {
     /// A list of one item for each index.
     pub(super) fn gather(&mut self, ty: &str, name: &str, indices: &IndexLoop, item: &str) {
         self.lines.line(&format!("std::vector<{ty}> {name};"));
-        let (head, push) = (turn(indices), format!("{name}.push_back({item});"));
-        match head.len() + push.len() < 92 {
-            true => self.lines.line(&format!("{head} {push}")),
-            false => {
-                self.lines.open(&format!("{head} {{"));
-                self.lines.line(&push);
-                self.lines.close("}");
-            }
-        }
+        self.held_text(&turn(indices), &format!("{name}.push_back({item});"));
     }
 
     /// A head and its body: on one line if the body is a single short statement.
@@ -209,16 +191,18 @@ impl Printer<'_> {
         let outer = std::mem::replace(&mut self.lines, Lines::new(2));
         self.block(body);
         let text = std::mem::replace(&mut self.lines, outer).finish();
+        self.held_text(head, &text);
+    }
+
+    fn held_text(&mut self, head: &str, text: &str) {
         let mut lines = text.lines();
         match (lines.next(), lines.next()) {
-            (Some(only), None) if head.len() + only.len() < 92 => {
+            (Some(only), None) if head.len() + only.len() < WIDTH => {
                 self.lines.line(&format!("{head} {only}"));
             }
             (Some(_), _) => {
                 self.lines.open(&format!("{head} {{"));
-                for line in text.lines() {
-                    self.lines.line(line);
-                }
+                text.lines().for_each(|line| self.lines.line(line));
                 self.lines.close("}");
             }
             (None, _) => {}
@@ -226,27 +210,17 @@ impl Printer<'_> {
     }
 
     fn attempt(&mut self, kind: Kind, element: &str, halfedge: &str, body: &[Statement]) {
-        let ty = self.ty(Type::Halfedge);
-        let first =
-            |printer: &Self, pointer| printer.style.read(element, pointer).unwrap_or_default();
+        self.attempts(kind, element);
         let range = match kind {
             Kind::Edge => {
-                let first = first(self, Pointer::EdgeHalfedge);
-                let twin = self.style.read(&first, Pointer::Twin).unwrap_or_default();
-                self.lines.line(&format!("// Both directions of {element} are tried."));
-                format!("{{{first}, {twin}}}")
+                let first = self.style.chained(element, "halfedge");
+                format!("{{{first}, {}}}", self.style.chained(&first, "twin"))
             }
-            Kind::Vertex => {
-                self.lines.line(&format!("// Each halfedge that starts at {element} is tried."));
-                self.support("spokes", vec![element.to_string()])
-            }
-            _ => {
-                self.lines.line(&format!("// Each halfedge of {element} is tried."));
-                self.support("halfedges", vec![element.to_string()])
-            }
+            Kind::Vertex => self.support("spokes", vec![element.to_string()]),
+            _ => self.support("halfedges", vec![element.to_string()]),
         };
         let outer = std::mem::replace(&mut self.refusal, "continue;");
-        self.lines.open(&format!("for ({ty} {halfedge} : {range}) {{"));
+        self.lines.open(&format!("for ({} {halfedge} : {range}) {{", self.ty(Type::Halfedge)));
         self.block(body);
         if matches!(body.last(), Some(Statement::Attempt { .. })) {
             self.lines.line("continue;");
@@ -256,31 +230,25 @@ impl Printer<'_> {
     }
 
     fn walk(&mut self, walk: &HalfedgeWalk, body: &[Statement]) {
-        let ty = self.ty(Type::Halfedge);
-        let h = &walk.halfedge;
+        let (ty, h) = (self.ty(Type::Halfedge), &walk.halfedge);
         let head = if walk.around {
-            let (name, of) = match (walk.step, &walk.from) {
-                (Step::Clockwise, Term::Follow(Pointer::VertexHalfedge, of)) => {
-                    ("spokes", (**of).clone())
-                }
-                (Step::Clockwise, from) => ("spokes", from.clone().follow(Pointer::Vertex)),
-                (Step::Next, Term::Follow(Pointer::FaceHalfedge, of)) => {
-                    ("halfedges", (**of).clone())
-                }
-                (Step::Next, from) => ("halfedges", from.clone().follow(Pointer::Face)),
+            let (name, first, whole) = match walk.step {
+                Step::Clockwise => ("spokes", Pointer::VertexHalfedge, Pointer::Vertex),
+                Step::Next => ("halfedges", Pointer::FaceHalfedge, Pointer::Face),
             };
-            let of = self.text(&of);
-            let range = self.support(name, vec![of]);
-            format!("for ({ty} {h} : {range})")
+            let of = match &walk.from {
+                Term::Follow(pointer, of) if *pointer == first => self.text(of),
+                from => self.text(&from.clone().follow(whole)),
+            };
+            format!("for ({ty} {h} : {})", self.support(name, vec![of]))
         } else {
             let step = Term::name(h);
             let step = match walk.step {
                 Step::Next => step.follow(Pointer::Next),
                 Step::Clockwise => step.follow(Pointer::Twin).follow(Pointer::Next),
             };
-            let (from, until, step) =
-                (self.text(&walk.from), self.spelled_whole(&walk.until), self.text(&step));
-            format!("for ({ty} {h} = {from}; {h} != {until}; {h} = {step})")
+            let (from, until) = (self.text(&walk.from), self.whole(&walk.until));
+            format!("for ({ty} {h} = {from}; {h} != {until}; {h} = {})", self.text(&step))
         };
         self.held(&head, body);
     }
@@ -290,14 +258,4 @@ impl Printer<'_> {
 fn turn(indices: &IndexLoop) -> String {
     let IndexLoop { index, size } = indices;
     format!("for (std::size_t {index} = 0; {index} < {size}; ++{index})")
-}
-
-/// The name of a type in a style.
-fn type_name(kind: Kind) -> &'static str {
-    match kind {
-        Kind::Vertex => "Vertex",
-        Kind::Halfedge => "Halfedge",
-        Kind::Edge => "Edge",
-        _ => "Face",
-    }
 }

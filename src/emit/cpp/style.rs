@@ -7,6 +7,9 @@
 use super::pattern::{Form, PATTERNS, StyleError, free_words, is_word, understand};
 use crate::diagram::{Kind, Pointer};
 
+/// The names of the types of elements.
+pub(super) const ELEMENTS: [&str; 4] = ["Vertex", "Halfedge", "Edge", "Face"];
+
 /// The parts of C++ code that depend on the mesh class.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Style {
@@ -115,11 +118,9 @@ impl Style {
 
     /// Two kinds of elements that have the same type.
     pub(in crate::emit) fn one_type(&self) -> Option<[&'static str; 2]> {
-        let kinds = ["Vertex", "Halfedge", "Edge", "Face"];
-        let mut pairs = kinds
-            .iter()
-            .enumerate()
-            .flat_map(|(at, one)| kinds[at + 1..].iter().map(move |other| [*one, *other]));
+        let pairs = ELEMENTS.iter().enumerate();
+        let mut pairs =
+            pairs.flat_map(|(at, one)| ELEMENTS[at + 1..].iter().map(move |other| [*one, *other]));
         pairs.find(|[one, other]| self.pattern(one) == self.pattern(other))
     }
 
@@ -267,8 +268,7 @@ impl Style {
 
     /// True if a type is nested in the mesh class.
     pub(in crate::emit) fn is_nested(&self, ty: &str) -> bool {
-        let is_element = ["Vertex", "Halfedge", "Edge", "Face"].contains(&ty);
-        is_element && self.pattern("nested") == "yes"
+        ELEMENTS.contains(&ty) && self.pattern("nested") == "yes"
     }
 
     /// `of.pointer = value`
@@ -279,11 +279,6 @@ impl Style {
 
     pub(in crate::emit) fn boundary(&self, face: &str) -> String {
         fill(self.pattern("boundary"), face, "", "")
-    }
-
-    pub(in crate::emit) fn set_boundary(&self, face: &str, value: bool) -> String {
-        let value = if value { "true" } else { "false" };
-        fill(self.pattern("set_boundary"), face, "", value)
     }
 
     pub(in crate::emit) fn position(&self, vertex: &str) -> String {

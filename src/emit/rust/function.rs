@@ -3,13 +3,16 @@
 use std::collections::BTreeSet;
 
 use super::super::conventions::Conventions;
-use super::super::language::spell;
-use super::super::lines::{Lines, comment};
-use super::super::routine::{Routine, Statement};
-use super::super::steps::{Item, Items, items};
+use super::super::language::Language;
+use super::super::lines::Lines;
+use super::super::names::invoked;
+use super::super::routine::{Alternative, Item, ItemBody, Signature, Statement};
+use super::super::statement::{Printing, rule_names};
+use super::super::steps::{Items, items};
 use super::super::support::{RUST, names};
 use super::super::term::{Parameter, Term};
 use super::super::{NotEmitted, Selection};
+use super::steps::bare;
 use crate::diagram::Type;
 
 /// Operations as Rust. A refused operation returns `None`; one without a result returns whether it
@@ -30,20 +33,15 @@ pub fn rust(selection: &Selection<'_>) -> Result<String, NotEmitted> {
     let mut printer = Printer {
         lines: Lines::new(4),
         refusal: "",
-        applied: "true",
-        gives_option: false,
+        applied: "",
+        wraps: true,
         is_asked: false,
         preview: None,
     };
-    let shown = ops.iter().map(|op| (op, true));
-    for (item, is_selected) in shown.chain(called.iter().map(|(_, item)| (item, false))) {
+    let shown = ops.iter().map(|item| (item, "pub fn"));
+    for (item, visible) in shown.chain(called.iter().map(|(_, item)| (item, "fn"))) {
         printer.lines.line("");
-        let visible = if is_selected { "pub fn" } else { "fn" };
-        match item {
-            Item::Function(helper) => printer.helper(helper),
-            Item::Drawn(routine) => printer.routine(routine, visible),
-            Item::Steps(whole) => printer.whole(whole, visible),
-        }
+        printer.item(item, visible);
     }
     let mut body = printer.lines.finish();
     for (_, text) in RUST.needed(&body, "") {
@@ -81,10 +79,10 @@ pub(super) struct Printer {
     pub lines: Lines,
     /// The statement that leaves the current attempt.
     pub refusal: &'static str,
-    /// The value that an operation without a result returns when it has applied.
+    /// The value of a `return` without one.
     pub applied: &'static str,
-    /// True if a function returns an `Option`, since it may refuse.
-    pub gives_option: bool,
+    /// True if values are returned in `Some`, since the function may refuse.
+    pub wraps: bool,
     /// True if the caller has checked that the attributes exist.
     pub is_asked: bool,
     /// The preview on which pointers are noted instead.
@@ -111,105 +109,122 @@ pub(super) fn ty(ty: Type) -> &'static str {
     }
 }
 
-/// The name of the kind of elements of a type.
-pub(super) fn kind(ty: Type) -> &'static str {
-    match ty {
-        Type::Vertex => "Vertex",
-        Type::Halfedge => "Halfedge",
-        Type::Edge => "Edge",
-        _ => "Face",
-    }
+/// Parameters as they follow the mesh.
+fn listed<'p>(params: impl IntoIterator<Item = &'p Parameter>) -> String {
+    let params = params.into_iter();
+    params.map(|param| format!(", {}: {}", param.name, ty(param.ty))).collect()
 }
 
 impl Printer {
-    /// Writes a doc comment with the defaults, which Rust does not have.
-    pub fn docs(&mut self, docs: &[String], name: &str, params: &[Parameter]) {
-        for line in docs {
-            self.lines.line(&comment("///", line));
+    fn item(&mut self, item: &Item, visible: &str) {
+        let signature = &item.signature;
+        if let ItemBody::Function { changes, refuses, body } = &item.body {
+            return self.function(signature, [*changes, *refuses], body);
         }
-        if docs.is_empty() {
-            self.lines.line(&format!("/// The operation `{name}`."));
-        }
-        let told: Vec<_> = params
-            .iter()
-            .filter_map(|param| {
-                let default = self.text(param.default.as_ref()?);
-                Some(format!("`{} = {default}`", param.name))
-            })
-            .collect();
-        if !told.is_empty() {
-            let told = told.join(", ");
-            self.lines.line(&format!("/// By default {told}."));
-        }
-    }
-
-    fn routine(&mut self, routine: &Routine, visible: &str) {
-        self.docs(&routine.signature.docs, &routine.signature.name, &routine.signature.params);
-        let result = match routine.signature.result {
-            Some(result) => format!("Option<{}>", ty(result)),
-            None => "bool".to_string(),
+        self.docs(signature);
+        let result = signature.result.map(ty);
+        let result = result.map_or("bool".into(), |result| format!("Option<{result}>"));
+        let (name, params) = (&signature.name, listed(&signature.params));
+        let head = format!("{visible} {name}(mesh: &mut Mesh{params}) -> {result} {{");
+        (self.refusal, self.applied) = match signature.result {
+            Some(_) => ("return None;", "true"),
+            None => ("return false;", "true"),
         };
-        let params = |used: &BTreeSet<String>| {
-            let params = routine.signature.params.iter().filter(|param| used.contains(&param.name));
-            let params = params.map(|param| format!(", {}: {}", param.name, ty(param.ty)));
-            params.collect::<String>()
-        };
-        let all: BTreeSet<_> =
-            routine.signature.params.iter().map(|param| param.name.clone()).collect();
-        let head = format!(
-            "{visible} {}(mesh: &mut Mesh{}) -> {result} {{",
-            routine.signature.name,
-            params(&all)
-        );
-        if let [rule] = routine.rules.as_slice() {
-            self.allow(&rule.body, &routine.signature.params);
-            self.lines.open(&head);
-            self.alternative(&rule.body, routine);
-            self.lines.close("}");
-            return;
-        }
-        let mut calls = Vec::new();
-        let mut bodies = Vec::new();
-        for (at, rule) in routine.rules.iter().enumerate() {
-            let label = rule.label.clone().unwrap_or_else(|| format!("{}", at + 1));
-            let mut name = format!("rule_{}", label.replace('\'', "_"));
-            while all.contains(&name) {
-                name.push('_');
-            }
-            let mut used = BTreeSet::new();
-            rule.body.iter().for_each(|statement| {
-                statement.names(&mut |name| {
-                    used.insert(name.to_string());
+        match &item.body {
+            ItemBody::Steps { requires, level, steps } => {
+                self.allow(steps, &signature.params);
+                self.lines.open(&head);
+                self.block(requires);
+                self.lines.open(&format!("all_or_nothing(mesh, Level::{level:?}, |mesh| {{"));
+                (self.refusal, self.applied) = ("return None;", "Some(())");
+                self.body(steps);
+                self.lines.close(match signature.result {
+                    Some(_) => "})",
+                    None => "}).is_some()",
                 });
-            });
-            let args = routine.signature.params.iter().filter(|param| used.contains(&param.name));
-            let args: String = args.map(|param| format!(", {}", param.name)).collect();
-            calls.push(format!("{name}(mesh{args})"));
-            bodies.push((name, params(&used), rule));
-        }
-        self.lines.open(&head);
-        for (name, params, rule) in bodies {
-            self.allow(&rule.body, &routine.signature.params);
-            self.lines.open(&format!("fn {name}(mesh: &mut Mesh{params}) -> {result} {{"));
-            self.alternative(&rule.body, routine);
-            self.lines.close("}");
-            self.lines.line("");
-        }
-        let chain = match routine.signature.result {
-            Some(_) => {
-                let mut calls = calls.into_iter();
-                let first = calls.next().unwrap_or_default();
-                let others = calls.map(|call| format!(".or_else(|| {call})"));
-                format!("{first}{}", others.collect::<String>())
             }
-            None => calls.join(" || "),
-        };
-        self.lines.line(&chain);
+            ItemBody::Drawn(rules) => match rules.as_slice() {
+                [rule] => {
+                    self.allow(&rule.body, &signature.params);
+                    self.lines.open(&head);
+                    self.alternative(&rule.body);
+                }
+                rules => {
+                    self.lines.open(&head);
+                    self.rules(signature, rules, &result);
+                }
+            },
+            ItemBody::Function { .. } => {}
+        }
         self.lines.close("}");
     }
 
+    fn rules(&mut self, signature: &Signature, rules: &[Alternative], result: &str) {
+        let mut calls = Vec::new();
+        for (rule, name) in rules.iter().zip(rule_names(rules, &signature.params)) {
+            let mut used = BTreeSet::new();
+            for statement in &rule.body {
+                statement.names(&mut |name| _ = used.insert(name.to_string()));
+            }
+            let taken = signature.params.iter().filter(|param| used.contains(&param.name));
+            let args: String = taken.clone().map(|param| format!(", {}", param.name)).collect();
+            calls.push(format!("{name}(mesh{args})"));
+            self.allow(&rule.body, &signature.params);
+            let params = listed(taken);
+            self.lines.open(&format!("fn {name}(mesh: &mut Mesh{params}) -> {result} {{"));
+            self.alternative(&rule.body);
+            self.lines.close("}");
+            self.lines.line("");
+        }
+        self.lines.line(&match signature.result {
+            None => calls.join(" || "),
+            Some(_) => {
+                let mut calls = calls.into_iter();
+                let first = calls.next().unwrap_or_default();
+                calls.fold(first, |chain, call| format!("{chain}.or_else(|| {call})"))
+            }
+        });
+    }
+
+    /// A function of the program; it borrows the mesh mutably only if it changes it.
+    fn function(
+        &mut self,
+        signature: &Signature,
+        [changes, refuses]: [bool; 2],
+        body: &[Statement],
+    ) {
+        let outer = std::mem::replace(&mut self.lines, Lines::new(4));
+        (self.refusal, self.wraps) = ("return None;", refuses);
+        self.applied = if refuses { "Some(())" } else { "" };
+        self.is_asked = true;
+        self.body(body);
+        (self.wraps, self.is_asked) = (true, false);
+        let text = std::mem::replace(&mut self.lines, outer).finish();
+        Printing::docs(self, &signature.docs, [].iter());
+        let mesh = if names(&text, "mesh") { "mesh" } else { "_mesh" };
+        let borrow = if changes { "&mut " } else { "&" };
+        let result = match (signature.result.map(ty), refuses) {
+            (Some(value), false) => format!(" -> {value}"),
+            (Some(value), true) => format!(" -> Option<{value}>"),
+            (None, true) => " -> Option<()>".to_string(),
+            (None, false) => String::new(),
+        };
+        self.allow(body, &signature.params);
+        let (name, params) = (invoked(&signature.name), listed(&signature.params));
+        self.lines.open(&format!("fn {name}({mesh}: {borrow}Mesh{params}){result} {{"));
+        text.lines().for_each(|line| self.lines.line(line));
+        self.lines.close("}");
+    }
+
+    /// Writes a doc comment with the defaults, which Rust does not have.
+    fn docs(&mut self, signature: &Signature) {
+        let none = [format!("The operation `{}`.", signature.name)];
+        let docs = if signature.docs.is_empty() { &none[..] } else { &signature.docs };
+        Printing::docs(self, docs, signature.params.iter());
+    }
+
     /// Allows the names of the drawing where Rust expects lowercase.
-    pub fn allow(&mut self, body: &[Statement], params: &[Parameter]) {
+    fn allow(&mut self, body: &[Statement], params: &[Parameter]) {
         let mut capital = false;
         let mut see = |name: &str| capital |= name.chars().any(char::is_uppercase);
         body.iter().for_each(|statement| statement.names(&mut see));
@@ -219,29 +234,33 @@ impl Printer {
         }
     }
 
-    fn alternative(&mut self, body: &[Statement], routine: &Routine) {
-        let (refused, last) = match routine.signature.result {
-            Some(_) => ("return None;", "None"),
-            None => ("return false;", "false"),
-        };
-        self.refusal = refused;
+    fn alternative(&mut self, body: &[Statement]) {
         self.lines.line("// 1. Collect: nothing is written before all of this has passed.");
-        let (result, rest) = match body.split_last() {
-            Some((Statement::Return { result }, rest)) => (Some(result), rest),
-            _ => (None, body),
-        };
-        self.block(rest);
-        match result {
-            Some(Some(result)) => {
-                let result = self.text(result);
-                self.lines.line(&format!("Some({result})"));
-            }
-            Some(None) => self.lines.line("true"),
-            None => self.lines.line(last),
+        let refused = self.refusal.trim_start_matches("return ").trim_end_matches(';');
+        self.body(body);
+        if !matches!(body.last(), Some(Statement::Return { .. })) {
+            self.lines.line(refused);
         }
     }
 
-    pub fn text(&mut self, term: &Term) -> String {
-        spell(self, term).text
+    /// Writes the statements of a function, whose last value is returned without `return`.
+    fn body(&mut self, body: &[Statement]) {
+        let Some((Statement::Return { value }, others)) = body.split_last() else {
+            return self.block(body);
+        };
+        self.block(others);
+        let value = self.returned(value.as_ref());
+        if !value.is_empty() {
+            self.lines.line(bare(&value));
+        }
+    }
+
+    /// The value that is returned; empty for none.
+    pub fn returned(&self, value: Option<&Term>) -> String {
+        match value {
+            Some(value) if self.wraps => format!("Some({})", self.text(value)),
+            Some(value) => self.text(value),
+            None => self.applied.to_string(),
+        }
     }
 }

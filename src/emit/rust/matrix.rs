@@ -7,16 +7,11 @@ use crate::diagram::{Binary, Builtin, Type};
 
 impl Printer {
     /// A call of a support function.
-    pub(super) fn support(&mut self, name: &str, args: &[String]) -> Spelled {
+    pub(super) fn support(&self, name: &str, args: &[String]) -> Spelled {
         Spelled::whole(format!("{name}({})", args.join(", ")))
     }
 
-    pub(super) fn of_type(
-        &mut self,
-        operation: Operation,
-        ty: Type,
-        args: Vec<Spelled>,
-    ) -> Spelled {
+    pub(super) fn of_type(&self, operation: Operation, ty: Type, args: Vec<Spelled>) -> Spelled {
         match (operation, <[Spelled; 2]>::try_from(args)) {
             (Operation::Operator(operator), Ok([left, right])) => {
                 let (symbol, level, behind) = match operator {
@@ -40,7 +35,7 @@ impl Printer {
         }
     }
 
-    fn of_parts(&mut self, operation: Operation, ty: Type, mut args: Vec<Spelled>) -> Spelled {
+    fn of_parts(&self, operation: Operation, ty: Type, mut args: Vec<Spelled>) -> Spelled {
         let parts = |args: Vec<Spelled>| {
             let texts = args.into_iter().map(|arg| arg.text);
             texts.collect::<Vec<_>>().join(", ")
@@ -69,7 +64,7 @@ impl Printer {
         Spelled::whole(format!("{}::{name}({})", name_of(ty), parts(args)))
     }
 
-    fn builtin_of(&mut self, builtin: Builtin, ty: Type, args: Vec<Spelled>) -> Spelled {
+    fn builtin_of(&self, builtin: Builtin, ty: Type, args: Vec<Spelled>) -> Spelled {
         let of_one = args.first().cloned().filter(|_| args.len() == 1);
         let args: Vec<_> = args.into_iter().map(|arg| arg.text).collect();
         let is_short = ty.size() < 4;

@@ -1,6 +1,5 @@
 //! Routines as Rust.
 
-mod callee;
 mod function;
 mod matrix;
 mod preview;

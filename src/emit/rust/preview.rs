@@ -1,7 +1,7 @@
 //! Statements that are noted on a preview of the mesh.
 
-use super::super::language::field;
 use super::super::routine::Statement;
+use super::super::statement::Printing;
 use super::super::term::IndexLoop;
 use super::function::Printer;
 
@@ -29,14 +29,10 @@ impl Printer {
                     "let {name}: Vec<_> = (0..{size}).map(|_| {preview}.add_{kind}()).collect();"
                 )
             }
-            Statement::Set { pointer, of, value } => {
-                let (of, value) = (self.text(of), self.text(value));
-                format!("{preview}.set_{}({of}, {value});", field(*pointer))
-            }
-            Statement::SetHole { face, hole } => {
-                format!("{preview}.set_hole({}, {hole});", self.text(face))
-            }
-            _ => return false,
+            statement => match self.noted(preview, statement) {
+                Some(line) => line,
+                None => return false,
+            },
         };
         self.lines.line(&line);
         true

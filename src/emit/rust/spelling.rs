@@ -20,46 +20,41 @@ impl Language for Printer {
         }
     }
 
-    fn follow(&mut self, pointer: Pointer, of: Spelled) -> Spelled {
+    fn follow(&self, pointer: Pointer, of: Spelled) -> Spelled {
         Spelled::whole(format!("mesh.{}({})", field(pointer), of.text))
     }
 
-    fn position(&mut self, of: Spelled) -> Spelled {
+    fn position(&self, of: Spelled) -> Spelled {
         Spelled::whole(format!("mesh.position({})", of.text))
     }
 
-    fn attribute(&mut self, attribute: &Attribute, of: Spelled) -> Spelled {
+    fn attribute(&self, attribute: &Attribute, of: Spelled) -> Spelled {
         let (ty, column) = (ty(attribute.ty), &attribute.column);
         let of = of.at(Level::Whole);
         Spelled::whole(format!("attribute::<{ty}>(mesh, {column}, {of}.0)"))
     }
 
-    fn hole(&mut self, of: Spelled) -> Spelled {
+    fn hole(&self, of: Spelled) -> Spelled {
         Spelled::whole(format!("mesh.is_hole({})", of.text))
     }
 
-    fn component(&mut self, part: u8, of: Spelled) -> Spelled {
-        let name = ["x", "y", "z"][usize::from(part.min(2))];
-        Spelled::whole(format!("{}.{name}", of.at(Level::Whole)))
-    }
-
-    fn vector(&mut self, parts: [Spelled; 3]) -> Spelled {
+    fn vector(&self, parts: [Spelled; 3]) -> Spelled {
         let parts = parts.map(|part| part.text).join(", ");
         Spelled::whole(format!("DVec3::new({parts})"))
     }
 
-    fn choice(&mut self, condition: Spelled, then: Spelled, otherwise: Spelled) -> Spelled {
+    fn choice(&self, condition: Spelled, then: Spelled, otherwise: Spelled) -> Spelled {
         let text =
             format!("if {} {{ {} }} else {{ {} }}", condition.text, then.text, otherwise.text);
         Spelled::new(text, Level::Choice)
     }
 
-    fn to_real(&mut self, of: Spelled) -> Spelled {
+    fn to_real(&self, of: Spelled) -> Spelled {
         // `as` binds more tightly than a comparison, but `x as f64 < y` reads as a type.
         Spelled::new(format!("{} as f64", of.at(Level::Prefix)), Level::Compare)
     }
 
-    fn call(&mut self, function: Function, args: Vec<Spelled>) -> Spelled {
+    fn call(&self, function: Function, args: Vec<Spelled>) -> Spelled {
         let builtin = match function {
             Function::Builtin(builtin) => builtin,
             Function::Of(operation, ty) => return self.of_type(operation, ty, args),
@@ -76,13 +71,13 @@ impl Language for Printer {
         Spelled::new(with_arguments(call, &args), level)
     }
 
-    fn invoke(&mut self, name: &str, args: Vec<Spelled>) -> Spelled {
+    fn invoke(&self, name: &str, args: Vec<Spelled>) -> Spelled {
         let args = args.into_iter().map(|arg| format!(", {}", arg.text));
         let args = args.collect::<String>();
         Spelled::whole(format!("{}(mesh{args})", invoked(name)))
     }
 
-    fn operator(&mut self, operator: Binary, args: [Spelled; 2]) -> Spelled {
+    fn operator(&self, operator: Binary, args: [Spelled; 2]) -> Spelled {
         let [left, right] = args;
         match operator {
             // Rounded down: Euclidean division does so only for a positive divisor.
@@ -107,13 +102,13 @@ impl Language for Printer {
         }
     }
 
-    fn some(&mut self, indices: &IndexLoop, condition: &Term) -> Spelled {
+    fn some(&self, indices: &IndexLoop, condition: &Term) -> Spelled {
         let condition = self.text(condition);
         let IndexLoop { index, size } = indices;
         Spelled::whole(format!("(0..{size}).any(|{index}| {condition})"))
     }
 
-    fn fold(&mut self, fold: &Fold) -> Spelled {
+    fn fold(&self, fold: &Fold) -> Spelled {
         let mut all = self.all_around(fold.around, &fold.element);
         let variable = &fold.variable.name;
         if let Some(filter) = &fold.filter {
@@ -160,7 +155,7 @@ impl Language for Printer {
 
 impl Printer {
     /// An iterator over the elements around an element.
-    pub(super) fn all_around(&mut self, around: Around, element: &Term) -> String {
+    pub(super) fn all_around(&self, around: Around, element: &Term) -> String {
         let element = self.text(element);
         let half = format!("mesh.edge_halfedge({element})");
         let sides = format!("[{half}, mesh.twin({half})].into_iter()");
@@ -179,7 +174,7 @@ impl Printer {
     }
 
     /// A support function, or a method of a list or vector.
-    fn own(&mut self, function: Function, args: Vec<Spelled>) -> Spelled {
+    fn own(&self, function: Function, args: Vec<Spelled>) -> Spelled {
         let mut args: Vec<_> = args.into_iter().map(|arg| arg.text).collect();
         let name = match function {
             Function::InOrderAlongLoop => "in_order_along_loop",

@@ -1,34 +1,45 @@
 //! Statements as Rust.
 
-use super::super::language::{field, skipped};
-use super::super::lines::comment;
-use super::super::routine::{HalfedgeWalk, Statement, Step};
+use super::super::language::{Language, field, skipped};
+use super::super::lines::{Lines, comment};
+use super::super::routine::Statement;
+use super::super::statement::Printing;
 use super::super::term::{IndexLoop, Parameter, Term};
-use super::function::{Printer, kind, ty};
-use super::steps::{always, bare};
+use super::super::walks::{HalfedgeWalk, Step};
+use super::function::{Printer, ty};
+use super::steps::bare;
 use crate::diagram::{Kind, Type};
 
-impl Printer {
-    pub fn block(&mut self, body: &[Statement]) {
+impl Printing for Printer {
+    fn lines(&mut self) -> &mut Lines {
+        &mut self.lines
+    }
+
+    fn block(&mut self, body: &[Statement]) {
         for (at, statement) in body.iter().enumerate() {
             match statement {
                 Statement::List { ty, name, items } => {
                     let grows = body[at..].iter().any(|later| later.adds_to(name));
-                    self.list(*ty, if grows { "let mut" } else { "let" }, name, items);
+                    let line = self.list(*ty, if grows { "let mut" } else { "let" }, name, items);
+                    self.lines.line(&line);
                 }
                 statement => self.statement(statement),
             }
         }
     }
 
-    fn list(&mut self, of: Type, bind: &str, name: &str, items: &[Term]) {
-        let items: Vec<_> = items.iter().map(|item| self.text(item)).collect();
-        let value = match items.is_empty() {
-            true => "Vec::new()".to_string(),
-            false => format!("vec![{}]", items.join(", ")),
+    fn if_head(&self, condition: &str) -> String {
+        format!("if {condition}")
+    }
+}
+
+impl Printer {
+    fn list(&self, of: Type, bind: &str, name: &str, items: &[Term]) -> String {
+        let value = match items {
+            [] => "Vec::new()".to_string(),
+            items => format!("vec![{}]", self.texts(items).join(", ")),
         };
-        let ty = ty(of);
-        self.lines.line(&format!("{bind} {name}: Vec<{ty}> = {value};"));
+        format!("{bind} {name}: Vec<{}> = {value};", ty(of))
     }
 
     pub(super) fn statement(&mut self, statement: &Statement) {
@@ -37,32 +48,11 @@ impl Printer {
         {
             return;
         }
-        match statement {
-            Statement::Comment(text) => self.lines.comment("//", text),
-            Statement::Blank => self.lines.blank(),
-            Statement::Column(attribute) => {
-                let (declared, column) = (&attribute.declared, &attribute.column);
-                let kind = kind(attribute.element);
-                let ty = ty(attribute.ty);
-                let found = format!("mesh.find_column(ElementKind::{kind}, \"{declared}\")");
-                if self.is_asked {
-                    let why = "the caller has found it";
-                    return self.lines.line(&format!("let {column} = {found}.expect(\"{why}\");"));
-                }
-                self.lines.line(&format!("let {column} = {found};"));
-                self.lines.open(&format!(
-                    "let Some({column}) = {column}.filter(|&c| mesh.values::<{ty}>(c).is_some()) else {{"
-                ));
-                let refusal = self.refusal;
-                self.lines.line(&format!(
-                    "{refusal} // the mesh has no attribute `{declared}` of this type"
-                ));
-                self.lines.close("};");
-            }
-            Statement::Bind { name, value, .. } => {
-                let value = self.text(value);
-                self.lines.line(&format!("let {name} = {value};"));
-            }
+        let line = match statement {
+            Statement::Comment(text) => return self.lines.comment("//", text),
+            Statement::Blank => return self.lines.blank(),
+            Statement::Column(attribute) => return self.column(attribute),
+            Statement::Bind { name, value, .. } => format!("let {name} = {};", self.text(value)),
             Statement::Attempt { kind, element, halfedge, body } => {
                 let all = match kind {
                     Kind::Edge => format!(
@@ -71,185 +61,130 @@ impl Printer {
                     Kind::Vertex => format!("mesh.spokes({element}).collect::<Vec<_>>()"),
                     _ => format!("mesh.face_halfedges({element}).collect::<Vec<_>>()"),
                 };
-                self.lines.line(&match kind {
-                    Kind::Edge => format!("// Both directions of {element} are tried."),
-                    Kind::Vertex => format!("// Each halfedge that starts at {element} is tried."),
-                    _ => format!("// Each halfedge of {element} is tried."),
-                });
+                self.attempts(*kind, element);
                 let outer = std::mem::replace(&mut self.refusal, "continue;");
-                self.lines.open(&format!("for {halfedge} in {all} {{"));
-                self.block(body);
-                self.lines.close("}");
+                self.held(&format!("for {halfedge} in {all}"), body);
                 self.refusal = outer;
+                return;
             }
-            Statement::Refuse { when, reason } if always(when) => {
-                let (refusal, reason) = (self.refusal, comment("//", reason));
-                self.lines.line(&format!("{refusal} {reason}"));
+            Statement::Refuse { when: Term::Bool(true), reason } => {
+                format!("{} {}", self.refusal, comment("//", reason))
             }
             Statement::Refuse { when, reason } => {
                 let when = self.text(when);
-                self.lines.open(&format!("if {when} {{"));
-                self.lines.line(&format!("{} {}", self.refusal, comment("//", reason)));
-                self.lines.close("}");
+                return self.refuse(&format!("if {when} {{"), reason, "}");
             }
             Statement::List { ty, name, items } => self.list(*ty, "let mut", name, items),
-            Statement::Push { list, item } => {
-                let item = self.text(item);
-                self.lines.line(&format!("{list}.push({item});"));
-            }
-            Statement::BindList { name, value, .. } => {
-                let value = self.text(value);
-                self.lines.line(&format!("let {name} = {value};"));
-            }
-            Statement::Size { name, list } => {
-                self.lines.line(&format!("let {name} = {list}.len();"));
-            }
+            Statement::Push { list, item } => format!("{list}.push({});", self.text(item)),
+            Statement::Size { name, list } => format!("let {name} = {list}.len();"),
             Statement::Gather { ty: of, name, indices: IndexLoop { index, size }, item } => {
-                let item = self.text(item);
-                let ty = ty(*of);
-                self.lines.line(&format!(
-                    "let {name}: Vec<{ty}> = (0..{size}).map(|{index}| {item}).collect();"
-                ));
+                let (ty, item) = (ty(*of), self.text(item));
+                format!("let {name}: Vec<{ty}> = (0..{size}).map(|{index}| {item}).collect();")
             }
             Statement::NewEach { kind, name, indices: IndexLoop { size, .. } } => {
-                let kind = word(*kind);
-                self.lines.line(&format!(
-                    "let {name}: Vec<_> = (0..{size}).map(|_| mesh.add_{kind}()).collect();"
-                ));
+                let kind = kind.word();
+                format!("let {name}: Vec<_> = (0..{size}).map(|_| mesh.add_{kind}()).collect();")
             }
-            Statement::IndexLoop { indices, body } => {
-                let IndexLoop { index, size } = indices;
-                self.lines.open(&format!("for {index} in 0..{size} {{"));
-                self.block(body);
-                self.lines.close("}");
-            }
-            Statement::Change { name, value } => {
-                let value = self.text(value);
-                self.lines.line(&format!("{name} = {};", bare(&value)));
+            Statement::IndexLoop { indices: IndexLoop { index, size }, body } => {
+                return self.held(&format!("for {index} in 0..{size}"), body);
             }
             Statement::Choose { condition, then, otherwise } => {
-                let condition = self.text(condition);
-                self.branches(&condition, [then, otherwise]);
+                return self.branches(&self.text(condition), [then, otherwise]);
             }
             Statement::Repeat { count, body, .. } => {
-                let count = self.text(count);
-                self.held(&format!("for _ in 0..{count} {{"), body);
+                return self.held(&format!("for _ in 0..{}", self.text(count)), body);
             }
             Statement::While { condition, body } => {
-                let condition = self.text(condition);
-                self.held(&format!("while {condition} {{"), body);
+                return self.held(&format!("while {}", self.text(condition)), body);
             }
             Statement::For { variable, around, element, may_go, filter, body } => {
                 let all = self.all_around(*around, element);
                 let Parameter { name, ty: of, .. } = variable;
                 let gone = may_go.then(|| format!("!mesh.{}_alive({name})", of.word()));
                 let skipped = skipped(self, gone, filter.as_ref());
-                self.visit(&format!("for {name} in {all}.collect::<Vec<_>>() {{"), &skipped, body);
+                let head = format!("for {name} in {all}.collect::<Vec<_>>() {{");
+                return self.visit(&head, &skipped, body);
             }
-            Statement::Update { visit, held } => self.update(visit, held),
+            Statement::Update { visit, held } => return self.update(visit, held),
             Statement::Hold { list, element, value } => {
-                let (element, value) = (self.text(element), self.text(value));
-                let value = bare(&value);
-                self.lines.line(&format!("{list}.push(({element}, {value}));"));
+                format!("{list}.push(({}, {}));", self.text(element), bare(&self.text(value)))
             }
-            Statement::Break => self.lines.line("break;"),
-            Statement::Continue => self.lines.line("continue;"),
-            Statement::Walk { walk, body } => self.walk(walk, body),
-            Statement::Preview { preview, body } => self.preview_block(preview, body),
-            Statement::New { kind, name } => {
-                self.lines.line(&format!("let {name} = mesh.add_{}();", word(*kind)));
-            }
+            Statement::Break => "break;".into(),
+            Statement::Continue => "continue;".into(),
+            Statement::Walk { walk, body } => return self.walk(walk, body),
+            Statement::Preview { preview, body } => return self.preview_block(preview, body),
+            Statement::New { kind, name } => format!("let {name} = mesh.add_{}();", kind.word()),
             Statement::Set { pointer, of, value } => {
                 let (of, value) = (self.text(of), self.text(value));
-                self.lines.line(&format!("mesh.set_{}({of}, {value});", field(*pointer)));
+                format!("mesh.set_{}({of}, {value});", field(*pointer))
             }
             Statement::SetHole { face, hole } => {
-                let face = self.text(face);
-                self.lines.line(&format!("mesh.set_hole({face}, {hole});"));
+                format!("mesh.set_hole({}, {hole});", self.text(face))
             }
             Statement::SetPosition { vertex, value } => {
-                let (vertex, value) = (self.text(vertex), self.text(value));
-                self.lines.line(&format!("mesh.set_position({vertex}, {value});"));
+                format!("mesh.set_position({}, {});", self.text(vertex), self.text(value))
             }
             Statement::SetAttribute { attribute, element, value } => {
                 let (element, value) = (self.text(element), self.text(value));
-                let column = &attribute.column;
-                self.lines.line(&format!("set_attribute(mesh, {column}, {element}.0, {value});"));
+                format!("set_attribute(mesh, {}, {element}.0, {value});", attribute.column)
             }
             Statement::Erase { kind, element } => {
-                let element = self.text(element);
-                self.lines.line(&format!("mesh.erase_{}({element});", word(*kind)));
+                format!("mesh.erase_{}({});", kind.word(), self.text(element))
             }
-            Statement::Give(value) => {
-                let value = self.text(value);
-                self.lines.line(&match self.gives_option {
-                    true => format!("return Some({value});"),
-                    false => format!("return {value};"),
-                });
-            }
-            Statement::Return { result } => {
-                let result = match result {
-                    Some(result) => format!("Some({})", self.text(result)),
-                    None => self.applied.to_string(),
-                };
-                self.lines.line(&format!("return {result};"));
-            }
-            Statement::Leave => self.lines.line(match self.gives_option {
-                true => "return Some(());",
-                false => "return;",
-            }),
-            Statement::Variable { place, value } => {
-                let value = self.text(value);
-                self.put(place, &value);
-            }
-            Statement::Must { call, place } => self.must(call, place.as_ref()),
-            Statement::May { call } => {
-                let call = self.called(call);
-                self.lines.line(&format!("{call};"));
-            }
+            Statement::Return { value } => match self.returned(value.as_ref()).as_str() {
+                "" => "return;".into(),
+                value => format!("return {value};"),
+            },
+            Statement::Variable { place, value } => self.put(place, &self.text(value)),
+            Statement::Must { call, place } => return self.must(call, place.as_ref()),
+            Statement::May { call } => format!("{};", self.called(call)),
             Statement::Apply { call, place, then, otherwise } => {
-                self.apply(call, place.as_ref(), [then, otherwise]);
+                return self.apply(call, place.as_ref(), [then, otherwise]);
             }
             Statement::Move { vertex, value, is_finite } => {
-                let (vertex, mut value) = (self.text(vertex), self.text(value));
-                if !is_finite {
-                    value = format!("finite({value})?");
+                let (vertex, value) = (self.text(vertex), self.text(value));
+                match is_finite {
+                    true => format!("mesh.set_position({vertex}, {value});"),
+                    false => format!("mesh.set_position({vertex}, finite({value})?);"),
                 }
-                self.lines.line(&format!("mesh.set_position({vertex}, {value});"));
             }
-            Statement::Ask(attribute) => self.ask(attribute),
+            Statement::Ask(attribute) => return self.ask(attribute),
             // The mesh itself notes what is written.
-            Statement::Keep(_) | Statement::KeepAttribute { .. } => {}
-        }
+            Statement::Keep(_) | Statement::KeepAttribute { .. } => return,
+        };
+        self.lines.line(&line);
+    }
+
+    /// Refuses in a block.
+    pub(super) fn refuse(&mut self, head: &str, reason: &str, end: &str) {
+        self.lines.open(head);
+        self.lines.line(&format!("{} {}", self.refusal, comment("//", reason)));
+        self.lines.close(end);
+    }
+
+    pub(super) fn held(&mut self, head: &str, body: &[Statement]) {
+        self.lines.open(&format!("{head} {{"));
+        self.block(body);
+        self.lines.close("}");
     }
 
     fn walk(&mut self, walk: &HalfedgeWalk, body: &[Statement]) {
-        let h = &walk.halfedge;
-        let from = self.text(&walk.from);
+        let (h, from) = (&walk.halfedge, self.text(&walk.from));
         if walk.around {
             let all = match walk.step {
                 Step::Next => format!("mesh.loop_from({from})"),
                 Step::Clockwise => format!("mesh.spokes_from({from})"),
             };
-            self.lines.open(&format!("for {h} in {all}.collect::<Vec<_>>() {{"));
-            self.block(body);
-        } else {
-            let until = self.text(&walk.until);
-            self.lines.line(&format!("let mut {h} = {from};"));
-            self.lines.open(&format!("while {h} != {until} {{"));
-            self.block(body);
-            self.lines.line(&match walk.step {
-                Step::Next => format!("{h} = mesh.next({h});"),
-                Step::Clockwise => format!("{h} = mesh.next(mesh.twin({h}));"),
-            });
+            return self.held(&format!("for {h} in {all}.collect::<Vec<_>>()"), body);
         }
+        let until = self.text(&walk.until);
+        self.lines.line(&format!("let mut {h} = {from};"));
+        self.lines.open(&format!("while {h} != {until} {{"));
+        self.block(body);
+        self.lines.line(&match walk.step {
+            Step::Next => format!("{h} = mesh.next({h});"),
+            Step::Clockwise => format!("{h} = mesh.next(mesh.twin({h}));"),
+        });
         self.lines.close("}");
-    }
-}
-
-fn word(kind: Kind) -> &'static str {
-    match kind {
-        Kind::Vertex | Kind::Halfedge | Kind::Edge | Kind::Face => kind.word(),
-        Kind::Path | Kind::Fan => "halfedge",
     }
 }

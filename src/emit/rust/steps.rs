@@ -1,54 +1,14 @@
-//! Operations in steps as Rust, and the statements that only steps and functions have.
+//! The statements as Rust that only steps and functions have.
 
+use super::super::language::Language;
 use super::super::names::invoked;
-use super::super::routine::Statement;
-use super::super::term::{Attribute, Parameter, Term};
-use super::super::whole::{Call, Called, Form, Held, Target, Whole};
-use super::function::{Printer, kind, ty};
-use crate::diagram::{self, Type};
+use super::super::routine::{Call, Called, Form, Held, Statement, Target};
+use super::super::statement::Printing;
+use super::super::term::{Attribute, Parameter};
+use super::function::{Printer, ty};
+use crate::diagram::Type;
 
 impl Printer {
-    /// Writes an operation in steps, which the mesh's own journal can undo.
-    pub(super) fn whole(&mut self, whole: &Whole, visible: &str) {
-        self.docs(&whole.signature.docs, &whole.signature.name, &whole.signature.params);
-        self.allow(&whole.body, &whole.signature.params);
-        let params = whole.signature.params.iter();
-        let params = params.map(|param| format!(", {}: {}", param.name, ty(param.ty)));
-        let params = params.collect::<String>();
-        let result = whole.signature.result.map(ty);
-        let result = result.map_or("bool".into(), |result| format!("Option<{result}>"));
-        let name = &whole.signature.name;
-        self.lines.open(&format!("{visible} {name}(mesh: &mut Mesh{params}) -> {result} {{"));
-        self.refusal = match whole.signature.result {
-            Some(_) => "return None;",
-            None => "return false;",
-        };
-        self.block(&whole.asks);
-        let level = match whole.level {
-            diagram::Level::Map => "Map",
-            diagram::Level::Surface => "Surface",
-            diagram::Level::Simple => "Simple",
-        };
-        self.lines.open(&format!("all_or_nothing(mesh, Level::{level}, |mesh| {{"));
-        (self.refusal, self.applied) = ("return None;", "Some(())");
-        let (last, others) = match whole.body.split_last() {
-            Some((Statement::Return { result }, others)) => (Some(result), others),
-            _ => (None, whole.body.as_slice()),
-        };
-        self.block(others);
-        if let Some(result) = last {
-            let result = result.as_ref().map(|result| self.text(result));
-            let result = result.unwrap_or("()".into());
-            self.lines.line(&format!("Some({result})"));
-        }
-        self.applied = "true";
-        self.lines.close(match whole.signature.result {
-            Some(_) => "})",
-            None => "}).is_some()",
-        });
-        self.lines.close("}");
-    }
-
     /// Calls an operation, and branches on whether it applied.
     pub(super) fn apply(
         &mut self,
@@ -91,53 +51,57 @@ impl Printer {
         held.iter().for_each(|held| self.release(held));
     }
 
+    /// Finds the column of an attribute, and refuses a mesh without it.
+    pub(super) fn column(&mut self, attribute: &Attribute) {
+        let (column, found, ty) = (&attribute.column, found(attribute), ty(attribute.ty));
+        if self.is_asked {
+            let line = format!("let {column} = {found}.expect(\"the caller has found it\");");
+            return self.lines.line(&line);
+        }
+        self.lines.line(&format!("let {column} = {found};"));
+        let head = format!(
+            "let Some({column}) = {column}.filter(|&c| mesh.values::<{ty}>(c).is_some()) else {{"
+        );
+        self.refuse(&head, &missing(attribute), "};");
+    }
+
     /// Refuses a mesh without an attribute.
     pub(super) fn ask(&mut self, attribute: &Attribute) {
-        let (declared, kind) = (&attribute.declared, kind(attribute.element));
-        let of = ty(attribute.ty);
-        self.lines.open(&format!(
-            "if mesh.find_column(ElementKind::{kind}, \"{declared}\")\
-             .and_then(|c| mesh.values::<{of}>(c)).is_none() {{"
-        ));
-        let refusal = self.refusal;
-        self.lines
-            .line(&format!("{refusal} // the mesh has no attribute `{declared}` of this type"));
-        self.lines.close("}");
+        let (found, ty) = (found(attribute), ty(attribute.ty));
+        let head = format!("if {found}.and_then(|c| mesh.values::<{ty}>(c)).is_none() {{");
+        self.refuse(&head, &missing(attribute), "}");
     }
 
     /// Performs the deferred writes.
     fn release(&mut self, held: &Held) {
-        let list = &held.list;
-        self.lines.open(&format!("for (element, value) in {list} {{"));
-        match &held.attribute {
-            None => {
-                self.lines.line("mesh.set_position(element, finite(value)?);");
-            }
+        self.lines.open(&format!("for (element, value) in {} {{", held.list));
+        self.lines.line(&match &held.attribute {
+            None => "mesh.set_position(element, finite(value)?);".to_string(),
             Some(attribute) => {
-                let column = &attribute.column;
-                self.lines.line(&format!("set_attribute(mesh, {column}, element.0, value);"));
+                format!("set_attribute(mesh, {}, element.0, value);", attribute.column)
             }
-        }
+        });
         self.lines.close("}");
     }
 
     pub(super) fn must(&mut self, call: &Call, place: Option<&Target>) {
         let text = self.called(call);
-        match (call.of, place) {
-            (Called::Plain, _) => {
+        let (text, end) = match call.of {
+            Called::Plain => {
                 self.lines.open(&format!("if !{text} {{"));
-                let refusal = self.refusal;
-                self.lines.line(refusal);
-                self.lines.close("}");
+                self.lines.line(self.refusal);
+                return self.lines.close("}");
             }
-            (Called::Sure, None) => self.lines.line(&format!("{text};")),
-            (Called::Sure, Some(place)) => self.put(place, &text),
-            (_, None) => self.lines.line(&format!("{text}?;")),
-            (_, Some(place)) => self.put(place, &format!("{text}?")),
-        }
+            Called::Sure => (text, ""),
+            Called::Operation | Called::Refusing => (text, "?"),
+        };
+        self.lines.line(&match place {
+            None => format!("{text}{end};"),
+            Some(place) => self.put(place, &format!("{text}{end}")),
+        });
     }
 
-    pub(super) fn put(&mut self, place: &Target, value: &str) {
+    pub(super) fn put(&self, place: &Target, value: &str) -> String {
         let Target { name, ty: of, form } = place;
         // The type of a plain number would be ambiguous.
         let of = match of {
@@ -145,15 +109,15 @@ impl Printer {
             _ => String::new(),
         };
         let value = bare(value);
-        self.lines.line(&match form {
+        match form {
             Form::Fixed => format!("let {name}{of} = {value};"),
             Form::Changing => format!("let mut {name}{of} = {value};"),
             Form::Known => format!("{name} = {value};"),
-        });
+        }
     }
 
     /// The call of an operation, or of a function that changes the mesh.
-    pub(super) fn called(&mut self, call: &Call) -> String {
+    pub(super) fn called(&self, call: &Call) -> String {
         let args = call.args.iter().map(|arg| format!(", {}", self.text(arg)));
         let args = args.collect::<String>();
         let name = match call.of {
@@ -162,36 +126,17 @@ impl Printer {
         };
         format!("{name}(mesh{args})")
     }
+}
 
-    pub(super) fn held(&mut self, head: &str, body: &[Statement]) {
-        self.lines.open(head);
-        self.block(body);
-        self.lines.close("}");
-    }
+/// The search for the column of an attribute.
+fn found(attribute: &Attribute) -> String {
+    let (declared, kind) = (&attribute.declared, attribute.element);
+    format!("mesh.find_column(ElementKind::{kind:?}, \"{declared}\")")
+}
 
-    pub(super) fn branches(&mut self, condition: &str, [then, otherwise]: [&[Statement]; 2]) {
-        self.lines.open(&format!("if {condition} {{"));
-        self.block(then);
-        self.otherwise(otherwise);
-        self.lines.close("}");
-    }
-
-    /// The other branches of an `if`.
-    fn otherwise(&mut self, otherwise: &[Statement]) {
-        match otherwise {
-            [] => {}
-            [Statement::Choose { condition, then, otherwise }] => {
-                let condition = self.text(condition);
-                self.lines.reopen(&format!("}} else if {condition} {{"));
-                self.block(then);
-                self.otherwise(otherwise);
-            }
-            _ => {
-                self.lines.reopen("} else {");
-                self.block(otherwise);
-            }
-        }
-    }
+/// The reason to refuse a mesh without an attribute.
+fn missing(attribute: &Attribute) -> String {
+    format!("the mesh has no attribute `{}` of this type", attribute.declared)
 }
 
 /// A value that is used alone, without brackets around all of it.
@@ -209,9 +154,4 @@ pub(super) fn bare(value: &str) -> &str {
         true => value,
         false => inner,
     }
-}
-
-/// True if the condition always holds.
-pub(super) fn always(when: &Term) -> bool {
-    *when == Term::Bool(true)
 }

@@ -6,9 +6,8 @@ use super::super::NotEmitted;
 use super::super::conventions::Conventions;
 use super::super::expression::{Expressions, around, is_spelled, is_surely_finite};
 use super::super::names::Names;
-use super::super::routine;
+use super::super::routine::{self, Form, Held, Target};
 use super::super::term::{Parameter, Term};
-use super::super::whole::{Form, Held, Target};
 use super::comments::comments;
 use crate::diagram::{Access, Collection, Expr, ExprKind, Type};
 use crate::lower::{AllEffects, Variables};
@@ -88,14 +87,13 @@ impl<'s> Writer<'s> {
         let mut written = self.block(&body.block)?;
         let leaves =
             matches!(body.block.last(), Some(Statement { kind: StatementKind::Return(_), .. }));
-        match self.ending {
-            Ending::Steps if !leaves && !self.gives_back() => {
-                written.push(routine::Statement::Return { result: None });
-            }
-            Ending::Nothing if !leaves => {
-                written.push(routine::Statement::Leave);
-            }
-            _ => {}
+        let gives = match self.ending {
+            Ending::Steps => self.gives_back(),
+            Ending::Value => true,
+            Ending::Nothing => false,
+        };
+        if !leaves && !gives {
+            written.push(routine::Statement::Return { value: None });
         }
         Ok(written)
     }
@@ -320,15 +318,8 @@ impl<'s> Writer<'s> {
         }
         // Computed first, since the value cannot refer to a new variable.
         let value = self.computed(value, out)?;
-        match self.place(variable) {
-            None => {}
-            Some(Target { name, form: Form::Known, .. }) => {
-                out.push(routine::Statement::Change { name, value })
-            }
-            Some(place) => {
-                out.push(routine::Statement::Variable { place, value });
-            }
-        }
+        let place = self.place(variable);
+        out.extend(place.map(|place| routine::Statement::Variable { place, value }));
         Ok(())
     }
 
@@ -444,11 +435,7 @@ impl<'s> Writer<'s> {
                 }
             }),
         };
-        out.push(match (self.ending, value) {
-            (Ending::Steps, result) => routine::Statement::Return { result },
-            (_, Some(value)) => routine::Statement::Give(value),
-            (_, None) => routine::Statement::Leave,
-        });
+        out.push(routine::Statement::Return { value });
         Ok(())
     }
 }

@@ -1,9 +1,8 @@
 //! Calls in steps: of operations, and of functions that change the mesh.
 
 use super::super::NotEmitted;
-use super::super::routine;
+use super::super::routine::{self, Call, Called};
 use super::super::term::Term;
-use super::super::whole::{Call, Called};
 use super::body::Writer;
 use crate::diagram::{Expr, ExprKind, Param, Type};
 
@@ -33,7 +32,7 @@ impl Writer<'_> {
         }
         let name = self.names.fresh(wanted);
         let bound = Term::name(&name);
-        out.push(routine::Statement::Bind { ty, name, value });
+        out.push(routine::Statement::Bind { ty, name, value, is_list: false });
         bound
     }
 

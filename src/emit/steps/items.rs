@@ -8,27 +8,15 @@ use super::super::conventions::Conventions;
 use super::super::expression::{is_spelled, parameters};
 use super::super::names::{Names, invoked};
 use super::super::reserved::{plain, unreserved};
-use super::super::routine::{Helper, Routine, Signature, Statement, without_unread};
+use super::super::routine::{Item, ItemBody, Signature, Statement, without_unread};
 use super::super::selection::Selection;
 use super::super::term::Parameter;
-use super::super::whole::Whole;
 use super::body::{Ending, Surroundings, Writer};
 use super::journal::journaled;
 use crate::diagram::Param;
 use crate::lower::AllEffects;
 use crate::resolve::Body;
 use crate::source::Span;
-
-/// An emitted item.
-#[derive(Clone, Debug, PartialEq)]
-pub(in crate::emit) enum Item {
-    /// A function of the program.
-    Function(Helper),
-    /// A drawn operation.
-    Drawn(Routine),
-    /// An operation in steps.
-    Steps(Whole),
-}
 
 /// Everything that is emitted.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -141,9 +129,9 @@ impl Builder<'_> {
             Need::Function(number) => self.function(number)?,
             Need::Op(op) => {
                 let (item, needs) = self.op(op)?;
-                match (item, self.conventions.undoes) {
-                    (Item::Drawn(routine), false) => (Item::Drawn(journaled(routine)), needs),
-                    (item, _) => (item, needs),
+                match self.conventions.undoes {
+                    true => (item, needs),
+                    false => (journaled(item), needs),
                 }
             }
         };
@@ -177,10 +165,10 @@ impl Builder<'_> {
             let effects = self.effects.function(function);
             effects.map_or_else(BTreeSet::new, |effects| effects.attributes.clone())
         };
-        let (mut routine, calls) = build::routine(proved, &self.values, self.conventions, &looks)?;
-        routine.signature.name = self.op_names[op].clone();
+        let (mut item, calls) = build::routine(proved, &self.values, self.conventions, &looks)?;
+        item.signature.name = self.op_names[op].clone();
         let needs = calls.into_iter().map(Need::Function).collect();
-        Ok((Item::Drawn(routine), needs))
+        Ok((item, needs))
     }
 
     fn surroundings(&self) -> Surroundings<'_> {
@@ -224,9 +212,9 @@ impl Builder<'_> {
         let params = parameters(&resolved.params, &mut names)?;
         let mut writer =
             Writer::new(self.surroundings(), &steps.body, params.len(), Ending::Steps, &mut names);
-        let mut asks = Vec::new();
+        let mut requires = Vec::new();
         for require in &steps.requires {
-            asks.push(Statement::Refuse {
+            requires.push(Statement::Refuse {
                 when: writer.asked(&require.condition)?.not(),
                 reason: require.reason.clone(),
             });
@@ -239,7 +227,7 @@ impl Builder<'_> {
                 Need::Op(_) => None,
             });
             let seen = seen.flat_map(|effects| effects.attributes.iter().copied());
-            asks.splice(0..0, columns(&names, seen.collect()));
+            requires.splice(0..0, columns(&names, seen.collect()));
         }
         let erases = |param: &Parameter| self.effects.ops[op].erases.contains(param.ty.word());
         let outlives = |param: &&Parameter| param.ty.is_element() && !erases(param);
@@ -251,8 +239,8 @@ impl Builder<'_> {
             params,
             result: resolved.result,
         };
-        let whole = Whole { signature, asks, level: steps.level, body: without_unread(body) };
-        Ok((Item::Steps(whole), needs))
+        let (level, steps) = (steps.level, without_unread(body));
+        Ok((Item { signature, body: ItemBody::Steps { requires, level, steps } }, needs))
     }
 
     fn function(&self, number: u32) -> Result<(Item, Vec<Need>), NotEmitted> {
@@ -280,16 +268,17 @@ impl Builder<'_> {
         if self.conventions.columns {
             written.splice(0..0, columns(&names, BTreeSet::new()));
         }
-        let helper = Helper {
+        let signature = Signature {
             name: self.function_names[number as usize].clone(),
+            declared: function.name.clone(),
             docs: function.docs.clone(),
             params,
             result: function.result,
-            changes: effects.changes,
-            refuses: effects.refuses,
-            body: written,
+            given: None,
         };
-        Ok((Item::Function(helper), needs))
+        let (changes, refuses) = (effects.changes, effects.refuses);
+        let body = ItemBody::Function { changes, refuses, body: written };
+        Ok((Item { signature, body }, needs))
     }
 }
 

@@ -2,17 +2,19 @@
 
 use std::collections::BTreeSet;
 
-use super::super::routine::{Alternative, Routine, Statement};
+use super::super::routine::{Item, ItemBody, Statement};
 use super::super::term::Term;
 
 /// A drawn operation that notes all elements that it writes to, except for new ones.
-pub(super) fn journaled(routine: Routine) -> Routine {
-    let rules = routine.rules.into_iter().map(|rule| {
-        let mut new = BTreeSet::new();
-        created(&rule.body, &mut new);
-        Alternative { body: journaled_body(rule.body, &new), ..rule }
-    });
-    Routine { rules: rules.collect(), ..routine }
+pub(super) fn journaled(mut item: Item) -> Item {
+    if let ItemBody::Drawn(rules) = &mut item.body {
+        for rule in rules {
+            let mut new = BTreeSet::new();
+            created(&rule.body, &mut new);
+            rule.body = journaled_body(std::mem::take(&mut rule.body), &new);
+        }
+    }
+    item
 }
 
 /// The names of new elements.

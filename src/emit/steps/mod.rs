@@ -9,4 +9,4 @@ mod comments;
 mod items;
 mod journal;
 
-pub(super) use items::{Item, Items, items};
+pub(super) use items::{Items, items};
