@@ -1,13 +1,74 @@
-//! The builtin functions of the language in Rust and C++, side by side.
+//! Functions in Rust and C++, side by side.
 //!
 //! `{0}` stands for the first argument. In C++ `[{0}.halfedge]` is a pointer, spelled as the style
 //! reads it, and a support function is called by its name alone, as in Rust.
 
+use super::language::{Level, Spelled};
+use super::term::{Around, Function};
+use super::wide;
 use crate::diagram::Builtin;
 
-/// The call of a builtin in Rust and in C++; empty for builtins whose call depends on the type of
-/// their arguments or on that of reals, or that are not emitted.
-pub(super) fn spelled(builtin: Builtin) -> [&'static str; 2] {
+/// The call of a function in Rust and in C++; empty for what is not emitted, or as an operator.
+pub(super) fn spelled(function: Function) -> [&'static str; 2] {
+    match function {
+        Function::Builtin(builtin) => builtin_call(builtin),
+        Function::Of(operation, ty) => wide::spelled(operation, ty),
+        Function::InOrderAlongLoop => {
+            ["in_order_along_loop(mesh, {0}, {1}, {2})", "in_order_along_loop({0}, {1}, {2})"]
+        }
+        Function::InOrderAroundVertex => {
+            ["in_order_around_vertex(mesh, {0}, {1}, {2})", "in_order_around_vertex({0}, {1}, {2})"]
+        }
+        Function::AllDiffer => ["all_differ(&{0})", "all_differ({0})"],
+        Function::IsFinite => ["{0}.is_finite()", "is_finite({0})"],
+        // The meshes of C++ have no isolated vertices.
+        Function::IsIsolated => ["mesh.vertex_halfedge({0}).is_none()", "false"],
+        Function::LoopFrom => ["mesh.loop_from({0}).collect::<Vec<_>>()", "loop_from({0})"],
+        Function::SpokesFrom => ["mesh.spokes_from({0}).collect::<Vec<_>>()", "spokes_from({0})"],
+        Function::Every => [
+            "{0}.iter().skip({1}).step_by({2}).copied().collect::<Vec<_>>()",
+            "every({0}, {1}, {2})",
+        ],
+        Function::Turned => ["turned({0}, {1})"; 2],
+        Function::Length => ["{0}.len()", "{0}.size()"],
+        Function::Remainder => ["{0}.len() % {1}", "{0}.size() % {1}"],
+        Function::AllInOrderAlongLoop => {
+            ["all_in_order_along_loop(mesh, &{0})", "all_in_order_along_loop({0})"]
+        }
+        Function::AllInOrderAroundVertex => {
+            ["all_in_order_around_vertex(mesh, &{0})", "all_in_order_around_vertex({0})"]
+        }
+        Function::OfPreview(_) => [""; 2],
+    }
+}
+
+/// The call for the elements around an element in Rust and in C++.
+pub(super) fn around(around: Around) -> [&'static str; 2] {
+    match around {
+        Around::VertexHalfedges => ["mesh.spokes({0})", "spokes({0})"],
+        Around::VertexEdges => ["mesh.spokes({0}).map(|h| mesh.edge(h))", "edges_of_vertex({0})"],
+        Around::VertexFaces => [
+            "mesh.spokes({0}).map(|h| mesh.face(h)).filter(|&f| !mesh.is_hole(f))",
+            "faces_of_vertex({0})",
+        ],
+        Around::VertexNeighbors => ["mesh.neighbors({0})", "neighbors({0})"],
+        Around::FaceHalfedges => ["mesh.face_halfedges({0})", "halfedges({0})"],
+        Around::FaceVertices => ["mesh.face_vertices({0})", "vertices({0})"],
+        Around::FaceEdges => {
+            ["mesh.face_halfedges({0}).map(|h| mesh.edge(h))", "edges_of_face({0})"]
+        }
+        Around::EdgeVertices => [
+            "[mesh.edge_halfedge({0}), mesh.twin(mesh.edge_halfedge({0}))].into_iter().map(|h| mesh.vertex(h))",
+            "ends({0})",
+        ],
+        Around::EdgeFaces => [
+            "[mesh.edge_halfedge({0}), mesh.twin(mesh.edge_halfedge({0}))].into_iter().map(|h| mesh.face(h)).filter(|&f| !mesh.is_hole(f))",
+            "faces_of_edge({0})",
+        ],
+    }
+}
+
+fn builtin_call(builtin: Builtin) -> [&'static str; 2] {
     match builtin {
         Builtin::DegreeVertex => ["mesh.degree({0}) as i64", "degree({0})"],
         Builtin::DegreeFace => ["mesh.face_size({0}) as i64", "sides({0})"],
@@ -35,6 +96,9 @@ pub(super) fn spelled(builtin: Builtin) -> [&'static str; 2] {
             "mesh.position(mesh.vertex(mesh.edge_halfedge({0}))).lerp(mesh.position(mesh.target(mesh.edge_halfedge({0}))), 0.5)",
             "midpoint({0})",
         ],
+        Builtin::MixReal => {
+            ["{0} * (1.0 - {2}) + {1} * {2}", "hedgerow::mix<$real>({0}, {1}, {2})"]
+        }
         Builtin::MixVector => ["DVec3::lerp({0}, {1}, {2})", "mix({0}, {1}, {2})"],
         Builtin::Dot => ["DVec3::dot({0}, {1})", "dot({0}, {1})"],
         Builtin::Cross => ["DVec3::cross({0}, {1})", "cross({0}, {1})"],
@@ -66,8 +130,8 @@ pub(super) fn spelled(builtin: Builtin) -> [&'static str; 2] {
         }
         Builtin::IsNan => ["f64::is_nan({0})", "std::isnan({0})"],
         Builtin::IsFinite => ["f64::is_finite({0})", "std::isfinite({0})"],
-        Builtin::MixReal
-        | Builtin::CrossPlane
+        // They depend on the type of their arguments, or are not emitted.
+        Builtin::CrossPlane
         | Builtin::Diagonal
         | Builtin::UpperLeft
         | Builtin::Outer
@@ -80,17 +144,26 @@ pub(super) fn spelled(builtin: Builtin) -> [&'static str; 2] {
     }
 }
 
-/// A call with its arguments filled in.
-pub(super) fn with_arguments(call: &str, args: &[String]) -> String {
+/// A call with its arguments filled in. They bind as tightly as `level`, or as their place
+/// requires.
+pub(super) fn with_arguments(call: &str, args: &[Spelled], level: Level) -> String {
     let mut parts = call.split('{');
     let mut text = parts.next().unwrap_or_default().to_string();
     for part in parts {
         let argument = part.split_once('}').and_then(|(number, rest)| {
             let argument = args.get(number.parse::<usize>().ok()?)?;
-            Some((argument, rest))
+            Some((argument.clone(), rest))
         });
         match argument {
-            Some((argument, rest)) => text.extend([argument, rest]),
+            Some((argument, rest)) => {
+                let level = match () {
+                    () if rest.starts_with(['.', '[']) || text.ends_with('-') => Level::Whole,
+                    () if text.ends_with("- ") => Level::Product,
+                    () => level,
+                };
+                text.push_str(&argument.at(level));
+                text.push_str(rest);
+            }
             None => text.extend(["{", part]),
         }
     }

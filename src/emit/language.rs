@@ -61,8 +61,8 @@ pub(super) trait Language: Sized {
     fn call(&self, function: Function, args: Vec<Spelled>) -> Spelled;
     /// A function of the program.
     fn invoke(&self, name: &str, args: Vec<Spelled>) -> Spelled;
-    /// Operators that are calls: `div`, `mod`, equality and products of vectors.
-    fn operator(&self, operator: Binary, args: [Spelled; 2]) -> Spelled;
+    /// An operator that is a call.
+    fn operator(&self, operator: Binary, args: &[Spelled; 2]) -> Option<Spelled>;
     fn fold(&self, fold: &Fold) -> Spelled;
     /// The condition that something holds for some index.
     fn some(&self, indices: &IndexLoop, condition: &Term) -> Spelled;
@@ -106,7 +106,15 @@ pub(super) fn spell(language: &impl Language, term: &Term) -> Spelled {
         }
         Term::Vector(parts) => language.vector(parts.each_ref().map(|part| spell(language, part))),
         Term::Unary(operator, of) => unary(language, *operator, of),
-        Term::Binary(operator, left, right) => binary(language, *operator, [left, right]),
+        Term::Binary(operator, left, right) => {
+            let sides = [left, right].map(|side| spell(language, side));
+            let call = language.operator(*operator, &sides);
+            call.unwrap_or_else(|| infix(*operator, sides))
+        }
+        Term::Call(Function::OfPreview(question), args) => {
+            let texts: Vec<_> = args.iter().map(|arg| language.text(arg)).collect();
+            Spelled::whole(format!("{}.{question}({})", texts[0], texts[1..].join(", ")))
+        }
         Term::Call(function, args) => language.call(*function, spell_all(language, args)),
         Term::Invoke(name, args) => language.invoke(name, spell_all(language, args)),
         Term::If(condition, then, otherwise) => {
@@ -154,9 +162,10 @@ fn unary(language: &impl Language, operator: Unary, of: &Term) -> Spelled {
         Unary::ToReal => return language.to_real(spell(language, of)),
     };
     if let Term::Binary(equal, left, right) = of
-        && let (Unary::Not, Some("==")) = (operator, symbol(*equal).map(|(symbol, _)| symbol))
+        && let (Unary::Not, ("==", level)) = (operator, symbol(*equal))
+        && *equal != Binary::EqualVector
     {
-        return infix(language, "!=", Level::Compare, [left, right]);
+        return joined("!=", level, [left, right].map(|side| spell(language, side)));
     }
     // In brackets if it has a sign itself: `--x` would mean something else.
     let of = spell(language, of).at(Level::Whole);
@@ -181,32 +190,39 @@ fn turned(term: &Term) -> Option<Term> {
     })
 }
 
-fn symbol(operator: Binary) -> Option<(&'static str, Level)> {
-    Some(match operator {
+fn symbol(operator: Binary) -> (&'static str, Level) {
+    match operator {
         Binary::AddInt | Binary::AddReal | Binary::AddVector => ("+", Level::Sum),
         Binary::SubtractInt | Binary::SubtractReal | Binary::SubtractVector => ("-", Level::Sum),
-        Binary::MultiplyInt | Binary::MultiplyReal | Binary::ScaleVector => ("*", Level::Product),
+        Binary::MultiplyInt
+        | Binary::MultiplyReal
+        | Binary::MultiplyVector
+        | Binary::ScaleVector
+        | Binary::Transform
+        | Binary::MultiplyMatrices => ("*", Level::Product),
         Binary::DivideReal | Binary::DivideVector => ("/", Level::Product),
-        Binary::EqualInt | Binary::EqualReal | Binary::EqualBool | Binary::EqualElement => {
-            ("==", Level::Compare)
-        }
+        Binary::EqualInt
+        | Binary::EqualReal
+        | Binary::EqualBool
+        | Binary::EqualVector
+        | Binary::EqualText
+        | Binary::EqualElement => ("==", Level::Compare),
         Binary::LessInt | Binary::LessReal => ("<", Level::Compare),
         Binary::LessEqualInt | Binary::LessEqualReal => ("<=", Level::Compare),
         Binary::And => ("&&", Level::And),
         Binary::Or => ("||", Level::Or),
-        _ => return None,
-    })
-}
-
-fn binary(language: &impl Language, operator: Binary, sides: [&Term; 2]) -> Spelled {
-    match symbol(operator) {
-        Some((symbol, level)) => infix(language, symbol, level, sides),
-        None => language.operator(operator, sides.map(|side| spell(language, side))),
+        Binary::Div => ("/", Level::Product),
+        Binary::Mod => ("%", Level::Product),
     }
 }
 
-fn infix(language: &impl Language, symbol: &str, level: Level, sides: [&Term; 2]) -> Spelled {
-    let [left, right] = sides.map(|side| spell(language, side));
+/// The text of an operator between its sides.
+pub(super) fn infix(operator: Binary, sides: [Spelled; 2]) -> Spelled {
+    let (symbol, level) = symbol(operator);
+    joined(symbol, level, sides)
+}
+
+fn joined(symbol: &str, level: Level, [left, right]: [Spelled; 2]) -> Spelled {
     let (left_level, right_level) = match level {
         Level::Compare => (Level::Sum, Level::Sum),
         // Mixed `and` and `or` read better in brackets, and C++ warns without them.

@@ -35,6 +35,7 @@ mod lines;
 mod rust;
 mod statement;
 mod support;
+mod wide;
 
 use crate::diagnostic::Diagnostic;
 use crate::source::Span;

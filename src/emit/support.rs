@@ -45,7 +45,13 @@ impl Support {
         let code = code.join("\n");
         let is_used = |name: &str| match name.starts_with(char::is_uppercase) {
             true => names(&code, name),
-            false => !calls(&code, &format!("{namespace}{name}")).is_empty(),
+            false => {
+                let is_called =
+                    |name: &str| !calls(&code, &format!("{namespace}{name}")).is_empty();
+                // Another template can be called with its arguments, too.
+                let other = format!("{name}.n");
+                is_called(name) || is_called(&other) && self.names().all(|known| known != other)
+            }
         };
         let mut needed: Vec<(&str, &str)> = Vec::new();
         for &(name, text) in self.0.iter().rev() {

@@ -13,7 +13,7 @@ fn everything_that_is_written_out_has_its_header() {
         include_str!("../../src/emit/cpp/spelling.rs"),
         include_str!("../../src/emit/cpp/statement.rs"),
         include_str!("../../src/emit/cpp/steps.rs"),
-        include_str!("../../src/emit/cpp/matrix.rs"),
+        include_str!("../../src/emit/wide.rs"),
     ];
     let text = text.concat().replace("use std::collections", "");
     for name in names(&text) {

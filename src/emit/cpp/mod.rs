@@ -2,7 +2,6 @@
 
 mod function;
 pub mod headers;
-mod matrix;
 mod pattern;
 mod preview;
 mod signature;

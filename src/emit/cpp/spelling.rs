@@ -1,13 +1,14 @@
 //! Terms as C++.
 
-use super::super::builtin::{spelled, with_arguments};
+use super::super::builtin::{self, spelled, with_arguments};
 use super::super::language::{Language, Level, Spelled, number, short_number, spell};
 use super::super::matrix::is_wide;
 use super::super::names::invoked;
 use super::super::term::{Around, Attribute, Fold, Function, IndexLoop, Term};
+use super::super::wide::with_types;
 use super::function::Printer;
 use super::support::{qualified, with_pointers};
-use crate::diagram::{Binary, Builtin, FoldFunction, Pointer, Type};
+use crate::diagram::{Binary, FoldFunction, Pointer, Type};
 
 /// From here on a number is written as a `long long`.
 const SHORT: i64 = 1 << 15;
@@ -73,51 +74,16 @@ impl Language for Printer<'_> {
     }
 
     fn call(&self, function: Function, args: Vec<Spelled>) -> Spelled {
-        let level = |at: usize| match function {
-            // Spelled as a difference.
-            Function::Builtin(Builtin::Distance) if at == 1 => Level::Product,
-            _ => Level::Or,
+        let level = match function {
+            Function::Remainder => Level::Product,
+            _ => Level::Whole,
         };
-        let mut texts: Vec<String> =
-            args.into_iter().enumerate().map(|(at, arg)| arg.at(level(at))).collect();
-        let builtin = match function {
-            Function::Builtin(builtin) => builtin,
-            Function::Of(operation, ty) => return self.of_type(operation, ty, texts),
-            function => {
-                let name = match function {
-                    Function::InOrderAlongLoop => "in_order_along_loop",
-                    Function::InOrderAroundVertex => "in_order_around_vertex",
-                    Function::AllDiffer => "all_differ",
-                    Function::LoopFrom => "loop_from",
-                    Function::SpokesFrom => "spokes_from",
-                    Function::Every => "every",
-                    Function::Turned => "turned",
-                    Function::AllInOrderAlongLoop => "all_in_order_along_loop",
-                    Function::AllInOrderAroundVertex => "all_in_order_around_vertex",
-                    Function::OfPreview(question) => {
-                        let of = texts.split_off(1).join(", ");
-                        return Spelled::whole(format!("{}.{question}({of})", texts.join("")));
-                    }
-                    Function::Length => return Spelled::whole(format!("{}.size()", texts[0])),
-                    Function::Remainder => {
-                        let text = format!("{}.size() % {}", texts[0], texts[1]);
-                        return Spelled::new(text, Level::Product);
-                    }
-                    // These meshes have no isolated vertices.
-                    Function::IsIsolated => return Spelled::whole("false"),
-                    Function::IsFinite | Function::Builtin(_) | Function::Of(..) => "is_finite",
-                };
-                return Spelled::whole(self.support(name, texts));
-            }
+        let call = with_pointers(spelled(function)[1], self.style);
+        let call = match function {
+            Function::Of(operation, ty) => with_types(&call, operation, ty, |ty| self.ty(ty)),
+            _ => call,
         };
-        if builtin == Builtin::MixReal {
-            let real = self.style.name("real");
-            let text = format!("hedgerow::mix<{real}>({})", texts.join(", "));
-            return Spelled::whole(text);
-        }
-        let [_, call] = spelled(builtin);
-        let call = qualified("", &with_pointers(call, self.style));
-        Spelled::whole(with_arguments(&call, &texts))
+        Spelled::new(with_arguments(&qualified("", &call), &args, Level::Or), level)
     }
 
     fn invoke(&self, name: &str, args: Vec<Spelled>) -> Spelled {
@@ -126,15 +92,16 @@ impl Language for Printer<'_> {
         Spelled::whole(format!("hedgerow::{}({args})", invoked(name)))
     }
 
-    fn operator(&self, operator: Binary, args: [Spelled; 2]) -> Spelled {
-        let args = args.map(|arg| arg.at(Level::Or)).to_vec();
+    fn operator(&self, operator: Binary, args: &[Spelled; 2]) -> Option<Spelled> {
         let name = match operator {
             Binary::Div => "floor_div",
             Binary::Mod => "floor_mod",
             Binary::MultiplyVector => "multiply",
-            _ => "equal",
+            Binary::EqualVector => "equal",
+            _ => return None,
         };
-        Spelled::whole(self.support(name, args))
+        let args = args.clone().map(|arg| arg.at(Level::Or));
+        Some(Spelled::whole(self.support(name, args.to_vec())))
     }
 
     fn some(&self, indices: &IndexLoop, condition: &Term) -> Spelled {
@@ -170,13 +137,11 @@ impl Language for Printer<'_> {
             false => format!("[&]({})", self.ty(fold.variable.ty)),
         };
         let body = format!("{head} {{ return {body}; }}");
+        let of = format!("{}, {}", fold.ty.size(), self.ty(fold.ty));
+        let [total, average] = ["total", "average"].map(|name| format!("{name}<{of}>"));
         let (name, args) = match fold.function {
-            FoldFunction::Sum if is_wide(fold.ty) => {
-                return Spelled::whole(self.total("total", fold.ty, &[all, body]));
-            }
-            FoldFunction::Mean if is_wide(fold.ty) => {
-                return Spelled::whole(self.total("average", fold.ty, &[all, body]));
-            }
+            FoldFunction::Sum if is_wide(fold.ty) => (total.as_str(), vec![all, body]),
+            FoldFunction::Mean if is_wide(fold.ty) => (average.as_str(), vec![all, body]),
             FoldFunction::Count => ("count", vec![all, body]),
             FoldFunction::Any => ("any", vec![all, body]),
             FoldFunction::All => ("all", vec![all, body]),
@@ -194,18 +159,7 @@ impl Language for Printer<'_> {
 impl Printer<'_> {
     /// The elements around an element, as a list.
     pub(super) fn all_around(&self, around: Around, element: &Term) -> String {
-        let element = self.text(element);
-        let name = match around {
-            Around::VertexHalfedges => "spokes",
-            Around::VertexEdges => "edges_of_vertex",
-            Around::VertexFaces => "faces_of_vertex",
-            Around::VertexNeighbors => "neighbors",
-            Around::FaceHalfedges => "halfedges",
-            Around::FaceVertices => "vertices",
-            Around::FaceEdges => "edges_of_face",
-            Around::EdgeVertices => "ends",
-            Around::EdgeFaces => "faces_of_edge",
-        };
-        self.support(name, vec![element])
+        let [_, call] = builtin::around(around);
+        with_arguments(&qualified("", call), &[spell(self, element)], Level::Choice)
     }
 }

@@ -1,7 +1,6 @@
 //! Routines as Rust.
 
 mod function;
-mod matrix;
 mod preview;
 mod spelling;
 mod statement;

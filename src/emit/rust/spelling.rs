@@ -1,10 +1,11 @@
 //! Terms as Rust.
 
-use super::super::builtin::{spelled, with_arguments};
-use super::super::language::{Language, Level, Spelled, field, number, spell};
+use super::super::builtin::{self, spelled, with_arguments};
+use super::super::language::{Language, Level, Spelled, field, infix, number, spell};
 use super::super::names::invoked;
 use super::super::support::names;
-use super::super::term::{Around, Attribute, Fold, Function, IndexLoop, Term};
+use super::super::term::{Around, Attribute, Fold, Function, IndexLoop, Operation, Term};
+use super::super::wide::with_types;
 use super::function::{Printer, ty};
 use crate::diagram::{Binary, Builtin, FoldFunction, Pointer, Type};
 
@@ -55,20 +56,24 @@ impl Language for Printer {
     }
 
     fn call(&self, function: Function, args: Vec<Spelled>) -> Spelled {
-        let builtin = match function {
-            Function::Builtin(builtin) => builtin,
-            Function::Of(operation, ty) => return self.of_type(operation, ty, args),
-            function => return self.own(function, args),
+        let [call, _] = spelled(function);
+        let (level, inner) = match function {
+            Function::Of(Operation::Operator(operator), _) => {
+                let sides = args.try_into().expect("an operator has two sides");
+                return infix(operator, sides);
+            }
+            Function::Builtin(Builtin::MixReal) => (Level::Sum, Level::Product),
+            Function::Remainder => (Level::Product, Level::Choice),
+            Function::Of(Operation::Negate, _) => (Level::Prefix, Level::Choice),
+            // After a call that ends with a type, `<` would begin generic arguments.
+            _ if call.ends_with("as i64") => (Level::Compare, Level::Choice),
+            _ => (Level::Whole, Level::Choice),
         };
-        if let (Builtin::MixReal, [a, b, t]) = (builtin, &args[..]) {
-            let [a, b, t] = [a, b, t].map(|arg| arg.clone().at(Level::Product));
-            return Spelled::new(format!("{a} * (1.0 - {t}) + {b} * {t}"), Level::Sum);
-        }
-        let args: Vec<_> = args.into_iter().map(|arg| arg.text).collect();
-        let [call, _] = spelled(builtin);
-        // After a call that ends with a type, `<` would begin generic arguments.
-        let level = if call.ends_with("as i64") { Level::Compare } else { Level::Whole };
-        Spelled::new(with_arguments(call, &args), level)
+        let call = match function {
+            Function::Of(operation, of) => with_types(call, operation, of, |of| ty(of).into()),
+            _ => call.to_string(),
+        };
+        Spelled::new(with_arguments(&call, &args, inner), level)
     }
 
     fn invoke(&self, name: &str, args: Vec<Spelled>) -> Spelled {
@@ -77,29 +82,16 @@ impl Language for Printer {
         Spelled::whole(format!("{}(mesh{args})", invoked(name)))
     }
 
-    fn operator(&self, operator: Binary, args: [Spelled; 2]) -> Spelled {
-        let [left, right] = args;
-        match operator {
+    fn operator(&self, operator: Binary, args: &[Spelled; 2]) -> Option<Spelled> {
+        let [left, right] = args.clone().map(|arg| arg.at(Level::Whole));
+        Some(Spelled::whole(match operator {
             // Rounded down: Euclidean division does so only for a positive divisor.
-            Binary::Div => {
-                let (left, right) = (left.at(Level::Whole), right.at(Level::Whole));
-                Spelled::whole(format!(
-                    "({left} / {right} - i64::from({left} % {right} != 0 && ({left} < 0) != ({right} < 0)))"
-                ))
-            }
-            Binary::Mod => {
-                let (left, right) = (left.at(Level::Whole), right.at(Level::Whole));
-                Spelled::whole(format!("(({left} % {right} + {right}) % {right})"))
-            }
-            Binary::MultiplyVector => {
-                let text = format!("{} * {}", left.at(Level::Product), right.at(Level::Prefix));
-                Spelled::new(text, Level::Product)
-            }
-            _ => {
-                let text = format!("{} == {}", left.at(Level::Sum), right.at(Level::Sum));
-                Spelled::new(text, Level::Compare)
-            }
-        }
+            Binary::Div => format!(
+                "({left} / {right} - i64::from({left} % {right} != 0 && ({left} < 0) != ({right} < 0)))"
+            ),
+            Binary::Mod => format!("(({left} % {right} + {right}) % {right})"),
+            _ => return None,
+        }))
     }
 
     fn some(&self, indices: &IndexLoop, condition: &Term) -> Spelled {
@@ -142,13 +134,8 @@ impl Language for Printer {
             }
             FoldFunction::Min => format!("{values}.reduce({of}::min).expect(\"{nothing}\")"),
             FoldFunction::Max => format!("{values}.reduce({of}::max).expect(\"{nothing}\")"),
-            FoldFunction::ArgMin | FoldFunction::ArgMax => {
-                let name = match fold.function {
-                    FoldFunction::ArgMin => "least_of",
-                    _ => "greatest_of",
-                };
-                return self.support(name, &[all, format!("|{bound}| {body}")]);
-            }
+            FoldFunction::ArgMin => format!("least_of({all}, |{bound}| {body})"),
+            FoldFunction::ArgMax => format!("greatest_of({all}, |{bound}| {body})"),
         })
     }
 }
@@ -156,73 +143,7 @@ impl Language for Printer {
 impl Printer {
     /// An iterator over the elements around an element.
     pub(super) fn all_around(&self, around: Around, element: &Term) -> String {
-        let element = self.text(element);
-        let half = format!("mesh.edge_halfedge({element})");
-        let sides = format!("[{half}, mesh.twin({half})].into_iter()");
-        let real = ".filter(|&f| !mesh.is_hole(f))";
-        match around {
-            Around::VertexHalfedges => format!("mesh.spokes({element})"),
-            Around::VertexEdges => format!("mesh.spokes({element}).map(|h| mesh.edge(h))"),
-            Around::VertexFaces => format!("mesh.spokes({element}).map(|h| mesh.face(h)){real}"),
-            Around::VertexNeighbors => format!("mesh.neighbors({element})"),
-            Around::FaceHalfedges => format!("mesh.face_halfedges({element})"),
-            Around::FaceVertices => format!("mesh.face_vertices({element})"),
-            Around::FaceEdges => format!("mesh.face_halfedges({element}).map(|h| mesh.edge(h))"),
-            Around::EdgeVertices => format!("{sides}.map(|h| mesh.vertex(h))"),
-            Around::EdgeFaces => format!("{sides}.map(|h| mesh.face(h)){real}"),
-        }
-    }
-
-    /// A support function, or a method of a list or vector.
-    fn own(&self, function: Function, args: Vec<Spelled>) -> Spelled {
-        let mut args: Vec<_> = args.into_iter().map(|arg| arg.text).collect();
-        let name = match function {
-            Function::InOrderAlongLoop => "in_order_along_loop",
-            Function::InOrderAroundVertex => "in_order_around_vertex",
-            Function::AllDiffer => "all_differ",
-            Function::LoopFrom | Function::SpokesFrom => {
-                let walk = match function {
-                    Function::LoopFrom => "loop_from",
-                    _ => "spokes_from",
-                };
-                let from = args.join(", ");
-                return Spelled::whole(format!("mesh.{walk}({from}).collect::<Vec<_>>()"));
-            }
-            Function::IsIsolated => {
-                let text = format!("mesh.vertex_halfedge({}).is_none()", args.join(", "));
-                return Spelled::whole(text);
-            }
-            Function::Every => {
-                let [list, first, step] = [0, 1, 2].map(|at| args[at].clone());
-                let steps = format!("{list}.iter().skip({first}).step_by({step})");
-                return Spelled::whole(format!("{steps}.copied().collect::<Vec<_>>()"));
-            }
-            Function::Turned => "turned",
-            Function::OfPreview(question) => {
-                let of = args.split_off(1).join(", ");
-                return Spelled::whole(format!("{}.{question}({of})", args.join("")));
-            }
-            Function::Length => return Spelled::whole(format!("{}.len()", args.join(", "))),
-            Function::Remainder => {
-                let text = format!("{}.len() % {}", args[0], args[1]);
-                return Spelled::new(text, Level::Product);
-            }
-            Function::AllInOrderAlongLoop => "all_in_order_along_loop",
-            Function::AllInOrderAroundVertex => "all_in_order_around_vertex",
-            Function::IsFinite | Function::Builtin(_) | Function::Of(..) => {
-                return Spelled::whole(format!("{}.is_finite()", args.join(", ")));
-            }
-        };
-        match function {
-            Function::InOrderAlongLoop | Function::InOrderAroundVertex => {
-                args.insert(0, "mesh".to_string());
-            }
-            Function::AllInOrderAlongLoop | Function::AllInOrderAroundVertex => {
-                args = vec!["mesh".to_string(), format!("&{}", args.join(", "))];
-            }
-            Function::Turned => {}
-            _ => args.iter_mut().for_each(|arg| arg.insert(0, '&')),
-        }
-        Spelled::whole(format!("{name}({})", args.join(", ")))
+        let [call, _] = builtin::around(around);
+        with_arguments(call, &[spell(self, element)], Level::Choice)
     }
 }
