@@ -79,92 +79,11 @@ pub(super) const PATTERNS: &[(&str, Form, &str, Option<&str>)] = &[
 
 /// The reason why a style is not understood, or cannot compile.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum StyleError {
-    /// Neither the name of a style nor `NAME=PATTERN`.
-    NotAStyle(String),
-    /// There is no such pattern.
-    Unknown(String),
-    /// A pattern lacks a part that it must use.
-    Lacks {
-        /// The pattern.
-        name: String,
-        /// `{of}`
-        part: &'static str,
-    },
-    /// A pattern uses a part that it is not given.
-    Foreign {
-        /// The pattern.
-        name: String,
-        /// `{value}`
-        part: String,
-    },
-    /// A pattern is not an expression.
-    NotCode {
-        /// The pattern.
-        name: String,
-        /// The error.
-        why: &'static str,
-    },
-    /// A name is not a valid name in C++.
-    NotAName {
-        /// The pattern.
-        name: String,
-        /// The value as it was given.
-        value: String,
-    },
-    /// The value is not one of the allowed words.
-    NotAWord {
-        /// The pattern.
-        name: String,
-        /// The allowed words.
-        words: &'static [&'static str],
-    },
-    /// A pattern uses `mesh`, which does not exist in a member of the mesh class.
-    MemberWithoutMesh(String),
-}
+pub struct StyleError(pub(super) String);
 
 impl fmt::Display for StyleError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::NotAStyle(text) => {
-                write!(f, "`{text}` is no style: write fields, accessors, or NAME=PATTERN")
-            }
-            Self::Unknown(name) => {
-                let names: Vec<_> = PATTERNS.iter().map(|(name, ..)| *name).collect();
-                write!(f, "a style has no `{name}`; it has {}", names.join(", "))
-            }
-            Self::Lacks { name, part } => {
-                write!(f, "the pattern of `{name}` has to speak of `{part}`")
-            }
-            Self::Foreign { name, part } => {
-                let known = PATTERNS.iter().find(|(known, ..)| known == name);
-                match known.map(|(_, form, ..)| form) {
-                    Some(Code(parts @ [_, ..])) => write!(
-                        f,
-                        "the pattern of `{name}` knows {}, and no `{part}`",
-                        quoted(parts)
-                    ),
-                    _ => write!(f, "the pattern of `{name}` knows of nothing, and no `{part}`"),
-                }
-            }
-            Self::NotCode { name, why } => write!(f, "the pattern of `{name}` {why}"),
-            Self::NotAName { name, value } if name == "include" => {
-                write!(
-                    f,
-                    "`include` is the bare name of a file, as `mesh.h`, and `{value}` is none"
-                )
-            }
-            Self::NotAName { name, value } => {
-                write!(f, "`{name}` is to be a name in C++, and `{value}` is none")
-            }
-            Self::NotAWord { name, words } => {
-                write!(f, "`{name}` is one of {}", quoted(words))
-            }
-            Self::MemberWithoutMesh(name) => write!(
-                f,
-                "the pattern of `{name}` speaks of `mesh`, and in a member of the class, as `member=yes` says, there is none"
-            ),
-        }
+        f.write_str(&self.0)
     }
 }
 
@@ -174,19 +93,24 @@ fn quoted(words: &[&str]) -> String {
 
 /// Checks that a text has the form of its pattern.
 pub(super) fn understand(name: &str, form: Form, value: &str) -> Result<(), StyleError> {
-    let not_a_name = || StyleError::NotAName { name: name.into(), value: value.into() };
     let fits = match form {
         Code(parts) => return understand_code(name, parts, value),
         Word(words) if words.contains(&value) => true,
-        Word(words) => return Err(StyleError::NotAWord { name: name.into(), words }),
-        Files => !value.contains(['"', '<', '>', '\\']) && !value.contains(char::is_control),
+        Word(words) => {
+            return Err(StyleError(format!("`{name}` is one of {}", quoted(words))));
+        }
+        Files if value.contains(['"', '<', '>', '\\']) || value.contains(char::is_control) => {
+            let why = "is not the bare name of a file, as `mesh.h`, as `include` must be";
+            return Err(StyleError(format!("`{value}` {why}")));
+        }
+        Files => true,
         NameOrNone if value.is_empty() => true,
         Name | NameOrNone => {
             let is_number = name == "real" && ["float", "double"].contains(&value);
             is_number || value.split("::").all(is_word)
         }
     };
-    if fits { Ok(()) } else { Err(not_a_name()) }
+    if fits { Ok(()) } else { Err(not_a_name(name, value)) }
 }
 
 /// True if a text is one identifier and not a keyword of C++.
@@ -197,16 +121,16 @@ pub(super) fn is_word(text: &str) -> bool {
         && !is_keyword_of_cpp(text)
 }
 
-fn understand_code(
-    name: &str,
-    parts: &'static [&'static str],
-    value: &str,
-) -> Result<(), StyleError> {
-    let of = || name.to_string();
+/// The refusal of a value that has to be a name.
+pub(super) fn not_a_name(name: &str, value: &str) -> StyleError {
+    StyleError(format!("`{value}` is not a C++ name, as `{name}` must be"))
+}
+
+fn understand_code(name: &str, parts: &[&str], value: &str) -> Result<(), StyleError> {
+    let wrong = |why: &str| Err(StyleError(format!("the pattern of `{name}` {why}")));
     if let Some(part) = parts.iter().find(|part| !value.contains(**part)) {
-        return Err(StyleError::Lacks { name: of(), part });
+        return wrong(&format!("must use `{part}`"));
     }
-    let not_code = |why| Err(StyleError::NotCode { name: name.to_string(), why });
     let mut open = Vec::new();
     let mut rest = value;
     while let Some(c) = rest.chars().next() {
@@ -215,30 +139,34 @@ fn understand_code(
             continue;
         }
         if let Some(end) = rest.find('}').filter(|&end| c == '{' && is_word(&rest[1..end])) {
-            return Err(StyleError::Foreign { name: of(), part: rest[..=end].into() });
+            let known = match parts {
+                [] => String::new(),
+                parts => format!(", only {}", quoted(parts)),
+            };
+            return wrong(&format!("has no placeholder `{}`{known}", &rest[..=end]));
         }
         match c {
             '(' => open.push(')'),
             '[' => open.push(']'),
             '{' => open.push('}'),
             ')' | ']' | '}' if open.pop() != Some(c) => {
-                return not_code("has a bracket that does not match another");
+                return wrong("has a bracket that does not match another");
             }
             ';' | '#' | '\\' => {
-                return not_code("is an expression: no `;`, no `#` and no `\\` stands in it");
+                return wrong("is an expression: no `;`, no `#` and no `\\` stands in it");
             }
-            '"' | '\'' => return not_code("is an expression without quotes"),
-            c if c.is_control() => return not_code("stands on one line"),
+            '"' | '\'' => return wrong("is an expression without quotes"),
+            c if c.is_control() => return wrong("stands on one line"),
             _ if rest.starts_with("//") || rest.starts_with("/*") => {
-                return not_code("has no comment in it");
+                return wrong("has no comment in it");
             }
             _ => {}
         }
         rest = &rest[c.len_utf8()..];
     }
     match (open.is_empty(), value.trim().is_empty()) {
-        (false, _) => not_code("has a bracket that does not match another"),
-        (_, true) => not_code("is empty"),
+        (false, _) => wrong("has a bracket that does not match another"),
+        (_, true) => wrong("is empty"),
         _ => Ok(()),
     }
 }

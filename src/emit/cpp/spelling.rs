@@ -47,7 +47,7 @@ impl Language for Printer<'_> {
     }
 
     fn position(&self, of: Spelled) -> Spelled {
-        Spelled::whole(self.style.position(&of.at(Level::Whole)))
+        Spelled::whole(self.style.chained(&of.at(Level::Whole), "position"))
     }
 
     fn attribute(&self, attribute: &Attribute, of: Spelled) -> Spelled {
@@ -56,7 +56,7 @@ impl Language for Printer<'_> {
     }
 
     fn hole(&self, of: Spelled) -> Spelled {
-        Spelled::whole(self.style.boundary(&of.at(Level::Whole)))
+        Spelled::whole(self.style.chained(&of.at(Level::Whole), "boundary"))
     }
 
     fn vector(&self, parts: [Spelled; 3]) -> Spelled {

@@ -1,10 +1,7 @@
 //! Styles of C++: reads, writes, allocations and erasures, which differ from one mesh class to the
-//! next.
-//!
-//! Everything is a named pattern. A pattern may use `{of}`, the element; `{pointer}`, the name of
-//! the pointer or attribute; and `{value}`.
+//! next. Everything is a named [`pattern`](super::pattern).
 
-use super::pattern::{Form, PATTERNS, StyleError, free_words, is_word, understand};
+use super::pattern::{Form, PATTERNS, StyleError, free_words, is_word, not_a_name, understand};
 use crate::diagram::{Kind, Pointer};
 
 /// The names of the types of elements.
@@ -44,12 +41,13 @@ impl Style {
             }
             _ => {
                 let (name, value) =
-                    text.split_once('=').ok_or_else(|| StyleError::NotAStyle(text.to_string()))?;
+                    text.split_once('=').ok_or_else(|| {
+                        StyleError(format!("`{text}` is no style: write fields, accessors, or NAME=PATTERN"))
+                    })?;
                 if let Some(op) = name.strip_prefix("function.") {
                     understand(name, Form::Name, value)?;
                     if !is_word(value) {
-                        let (name, value) = (name.to_string(), value.to_string());
-                        return Err(StyleError::NotAName { name, value });
+                        return Err(not_a_name(name, value));
                     }
                     self.functions.retain(|(known, _)| known != op);
                     self.functions.push((op.to_string(), value.to_string()));
@@ -58,7 +56,10 @@ impl Style {
                 let at = PATTERNS
                     .iter()
                     .position(|(known, ..)| *known == name)
-                    .ok_or_else(|| StyleError::Unknown(name.to_string()))?;
+                    .ok_or_else(|| {
+                        let names: Vec<_> = PATTERNS.iter().map(|(name, ..)| *name).collect();
+                        StyleError(format!("a style has no `{name}`; it has {}", names.join(", ")))
+                    })?;
                 understand(name, PATTERNS[at].1, value)?;
                 self.patterns[at] = value.to_string();
             }
@@ -89,7 +90,9 @@ impl Style {
         let mut code = self.code().filter(|_| self.is_member());
         match code.find(|(_, pattern)| free_words(pattern).iter().any(|(word, _)| *word == "mesh"))
         {
-            Some((name, _)) => Err(StyleError::MemberWithoutMesh(name.to_string())),
+            Some((name, _)) => Err(StyleError(format!(
+                "the pattern of `{name}` uses `mesh`, and in a member of the class, as `member=yes` says, there is none"
+            ))),
             None => Ok(()),
         }
     }
@@ -121,7 +124,7 @@ impl Style {
         let pairs = ELEMENTS.iter().enumerate();
         let mut pairs =
             pairs.flat_map(|(at, one)| ELEMENTS[at + 1..].iter().map(move |other| [*one, *other]));
-        pairs.find(|[one, other]| self.pattern(one) == self.pattern(other))
+        pairs.find(|[one, other]| self.name(one) == self.name(other))
     }
 
     /// Words that the patterns use, which are therefore reserved.
@@ -155,12 +158,12 @@ impl Style {
 
     /// True if an operation without a result returns the element that it was given.
     pub(in crate::emit) fn gives_back(&self) -> bool {
-        self.pattern("result") == "given"
+        self.name("result") == "given"
     }
 
     /// True if parameters with a default are constants instead.
     pub(in crate::emit) fn fixes_defaults(&self) -> bool {
-        self.pattern("defaults") == "fixed"
+        self.name("defaults") == "fixed"
     }
 
     /// The lines before everything else that include the mesh class: the first of the files that
@@ -171,7 +174,7 @@ impl Style {
     }
 
     fn include_mesh(&self) -> String {
-        let files: Vec<_> = self.pattern("include").split_whitespace().collect();
+        let files: Vec<_> = self.name("include").split_whitespace().collect();
         let Some((last, others)) = files.split_last() else {
             return String::new();
         };
@@ -186,24 +189,20 @@ impl Style {
         }
     }
 
-    fn pattern(&self, name: &str) -> &str {
+    /// A pattern or a name, as the mesh class spells it.
+    pub(in crate::emit) fn name(&self, name: &str) -> &str {
         let at = PATTERNS.iter().position(|(known, ..)| *known == name);
         at.map_or("", |at| &self.patterns[at])
     }
 
-    /// A name, as the mesh class spells it.
-    pub(in crate::emit) fn name(&self, name: &str) -> &str {
-        self.pattern(name)
-    }
-
     /// A type of values; where the mesh class has none, an array, for matrices column by column.
     pub(in crate::emit) fn value(&self, ty: &str) -> String {
-        let name = self.pattern(ty);
+        let name = self.name(ty);
         if !name.is_empty() {
             return name.to_string();
         }
         let array = |of: &str, size: u8| format!("std::array<{of}, {size}>");
-        let (real, size) = (self.pattern("real"), if ty.ends_with('3') { 3 } else { 4 });
+        let (real, size) = (self.name("real"), if ty.ends_with('3') { 3 } else { 4 });
         match ty {
             "Vector2" => array(real, 2),
             "Vector4" => array(real, 4),
@@ -213,81 +212,67 @@ impl Style {
 
     /// True if operations are members of the mesh class.
     pub(in crate::emit) fn is_member(&self) -> bool {
-        self.pattern("member") == "yes"
+        self.name("member") == "yes"
     }
 
     /// True if operations are defined in a header that several files include.
     pub(in crate::emit) fn is_inline(&self) -> bool {
-        self.pattern("inline") == "yes"
+        self.name("inline") == "yes"
     }
 
     /// True if halfedges store `prev`.
     pub(in crate::emit) fn has_prev(&self) -> bool {
-        !self.pattern("prev").is_empty()
+        !self.name("prev").is_empty()
     }
 
     /// `of.pointer`; `None` for a pointer that is not a field.
     pub(in crate::emit) fn read(&self, of: &str, pointer: Pointer) -> Option<String> {
-        let pointer = self.pattern(pointer.word());
-        (!pointer.is_empty()).then(|| fill(self.pattern("read"), of, pointer, ""))
+        let pointer = self.name(pointer.word());
+        (!pointer.is_empty()).then(|| fill(self.name("read"), of, pointer, ""))
     }
 
     /// `of.pointer` for a pointer by its usual name, and also for `position` and `boundary`; of a
     /// mesh, `new_vertex` and the like.
     pub(in crate::emit) fn chained(&self, of: &str, pointer: &str) -> String {
-        let pointer = match pointer {
-            "boundary" => return self.boundary(of),
-            "position" => return self.position(of),
-            pointer => match pointer.strip_prefix("new_") {
-                Some(kind) => return format!("{of}.{}", self.allocation(kind)),
-                None => usual(pointer),
-            },
-        };
-        self.read(of, pointer).unwrap_or_default()
+        match (pointer, pointer.strip_prefix("new_")) {
+            ("boundary" | "position", _) => fill(self.name(pointer), of, "", ""),
+            (_, Some(kind)) => format!("{of}.{}", self.allocation(kind)),
+            _ => fill(self.name("read"), of, self.name(pointer), ""),
+        }
     }
 
     /// `of.pointer = value` for the same; of a mesh, the call that erases the value.
     pub(in crate::emit) fn put(&self, of: &str, pointer: &str, value: &str) -> String {
-        match pointer {
-            "boundary" => fill(self.pattern("set_boundary"), of, "", value),
-            "position" => format!("{} = {value}", self.position(of)),
-            pointer => match pointer.strip_prefix("erase_") {
-                Some(kind) => format!("{of}.{}", self.erasure(kind, value)),
-                None => self.write(of, usual(pointer), value).unwrap_or_default(),
-            },
+        match (pointer, pointer.strip_prefix("erase_")) {
+            ("boundary", _) => fill(self.name("set_boundary"), of, "", value),
+            ("position", _) => format!("{} = {value}", self.chained(of, pointer)),
+            (_, Some(kind)) => format!("{of}.{}", self.erasure(kind, value)),
+            _ => fill(self.name("write"), of, self.name(pointer), value),
         }
     }
 
     /// A type where the names of the mesh class are not in scope: `Mesh::VertexRef`.
     pub(in crate::emit) fn qualified(&self, ty: &str) -> String {
         match self.is_nested(ty) {
-            true => format!("{}::{}", self.pattern("mesh"), self.pattern(ty)),
+            true => format!("{}::{}", self.name("mesh"), self.name(ty)),
             false => self.value(ty),
         }
     }
 
     /// True if a type is nested in the mesh class.
     pub(in crate::emit) fn is_nested(&self, ty: &str) -> bool {
-        ELEMENTS.contains(&ty) && self.pattern("nested") == "yes"
+        ELEMENTS.contains(&ty) && self.name("nested") == "yes"
     }
 
     /// `of.pointer = value`
     pub(in crate::emit) fn write(&self, of: &str, pointer: Pointer, value: &str) -> Option<String> {
-        let pointer = self.pattern(pointer.word());
-        (!pointer.is_empty()).then(|| fill(self.pattern("write"), of, pointer, value))
-    }
-
-    pub(in crate::emit) fn boundary(&self, face: &str) -> String {
-        fill(self.pattern("boundary"), face, "", "")
-    }
-
-    pub(in crate::emit) fn position(&self, vertex: &str) -> String {
-        fill(self.pattern("position"), vertex, "", "")
+        let pointer = self.name(pointer.word());
+        (!pointer.is_empty()).then(|| fill(self.name("write"), of, pointer, value))
     }
 
     /// An attribute of the program, to be read or set.
     pub(in crate::emit) fn attribute(&self, of: &str, name: &str) -> String {
-        fill(self.pattern("attribute"), of, name, "")
+        fill(self.name("attribute"), of, name, "")
     }
 
     /// A call that allocates.
@@ -302,12 +287,12 @@ impl Style {
 
     /// The call that allocates an element of a kind, without the mesh.
     pub(in crate::emit) fn allocation(&self, kind: &str) -> String {
-        self.pattern(&format!("new_{kind}")).to_string()
+        self.name(&format!("new_{kind}")).to_string()
     }
 
     /// The call that erases an element of a kind, without the mesh.
     pub(in crate::emit) fn erasure(&self, kind: &str, of: &str) -> String {
-        fill(self.pattern(&format!("erase_{kind}")), of, "", "")
+        fill(self.name(&format!("erase_{kind}")), of, "", "")
     }
 
     fn call(&self, call: String) -> String {
@@ -315,19 +300,6 @@ impl Style {
             true => call,
             false => format!("mesh.{call}"),
         }
-    }
-}
-
-/// A pointer by its usual name.
-fn usual(pointer: &str) -> Pointer {
-    match pointer {
-        "next" => Pointer::Next,
-        "prev" => Pointer::Prev,
-        "twin" => Pointer::Twin,
-        "vertex" => Pointer::Vertex,
-        "edge" => Pointer::Edge,
-        "face" => Pointer::Face,
-        _ => Pointer::VertexHalfedge,
     }
 }
 

@@ -151,13 +151,13 @@ fn a_style_that_cannot_compile_is_refused() {
         (&["boundary=this->is_hole({of})", "member=yes"], "there is no `this`"),
         (
             &["position={of}->{pointer}"],
-            "the pattern of `position` knows `{of}`, and no `{pointer}`",
+            "the pattern of `position` has no placeholder `{pointer}`, only `{of}`",
         ),
         (&["write={of}->{pointer} = {value};"], "is an expression"),
         (&["read={of}->{pointer}("], "has a bracket that does not match another"),
-        (&["Vertex=union"], "`Vertex` is to be a name in C++, and `union` is none"),
+        (&["Vertex=union"], "`union` is not a C++ name, as `Vertex` must be"),
         (&["result=maybe"], "`result` is one of `bool` and `given`"),
-        (&["function.flip=a::b"], "is to be a name in C++"),
+        (&["function.flip=a::b"], "`a::b` is not a C++ name"),
         (&["member=yes", "Vertex=Ref", "Face=Ref"], "`Vertex` and `Face` are one type"),
     ] {
         let told = emitted(styles).expect_err(why);
@@ -200,7 +200,7 @@ fn what_cannot_compile_is_no_pattern() {
     }
     assert_eq!(
         set("write={of}->{pointer} = {value} + {what}"),
-        Err("the pattern of `write` knows `{of}`, `{pointer}` and `{value}`, and no `{what}`"
+        Err("the pattern of `write` has no placeholder `{what}`, only `{of}`, `{pointer}` and `{value}`"
             .into())
     );
 }
