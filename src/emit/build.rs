@@ -42,7 +42,10 @@ pub(super) fn routine(
             body.splice(0..0, columns(&names, seen.collect()));
         }
         all_calls.extend(calls);
-        rules.push(Alternative { label: rule.label.clone(), body: without_unread(body) });
+        rules.push(Alternative {
+            label: rule.label.clone(),
+            body: without_unread(body, Statement::bound),
+        });
     }
     let outlives = |&(at, param): &(usize, &Parameter)| {
         let erased = |rule: &Rule| {
@@ -127,16 +130,13 @@ fn phases(
             Expressions { names }.once(condition, at_each_index, Some(rule), &mut body)?;
         let ask = |names: &mut Names| Expressions { names }.term(&condition);
         let condition = names.for_each(at_each_index, ask)?;
-        let reason = || refusal.to_owned();
-        if at_each_index {
-            let when = condition.not().for_some(names.indices());
-            body.push(Statement::Refuse { when, reason: reason() });
-            continue;
-        }
         let mut parts = Vec::new();
-        conjuncts(condition, &mut parts);
+        match at_each_index {
+            true => parts.push(condition),
+            false => conjuncts(condition, &mut parts),
+        }
         let parts = parts.into_iter();
-        body.extend(parts.map(|part| Statement::Refuse { when: part.not(), reason: reason() }));
+        body.extend(parts.map(|part| names.refusal(part.not(), at_each_index, refusal)));
     }
     body.extend(guard::tests(drawing, operation, names, conventions));
     let values = values(rule, &operation.values, names, &mut body)?;
@@ -163,18 +163,10 @@ fn phases(
     for &Element { name, kind, at_each_index } in &operation.erased {
         let element = names.for_each(at_each_index, |names| names.term(name));
         let erase = Statement::Erase { kind, element };
-        body.push(indexed(at_each_index, names, erase));
+        body.push(names.repeated(at_each_index, erase));
     }
     body.push(Statement::Return { value: operation.result.map(|name| names.term(name)) });
     Ok(body)
-}
-
-/// A statement, repeated for each index if `at_each_index`.
-fn indexed(at_each_index: bool, names: &Names, statement: Statement) -> Statement {
-    match at_each_index {
-        true => Statement::IndexLoop { indices: names.indices(), body: vec![statement] },
-        false => statement,
-    }
 }
 
 /// The statements that allocate everything new; a family is given by its first member.
@@ -226,11 +218,7 @@ fn values(
         let value = Expressions { names }.once(expr, *member, Some(rule), body)?;
         let value = names.for_each(*member, |names| Expressions { names }.term(&value))?;
         let ty = attribute.as_ref().map_or(Type::Vec3, |it| it.ty);
-        let bound = name.clone();
-        body.push(match member {
-            true => Statement::Gather { ty, name: bound, indices: names.indices(), item: value },
-            false => Statement::Bind { ty, name: bound, value, is_list: false },
-        });
+        body.push(names.bound(ty, name.clone(), value, *member));
         let (element, value) = names.for_each(*member, |names| {
             let value = match member {
                 true => names.member(&name, 0),
@@ -240,17 +228,13 @@ fn values(
         });
         if let Some(reason) = refusal(assigned) {
             let infinite = Term::Call(Function::IsFinite, vec![value.clone()]).not();
-            let when = match member {
-                true => infinite.for_some(names.indices()),
-                false => infinite,
-            };
-            body.push(Statement::Refuse { when, reason: reason.clone() });
+            body.push(names.refusal(infinite, *member, reason));
         }
         let set = match attribute {
             None => Statement::SetPosition { vertex: element, value },
             Some(attribute) => Statement::SetAttribute { attribute, element, value },
         };
-        sets.push(indexed(*member, names, set));
+        sets.push(names.repeated(*member, set));
     }
     Ok(sets)
 }

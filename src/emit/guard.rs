@@ -3,13 +3,11 @@
 //! The pointers of phase 3 that a test reads are noted on a preview of the mesh, and each test
 //! looks at one orbit of the preview, as the machine does.
 
-use std::collections::BTreeSet;
-
 use super::build::allocation;
 use super::conventions::Conventions;
 use super::names::Names;
 use super::reassign;
-use super::routine::Statement;
+use super::routine::{Statement, without_unread};
 use super::term::{Function, Term};
 use crate::diagram::{Builtin, Drawing, Kind};
 use crate::lower::{GuardTest, Operation, PreviewReads, Question, StarWalk};
@@ -34,18 +32,11 @@ pub(super) fn tests(
     let mut body = allocation(&operation.created, names);
     body.extend(reassign::statements(drawing, names, changes));
     let noted = body.into_iter().filter_map(|statement| noted(statement, reads));
-    let mut body: Vec<_> = noted.chain(tests).collect();
-    let mut read = BTreeSet::new();
-    body.iter().for_each(|statement| {
-        statement.names(&mut |name| {
-            read.insert(name.to_string());
-        });
-    });
-    body.retain(|statement| match statement {
+    let body = without_unread(noted.chain(tests).collect(), |statement| match statement {
         Statement::New { name, .. }
         | Statement::NewEach { name, .. }
-        | Statement::Size { name, .. } => read.contains(name),
-        _ => true,
+        | Statement::Size { name, .. } => Some(name),
+        _ => None,
     });
     vec![Statement::Preview { preview: name, body }]
 }
@@ -90,11 +81,7 @@ impl Tests<'_, '_> {
         let outer = self.names.enter_index(repeated);
         let breaks = self.breaks(test.question);
         self.names.leave_index(outer);
-        let when = match repeated {
-            true => breaks.for_some(self.names.indices()),
-            false => breaks,
-        };
-        self.body.push(Statement::Refuse { when, reason: test.refusal.clone() });
+        self.body.push(self.names.refusal(breaks, repeated, &test.refusal));
     }
 
     /// The condition that the result violates the test.

@@ -36,17 +36,11 @@ impl Matching<'_, '_> {
     fn begin(&mut self, begin: &Begin, body: &mut Vec<Statement>) {
         let element = self.term(begin.element);
         if let (Some(reason), true) = (&begin.isolated, self.conventions.isolated_vertices) {
-            body.push(Statement::Refuse {
-                when: Term::Call(Function::IsIsolated, vec![element.clone()]),
-                reason: reason.clone(),
-            });
+            let when = Term::Call(Function::IsIsolated, vec![element.clone()]);
+            body.push(self.names.refusal(when, false, reason));
         }
-        body.push(Statement::Bind {
-            ty: Type::Halfedge,
-            name: self.names.begin(begin.halfedge),
-            value: element.follow(begin.first),
-            is_list: false,
-        });
+        let (name, value) = (self.names.begin(begin.halfedge), element.follow(begin.first));
+        body.push(self.names.bound(Type::Halfedge, name, value, false));
     }
 
     fn bind(&mut self, bound: Bound, source: Source, member: bool) -> Statement {
@@ -55,15 +49,7 @@ impl Matching<'_, '_> {
             Bound::Element(name) | Bound::First(name) => self.names.word(name),
             Bound::Last(path) => self.names.last_word(path),
         };
-        self.named(self.ty(bound), word.to_string(), value, member)
-    }
-
-    /// Binds a name to a value, or to the list of its values at each index.
-    fn named(&self, ty: Type, name: String, value: Term, member: bool) -> Statement {
-        match member {
-            true => Statement::Gather { ty, name, indices: self.names.indices(), item: value },
-            false => Statement::Bind { ty, name, value, is_list: false },
-        }
+        self.names.bound(self.ty(bound), word.to_string(), value, member)
     }
 
     /// Makes a term; if `member`, the term for each index.
@@ -88,8 +74,8 @@ impl Matching<'_, '_> {
             body.push(Statement::Bind { ty, name, value, is_list: true });
             let groups = vec![all.clone(), Term::Int(period)];
             let rest = Term::Call(Function::Remainder, groups);
-            let (when, reason) = (rest.equals(Term::Int(0)).not(), test.refusal.clone());
-            body.push(Statement::Refuse { when, reason });
+            let when = rest.equals(Term::Int(0)).not();
+            body.push(self.names.refusal(when, false, &test.refusal));
         }
         for (place, &(half, turn)) in (0..).zip(&walk.families) {
             let mut value = all.clone();
@@ -110,7 +96,7 @@ impl Matching<'_, '_> {
                 Some(test) => {
                     let length = Term::Call(Function::Length, vec![Term::name(name)]);
                     let when = length.equals(Term::name(size)).not();
-                    Statement::Refuse { when, reason: test.refusal.clone() }
+                    self.names.refusal(when, false, &test.refusal)
                 }
                 None => Statement::Size { name: size, list: name },
             });
@@ -123,7 +109,7 @@ impl Matching<'_, '_> {
         for &EmptyPath { path, next, at_each_index } in &matching.empty_paths {
             let value = self.indexed(at_each_index, |this| this.term(path).is(this.term(next)));
             let name = self.names.empty_word(path).to_string();
-            body.push(self.named(Type::Bool, name, value, at_each_index));
+            body.push(self.names.bound(Type::Bool, name, value, at_each_index));
         }
         for test in &matching.tests {
             let holds = match &test.condition {
@@ -137,14 +123,13 @@ impl Matching<'_, '_> {
                     self.around_in_order(*along_loop, halfedges, &mut body)
                 }
                 claim => {
-                    let when = self.indexed(test.at_each_index, |this| this.claim(claim).not());
-                    match test.at_each_index {
-                        true => when.for_some(self.names.indices()).not(),
-                        false => when.not(),
-                    }
+                    let each = test.at_each_index;
+                    let when = self.indexed(each, |this| this.claim(claim).not());
+                    body.push(self.names.refusal(when, each, &test.refusal));
+                    continue;
                 }
             };
-            body.push(Statement::Refuse { when: holds.not(), reason: test.refusal.clone() });
+            body.push(self.names.refusal(holds.not(), false, &test.refusal));
         }
         body
     }

@@ -7,6 +7,7 @@
 use std::collections::BTreeSet;
 
 use super::reserved::{is_reserved, plain, unreserved};
+use super::routine::Statement;
 use super::support::CPP;
 use super::term::{Attribute, IndexLoop, Term};
 use crate::diagram::{self, Kind, NameId, Op, Role, Rule, Type};
@@ -21,16 +22,39 @@ pub(super) fn invoked(name: &str) -> String {
     }
 }
 
+/// A name as close as possible to the one that is wanted, which is added to those that are taken;
+/// `kept` are the words that a style reserves.
+pub(super) fn free(wanted: &str, kept: &[String], taken: &mut BTreeSet<String>) -> String {
+    let word = plain(wanted);
+    let mut free = unreserved(&word, kept);
+    let mut number = 2;
+    while !taken.insert(free.clone()) {
+        free = format!("{}_{number}", word.trim_end_matches('_'));
+        number += 1;
+    }
+    free
+}
+
+/// The words for one name of a drawing.
+#[derive(Clone, Default)]
+struct Named {
+    /// That for the element, or for the first halfedge of a path; of a family, that of its list.
+    word: String,
+    /// That for the last halfedge of a path.
+    last: String,
+    /// That for whether a path is empty.
+    empty: String,
+    /// The distance of a member from the index.
+    shift: Option<i64>,
+    /// That for a member at index 0 that is bound before its family.
+    begun: Option<String>,
+}
+
 /// The names of one rule.
 #[derive(Clone)]
 pub(super) struct Names {
-    words: Vec<String>,
-    lasts: Vec<String>,
-    empties: Vec<String>,
-    /// The distance of each member from the index.
-    shifts: Vec<Option<i64>>,
-    /// The word of each member at index 0 that is bound before its family.
-    begun: Vec<Option<String>>,
+    /// The names of the drawing, by number.
+    drawn: Vec<Named>,
     /// The index of the cycle, and its size.
     indices: IndexLoop,
     /// True inside of a repetition for each index.
@@ -52,8 +76,7 @@ pub(super) struct Names {
 impl Names {
     /// Names for everything that a rule draws. Parameters have the same names in all rules.
     pub fn new(op: &Op, rule: &Rule, functions: &[Option<String>], kept: &[String]) -> Self {
-        let count = rule.names.len();
-        let mut names = Self::without(count, functions, kept);
+        let mut names = Self::without(functions, kept);
         for (at, param) in op.params.iter().enumerate() {
             let wanted = match begins_a_family(op, at) {
                 true => format!("{}_0", param.name),
@@ -62,7 +85,7 @@ impl Names {
             let word = names.fresh(&wanted);
             names.params.push(word);
         }
-        for id in (0..count as u32).map(NameId) {
+        for id in (0..rule.names.len() as u32).map(NameId) {
             names.name(rule, id);
         }
         names.declare_attributes(&rule.attributes);
@@ -84,7 +107,7 @@ impl Names {
         attributes: &[diagram::Attribute],
         (kept, taken): (&[String], impl Iterator<Item = String>),
     ) -> Self {
-        let mut names = Self::without(0, functions, kept);
+        let mut names = Self::without(functions, kept);
         names.taken.extend(taken);
         names.variables = variables.iter().map(|known| known.name.clone()).collect();
         for variable in variables.iter().take(params) {
@@ -120,14 +143,10 @@ impl Names {
         self.taken = mark;
     }
 
-    /// No names yet, for a rule of `count` names.
-    fn without(count: usize, functions: &[Option<String>], kept: &[String]) -> Self {
+    /// No names yet, except for those of the functions.
+    fn without(functions: &[Option<String>], kept: &[String]) -> Self {
         Self {
-            words: Vec::new(),
-            lasts: Vec::new(),
-            empties: Vec::new(),
-            shifts: Vec::new(),
-            begun: vec![None; count],
+            drawn: Vec::new(),
             indices: IndexLoop::default(),
             is_indexed: false,
             params: Vec::new(),
@@ -155,48 +174,35 @@ impl Names {
 
     fn name(&mut self, rule: &Rule, id: NameId) {
         let name = rule.name(id);
-        let is_member = rule.is_member(id);
-        self.shifts.push(is_member.then(|| rule.offset(id)));
-        if is_member && !rule.is_first(id) {
+        let shift = rule.is_member(id).then(|| rule.offset(id));
+        if shift.is_some() && !rule.is_first(id) {
             // The list of the family is named after its first member.
-            let first = rule.first_member(id).index();
-            for words in [&mut self.words, &mut self.lasts, &mut self.empties] {
-                words.push(words[first].clone());
-            }
-            return;
+            let first = self.drawn[rule.first_member(id).index()].clone();
+            return self.drawn.push(Named { shift, begun: None, ..first });
         }
         let param = rule.params.iter().position(|param| *param == Some(id));
+        let param = param.map(|at| self.params[at].clone());
         let text = match name.named {
             true => name.text.split('[').next().unwrap_or_default().to_string(),
             false => unnamed(&name.text, name.kind),
         };
-        let none = String::new;
-        let (word, last, empty) = match (param, name.kind) {
-            (Some(param), _) if !is_member => (self.params[param].clone(), none(), none()),
-            (_, Kind::Path) => (
-                self.fresh(&format!("{text}_first")),
-                self.fresh(&format!("{text}_last")),
-                self.fresh(&format!("{text}_is_empty")),
-            ),
-            _ => (self.fresh(&text), none(), none()),
+        let named = match (param, name.kind) {
+            (Some(word), _) if shift.is_none() => Named { word, ..Named::default() },
+            (begun, Kind::Path) => Named {
+                word: self.fresh(&format!("{text}_first")),
+                last: self.fresh(&format!("{text}_last")),
+                empty: self.fresh(&format!("{text}_is_empty")),
+                shift,
+                begun,
+            },
+            (begun, _) => Named { word: self.fresh(&text), shift, begun, ..Named::default() },
         };
-        self.begun[id.index()] =
-            param.filter(|_| is_member).map(|param| self.params[param].clone());
-        self.words.push(word);
-        self.lasts.push(last);
-        self.empties.push(empty);
+        self.drawn.push(named);
     }
 
     /// A name that is not taken yet, as close as possible to the one that is wanted.
     pub fn fresh(&mut self, wanted: &str) -> String {
-        let word = plain(wanted);
-        let mut free = unreserved(&word, &self.kept);
-        let mut number = 2;
-        while !self.taken.insert(free.clone()) {
-            free = format!("{}_{number}", word.trim_end_matches('_'));
-            number += 1;
-        }
-        free
+        free(wanted, &self.kept, &mut self.taken)
     }
 
     /// The first of some names that is not taken yet.
@@ -213,39 +219,60 @@ impl Names {
 
     /// The word for an element, or for the first halfedge of a path; of a family, that of its list.
     pub fn word(&self, name: NameId) -> &str {
-        &self.words[name.index()]
+        &self.drawn[name.index()].word
     }
 
     /// The word for the last halfedge of a path.
     pub fn last_word(&self, path: NameId) -> &str {
-        &self.lasts[path.index()]
+        &self.drawn[path.index()].last
     }
 
     /// The word for whether a path is empty.
     pub fn empty_word(&self, path: NameId) -> &str {
-        &self.empties[path.index()]
+        &self.drawn[path.index()].empty
     }
 
     /// The term of an element; of a path, that of its first halfedge.
     pub fn term(&self, name: NameId) -> Term {
-        self.place(name, &self.words)
+        self.place(name, self.word(name))
     }
 
     /// The last halfedge of a path.
     pub fn last(&self, path: NameId) -> Term {
-        self.place(path, &self.lasts)
+        self.place(path, self.last_word(path))
     }
 
     /// The condition that a path is empty.
     pub fn empty(&self, path: NameId) -> Term {
-        self.place(path, &self.empties)
+        self.place(path, self.empty_word(path))
     }
 
-    fn place(&self, name: NameId, words: &[String]) -> Term {
-        let word = &words[name.index()];
-        match self.shifts[name.index()] {
+    fn place(&self, name: NameId, word: &str) -> Term {
+        match self.drawn[name.index()].shift {
             None => Term::name(word),
             Some(shift) => self.member(word, shift),
+        }
+    }
+
+    /// The statement that binds a value, or if `each` the list of its values at each index.
+    pub fn bound(&self, ty: Type, name: String, value: Term, each: bool) -> Statement {
+        match each {
+            true => Statement::Gather { ty, name, indices: self.indices(), item: value },
+            false => Statement::Bind { ty, name, value, is_list: false },
+        }
+    }
+
+    /// The statement that refuses if a condition holds, or if `each` if it does for some index.
+    pub fn refusal(&self, when: Term, each: bool, reason: &str) -> Statement {
+        let when = if each { when.for_some(self.indices()) } else { when };
+        Statement::Refuse { when, reason: reason.to_string() }
+    }
+
+    /// A statement, if `each` repeated for each index.
+    pub fn repeated(&self, each: bool, statement: Statement) -> Statement {
+        match each {
+            true => Statement::IndexLoop { indices: self.indices(), body: vec![statement] },
+            false => statement,
         }
     }
 
@@ -262,14 +289,14 @@ impl Names {
     /// The word for a member at index 0 that is bound before its family; for any other name its own
     /// word.
     pub fn begin(&mut self, name: NameId) -> String {
-        if self.shifts[name.index()].is_none() {
-            return self.words[name.index()].clone();
-        }
-        if let Some(word) = &self.begun[name.index()] {
-            return word.clone();
-        }
-        let word = self.fresh(&format!("{}_0", self.words[name.index()]));
-        self.begun[name.index()] = Some(word.clone());
+        let Named { word, shift, begun, .. } = &self.drawn[name.index()];
+        let word = match (shift, begun) {
+            (None, _) => return word.clone(),
+            (_, Some(word)) => return word.clone(),
+            _ => format!("{word}_0"),
+        };
+        let word = self.fresh(&word);
+        self.drawn[name.index()].begun = Some(word.clone());
         word
     }
 

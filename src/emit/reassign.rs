@@ -121,11 +121,8 @@ impl Reassign<'_, '_> {
     }
 
     fn walk(&mut self, walk: Option<Statement>) {
-        let indices = self.names.is_indexed().then(|| self.names.indices());
-        self.walks.extend(walk.map(|walk| match indices {
-            Some(indices) => Statement::IndexLoop { indices, body: vec![walk] },
-            None => walk,
-        }));
+        let each = self.names.is_indexed();
+        self.walks.extend(walk.map(|walk| self.names.repeated(each, walk)));
     }
 
     /// Sets a pointer of a named halfedge: of each `next` first, then `prev`, `twin`, `vertex`,

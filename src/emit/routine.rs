@@ -297,6 +297,16 @@ impl Statement {
         bodies!(self, bodies_mut)
     }
 
+    /// The name of a value or list that it only binds.
+    pub fn bound(&self) -> Option<&String> {
+        match self {
+            Self::Bind { name, .. } | Self::Size { name, .. } | Self::Gather { name, .. } => {
+                Some(name)
+            }
+            _ => None,
+        }
+    }
+
     /// True if it, or one inside of it, adds to a list.
     pub fn adds_to(&self, name: &str) -> bool {
         match self {
@@ -433,25 +443,22 @@ pub(super) fn type_of(kind: Kind) -> Type {
     }
 }
 
-/// Removes bindings of names that are never read: a binding has no other effect.
-pub(super) fn without_unread(body: Vec<Statement>) -> Vec<Statement> {
+/// Removes bindings of names that are never read: a binding has no other effect. `bound` gives the
+/// name that a statement only binds.
+pub(super) fn without_unread(
+    body: Vec<Statement>,
+    bound: fn(&Statement) -> Option<&String>,
+) -> Vec<Statement> {
     let mut read = std::collections::BTreeSet::new();
     let mut kept = Vec::new();
-    for statement in body.into_iter().rev() {
-        let statement = match statement {
-            Statement::Bind { ref name, .. }
-            | Statement::Size { ref name, .. }
-            | Statement::Gather { ref name, .. }
-                if !read.contains(name) =>
-            {
-                continue;
-            }
-            statement @ Statement::Attempt { .. } => statement.with_bodies(without_unread),
-            statement => statement,
-        };
-        statement.names(&mut |name| {
-            read.insert(name.to_string());
-        });
+    for mut statement in body.into_iter().rev() {
+        if bound(&statement).is_some_and(|name| !read.contains(name)) {
+            continue;
+        }
+        if let Statement::Attempt { .. } = statement {
+            statement = statement.with_bodies(|body| without_unread(body, bound));
+        }
+        statement.names(&mut |name| _ = read.insert(name.to_string()));
         kept.push(statement);
     }
     kept.reverse();

@@ -40,10 +40,11 @@ impl Style {
                 }
             }
             _ => {
-                let (name, value) =
-                    text.split_once('=').ok_or_else(|| {
-                        StyleError(format!("`{text}` is no style: write fields, accessors, or NAME=PATTERN"))
-                    })?;
+                let (name, value) = text.split_once('=').ok_or_else(|| {
+                    StyleError(format!(
+                        "`{text}` is no style: write fields, accessors, or NAME=PATTERN"
+                    ))
+                })?;
                 if let Some(op) = name.strip_prefix("function.") {
                     understand(name, Form::Name, value)?;
                     if !is_word(value) {
@@ -53,10 +54,8 @@ impl Style {
                     self.functions.push((op.to_string(), value.to_string()));
                     return Ok(());
                 }
-                let at = PATTERNS
-                    .iter()
-                    .position(|(known, ..)| *known == name)
-                    .ok_or_else(|| {
+                let at =
+                    PATTERNS.iter().position(|(known, ..)| *known == name).ok_or_else(|| {
                         let names: Vec<_> = PATTERNS.iter().map(|(name, ..)| *name).collect();
                         StyleError(format!("a style has no `{name}`; it has {}", names.join(", ")))
                     })?;

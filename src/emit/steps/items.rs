@@ -6,8 +6,7 @@ use super::super::NotEmitted;
 use super::super::build::{self, columns};
 use super::super::conventions::Conventions;
 use super::super::expression::{is_spelled, parameters};
-use super::super::names::{Names, invoked};
-use super::super::reserved::{plain, unreserved};
+use super::super::names::{Names, free, invoked};
 use super::super::routine::{Item, ItemBody, Signature, Statement, without_unread};
 use super::super::selection::Selection;
 use super::super::term::Parameter;
@@ -66,16 +65,7 @@ pub(in crate::emit) fn items(
 fn called(selection: &Selection<'_>, count: usize, kept: &[String]) -> (Vec<String>, Vec<String>) {
     let mut taken = BTreeSet::new();
     // Files that do not see each other may use the same name.
-    let mut free = |name: &str| {
-        let wanted = unreserved(&plain(name), kept);
-        let mut name = wanted.clone();
-        let mut number = 2;
-        while !taken.insert(name.clone()) {
-            name = format!("{}_{number}", wanted.trim_end_matches('_'));
-            number += 1;
-        }
-        name
-    };
+    let mut free = |name: &str| free(name, kept, &mut taken);
     let mut ops = vec![String::new(); count];
     for op in selection.ops.iter().copied().chain(0..count) {
         if op < count && ops[op].is_empty() {
@@ -239,7 +229,7 @@ impl Builder<'_> {
             params,
             result: resolved.result,
         };
-        let (level, steps) = (steps.level, without_unread(body));
+        let (level, steps) = (steps.level, without_unread(body, Statement::bound));
         Ok((Item { signature, body: ItemBody::Steps { requires, level, steps } }, needs))
     }
 
