@@ -6,10 +6,11 @@ use super::NotEmitted;
 use super::conventions::Conventions;
 use super::expression::{Expressions, is_spelled, is_surely_finite, parameters};
 use super::guard;
+use super::item::{Alternative, Item, ItemBody, Signature};
 use super::matching::Matching;
 use super::names::Names;
 use super::reassign;
-use super::routine::{Alternative, Item, ItemBody, Signature, Statement, without_unread};
+use super::routine::{Statement, without_unread};
 use super::term::{Function, Parameter, Term};
 use crate::check::{Proof, Proved};
 use crate::diagram::{Access, Binary, Drawing, Rule, Type};
@@ -33,7 +34,7 @@ pub(super) fn routine(
     let mut rules = Vec::new();
     for (rule, proof) in op.rules.iter().zip(proved.proofs()) {
         let rule = proof.drawn(rule);
-        let mut names = Names::new(op, rule, functions, conventions.kept);
+        let mut names = Names::new(op, rule, functions, conventions.reserved);
         params = parameters(&op.params, &mut names)?;
         let mut body = alternative(rule, proof, conventions, &mut names)?;
         let calls = names.take_calls();
@@ -71,7 +72,7 @@ pub(super) fn routine(
 pub(super) fn columns(names: &Names, seen: BTreeSet<u32>) -> Vec<Statement> {
     let used = names.used_attributes().cloned().map(Statement::Column);
     let seen = seen.into_iter().filter_map(|it| names.unused_attribute(it));
-    let asked = seen.map(|attribute| Statement::Ask(attribute.clone()));
+    let asked = seen.map(|attribute| Statement::RequireColumn(attribute.clone()));
     used.chain(asked).collect()
 }
 

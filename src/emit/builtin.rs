@@ -29,7 +29,7 @@ pub(super) fn spelled(function: Function) -> [&'static str; 2] {
             "{0}.iter().skip({1}).step_by({2}).copied().collect::<Vec<_>>()",
             "every({0}, {1}, {2})",
         ],
-        Function::Turned => ["turned({0}, {1})"; 2],
+        Function::Rotated => ["turned({0}, {1})"; 2],
         Function::Length => ["{0}.len()", "{0}.size()"],
         Function::Remainder => ["{0}.len() % {1}", "{0}.size() % {1}"],
         Function::AllInOrderAlongLoop => {

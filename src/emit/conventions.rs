@@ -15,5 +15,5 @@ pub(super) struct Conventions<'c> {
     /// True if pointers that do not change are set, too.
     pub exhaustive: bool,
     /// Words that the mesh class reserves.
-    pub kept: &'c [String],
+    pub reserved: &'c [String],
 }

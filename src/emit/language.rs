@@ -153,8 +153,8 @@ fn place(index: Option<&str>, shift: i64, size: &str) -> String {
 fn unary(language: &impl Language, operator: Unary, of: &Term) -> Spelled {
     let sign = match operator {
         Unary::Not => {
-            if let Some(turned) = turned(of) {
-                return spell(language, &turned);
+            if let Some(negated) = negated(of) {
+                return spell(language, &negated);
             }
             "!"
         }
@@ -173,7 +173,7 @@ fn unary(language: &impl Language, operator: Unary, of: &Term) -> Spelled {
 }
 
 /// The negation of a comparison or of joined conditions, without a `not` in front of it.
-fn turned(term: &Term) -> Option<Term> {
+fn negated(term: &Term) -> Option<Term> {
     let (operator, left, right) = match term {
         Term::Binary(operator, left, right) => (*operator, left, right),
         Term::Unary(Unary::Not, of) => return Some((**of).clone()),

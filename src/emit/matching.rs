@@ -84,7 +84,7 @@ impl Matching<'_, '_> {
                 value = Term::Call(Function::Every, dealt);
             }
             if turn != 0 {
-                value = Term::Call(Function::Turned, vec![value, Term::Int(turn)]);
+                value = Term::Call(Function::Rotated, vec![value, Term::Int(turn)]);
             }
             let name = self.names.word(half).to_string();
             body.push(Statement::Bind { ty, name: name.clone(), value, is_list: true });

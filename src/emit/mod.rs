@@ -17,6 +17,7 @@ mod build;
 mod conventions;
 mod expression;
 mod guard;
+mod item;
 mod matching;
 mod matrix;
 mod names;

@@ -23,10 +23,10 @@ pub(super) fn invoked(name: &str) -> String {
 }
 
 /// A name as close as possible to the one that is wanted, which is added to those that are taken;
-/// `kept` are the words that a style reserves.
-pub(super) fn free(wanted: &str, kept: &[String], taken: &mut BTreeSet<String>) -> String {
+/// `reserved` are the words that the mesh class reserves.
+pub(super) fn free(wanted: &str, reserved: &[String], taken: &mut BTreeSet<String>) -> String {
     let word = plain(wanted);
-    let mut free = unreserved(&word, kept);
+    let mut free = unreserved(&word, reserved);
     let mut number = 2;
     while !taken.insert(free.clone()) {
         free = format!("{}_{number}", word.trim_end_matches('_'));
@@ -69,14 +69,14 @@ pub(super) struct Names {
     /// The names of the variables of steps in the program.
     variables: Vec<String>,
     taken: BTreeSet<String>,
-    /// The names that the mesh class reserves.
-    kept: Vec<String>,
+    /// Words that the mesh class reserves.
+    reserved: Vec<String>,
 }
 
 impl Names {
     /// Names for everything that a rule draws. Parameters have the same names in all rules.
-    pub fn new(op: &Op, rule: &Rule, functions: &[Option<String>], kept: &[String]) -> Self {
-        let mut names = Self::without(functions, kept);
+    pub fn new(op: &Op, rule: &Rule, functions: &[Option<String>], reserved: &[String]) -> Self {
+        let mut names = Self::without(functions, reserved);
         for (at, param) in op.params.iter().enumerate() {
             let wanted = match begins_a_family(op, at) {
                 true => format!("{}_0", param.name),
@@ -105,9 +105,9 @@ impl Names {
         params: usize,
         functions: &[Option<String>],
         attributes: &[diagram::Attribute],
-        (kept, taken): (&[String], impl Iterator<Item = String>),
+        (reserved, taken): (&[String], impl Iterator<Item = String>),
     ) -> Self {
-        let mut names = Self::without(functions, kept);
+        let mut names = Self::without(functions, reserved);
         names.taken.extend(taken);
         names.variables = variables.iter().map(|known| known.name.clone()).collect();
         for variable in variables.iter().take(params) {
@@ -121,7 +121,7 @@ impl Names {
     /// Names for the attributes of the program.
     fn declare_attributes(&mut self, attributes: &[diagram::Attribute]) {
         for declared in attributes {
-            let name = unreserved(&plain(&declared.name), &self.kept);
+            let name = unreserved(&plain(&declared.name), &self.reserved);
             let attribute = Attribute {
                 declared: declared.name.clone(),
                 column: self.fresh(&format!("{name}_column")),
@@ -144,7 +144,7 @@ impl Names {
     }
 
     /// No names yet, except for those of the functions.
-    fn without(functions: &[Option<String>], kept: &[String]) -> Self {
+    fn without(functions: &[Option<String>], reserved: &[String]) -> Self {
         Self {
             drawn: Vec::new(),
             indices: IndexLoop::default(),
@@ -156,7 +156,7 @@ impl Names {
             calls: BTreeSet::new(),
             attributes: Vec::new(),
             taken: functions.iter().flatten().map(|name| invoked(name)).collect(),
-            kept: kept.to_vec(),
+            reserved: reserved.to_vec(),
         }
     }
 
@@ -202,7 +202,7 @@ impl Names {
 
     /// A name that is not taken yet, as close as possible to the one that is wanted.
     pub fn fresh(&mut self, wanted: &str) -> String {
-        free(wanted, &self.kept, &mut self.taken)
+        free(wanted, &self.reserved, &mut self.taken)
     }
 
     /// The first of some names that is not taken yet.

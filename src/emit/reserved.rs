@@ -66,10 +66,10 @@ fn is_like_a_macro(word: &str) -> bool {
     capitals > 1 && !word.contains(|c: char| c.is_lowercase()) && !word.ends_with('_')
 }
 
-/// A word that is not reserved, as close as possible to the one that is wanted; `kept` are the
-/// words that a style reserves.
-pub fn unreserved(word: &str, kept: &[String]) -> String {
-    match is_reserved(word) || kept.iter().any(|known| known == word) {
+/// A word that is not reserved, as close as possible to the one that is wanted; `reserved` are the
+/// words that the mesh class reserves.
+pub fn unreserved(word: &str, reserved: &[String]) -> String {
+    match is_reserved(word) || reserved.iter().any(|known| known == word) {
         true => format!("{word}_"),
         false => word.to_owned(),
     }

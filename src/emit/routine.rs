@@ -7,110 +7,7 @@
 
 use super::term::{Around, Attribute, IndexLoop, Parameter, Term};
 use super::walks::HalfedgeWalk;
-use crate::diagram::{Kind, Level, Pointer, Type};
-
-/// An operation, or a function that operations call.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Item {
-    pub signature: Signature,
-    pub body: ItemBody,
-}
-
-/// The statements of an item.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) enum ItemBody {
-    /// The alternatives of a drawn operation, tried in order.
-    Drawn(Vec<Alternative>),
-    /// An operation in steps, which calls others, and applies whole or not at all.
-    Steps {
-        /// The tests before anything is done.
-        requires: Vec<Statement>,
-        /// The level that the mesh must have in the end.
-        level: Level,
-        steps: Vec<Statement>,
-    },
-    /// A function; every path through it returns its value.
-    Function {
-        /// True if it changes the mesh.
-        changes: bool,
-        /// True if it may refuse midway; its caller then undoes what it has done.
-        refuses: bool,
-        body: Vec<Statement>,
-    },
-}
-
-/// One alternative of a drawn operation.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Alternative {
-    /// Its name, if it has one.
-    pub label: Option<String>,
-    /// Its statements.
-    pub body: Vec<Statement>,
-}
-
-impl Item {
-    /// The lists of its statements.
-    fn bodies_mut(&mut self) -> Vec<&mut Vec<Statement>> {
-        match &mut self.body {
-            ItemBody::Drawn(rules) => rules.iter_mut().map(|rule| &mut rule.body).collect(),
-            ItemBody::Steps { requires, steps, .. } => vec![requires, steps],
-            ItemBody::Function { body, .. } => vec![body],
-        }
-    }
-
-    /// Its statements.
-    pub fn statements(&self) -> Vec<&Statement> {
-        match &self.body {
-            ItemBody::Drawn(rules) => rules.iter().flat_map(|rule| &rule.body).collect(),
-            ItemBody::Steps { requires, steps, .. } => requires.iter().chain(steps).collect(),
-            ItemBody::Function { body, .. } => body.iter().collect(),
-        }
-    }
-
-    /// Reports the attributes that it reads or sets.
-    pub fn attributes(&self, see: &mut dyn FnMut(&Attribute)) {
-        let defaults = self.signature.params.iter().filter_map(|param| param.default.as_ref());
-        defaults.for_each(|default| default.attributes(see));
-        self.statements().into_iter().for_each(|statement| statement.attributes(see));
-    }
-
-    /// Makes the given element the result, if there is none.
-    pub fn give_back(&mut self) {
-        if let (None, Some(given)) = (self.signature.result, self.signature.given.clone()) {
-            self.signature.result = Some(given.ty);
-            self.bodies_mut().into_iter().for_each(|body| give_back(body, &given.name));
-        }
-    }
-}
-
-/// The signature of an operation or function.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Signature {
-    /// Its name.
-    pub name: String,
-    /// Its name in the program.
-    pub declared: String,
-    /// The lines of its doc comment.
-    pub docs: Vec<String>,
-    /// Its parameters.
-    pub params: Vec<Parameter>,
-    /// The type of its result; an operation without one returns whether it applied.
-    pub result: Option<Type>,
-    /// The first parameter that is an element and certainly outlives the operation.
-    pub given: Option<Parameter>,
-}
-
-/// Makes every `Return` without a result return a name.
-fn give_back(body: &mut [Statement], name: &str) {
-    for statement in body {
-        if let Statement::Return { value: value @ None } = statement {
-            *value = Some(Term::name(name));
-        }
-        for inner in statement.bodies_mut() {
-            give_back(inner, name);
-        }
-    }
-}
+use crate::diagram::{Kind, Pointer, Type};
 
 /// A statement.
 #[derive(Clone, Debug, PartialEq)]
@@ -119,62 +16,62 @@ pub(super) enum Statement {
     Comment(String),
     /// An empty line.
     Blank,
-    /// Binds the column of an attribute; refuses a mesh without it.
+    /// A binding of the column of an attribute; a mesh without it is refused.
     Column(Attribute),
-    /// Binds a value of a type, or a list of such values.
+    /// A binding of a value of a type, or of a list of such values.
     Bind { ty: Type, name: String, value: Term, is_list: bool },
-    /// Tries the halfedges of an element in turn; a refusal in the body continues with the next
-    /// one.
+    /// Attempts with the halfedges of an element in turn; a refusal in the body continues with the
+    /// next one.
     Attempt { kind: Kind, element: String, halfedge: String, body: Vec<Statement> },
-    /// Refuses if a condition holds.
+    /// A refusal if a condition holds.
     Refuse { when: Term, reason: String },
-    /// Binds a list that can grow.
+    /// A binding of a list that can grow.
     List { ty: Type, name: String, items: Vec<Term> },
-    /// Adds to a list.
+    /// An addition to a list.
     Push { list: String, item: Term },
-    /// Binds the length of a list.
+    /// A binding of the length of a list.
     Size { name: String, list: String },
-    /// Binds the list of the values at each index.
+    /// A binding of the list of the values at each index.
     Gather { ty: Type, name: String, indices: IndexLoop, item: Term },
-    /// Repeats the body for each index.
+    /// A loop over the indices.
     IndexLoop { indices: IndexLoop, body: Vec<Statement> },
-    /// Repeats the body for each halfedge of a walk.
+    /// A loop over the halfedges of a walk.
     Walk { walk: HalfedgeWalk, body: Vec<Statement> },
     /// A preview of the mesh, and a block whose allocations and writes are noted on it.
     Preview { preview: String, body: Vec<Statement> },
-    /// Allocates an element.
+    /// The allocation of an element.
     New { kind: Kind, name: String },
-    /// Allocates an element for each index.
+    /// The allocation of an element for each index.
     NewEach { kind: Kind, name: String, indices: IndexLoop },
     /// `of.pointer = value`
     Set { pointer: Pointer, of: Term, value: Term },
-    /// Makes a face a hole, or a hole a face.
+    /// The change of a face into a hole, or of a hole into a face.
     SetHole { face: Term, hole: bool },
     /// `vertex.position = value`
     SetPosition { vertex: Term, value: Term },
     /// `element.attribute = value`
     SetAttribute { attribute: Attribute, element: Term, value: Term },
-    /// Erases an element.
+    /// The erasure of an element.
     Erase { kind: Kind, element: Term },
-    /// Returns from a function, or from an operation that has applied.
+    /// The return from a function, or from an operation that has applied.
     Return { value: Option<Term> },
 
     // Only steps and functions have the statements that follow.
-    /// Gives a variable a value, the first or another.
+    /// The value of a variable, the first or another.
     Variable { place: Target, value: Term },
-    /// Makes a call that changes the mesh and must succeed.
-    Must { call: Call, place: Option<Target> },
-    /// Calls an operation, which may refuse.
-    May { call: Call },
-    /// Calls an operation, and branches on whether it applied.
+    /// A call that changes the mesh and must succeed.
+    MustCall { call: Call, place: Option<Target> },
+    /// A call of an operation, which may refuse.
+    TryCall { call: Call },
+    /// A call of an operation, and branches for whether it applied.
     Apply { call: Call, place: Option<Parameter>, then: Vec<Self>, otherwise: Vec<Self> },
-    /// Branches on a condition.
+    /// Branches for whether a condition holds.
     Choose { condition: Term, then: Vec<Self>, otherwise: Vec<Self> },
-    /// Repeats the body `count` times.
+    /// A loop that runs `count` times.
     Repeat { index: String, count: Term, body: Vec<Self> },
-    /// Repeats the body while a condition holds.
+    /// A loop that runs while a condition holds.
     While { condition: Term, body: Vec<Self> },
-    /// Repeats the body for the elements around one that exist when the loop begins.
+    /// A loop over the elements around one that exist when it begins.
     For {
         variable: Parameter,
         around: Around,
@@ -186,8 +83,8 @@ pub(super) enum Statement {
     },
     /// A loop whose writes are deferred to its end.
     Update { visit: Box<Self>, held: Vec<Held> },
-    /// Defers a write.
-    Hold { list: String, element: Term, value: Term },
+    /// A deferred write.
+    Defer { list: String, element: Term, value: Term },
     /// `break`
     Break,
     /// `continue`
@@ -199,12 +96,12 @@ pub(super) enum Statement {
         /// True if it is known to be finite.
         is_finite: bool,
     },
-    /// Refuses a mesh without an attribute.
-    Ask(Attribute),
-    /// Notes the elements that will be written to.
-    Keep(Vec<Term>),
-    /// Notes the value of an attribute that will be written to.
-    KeepAttribute { attribute: Attribute, element: Term },
+    /// The refusal of a mesh without an attribute.
+    RequireColumn(Attribute),
+    /// A note of the elements that will be written to.
+    Journal(Vec<Term>),
+    /// A note of the value of an attribute that will be written to.
+    JournalAttribute { attribute: Attribute, element: Term },
 }
 
 /// A call of an operation, or of a function that changes the mesh.
@@ -341,7 +238,7 @@ impl Statement {
             Self::Bind { ty, .. } | Self::List { ty, .. } | Self::Gather { ty, .. } => see(*ty),
             Self::Attempt { .. } | Self::Walk { .. } => see(Type::Halfedge),
             Self::New { kind, .. } | Self::NewEach { kind, .. } => see(type_of(*kind)),
-            Self::Variable { place, .. } | Self::Must { place: Some(place), .. } => {
+            Self::Variable { place, .. } | Self::MustCall { place: Some(place), .. } => {
                 if place.form != Form::Known {
                     see(place.ty);
                 }
@@ -366,7 +263,9 @@ impl Statement {
             | Self::Push { list: name, .. }
             | Self::Attempt { element: name, .. }
             | Self::Variable { place: Target { name, form: Form::Known, .. }, .. }
-            | Self::Must { place: Some(Target { name, form: Form::Known, .. }), .. } => see(name),
+            | Self::MustCall { place: Some(Target { name, form: Form::Known, .. }), .. } => {
+                see(name)
+            }
             Self::Gather { indices, .. }
             | Self::NewEach { indices, .. }
             | Self::IndexLoop { indices, .. } => indices.names(see),
@@ -398,17 +297,17 @@ impl Statement {
             | Self::Choose { condition: term, .. }
             | Self::While { condition: term, .. }
             | Self::Repeat { count: term, .. }
-            | Self::KeepAttribute { element: term, .. } => see(term),
+            | Self::JournalAttribute { element: term, .. } => see(term),
             Self::Walk { walk: HalfedgeWalk { from: one, until: other, .. }, .. }
             | Self::Set { of: one, value: other, .. }
             | Self::SetPosition { vertex: one, value: other }
             | Self::SetAttribute { element: one, value: other, .. }
             | Self::Move { vertex: one, value: other, .. }
-            | Self::Hold { element: one, value: other, .. } => {
+            | Self::Defer { element: one, value: other, .. } => {
                 [one, other].into_iter().for_each(see)
             }
-            Self::List { items: terms, .. } | Self::Keep(terms) => terms.iter().for_each(see),
-            Self::Must { call, .. } | Self::May { call } | Self::Apply { call, .. } => {
+            Self::List { items: terms, .. } | Self::Journal(terms) => terms.iter().for_each(see),
+            Self::MustCall { call, .. } | Self::TryCall { call } | Self::Apply { call, .. } => {
                 call.args.iter().for_each(see);
             }
             Self::For { element, filter, .. } => {
@@ -428,7 +327,7 @@ impl Statement {
             | Self::Return { value: None }
             | Self::Break
             | Self::Continue
-            | Self::Ask(_) => {}
+            | Self::RequireColumn(_) => {}
         }
     }
 }

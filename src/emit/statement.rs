@@ -1,8 +1,9 @@
 //! Statements as text: what C++ and Rust have in common.
 
+use super::item::Alternative;
 use super::language::{Language, field};
 use super::lines::{Lines, comment};
-use super::routine::{Alternative, Statement};
+use super::routine::Statement;
 use super::term::{Parameter, Term};
 use crate::diagram::Kind;
 

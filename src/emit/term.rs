@@ -137,7 +137,7 @@ pub(super) enum Function {
     /// Every nth entry of a list: the list, the first index, the step.
     Every,
     /// A list rotated so that its first entry is at an index.
-    Turned,
+    Rotated,
     /// The number of elements of a list.
     Length,
     /// The number of elements of a list modulo an int.

@@ -3,9 +3,10 @@
 use std::collections::BTreeSet;
 
 use super::super::conventions::Conventions;
+use super::super::item::{Alternative, Item, ItemBody, Signature};
 use super::super::lines::Lines;
 use super::super::names::invoked;
-use super::super::routine::{Alternative, Item, ItemBody, Signature, Statement};
+use super::super::routine::Statement;
 use super::super::statement::{Printing, rule_names};
 use super::super::steps::{Items, items};
 use super::super::support::CPP;
@@ -28,7 +29,7 @@ pub fn cpp(selection: &Selection<'_>, style: &Style) -> Result<String, NotEmitte
         columns: false,
         undoes: false,
         exhaustive: selection.exhaustive,
-        kept: &style.kept(),
+        reserved: &style.reserved(),
     };
     let Items { called, mut ops } = items(selection, conventions)?;
     let mut printer = Printer {

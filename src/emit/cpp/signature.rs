@@ -2,9 +2,9 @@
 
 use std::collections::BTreeSet;
 
+use super::super::item::{Item, ItemBody};
 use super::super::language::Language;
 use super::super::names::invoked;
-use super::super::routine::{Item, ItemBody};
 use super::super::statement::Printing;
 use super::super::term::Parameter;
 use super::function::Printer;

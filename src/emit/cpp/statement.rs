@@ -51,7 +51,7 @@ impl Printer<'_> {
             Statement::Comment(text) => return self.lines.comment("//", text),
             Statement::Blank => return self.lines.blank(),
             // Attributes are fields.
-            Statement::Column(_) | Statement::Ask(_) => return,
+            Statement::Column(_) | Statement::RequireColumn(_) => return,
             Statement::Bind { ty, name, value, is_list } => {
                 let ty = match is_list {
                     true => format!("std::vector<{}>", self.ty(*ty)),
@@ -87,7 +87,9 @@ impl Printer<'_> {
             Statement::Gather { ty, name, indices, item } => {
                 return self.gather(&self.ty(*ty), name, indices, &self.text(item));
             }
-            Statement::IndexLoop { indices, body } => return self.held(&turn(indices), body),
+            Statement::IndexLoop { indices, body } => {
+                return self.held(&index_loop_head(indices), body);
+            }
             Statement::Choose { condition, then, otherwise } => {
                 let condition = self.text(condition);
                 return match otherwise.as_slice() {
@@ -112,7 +114,7 @@ impl Printer<'_> {
                 return self.visit(&head, &skipped, body);
             }
             Statement::Update { visit, held } => return self.update(visit, held),
-            Statement::Hold { list, element, value } => {
+            Statement::Defer { list, element, value } => {
                 format!("{list}.emplace_back({}, {});", self.text(element), self.text(value))
             }
             Statement::Break => "break;".into(),
@@ -152,16 +154,16 @@ impl Printer<'_> {
             Statement::Return { value: Some(value) } => format!("return {};", self.text(value)),
             Statement::Return { value: None } => self.applied.into(),
             Statement::Variable { place, value } => self.put(place, &self.text(value)),
-            Statement::Must { call, place } => self.must(call, place.as_ref()),
-            Statement::May { call } => format!("{};", self.call_of(call)),
+            Statement::MustCall { call, place } => self.must(call, place.as_ref()),
+            Statement::TryCall { call } => format!("{};", self.call_of(call)),
             Statement::Apply { call, place, then, otherwise } => {
                 return self.apply(call, place.as_ref(), [then, otherwise]);
             }
             Statement::Move { vertex, value, .. } => {
                 format!("journal.set_position({}, {});", self.text(vertex), self.text(value))
             }
-            Statement::Keep(elements) => return self.keep(elements),
-            Statement::KeepAttribute { attribute, element } => {
+            Statement::Journal(elements) => return self.keep(elements),
+            Statement::JournalAttribute { attribute, element } => {
                 self.keep_attribute(attribute, element)
             }
         };
@@ -183,7 +185,7 @@ impl Printer<'_> {
     /// A list of one item for each index.
     pub(super) fn gather(&mut self, ty: &str, name: &str, indices: &IndexLoop, item: &str) {
         self.lines.line(&format!("std::vector<{ty}> {name};"));
-        self.held_text(&turn(indices), &format!("{name}.push_back({item});"));
+        self.held_text(&index_loop_head(indices), &format!("{name}.push_back({item});"));
     }
 
     /// A head and its body: on one line if the body is a single short statement.
@@ -255,7 +257,7 @@ impl Printer<'_> {
 }
 
 /// The head of a loop over the indices.
-fn turn(indices: &IndexLoop) -> String {
+fn index_loop_head(indices: &IndexLoop) -> String {
     let IndexLoop { index, size } = indices;
     format!("for (std::size_t {index} = 0; {index} < {size}; ++{index})")
 }

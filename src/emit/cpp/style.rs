@@ -127,8 +127,8 @@ impl Style {
     }
 
     /// Words that the patterns use, which are therefore reserved.
-    pub(in crate::emit) fn kept(&self) -> Vec<String> {
-        let mut kept: Vec<String> = Vec::new();
+    pub(in crate::emit) fn reserved(&self) -> Vec<String> {
+        let mut reserved: Vec<String> = Vec::new();
         // Pointers follow an arrow, where they do not collide with names of the drawing.
         let free = ["next", "prev", "twin", "vertex", "edge", "face", "halfedge", "function"];
         let all = PATTERNS.iter().zip(&self.patterns);
@@ -138,10 +138,10 @@ impl Style {
                 Form::Name | Form::NameOrNone => pattern.split("::").collect(),
                 _ => continue,
             };
-            kept.extend(words.into_iter().map(String::from));
+            reserved.extend(words.into_iter().map(String::from));
         }
-        kept.retain(|word| is_word(word) && word != "pointer");
-        kept
+        reserved.retain(|word| is_word(word) && word != "pointer");
+        reserved
     }
 
     /// The name that a target gives to an operation, if any.

@@ -3,10 +3,11 @@
 use std::collections::BTreeSet;
 
 use super::super::conventions::Conventions;
+use super::super::item::{Alternative, Item, ItemBody, Signature};
 use super::super::language::Language;
 use super::super::lines::Lines;
 use super::super::names::invoked;
-use super::super::routine::{Alternative, Item, ItemBody, Signature, Statement};
+use super::super::routine::Statement;
 use super::super::statement::{Printing, rule_names};
 use super::super::steps::{Items, items};
 use super::super::support::{RUST, names};
@@ -27,7 +28,7 @@ pub fn rust(selection: &Selection<'_>) -> Result<String, NotEmitted> {
         columns: true,
         undoes: true,
         exhaustive: selection.exhaustive,
-        kept: &[],
+        reserved: &[],
     };
     let Items { called, ops } = items(selection, conventions)?;
     let mut printer = Printer {

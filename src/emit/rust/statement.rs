@@ -106,7 +106,7 @@ impl Printer {
                 return self.visit(&head, &skipped, body);
             }
             Statement::Update { visit, held } => return self.update(visit, held),
-            Statement::Hold { list, element, value } => {
+            Statement::Defer { list, element, value } => {
                 format!("{list}.push(({}, {}));", self.text(element), bare(&self.text(value)))
             }
             Statement::Break => "break;".into(),
@@ -136,8 +136,8 @@ impl Printer {
                 value => format!("return {value};"),
             },
             Statement::Variable { place, value } => self.put(place, &self.text(value)),
-            Statement::Must { call, place } => return self.must(call, place.as_ref()),
-            Statement::May { call } => format!("{};", self.called(call)),
+            Statement::MustCall { call, place } => return self.must(call, place.as_ref()),
+            Statement::TryCall { call } => format!("{};", self.called(call)),
             Statement::Apply { call, place, then, otherwise } => {
                 return self.apply(call, place.as_ref(), [then, otherwise]);
             }
@@ -148,9 +148,9 @@ impl Printer {
                     false => format!("mesh.set_position({vertex}, finite({value})?);"),
                 }
             }
-            Statement::Ask(attribute) => return self.ask(attribute),
+            Statement::RequireColumn(attribute) => return self.ask(attribute),
             // The mesh itself notes what is written.
-            Statement::Keep(_) | Statement::KeepAttribute { .. } => return,
+            Statement::Journal(_) | Statement::JournalAttribute { .. } => return,
         };
         self.lines.line(&line);
     }

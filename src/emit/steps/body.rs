@@ -6,7 +6,7 @@ use super::super::NotEmitted;
 use super::super::conventions::Conventions;
 use super::super::expression::{Expressions, around, is_spelled, is_surely_finite};
 use super::super::names::Names;
-use super::super::routine::{self, Form, Held, Target};
+use super::super::routine::{self, Call, Form, Held, Target};
 use super::super::term::{Parameter, Term};
 use super::comments::comments;
 use crate::diagram::{Access, Collection, Expr, ExprKind, Type};
@@ -16,7 +16,7 @@ use crate::source::{Sources, Span};
 
 /// The kind of body that the statements are in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Ending {
+pub(super) enum BodyKind {
     /// An operation.
     Steps,
     /// A function that has a value.
@@ -27,7 +27,7 @@ pub(super) enum Ending {
 
 /// The facts about the program.
 #[derive(Clone, Copy)]
-pub(super) struct Surroundings<'s> {
+pub(super) struct Context<'s> {
     pub program: &'s Program,
     pub sources: &'s Sources,
     pub effects: &'s AllEffects,
@@ -40,10 +40,10 @@ pub(super) struct Surroundings<'s> {
 
 /// Writes the statements of one body.
 pub(super) struct Writer<'s> {
-    pub(super) known: Surroundings<'s>,
+    pub(super) context: Context<'s>,
     body: &'s Body,
     pub(super) names: &'s mut Names,
-    ending: Ending,
+    kind: BodyKind,
     /// The variables that are bound so far.
     bound: BTreeSet<u32>,
     variables: Variables,
@@ -58,17 +58,17 @@ pub(super) struct Writer<'s> {
 impl<'s> Writer<'s> {
     /// A writer for a body whose first variables are parameters, which are named already.
     pub fn new(
-        known: Surroundings<'s>,
+        context: Context<'s>,
         body: &'s Body,
         params: usize,
-        ending: Ending,
+        kind: BodyKind,
         names: &'s mut Names,
     ) -> Self {
         Self {
-            known,
+            context,
             body,
             names,
-            ending,
+            kind,
             bound: (0..params as u32).collect(),
             variables: Variables::of(&body.block),
             held: Vec::new(),
@@ -87,10 +87,10 @@ impl<'s> Writer<'s> {
         let mut written = self.block(&body.block)?;
         let leaves =
             matches!(body.block.last(), Some(Statement { kind: StatementKind::Return(_), .. }));
-        let gives = match self.ending {
-            Ending::Steps => self.gives_back(),
-            Ending::Value => true,
-            Ending::Nothing => false,
+        let gives = match self.kind {
+            BodyKind::Steps => self.gives_back(),
+            BodyKind::Value => true,
+            BodyKind::Nothing => false,
         };
         if !leaves && !gives {
             written.push(routine::Statement::Return { value: None });
@@ -117,7 +117,7 @@ impl<'s> Writer<'s> {
         let outer = self.names.mark();
         let mut written = Vec::new();
         for statement in block {
-            let lines = comments(self.known.sources, statement.span);
+            let lines = comments(self.context.sources, statement.span);
             written.extend(lines.into_iter().map(routine::Statement::Comment));
             self.statement(statement, &mut written)?;
         }
@@ -148,13 +148,9 @@ impl<'s> Writer<'s> {
                 condition: self.term(condition)?,
                 body: self.block(body)?,
             },
-            StatementKind::For { visit: Visit::Shuffled, .. } => {
-                return Err(NotEmitted::new("a random order", span));
-            }
-            StatementKind::For { parallel: true, .. } => {
-                return Err(NotEmitted::new("`parallel for`", span));
-            }
-            StatementKind::For { variable, collection, filter, body, visit, .. } => {
+            StatementKind::For { variable, collection, filter, body, visit, parallel: false }
+                if *visit != Visit::Shuffled =>
+            {
                 let outer = self.names.mark();
                 if *visit == Visit::Update {
                     self.held = self.written_in(body);
@@ -170,7 +166,7 @@ impl<'s> Writer<'s> {
                 }
             }
             StatementKind::If { condition, then, otherwise }
-                if self.ending == Ending::Value
+                if self.kind == BodyKind::Value
                     && let (Some(then), Some(other)) =
                         (self.value(then), self.value(otherwise)) =>
             {
@@ -189,30 +185,7 @@ impl<'s> Writer<'s> {
             },
             StatementKind::Apply { op, args, variable, then, otherwise } => {
                 let call = self.operation(*op, args, out)?;
-                match (then.as_slice(), otherwise.as_slice()) {
-                    ([], []) => routine::Statement::May { call },
-                    (_, [Statement { kind: StatementKind::Refused { .. }, .. }]) => {
-                        let place = variable.and_then(|variable| self.place(variable));
-                        out.push(routine::Statement::Must { call, place });
-                        return then
-                            .iter()
-                            .try_for_each(|statement| self.statement(statement, out));
-                    }
-                    _ => {
-                        let outer = self.names.mark();
-                        let place = variable
-                            .filter(|&variable| self.variables.reads(variable))
-                            .map(|variable| self.bind(variable));
-                        let then = self.block(then)?;
-                        self.names.back_to(outer);
-                        routine::Statement::Apply {
-                            call,
-                            place,
-                            then,
-                            otherwise: self.block(otherwise)?,
-                        }
-                    }
-                }
+                return self.apply((call, *variable), [then, otherwise], out);
             }
             StatementKind::Require { condition, reason } => {
                 out.push(routine::Statement::Refuse {
@@ -224,31 +197,47 @@ impl<'s> Writer<'s> {
             StatementKind::Break => routine::Statement::Break,
             StatementKind::Continue => routine::Statement::Continue,
             StatementKind::Return(value) => return self.leave(value.as_ref(), out),
-            StatementKind::Call { function, .. }
-                if *function as usize >= self.known.program.functions.len() =>
+            StatementKind::Call { function, args, .. }
+                if (*function as usize) < self.context.program.functions.len() =>
             {
-                return Err(NotEmitted::new("the call of a script", span));
-            }
-            StatementKind::Call { function, args, .. } => {
-                let effects = self.known.effects.function(*function);
+                let effects = self.context.effects.function(*function);
                 // A call without effects is omitted, since its value is not used.
                 if !effects.is_some_and(|effects| effects.changes || effects.refuses) {
                     return Ok(());
                 }
                 let call = self.function(*function, args, out)?;
-                routine::Statement::Must { call, place: None }
+                routine::Statement::MustCall { call, place: None }
             }
-            StatementKind::Drain { .. } => return Err(NotEmitted::new("a `drain`", span)),
-            StatementKind::Print(_) => return Err(NotEmitted::new("a `print`", span)),
-            StatementKind::Assert { .. } => return Err(NotEmitted::new("an `assert`", span)),
-            StatementKind::Refused { .. }
-            | StatementKind::KeepMesh { .. }
-            | StatementKind::AssertMesh { .. }
-            | StatementKind::AssertRefuses { .. } => {
-                return Err(NotEmitted::new("a statement of a test", span));
-            }
+            kind => return Err(NotEmitted::new(not_emitted(kind), span)),
         };
         out.push(action);
+        Ok(())
+    }
+
+    /// Calls an operation, and goes on as the program does if it applied, or if it refused.
+    fn apply(
+        &mut self,
+        (call, variable): (Call, Option<u32>),
+        [then, otherwise]: [&'s Block; 2],
+        out: &mut Vec<routine::Statement>,
+    ) -> Result<(), NotEmitted> {
+        match (then.as_slice(), otherwise.as_slice()) {
+            ([], []) => out.push(routine::Statement::TryCall { call }),
+            (_, [Statement { kind: StatementKind::Refused { .. }, .. }]) => {
+                let place = variable.and_then(|variable| self.place(variable));
+                out.push(routine::Statement::MustCall { call, place });
+                then.iter().try_for_each(|statement| self.statement(statement, out))?;
+            }
+            _ => {
+                let outer = self.names.mark();
+                let read = variable.filter(|&variable| self.variables.reads(variable));
+                let place = read.map(|variable| self.bind(variable));
+                let then = self.block(then)?;
+                self.names.back_to(outer);
+                let otherwise = self.block(otherwise)?;
+                out.push(routine::Statement::Apply { call, place, then, otherwise });
+            }
+        }
         Ok(())
     }
 
@@ -313,7 +302,7 @@ impl<'s> Writer<'s> {
         if let Some((function, args)) = self.changing_call(value) {
             let call = self.function(function, args, out)?;
             let place = self.place(variable);
-            out.push(routine::Statement::Must { call, place });
+            out.push(routine::Statement::MustCall { call, place });
             return Ok(());
         }
         // Computed first, since the value cannot refer to a new variable.
@@ -364,7 +353,7 @@ impl<'s> Writer<'s> {
         let value = self.term(value)?;
         if let Some((_, held)) = self.held.iter().find(|(of, _)| *of == attribute) {
             let list = held.list.clone();
-            out.push(routine::Statement::Hold { list, element, value });
+            out.push(routine::Statement::Defer { list, element, value });
             return Ok(());
         }
         match attribute {
@@ -379,8 +368,8 @@ impl<'s> Writer<'s> {
                 let name = attribute.name.clone();
                 let value = self.settled(value, ty, &name, out);
                 self.names.back_to(outer);
-                if !self.known.conventions.undoes {
-                    out.push(routine::Statement::KeepAttribute {
+                if !self.context.conventions.undoes {
+                    out.push(routine::Statement::JournalAttribute {
                         attribute: attribute.clone(),
                         element: element.clone(),
                     });
@@ -403,7 +392,7 @@ impl<'s> Writer<'s> {
         })?;
         let element = self.term(element)?;
         let outer = self.names.mark();
-        let may_go = self.known.effects.erases(body, collection.element());
+        let may_go = self.context.effects.erases(body, collection.element());
         let action = routine::Statement::For {
             variable: self.bind(variable),
             around,
@@ -430,12 +419,25 @@ impl<'s> Writer<'s> {
                     let name = self.names.fresh("result");
                     let given = Term::name(&name);
                     let place = Some(Target { name, ty: value.ty, form: Form::Fixed });
-                    out.push(routine::Statement::Must { call, place });
+                    out.push(routine::Statement::MustCall { call, place });
                     given
                 }
             }),
         };
         out.push(routine::Statement::Return { value });
         Ok(())
+    }
+}
+
+/// What a statement is that is not emitted.
+fn not_emitted(kind: &StatementKind) -> &'static str {
+    match kind {
+        StatementKind::For { visit: Visit::Shuffled, .. } => "a random order",
+        StatementKind::For { .. } => "`parallel for`",
+        StatementKind::Call { .. } => "the call of a script",
+        StatementKind::Drain { .. } => "a `drain`",
+        StatementKind::Print(_) => "a `print`",
+        StatementKind::Assert { .. } => "an `assert`",
+        _ => "a statement of a test",
     }
 }

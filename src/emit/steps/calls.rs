@@ -11,7 +11,7 @@ impl Writer<'_> {
     pub(super) fn changing_call<'e>(&self, value: &'e Expr) -> Option<(u32, &'e [Expr])> {
         match &value.kind {
             ExprKind::Invoke(function, args) => {
-                let effects = self.known.effects.function(*function)?;
+                let effects = self.context.effects.function(*function)?;
                 (effects.changes || effects.refuses).then_some((*function, args))
             }
             _ => None,
@@ -27,7 +27,7 @@ impl Writer<'_> {
         wanted: &str,
         out: &mut Vec<routine::Statement>,
     ) -> Term {
-        if !self.known.conventions.undoes || is_plain(&value) {
+        if !self.context.conventions.undoes || is_plain(&value) {
             return value;
         }
         let name = self.names.fresh(wanted);
@@ -59,8 +59,8 @@ impl Writer<'_> {
         out: &mut Vec<routine::Statement>,
     ) -> Result<Call, NotEmitted> {
         self.ops.insert(op);
-        let called = &self.known.program.ops[op];
-        let name = self.known.op_names[op].clone();
+        let called = &self.context.program.ops[op];
+        let name = self.context.op_names[op].clone();
         let of = if called.result.is_some() { Called::Operation } else { Called::Plain };
         Ok(Call { name, args: self.arguments(args, &called.params, out)?, of })
     }
@@ -72,9 +72,9 @@ impl Writer<'_> {
         out: &mut Vec<routine::Statement>,
     ) -> Result<Call, NotEmitted> {
         self.functions.insert(function);
-        let called = &self.known.program.functions[function as usize];
-        let name = self.known.function_names[function as usize].clone();
-        let refuses = self.known.effects.function(function).is_some_and(|of| of.refuses);
+        let called = &self.context.program.functions[function as usize];
+        let name = self.context.function_names[function as usize].clone();
+        let refuses = self.context.effects.function(function).is_some_and(|of| of.refuses);
         let of = if refuses { Called::Refusing } else { Called::Sure };
         Ok(Call { name, args: self.arguments(args, &called.params, out)?, of })
     }

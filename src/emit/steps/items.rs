@@ -6,11 +6,12 @@ use super::super::NotEmitted;
 use super::super::build::{self, columns};
 use super::super::conventions::Conventions;
 use super::super::expression::{is_spelled, parameters};
+use super::super::item::{Item, ItemBody, Signature};
 use super::super::names::{Names, free, invoked};
-use super::super::routine::{Item, ItemBody, Signature, Statement, without_unread};
+use super::super::routine::{Statement, without_unread};
 use super::super::selection::Selection;
 use super::super::term::Parameter;
-use super::body::{Ending, Surroundings, Writer};
+use super::body::{BodyKind, Context, Writer};
 use super::journal::journaled;
 use crate::diagram::Param;
 use crate::lower::AllEffects;
@@ -32,7 +33,7 @@ pub(in crate::emit) fn items(
     conventions: Conventions<'_>,
 ) -> Result<Items, NotEmitted> {
     let effects = AllEffects::of(selection.program, selection.proved);
-    let (op_names, function_names) = called(selection, effects.ops.len(), conventions.kept);
+    let (op_names, function_names) = called(selection, effects.ops.len(), conventions.reserved);
     let values = effects.functions.iter().zip(&selection.program.functions);
     let values = values.zip(&function_names).map(|((effects, function), name)| {
         let computes = !effects.changes && !effects.refuses && function.result.is_some();
@@ -62,10 +63,14 @@ pub(in crate::emit) fn items(
 }
 
 /// The names of the operations and of the functions; selected operations are named first.
-fn called(selection: &Selection<'_>, count: usize, kept: &[String]) -> (Vec<String>, Vec<String>) {
+fn called(
+    selection: &Selection<'_>,
+    count: usize,
+    reserved: &[String],
+) -> (Vec<String>, Vec<String>) {
     let mut taken = BTreeSet::new();
     // Files that do not see each other may use the same name.
-    let mut free = |name: &str| free(name, kept, &mut taken);
+    let mut free = |name: &str| free(name, reserved, &mut taken);
     let mut ops = vec![String::new(); count];
     for op in selection.ops.iter().copied().chain(0..count) {
         if op < count && ops[op].is_empty() {
@@ -161,8 +166,8 @@ impl Builder<'_> {
         Ok((item, needs))
     }
 
-    fn surroundings(&self) -> Surroundings<'_> {
-        Surroundings {
+    fn context(&self) -> Context<'_> {
+        Context {
             program: self.selection.program,
             sources: self.selection.sources,
             effects: &self.effects,
@@ -185,7 +190,7 @@ impl Builder<'_> {
             params.len(),
             &self.values,
             &self.selection.program.attributes,
-            (self.conventions.kept, taken.into_iter()),
+            (self.conventions.reserved, taken.into_iter()),
         )
     }
 
@@ -201,7 +206,7 @@ impl Builder<'_> {
         let mut names = self.names(&steps.body, &resolved.params);
         let params = parameters(&resolved.params, &mut names)?;
         let mut writer =
-            Writer::new(self.surroundings(), &steps.body, params.len(), Ending::Steps, &mut names);
+            Writer::new(self.context(), &steps.body, params.len(), BodyKind::Steps, &mut names);
         let mut requires = Vec::new();
         for require in &steps.requires {
             requires.push(Statement::Refuse {
@@ -248,11 +253,11 @@ impl Builder<'_> {
         };
         let mut names = self.names(body, &function.params);
         let params = parameters(&function.params, &mut names)?;
-        let ending = match function.result {
-            Some(_) => Ending::Value,
-            None => Ending::Nothing,
+        let kind = match function.result {
+            Some(_) => BodyKind::Value,
+            None => BodyKind::Nothing,
         };
-        let mut writer = Writer::new(self.surroundings(), body, params.len(), ending, &mut names);
+        let mut writer = Writer::new(self.context(), body, params.len(), kind, &mut names);
         let mut written = writer.write()?;
         let needs = needs(writer.ops, writer.functions, names.take_calls());
         if self.conventions.columns {

@@ -2,7 +2,8 @@
 
 use std::collections::BTreeSet;
 
-use super::super::routine::{Item, ItemBody, Statement};
+use super::super::item::{Item, ItemBody};
+use super::super::routine::Statement;
 use super::super::term::Term;
 
 /// A drawn operation that notes all elements that it writes to, except for new ones.
@@ -46,16 +47,16 @@ fn journaled_body(body: Vec<Statement>, new: &BTreeSet<String>) -> Vec<Statement
             // The elements of a block are noted together, except for those that are only found
             // midway.
             if !written.is_empty() {
-                out.push(Statement::Keep(std::mem::take(&mut written)));
+                out.push(Statement::Journal(std::mem::take(&mut written)));
             }
             if !is_settled(element) && !is_new(element, new) {
-                out.push(Statement::Keep(vec![element.clone()]));
+                out.push(Statement::Journal(vec![element.clone()]));
             }
         }
         if let Statement::SetAttribute { attribute, element, .. } = &statement
             && !is_new(element, new)
         {
-            out.push(Statement::KeepAttribute {
+            out.push(Statement::JournalAttribute {
                 attribute: attribute.clone(),
                 element: element.clone(),
             });
