@@ -1,7 +1,7 @@
 //! Statements as text: what C++ and Rust have in common.
 
 use super::item::Alternative;
-use super::language::{Language, field};
+use super::language::Language;
 use super::lines::{Lines, comment};
 use super::routine::Statement;
 use super::term::{Parameter, Term};
@@ -63,20 +63,6 @@ pub(super) trait Printing: Language {
             Kind::Vertex => format!("// Each halfedge that starts at {element} is tried."),
             _ => format!("// Each halfedge of {element} is tried."),
         });
-    }
-
-    /// The line that notes what a statement writes on a preview, if that is a pointer or a kind.
-    fn noted(&self, preview: &str, statement: &Statement) -> Option<String> {
-        Some(match statement {
-            Statement::Set { pointer, of, value } => {
-                let (of, value) = (self.text(of), self.text(value));
-                format!("{preview}.set_{}({of}, {value});", field(*pointer))
-            }
-            Statement::SetHole { face, hole } => {
-                format!("{preview}.set_hole({}, {hole});", self.text(face))
-            }
-            _ => return None,
-        })
     }
 
     /// Writes a doc comment, with the defaults of these parameters.

@@ -104,10 +104,10 @@ impl Printer<'_> {
             (true, None) => return None,
         };
         let advice = match self.style.is_member() {
+            _ if word == "this" => "there is no `this`".to_string(),
             true => format!("write `::{word}`, or where else a free function of it stands"),
             false => "elements have to lead to what the pattern wants by themselves".to_string(),
         };
-        let advice = if word == "this" { "there is no `this`".to_string() } else { advice };
         Some(format!(
             "the pattern of `{pattern}` takes `{word}` from where it stands, and {whose}, beside the operations, does not know it: {advice}"
         ))
@@ -121,28 +121,24 @@ impl Printer<'_> {
         needed: &[(&str, &str)],
         body: &str,
     ) -> String {
-        let needed = needed.iter();
-        let functions = needed
-            .map(|(name, text)| once(name, &support::spelled(name, text, self.style)))
-            .collect::<String>()
-            + outside;
+        let functions =
+            needed.iter().map(|(name, text)| once(name, &support::spelled(name, text, self.style)));
+        let functions = functions.collect::<String>() + outside;
         let mut headers = BTreeSet::from(["optional"]);
         headers.extend(super::headers::headers(&functions));
         headers.extend(super::headers::headers(body));
-        let headers: String =
-            headers.iter().map(|header| format!("#include <{header}>\n")).collect();
-        let fields = fields.iter().map(String::as_str).collect::<String>();
-        let headers = match fields.is_empty() {
-            true => headers,
-            false => format!("// Elements have these attributes:\n{fields}\n{headers}"),
-        };
         let include = self.style.include();
-        let headers = match include.is_empty() {
-            true => headers,
-            false => format!("{include}\n{headers}"),
+        let mut head = match include.is_empty() {
+            true => include,
+            false => include + "\n",
         };
+        if !fields.is_empty() {
+            head.push_str("// Elements have these attributes:\n");
+            head.extend(fields.iter().map(String::as_str).chain(["\n"]));
+        }
+        head.extend(headers.iter().map(|header| format!("#include <{header}>\n")));
         if functions.is_empty() {
-            return format!("{headers}\n{body}");
+            return format!("{head}\n{body}");
         }
         // The functions that members call are local to the file.
         let (begin, end) = match self.style.is_member() {
@@ -150,17 +146,16 @@ impl Printer<'_> {
             false => ("", ""),
         };
         format!(
-            "{headers}\n{begin}namespace hedgerow {{\n{functions}\n}}  // namespace hedgerow{end}\n\n{body}"
+            "{head}\n{begin}namespace hedgerow {{\n{functions}\n}}  // namespace hedgerow{end}\n\n{body}"
         )
     }
 
     /// The text of a called function or operation, which comes from the file `home`.
     fn called(&mut self, home: &str, item: &Item) -> String {
-        let outer = std::mem::replace(&mut self.lines, Lines::new(2));
         self.is_noted = !matches!(item.body, ItemBody::Function { changes: false, .. });
         self.item(item, false);
         self.is_noted = false;
-        let text = std::mem::replace(&mut self.lines, outer).finish();
+        let text = std::mem::replace(&mut self.lines, Lines::new(2)).finish();
         let home = home.strip_suffix(".hedge").unwrap_or(home);
         once(&format!("{home}_{}", item.signature.name), text.trim_end())
     }

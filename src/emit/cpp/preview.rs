@@ -1,5 +1,6 @@
 //! Statements that are noted on a preview of the mesh.
 
+use super::super::language::{Language, field};
 use super::super::routine::Statement;
 use super::super::statement::Printing;
 use super::function::Printer;
@@ -35,10 +36,14 @@ impl Printer<'_> {
                 self.gather(ty, name, indices, &item);
                 return true;
             }
-            statement => match self.noted(preview, statement) {
-                Some(line) => line,
-                None => return false,
-            },
+            Statement::Set { pointer, of, value } => {
+                let (of, value) = (self.text(of), self.text(value));
+                format!("{preview}.set_{}({of}, {value});", field(*pointer))
+            }
+            Statement::SetHole { face, hole } => {
+                format!("{preview}.set_hole({}, {hole});", self.text(face))
+            }
+            _ => return false,
         };
         self.lines.line(&line);
         true

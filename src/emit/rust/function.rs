@@ -37,7 +37,7 @@ pub fn rust(selection: &Selection<'_>) -> Result<String, NotEmitted> {
         applied: "",
         wraps: true,
         is_asked: false,
-        preview: None,
+        mesh: "mesh".into(),
     };
     let shown = ops.iter().map(|item| (item, "pub fn"));
     for (item, visible) in shown.chain(called.iter().map(|(_, item)| (item, "fn"))) {
@@ -86,8 +86,8 @@ pub(super) struct Printer {
     pub wraps: bool,
     /// True if the caller has checked that the attributes exist.
     pub is_asked: bool,
-    /// The preview on which pointers are noted instead.
-    pub preview: Option<String>,
+    /// The mesh, or the preview of it on which pointers are noted instead.
+    pub mesh: String,
 }
 
 /// The name of a type.

@@ -1,7 +1,6 @@
 //! Routines as Rust.
 
 mod function;
-mod preview;
 mod spelling;
 mod statement;
 mod steps;

@@ -43,11 +43,7 @@ impl Printer {
     }
 
     pub(super) fn statement(&mut self, statement: &Statement) {
-        if let Some(preview) = self.preview.clone()
-            && self.note(&preview, statement)
-        {
-            return;
-        }
+        let mesh = &self.mesh;
         let line = match statement {
             Statement::Comment(text) => return self.lines.comment("//", text),
             Statement::Blank => return self.lines.blank(),
@@ -83,7 +79,7 @@ impl Printer {
             }
             Statement::NewEach { kind, name, indices: IndexLoop { size, .. } } => {
                 let kind = kind.word();
-                format!("let {name}: Vec<_> = (0..{size}).map(|_| mesh.add_{kind}()).collect();")
+                format!("let {name}: Vec<_> = (0..{size}).map(|_| {mesh}.add_{kind}()).collect();")
             }
             Statement::IndexLoop { indices: IndexLoop { index, size }, body } => {
                 return self.held(&format!("for {index} in 0..{size}"), body);
@@ -112,14 +108,14 @@ impl Printer {
             Statement::Break => "break;".into(),
             Statement::Continue => "continue;".into(),
             Statement::Walk { walk, body } => return self.walk(walk, body),
-            Statement::Preview { preview, body } => return self.preview_block(preview, body),
-            Statement::New { kind, name } => format!("let {name} = mesh.add_{}();", kind.word()),
+            Statement::Preview { preview, body } => return self.preview(preview, body),
+            Statement::New { kind, name } => format!("let {name} = {mesh}.add_{}();", kind.word()),
             Statement::Set { pointer, of, value } => {
                 let (of, value) = (self.text(of), self.text(value));
-                format!("mesh.set_{}({of}, {value});", field(*pointer))
+                format!("{mesh}.set_{}({of}, {value});", field(*pointer))
             }
             Statement::SetHole { face, hole } => {
-                format!("mesh.set_hole({}, {hole});", self.text(face))
+                format!("{mesh}.set_hole({}, {hole});", self.text(face))
             }
             Statement::SetPosition { vertex, value } => {
                 format!("mesh.set_position({}, {});", self.text(vertex), self.text(value))
@@ -153,6 +149,17 @@ impl Printer {
             Statement::Journal(_) | Statement::JournalAttribute { .. } => return,
         };
         self.lines.line(&line);
+    }
+
+    /// Writes a preview, and the block that looks at it.
+    fn preview(&mut self, preview: &str, body: &[Statement]) {
+        self.lines.line("// The guard looks at what there would be, on a preview of the mesh.");
+        self.lines.open("{");
+        self.lines.line(&format!("let mut {preview} = Preview::new(mesh);"));
+        let outer = std::mem::replace(&mut self.mesh, preview.to_string());
+        self.block(body);
+        self.mesh = outer;
+        self.lines.close("}");
     }
 
     /// Refuses in a block.

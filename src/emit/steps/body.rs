@@ -6,7 +6,7 @@ use super::super::NotEmitted;
 use super::super::conventions::Conventions;
 use super::super::expression::{Expressions, around, is_spelled, is_surely_finite};
 use super::super::names::Names;
-use super::super::routine::{self, Call, Form, Held, Target};
+use super::super::routine::{self, Form, Held, Target};
 use super::super::term::{Parameter, Term};
 use super::comments::comments;
 use crate::diagram::{Access, Collection, Expr, ExprKind, Type};
@@ -46,7 +46,7 @@ pub(super) struct Writer<'s> {
     kind: BodyKind,
     /// The variables that are bound so far.
     bound: BTreeSet<u32>,
-    variables: Variables,
+    pub(super) variables: Variables,
     /// The assignments that an `update` defers.
     held: Vec<(Access, Held)>,
     /// The operations that are called.
@@ -113,7 +113,10 @@ impl<'s> Writer<'s> {
         gives
     }
 
-    fn block(&mut self, block: &'s Block) -> Result<Vec<routine::Statement>, NotEmitted> {
+    pub(super) fn block(
+        &mut self,
+        block: &'s Block,
+    ) -> Result<Vec<routine::Statement>, NotEmitted> {
         let outer = self.names.mark();
         let mut written = Vec::new();
         for statement in block {
@@ -125,7 +128,7 @@ impl<'s> Writer<'s> {
         Ok(written)
     }
 
-    fn statement(
+    pub(super) fn statement(
         &mut self,
         statement: &'s Statement,
         out: &mut Vec<routine::Statement>,
@@ -185,7 +188,7 @@ impl<'s> Writer<'s> {
             },
             StatementKind::Apply { op, args, variable, then, otherwise } => {
                 let call = self.operation(*op, args, out)?;
-                return self.apply((call, *variable), [then, otherwise], out);
+                return self.apply(call, *variable, [then, otherwise], out);
             }
             StatementKind::Require { condition, reason } => {
                 out.push(routine::Statement::Refuse {
@@ -214,33 +217,6 @@ impl<'s> Writer<'s> {
         Ok(())
     }
 
-    /// Calls an operation, and goes on as the program does if it applied, or if it refused.
-    fn apply(
-        &mut self,
-        (call, variable): (Call, Option<u32>),
-        [then, otherwise]: [&'s Block; 2],
-        out: &mut Vec<routine::Statement>,
-    ) -> Result<(), NotEmitted> {
-        match (then.as_slice(), otherwise.as_slice()) {
-            ([], []) => out.push(routine::Statement::TryCall { call }),
-            (_, [Statement { kind: StatementKind::Refused { .. }, .. }]) => {
-                let place = variable.and_then(|variable| self.place(variable));
-                out.push(routine::Statement::MustCall { call, place });
-                then.iter().try_for_each(|statement| self.statement(statement, out))?;
-            }
-            _ => {
-                let outer = self.names.mark();
-                let read = variable.filter(|&variable| self.variables.reads(variable));
-                let place = read.map(|variable| self.bind(variable));
-                let then = self.block(then)?;
-                self.names.back_to(outer);
-                let otherwise = self.block(otherwise)?;
-                out.push(routine::Statement::Apply { call, place, then, otherwise });
-            }
-        }
-        Ok(())
-    }
-
     /// The value of a block that only computes one.
     fn value<'b>(&self, block: &'b Block) -> Option<&'b Expr> {
         match block.as_slice() {
@@ -266,7 +242,7 @@ impl<'s> Writer<'s> {
     }
 
     /// Names a variable.
-    fn bind(&mut self, variable: u32) -> Parameter {
+    pub(super) fn bind(&mut self, variable: u32) -> Parameter {
         let known = self.body.variables.get(variable as usize);
         let wanted = known.map_or("x", |variable| variable.name.as_str());
         self.bound.insert(variable);
@@ -275,7 +251,7 @@ impl<'s> Writer<'s> {
     }
 
     /// The target for the value of a variable; `None` if it is never read.
-    fn place(&mut self, variable: u32) -> Option<Target> {
+    pub(super) fn place(&mut self, variable: u32) -> Option<Target> {
         if !self.variables.reads(variable) {
             return None;
         }

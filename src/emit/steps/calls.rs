@@ -5,8 +5,9 @@ use super::super::routine::{self, Call, Called};
 use super::super::term::Term;
 use super::body::Writer;
 use crate::diagram::{Expr, ExprKind, Param, Type};
+use crate::resolve::{Block, Statement, StatementKind};
 
-impl Writer<'_> {
+impl<'s> Writer<'s> {
     /// The call of a function that changes the mesh or may refuse, if the value is one.
     pub(super) fn changing_call<'e>(&self, value: &'e Expr) -> Option<(u32, &'e [Expr])> {
         match &value.kind {
@@ -63,6 +64,34 @@ impl Writer<'_> {
         let name = self.context.op_names[op].clone();
         let of = if called.result.is_some() { Called::Operation } else { Called::Plain };
         Ok(Call { name, args: self.arguments(args, &called.params, out)?, of })
+    }
+
+    /// Calls an operation, and goes on as the program does if it applied, or if it refused.
+    pub(super) fn apply(
+        &mut self,
+        call: Call,
+        variable: Option<u32>,
+        [then, otherwise]: [&'s Block; 2],
+        out: &mut Vec<routine::Statement>,
+    ) -> Result<(), NotEmitted> {
+        match (then.as_slice(), otherwise.as_slice()) {
+            ([], []) => out.push(routine::Statement::TryCall { call }),
+            (_, [Statement { kind: StatementKind::Refused { .. }, .. }]) => {
+                let place = variable.and_then(|variable| self.place(variable));
+                out.push(routine::Statement::MustCall { call, place });
+                then.iter().try_for_each(|statement| self.statement(statement, out))?;
+            }
+            _ => {
+                let outer = self.names.mark();
+                let read = variable.filter(|&variable| self.variables.reads(variable));
+                let place = read.map(|variable| self.bind(variable));
+                let then = self.block(then)?;
+                self.names.back_to(outer);
+                let otherwise = self.block(otherwise)?;
+                out.push(routine::Statement::Apply { call, place, then, otherwise });
+            }
+        }
+        Ok(())
     }
 
     pub(super) fn function(
