@@ -238,10 +238,10 @@ impl Statement {
             Self::Bind { ty, .. } | Self::List { ty, .. } | Self::Gather { ty, .. } => see(*ty),
             Self::Attempt { .. } | Self::Walk { .. } => see(Type::Halfedge),
             Self::New { kind, .. } | Self::NewEach { kind, .. } => see(type_of(*kind)),
-            Self::Variable { place, .. } | Self::MustCall { place: Some(place), .. } => {
-                if place.form != Form::Known {
-                    see(place.ty);
-                }
+            Self::Variable { place, .. } | Self::MustCall { place: Some(place), .. }
+                if place.form != Form::Known =>
+            {
+                see(place.ty);
             }
             Self::Apply { place: Some(variable), .. } | Self::For { variable, .. } => {
                 see(variable.ty);
