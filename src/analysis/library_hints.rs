@@ -38,6 +38,10 @@ fn name_files(told: &mut Diagnostic, sources: &Sources) {
     };
     let line = format!("use \"{}\"", first.trim_matches('`'));
     *told = match others {
+        // A function of the same name may be of other things, and mean something else.
+        [] if told.code == "unknown-function" => told.clone().note(format!(
+            "the library has one in {first}; to use it, write `{line}` at the head of the file"
+        )),
         [] if is_welcome(first.trim_matches('`'), sources) => {
             let (place, text) = head(source.text(), span, &line);
             let told = told.clone().note(format!("the library has it in {first}"));

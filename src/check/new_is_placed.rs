@@ -5,7 +5,7 @@
 
 use super::problem::Problem;
 use crate::diagnostic::Diagnostic;
-use crate::diagram::{Access, Attribute, Drawing, Kind, Ref, Rule, Type};
+use crate::diagram::{Access, Attribute, Drawing, Kind, Ref, Rule};
 
 /// Tests the law.
 pub(super) fn test(drawing: &Drawing) -> Vec<Problem> {
@@ -71,13 +71,9 @@ fn missing_elsewhere(created: &Ref, kind: Kind, declared: &Attribute) -> Diagnos
     let Attribute { name, ty, .. } = declared;
     let made = kind.a_word();
     let message = format!("`{name}` has no default, and a used file creates {made} without it");
-    let zero = match ty {
-        Type::Bool => "false".to_owned(),
-        Type::Int | Type::Real => "0".to_owned(),
-        wide => format!("{}(0)", wide.word()),
-    };
-    let declaration = format!("attr {name}: {} {} = {zero}", kind.word(), ty.word());
+    let default = format!(" = {}", ty.zero().unwrap_or_default());
+    let declaration = format!("attr {name}: {} {}{default}", kind.word(), ty.word());
     Diagnostic::error("missing-attribute", message, declared.span)
         .label(created.span, "created here")
-        .note(format!("give it a default: `{declaration}`"))
+        .fix(format!("write `{declaration}`"), declared.behind, default)
 }

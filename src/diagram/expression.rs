@@ -61,6 +61,16 @@ impl Type {
         }
     }
 
+    /// The text of the zero of this type, if an attribute can have it.
+    pub fn zero(self) -> Option<String> {
+        match self {
+            Type::Bool => Some("false".to_owned()),
+            Type::Int | Type::Real => Some("0".to_owned()),
+            _ if self.is_vector() || self.is_matrix() => Some(format!("{}(0)", self.word())),
+            _ => None,
+        }
+    }
+
     /// True if values of this type are vectors.
     pub fn is_vector(self) -> bool {
         matches!(self, Type::Vec2 | Type::Vec3 | Type::Vec4)
@@ -245,6 +255,8 @@ pub struct Attribute {
     pub element: Type,
     /// The type of its values.
     pub ty: Type,
+    /// The place behind its type, where its default stands.
+    pub behind: Span,
     /// The constant that a new element gets. Without one, an op gives each new element its value.
     pub default: Option<Expr>,
     /// True if it is temporary, and removed when the run is over.

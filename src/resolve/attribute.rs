@@ -66,6 +66,7 @@ fn attribute(
         docs: attr.docs.clone(),
         element: head.map_or(Type::Vertex, |head| head.element),
         ty: ty.unwrap_or(Type::Real),
+        behind: attr.ty.span.after(),
         default: default.filter(|_| ty.is_some()),
         private: attr.private,
     }

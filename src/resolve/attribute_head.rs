@@ -7,7 +7,7 @@ use crate::syntax::tree;
 
 use super::fields::is_taken;
 use super::report::Report;
-use super::type_name::type_named;
+use super::type_name::type_among;
 use super::words::a_type;
 
 /// The declaration of an attribute without its default.
@@ -39,7 +39,8 @@ pub(super) fn head(
     diagnostics: &mut Vec<Diagnostic>,
 ) -> Option<Head> {
     let mut report = Report::default();
-    let (element, ty) = (type_named(&attr.kind, &mut report), type_named(&attr.ty, &mut report));
+    let element = type_among(&attr.kind, |ty| ty.is_element(), &mut report);
+    let ty = type_among(&attr.ty, |ty| ty.zero().is_some(), &mut report);
     if let (Some(element), Some(value)) = (element, ty)
         && !element.is_element()
         && value.is_element()
@@ -68,7 +69,7 @@ pub(super) fn head(
             report.add(Diagnostic::error("duplicate-name", message, attr.name.span));
         }
     }
-    if let Some(ty) = ty.filter(|ty| ty.is_element() || *ty == Type::Text) {
+    if let Some(ty) = ty.filter(|ty| ty.zero().is_none()) {
         let message = format!(
             "an attribute holds a bool, a number, a vector or a matrix, not {}",
             a_type(ty)

@@ -162,9 +162,10 @@ pub(super) fn assignments(
             typing.report.fail();
             continue;
         }
-        let Some((target, access, ty)) = assigned(target, attribute, names, typing) else {
-            // Errors in the value are reported as well.
-            typing.whole(value);
+        // Errors in the value are reported in any case.
+        let typed = typing.whole(value);
+        let of = typed.as_ref().map(|value| value.ty);
+        let Some((target, access, ty)) = assigned(target, (attribute, of), names, typing) else {
             continue;
         };
         let word = &names.get(target.name).text;
@@ -182,7 +183,7 @@ pub(super) fn assignments(
             typing.report.add(error);
         }
         let whose = format!("`{word}.{}`", attribute.text);
-        let value = typing.whole_as(value, ty, &whose);
+        let value = typed.and_then(|typed| typing.convert(value, typed, ty, &whose));
         let single = names.get(target.name).role == Role::Single;
         if let Some(value) = value.as_ref().filter(|value| single && value.has_members()) {
             let message = format!("{whose} is set once, but its value has a free index");
@@ -211,7 +212,7 @@ fn is_listed_new(after: &tree::Side, name: &tree::Name) -> bool {
 /// The element and the attribute that an assignment sets, and the type of the value.
 fn assigned(
     target: &tree::Name,
-    attribute_name: &Ident,
+    (attribute_name, of): (&Ident, Option<Type>),
     names: &Names,
     typing: &mut Typing,
 ) -> Option<(Ref, Access, Type)> {
@@ -234,7 +235,7 @@ fn assigned(
         typing.report.add(error);
         return None;
     };
-    let (access, value) = typing.attribute_of(ty, attribute_name)?;
+    let (access, value) = typing.attribute_of(ty, attribute_name, of)?;
     let target = mention(id, target);
     Some((target, access, value))
 }
@@ -267,8 +268,14 @@ fn parameter_drawn(word: &str, names: &Names, typing: &Typing) -> Option<String>
 }
 
 impl Typing<'_> {
-    /// The attribute of this name of an element, and the type of its values.
-    pub(super) fn attribute_of(&mut self, ty: Type, name: &Ident) -> Option<(Access, Type)> {
+    /// The attribute of this name of an element, and the type of its values; a value of type `of`
+    /// is assigned to it.
+    pub(super) fn attribute_of(
+        &mut self,
+        ty: Type,
+        name: &Ident,
+        of: Option<Type>,
+    ) -> Option<(Access, Type)> {
         self.declared.meet(ty, name);
         let found = attribute(ty, &name.text).or(self.declared.attribute(ty, &name.text));
         if found.is_some() {
@@ -304,13 +311,14 @@ impl Typing<'_> {
         });
         let word = (name.text.as_str(), name.span);
         let error = foreign_words::tell(error, word, here, known.iter().copied());
+        let belongs = self.declared.belongs(None, ty, &name.text);
         let error = match known.as_slice() {
-            [] => error.note(format!("{element} has none that can be set")),
+            _ if let Some(note) = belongs => error.note(note),
+            [] => error.note(format!("{element} has none; {}", declaration(&name.text, ty, of))),
             known => error.note(format!(
-                "{element} has {}; an attribute of one's own is declared: `attr {}: {} real = 0`",
+                "{element} has {}; {}",
                 quoted(known),
-                name.text,
-                ty.word()
+                declaration(&name.text, ty, of)
             )),
         };
         self.report.add(error);
@@ -337,4 +345,12 @@ impl Typing<'_> {
             }
         })
     }
+}
+
+/// How an attribute of elements of type `element` with values of type `of` is declared.
+pub(super) fn declaration(name: &str, element: Type, of: Option<Type>) -> String {
+    let ty = of.filter(|ty| ty.zero().is_some()).unwrap_or(Type::Real);
+    let (element, zero) = (element.word(), ty.zero().unwrap_or_default());
+    let ty = ty.word();
+    format!("an attribute of one's own is declared: `attr {name}: {element} {ty} = {zero}`")
 }

@@ -8,21 +8,22 @@ use crate::syntax::tree::{self, Ident};
 use super::builtin::CONSTRUCTORS;
 use super::typed::{to_real, typed};
 use super::typing::Typing;
-use super::words::{a_type, quoted};
+use super::vocabulary::called;
+use super::words::a_type;
 
 /// The type that a constructor of this name makes.
 pub(super) fn constructed(word: &str) -> Option<Type> {
     CONSTRUCTORS.into_iter().find(|ty| ty.word() == word)
 }
 
-/// The forms of the constructor of a type, for messages.
-fn ways(ty: Type) -> &'static [&'static str] {
+/// The types of the arguments in each form of the constructor of a type.
+pub(super) fn ways(ty: Type) -> &'static [&'static [&'static str]] {
     match ty {
-        Type::Vec2 => &["vec2(x, y)", "vec2(d)", "vec2(v)"],
-        Type::Vec3 => &["vec3(x, y, z)", "vec3(d)", "vec3(v, z)", "vec3(w)"],
-        Type::Vec4 => &["vec4(x, y, z, w)", "vec4(d)", "vec4(v, w)"],
-        Type::Mat3 => &["mat3(d)", "mat3(x, y, z)", "mat3(m)"],
-        _ => &["mat4(d)", "mat4(x, y, z, w)"],
+        Type::Vec2 => &[&["real", "real"], &["real"], &["vec3"]],
+        Type::Vec3 => &[&["real", "real", "real"], &["real"], &["vec2", "real"], &["vec4"]],
+        Type::Vec4 => &[&["real", "real", "real", "real"], &["real"], &["vec3", "real"]],
+        Type::Mat3 => &[&["vec3", "vec3", "vec3"], &["real"], &["mat4"]],
+        _ => &[&["vec4", "vec4", "vec4", "vec4"], &["real"]],
     }
 }
 
@@ -82,7 +83,7 @@ impl Typing<'_> {
         };
         let message = format!("{} cannot be made of {given}", a_type(ty));
         let error = Diagnostic::error("type-mismatch", message, span)
-            .note(format!("it is made by {}", quoted(ways(ty))));
+            .note(format!("it is made by {}", called(ty.word())));
         self.report.add(error);
     }
 }

@@ -19,13 +19,14 @@ use super::builtin::function_names;
 use super::fields::is_taken;
 use super::file::Fields;
 use super::foreign_words;
+use super::neighbor::path;
 use super::report::Report;
 use super::sequence_names::fold_names;
 use super::signature::FunctionSignature;
 use super::suggestion::suggest;
 use super::testing::mesh_maker;
 use super::unit::Unit;
-use super::words::a_type;
+use super::words::{a_type, plural, short};
 
 /// The meaning of a name of an item.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -377,6 +378,20 @@ impl Declared {
         let mut known = self.attributes.iter();
         let head = known.find(|head| head.element == element && head.name == name)?;
         Some((Access::Declared(head.number), head.ty))
+    }
+
+    /// The note on the elements to which a field belongs, if those of type `ty` lack it; `of` is
+    /// what stands before the dot.
+    pub(super) fn belongs(&self, of: Option<&tree::Expr>, ty: Type, name: &str) -> Option<String> {
+        let mut known = self.attributes.iter().filter(|head| head.name == name);
+        let owners = || known.clone().map(|head| head.element);
+        let near = owners().find_map(|owner| Some((owner, path(ty, owner)?)));
+        Some(match (near, of.and_then(|of| short(of, 3))) {
+            (Some((owner, path)), Some(of)) => {
+                format!("`{name}` belongs to {}: `{of}.{path}.{name}`", plural(owner))
+            }
+            _ => format!("`{name}` belongs to {}", plural(known.next()?.element)),
+        })
     }
 
     /// Records what the word after the dot of a value means, if it means something.

@@ -7,6 +7,7 @@ use crate::diagram::{Edge, Kind, Loop, LoopItem, LoopKind, NameId, Ref, Side, Sp
 use crate::source::Span;
 use crate::syntax::tree::{self, Arrow, LoopKeyword, Statement};
 
+use super::fields::is_pointer;
 use super::lists::{mention, restate};
 use super::mention::path_of;
 use super::names::Names;
@@ -169,6 +170,11 @@ impl<'a> Drawing<'a> {
             Statement::New(_, span) => ("`new`", *span),
             Statement::Erase(_, span) => ("`erase`", *span),
             Statement::Keep(_, span) => ("`keep`", *span),
+            Statement::Assign { attribute, span, .. } if is_pointer(&attribute.text) => {
+                let message = "pointers are not assigned: `before` draws what they are";
+                self.report.add(Diagnostic::error("not-in-before", message, *span));
+                return;
+            }
             Statement::Assign { span, .. } => ("an assignment", *span),
             _ => return,
         };

@@ -5,9 +5,12 @@ use crate::diagram::{Expr, ExprKind, Type, Wanted, overloads};
 use crate::source::Span;
 use crate::syntax::tree::{self, Ident};
 
+use super::condition::declaration;
 use super::fields::{Field, fields_of, is_taken};
 use super::foreign_words::{self, Here};
+use super::neighbor::near;
 use super::sequence_names::sequences_of;
+use super::suggestion::closest;
 use super::typed::typed;
 use super::typing::Typing;
 use super::words::{a_type, quoted, short};
@@ -143,15 +146,31 @@ impl Typing<'_> {
             Here::Written(ours) => fits(ours),
             Here::Said(_) => true,
         });
+        let error = match (here, ours) {
+            (Some(Here::Written(ours)), None) => error.note(format!("it is written `{ours}`")),
+            _ => error,
+        };
         let error = foreign_words::tell(error, word, ours, known.iter().copied().filter(fits));
         let error = error.label(written.span, this);
         let of_halfedge = ty.is_element() && is_taken(Type::Halfedge, &field.text);
+        let belongs = match field.text == "position" {
+            true => near(written, ty, Type::Vec3),
+            false => self.declared.belongs(Some(written), ty, &field.text),
+        };
+        let is_meant = here.is_some() || closest(&field.text, known.iter().copied()).is_some();
         self.report.add(match known.as_slice() {
             [] => error,
+            _ if let Some(note) = belongs.filter(|_| ty.is_element()) => error.note(note),
             _ if of_halfedge && here.is_none() => {
                 error.note(format!("a halfedge has it: read `.halfedge.{0}`", field.text))
             }
-            known => error.note(format!("{} has {}", a_type(ty), quoted(known))),
+            known => {
+                let error = error.note(format!("{} has {}", a_type(ty), quoted(known)));
+                match ty.is_element() && !is_meant {
+                    true => error.note(declaration(&field.text, ty, None)),
+                    false => error,
+                }
+            }
         });
     }
 }

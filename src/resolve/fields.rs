@@ -72,3 +72,10 @@ pub(super) fn attributes_of(ty: Type) -> Vec<&'static str> {
 pub(super) fn is_taken(ty: Type, word: &str) -> bool {
     fields_of(ty).iter().any(|(known, _)| *known == word) || sequences_of(ty).contains(&word)
 }
+
+/// True if an element has a pointer of this name.
+pub(super) fn is_pointer(word: &str) -> bool {
+    let elements = Type::ALL.into_iter().filter(|ty| ty.is_element());
+    let mut fields = elements.flat_map(fields_of);
+    fields.any(|(known, field)| *known == word && matches!(field, Field::Pointer(..)))
+}

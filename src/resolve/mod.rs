@@ -43,6 +43,7 @@ mod constructors;
 mod field;
 mod fields;
 mod lookup;
+mod neighbor;
 mod operator;
 mod overloads;
 mod scopes;

@@ -7,12 +7,13 @@ use crate::syntax::tree::{self, Ident};
 
 use super::builtin::{SHUFFLE, function_names};
 use super::constructors::constructed;
+use super::neighbor::near;
 use super::sequence::is_sequence;
 use super::sequence_names::fold_names;
 use super::testing::mesh_maker;
 use super::typed::{to_real, typed};
 use super::typing::{Place, Typing};
-use super::vocabulary::signatures;
+use super::vocabulary::called;
 use super::words::{a_type, arguments, subject};
 
 /// How well a type fits a parameter.
@@ -135,13 +136,10 @@ impl Typing<'_> {
         };
         let message =
             format!("`{}` takes {}, but {given} {verb} given", function.text, arguments(wanted));
-        let ways = signatures(&function.text).into_iter();
-        let ways: Vec<_> =
-            ways.map(|way| format!("`{}({})`", function.text, way.takes.join(", "))).collect();
         let error = Diagnostic::error("wrong-count", message, span);
-        let error = match ways.is_empty() {
-            true => error,
-            false => error.note(format!("it is {}", one_of(&ways))),
+        let error = match called(&function.text) {
+            ways if ways.is_empty() => error,
+            ways => error.note(format!("it is {ways}")),
         };
         let is_distance = function.text == "length" && given == "2";
         self.report.add(match is_distance {
@@ -183,7 +181,17 @@ impl Typing<'_> {
                 );
                 let error = Diagnostic::error("type-mismatch", message, written.span)
                     .saying(format!("this is {}", a_type(value.ty)));
-                self.report.add(error);
+                let mut types: Vec<Type> = left
+                    .iter()
+                    .flat_map(|way| match way.wanted[place] {
+                        Wanted::Is(ty) => vec![ty],
+                        Wanted::Point => vec![Type::Vertex, Type::Vec3],
+                    })
+                    .collect();
+                // One halfedge of several is meant least.
+                types.sort_by_key(|ty| *ty == Type::Halfedge);
+                let meant = types.into_iter().find_map(|ty| near(written, value.ty, ty));
+                self.report.add(meant.into_iter().fold(error, Diagnostic::note));
                 return;
             }
             left = still;

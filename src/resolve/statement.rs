@@ -189,6 +189,14 @@ impl Scripting<'_> {
             _ => {
                 let message = "only a variable or an attribute of an element can be assigned";
                 let error = Diagnostic::error("not-assignable", message, target.span);
+                let error = match attribute_called(target) {
+                    Some((attribute, of))
+                        if self.typing.declared.element_with(attribute).is_some() =>
+                    {
+                        error.note(format!("an attribute stands behind a dot: `{of}.{attribute}`"))
+                    }
+                    _ => error,
+                };
                 self.typing.report.add(error.label(span, ""));
                 None
             }
@@ -230,22 +238,15 @@ impl Scripting<'_> {
             Some(ty) => {
                 let typed = self.typing.expression(value)?;
                 let is_wider = (ty, typed.ty) == (Type::Int, Type::Real);
-                let divides =
-                    matches!(value.kind, tree::ExprKind::Binary(tree::BinaryOp::Divide, ..));
                 match converted(value, typed, ty, &format!("`{word}`")) {
                     Ok(value) => value,
                     Err(error) => {
                         let error =
                             error.label(local.span, format!("`{word}` is {} here", a_type(ty)));
                         let is_wider = is_wider && local.binding == Binding::Var;
-                        self.typing.report.add(match (is_wider, divides) {
-                            (true, false) => {
-                                error.note(format!("`var {word}: real = …` makes it a real"))
-                            }
-                            (true, true) => error.note(format!(
-                                "`/` gives a real, `div` an int; `var {word}: real = …` makes it a real"
-                            )),
-                            (false, _) => error,
+                        self.typing.report.add(match is_wider {
+                            true => error.note(format!("`var {word}: real = …` makes it a real")),
+                            false => error,
                         });
                         return None;
                     }
@@ -284,9 +285,11 @@ impl Scripting<'_> {
             self.typing.report.add(error);
             return None;
         }
-        let (attribute, ty) = self.typing.attribute_of(target.ty, field)?;
+        let typed = self.typing.expression(value);
+        let of = typed.as_ref().map(|value| value.ty);
+        let (attribute, ty) = self.typing.attribute_of(target.ty, field, of)?;
         let whose = format!("`{}`", field.text);
-        let value = self.typing.expression_as(value, ty, &whose)?;
+        let value = self.typing.convert(value, typed?, ty, &whose)?;
         Some(StatementKind::Write { target, attribute, value })
     }
 
@@ -471,6 +474,21 @@ fn is_broken(expr: &tree::Expr) -> bool {
 fn plain_name(expr: &tree::Expr) -> Option<&Ident> {
     match &expr.kind {
         tree::ExprKind::Name(name) if name.index.is_none() => Some(&name.ident),
+        _ => None,
+    }
+}
+
+/// The words `q` and `v` of `q(v)` or `q[v]`.
+fn attribute_called(expr: &tree::Expr) -> Option<(&str, &str)> {
+    match &expr.kind {
+        tree::ExprKind::Call { function, args } => match args.as_slice() {
+            [of] => Some((&function.text, &plain_name(of)?.text)),
+            _ => None,
+        },
+        tree::ExprKind::Name(name) => {
+            let of = name.index.as_ref()?.variable.as_ref()?;
+            Some((&name.ident.text, &of.text))
+        }
         _ => None,
     }
 }

@@ -11,6 +11,15 @@ use super::words::quoted;
 
 /// The type of this name; reports an unknown one.
 pub(super) fn type_named(word: &Ident, report: &mut Report) -> Option<Type> {
+    type_among(word, |_| true, report)
+}
+
+/// The type of this name; reports an unknown one, with those that `fit`.
+pub(super) fn type_among(
+    word: &Ident,
+    fit: impl Fn(&Type) -> bool,
+    report: &mut Report,
+) -> Option<Type> {
     let found = Type::ALL.into_iter().find(|ty| ty.word() == word.text);
     if found.is_some() {
         return found;
@@ -22,9 +31,9 @@ pub(super) fn type_named(word: &Ident, report: &mut Report) -> Option<Type> {
     }
     let message = format!("there is no type `{}`", word.text);
     let error = Diagnostic::error("unknown-type", message, word.span);
-    let known = Type::ALL.map(Type::word);
-    let ours = type_word(&word.text).map(Here::Written);
-    let error = foreign_words::tell(error, (&word.text, word.span), ours, known)
+    let known: Vec<&str> = Type::ALL.into_iter().filter(fit).map(Type::word).collect();
+    let ours = type_word(&word.text).filter(|ours| known.contains(ours)).map(Here::Written);
+    let error = foreign_words::tell(error, (&word.text, word.span), ours, known.iter().copied())
         .note(format!("the types are {}", quoted(&known)));
     report.add(error);
     None

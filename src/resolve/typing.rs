@@ -4,13 +4,14 @@
 //! in the modules next to it. `None` always means that an error has been reported.
 
 use crate::diagnostic::Diagnostic;
-use crate::diagram::{Expr, ExprKind, Type};
+use crate::diagram::{Expr, ExprKind, Type, Unary};
 use crate::source::Span;
 use crate::syntax::tree;
 
 use super::declared::Declared;
 use super::depth::{left_side, shallow_expr};
 use super::names::Names;
+use super::neighbor::near;
 use super::report::Report;
 use super::scopes::{Binding, Local, Scopes};
 use super::signature::Signature;
@@ -281,17 +282,38 @@ pub(super) fn converted(
     let message = format!("{whose} wants {wants}, but {what} is {is}");
     let error = Diagnostic::error("type-mismatch", message, expr.span);
     let error = error.saying(format!("this is {is}"));
-    let pointer = match (ty, wanted) {
-        (Type::Halfedge, Type::Edge) => Some("edge"),
-        (Type::Halfedge, Type::Face) => Some("face"),
-        (Type::Edge | Type::Vertex | Type::Face, Type::Halfedge) => Some("halfedge"),
-        (Type::Vertex, Type::Vec3) => Some("position"),
-        _ => None,
-    };
-    Err(match pointer {
-        Some(pointer) => with_field(error, expr, pointer),
-        None => error,
+    Err(match (wanted, ty) {
+        (Type::Vec3, Type::Vertex) => with_field(error, expr, "position"),
+        (Type::Int, Type::Real) => with_div(error, expr, &value),
+        _ => match near(expr, ty, wanted) {
+            Some(note) => error.note(note),
+            None => error,
+        },
     })
+}
+
+/// The error with the fix that ints are divided by `div`, if they are divided by `/`.
+fn with_div(error: Diagnostic, expr: &tree::Expr, value: &Expr) -> Diagnostic {
+    let (
+        tree::ExprKind::Binary(tree::BinaryOp::Divide, left, right),
+        ExprKind::Binary(_, first, second),
+    ) = (&expr.kind, &value.kind)
+    else {
+        return error;
+    };
+    let was_int = |operand: &Expr| matches!(operand.kind, ExprKind::Unary(Unary::ToReal, _));
+    if !was_int(first) || !was_int(second) {
+        return error;
+    }
+    let error = error.note("`/` gives a real, `div` an int");
+    // If more stands between them than a sign and its spaces, it is a comment.
+    match right.span.start.checked_sub(left.span.end) {
+        Some(1..=3) => {
+            let between = Span { start: left.span.end, ..right.span.before() };
+            error.fix("write `div`", between, " div ")
+        }
+        _ => error,
+    }
 }
 
 /// The error with the fix that a name is followed by a field.

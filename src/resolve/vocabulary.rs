@@ -1,8 +1,10 @@
 //! The words of the language that are not keywords, for completion and explanations.
 
+use crate::diagnostic::one_of;
 use crate::diagram::{Type, Wanted, overloads};
 
 use super::builtin::{SHUFFLE, function_names};
+use super::constructors::{constructed, ways};
 use super::field::{Entry, entries_of};
 use super::lookup::CONSTANTS;
 use super::sequence_names::{WHOLE_MESH, fold_names, sequences_of};
@@ -42,19 +44,9 @@ pub fn function_words() -> impl Iterator<Item = &'static str> {
 
 /// The signatures of a built-in function; empty if there is no such function.
 pub fn signatures(function: &str) -> Vec<Signature> {
-    for (ty, count) in [(Type::Vec2, 2), (Type::Vec3, 3), (Type::Vec4, 4)] {
-        if function == ty.word() {
-            let takes = vec!["real"; count];
-            let gives = Some(ty);
-            return vec![Signature { takes, gives }];
-        }
-    }
-    for (ty, column, count) in [(Type::Mat3, Type::Vec3, 3), (Type::Mat4, Type::Vec4, 4)] {
-        if function == ty.word() {
-            let takes = vec![column.word(); count];
-            let gives = Some(ty);
-            return vec![Signature { takes, gives }];
-        }
+    if let Some(ty) = constructed(function) {
+        let ways = ways(ty).iter();
+        return ways.map(|takes| Signature { takes: takes.to_vec(), gives: Some(ty) }).collect();
     }
     if function == SHUFFLE {
         return vec![Signature { takes: vec!["sequence"], gives: None }];
@@ -73,6 +65,13 @@ pub fn signatures(function: &str) -> Vec<Signature> {
         });
     }
     ways
+}
+
+/// The ways to call a built-in function, for messages.
+pub(super) fn called(function: &str) -> String {
+    let ways = signatures(function).into_iter();
+    let ways: Vec<_> = ways.map(|way| format!("`{function}({})`", way.takes.join(", "))).collect();
+    one_of(&ways)
 }
 
 fn word(wanted: Wanted) -> &'static str {

@@ -22,6 +22,14 @@ pub(super) fn a_type(ty: Type) -> &'static str {
     }
 }
 
+/// The elements of a type, in the plural.
+pub(super) fn plural(ty: Type) -> String {
+    match ty {
+        Type::Vertex => "vertices".to_owned(),
+        ty => format!("{}s", ty.word()),
+    }
+}
+
 /// Each word in backticks, joined by commas.
 pub(super) fn quoted<S: AsRef<str>>(words: &[S]) -> String {
     let words: Vec<String> = words.iter().map(|w| format!("`{}`", w.as_ref())).collect();
