@@ -63,13 +63,21 @@ impl<'t> Match<'t, '_> {
         };
         let mut text = String::new();
         let mut at = first.place.start;
-        for piece in pieces {
+        let mut rest = pieces.iter();
+        while let Some(piece) = rest.next() {
             text.push_str(template.get(at..piece.place.start).unwrap_or(""));
-            match piece.hole.and_then(|hole| self.hole(hole)) {
-                Some(range) => text.push_str(self.text(piece.hole, range)),
-                None => text.push_str(template.get(piece.place.clone()).unwrap_or("")),
-            }
             at = piece.place.end;
+            let Some(range) = piece.hole.and_then(|hole| self.hole(hole)) else {
+                text.push_str(template.get(piece.place.clone()).unwrap_or(""));
+                continue;
+            };
+            // An operand of one token stands without parentheses.
+            let bare = [" (", "-("].iter().any(|open| text.ends_with(open));
+            if bare && range.len() == 1 && template[at..].starts_with(')') {
+                text.pop();
+                at = rest.next().map_or(at, |closing| closing.place.end);
+            }
+            text.push_str(self.text(piece.hole, range));
         }
         text.push_str(template.get(at..last.place.end).unwrap_or(""));
         text
@@ -113,7 +121,7 @@ impl<'t> Match<'t, '_> {
         let elements = self.form.seen().elements.len();
         let count = elements - usize::from(self.is_end(elements.wrapping_sub(1)));
         let (front, back) = self.shared(pieces);
-        let text = self.filled(&pieces[front..pieces.len() - back], template);
+        let text = folded(self.filled(&pieces[front..pieces.len() - back], template));
         let tokens = self.parts[front..count - back].iter().cloned();
         let tokens = tokens.filter(|range| !range.is_empty());
         let (first, last) = tokens.fold((usize::MAX, 0), |(first, last), range| {
@@ -214,4 +222,15 @@ impl<'t> Match<'t, '_> {
         let mut literal = elements.filter(|(element, _)| matches!(element.what, What::Written(_)));
         literal.next().map_or("", |(_, range)| self.item.slice(range.clone()))
     }
+}
+
+/// The text of a range or its end, with `11` in place of `10 + 1`.
+fn folded(text: String) -> String {
+    let next = || {
+        let end = text.strip_suffix(" + 1")?;
+        let before = end.trim_end_matches(|c: char| c.is_ascii_digit());
+        let next = end[before.len()..].parse::<i64>().ok()?.checked_add(1)?;
+        (before.is_empty() || before.ends_with("..")).then(|| format!("{before}{next}"))
+    };
+    next().unwrap_or(text)
 }

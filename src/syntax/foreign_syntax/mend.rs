@@ -100,7 +100,13 @@ fn matching(
 fn foreign(item: &mut Item, at: usize, place: Places) -> Found {
     let span = item.tokens[at].span;
     let (span, written) = item.comment(at).unwrap_or((span, item.word(at)));
-    let around = Around { alone: item.is_last(at), place };
+    let (before, behind) = item.around(span.start, span.end);
+    let around = Around {
+        before: before.rsplit('\n').next().unwrap_or(""),
+        behind: behind.split('\n').next().unwrap_or(""),
+        at_item: place == HEAD && begins_item(behind),
+        place,
+    };
     let Sign { kind, says, fix } = sign(written, span, around);
     let first = item.word(at).chars().next().map_or(0, u32::from);
     match kind {
@@ -115,6 +121,12 @@ fn foreign(item: &mut Item, at: usize, place: Places) -> Found {
         ends: false,
         is_sign: true,
     }
+}
+
+/// True if a text begins with an item that has a doc comment.
+fn begins_item(text: &str) -> bool {
+    let word = text.split_whitespace().next();
+    matches!(word, Some("op" | "script" | "fn" | "attr" | "private"))
 }
 
 /// A misspelling of a keyword that can begin something here.

@@ -102,11 +102,6 @@ impl<'t> Item<'t> {
         Some((Span { end: span.start + end as u32, ..span }, rest.get(..end)?))
     }
 
-    /// True if nothing follows a token on its line.
-    pub(super) fn is_last(&self, at: usize) -> bool {
-        at + 1 >= self.tokens.len() || self.between(at + 1).contains('\n')
-    }
-
     /// The text before and after a place.
     pub(super) fn around(&self, start: u32, end: u32) -> (&'t str, &'t str) {
         let before = self.text.get(..start as usize);

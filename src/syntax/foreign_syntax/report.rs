@@ -154,7 +154,8 @@ fn title(text: &str, span: Span, edits: &[Edit]) -> String {
     {
         return format!("write `{}`", only.text.trim());
     }
-    match (here.is_empty(), mended.is_empty()) {
+    let is_moved = here.iter().any(|edit| edit.text.contains('\n'));
+    match (here.is_empty() || is_moved, mended.is_empty()) {
         (true, _) | (_, true) if new.is_empty() => {
             format!("leave out `{}`", edits.first().map(old).unwrap_or_default())
         }

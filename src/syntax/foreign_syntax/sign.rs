@@ -16,9 +16,13 @@ pub(super) struct Sign {
 }
 
 /// The surroundings of a foreign sign.
-pub(super) struct Around {
-    /// True if nothing follows it on its line.
-    pub alone: bool,
+pub(super) struct Around<'t> {
+    /// The text before it on its line.
+    pub before: &'t str,
+    /// The text behind it on its line.
+    pub behind: &'t str,
+    /// True if an item begins behind it.
+    pub at_item: bool,
     /// Its place in the program.
     pub place: Places,
 }
@@ -45,7 +49,7 @@ pub(super) fn sign(written: &str, span: Span, around: Around) -> Sign {
         '/' => Sign {
             kind: None,
             says: "a comment begins with `//` and ends with its line".to_owned(),
-            fix: if around.alone { whole(lines(written)) } else { whole(String::new()) },
+            fix: Some(comment(written, span, &around)),
         },
         '\'' if around.place == DRAWING || !written[1..].ends_with('\'') => {
             let name = written.trim_matches('\'');
@@ -78,10 +82,28 @@ pub(super) fn sign(written: &str, span: Span, around: Around) -> Sign {
     }
 }
 
-/// A `/* … */` comment rewritten with `//`.
-fn lines(written: &str) -> String {
+/// A `/* … */` comment rewritten with `//`; if something follows on its line, it moves to a line
+/// of its own before.
+fn comment(written: &str, span: Span, around: &Around) -> (Span, String) {
+    let Around { before, behind, .. } = around;
+    let marks = match written.starts_with("/**") && around.at_item && before.trim().is_empty() {
+        true => "///",
+        false => "//",
+    };
+    let indent = &before[..before.len() - before.trim_start().len()];
+    let end = format!("\n{indent}");
     let inside = written.trim_start_matches("/*").trim_end_matches("*/");
     let lines = inside.lines().map(|line| line.trim().trim_start_matches(['*', '!']).trim());
-    let lines = lines.filter(|line| !line.is_empty()).map(|line| format!("// {line}"));
-    lines.collect::<Vec<_>>().join("\n")
+    let lines = lines.filter(|line| !line.is_empty()).map(|line| format!("{marks} {line}"));
+    let lines = lines.collect::<Vec<_>>().join(&end);
+    let rest = behind.trim_start();
+    if rest.is_empty() {
+        return (span, lines);
+    }
+    let kept = before.trim();
+    let blank = if kept.is_empty() { "" } else { " " };
+    let (start, blanks) =
+        ((before.len() - indent.len()) as u32, (behind.len() - rest.len()) as u32);
+    let moved = Span { start: span.start - start, end: span.end + blanks, ..span };
+    (moved, format!("{lines}{end}{kept}{blank}"))
 }

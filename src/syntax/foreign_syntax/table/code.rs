@@ -6,27 +6,19 @@ use crate::syntax::foreign_syntax::place::{CODE, HEAD, PARTS};
 const CHANGED: &str = "a script changes a mesh by calling operations: `dissolve_edge(e)`";
 const REFUSED: &str = "`must` stops where an op refuses, `if let x = …` asks";
 
+const PRINTED: &str = "values are printed by `print \"{count(edges)} edges\"`";
 const RANGE: &str = "a range is `0..n`: from 0 up to, but without, n";
 
 pub(super) const LINES: &[Line] = &[
-    told(
-        CODE,
-        "std :: cout/cerr $l:line",
-        "",
-        "values are printed by `print \"{count(edges)} edges\"`",
-    ),
-    told(
-        CODE,
-        "^cout/cerr < $l:line",
-        "",
-        "values are printed by `print \"{count(edges)} edges\"`",
-    ),
+    told(CODE, "std :: cout/cerr $l:line", "", PRINTED),
+    told(CODE, "^cout/cerr < ~< $x $:end", "print $x", "it is `print $x`"),
+    told(CODE, "^cout/cerr < $l:line", "", PRINTED),
     sure(CODE, "^print : $l:line", "print $l", "no colon stands behind `print`"),
     told(
-        CODE,
-        "^print $t:text % $l:line",
-        "print $t",
-        "values stand in the text that is printed: `print \"{count(edges)} edges\"`",
+        CODE | PARTS,
+        "$t:text % $l:line",
+        "$t",
+        "values stand in a text that is printed: `print \"n={count(edges)}\"`",
     ),
     fixed(CODE, "` $a:part `", "true", "\"$a\"", "a text stands in double quotes"),
     sure(CODE, "^$f ( $a:inside ) ~!/?", "must $f($a)", REFUSED),

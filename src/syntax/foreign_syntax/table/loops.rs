@@ -60,6 +60,8 @@ pub(super) const LINES: &[Line] = &[
     told(CODE, "^parallel for $n in $s:some by $k:some {", "parallel for $n in $s {", ORDERED),
     sure(CODE, "^for each/all/every $n in", "for $n in", "a loop is `for $n in … { … }`"),
     sure(CODE, "^for $t:word $n in", "for $n in", "a variable has no kind: `for $n in …`"),
+    sure(CODE, "^for $i in/= $a:part to/upto/through $b:part {", "for $i in $a..$b + 1 {", COUNTED),
+    told(CODE, "^for $i in/= $a:part ,/:/downto $b:part {", "for $i in $a..$b {", COUNTED),
     sure(CODE, "^for $n :/of/= $s:part {", "for $n in $s {", "a loop is `for $n in … { … }`"),
     sure(CODE, "^for $i in $a:part .. = $n:part {", "for $i in $a..$n + 1 {", COUNTED),
     sure(CODE, "^repeat $i in/=/: $a:part .. $n:part {", "for $i in $a..$n {", COUNTED),

@@ -1,7 +1,7 @@
 //! Statements of drawings.
 
 use super::{Line, STEPS, VALUES, sure, told};
-use crate::syntax::foreign_syntax::place::DRAWING;
+use crate::syntax::foreign_syntax::place::{DRAWING, PARTS};
 
 const HALFEDGE: &str =
     "a halfedge is drawn in its loop, `face f: v0 -a-> v1 …`, and has no statement of its own";
@@ -11,10 +11,12 @@ const OWN_ENDS: &str = "an edge names its two halfedges, not its ends: `edge e: 
 const BACKWARDS: &str = "arrows run forward, around the face: `v0 -$a-> v1`";
 const DRAWN: &str = "a drawing has no `{}`: alternatives are `rule name { … }`, a refusal is `require c else \"…\"`, and `each i { … }` repeats a period";
 const AROUND: &str = "the index runs around, after the last comes the first: `v[i+1]`";
+const FORWARD: &str = "an index does not run backwards: a subscript is `i`, or `i` plus or minus a constant of at most 4, as in `v[i+1]`";
 const OUTER: &str = "the twin has a name of its own: `edge $e: $a | $a'`";
 const ARROW: &str = "a halfedge is drawn `v0 -a-> v1`, a path `v0 =P=> v1`";
 
 pub(super) const LINES: &[Line] = &[
+    told(DRAWING | PARTS, "~[ - $x:inside ]", "[ $x ]", FORWARD),
     told(
         DRAWING,
         "^if/for/while/repeat/foreach/unless $h:inside { $b:inside } else { $c:inside }",

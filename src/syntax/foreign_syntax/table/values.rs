@@ -17,6 +17,8 @@ pub(super) const LINES: &[Line] = &[
     told(CODE | PARTS, "is $b=None/null/nil/nullptr/NULL", "!= true", EXISTS),
     sure(CODE | PARTS, "is not $b:word", "!= $b", "`is not` is written `!=`"),
     sure(CODE | PARTS, "is $b:word", "== $b", "`is` is written `==`"),
+    sure(CODE | PARTS, "is not $b:number", "!= $b", "`is not` is written `!=`"),
+    sure(CODE | PARTS, "is $b:number", "== $b", "`is` is written `==`"),
     told(
         CODE | PARTS,
         "not in $s:word",
@@ -81,7 +83,12 @@ pub(super) const LINES: &[Line] = &[
         ".$p",
         "a pointer is read behind a dot: `.$p`",
     ),
-    sure(CODE | PARTS, "~-> ~$p:word", ".$p", "a pointer is read behind a dot: `.$p`"),
+    told(
+        CODE | PARTS,
+        "~-> ~$p:word",
+        ".$p",
+        "what belongs to an element stands behind a dot, `.$p`; what is called stands in front, `$p(…)`",
+    ),
     sure(
         CODE | PARTS,
         "$b=(/,/=/+/-/{/}/return/not/and/or/if/while/where/by/require/print/assert/else/</>/<=/>=/==/!= $x . $f=adjacent/distance/dot/cross/angle ~( $y:inside )",
@@ -136,6 +143,12 @@ pub(super) const LINES: &[Line] = &[
         "$f=sum/mean/min/max/argmin/argmax/any/all/count ( $g ( $b:inside ) in $s:inside )",
         "true",
         "an aggregate is `$f(length(e) for e in edges)`",
+    ),
+    told(
+        CODE | PARTS,
+        "$f=min/max ( $s:some , key = $k:word )",
+        "true",
+        "the element itself is `arg$f($k(x) for x in $s)`",
     ),
     told(
         CODE,

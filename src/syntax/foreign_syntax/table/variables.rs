@@ -3,7 +3,23 @@
 use super::{Line, TYPED, fixed, sure, told};
 use crate::syntax::foreign_syntax::place::CODE;
 
+const CHOSEN: &str = "a variable has a value from the beginning; an element is one of those there are: `var $n = argmin(length(e) for e in edges)`";
+
 pub(super) const LINES: &[Line] = &[
+    told(CODE, "^let/var $n : $t=vertex/halfedge/edge/face $:end", "", CHOSEN),
+    told(CODE, "^$t=vertex/halfedge/edge/face $n $:end", "", CHOSEN),
+    told(
+        CODE,
+        "^let/var $n : $t=vec2/vec3/vec4/mat3/mat4 $:end",
+        "",
+        "a variable has a value from the beginning: `var $n = $t(0)`",
+    ),
+    told(
+        CODE,
+        "^let/var $n : bool $:end",
+        "",
+        "a variable has a value from the beginning: `var $n = false`",
+    ),
     told(
         CODE,
         "^let/var $n : $t:word $:end",
