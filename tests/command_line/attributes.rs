@@ -162,7 +162,7 @@ fn a_default_that_used_files_need_is_asked_for_once() {
     bench.write("s.hedge", program);
     let said = bench.run(&["check", "s.hedge"]);
     assert_eq!((said.code, said.err.matches("error[").count()), (1, 1), "{said:?}");
-    let way_out = "give it a default: `attr w: vertex vec3 = vec3(0)`";
+    let way_out = "write `attr w: vertex vec3 = vec3(0)`";
     assert!(said.err.contains(way_out), "{}", said.err);
     bench.write("s.hedge", program.replace("attr w: vertex vec3", "attr w: vertex vec3 = vec3(0)"));
     bench.succeeds(&["check", "s.hedge"]);
