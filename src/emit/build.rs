@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::NotEmitted;
 use super::conventions::Conventions;
-use super::expression::{Expressions, is_spelled, is_surely_finite, parameters};
+use super::expression::{Expressions, ORDINARY, is_spelled, is_surely_finite, parameters};
 use super::guard;
 use super::item::{Alternative, Item, ItemBody, Signature};
 use super::matching::Matching;
@@ -195,7 +195,7 @@ fn conjuncts(term: Term, parts: &mut Vec<Term>) {
 
 /// The reason to refuse a new position, if it may be infinite.
 fn refusal<'v>(assigned: &'v Value) -> Option<&'v String> {
-    assigned.infinite.as_ref().filter(|_| !is_surely_finite(assigned.value))
+    assigned.infinite.as_ref().filter(|_| !is_surely_finite(assigned.value, ORDINARY))
 }
 
 /// Evaluates the right-hand sides on the mesh before any change, and returns the statements that

@@ -192,37 +192,50 @@ pub(super) fn collection_words(collection: &Collection) -> &'static str {
     }
 }
 
-/// The greatest size of a number in a value that is finite by its form. The positions of a mesh are
-/// taken to be no larger.
-const ORDINARY: f64 = 1e50;
+/// The size of the positions of a mesh: emitted code takes them to be no larger.
+pub(super) const ORDINARY: f64 = 1e50;
 
-/// True if a value is finite for all positions of ordinary size: sums, differences, products, means
-/// and mixtures, and quotients by a literal that is not zero.
-pub(super) fn is_surely_finite(expr: &Expr) -> bool {
+/// True if a value is finite by its form, for positions of at most the given size.
+pub(super) fn is_surely_finite(expr: &Expr, positions: f64) -> bool {
+    // Far from the greatest number, so that what is in between is finite, too.
+    greatest(expr, positions).is_some_and(|size| size <= 1e300)
+}
+
+/// The greatest size of a value or of its components, for sums, differences, products, means and
+/// mixtures of positions and literals, and quotients by a literal.
+fn greatest(expr: &Expr, positions: f64) -> Option<f64> {
+    let of = |expr: &Expr| greatest(expr, positions);
+    let sides = |left, right| Some([of(left)?, of(right)?]);
     match &expr.kind {
-        ExprKind::Int(_) | ExprKind::Read(Access::Position, _) => true,
-        ExprKind::Real(value) => value.abs() <= ORDINARY,
-        ExprKind::Component(_, of) | ExprKind::Unary(_, of) => is_surely_finite(of),
-        ExprKind::Vector(parts) => parts.iter().all(is_surely_finite),
+        ExprKind::Int(value) => Some(value.unsigned_abs() as f64),
+        ExprKind::Real(value) => Some(value.abs()),
+        ExprKind::Read(Access::Position, _) => Some(positions),
+        ExprKind::Component(_, whole) => of(whole),
+        ExprKind::Unary(_, operand) => of(operand),
+        ExprKind::Vector(parts) => {
+            parts.iter().try_fold(0.0, |most, part| Some(of(part)?.max(most)))
+        }
         ExprKind::Binary(operator, left, right) => match operator {
-            Binary::AddReal
-            | Binary::SubtractReal
-            | Binary::MultiplyReal
-            | Binary::AddVector
-            | Binary::SubtractVector
-            | Binary::MultiplyVector
-            | Binary::ScaleVector => is_surely_finite(left) && is_surely_finite(right),
-            Binary::DivideReal | Binary::DivideVector => {
-                is_surely_finite(left) && is_not_zero(right)
+            Binary::AddReal | Binary::SubtractReal | Binary::AddVector | Binary::SubtractVector => {
+                sides(left, right).map(|[left, right]| left + right)
             }
-            _ => false,
+            Binary::MultiplyReal | Binary::MultiplyVector | Binary::ScaleVector => {
+                sides(left, right).map(|[left, right]| left * right)
+            }
+            Binary::DivideReal | Binary::DivideVector => Some(of(left)? / literal(right)?),
+            _ => None,
         },
-        ExprKind::Call(builtin, args) => match builtin {
-            Builtin::CentroidEdge | Builtin::CentroidFace => true,
-            Builtin::MixReal | Builtin::MixVector => args.iter().all(is_surely_finite),
-            _ => false,
+        ExprKind::Call(builtin, args) => match (builtin, args.as_slice()) {
+            (Builtin::CentroidEdge | Builtin::CentroidFace, _) => Some(positions),
+            (Builtin::MixReal | Builtin::MixVector, [from, to, part]) => {
+                let [from, to] = sides(from, to)?;
+                Some(from + (from + to) * of(part)?)
+            }
+            _ => None,
         },
-        ExprKind::If(_, then, otherwise) => is_surely_finite(then) && is_surely_finite(otherwise),
+        ExprKind::If(_, then, otherwise) => {
+            sides(then, otherwise).map(|[then, otherwise]| then.max(otherwise))
+        }
         ExprKind::Bool(_)
         | ExprKind::Text(_)
         | ExprKind::Element(_)
@@ -233,16 +246,17 @@ pub(super) fn is_surely_finite(expr: &Expr) -> bool {
         | ExprKind::Invoke(..)
         | ExprKind::Try(..)
         | ExprKind::Let(..)
-        | ExprKind::Fold(_) => false,
+        | ExprKind::Fold(_) => None,
     }
 }
 
-fn is_not_zero(expr: &Expr) -> bool {
+/// The size of a literal number.
+fn literal(expr: &Expr) -> Option<f64> {
     match &expr.kind {
-        ExprKind::Real(value) => (1.0 / ORDINARY..=ORDINARY).contains(&value.abs()),
-        ExprKind::Int(value) => *value != 0,
-        ExprKind::Unary(Unary::ToReal, of) => is_not_zero(of),
-        _ => false,
+        ExprKind::Real(value) => Some(value.abs()),
+        ExprKind::Int(value) => Some(value.unsigned_abs() as f64),
+        ExprKind::Unary(Unary::ToReal, of) => literal(of),
+        _ => None,
     }
 }
 

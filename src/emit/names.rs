@@ -29,7 +29,7 @@ pub(super) fn free(wanted: &str, reserved: &[String], taken: &mut BTreeSet<Strin
     let mut free = unreserved(&word, reserved);
     let mut number = 2;
     while !taken.insert(free.clone()) {
-        free = format!("{}_{number}", word.trim_end_matches('_'));
+        free = unreserved(&format!("{}_{number}", word.trim_end_matches('_')), reserved);
         number += 1;
     }
     free

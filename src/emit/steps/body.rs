@@ -323,7 +323,7 @@ impl<'s> Writer<'s> {
         value: &Expr,
         out: &mut Vec<routine::Statement>,
     ) -> Result<(), NotEmitted> {
-        let is_finite = is_surely_finite(value);
+        let is_finite = is_surely_finite(value, f64::INFINITY);
         let (ty, span) = (value.ty, value.span);
         let (target_ty, element) = (target.ty, self.term(target)?);
         let value = self.term(value)?;

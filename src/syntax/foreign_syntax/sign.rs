@@ -44,7 +44,7 @@ pub(super) fn sign(written: &str, span: Span, around: Around) -> Sign {
         '#' => Sign {
             kind: None,
             says: "a comment begins with `//`".to_owned(),
-            fix: Some((Span { end: span.start + 1, ..span }, "//".to_owned())),
+            fix: may_end(&around).then(|| (Span { end: span.start + 1, ..span }, "//".to_owned())),
         },
         '/' => Sign {
             kind: None,
@@ -106,4 +106,21 @@ fn comment(written: &str, span: Span, around: &Around) -> (Span, String) {
         ((before.len() - indent.len()) as u32, (behind.len() - rest.len()) as u32);
     let moved = Span { start: span.start - start, end: span.end + blanks, ..span };
     (moved, format!("{lines}{end}{kept}{blank}"))
+}
+
+/// True if a comment may follow what stands before it on its line: nothing, or what can be the end
+/// of a statement. Elsewhere it would hide what is missing.
+fn may_end(around: &Around) -> bool {
+    let before = around.before.trim_end();
+    let is_part = |c: char| c.is_alphanumeric() || matches!(c, '_' | '\'');
+    let word = before.rsplit(|c| !is_part(c)).next().unwrap_or("");
+    let is_open = T::KEYWORDS.iter().any(|&(keyword, kind)| {
+        keyword == word && !matches!(kind, T::True | T::False | T::Break | T::Continue)
+    });
+    let edge = before.rsplit_once("edge ").filter(|_| around.place == DRAWING);
+    let is_half = edge.is_some_and(|(_, last)| !last.contains('|'));
+    let ends = before.is_empty()
+        || before.ends_with(is_part)
+        || before.ends_with(['}', '{', ')', ']', '"', '*', ';']);
+    ends && !is_open && !is_half
 }

@@ -28,8 +28,8 @@ fn is_free(op: &str, word: &str) -> bool {
     Analysis::of(&sources, file).is_sound()
 }
 
-/// For each word an operation that is called so, a parameter, a halfedge, a path, a family, a
-/// rule, a function and its variable.
+/// For each word an operation that is called so, a parameter, a halfedge, a vertex with a prime, a
+/// path, a family, a rule, a function and its variable.
 fn program() -> String {
     let mut text = String::new();
     for (at, word) in words().into_iter().enumerate() {
@@ -40,13 +40,13 @@ fn program() -> String {
 op {word}_of_{at}({word}: edge, share: real = 0.5) {{
   rule {word} {{
     before {{
-      face f0: v0 -a-> v1 -b-> v2 =P=> v0
-      face f1: v1 -d-> v0 =Q=> v1
+      face f0: {word}' -a-> v1 -b-> v2 =P=> {word}'
+      face f1: v1 -d-> {word}' =Q=> v1
       edge {word}: a | d
     }}
     require twice_{at}(share) > 0.0 else \"ends in {word} \\\\\"
     after {{
-      v0.position = mix(v0.position, v1.position, share)
+      {word}'.position = mix({word}'.position, v1.position, share)
       keep f0 f1 {word}
     }}
   }}
