@@ -255,7 +255,7 @@ def test_what_is_no_outcome_and_no_number_is_said_to_be_none(ops, sphere):
         with pytest.raises(TypeError, match="`near` wants what an action gave"):
             ops.flip.can(sphere, near=near)
     for number in (-1, 2**32, 10**30, np.int64(-5)):
-        with pytest.raises(hedgerow.ArgumentError, match=f"`e` is not an edge of the mesh: {number}"):
+        with pytest.raises(hedgerow.ArgumentError, match=f"`e` is no edge of the mesh: {number}"):
             ops.flip(sphere, number)
     for other in (1.0, True, "1", None, [1]):
         with pytest.raises(TypeError, match="`e` wants the number of an edge"):
