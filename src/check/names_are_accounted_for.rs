@@ -210,18 +210,18 @@ impl Law<'_> {
     fn loop_is_missing(&mut self, orbits: &[(&Loop, Vec<Ref>)]) {
         let drawing = self.drawing;
         let rule = drawing.rule;
-        let is_whole = |(orbit, items): &(&Loop, Vec<Ref>)| items.len() == orbit.items.len();
-        let is_whole = orbits.len() == 1 && is_whole(&orbits[0]);
-        let open: Vec<_> =
-            orbits.iter().flat_map(|(_, missing)| missing).map(|item| item.name).collect();
+        let is_whole = matches!(orbits, [(orbit, items)] if items.len() == orbit.items.len());
+        let names_of = |orbits: &[(&Loop, Vec<Ref>)]| -> Vec<NameId> {
+            orbits.iter().flat_map(|(_, missing)| missing).map(|item| item.name).collect()
+        };
+        let open = names_of(orbits);
         // In an unrolled rule, the first member is reported for its family.
         let mut orbits = orbits.to_vec();
         for (_, items) in &mut orbits {
             let mut written = BTreeSet::new();
             items.retain(|item| written.insert(item.span));
         }
-        let names: Vec<_> =
-            orbits.iter().flat_map(|(_, missing)| missing).map(|item| item.name).collect();
+        let names = names_of(&orbits);
         let list = enumerate(rule, &names);
         let message = if names.len() == 1 && drawing.after.mention(names[0]).is_none() {
             format!("{list} is neither reassigned nor erased")

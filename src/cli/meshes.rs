@@ -207,7 +207,11 @@ pub(super) fn write(
     let format = format(path)?;
     interrupt::listen();
     interrupt::expect_none()?;
-    let bare = file.bare_faces();
+    let bare = match format {
+        FileFormat::Obj | FileFormat::Ply | FileFormat::Halfedges => file.bare_faces(),
+        // They hold neither texture coordinates nor normals of corners.
+        FileFormat::Stl | FileFormat::Off | FileFormat::Msh => [0; 2],
+    };
     if format != FileFormat::Obj {
         file.bring_all();
     }
@@ -314,10 +318,7 @@ fn tell_bare(path: &Path, format: FileFormat, bare: [usize; 2]) {
     let shown = path.display();
     let [texture, normals, rest] = match format {
         FileFormat::Obj => ["texture coordinates (`vt`)", "normals (`vn`)", ""],
-        FileFormat::Ply | FileFormat::Halfedges => {
-            ["texture coordinates", "normals", ": they are zero there"]
-        }
-        FileFormat::Stl | FileFormat::Off | FileFormat::Msh => return,
+        _ => ["texture coordinates", "normals", ": they are zero there"],
     };
     for (count, kind) in bare.into_iter().zip([texture, normals]) {
         if count > 0 {

@@ -334,12 +334,7 @@ impl Statement {
 
 /// The type of the elements of a kind; of a path or fan, that of its halfedges.
 pub(super) fn type_of(kind: Kind) -> Type {
-    match kind {
-        Kind::Vertex => Type::Vertex,
-        Kind::Halfedge | Kind::Path | Kind::Fan => Type::Halfedge,
-        Kind::Edge => Type::Edge,
-        Kind::Face => Type::Face,
-    }
+    kind.element_type().unwrap_or(Type::Halfedge)
 }
 
 /// Removes bindings of names that are never read: a binding has no other effect. `bound` gives the
