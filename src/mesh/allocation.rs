@@ -155,6 +155,24 @@ impl Mesh {
         first as u32
     }
 
+    /// Removes `count` slots at the end of a table, which have been appended and not been used.
+    pub(crate) fn shorten(&mut self, kind: ElementKind, count: usize) {
+        let end = self.capacity(kind).saturating_sub(count);
+        match kind {
+            ElementKind::Vertex => {
+                self.vertices.truncate(end);
+                self.positions.truncate(end);
+            }
+            ElementKind::Halfedge => self.halfedges.truncate(end),
+            ElementKind::Edge => self.edges.truncate(end),
+            ElementKind::Face => {
+                self.faces.truncate(end);
+                self.face_states.truncate(end);
+            }
+        }
+        self.columns[kind as usize].shrink(end);
+    }
+
     /// A free slot, or the one after the last. The caller has checked `can_add` where the id space
     /// could run out.
     #[inline]

@@ -101,15 +101,15 @@ impl Mesh {
         let reserved = self.reserved(kind).min(ID_SPACE - self.capacity(kind));
         self.slots[kind as usize].free.len() + reserved
     }
-
-    /// True if `more` further elements of each kind fit without allocation.
-    #[inline]
-    pub(crate) fn has_room(&self, more: [usize; 4]) -> bool {
-        ElementKind::ALL.into_iter().zip(more).all(|(kind, more)| more <= self.room(kind))
-    }
 }
 
 impl Tables {
+    /// True if `more` further elements of each kind fit without allocation.
+    #[inline]
+    pub(crate) fn has_room(&self, more: [usize; 4]) -> bool {
+        self.room.iter().zip(more).all(|(&room, more)| more <= room)
+    }
+
     /// Updates the numbers after elements have been appended without allocation.
     #[inline]
     pub(crate) fn appended(&mut self, counts: [usize; 4]) {

@@ -58,6 +58,12 @@ pub(super) struct Context {
     pub(super) result: u64,
     /// By kind, the first of the elements that have been appended last.
     pub(super) appended: [u32; 4],
+    /// By kind, the number of slots behind the last element that are ready for new ones: native
+    /// code takes them without a stub. The mesh counts them as elements, so they are given back
+    /// before the machine looks at it ([`Context::settle`]).
+    pub(super) spare: [u64; 4],
+    /// The number of times that slots have been appended since the machine has looked at the mesh.
+    pub(super) appends: u32,
     /// The number of slots that a function gives, which are at the start of its window.
     pub(super) given: u32,
     /// The refusal noted so far, as encoded by [`noted`].
@@ -79,6 +85,9 @@ pub(super) const NOT_DIRECTLY: u64 = 63;
 
 /// The result of an operation that returns nothing.
 pub(super) const NOTHING: u64 = u64::MAX;
+
+/// The most slots of a kind that are appended to be spare.
+const MOST_SPARE: usize = 1024;
 
 /// The list of columns that a run needs, kept for reuse.
 #[derive(Debug, Default)]
@@ -144,6 +153,8 @@ impl Context {
             run: (&raw mut *run).cast(),
             result: NOTHING,
             appended: [0; 4],
+            spare: [0; 4],
+            appends: 0,
             given: 0,
             noted,
         };
@@ -224,6 +235,66 @@ impl Context {
             }
             _ => None,
         }
+    }
+
+    /// Appends new elements to the tables and stores the first of each kind; false, with nothing
+    /// done, if that has to be reported or an erased slot is to be reused.
+    pub(super) fn append(&mut self, run: &mut Run<'_>, counts: [usize; 4]) -> bool {
+        let is_told = run.machine.created.is_some() || !run.machine.drains.is_empty();
+        if is_told || !run.mesh.can_append(counts) {
+            return false;
+        }
+        let Tables { vertex_count, halfedge_count, edge_count, face_count, .. } = self.tables;
+        self.appended =
+            [vertex_count, halfedge_count, edge_count, face_count].map(|end| end as u32);
+        if self.tables.has_room(counts) {
+            self.append_spare(run, counts);
+            return true;
+        }
+        self.settle(run);
+        for (kind, count) in ElementKind::ALL.into_iter().zip(counts) {
+            run.mesh.append(kind, count);
+        }
+        self.refresh_tables(run);
+        true
+    }
+
+    /// Takes spare slots for new elements, for which there is room. If there are not enough, adds
+    /// some first: the more, the more often this has been necessary.
+    fn append_spare(&mut self, run: &mut Run<'_>, counts: [usize; 4]) {
+        let times = 1 << self.appends.min(MOST_SPARE.ilog2());
+        self.appends += 1;
+        for (kind, count) in ElementKind::ALL.into_iter().zip(counts) {
+            let spare = &mut self.spare[kind as usize];
+            let had = *spare as usize;
+            if count > had {
+                let wanted = (count * times).min(count.max(MOST_SPARE));
+                let added = wanted.min(self.tables.room[kind as usize]) - had;
+                run.mesh.append(kind, added);
+                *spare += added as u64;
+            }
+            *spare -= count as u64;
+        }
+        self.tables.appended(counts);
+        self.find_columns(run, |kind| counts[kind as usize] > 0);
+    }
+
+    /// Gives spare slots back, so that the mesh has its elements only.
+    #[inline]
+    pub(super) fn settle(&mut self, run: &mut Run<'_>) {
+        self.appends = 0;
+        if self.spare != [0; 4] {
+            self.give_back(run);
+        }
+    }
+
+    #[cold]
+    fn give_back(&mut self, run: &mut Run<'_>) {
+        let spare = std::mem::take(&mut self.spare);
+        for (kind, spare) in ElementKind::ALL.into_iter().zip(spare) {
+            run.mesh.shorten(kind, spare as usize);
+        }
+        self.find_columns(run, |kind| spare[kind as usize] > 0);
     }
 
     /// Updates the addresses of the tables of the mesh.

@@ -184,6 +184,7 @@ impl Machine {
         // SAFETY: the context and its run outlive the call, and are accessed during it only by
         // native code and the functions that it calls.
         let answer = unsafe { (compiled.entry)(&raw mut context, entry) };
+        context.settle(&mut run);
         let Run { machine, scratch, trap, refused, panic, .. } = run;
         machine.scratch.push(scratch);
         (machine.frames, machine.depth) = (frames, depth);

@@ -29,14 +29,12 @@ impl Translator<'_, '_> {
             | Inst::NextIndex { buffer, .. }
             | Inst::Member { buffer, .. }
             | Inst::Collect { buffer, .. }
-            | Inst::ExpectAllDistinct { buffer, .. }
             | Inst::HoldPosition { buffer, .. }
             | Inst::HoldAttribute { buffer, .. }
                 if buffer >= self.text.code.buffers =>
             {
                 return false;
             }
-            _ if fills(inst) => return self.fill(inst),
             Inst::BufferPush { buffer, from } => {
                 let (list, bits) = (self.list_of(buffer), self.whole(from));
                 self.push(buffer, list, bits);
@@ -48,13 +46,6 @@ impl Translator<'_, '_> {
                 let has_room = self.b.ins().icmp(IntCC::UnsignedLessThan, count, room);
                 self.or_fault(has_room);
                 self.append_to(kept, count, &[bits]);
-            }
-            Inst::ExpectAllDistinct { buffer, refusal, otherwise } => {
-                let number = self.b.ins().iconst(I64, i64::from(buffer));
-                let stub = lists::are_distinct as *const () as usize;
-                let are_distinct = self.call_stub(stub, &[number]);
-                self.or_fault_if_negative(are_distinct);
-                self.expect(are_distinct, refusal, otherwise);
             }
             Inst::BufferLength { buffer, to } => {
                 let (_, count) = self.slots(buffer);
@@ -162,14 +153,14 @@ impl Translator<'_, '_> {
     }
 
     /// Empties a buffer.
-    fn clear(&mut self, buffer: u16) {
+    pub(super) fn clear(&mut self, buffer: u16) {
         let (list, none) = (self.list_of(buffer), self.b.ins().iconst(I64, 0));
         let flags = self.flags(Region::Lists);
         self.b.ins().store(flags, none, list, List::COUNT as i32);
     }
 
     /// The index plus a shift, modulo the length of a buffer; traps if that is 0.
-    fn in_cycle(&mut self, index: Value, shift: i16, count: Value) -> Value {
+    pub(super) fn in_cycle(&mut self, index: Value, shift: i16, count: Value) -> Value {
         let place = self.b.declare_var(I64);
         let [far, on] = [(); 2].map(|()| self.b.create_block());
         self.b.set_cold_block(far);
@@ -233,24 +224,6 @@ impl Translator<'_, '_> {
         self.or_fault_if_negative(done);
         self.b.ins().jump(on, &[]);
         self.b.switch_to_block(on);
-    }
-
-    /// Lets a stub execute this instruction and those of its sort that follow it; a single one that
-    /// empties a buffer is done in place.
-    fn fill(&mut self, inst: &Inst) -> bool {
-        let (first, code) = (self.at, self.text.code);
-        let end = self.end_of_run(fills);
-        if let (Inst::BufferClear { buffer }, true) = (*inst, end == first + 1)
-            && buffer < code.buffers
-        {
-            self.clear(buffer);
-            return true;
-        }
-        let span = self.b.ins().iconst(I64, (first | end << 32) as i64);
-        let done = self.call_stub(lists::fill as *const () as usize, &[span]);
-        self.leave_if_negative(done);
-        self.skip = end - first - 1;
-        true
     }
 
     /// Appends a slot to a buffer, whose list this is.
@@ -328,13 +301,13 @@ impl Translator<'_, '_> {
     }
 
     /// The address of the list of a buffer.
-    fn list_of(&mut self, buffer: u16) -> Value {
+    pub(super) fn list_of(&mut self, buffer: u16) -> Value {
         let lists = self.field(offset_of!(Context, lists));
         self.b.ins().iadd_imm_s(lists, i64::from(buffer) * size_of::<List>() as i64)
     }
 
     /// A part of a list.
-    fn in_list(&mut self, list: Value, offset: usize) -> Value {
+    pub(super) fn in_list(&mut self, list: Value, offset: usize) -> Value {
         let flags = self.flags(Region::Lists);
         self.b.ins().load(I64, flags, list, offset as i32)
     }
@@ -354,26 +327,15 @@ impl Translator<'_, '_> {
     }
 
     /// The address and number of the slots of a buffer.
-    fn slots(&mut self, buffer: u16) -> (Value, Value) {
+    pub(super) fn slots(&mut self, buffer: u16) -> (Value, Value) {
         let list = self.list_of(buffer);
         (self.in_list(list, List::START), self.in_list(list, List::COUNT))
     }
 
-    fn slot(&mut self, start: Value, index: Value) -> Value {
+    pub(super) fn slot(&mut self, start: Value, index: Value) -> Value {
         let offset = self.b.ins().ishl_imm_u(index, 3);
         let place = self.b.ins().iadd(start, offset);
         let flags = self.flags(Region::Slots);
         self.b.ins().load(I64, flags, place, 0)
     }
-}
-
-/// Whether an instruction empties a buffer, or fills it with members of a family.
-fn fills(inst: &Inst) -> bool {
-    matches!(
-        inst,
-        Inst::BufferClear { .. }
-            | Inst::BufferNew { .. }
-            | Inst::BufferAppend { .. }
-            | Inst::BufferDeal { .. }
-    )
 }

@@ -25,6 +25,10 @@
 //! * Native code accesses a [`List`](super::List) in place: it reads below its length, and appends
 //!   within its capacity. The lists of the running code are those that it has asked for at its
 //!   start; their address is loaded again after each call that may have added some.
+//! * New elements are taken from spare slots behind the last element, which a stub appends to the
+//!   tables ([`context::Context::append`]); until then, native code has a smaller length than the
+//!   table. Whatever else looks at the mesh first gets the spare slots back
+//!   ([`context::Context::settle`]).
 //! * A stub notifies journals and drains of a write before the write. It only records and moves no
 //!   table.
 //! * Native code calls a function or an operation directly only where [`Made::entries`] has its
@@ -86,6 +90,7 @@ mod context;
 mod elements;
 mod enter;
 mod facts;
+mod families;
 mod guards;
 mod inline;
 mod lists;

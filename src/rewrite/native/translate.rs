@@ -347,6 +347,7 @@ impl<'a, 'f> Translator<'a, 'f> {
                     || self.access(inst)
                     || self.write(inst)
                     || self.list(inst)
+                    || self.family(inst)
                     || self.guard(inst);
                 if !is_spelled {
                     self.steps(inst);

@@ -70,6 +70,10 @@ impl Translator<'_, '_> {
                 let (value, overflow) = self.b.ins().smul_overflow(left, right);
                 self.set_unless(to, value, overflow);
             }
+            Inst::DivInt { to, left, right } | Inst::ModInt { to, left, right } => {
+                let gives_rest = matches!(inst, Inst::ModInt { .. });
+                self.divide(inst, gives_rest, to, [left, right]);
+            }
             Inst::NegInt { to, from } => {
                 let from = self.whole(from);
                 let zero = self.b.ins().iconst(I64, 0);
@@ -289,6 +293,37 @@ impl Translator<'_, '_> {
         let fits = self.b.ins().icmp_imm_u(IntCC::Equal, overflow, 0);
         self.or_fault(fits);
         self.set_whole(to, value);
+    }
+
+    /// The quotient, or the rest, of ints, as [`divide`](crate::rewrite::arithmetic::divide) and
+    /// [`modulo`](crate::rewrite::arithmetic::modulo) compute it. The machine divides by what is
+    /// not positive.
+    fn divide(&mut self, inst: &Inst, gives_rest: bool, to: Reg, [left, right]: [Reg; 2]) {
+        let (dividend, divisor) = (self.whole(left), self.whole(right));
+        let [usual, other, on] = [(); 3].map(|()| self.b.create_block());
+        self.b.set_cold_block(other);
+        let is_positive = self.b.ins().icmp_imm_s(IntCC::SignedGreaterThan, divisor, 0);
+        self.b.ins().brif(is_positive, usual, &[], other, &[]);
+
+        self.b.switch_to_block(usual);
+        let rest = self.b.ins().srem(dividend, divisor);
+        let is_below = self.b.ins().icmp_imm_s(IntCC::SignedLessThan, rest, 0);
+        let value = if gives_rest {
+            let above = self.b.ins().iadd(rest, divisor);
+            self.b.ins().select(is_below, above, rest)
+        } else {
+            // Rounded towards minus infinity.
+            let quotient = self.b.ins().sdiv(dividend, divisor);
+            let lower = self.b.ins().iadd_imm_s(quotient, -1);
+            self.b.ins().select(is_below, lower, quotient)
+        };
+        self.set_whole(to, value);
+        self.b.ins().jump(on, &[]);
+
+        self.b.switch_to_block(other);
+        self.step(inst);
+        self.b.ins().jump(on, &[]);
+        self.b.switch_to_block(on);
     }
 
     fn function(&mut self, stub: extern "C" fn(f64, f64) -> f64, to: Reg, left: Reg, right: Reg) {

@@ -11,7 +11,7 @@ use cranelift_codegen::ir::types::{F64, I8, I32, I64};
 use cranelift_codegen::ir::{Block, InstBuilder, Value};
 
 use super::Variant;
-use super::access::{first, pointer, size_of_value};
+use super::access::{TABLES, first, pointer, size_of_value, table};
 use super::context::Context;
 use super::stubs::{self, drains};
 use super::translate::{Region, Translator};
@@ -107,8 +107,13 @@ impl Translator<'_, '_> {
             Inst::NewVertex { .. }
             | Inst::NewHalfedge { .. }
             | Inst::NewEdge { .. }
-            | Inst::NewFace { .. }
-            | Inst::Erase { .. } => self.add_and_erase(),
+            | Inst::NewFace { .. } => self.add(),
+            Inst::Erase { kind, element } => {
+                let id = self.id(element);
+                let kind = self.b.ins().iconst(I64, kind as i64);
+                let done = self.call_stub(stubs::erase as *const () as usize, &[kind, id]);
+                self.or_fault_if_negative(done);
+            }
             Inst::ExpectRoom { room, .. } => {
                 let Room { vertices, halfedges, edges, faces } = room;
                 let counts = ElementKind::ALL.into_iter().zip([vertices, halfedges, edges, faces]);
@@ -236,19 +241,15 @@ impl Translator<'_, '_> {
     }
 
     /// Translates this instruction and those of its sort that follow it as one.
-    fn add_and_erase(&mut self) {
+    fn add(&mut self) {
         let (first, code) = (self.at, self.text.code);
-        let end =
-            self.end_of_run(|inst| added(inst).is_some() || matches!(inst, Inst::Erase { .. }));
+        let end = self.end_of_run(|inst| added(inst).is_some());
         let all = &code.insts[first..end];
         let on = self.b.create_block();
-        let new: Option<Vec<(ElementKind, Reg)>> = all.iter().map(added).collect();
-        if let Some(new) = new {
-            self.append(&new, on);
-        }
-        all.iter().for_each(|inst| self.spill_operands(inst));
+        let new: Vec<(ElementKind, Reg)> = all.iter().filter_map(added).collect();
+        self.append(&new, on);
         let span = self.b.ins().iconst(I64, (first | end << 32) as i64);
-        let done = self.call_stub(stubs::add_and_erase as *const () as usize, &[span]);
+        let done = self.call_stub(stubs::add as *const () as usize, &[span]);
         self.leave_if_negative(done);
         all.iter().for_each(|inst| self.reload_written(inst));
         self.b.ins().jump(on, &[]);
@@ -258,35 +259,90 @@ impl Translator<'_, '_> {
 
     /// Appends new elements to the tables and jumps to `on`; continues here if nothing was done.
     fn append(&mut self, new: &[(ElementKind, Reg)], on: Block) {
-        let mut counts = [0_u64; 4];
-        let places: Vec<u64> = new
-            .iter()
-            .map(|(kind, _)| {
-                let count = &mut counts[*kind as usize];
-                *count += 1;
-                *count - 1
-            })
-            .collect();
+        let counts = ElementKind::ALL.map(|kind| new.iter().filter(|one| one.0 == kind).count());
         if counts.iter().any(|&count| count > 0xffff) {
             return;
         }
-        let packed = counts[0] | counts[1] << 16 | counts[2] << 32 | counts[3] << 48;
-        let packed = self.b.ins().iconst(I64, packed as i64);
+        // Where writes are reported, so are new elements, and none is spare.
+        if self.variant == Variant::Plain {
+            let short = self.b.create_block();
+            self.b.set_cold_block(short);
+            let wanted = ElementKind::ALL.into_iter().zip(counts).filter(|(_, count)| *count > 0);
+            let wanted: Vec<(ElementKind, Value)> = wanted
+                .map(|(kind, count)| (kind, self.b.ins().iconst(I64, count as i64)))
+                .collect();
+            let taken = self.take_spare(&wanted, short);
+            let mut firsts = [None; 4];
+            for ((kind, _), first) in wanted.into_iter().zip(taken) {
+                firsts[kind as usize] = Some(first);
+            }
+            self.number_new(new, firsts);
+            self.b.ins().jump(on, &[]);
+            self.b.switch_to_block(short);
+        }
+        let packed = counts.iter().rev().fold(0, |packed, &count| packed << 16 | count as i64);
+        let packed = self.b.ins().iconst(I64, packed);
         let done = self.call_stub(stubs::append as *const () as usize, &[packed]);
         let [fast, slow] = [(); 2].map(|()| self.b.create_block());
         self.b.set_cold_block(slow);
         self.b.ins().brif(done, slow, &[], fast, &[]);
         self.b.switch_to_block(fast);
-        for ((kind, to), place) in new.iter().zip(places) {
-            let flags = self.flags(Region::Context);
-            let firsts = offset_of!(Context, appended) + *kind as usize * size_of::<u32>();
-            let first = self.b.ins().load(I32, flags, self.context, firsts as i32);
-            let first = self.b.ins().uextend(I64, first);
-            let id = self.b.ins().iadd_imm_s(first, place as i64);
-            self.set_whole(*to, id);
-        }
+        let flags = self.flags(Region::Context);
+        let firsts = ElementKind::ALL.map(|kind| {
+            let place = offset_of!(Context, appended) + kind as usize * size_of::<u32>();
+            (counts[kind as usize] > 0).then(|| {
+                let first = self.b.ins().load(I32, flags, self.context, place as i32);
+                self.b.ins().uextend(I64, first)
+            })
+        });
+        self.number_new(new, firsts);
         self.b.ins().jump(on, &[]);
         self.b.switch_to_block(slow);
+    }
+
+    /// Takes spare slots for new elements of some kinds, and returns the first of each; jumps to
+    /// `short` if there are not enough.
+    pub(super) fn take_spare(
+        &mut self,
+        wanted: &[(ElementKind, Value)],
+        short: Block,
+    ) -> Vec<Value> {
+        let place =
+            |kind: ElementKind| offset_of!(Context, spare) + kind as usize * size_of::<u64>();
+        let left: Vec<Value> = wanted
+            .iter()
+            .map(|&(kind, count)| {
+                let (spare, next) = (self.field(place(kind)), self.b.create_block());
+                let fits = self.b.ins().icmp(IntCC::UnsignedLessThanOrEqual, count, spare);
+                self.b.ins().brif(fits, next, &[], short, &[]);
+                self.b.switch_to_block(next);
+                self.b.ins().isub(spare, count)
+            })
+            .collect();
+        let all = wanted.iter().zip(left).map(|(&(kind, count), left)| {
+            self.set_field(place(kind), left);
+            let room = TABLES + offset_of!(Tables, room) + kind as usize * size_of::<usize>();
+            let before = self.field(room);
+            let now = self.b.ins().isub(before, count);
+            self.set_field(room, now);
+            let (_, end, _) = table(kind);
+            let first = self.field(TABLES + end);
+            let now = self.b.ins().iadd(first, count);
+            self.set_field(TABLES + end, now);
+            first
+        });
+        all.collect()
+    }
+
+    /// Sets the registers of new elements, of which the first of each kind is given.
+    fn number_new(&mut self, new: &[(ElementKind, Reg)], mut firsts: [Option<Value>; 4]) {
+        for &(kind, to) in new {
+            if let Some(next) = &mut firsts[kind as usize] {
+                let id = *next;
+                *next = self.b.ins().iadd_imm_s(id, 1);
+                self.set_whole(to, id);
+            }
+        }
     }
 }
 

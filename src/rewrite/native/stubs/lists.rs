@@ -2,10 +2,10 @@
 
 use std::slice;
 
-use super::{LEAVE, failed, within_guarded};
+use super::{LEAVE, failed, guarded, within_guarded, within_unsettled};
 use crate::mesh::ElementKind;
 use crate::rewrite::native::context::{Context, Run};
-use crate::rewrite::{Inst, Machine, Walk, access, families, lookahead, memory};
+use crate::rewrite::{Inst, Machine, Message, Walk, access, families, lookahead, memory};
 
 /// Empties the buffers of the code that starts to run.
 ///
@@ -22,27 +22,58 @@ pub(in super::super) unsafe extern "C" fn begin(context: *mut Context) -> i64 {
     unsafe { within_guarded(context, begin) }
 }
 
-/// Empties and fills buffers: executes the instructions from the one in the lower half of `span` up
-/// to, but without, that in its upper half.
+/// Executes an instruction that fills a buffer with members of a family.
 ///
 /// # Safety
 /// As for all stubs.
-pub(in super::super) unsafe extern "C" fn fill(context: *mut Context, span: i64) -> i64 {
+pub(in super::super) unsafe extern "C" fn fill(context: *mut Context, inst: i64) -> i64 {
     let fill = |context: &mut Context, run: &mut Run<'_>| {
         let call = context.call(run);
-        let (first, end) = (span as u32 as usize, (span >> 32) as usize);
-        let insts = call.code.insts.get(first..end).unwrap_or_default();
-        for (at, inst) in (first..).zip(insts) {
-            let filled = run.machine.fill(run.mesh, call.buffers, inst);
-            filled.map_err(|message| failed(context, run, at as i64, message))?;
-        }
-        if insts.iter().any(|inst| matches!(inst, Inst::BufferNew { .. })) {
-            context.refresh(run);
-        }
-        Ok(0)
+        let Some(instruction) = call.code.insts.get(inst as usize) else {
+            return Ok(LEAVE);
+        };
+        let filled = match *instruction {
+            Inst::BufferNew { kind, cycle, buffer } => {
+                let [cycle, to] = [cycle, buffer].map(|buffer| context.list_at(run, buffer));
+                new_members(context, run, kind, [cycle, to])
+            }
+            _ => Ok(false),
+        };
+        let filled = filled.and_then(|is_done| {
+            if !is_done {
+                context.settle(run);
+                run.machine.fill(run.mesh, call.buffers, instruction)?;
+                context.refresh(run);
+            }
+            Ok(0)
+        });
+        filled.map_err(|message| failed(context, run, inst, message))
     };
     // SAFETY: as for all stubs.
-    unsafe { within_guarded(context, fill) }
+    unsafe { within_unsettled(context, guarded(fill)) }
+}
+
+/// Appends as many elements of a kind as a list has slots, and fills another one with them; false,
+/// with nothing done, if the machine has to.
+fn new_members(
+    context: &mut Context,
+    run: &mut Run<'_>,
+    kind: ElementKind,
+    [cycle, to]: [usize; 2],
+) -> Result<bool, Message> {
+    let count = run.machine.buffers.get(cycle).map_or(0, |list| list.len());
+    let Machine { buffers, drains, memory: limit, .. } = &mut *run.machine;
+    let Some(list) = buffers.get_mut(to) else {
+        return Err(Message::Malformed);
+    };
+    list.clear();
+    memory::for_list(buffers, to, count, (&*run.mesh, drains, *limit))?;
+    let is_done = context.append(run, access::counts_of(kind, count));
+    if is_done {
+        let first = u64::from(context.appended[kind as usize]);
+        run.machine.buffers[to].grow().extend(first..first + count as u64);
+    }
+    Ok(is_done)
 }
 
 /// Whether no two slots of a buffer are equal; reorders the slots.

@@ -33,6 +33,24 @@ pub(super) unsafe fn within(
     context: *mut Context,
     act: impl FnOnce(&mut Context, &mut Run<'_>) -> Result<i64, Trap>,
 ) -> i64 {
+    let settled = |context: &mut Context, run: &mut Run<'_>| {
+        context.settle(run);
+        act(context, run)
+    };
+    // SAFETY: as for `within_unsettled`.
+    unsafe { within_unsettled(context, settled) }
+}
+
+/// [`within`] for closures that read no more of the mesh than elements that they are given lead to,
+/// so that the tables may keep their spare slots.
+///
+/// # Safety
+/// As for [`within`].
+#[inline]
+pub(super) unsafe fn within_unsettled(
+    context: *mut Context,
+    act: impl FnOnce(&mut Context, &mut Run<'_>) -> Result<i64, Trap>,
+) -> i64 {
     // SAFETY: native code passes on the context that it was entered with. The machine made it and
     // its run from values that it borrows until native code returns, and accesses neither in the
     // meantime; native code itself holds no reference.
@@ -58,15 +76,21 @@ pub(super) unsafe fn within_guarded(
     context: *mut Context,
     act: impl FnOnce(&mut Context, &mut Run<'_>) -> Result<i64, Trap>,
 ) -> i64 {
-    let guarded = |context: &mut Context, run: &mut Run<'_>| {
+    // SAFETY: as for `within`.
+    unsafe { within(context, guarded(act)) }
+}
+
+/// A closure that catches a panic of another one.
+pub(super) fn guarded(
+    act: impl FnOnce(&mut Context, &mut Run<'_>) -> Result<i64, Trap>,
+) -> impl FnOnce(&mut Context, &mut Run<'_>) -> Result<i64, Trap> {
+    |context, run| {
         let acted = catch_unwind(AssertUnwindSafe(|| act(context, run)));
         acted.unwrap_or_else(|panic| {
             run.panic = Some(panic);
             Ok(LEAVE)
         })
-    };
-    // SAFETY: as for `within`.
-    unsafe { within(context, guarded) }
+    }
 }
 
 /// [`within`] for closures that may do anything: afterwards the context is updated.
@@ -190,7 +214,7 @@ pub(super) unsafe extern "C" fn answer(context: *mut Context, inst: i64) -> i64 
         Ok(asked.map_or(LEAVE, |()| 0))
     };
     // SAFETY: as for all stubs.
-    unsafe { within_guarded(context, answer) }
+    unsafe { within_unsettled(context, guarded(answer)) }
 }
 
 /// Answers a question, by its number, with an int or a bool; [`LEAVE`] if there is no answer and
@@ -228,7 +252,7 @@ pub(super) unsafe extern "C" fn ask_whole(
         Ok(answer.unwrap_or(LEAVE))
     };
     // SAFETY: as for all stubs.
-    unsafe { within_guarded(context, answer) }
+    unsafe { within_unsettled(context, guarded(answer)) }
 }
 
 /// Computes with vectors and matrices, from registers in the window into the window.
@@ -285,42 +309,26 @@ pub(super) unsafe extern "C" fn fault(context: *mut Context, inst: i64) {
 }
 
 /// Appends new elements, their numbers in 16 bits for each kind, and stores the first of each;
-/// [`LEAVE`], with nothing done, if [`add_and_erase`] has to add them.
+/// [`LEAVE`], with nothing done, if [`add`] has to add them.
 ///
 /// # Safety
 /// As for all stubs.
 pub(super) unsafe extern "C" fn append(context: *mut Context, counts: i64) -> i64 {
     let counts = [0, 16, 32, 48].map(|shift| (counts as u64 >> shift) as usize & 0xffff);
-    let append = |context: &mut Context, run: &mut Run<'_>| {
-        let Run { machine, mesh, .. } = &mut *run;
-        let is_told = machine.created.is_some() || !machine.drains.is_empty();
-        if is_told || !mesh.can_append(counts) {
-            return Ok(LEAVE);
-        }
-        let fit = mesh.has_room(counts);
-        let wanted = ElementKind::ALL.into_iter().zip(counts).filter(|(_, count)| *count > 0);
-        for (kind, count) in wanted {
-            context.appended[kind as usize] = mesh.append(kind, count);
-        }
-        match fit {
-            true => {
-                context.tables.appended(counts);
-                context.find_columns(run, |kind| counts[kind as usize] > 0);
-            }
-            false => context.refresh_tables(run),
-        }
-        Ok(0)
+    let append = |context: &mut Context, run: &mut Run<'_>| match context.append(run, counts) {
+        true => Ok(0),
+        false => Ok(LEAVE),
     };
     // SAFETY: as for all stubs.
-    unsafe { within_guarded(context, append) }
+    unsafe { within_unsettled(context, guarded(append)) }
 }
 
-/// Adds and erases elements: executes the instructions from the one in the lower half of `span` up
-/// to, but without, that in its upper half, which read and write the window.
+/// Adds elements: executes the instructions from the one in the lower half of `span` up to, but
+/// without, that in its upper half, which write to the window.
 ///
 /// # Safety
 /// As for all stubs.
-pub(super) unsafe extern "C" fn add_and_erase(context: *mut Context, span: i64) -> i64 {
+pub(super) unsafe extern "C" fn add(context: *mut Context, span: i64) -> i64 {
     let take = |context: &mut Context, run: &mut Run<'_>| {
         let (first, end) = (span as u32 as usize, (span >> 32) as usize);
         let call = context.call(run);
@@ -328,18 +336,7 @@ pub(super) unsafe extern "C" fn add_and_erase(context: *mut Context, span: i64) 
         let is_told = !machine.drains.is_empty();
         for (at, inst) in call.code.insts.iter().enumerate().take(end).skip(first) {
             let failed = |fault: Fault| Trap::new(fault.into()).through(&call, at);
-            let Some(mut window) = Window::at(&mut machine.stack, call.base) else {
-                return Err(failed(Fault::Malformed));
-            };
             let (kind, to) = match *inst {
-                Inst::Erase { kind, element } => {
-                    let id = window.id(element);
-                    if is_told {
-                        machine.drains.erased(mesh, kind, id);
-                    }
-                    access::erase(mesh, kind, id).map_err(failed)?;
-                    continue;
-                }
                 Inst::NewVertex { to } => (ElementKind::Vertex, to),
                 Inst::NewHalfedge { to } => (ElementKind::Halfedge, to),
                 Inst::NewEdge { to } => (ElementKind::Edge, to),
@@ -348,6 +345,9 @@ pub(super) unsafe extern "C" fn add_and_erase(context: *mut Context, span: i64) 
             };
             let drains = is_told.then_some(&mut machine.drains);
             let id = access::create(mesh, kind, &mut machine.created, drains).map_err(failed)?;
+            let Some(mut window) = Window::at(&mut machine.stack, call.base) else {
+                return Err(failed(Fault::Malformed));
+            };
             window.set_id(to, id);
         }
         context.refresh(run);
@@ -355,6 +355,25 @@ pub(super) unsafe extern "C" fn add_and_erase(context: *mut Context, span: i64) 
     };
     // SAFETY: as for all stubs.
     unsafe { within_guarded(context, take) }
+}
+
+/// Erases an element; [`LEAVE`] if that fails and the machine has to determine the trap.
+///
+/// # Safety
+/// As for all stubs.
+pub(super) unsafe extern "C" fn erase(context: *mut Context, kind: i64, element: i64) -> i64 {
+    let erase = |_: &mut Context, run: &mut Run<'_>| {
+        let Some(&kind) = ElementKind::ALL.get(kind as usize) else {
+            return Ok(LEAVE);
+        };
+        let Run { machine, mesh, .. } = run;
+        if !machine.drains.is_empty() {
+            machine.drains.erased(mesh, kind, element as u32);
+        }
+        Ok(access::erase(mesh, kind, element as u32).map_or(LEAVE, |()| 0))
+    };
+    // SAFETY: as for all stubs.
+    unsafe { within_unsettled(context, guarded(erase)) }
 }
 
 pub(super) extern "C" fn min(left: f64, right: f64) -> f64 {
