@@ -31,6 +31,7 @@ pub(super) fn tell_what_is_lacking(
         parts.iter().flat_map(|part| part.parsed.tree.items.iter().map(move |item| (part, item)));
     let items: Vec<(&Part, &Item)> = items.collect();
     let mut broken: Vec<&str> = Vec::new();
+    let mut broken_attribute = None;
     for (_, item) in &items {
         let name = match item {
             Item::Fn(function) => &function.name.text,
@@ -39,6 +40,9 @@ pub(super) fn tell_what_is_lacking(
         };
         if is_wrong(item.span()) {
             broken.push(name);
+            if matches!(item, Item::Attr(_)) {
+                broken_attribute.get_or_insert(name.as_str());
+            }
         }
     }
     let functions = program.functions.iter().filter(|function| function.body.is_none());
@@ -64,7 +68,8 @@ pub(super) fn tell_what_is_lacking(
         *lacks = match words.find(|word| broken.contains(word)) {
             Some(word) => Some(word.to_owned()),
             None if part.lacks => Some("a file that cannot be used".to_owned()),
-            None => None,
+            // The values of new elements are not known.
+            None => broken_attribute.map(str::to_owned),
         };
     }
 }

@@ -304,6 +304,18 @@ impl Reach<'_> {
         if lost.is_empty() { Ok(()) } else { Err(vec![self.unreachable(op, &lost)]) }
     }
 
+    /// A halfedge that is reached and may be the twin of one that is not: neither has one, and each
+    /// starts where the other ends.
+    fn twin_to_be(&self, half: NameId) -> Option<NameId> {
+        let (rule, view) = (self.drawing.rule, &self.drawing.before);
+        let ends = |half| view.loop_origin(half).zip(view.loop_target(half));
+        let (from, to) = ends(half)?;
+        let mut halves = rule.names_of(Kind::Halfedge);
+        halves.find(|&other| {
+            self.is_bound(other) && view.pairing(other).is_none() && ends(other) == Some((to, from))
+        })
+    }
+
     fn unreachable(&self, op: &Op, lost: &[NameId]) -> Problem {
         let rule = self.drawing.rule;
         let list = enumerate(rule, lost);
@@ -321,9 +333,16 @@ impl Reach<'_> {
         let word = &rule.name(name).text;
         let statement = match rule.kind(name) {
             Kind::Halfedge if self.drawing.before.pairing(name).is_none() => {
-                format!(
-                    "an edge statement would bind it: `edge E: h | {word}`, with `h` a halfedge that is reached"
-                )
+                match self.twin_to_be(name) {
+                    Some(twin) => {
+                        let twin = &rule.name(twin).text;
+                        format!("an edge statement would bind it: `edge E: {twin} | {word}`")
+                    }
+                    None => format!(
+                        "a parameter would bind it, `{word}: halfedge`, or an edge statement with \
+                         a halfedge that is reached and drawn in no other"
+                    ),
+                }
             }
             Kind::Halfedge => format!(
                 "a loop that holds {0}, or a twin of it, together with a halfedge that is reached would bind it",

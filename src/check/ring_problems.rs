@@ -367,7 +367,8 @@ fn reversed_path(drawing: &Drawing) -> Option<String> {
 /// Halfedges that change their ends while their twins outside stay where they are, in words.
 fn moved_alone(drawing: &Drawing) -> Option<String> {
     let rule = drawing.rule;
-    let moved = rule.names_of(Kind::Halfedge).filter(|&half| {
+    let firsts = rule.names_of(Kind::Halfedge).filter(|&half| rule.is_first(half));
+    let moved = firsts.filter(|&half| {
         let is_alone =
             drawing.before.pairing(half).is_none() && drawing.after.pairing(half).is_none();
         let [before, after] = [&drawing.before, &drawing.after]

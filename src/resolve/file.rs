@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use crate::diagnostic::Diagnostic;
 use crate::source::Span;
-use crate::syntax::tree::{self, Item};
+use crate::syntax::tree::{self, Ident, Item};
 
 use super::attribute::attributes;
 use super::declared::Declared;
@@ -103,7 +103,8 @@ pub fn resolve_all(units: &[Unit]) -> Resolved {
                 let resolved = resolve_script(script, &signatures, declared, &mut report);
                 let resolved = resolved.filter(|_| !unit.tree.is_misread(script.span));
                 let place = resolved.is_some().then_some(program.scripts.len());
-                program.called_scripts.push(place);
+                let Ident { text, span } = &script.name;
+                program.called_scripts.push((text.clone(), *span, place));
                 program.scripts.extend(resolved);
                 diagnostics.extend(report.into_diagnostics());
             }

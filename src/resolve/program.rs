@@ -21,9 +21,9 @@ pub struct Program {
     pub functions: Vec<Function>,
     /// The scripts that could be resolved.
     pub scripts: Vec<Script>,
-    /// For each script, in the order of the numbers that follow those of the functions: its index
-    /// in `scripts`, if it could be resolved.
-    pub called_scripts: Vec<Option<usize>>,
+    /// For each script, in the order of the numbers that follow those of the functions: its name
+    /// and place, and its index in `scripts`, if it could be resolved.
+    pub called_scripts: Vec<(String, Span, Option<usize>)>,
     /// The tests that could be resolved.
     pub tests: Vec<Test>,
     /// The tests that could not be resolved: name and span.

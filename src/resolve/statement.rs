@@ -453,8 +453,13 @@ impl Scripting<'_> {
             _ => action.span,
         };
         let message = "`update` only computes and writes attributes";
-        let error = Diagnostic::error("not-in-update", message, span)
-            .note("inside of `update` there may be `let`, `var`, assignments and `if`");
+        let way = match &action.kind {
+            ActionKind::For { .. } => {
+                "a value that needs a loop is computed by a function: `v.position = mean_around(v)`"
+            }
+            _ => "inside of `update` there may be `let`, `var`, assignments and `if`",
+        };
+        let error = Diagnostic::error("not-in-update", message, span).note(way);
         self.typing.report.add(error);
         false
     }

@@ -41,7 +41,7 @@ impl Functions {
         let mut diagnostics = Vec::new();
         let mut texts = Vec::new();
         let functions = program.functions.iter().map(lowered_function);
-        let scripts = program.called_scripts.iter().map(|at| {
+        let scripts = program.called_scripts.iter().map(|(_, _, at)| {
             let script = at.and_then(|at| program.scripts.get(at));
             script.map_or_else(Beginning::default, called_script)
         });

@@ -154,12 +154,13 @@ fn not_proved(program: &Program, op: usize, call: Span) -> Diagnostic {
 }
 
 fn not_understood(program: &Program, function: usize, by: Span) -> Diagnostic {
-    let known = program.functions.get(function);
-    let name = known.map_or("", |function| &function.name);
+    let functions = program.functions.iter().map(|known| (&known.name, known.span, "function"));
+    let scripts = program.called_scripts.iter().map(|(name, span, _)| (name, *span, "script"));
+    let Some((name, span, kind)) = functions.chain(scripts).nth(function) else {
+        return Diagnostic::error("unproved-op", "what this calls has an error", by);
+    };
     let message = format!("`{name}` has an error, and this depends on it: it cannot run");
-    let span = known.map(|function| function.span);
-    Diagnostic::error("unproved-op", message, by)
-        .label(span.unwrap_or_default(), "this function has an error")
+    Diagnostic::error("unproved-op", message, by).label(span, format!("this {kind} has an error"))
 }
 
 fn does_not_fit(script: &Script, too_large: TooLarge) -> Diagnostic {

@@ -176,6 +176,22 @@ fn what_depends_on_something_broken_says_so() {
     assert!(said.out.contains("depends on `bad`, which has an error"), "{said:?}");
     assert!(said.out.contains("depends on `flip`, which has an error"), "{said:?}");
     assert_eq!(said.err.matches("error[").count(), 1, "{said:?}");
+    // An attribute without a type leaves the values of new elements open.
+    let poke = std::fs::read_to_string(example("../src/library/std/subdivide.hedge")).unwrap();
+    let poke = poke.split("/// Inserts a vertex at the centroid").nth(1).unwrap();
+    let poke = &poke[poke.find("op poke").unwrap()..=poke.find("\n}").unwrap() + 1];
+    let poke = poke.replace("m.fresh    = true", "");
+    bench.write("c.hedge", format!("attr parent: vertex halfedge\n{poke}\n"));
+    let said = bench.run(&["check", "c.hedge"]);
+    assert!(said.out.contains("depends on `parent`, which has an error"), "{said:?}");
+    // A script is called one.
+    bench.write(
+        "d.hedge",
+        "script smooth() { update v in vertices { print 1 } }\nscript demo() { smooth() }\n",
+    );
+    let said = bench.run(&["run", "d.hedge::demo", "cube()"]);
+    assert!(said.err.contains("`smooth` has an error, and this depends on it"), "{said:?}");
+    assert!(said.err.contains("this script has an error"), "{said:?}");
     // So do steps that call a function.
     bench.write(
         "b.hedge",

@@ -76,6 +76,9 @@ pub(super) fn told_here(told: Diagnostic, failure: &Failure, around: &Around) ->
         },
         T::If if failure.wanted.has(T::Where) => written(told, here.span, "where"),
         T::DotDot => told.note("a range stands in the head of a loop: `for i in 0..n { … }`"),
+        T::Require | T::Guard if failure.wanted.has(T::LeftBrace) => {
+            told.note("a condition stands in the braces of the op, between `before` and `after`")
+        }
         T::Colon if failure.wanted.has(T::LeftBrace) => told.note(IN_BRACES),
         _ if failure.wanted.has(T::LeftBrace) && failure.wanted.phrases().next().is_none() => {
             told.note(format!("{IN_BRACES}: `{{ … }}`"))

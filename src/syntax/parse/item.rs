@@ -286,6 +286,9 @@ fn condition<'t>(expression: &Rule<'t, Expr>) -> Rule<'t, Condition> {
     choice((require, guard, alias)).boxed()
 }
 
+/// The place of a condition of an op.
+const BETWEEN: &str = "a condition stands between `before` and `after`";
+
 /// The parts of an op, sorted.
 struct Assembled {
     /// The parts outside rules, as a rule without a name.
@@ -309,8 +312,11 @@ fn assembled(parts: Vec<Part>, span: Span, emitter: &mut Emitter<Failure>) -> As
                     wrong(Mistake::TwiceDrawn(first.span), side.span);
                     continue;
                 }
-                if alone.after.is_some() || !alone.conditions.is_empty() {
+                if alone.after.is_some() {
                     wrong(Mistake::Misplaced("`before` comes first"), side.span);
+                }
+                for condition in &alone.conditions {
+                    wrong(Mistake::Misplaced(BETWEEN), condition.span());
                 }
                 alone.before = Some(side);
             }
@@ -320,8 +326,7 @@ fn assembled(parts: Vec<Part>, span: Span, emitter: &mut Emitter<Failure>) -> As
                     wrong(Mistake::Misplaced("a condition stands before `steps`"), span);
                 }
                 if alone.after.is_some() {
-                    let place = "a condition stands between `before` and `after`";
-                    wrong(Mistake::Misplaced(place), span);
+                    wrong(Mistake::Misplaced(BETWEEN), span);
                 }
                 alone.conditions.push(condition);
             }
