@@ -109,7 +109,6 @@ fn is_always_a_step(inst: &Inst) -> bool {
         inst,
         Inst::PreviewStoreSpan { .. }
             | Inst::ForeseeAlong { .. }
-            | Inst::StoreAll { .. }
             | Inst::StoreSpan { .. }
             | Inst::PrintText { .. }
             | Inst::PrintTextOf { .. }

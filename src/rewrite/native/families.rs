@@ -1,6 +1,7 @@
-//! Instructions that fill buffers with the members of families, and compare these.
+//! Instructions about the members of families and fans as a whole: they fill buffers with them,
+//! compare them, and store to them.
 //!
-//! Native code does it while a buffer has room and, for new members, slots are spare; stubs do the
+//! Native code fills a buffer while it has room and, for new members, slots are spare; stubs do the
 //! rest.
 
 use cranelift_codegen::ir::condcodes::IntCC;
@@ -8,8 +9,10 @@ use cranelift_codegen::ir::types::I64;
 use cranelift_codegen::ir::{Block, InstBuilder, Value};
 
 use super::Variant;
+use super::access::pointer;
 use super::stubs::lists;
 use super::translate::{Region, Translator};
+use crate::mesh::ElementKind;
 use crate::rewrite::{Inst, List};
 
 /// The greatest number of members that are compared pair by pair.
@@ -56,6 +59,23 @@ impl Translator<'_, '_> {
                 if from.max(to) < buffers && from != to =>
             {
                 self.deal([from, to], [place, period.max(1)], turn, on);
+            }
+            Inst::StoreAll { field, buffer, value }
+                if buffer < buffers && self.variant == Variant::Plain =>
+            {
+                let (offset, region, leads_to) = pointer(field);
+                let value = self.target(leads_to, value);
+                let (start, count) = self.slots(buffer);
+                self.each_below(count, |this, at| {
+                    let id = this.slot(start, at);
+                    let id = this.b.ins().band_imm_u(id, i64::from(u32::MAX));
+                    let record = this.record(ElementKind::Halfedge, id);
+                    let lives = this.is_not_dead(ElementKind::Halfedge, record);
+                    this.or_fault(lives);
+                    let flags = this.flags(region);
+                    this.b.ins().store(flags, value, record, offset as i32);
+                });
+                self.b.ins().jump(on, &[]);
             }
             Inst::ExpectAllDistinct { buffer, refusal, otherwise } if buffer < buffers => {
                 let are_distinct = self.are_distinct(buffer);
