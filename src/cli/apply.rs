@@ -8,10 +8,9 @@ use super::counts::Counts;
 use super::failure::Failure;
 use super::meshes;
 use super::output::{complain, complain_json, is_standard, say, say_json};
-use super::place::{self, Found, Place};
+use super::place;
 use super::program::settings;
 use super::program::{self, Program};
-use crate::diagram::{Param, Type};
 use crate::mesh::{
     EdgeId, ElementKind, FaceId, HalfedgeId, Mesh, MeshFile, Places, RepairReport, VertexId,
     WrittenNumbers,
@@ -102,91 +101,10 @@ fn values(
 ) -> Result<Vec<(String, Argument)>, Failure> {
     let params = &program.analysis.program.ops[op].params;
     let mut texts = settings(&arguments.set)?;
-    if let Some((name, _)) = texts
-        .iter()
-        .find(|(name, _)| params.iter().any(|param| param.name == *name && param.ty.is_element()))
-    {
-        return Err(Failure::usage(format!("`{name}` is an element: give --at {name}=PLACE")));
-    }
-    for (param, place) in params.iter().zip(places(params, &arguments.at)?) {
-        match place {
-            Some(place) => {
-                let Found { id, note } = place.find(obj).map_err(Failure::usage)?;
-                if let Some(note) = note {
-                    complain(&format!("note: {note}"));
-                }
-                texts.push((param.name.clone(), id.to_string()));
-            }
-            None if param.ty.is_element() => {
-                let message = format!(
-                    "the parameter `{0}` is missing: give --at {0}={1}",
-                    param.name,
-                    example(param.ty)
-                );
-                return Err(Failure::usage(message));
-            }
-            None => {}
-        }
-    }
+    let places = place::given(params, &arguments.at, &texts)?;
+    texts.extend(place::ids(places, obj)?);
     run::arguments(&program.analysis.program, op, &texts)
         .map_err(|errors| Failure::of(&errors, &program.sources, 2))
-}
-
-/// An example of how a place of this type is written.
-fn example(ty: Type) -> &'static str {
-    match ty {
-        Type::Edge => "edge:A-B",
-        Type::Halfedge => "halfedge:A-B",
-        Type::Face => "face:N",
-        _ => "vertex:A",
-    }
-}
-
-/// For each parameter the place that `--at` gives it, by its name or else in order.
-fn places(params: &[Param], texts: &[String]) -> Result<Vec<Option<Place>>, Failure> {
-    let mut places: Vec<Option<Place>> = vec![None; params.len()];
-    for text in texts {
-        let (name, text) = match text.split_once('=') {
-            Some((name, text)) => (Some(name), text),
-            None => (None, text.as_str()),
-        };
-        let place = place::read(text).map_err(Failure::usage)?;
-        let found = match name {
-            Some(name) => {
-                params.iter().position(|param| param.name == name && param.ty.is_element())
-            }
-            None => {
-                let mut open = params.iter().zip(&places);
-                open.position(|(param, place)| param.ty.is_element() && place.is_none())
-            }
-        };
-        let at = found.ok_or_else(|| {
-            let names = params
-                .iter()
-                .filter(|param| param.ty.is_element())
-                .map(|param| format!("`{}`", param.name));
-            let names = names.collect::<Vec<_>>().join(", ");
-            Failure::usage(match name {
-                Some(name) => {
-                    format!("the operation has no element parameter `{name}`; it has {names}")
-                }
-                None => format!("`{text}` is a place too many: the operation has {names}"),
-            })
-        })?;
-        let wanted = params[at].ty;
-        let place = place.as_wanted(wanted);
-        if place.ty() != wanted {
-            let (name, wanted, given) = (&params[at].name, wanted.word(), place.ty().word());
-            return Err(Failure::usage(format!(
-                "`{name}` is of type {wanted}, but the place is of type {given}: give --at {name}={}",
-                example(params[at].ty)
-            )));
-        }
-        if places[at].replace(place).is_some() {
-            return Err(Failure::usage(format!("`{}` is given twice", params[at].name)));
-        }
-    }
-    Ok(places)
 }
 
 /// The report of `apply`. Elements are named as `--at` would name them in the written file.

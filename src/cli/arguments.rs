@@ -151,6 +151,11 @@ pub(super) struct RunArguments {
     /// A parameter of the script; a vector is written x,y,z
     #[arg(long = "set", value_name = "NAME=VALUE")]
     pub set: Vec<String>,
+    /// A parameter that is an element: edge:A-B, halfedge:A-B,
+    /// vertex:A or face:N, as in apply; several in the order of
+    /// the parameters, or by name: --at start=vertex:12
+    #[arg(long = "at", value_name = "PLACE", verbatim_doc_comment)]
+    pub at: Vec<String>,
     /// Most memory that the mesh and lists may take, as 4G; if not
     /// given, three quarters of the machine's
     #[arg(long, value_name = "SIZE", value_parser = super::memory::read, verbatim_doc_comment)]

@@ -5,7 +5,9 @@
 //! Several edges may join the same two vertices. They are told apart by a number in the order of
 //! the file, `edge:3-7#2`; without one the first is taken, with a note that there are others.
 
-use crate::diagram::Type;
+use super::failure::Failure;
+use super::output::complain;
+use crate::diagram::{Param, Type};
 use crate::mesh::{EdgeId, ElementKind, FaceId, HalfedgeId, MeshFile, VertexId};
 
 /// An element by the numbers of its file: from 1 in OBJ files, ids in tables.
@@ -75,6 +77,104 @@ pub(super) fn read(text: &str) -> Result<Place, String> {
         "face" => number(numbers).map(Place::Face),
         _ => Err(wrong()),
     }
+}
+
+/// For each parameter that is an element, its name and the place that `--at` gives it.
+pub(super) fn given(
+    params: &[Param],
+    at: &[String],
+    set: &[(String, String)],
+) -> Result<Vec<(String, Place)>, Failure> {
+    let elements = || params.iter().filter(|param| param.ty.is_element());
+    if let Some(param) = elements().find(|param| set.iter().any(|(name, _)| *name == param.name)) {
+        let name = &param.name;
+        return Err(Failure::usage(format!("`{name}` is an element: give --at {name}=PLACE")));
+    }
+    let mut places = places(params, at)?.into_iter();
+    let given = params.iter().filter_map(|param| {
+        let place = places.next()?;
+        param.ty.is_element().then(|| match place {
+            Some(place) => Ok((param.name.clone(), place)),
+            None => {
+                let (name, example) = (&param.name, example(param.ty));
+                let message =
+                    format!("the parameter `{name}` is missing: give --at {name}={example}");
+                Err(Failure::usage(message))
+            }
+        })
+    });
+    given.collect()
+}
+
+/// The ids of the elements at places, as texts; tells what else a place could have meant.
+pub(super) fn ids(
+    places: Vec<(String, Place)>,
+    obj: &mut MeshFile,
+) -> Result<Vec<(String, String)>, Failure> {
+    let id = |(name, place): (String, Place)| {
+        let Found { id, note } = place.find(obj).map_err(Failure::usage)?;
+        if let Some(note) = note {
+            complain(&format!("note: {note}"));
+        }
+        Ok((name, id.to_string()))
+    };
+    places.into_iter().map(id).collect()
+}
+
+/// An example of how a place of this type is written.
+fn example(ty: Type) -> &'static str {
+    match ty {
+        Type::Edge => "edge:A-B",
+        Type::Halfedge => "halfedge:A-B",
+        Type::Face => "face:N",
+        _ => "vertex:A",
+    }
+}
+
+/// For each parameter the place that `--at` gives it, by its name or else in order.
+fn places(params: &[Param], texts: &[String]) -> Result<Vec<Option<Place>>, Failure> {
+    let mut places: Vec<Option<Place>> = vec![None; params.len()];
+    for text in texts {
+        let (name, text) = match text.split_once('=') {
+            Some((name, text)) => (Some(name), text),
+            None => (None, text.as_str()),
+        };
+        let place = read(text).map_err(Failure::usage)?;
+        let found = match name {
+            Some(name) => {
+                params.iter().position(|param| param.name == name && param.ty.is_element())
+            }
+            None => {
+                let mut open = params.iter().zip(&places);
+                open.position(|(param, place)| param.ty.is_element() && place.is_none())
+            }
+        };
+        let at = found.ok_or_else(|| {
+            let names = params.iter().filter(|param| param.ty.is_element());
+            let names: Vec<String> = names.map(|param| format!("`{}`", param.name)).collect();
+            let known = match names.is_empty() {
+                true => "no parameter is an element".to_owned(),
+                false => format!("the elements are {}", names.join(", ")),
+            };
+            Failure::usage(match name {
+                Some(name) => format!("`{name}` is not a parameter that is an element; {known}"),
+                None => format!("`{text}` is a place too many; {known}"),
+            })
+        })?;
+        let wanted = params[at].ty;
+        let place = place.as_wanted(wanted);
+        if place.ty() != wanted {
+            let (name, wanted, given) = (&params[at].name, wanted.word(), place.ty().word());
+            return Err(Failure::usage(format!(
+                "`{name}` is of type {wanted}, but the place is of type {given}: give --at {name}={}",
+                example(params[at].ty)
+            )));
+        }
+        if places[at].replace(place).is_some() {
+            return Err(Failure::usage(format!("`{}` is given twice", params[at].name)));
+        }
+    }
+    Ok(places)
 }
 
 impl Place {

@@ -12,6 +12,7 @@ use super::interrupt;
 use super::memory;
 use super::meshes;
 use super::output::{complain, complain_json, is_standard, say, say_json, table};
+use super::place;
 use super::program::{self, Program, settings};
 use super::progress::Progress;
 use super::view::attribute;
@@ -34,8 +35,12 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
         prepared.expect_polygons();
     }
     prepared.limit_memory(arguments.memory.unwrap_or_else(memory::usual));
-    let values =
-        prepared.arguments(&settings(&arguments.set)?).map_err(|errors| failed(&errors, 2))?;
+    let mut texts = settings(&arguments.set)?;
+    let places = place::given(prepared.params(), &arguments.at, &texts)?;
+    // What is wrong with the other values is told before a mesh is read.
+    let elements = places.iter().map(|(name, _)| (name.clone(), "0".to_owned()));
+    let read = |texts: &[_]| prepared.arguments(texts).map_err(|errors| failed(&errors, 2));
+    read(&texts.iter().cloned().chain(elements).collect::<Vec<_>>())?;
     let compile = started.elapsed().as_secs_f64();
     if let Some(output) = &arguments.output {
         meshes::expect_mesh(output)?;
@@ -53,6 +58,8 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
         false => meshes::read(&arguments.mesh, &arguments.repair)?,
     };
     let load = started.elapsed().as_secs_f64();
+    texts.extend(place::ids(places, &mut obj)?);
+    let values = read(&texts)?;
     for attribute in prepared.attributes() {
         obj.bring(attribute);
     }

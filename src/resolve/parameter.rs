@@ -20,7 +20,7 @@ const MOST_PARAMETERS: usize = 255;
 pub(super) enum Owner {
     /// An op: elements and values; a default names nothing.
     Op,
-    /// A script: values; a default may name earlier parameters.
+    /// A script: elements and values; a default may name earlier parameters.
     Script,
     /// A function: elements and values; a default names nothing.
     Function,
@@ -74,8 +74,11 @@ fn allowed(ty: Type, owner: Owner, param: &tree::Param, report: &mut Report) -> 
             "a parameter of an op is an element, a bool, a number, a vector or a matrix".to_owned(),
         ),
         Owner::Script => (
-            matches!(ty, Type::Bool | Type::Int | Type::Real) || ty.is_vector(),
-            format!("a parameter of a script is a bool, a number or a vector, not {}", a_type(ty)),
+            matches!(ty, Type::Bool | Type::Int | Type::Real) || ty.is_vector() || ty.is_element(),
+            format!(
+                "a parameter of a script is an element, a bool, a number or a vector, not {}",
+                a_type(ty)
+            ),
         ),
     };
     if !fits {

@@ -32,6 +32,14 @@ pub(super) fn type_among(
     let message = format!("there is no type `{}`", word.text);
     let error = Diagnostic::error("unknown-type", message, word.span);
     let known: Vec<&str> = Type::ALL.into_iter().filter(fit).map(Type::word).collect();
+    let error = match word.text.to_lowercase().as_str() {
+        "list" | "array" | "set" | "map" | "dict" | "queue" | "stack" | "deque" | "heap" => error
+            .note(
+                "there are no lists: an attribute marks elements, `attr chosen: vertex bool`, and \
+                 `drain v in vertices by key(v)` takes them in an order that changes on the way",
+            ),
+        _ => error,
+    };
     let ours = type_word(&word.text).filter(|ours| known.contains(ours)).map(Here::Written);
     let error = foreign_words::tell(error, (&word.text, word.span), ours, known.iter().copied())
         .note(format!("the types are {}", quoted(&known)));

@@ -228,3 +228,34 @@ fn ops_of_one_name_are_told_apart_by_their_files() {
         .map(|file| bench.succeeds(&["plan", &format!("both.hedge::{file}::flip")]));
     assert_ne!(one, other);
 }
+
+#[test]
+fn a_script_takes_elements_by_the_numbers_of_the_file() {
+    let bench = Bench::new();
+    bench.write("m.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n");
+    bench.write(
+        "a.hedge",
+        "use \"std/triangle.hedge\"\n\
+         script s(a: vertex, e: edge, by: real = 1) {\n\
+           if flip(e) { a.position = by * a.position }\n\
+           print \"{a.position} {length(e)}\"\n\
+         }\n",
+    );
+    let run = |more: &[&str]| bench.run(&[&["run", "a.hedge", "m.obj"], more].concat());
+    let by_order = run(&["--at", "vertex:2", "--at", "edge:1-3", "--set", "by=3"]);
+    assert!(by_order.out.contains("(3, 0, 0) 3.1622"), "{by_order:?}");
+    let by_name = run(&["--at", "e=edge:3-1", "--at", "a=vertex:2", "--set", "by=3", "--reorder"]);
+    assert_eq!(by_name.out.lines().next(), by_order.out.lines().next(), "{by_name:?}");
+    for (more, says) in [
+        (vec!["--at", "vertex:2"], "`e` is missing: give --at e=edge:A-B"),
+        (vec!["--at", "vertex:2", "--at", "edge:2-4"], "no edge joins the vertices 2 and 4"),
+        (vec!["--at", "vertex:9", "--at", "edge:1-3"], "no vertex 9"),
+        (vec!["--at", "face:1", "--at", "edge:1-3"], "`a` is of type vertex"),
+        (vec!["--at", "b=vertex:1"], "the elements are `a`, `e`"),
+        (vec!["--set", "a=2", "--at", "edge:1-3"], "`a` is an element: give --at a=PLACE"),
+    ] {
+        let said = run(&more);
+        assert_eq!(said.code, 2, "{said:?}");
+        assert!(said.err.contains(says), "{more:?}: {said:?}");
+    }
+}

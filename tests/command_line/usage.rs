@@ -141,7 +141,7 @@ fn places() {
         ("edge:2-4", "no edge joins"),
         ("edge:1-1", "no edge joins"),
         ("vertex:1", "`e` is of type edge"),
-        ("x=edge:1-3", "it has `e`"),
+        ("x=edge:1-3", "the elements are `e`"),
     ] {
         let arguments = ["apply", &flip(), "square.obj", "-o", "out.obj", "--at", at];
         bench.fails(2, &arguments, words);

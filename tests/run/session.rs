@@ -424,6 +424,37 @@ fn ids_are_given_again_when_nobody_has_them() {
 }
 
 #[test]
+fn an_element_that_a_script_is_given_keeps_its_id() {
+    let text = "use \"std/triangle.hedge\"
+        script s(a: vertex) {
+          for e in edges { collapse(e) }
+          for e in edges { split(e) }
+          a.position = 2 * a.position
+        }
+        script called(a: vertex) { s(a) }";
+    let program = Program::parse("given.hedge", text).unwrap();
+    let mut outcomes = [0; 2];
+    for name in ["s", "called"] {
+        let script = program.script(name).unwrap();
+        for vertex in (0..42).map(VertexId) {
+            let mut session = Session::new(&program, shape::icosphere(1));
+            match session.run(&script, [("a", vertex)]) {
+                Ok(_) => outcomes[0] += 1,
+                Err(error) => {
+                    assert_eq!(error.code(), "element-gone");
+                    outcomes[1] += 1;
+                }
+            }
+        }
+        let mut session = Session::new(&program, shape::icosphere(1));
+        assert_eq!(session.run(&script, [("a", VertexId(42))]).unwrap_err().code(), "no-element");
+        assert_eq!(session.run(&script, [("a", EdgeId(0))]).unwrap_err().code(), "wrong-argument");
+        assert_eq!(session.run(&script, ()).unwrap_err().code(), "missing-argument");
+    }
+    assert!(outcomes.iter().all(|&times| times > 10), "{outcomes:?}");
+}
+
+#[test]
 fn a_script_can_be_stopped_and_the_session_goes_on() {
     struct Impatient;
     impl Watch for Impatient {
