@@ -236,13 +236,14 @@ pub(super) fn without_lost_attributes(parts: &[Part], told: &mut Vec<Diagnostic>
     let of_attributes = |told: &Diagnostic| told.code == "missing-attribute";
     let touches =
         |item: Span, place: Span| item.file == place.file && item.touches(place.start as usize);
-    let items = parts.iter().flat_map(|part| &part.parsed.tree.items);
-    let declared = items.filter(|item| matches!(item, Item::Attr(_))).map(Item::span);
-    let lost: Vec<Span> = declared
-        .filter(|&item| {
-            told.iter().any(|error| !of_attributes(error) && touches(item, error.span()))
-        })
-        .collect();
+    let wrong =
+        |item: Span| told.iter().any(|error| !of_attributes(error) && touches(item, error.span()));
+    let lost = parts.iter().flat_map(|part| {
+        let tree = &part.parsed.tree;
+        let declared = tree.items.iter().filter(|item| matches!(item, Item::Attr(_)));
+        declared.map(Item::span).filter(|&item| tree.is_misread(item) || wrong(item))
+    });
+    let lost: Vec<Span> = lost.collect();
     told.retain(|error| {
         let mut labels = error.labels.iter();
         let is_lost = labels.any(|label| lost.iter().any(|&item| touches(item, label.span)));

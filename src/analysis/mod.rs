@@ -23,6 +23,7 @@ mod foreign;
 mod hints;
 mod hover;
 mod invert;
+mod kept_comments;
 mod lenses;
 mod library_hints;
 mod links;

@@ -5,6 +5,7 @@ use super::before::tell_of_before;
 use super::broken_dependencies::tell_what_is_lacking;
 use super::files::{Absent, Parts, Reader, fetch, without_consequences, without_lost_attributes};
 use super::foreign::tell_as_elsewhere;
+use super::kept_comments::keep_comments;
 use super::library_hints::tell_where;
 use super::parse_cache::Readings;
 use crate::check::{Counterexample, Proved};
@@ -94,6 +95,7 @@ impl Analysis {
         diagnostics.extend(plan_steps(&program, &functions, &mut plans));
         without_lost_attributes(&parts, &mut diagnostics);
         tell_what_is_lacking(&program, &parts, sources, (&plans, &diagnostics), &mut lacks);
+        keep_comments(&mut diagnostics, sources);
         diagnostics.sort_by_key(|diagnostic| {
             let Span { file, start, .. } = diagnostic.span();
             (file, start)

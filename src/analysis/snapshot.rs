@@ -12,6 +12,7 @@ use std::rc::Rc;
 use super::before::tell_of_before;
 use super::files::{Parts, Reader, fetch, name_of};
 use super::foreign::tell_as_elsewhere;
+use super::kept_comments::keep_comments;
 use super::library_hints::tell_where;
 use super::memory::{Memory, Passage};
 use super::names::Names;
@@ -111,6 +112,7 @@ impl Snapshot {
         let (functions, too_large) = Functions::of(&program);
         told.extend(too_large);
         tell_of_before(&program, &mut told);
+        keep_comments(&mut told, &sources);
         let due = due(&program, &functions, (file, &sources));
         let places = program.ops.iter().enumerate().map(|(number, op)| (op.span, number));
         Self {

@@ -239,7 +239,7 @@ fn sequence_called(word: &str) -> Option<Here> {
 /// The replacement of a foreign word used as a value or statement.
 pub(super) fn name(word: &str) -> Option<Here> {
     Some(match word {
-        "PI" | "Pi" => Written("pi"),
+        "PI" | "Pi" | "M_PI" => Written("pi"),
         "inf" | "INF" | "Infinity" | "INFINITY" => Written("infinity"),
         "True" | "TRUE" => Written("true"),
         "False" | "FALSE" => Written("false"),
@@ -281,9 +281,13 @@ pub(super) fn name(word: &str) -> Option<Here> {
 
 /// True if other languages declare a variable with this word: `int x = 3`, `const x = 3`.
 pub(super) fn declares(word: &str) -> bool {
-    matches!(word, "const" | "auto" | "mut")
-        || Type::ALL.iter().any(|ty| ty.word() == word)
-        || type_word(word).is_some()
+    matches!(word, "const" | "auto" | "mut") || declared_type(word).is_some()
+}
+
+/// The type that such a word gives to a variable.
+pub(super) fn declared_type(word: &str) -> Option<&'static str> {
+    let mut ours = Type::ALL.into_iter().map(Type::word);
+    type_word(word).or_else(|| ours.find(|ours| *ours == word))
 }
 
 /// Adds the replacement of the foreign `word` at `span` to `diagnostic`; if there is none, suggests

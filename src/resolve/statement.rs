@@ -92,7 +92,9 @@ impl Scripting<'_> {
         }
         let written = word.span.to(name.span);
         let message = format!("a variable is not declared with `{}`", word.text);
-        let ours = format!("let {}", name.text);
+        let ty = foreign_words::declared_type(&word.text);
+        let ty = ty.map_or(String::new(), |ty| format!(": {ty}"));
+        let ours = format!("let {}{ty}", name.text);
         let error = Diagnostic::error("unknown-name", message, written)
             .note("a variable begins with `let`, or with `var` if it changes")
             .fix(format!("write `{ours}`"), written, ours);

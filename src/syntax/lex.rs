@@ -149,13 +149,15 @@ impl Lexed {
                 let found = Diagnostic::error("malformed-number", message, span);
                 let digits = word.trim_end_matches(|c: char| c.is_alphabetic());
                 let marked = matches!(&word[digits.len()..], "f" | "F" | "d" | "l" | "L" | "u");
-                self.diagnostics.push(match marked {
-                    true => found.note("a number has no letter for its type behind it").fix(
-                        format!("write `{digits}`"),
-                        span,
-                        digits,
-                    ),
-                    false => found.note("put a space or an operator before the letters"),
+                let written = |ours: &str, note: &str| {
+                    found.clone().note(note).fix(format!("write `{ours}`"), span, ours)
+                };
+                self.diagnostics.push(match decimal(word) {
+                    Some(ours) => written(&ours, "an int consists of decimal digits"),
+                    None if marked => {
+                        written(digits, "a number has no letter for its type behind it")
+                    }
+                    None => found.note("put a space or an operator before the letters"),
                 });
                 match digits.contains(['.', 'e', 'E']) && marked {
                     true => TokenKind::Real,
@@ -205,6 +207,18 @@ impl Lexed {
         let kind = TokenKind::Text;
         self.tokens.push(Token { kind, span });
     }
+}
+
+/// The decimal digits of an int in another base or with `_` between its digits.
+fn decimal(word: &str) -> Option<String> {
+    let digits = word.replace('_', "");
+    let radix = match digits.get(..2)? {
+        "0x" | "0X" => 16,
+        "0o" | "0O" => 8,
+        "0b" | "0B" => 2,
+        _ => return digits.parse::<i64>().ok().map(|_| digits),
+    };
+    i64::from_str_radix(&digits[2..], radix).ok().map(|value| value.to_string())
 }
 
 fn comment(span: Span, word: &str) -> Comment {

@@ -56,6 +56,7 @@ macro_rules! token_kinds {
             #[regex(r"'[^'\r\n]*'")]
             #[regex(r"'", quote)]
             #[regex(r"“[^”\r\n]*”")]
+            #[regex(r"`[^`\r\n]*`")]
             #[regex(r"\.[0-9]+")]
             Foreign,
             /// `"text"`

@@ -160,6 +160,27 @@ fn what_is_sure_is_written_until_nothing_is_left() {
     assert_eq!(bench.read("poke.hedge"), mended);
 }
 
+/// Each round mends one level, and the text becomes longer.
+#[test]
+fn a_fix_whose_error_comes_back_again_and_again_is_not_written() {
+    let bench = Bench::new();
+    let nested = |depth: usize| {
+        let inside = (0..depth)
+            .fold("true".to_owned(), |inside, at| format!("all(x{at} in faces: {inside})"));
+        format!("script main() {{\n  print {inside}\n}}\nscript more() {{\n  print .5\n}}\n")
+    };
+    for (depth, is_mended) in [(4, true), (24, false)] {
+        let text = nested(depth);
+        bench.write("all.hedge", &text);
+        let said = bench.run(&["check", "--fix", "all.hedge"]);
+        assert_eq!(said.code == 0, is_mended, "{said:?}");
+        // The other fixes are written all the same.
+        let mended = bench.read("all.hedge");
+        assert!(mended.contains("print 0.5"), "{mended}");
+        assert_eq!(mended.contains(": "), !is_mended, "{mended}");
+    }
+}
+
 #[test]
 fn what_depends_on_something_broken_says_so() {
     let bench = Bench::new();

@@ -1,7 +1,7 @@
 //! Foreign syntax that was found in one place.
 
 use super::pattern::{Class, What};
-use super::place::{HEAD, Item};
+use super::place::{CODE, HEAD, Item};
 use super::table::{Form, Piece};
 use super::types::type_meant;
 use crate::diagnostic::Edit;
@@ -83,15 +83,15 @@ impl<'t> Match<'t, '_> {
         text
     }
 
-    /// The text of a hole; a foreign type in the head of an item is translated.
+    /// The text of a hole; a foreign type is translated.
     fn text(&self, hole: Option<&str>, range: Range<usize>) -> &'t str {
         let ours = hole.and_then(|hole| self.renamed(hole, range.clone()));
         ours.unwrap_or(self.item.slice(range))
     }
 
-    /// The name in this language of a foreign type in a hole, in the head of an item.
+    /// The name in this language of a foreign type in a hole, in the head of an item or in a block.
     fn renamed(&self, hole: &str, range: Range<usize>) -> Option<&'static str> {
-        let is_type = hole == "t" && self.form.place == HEAD;
+        let is_type = hole == "t" && matches!(self.form.place, HEAD | CODE);
         is_type.then(|| type_meant(self.item.slice(range)))?
     }
 

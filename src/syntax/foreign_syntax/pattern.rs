@@ -8,7 +8,7 @@
 //! | `$a` | a name, optionally with a subscript |
 //! | `$a=(/,` | a token with one of these spellings, kept |
 //! | `$a:word` | a name or a keyword |
-//! | `$a:vertex` | a name that is the target of an arrow somewhere in the item |
+//! | `$a:vertex` | a name that stands for a vertex in a loop somewhere in the item |
 //! | `$a:text` | a text in quotes |
 //! | `$a:number` | a number |
 //! | `$a:names` | zero or more names, optionally separated by commas |
@@ -17,12 +17,18 @@
 //! | `$a:line` | the same, up to the end of the statement |
 //! | `$a:plain` | the same, without the arrow of a path |
 //! | `$a:inside` | the same over several lines: the contents of brackets |
+//! | `$a:value` | the same, at least one token, without braces and without a sign at its end |
+//! | `$a:bound` | the same, at least one token, without commas and conditions |
+//! | `$a:operand` | a number, or a name with what is read and called behind it |
+//! | `$a:exponent` | the same, without a power behind it |
+//! | `$i:next` | a step of what `$i` stands for by one: `i++` |
 //! | `$:end` | nothing, at the end of a line |
 //!
 //! With `~` before it, an element touches the previous one; with `_`, it is on the same line. A
-//! pattern that begins with `^` matches only where a statement begins.
+//! pattern that begins with `^` matches only where a statement begins. A hole that occurs again
+//! stands for the same text.
 
-use super::place::Item;
+use super::place::{Item, goes_on};
 use crate::syntax::token::{Token, TokenKind as T};
 use std::ops::Range;
 
@@ -68,6 +74,11 @@ pub(super) enum Class {
     Line,
     Plain,
     Inside,
+    Value,
+    Bound,
+    Operand,
+    Exponent,
+    Next,
     End,
 }
 
@@ -114,6 +125,13 @@ impl Element {
         };
         Self { touches, same_line, what }
     }
+
+    fn hole(&self) -> Option<&'static str> {
+        match self.what {
+            What::Hole(name, _) => Some(name),
+            What::Written(_) => None,
+        }
+    }
 }
 
 fn hole_of(written: &'static str) -> What {
@@ -132,6 +150,11 @@ fn hole_of(written: &'static str) -> What {
         "line" => Class::Line,
         "plain" => Class::Plain,
         "inside" => Class::Inside,
+        "value" => Class::Value,
+        "bound" => Class::Bound,
+        "operand" => Class::Operand,
+        "exponent" => Class::Exponent,
+        "next" => Class::Next,
         "end" => Class::End,
         _ => Class::Name,
     };
@@ -146,14 +169,16 @@ fn ways(written: &'static str) -> Vec<&'static str> {
     }
 }
 
-/// True if the elements match from a token on; the tokens of each are added to `found`.
+/// True if the elements that are not found yet match from a token on; the tokens of each are added
+/// to `found`.
 fn rest_matches(
     elements: &[Element],
     item: &Item,
     at: usize,
     found: &mut Vec<Range<usize>>,
 ) -> bool {
-    let Some((element, rest)) = elements.split_first() else {
+    let known = found.len();
+    let Some(element) = elements.get(known) else {
         return true;
     };
     if element.touches && !item.touches(at) {
@@ -162,10 +187,11 @@ fn rest_matches(
     if element.same_line && item.ends_line(at) {
         return false;
     }
-    let known = found.len();
-    for end in ends(&element.what, item, at) {
+    let same = elements[..known].iter().position(|other| other.hole() == element.hole());
+    let same = element.hole().and(same).map(|first| item.slice(found[first].clone()));
+    for end in ends(&element.what, item, at, same) {
         found.push(at..end);
-        if rest_matches(rest, item, end, found) {
+        if rest_matches(elements, item, end, found) {
             return true;
         }
         found.truncate(known);
@@ -173,8 +199,18 @@ fn rest_matches(
     false
 }
 
-/// The possible ends of an element that begins at a token, in the order in which they are tried.
-fn ends(what: &What, item: &Item, at: usize) -> Vec<usize> {
+/// The possible ends of an element that begins at a token, in the order in which they are tried;
+/// `same` is the text of an earlier hole of its name.
+fn ends(what: &What, item: &Item, at: usize, same: Option<&str>) -> Vec<usize> {
+    if let (What::Hole(_, Class::Next), Some(name)) = (what, same) {
+        return next_end(item, at, name).into_iter().collect();
+    }
+    let mut ends = all_ends(what, item, at);
+    ends.retain(|&end| same.is_none_or(|same| item.slice(at..end) == same));
+    ends
+}
+
+fn all_ends(what: &What, item: &Item, at: usize) -> Vec<usize> {
     let kind = item.kind(at);
     let one = |is: bool| if is { vec![at + 1] } else { Vec::new() };
     match what {
@@ -183,7 +219,7 @@ fn ends(what: &What, item: &Item, at: usize) -> Vec<usize> {
             Class::OneOf(ways) => one(kind.is_some() && ways.contains(&item.word(at))),
             Class::Name => item.name_end(at).into_iter().collect(),
             Class::Vertex => {
-                let is_vertex = item.leads_to(item.word(at));
+                let is_vertex = item.is_vertex(item.word(at));
                 item.name_end(at).filter(|_| is_vertex).into_iter().collect()
             }
             Class::Word => one(kind.is_some_and(T::is_wordlike)),
@@ -203,6 +239,27 @@ fn ends(what: &What, item: &Item, at: usize) -> Vec<usize> {
                 line.filter(is_plain).into_iter().collect()
             }
             Class::Inside => paired(item, at, |_| false),
+            Class::Value => {
+                let mut ends = paired(item, at, |end| {
+                    item.ends_line(end) || item.kind(end) == Some(T::LeftBrace)
+                });
+                let is_sign = |kind: T| kind == T::Star || goes_on(kind);
+                ends.retain(|&end| end > at && !item.kind(end - 1).is_some_and(is_sign));
+                ends
+            }
+            Class::Bound => {
+                let ends = paired(item, at, |end| item.ends_line(end));
+                let is_bound = |end: &usize| (at..*end).all(|at| !decides(item.word(at)));
+                ends.into_iter().filter(|&end| end > at).take_while(is_bound).collect()
+            }
+            Class::Operand => operand_end(item, at).into_iter().collect(),
+            Class::Exponent => {
+                let is_last = |&end: &usize| {
+                    item.word(end) != "^" && [end, end + 1].map(|at| item.word(at)) != ["*", "*"]
+                };
+                operand_end(item, at).filter(is_last).into_iter().collect()
+            }
+            Class::Next => Vec::new(),
             Class::End => {
                 if item.ends_line(at) {
                     vec![at]
@@ -211,6 +268,43 @@ fn ends(what: &What, item: &Item, at: usize) -> Vec<usize> {
                 }
             }
         },
+    }
+}
+
+/// True if a word separates values, compares or combines conditions.
+fn decides(word: &str) -> bool {
+    let signs = [",", "|", "&", "&&", "?", "=", "==", "!=", "<", "<=", ">", ">="];
+    signs.contains(&word) || matches!(word, "and" | "or")
+}
+
+/// The end of a step of a name by one.
+fn next_end(item: &Item, at: usize, name: &str) -> Option<usize> {
+    let steps: [&[&str]; 4] = [
+        &[name, "+", "+"],
+        &["+", "+", name],
+        &[name, "+", "=", "1"],
+        &[name, "=", name, "+", "1"],
+    ];
+    let is_here = |step: &&[&str]| (at..).zip(*step).all(|(at, word)| item.word(at) == *word);
+    steps.into_iter().find(is_here).map(|step| at + step.len())
+}
+
+/// The end of a number, or of a name with what is read and called behind it.
+fn operand_end(item: &Item, at: usize) -> Option<usize> {
+    if matches!(item.kind(at)?, T::Int | T::Real) {
+        return Some(at + 1);
+    }
+    let mut end = item.name_end(at)?;
+    loop {
+        end = match item.kind(end) {
+            Some(T::Dot) if item.kind(end + 1).is_some_and(T::is_wordlike) => end + 2,
+            Some(T::LeftParen) if item.touches(end) => {
+                let closing = paired(item, end + 1, |_| false).pop()?;
+                item.kind(closing).filter(|kind| *kind == T::RightParen)?;
+                closing + 1
+            }
+            _ => return Some(end),
+        };
     }
 }
 

@@ -23,7 +23,7 @@ pub(super) const ANY: Places = HEAD | PARTS | DRAWING | CODE;
 pub(super) struct Item<'t> {
     text: &'t str,
     pub tokens: Vec<Token>,
-    targets: HashSet<&'t str>,
+    vertices: HashSet<&'t str>,
 }
 
 impl<'t> Item<'t> {
@@ -31,8 +31,9 @@ impl<'t> Item<'t> {
         let word = |token: &Token| text.get(token.span.range()).unwrap_or("");
         let arrows =
             tokens.windows(2).filter(|pair| matches!(pair[0].kind, T::Arrow | T::FatArrow));
-        let targets = arrows.map(|pair| word(&pair[1])).collect();
-        Self { text, tokens: tokens.to_vec(), targets }
+        let targets = arrows.map(|pair| word(&pair[1]));
+        let vertices = targets.chain(loop_beginnings(tokens).map(word)).collect();
+        Self { text, tokens: tokens.to_vec(), vertices }
     }
 
     pub(super) fn token(&self, at: usize) -> Option<&Token> {
@@ -63,9 +64,9 @@ impl<'t> Item<'t> {
         self.text.get(first.span.start as usize..last.span.end as usize).unwrap_or("")
     }
 
-    /// True if an arrow somewhere in the item leads to this name.
-    pub(super) fn leads_to(&self, word: &str) -> bool {
-        self.targets.contains(word)
+    /// True if this name stands for a vertex in a loop somewhere in the item.
+    pub(super) fn is_vertex(&self, word: &str) -> bool {
+        self.vertices.contains(word)
     }
 
     /// The end of the name that begins at a token, if there is one.
@@ -129,8 +130,22 @@ impl<'t> Item<'t> {
     }
 }
 
+/// The names that follow the colon of a loop: a loop consists of vertices, with arrows between them
+/// or without.
+fn loop_beginnings(tokens: &[Token]) -> impl Iterator<Item = &Token> {
+    let is_loop = |tokens: &[Token]| {
+        let [kind, name, colon] = [0, 1, 2].map(|at| tokens[at].kind);
+        matches!(kind, T::Face | T::Hole | T::Loop) && name.is_name() && colon == T::Colon
+    };
+    let begins = (3..=tokens.len()).filter(move |&at| is_loop(&tokens[at - 3..at]));
+    begins.flat_map(|at| {
+        let listed = |token: &&Token| token.kind.is_name() || token.kind == T::Comma;
+        tokens[at..].iter().take_while(listed).filter(|token| token.kind.is_name())
+    })
+}
+
 /// True if a statement certainly continues after a token.
-fn goes_on(kind: T) -> bool {
+pub(super) fn goes_on(kind: T) -> bool {
     matches!(
         kind,
         T::Comma

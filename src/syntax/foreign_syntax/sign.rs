@@ -33,12 +33,14 @@ pub(super) fn sign(written: &str, span: Span, around: Around) -> Sign {
     let whole = |text: String| Some((span, text));
     match first {
         '#' if written.starts_with("#include") => {
-            let path = written.split(['"', '<', '>']).nth(1).unwrap_or("std/triangle.hedge");
-            let ours = format!("use \"{path}\"");
+            let mut parts = written.splitn(3, ['"', '<', '>']).skip(1);
+            let (path, rest) = (parts.next(), parts.next().unwrap_or(""));
+            let ours = format!("use \"{}\"", path.unwrap_or("std/triangle.hedge"));
+            let replaced = Span { end: span.end - rest.len() as u32, ..span };
             Sign {
                 kind: None,
                 says: format!("a file is used by its path: `{ours}`"),
-                fix: whole(ours),
+                fix: path.map(|_| (replaced, ours)),
             }
         }
         '#' => Sign {
@@ -68,10 +70,19 @@ pub(super) fn sign(written: &str, span: Span, around: Around) -> Sign {
                 fix: whole(format!("\"{inside}\"")),
             }
         }
-        '.' => Sign {
-            kind: Some(T::Real),
-            says: "a number has a digit before its point".to_owned(),
-            fix: whole(format!("0{written}")),
+        '.' => match misplaced_point(around.before) {
+            // What is left is most likely what was meant.
+            Some(says) => Sign { kind: None, says: says.to_owned(), fix: None },
+            None => Sign {
+                kind: Some(T::Real),
+                says: "a number has a digit before its point".to_owned(),
+                fix: whole(format!("0{written}")),
+            },
+        },
+        '`' if written.len() > 1 => Sign {
+            kind: Some(T::Text),
+            says: "a text stands in double quotes, a value in it in braces: `\"n={x}\"`".to_owned(),
+            fix: template(written.trim_matches('`')).and_then(whole),
         },
         '\u{A0}' | '\u{2007}' | '\u{202F}' | '\u{3000}' => Sign {
             kind: None,
@@ -80,6 +91,37 @@ pub(super) fn sign(written: &str, span: Span, around: Around) -> Sign {
         },
         _ => Sign { kind: None, says: format!("`{written}` means nothing here"), fix: None },
     }
+}
+
+/// The message on a point with digits behind it that touches what stands before it on its line.
+fn misplaced_point(before: &str) -> Option<&'static str> {
+    let is_part = |c: char| c.is_alphanumeric() || c == '_';
+    let word = before.rsplit(|c| !is_part(c)).next().unwrap_or("");
+    match before.chars().next_back()? {
+        '.' => Some("a range has two points: `0..n`, from 0 up to, but without, n"),
+        _ if word.starts_with(|c: char| c.is_ascii_digit()) => {
+            Some("a number consists of digits, with at most one point between them")
+        }
+        c if is_part(c) || matches!(c, ')' | ']' | '\'') => {
+            Some("a component is `.x`, `.y` or `.z`; a name has no point in it")
+        }
+        _ => None,
+    }
+}
+
+/// The text in double quotes that a template means; `None` if a value in it has quotes.
+fn template(inside: &str) -> Option<String> {
+    let mut parts = inside.split("${");
+    let plain = |text: &str| text.replace('"', "\\\"").replace('{', "\\{").replace('}', "\\}");
+    let mut text = plain(parts.next()?);
+    for part in parts {
+        let (value, rest) = part.split_once('}')?;
+        if value.contains(['"', '{']) {
+            return None;
+        }
+        text.push_str(&format!("{{{value}}}{}", plain(rest)));
+    }
+    Some(format!("\"{text}\""))
 }
 
 /// A `/* … */` comment rewritten with `//`; if something follows on its line, it moves to a line

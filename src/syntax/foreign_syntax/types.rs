@@ -17,7 +17,9 @@ pub(super) fn type_meant(word: &str) -> Option<&'static str> {
 pub fn type_word(word: &str) -> Option<&'static str> {
     Some(match word.to_lowercase().as_str() {
         "float" | "double" | "number" | "scalar" | "f32" | "f64" => "real",
-        "integer" | "i32" | "i64" | "u32" | "usize" | "long" => "int",
+        "integer" | "i32" | "i64" | "u32" | "usize" | "long" | "short" | "unsigned" | "size_t" => {
+            "int"
+        }
         "boolean" => "bool",
         "string" | "str" | "char" => "text",
         "vector" | "vec" | "vector3" | "float3" | "double3" | "point" | "point3" | "position" => {

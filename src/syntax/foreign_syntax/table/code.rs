@@ -20,7 +20,6 @@ pub(super) const LINES: &[Line] = &[
         "$t",
         "values stand in a text that is printed: `print \"n={count(edges)}\"`",
     ),
-    fixed(CODE, "` $a:part `", "true", "\"$a\"", "a text stands in double quotes"),
     sure(CODE, "^$f ( $a:inside ) ~!/?", "must $f($a)", REFUSED),
     sure(CODE, "= $f ( $a:inside ) ~!/? $:end", "= must $f($a)", REFUSED),
     sure(
@@ -82,19 +81,19 @@ pub(super) const LINES: &[Line] = &[
     ),
     sure(
         CODE,
-        "= $a:some _if $c:some _else $b:line",
+        "= $a:value _if $c:value _else $b:line",
         "= if $c { $a } else { $b }",
         "a choice is `if c { x } else { y }`",
     ),
     sure(
         CODE,
-        "return $a:some _if $c:some _else $b:line",
+        "return $a:value _if $c:value _else $b:line",
         "return if $c { $a } else { $b }",
         "a choice is `if c { x } else { y }`",
     ),
     sure(
         CODE | HEAD,
-        "{ $a:some _if $c:some _else $b:some }",
+        "{ $a:value _if $c:value _else $b:value }",
         "{ if $c { $a } else { $b } }",
         "a choice is `if c { x } else { y }`",
     ),

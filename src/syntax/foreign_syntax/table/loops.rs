@@ -1,7 +1,7 @@
 //! Loops of scripts and functions.
 
 use super::{Line, fixed, sure, told};
-use crate::syntax::foreign_syntax::place::CODE;
+use crate::syntax::foreign_syntax::place::{CODE, PARTS};
 
 const LOOP: &str = "a loop is `for v in vertices where … { … }`";
 const COUNTED: &str = "a loop over ints is `for i in 0..n { … }`: from 0 up to, but without, n";
@@ -10,18 +10,20 @@ const LEAST: &str = "`drain` takes the least key first; `by -x` takes the greate
 const ORDERED: &str =
     "`for` has no order; `drain $n in … by x while … { … }` takes the least first";
 const PARALLEL: &str = "`where` is tested on all threads: `parallel for $n in … where … { … }`";
-const CHOICE: &str = "a choice is `if c { … } else { … }`, also as a value";
+const SEVERAL: &str =
+    "a choice among several is `if x == 1 { … } else if x == 2 { … } else { … }`, also as a value";
+const STOPPED: &str = "a script is stopped by `assert c else \"…\"`, an op in steps refused by `require c else \"…\"`";
 
 pub(super) const LINES: &[Line] = &[
     sure(
         CODE,
-        "^for ( $t=let/var/int/auto/size_t/unsigned/long $i = $a:part ; $j < $n:part ; $s:inside ) {",
+        "^for ( $t=let/var/int/auto/size_t/unsigned/long $i = $a:bound ; $i < $n:bound ; $i:next ) {",
         "for $i in $a..$n {",
         COUNTED,
     ),
     sure(
         CODE,
-        "^for ( $t=let/var/int/auto/size_t/unsigned/long $i = $a:part ; $j <= $n:part ; $s:inside ) {",
+        "^for ( $t=let/var/int/auto/size_t/unsigned/long $i = $a:bound ; $i <= $n:bound ; $i:next ) {",
         "for $i in $a..$n + 1 {",
         COUNTED,
     ),
@@ -84,6 +86,12 @@ pub(super) const LINES: &[Line] = &[
     ),
     sure(CODE, "by $k:some asc/ascending/increasing $o={/while", "by $k $o", LEAST),
     told(CODE, "^for $n in $s:some order/sorted/sort by $k:some {", "for $n in $s {", ORDERED),
+    told(
+        CODE,
+        "^for $i in $a:part .. $n:part step/by $s:part {",
+        "for $i in $a..$n {",
+        "a range has no step: `var $i = $a`, then `while $i < $n { … $i = $i + $s }`",
+    ),
     told(CODE, "^for $n in $s:some by $k:some {", "for $n in $s {", ORDERED),
     sure(
         CODE,
@@ -109,14 +117,12 @@ pub(super) const LINES: &[Line] = &[
         "a loop asks before each turn: `while c { … }`",
     ),
     sure(CODE, "^loop {", "while true {", "`loop` is written `while true`"),
-    told(CODE, "^switch/match $x:inside {", "{", CHOICE),
+    told(CODE, "^switch/match $x:inside { $b:inside }", "", SEVERAL),
+    told(CODE, "^switch/match $x:inside {", "{", SEVERAL),
+    told(CODE | PARTS, "$w==/return/( switch/match $x:inside { $b:inside }", "$w true", SEVERAL),
     told(CODE, "^try {", "{", "a refusal is asked for: `if split(e) { … } else { … }`"),
-    told(
-        CODE,
-        "^throw/raise/panic $l:line",
-        "",
-        "a script is stopped by `assert c else \"…\"`, an op in steps refused by `require c else \"…\"`",
-    ),
+    told(CODE, "^throw/raise/panic $l:line", "", STOPPED),
+    told(CODE, "^error/fail/abort/die $t:text", "", STOPPED),
     sure(CODE, "$p=) then/do {", "$p {", "no `{}` stands before a brace"),
     sure(CODE, "$n then/do {", "$n {", "no `{}` stands before a brace"),
     sure(CODE, "^pass/noop $:end", "", "an empty block is `{ }`"),

@@ -4,9 +4,12 @@ use super::{Line, fixed, sure, told};
 use crate::syntax::foreign_syntax::place::{ANY, CODE, DRAWING, PARTS};
 
 const POWER: &str = "a power is `pow(x, y)`, a square `x * x`";
+const CHANGE: &str = "a change is written out: `x = x mod 2`, `c = c and d`";
 
 pub(super) const LINES: &[Line] = &[
     sure(ANY, ";", "", "no `;`: a statement ends where the next one begins"),
+    told(CODE | PARTS | DRAWING, "&&/&/%/^ ~= $v:line", "= $v", CHANGE),
+    told(CODE | PARTS | DRAWING, "| ~| ~= $v:line", "= $v", CHANGE),
     sure(ANY, "&&/&/∧", "and", "`{}` is written `and`"),
     sure(CODE | PARTS, "| ~|", "or", "`||` is written `or`"),
     sure(ANY, "∨", "or", "`{}` is written `or`"),
@@ -31,58 +34,30 @@ pub(super) const LINES: &[Line] = &[
     // After one of these tokens, the operand is the whole base of the power.
     fixed(
         CODE | PARTS,
-        "$b=(/,/=/+/-/{/}/return $x * ~* $n:number",
+        "$b=(/,/=/+/-/{/}/</>/<=/>=/==/!=/return/print/and/or/not/if/while/where/by/assert/require/else $x:operand * ~* $n:exponent",
         "$b $x * $n",
         "$b pow($x, $n)",
         POWER,
     ),
     fixed(
         CODE | PARTS,
-        "$b=(/,/=/+/-/{/}/return $x . $y * ~* $n:number",
-        "$b $x . $y * $n",
-        "$b pow($x.$y, $n)",
-        POWER,
-    ),
-    fixed(
-        CODE | PARTS,
-        "$b=(/,/=/+/-/{/}/return ( $x:inside ) * ~* $n:number",
-        "$b ( $x ) * $n",
-        "$b pow($x, $n)",
-        POWER,
-    ),
-    fixed(
-        CODE | PARTS,
-        "$b=(/,/=/+/-/{/}/return $f ( $x:inside ) * ~* $n:number",
-        "$b $f ( $x ) * $n",
-        "$b pow($f($x), $n)",
-        POWER,
-    ),
-    fixed(
-        CODE | PARTS,
-        "$b=(/,/=/+/-/{/}/return $x ^ $n:number",
+        "$b=(/,/=/+/-/{/}/</>/<=/>=/==/!=/return/print/and/or/not/if/while/where/by/assert/require/else $x:operand ^ $n:exponent",
         "$b $x * $n",
         "$b pow($x, $n)",
         POWER,
     ),
     fixed(
         CODE | PARTS,
-        "$b=(/,/=/+/-/{/}/return $x . $y ^ $n:number",
-        "$b $x . $y * $n",
-        "$b pow($x.$y, $n)",
-        POWER,
-    ),
-    fixed(
-        CODE | PARTS,
-        "$b=(/,/=/+/-/{/}/return ( $x:inside ) ^ $n:number",
+        "$b=(/,/=/+/-/{/}/</>/<=/>=/==/!=/return/print/and/or/not/if/while/where/by/assert/require/else ( $x:inside ) * ~* $n:exponent",
         "$b ( $x ) * $n",
         "$b pow($x, $n)",
         POWER,
     ),
     fixed(
         CODE | PARTS,
-        "$b=(/,/=/+/-/{/}/return $f ( $x:inside ) ^ $n:number",
-        "$b $f ( $x ) * $n",
-        "$b pow($f($x), $n)",
+        "$b=(/,/=/+/-/{/}/</>/<=/>=/==/!=/return/print/and/or/not/if/while/where/by/assert/require/else ( $x:inside ) ^ $n:exponent",
+        "$b ( $x ) * $n",
+        "$b pow($x, $n)",
         POWER,
     ),
     told(CODE | PARTS, "* ~*", "*", POWER),

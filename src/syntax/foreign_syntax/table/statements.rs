@@ -14,6 +14,7 @@ const AROUND: &str = "the index runs around, after the last comes the first: `v[
 const FORWARD: &str = "an index does not run backwards: a subscript is `i`, or `i` plus or minus a constant of at most 4, as in `v[i+1]`";
 const OUTER: &str = "the twin has a name of its own: `edge $e: $a | $a'`";
 const ARROW: &str = "a halfedge is drawn `v0 -a-> v1`, a path `v0 =P=> v1`";
+const NAMED: &str = "an arrow has the name of its halfedge: `v0 -a-> v1`";
 
 pub(super) const LINES: &[Line] = &[
     told(DRAWING | PARTS, "~[ - $x:inside ]", "[ $x ]", FORWARD),
@@ -208,6 +209,7 @@ pub(super) const LINES: &[Line] = &[
         "vertex $v: $a $b",
         "a colon stands behind the name: `vertex $v: …`",
     ),
+    told(DRAWING, "^face/hole/loop $f :/=/( $a ~-> $l:line", "", NAMED),
     told(
         DRAWING,
         "^$k=face/hole/loop $f :/=/( $a $b $l:line",
@@ -248,6 +250,7 @@ pub(super) const LINES: &[Line] = &[
         "-$a->",
         "an arrow has the bare name of its halfedge: `-$a->`",
     ),
+    told(DRAWING, "~-> ~$a ~->", "- $a ->", NAMED),
     sure(DRAWING, "-> ~$a ~->", "-$a->", "an arrow is `-$a->`"),
     sure(DRAWING, "== $a == ~>", "=$a=>", "a path is `=$a=>`"),
     sure(DRAWING, "= $a = >", "=$a=>", "a path is `=$a=>`, without a space in `=>`"),

@@ -4,6 +4,7 @@ use super::{Line, TYPED, fixed, sure, told};
 use crate::syntax::foreign_syntax::place::CODE;
 
 const CHOSEN: &str = "a variable has a value from the beginning; an element is one of those there are: `var $n = argmin(length(e) for e in edges)`";
+const BEGIN: &str = "a variable begins with `let`, or with `var` if it changes";
 
 pub(super) const LINES: &[Line] = &[
     told(CODE, "^let/var $n : $t=vertex/halfedge/edge/face $:end", "", CHOSEN),
@@ -52,30 +53,27 @@ pub(super) const LINES: &[Line] = &[
         "a sequence is not a value: `count(c for x in $s)` counts, `for x in $s where c { … }` visits",
     ),
     sure(CODE, "^let mut $n", "var $n", "what changes is a `var`"),
-    sure(CODE, "^$n : ~=", "let $n =", "a variable begins with `let`, or with `var` if it changes"),
+    sure(CODE, "^$n : ~=", "let $n =", BEGIN),
+    sure(CODE, "^const/auto/val/my/local/final/constexpr/static $n =", "let $n =", BEGIN),
     sure(
         CODE,
-        "^const/auto/val/my/local/final/constexpr/static $n =",
-        "let $n =",
-        "a variable begins with `let`, or with `var` if it changes",
+        "^$t=int/float/double/real/bool/vec2/vec3/vertex/edge/face/halfedge/size_t/unsigned/long/short/EdgeRef/FaceRef/VertexRef/HalfedgeRef/Vec3/Edge/Face/Vertex/Halfedge/EdgeCRef/FaceCRef/VertexCRef/HalfedgeCRef/HalfedgeIter/EdgeIter/FaceIter/VertexIter $a = $x:some , $b = $y:line",
+        "let $a: $t = $x let $b: $t = $y",
+        "a statement sets one variable",
     ),
     sure(
         CODE,
-        "^const/auto/val/static/final $t:word $n =",
-        "let $n =",
-        "a variable begins with `let`, or with `var` if it changes",
+        "^const/static/final/constexpr $t=int/float/double/real/bool/vec2/vec3/vertex/edge/face/halfedge/size_t/unsigned/long/short/EdgeRef/FaceRef/VertexRef/HalfedgeRef/Vec3/Edge/Face/Vertex/Halfedge/EdgeCRef/FaceCRef/VertexCRef/HalfedgeCRef/HalfedgeIter/EdgeIter/FaceIter/VertexIter $n =",
+        "let $n: $t =",
+        BEGIN,
     ),
+    sure(CODE, "^const/auto/val/static/final $t:word $n =", "let $n =", BEGIN),
+    sure(CODE, "^const/auto & $n =", "let $n =", BEGIN),
     sure(
         CODE,
-        "^const/auto & $n =",
-        "let $n =",
-        "a variable begins with `let`, or with `var` if it changes",
-    ),
-    sure(
-        CODE,
-        "^$t=int/float/double/real/bool/vec2/vec3/vertex/edge/face/halfedge/size_t/unsigned/long/EdgeRef/FaceRef/VertexRef/HalfedgeRef/Vec3/Edge/Face/Vertex/Halfedge/EdgeCRef/FaceCRef/VertexCRef/HalfedgeCRef/HalfedgeIter/EdgeIter/FaceIter/VertexIter $n =",
-        "let $n =",
-        "a variable begins with `let`, or with `var` if it changes",
+        "^$t=int/float/double/real/bool/vec2/vec3/vertex/edge/face/halfedge/size_t/unsigned/long/short/EdgeRef/FaceRef/VertexRef/HalfedgeRef/Vec3/Edge/Face/Vertex/Halfedge/EdgeCRef/FaceCRef/VertexCRef/HalfedgeCRef/HalfedgeIter/EdgeIter/FaceIter/VertexIter $n =",
+        "let $n: $t =",
+        BEGIN,
     ),
     sure(
         CODE,
@@ -127,6 +125,27 @@ pub(super) const LINES: &[Line] = &[
         "$n = $v",
         "$n = $n / ($v)",
         "a change is written out: `$n = $n / …`",
+    ),
+    fixed(
+        CODE,
+        "^$n % ~= $v:line",
+        "$n = $v",
+        "$n = $n mod ($v)",
+        "a change is written out: `$n = $n mod …`",
+    ),
+    fixed(
+        CODE,
+        "^$n &&/& ~= $v:line",
+        "$n = $v",
+        "$n = $n and ($v)",
+        "a change is written out: `$n = $n and …`",
+    ),
+    fixed(
+        CODE,
+        "^$n | ~| ~= $v:line",
+        "$n = $v",
+        "$n = $n or ($v)",
+        "a change is written out: `$n = $n or …`",
     ),
     fixed(
         CODE,
