@@ -76,8 +76,9 @@ fn length(input: &mut impl BufRead) -> io::Result<Option<Result<u64, String>>> {
     let mut length = None;
     while let Some(line) = line(input)? {
         if let Some(value) = claimed_length(&line) {
-            match value.parse() {
-                Ok(value) => length = Some(value),
+            // No message is larger than 4 GB.
+            match value.parse::<u32>() {
+                Ok(value) => length = Some(value.into()),
                 Err(_) => return Ok(Some(Err(format!("`{value}` is not a length of a message")))),
             }
         } else if let (Some(length), true) = (length, line.trim_ascii().is_empty()) {

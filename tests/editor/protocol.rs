@@ -24,7 +24,7 @@ fn messages_are_read_and_nothing_else() {
     };
     assert_eq!(told.method, "exit");
     assert!(matches!(first(""), Ok(None)));
-    let told = first("Content-Length: 99999999999999\r\n\r\n{}").expect_err("the body is cut off");
+    let told = first("Content-Length: 99\r\n\r\n{}").expect_err("the body is cut off");
     assert!(told.contains("unexpected end"), "{told}");
 }
 
@@ -79,7 +79,7 @@ fn headers_are_read_leniently() {
 #[test]
 fn messages_without_a_length_are_passed_over() {
     let body = r#"{"jsonrpc":"2.0","method":"told"}"#;
-    for length in ["-5", "5.0", "99999999999999999999", "", "x"] {
+    for length in ["-5", "5.0", "9999999999999", "99999999999999999999", "", "x"] {
         let header = format!("Content-Length: {length}\r\nContent-Type: x\r\n\r\n");
         let refused = format!("`{length}` is not a length of a message");
         for body in [body, "", &"x".repeat(10_000)] {
