@@ -19,6 +19,12 @@ pub(super) fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
         .map_err(|reason| Failure::usage(format!("{}: {reason}", path.display())))
 }
 
+/// True if two paths lead to the same file.
+pub(super) fn is_same(one: &Path, other: &Path) -> bool {
+    let [one, other] = [one, other].map(|path| path.canonicalize().ok());
+    one.is_some() && one == other
+}
+
 /// Lets Ctrl-C end the process at once if a path, such as a pipe, may block until it is read.
 /// Called before the path is opened.
 pub(super) fn expect_waiting(path: &Path) {

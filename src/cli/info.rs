@@ -49,7 +49,7 @@ pub(super) fn info(arguments: &InfoArguments) -> Result<(), Failure> {
 }
 
 fn describe_dump(shown: &str, arguments: &InfoArguments) -> Result<(), Failure> {
-    let dump = meshes::read_tables(&arguments.mesh)?;
+    let dump = meshes::read_tables(&arguments.mesh, &arguments.repair)?;
     if let Some(level) = arguments.level {
         let mesh = meshes::only_table(&arguments.mesh, dump)?;
         return tell_level(arguments, &mesh, level.level());
@@ -195,7 +195,8 @@ fn measured(measures: &Measures) -> Vec<Vec<String>> {
             "edge lengths",
             match spread.is_finite() {
                 true => {
-                    format!("{min:.6} to {max:.6}, mean {mean:.6}, spread {:.1} %", 100.0 * spread)
+                    let [min, max, mean] = decimals([min, max, mean]);
+                    format!("{min} to {max}, mean {mean}, spread {:.1} %", 100.0 * spread)
                 }
                 false => TOO_FAR.to_owned(),
             },
@@ -204,18 +205,29 @@ fn measured(measures: &Measures) -> Vec<Vec<String>> {
     rows.push(size("area", measures.area));
     rows.extend(measures.volume.map(|volume| size("volume", volume)));
     if let Some([low, high]) = measures.bounds {
-        let place =
-            |[x, y, z]: [f64; 3]| format!("({:.6}, {:.6}, {:.6})", x + 0.0, y + 0.0, z + 0.0);
-        rows.push(row("bounding box", format!("{} to {}", place(low), place(high))));
+        let [a, b, c] = low;
+        let [x, y, z] = high;
+        let [a, b, c, x, y, z] = decimals([a, b, c, x, y, z]);
+        rows.push(row("bounding box", format!("({a}, {b}, {c}) to ({x}, {y}, {z})")));
     }
     rows
 }
 
 fn size(name: &str, value: f64) -> Vec<String> {
     match value.is_finite() {
-        true => row(name, format!("{:.6}", value + 0.0)),
+        true => row(name, decimals([value]).concat()),
         false => row(name, TOO_FAR),
     }
+}
+
+/// Measures of one kind with six decimals; with an exponent if the largest is very large or small.
+fn decimals<const N: usize>(measures: [f64; N]) -> [String; N] {
+    let largest = measures.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+    let is_usual = largest == 0.0 || (1e-6..1e9).contains(&largest);
+    measures.map(|x| x + 0.0).map(|x| match is_usual {
+        true => format!("{x:.6}"),
+        false => format!("{x:.6e}"),
+    })
 }
 
 /// The text for a measure that is not finite.

@@ -29,7 +29,10 @@ pub(super) fn is_tables(path: &Path) -> bool {
 /// file: `torus(12, 8)`. A file without a vertex is an error.
 pub(super) fn read(path: &Path, arguments: &RepairArguments) -> Result<MeshFile, Failure> {
     if let Some(shape) = shape(path) {
-        return shape;
+        return match arguments.merge {
+            Some(_) => Err(Failure::usage("`--merge` is for files, and not for shapes")),
+            None => shape,
+        };
     }
     let read = match is_standard_input(path) {
         true => read_standard_input(arguments.repair())?,
@@ -175,8 +178,11 @@ impl RepairArguments {
 }
 
 /// Reads tables as they stand, whether they are meshes or not.
-pub(super) fn read_tables(path: &Path) -> Result<Dump, Failure> {
+pub(super) fn read_tables(path: &Path, arguments: &RepairArguments) -> Result<Dump, Failure> {
     let shown = path.display();
+    if arguments.merge.is_some() {
+        return Err(Failure::usage(format!("{shown}: {}", FileReason::MergedTables)));
+    }
     let text = std::fs::read_to_string(path)
         .map_err(|error| Failure::usage(format!("cannot read `{shown}`: {error}")))?;
     read_dump(&text).map_err(|error| Failure::usage(format!("{shown}: {error}")))
@@ -215,6 +221,7 @@ pub(super) fn write(
     if format != FileFormat::Obj {
         file.bring_all();
     }
+    let gathered = file.gather(format);
     if let Some(encoding) = encoding.encoding {
         file.encoding = encoding.encoding();
     }
@@ -246,6 +253,11 @@ pub(super) fn write(
     })?;
     if is_standard(path) {
         pour(&bytes)?;
+    }
+    for name in gathered {
+        complain(&format!(
+            "{shown}: `{name}` is written for each vertex, whose corners all have the same"
+        ));
     }
     tell_unheld(path, format, file);
     tell_lost_values(path, format, file);

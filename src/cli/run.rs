@@ -8,6 +8,7 @@ use super::arguments::{Format, RunArguments};
 use super::counts::Counts;
 use super::draw::{expect_picture, write_picture};
 use super::failure::Failure;
+use super::files;
 use super::interrupt;
 use super::memory;
 use super::meshes;
@@ -119,6 +120,10 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
             match poured {
                 true => complain(&report.show()),
                 false => say(&report.show()),
+            }
+            let output = arguments.output.as_deref();
+            if output.is_some_and(|output| files::is_same(output, &arguments.mesh)) {
+                complain(&format!("`{}` is replaced by the result", arguments.mesh.display()));
             }
             if arguments.output.is_none() && arguments.picture.is_none() {
                 complain("the result is not kept; `-o FILE` writes it");

@@ -33,7 +33,7 @@ pub enum Builtin {
     Cross,
     /// The third component of the cross product of two vectors in the plane.
     CrossPlane,
-    /// The zero vector stays zero.
+    /// The zero vector stays zero; one that is not finite becomes NaN.
     Normalize,
     Distance,
     Angle,

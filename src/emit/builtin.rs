@@ -104,9 +104,7 @@ fn builtin_call(builtin: Builtin) -> [&'static str; 2] {
         Builtin::Cross => ["DVec3::cross({0}, {1})", "cross({0}, {1})"],
         Builtin::Normalize => ["direction({0})", "normalize({0})"],
         Builtin::Distance => ["DVec3::distance({0}, {1})", "length({0} - {1})"],
-        Builtin::Angle => {
-            ["f64::atan2(DVec3::cross({0}, {1}).length(), DVec3::dot({0}, {1}))", "angle({0}, {1})"]
-        }
+        Builtin::Angle => ["angle({0}, {1})", "angle({0}, {1})"],
         Builtin::AbsInt => ["i64::abs({0})", "std::llabs({0})"],
         Builtin::AbsReal => ["f64::abs({0})", "std::fabs({0})"],
         Builtin::MinInt => ["i64::min({0}, {1})", "std::min<long long>({0}, {1})"],

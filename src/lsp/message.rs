@@ -1,16 +1,17 @@
 //! Messages on a stream: a header, and a body of JSON.
 //!
-//! An invalid header ends the conversation, since the beginning of the next message is unknown. The
-//! length of an invalid body is known, so it is answered with an error, and the conversation goes
-//! on.
+//! A header is read leniently, and lines that are none are skipped. An invalid length or body is
+//! answered with an error, and the conversation goes on with the next `Content-Length`.
 
 use std::io::{self, BufRead, Read, Write};
 
 use lsp_server::{ErrorCode, Message};
 use serde_json::{Value, json};
 
-/// The longest line of a header that is read, in bytes.
+/// The longest line of a header that is kept, in bytes.
 const LONGEST_HEADER: u64 = 4096;
+/// The bytes kept of the end of a longer line, which may be a header after the rest of a body.
+const KEPT: usize = 64;
 
 /// The input: a message, or something else.
 #[derive(Debug)]
@@ -49,45 +50,63 @@ impl Spoken {
 ///
 /// # Errors
 ///
-/// Fails if the stream breaks, or a header is missing or invalid.
+/// Fails if the stream breaks, or ends within a body.
 pub fn read(input: &mut impl BufRead) -> io::Result<Option<Heard>> {
-    let Some(body) = body(input)? else { return Ok(None) };
-    Ok(Some(match serde_json::from_slice(&body) {
-        Ok(value) => message(value),
-        Err(error) => {
-            let why = format!("the message cannot be read: {error}");
-            Heard::Refused(Spoken::Error { id: Value::Null, code: ErrorCode::ParseError, why })
-        }
-    }))
-}
-
-/// The bytes of the next body. Memory is taken only for bytes that have arrived, whatever length
-/// the header claims.
-fn body(input: &mut impl BufRead) -> io::Result<Option<Vec<u8>>> {
-    let invalid = |text: String| io::Error::new(io::ErrorKind::InvalidData, text);
-    let mut length = None;
-    let mut line = String::new();
-    loop {
-        line.clear();
-        if input.take(LONGEST_HEADER).read_line(&mut line)? == 0 {
-            return Ok(None);
-        }
-        let malformed = || invalid(format!("malformed header: {line:?}"));
-        let text = line.strip_suffix("\r\n").ok_or_else(malformed)?;
-        if text.is_empty() {
-            break;
-        }
-        let (name, value) = text.split_once(": ").ok_or_else(malformed)?;
-        if name.eq_ignore_ascii_case("Content-Length") {
-            length = Some(value.parse::<u64>().map_err(|_| malformed())?);
-        }
-    }
-    let length = length.ok_or_else(|| invalid("no Content-Length".to_owned()))?;
+    let refused = |why: String| {
+        Heard::Refused(Spoken::Error { id: Value::Null, code: ErrorCode::ParseError, why })
+    };
+    let length = match length(input)? {
+        None => return Ok(None),
+        Some(Err(why)) => return Ok(Some(refused(why))),
+        Some(Ok(length)) => length,
+    };
+    // Memory is taken only for bytes that have arrived, whatever length the header claims.
     let mut body = Vec::new();
     if (input.take(length).read_to_end(&mut body)? as u64) < length {
         return Err(io::ErrorKind::UnexpectedEof.into());
     }
-    Ok(Some(body))
+    Ok(Some(match serde_json::from_slice(&body) {
+        Ok(value) => message(value),
+        Err(error) => refused(format!("the message cannot be read: {error}")),
+    }))
+}
+
+/// The length of the next body, which follows, or why the header has none; `None` at the end.
+fn length(input: &mut impl BufRead) -> io::Result<Option<Result<u64, String>>> {
+    let mut length = None;
+    while let Some(line) = line(input)? {
+        if let Some(value) = claimed_length(&line) {
+            // No message is larger than 4 GB.
+            match value.parse::<u32>() {
+                Ok(value) => length = Some(value.into()),
+                Err(_) => return Ok(Some(Err(format!("`{value}` is not a length of a message")))),
+            }
+        } else if let (Some(length), true) = (length, line.trim_ascii().is_empty()) {
+            return Ok(Some(Ok(length)));
+        }
+    }
+    Ok(None)
+}
+
+/// The next line, or the end of a long one; `None` at the end.
+fn line(input: &mut impl BufRead) -> io::Result<Option<Vec<u8>>> {
+    let mut line = Vec::new();
+    loop {
+        let count = input.take(LONGEST_HEADER).read_until(b'\n', &mut line)?;
+        if count == 0 || line.ends_with(b"\n") {
+            return Ok((!line.is_empty()).then_some(line));
+        }
+        line.drain(..line.len().saturating_sub(KEPT));
+    }
+}
+
+/// The value of `Content-Length` in a line. It may stand behind the rest of a body whose length was
+/// invalid.
+fn claimed_length(line: &[u8]) -> Option<String> {
+    let line = String::from_utf8_lossy(line).to_ascii_lowercase();
+    let (before, value) = line.rsplit_once("content-length")?;
+    let value = value.trim_ascii_start().strip_prefix(':')?;
+    (!before.ends_with('-')).then(|| value.trim_ascii().to_owned())
 }
 
 /// A value as a message, or the error that answers it.

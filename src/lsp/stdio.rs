@@ -15,7 +15,7 @@ use crate::analysis::{Disk, Reader};
 ///
 /// # Errors
 ///
-/// Fails if a stream breaks, or has an invalid header.
+/// Fails if a stream breaks, or ends within a body.
 pub fn serve() -> io::Result<u8> {
     let (said, heard) = channel();
     let (speak, spoken) = channel::<Spoken>();
@@ -46,7 +46,7 @@ pub fn serve() -> io::Result<u8> {
 ///
 /// # Errors
 ///
-/// Fails if a stream breaks, or has an invalid header.
+/// Fails if a stream breaks, or ends within a body.
 pub fn serve_on(
     mut input: impl BufRead,
     mut output: impl Write,

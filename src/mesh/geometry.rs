@@ -1,7 +1,7 @@
 //! Lengths, areas, normals and centers.
 //!
 //! All are defined for any mesh: what has no length, area or direction gives zero, never a NaN from
-//! a division by zero. Faces need be neither flat nor convex; area and normal come from the vector
+//! a division by zero. Only what is not finite gives NaN. Faces need be neither flat nor convex; area and normal come from the vector
 //! area (Newell's method), which is half the sum of the cross products along the loop.
 
 use glam::DVec3;
@@ -97,12 +97,13 @@ impl Mesh {
     }
 }
 
-/// The direction of `v`, or zero. Scaled first: the square of a small length is zero,
-/// that of a large one infinite.
+/// The direction of `v`: zero if that is zero, NaN if it is not finite. Scaled first: the square of
+/// a small length is zero, that of a large one infinite.
 fn unit(v: DVec3) -> DVec3 {
     let largest = v.abs().max_element();
-    if !(largest > 0.0 && largest.is_finite()) {
-        return DVec3::ZERO;
+    match v.is_finite() {
+        true if largest > 0.0 => (v / largest).normalize_or_zero(),
+        true => DVec3::ZERO,
+        false => DVec3::NAN,
     }
-    (v / largest).normalize_or_zero()
 }

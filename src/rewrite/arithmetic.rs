@@ -71,13 +71,27 @@ pub(super) fn mix(left: DVec3, right: DVec3, t: f64) -> DVec3 {
     left * (1.0 - t) + right * t
 }
 
-/// The unit vector in the direction of `v`, or zero if there is none. The vector is scaled first:
-/// the square of a small length is zero, that of a large one infinite.
+/// The unit vector in the direction of `v`: zero if that is zero, NaN if it is not finite. The
+/// vector is scaled first: the square of a small length is zero, that of a large one infinite.
 #[inline]
 pub fn direction(v: DVec3) -> DVec3 {
     let largest = v.abs().max_element();
-    match largest > 0.0 && largest.is_finite() {
-        true => (v / largest).normalize_or_zero(),
-        false => DVec3::ZERO,
+    match v.is_finite() {
+        true if largest > 0.0 => (v / largest).normalize_or_zero(),
+        true => DVec3::ZERO,
+        false => DVec3::NAN,
+    }
+}
+
+/// The vector times the power of two for which its largest component is at least 1 and below 2.
+/// Products of such vectors neither vanish nor become infinite.
+pub(super) fn balance(v: DVec3) -> DVec3 {
+    let largest = |v: DVec3| v.abs().max_element();
+    // The exponent is in the bits of numbers that are not subnormal.
+    let v = if largest(v) < f64::MIN_POSITIVE { v / f64::EPSILON } else { v };
+    let power = f64::from_bits(largest(v).to_bits() & f64::INFINITY.to_bits());
+    match power > 0.0 && power.is_finite() {
+        true => v / power,
+        false => v,
     }
 }

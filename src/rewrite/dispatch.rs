@@ -5,7 +5,7 @@
 //! code return, so the loop itself can fail only by a trap.
 
 use super::access::{self, gone};
-use super::arithmetic::{direction, divide, fits, math, mix, modulo, round};
+use super::arithmetic::{balance, direction, divide, fits, math, mix, modulo, round};
 use super::attribute;
 use super::call::{Frame, MOST_CALLS};
 use super::families;
@@ -241,6 +241,7 @@ impl Machine {
                 }
                 LengthVec { to, from } => w.set_real(to, w.vector(from).length()),
                 Normalize { to, from } => w.set_vector(to, direction(w.vector(from))),
+                Balance { to, from } => w.set_vector(to, balance(w.vector(from))),
                 CopyWide { to, from, width } => vectors::copy(&mut w, to, from, width),
                 Wide { operation, width, to, left, right } => {
                     vectors::lanes(&mut w, operation, width, [to, left, right])

@@ -64,6 +64,8 @@ pub enum Inst {
     Cross { to: Reg, left: Reg, right: Reg },
     LengthVec { to: Reg, from: Reg },
     Normalize { to: Reg, from: Reg },
+    /// Multiplies a vector by a power of two, so that its largest component is about 1.
+    Balance { to: Reg, from: Reg },
     /// Copies a value of any width.
     CopyWide { to: Reg, from: Reg, width: u8 },
     /// Vectors and matrices of any width, component by component.
@@ -351,7 +353,7 @@ macro_rules! computation {
         | Inst::AddVec { .. } | Inst::SubVec { .. } | Inst::MulVec { .. } | Inst::NegVec { .. }
         | Inst::ScaleVec { .. } | Inst::DivVec { .. } | Inst::MixVec { .. }
         | Inst::EqualVec { .. } | Inst::Dot { .. } | Inst::Cross { .. } | Inst::LengthVec { .. }
-        | Inst::Normalize { .. } | Inst::Wide { .. } | Inst::Matrix { .. } | Inst::Jump { .. }
+        | Inst::Normalize { .. } | Inst::Balance { .. } | Inst::Wide { .. } | Inst::Matrix { .. } | Inst::Jump { .. }
         | Inst::JumpIf { .. } | Inst::JumpUnless { .. } | Inst::JumpUnequal { .. }
         | Inst::JumpEqual { .. }
     };

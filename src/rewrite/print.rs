@@ -31,6 +31,8 @@ impl Display for RealText {
                 let is_zero = !text.contains(|c: char| matches!(c, '1'..='9') || c.is_alphabetic());
                 f.write_str(text.strip_prefix('-').filter(|_| is_zero).unwrap_or(&text))
             }
+            // `-0` would be read back as an int.
+            RealDigits::All if real == 0.0 && real.is_sign_negative() => f.write_str("-0.0"),
             RealDigits::All => write_all(f, real),
             RealDigits::Few => write_all(f, rounded(real)),
         }

@@ -21,7 +21,7 @@ pub enum Lanes {
     Equal,
     /// A real: the sum of the products.
     Dot,
-    /// The left value divided by its length; zero if that is zero or not finite.
+    /// The left value divided by its length; zero if that is zero, NaN if it is not finite.
     Normalize,
     /// A bool: whether any component of the left value is not a number.
     IsNan,
@@ -118,13 +118,15 @@ pub(super) fn lanes(w: &mut Window, operation: Lanes, width: u8, [to, left, righ
 /// a large one infinite.
 fn normalize(w: &mut Window, to: Reg, from: Reg, width: usize) {
     let parts = (0..width).map(|part| real(w, from, part));
+    let is_finite = parts.clone().all(f64::is_finite);
     let largest = parts.clone().fold(0.0, |most: f64, part| most.max(part.abs()));
     let scaled = parts.map(|part| part / largest);
     let length = scaled.map(|part| part * part).sum::<f64>().sqrt();
     for part in 0..width {
-        let value = match largest > 0.0 && length.is_finite() {
-            true => real(w, from, part) / largest / length,
-            false => 0.0,
+        let value = match is_finite {
+            true if largest > 0.0 => real(w, from, part) / largest / length,
+            true => 0.0,
+            false => f64::NAN,
         };
         set_real(w, to, part, value);
     }

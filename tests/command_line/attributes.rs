@@ -24,6 +24,21 @@ fn run(bench: &Bench, body: &str, from: &str, to: &str) -> (String, String) {
 }
 
 #[test]
+fn corners_that_agree_are_written_as_vertices() {
+    let bench = Bench::new();
+    let uv = "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n";
+    let agree = SQUARE.replace("f 1 2 3\nf 1 3 4", "f 1/1 2/2 3/3\nf 1/1 3/3 4/4");
+    bench.write("agree.obj", format!("{uv}{agree}"));
+    bench.write("seam.obj", format!("{uv}{}", agree.replace("1/1 3/3", "1/2 3/3")));
+    let said = bench.run(&["convert", "agree.obj", "m.off"]);
+    let told = "m.off: `uv` is written for each vertex, whose corners all have the same\n";
+    assert_eq!((said.code, &*said.err), (0, told));
+    assert!(bench.read("m.off").starts_with("STOFF\n4 2 5\n0 0 0 0 0\n1 0 0 1 0\n"));
+    let said = bench.run(&["convert", "seam.obj", "m.off"]);
+    assert!(said.err.contains("m.off cannot hold `uv` (halfedge vec2)"), "{said:?}");
+}
+
+#[test]
 fn corners_of_obj_files_are_values() {
     let bench = Bench::new();
     bench.write("m.obj", TWO);

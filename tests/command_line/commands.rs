@@ -387,6 +387,32 @@ fn plan_prints_four_phases() {
 }
 
 #[test]
+fn run_says_that_it_replaced_what_it_read() {
+    let bench = Bench::with_square();
+    bench.write("s.hedge", "script s() { }\n");
+    let told = bench.run(&["run", "s.hedge", "square.obj", "-o", "./square.obj"]);
+    assert_eq!((told.code, &*told.err), (0, "`square.obj` is replaced by the result\n"));
+    let told = bench.run(&["run", "s.hedge", "square.obj", "-o", "other.obj"]);
+    assert_eq!((told.code, &*told.err), (0, ""));
+}
+
+#[test]
+fn info_writes_extreme_sizes_with_exponents() {
+    let bench = Bench::new();
+    for (size, told) in [
+        (
+            "1e308",
+            "(0.000000e0, 0.000000e0, 0.000000e0) to (1.000000e308, 1.000000e308, 0.000000e0)",
+        ),
+        ("1e-9", "(0.000000e0, 0.000000e0, 0.000000e0) to (1.000000e-9, 1.000000e-9, 0.000000e0)"),
+    ] {
+        bench.write("m.obj", format!("v 0 0 0\nv {size} 0 0\nv 0 {size} 0\nf 1 2 3\n"));
+        let info = bench.succeeds(&["info", "m.obj"]);
+        assert!(info.contains(told), "{info}");
+    }
+}
+
+#[test]
 fn info_describes_a_mesh() {
     let bench = Bench::with_square();
     let told = bench.succeeds(&["info", "square.obj"]);

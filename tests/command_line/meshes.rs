@@ -118,6 +118,14 @@ fn repair_makes_a_mesh_and_says_how() {
     let said = bench.run(&["view", "fins.obj", "--repair", "-o", "fins.png"]);
     assert!(said.code == 0 && said.err.starts_with("fins.obj: repaired: "), "{said:?}");
     bench.fails(2, &["info", "fins.obj", "--merge=-1"], "a distance is a number from 0 on");
+    // Tables and shapes have no polygons to make new ones of.
+    bench.succeeds(&["convert", "out.obj", "out.halfedges"]);
+    for arguments in [&["convert", "out.halfedges", "o.ply"][..], &["info", "out.halfedges"]] {
+        let merging = [arguments, &["--merge", "1"]].concat();
+        bench.fails(2, &merging, "the vertices of halfedge tables are not merged");
+    }
+    let shape = ["info", "tetrahedron()", "--merge", "1"];
+    bench.fails(2, &shape, "`--merge` is for files, and not for shapes");
     let arguments =
         ["apply", "std/polygon.hedge::inset_vertex", "fins.obj", "--repair", "--at", "face:2"];
     let said = bench.run(&[&arguments[..], &["-o", "p.ply", "--format", "json"]].concat());

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use gen_lsp_types::{Position, Uri};
 use hedgerow::lsp::Encoding;
 use hedgerow::lsp::markdown::{fenced, prose, quoted};
-use hedgerow::lsp::message::{Heard, read};
+use hedgerow::lsp::message::{Heard, Spoken, read};
 use hedgerow::lsp::position::Lines;
 use hedgerow::lsp::uri::{of_path, path};
 use lsp_server::Message;
@@ -24,18 +24,72 @@ fn messages_are_read_and_nothing_else() {
     };
     assert_eq!(told.method, "exit");
     assert!(matches!(first(""), Ok(None)));
-    for (text, wanted) in [
-        ("Content-Length: 99999999999999\r\n\r\n{}", "unexpected end"),
-        ("Content-Length: -1\r\n\r\n{}", "malformed header"),
-        ("Content-Length: 2\n\n{}", "malformed header"),
-        ("hello\r\n\r\n", "malformed header"),
-        ("Content-Type: x\r\n\r\n{}", "no Content-Length"),
-    ] {
-        let told = first(text).expect_err(text);
-        assert!(told.contains(wanted), "{told}");
+    let told = first("Content-Length: 99\r\n\r\n{}").expect_err("the body is cut off");
+    assert!(told.contains("unexpected end"), "{told}");
+}
+
+/// The answers to two messages, of which the first has an unusual header.
+fn heard(header: &[u8], body: &str) -> Vec<String> {
+    let last = r#"{"jsonrpc":"2.0","method":"exit"}"#;
+    let end = format!("{body}Content-Length: {}\r\n\r\n{last}", last.len());
+    let all = [header, end.as_bytes()].concat();
+    let mut input = all.as_slice();
+    let mut heard = Vec::new();
+    while let Some(next) = read(&mut input).expect("the conversation goes on") {
+        heard.push(match next {
+            Heard::Message(Message::Notification(told)) => told.method,
+            Heard::Refused(Spoken::Error { why, .. }) => why,
+            other => panic!("{other:?}"),
+        });
     }
-    let endless = "x".repeat(10_000);
-    assert!(first(&endless).is_err());
+    heard
+}
+
+#[test]
+fn headers_are_read_leniently() {
+    let body = r#"{"jsonrpc":"2.0","method":"told"}"#;
+    let long = format!("X: {}\r\nContent-Length: #\r\n\r\n", "a".repeat(10_000));
+    let headers: [&[u8]; 14] = [
+        b"content-length:#\r\n\r\n",
+        b"Content-Length: #\n\n",
+        b"Content-Length:   #  \r\n\r\n",
+        b"Content-Length:\t#\r\n\r\n",
+        b"Content-Length : #\r\n\r\n",
+        b"Content-Type:x\r\nContent-Length: #\r\n\r\n",
+        b"X-Content-Length: 5\r\nContent-Length: #\r\n\r\n",
+        b"Content-Length: #\r\nXYZ\r\n\r\n",
+        b": y\r\nContent-Length: #\r\n\r\n",
+        b"\r\nContent-Length: #\r\n\r\n",
+        b"\n\n\nContent-Length: #\r\n\r\n",
+        b"X-\xff: \xfe\r\nContent-Length: #\r\n\r\n",
+        b"hello\r\n\r\nContent-Length: #\r\n\r\n",
+        long.as_bytes(),
+    ];
+    for header in headers {
+        let (before, after) = {
+            let at = header.iter().position(|&b| b == b'#').expect("a length");
+            (&header[..at], &header[at + 1..])
+        };
+        let header = [before, body.len().to_string().as_bytes(), after].concat();
+        let told = String::from_utf8_lossy(&header).into_owned();
+        assert_eq!(heard(&header, body), ["told", "exit"], "{told}");
+    }
+}
+
+#[test]
+fn messages_without_a_length_are_passed_over() {
+    let body = r#"{"jsonrpc":"2.0","method":"told"}"#;
+    for length in ["-5", "5.0", "9999999999999", "99999999999999999999", "", "x"] {
+        let header = format!("Content-Length: {length}\r\nContent-Type: x\r\n\r\n");
+        let refused = format!("`{length}` is not a length of a message");
+        for body in [body, "", &"x".repeat(10_000)] {
+            assert_eq!(heard(header.as_bytes(), body), [&refused, "exit"]);
+        }
+    }
+    let of_returns = format!("Content-Length: {}\r\r", body.len());
+    for header in ["", "\r\n", "hello\r\n\r\n", "Content-Type: x\r\n\r\n", &of_returns] {
+        assert_eq!(heard(header.as_bytes(), body), ["exit"], "{header:?}");
+    }
 }
 
 #[test]

@@ -36,34 +36,71 @@ pub(super) fn attributed(mut mesh: Mesh) -> Mesh {
         ("uv", Value::Vec2(DVec2::ZERO)),
     ];
     for kind in ElementKind::ALL {
-        let ids: Vec<u32> = match kind {
-            ElementKind::Vertex => mesh.vertices().map(|v| v.0).collect(),
-            // Holes have no corners and no line in a file.
-            ElementKind::Halfedge => {
-                mesh.halfedges().filter(|&h| !mesh.is_hole(mesh.face(h))).map(|h| h.0).collect()
-            }
-            ElementKind::Edge => mesh.edges().map(|e| e.0).collect(),
-            ElementKind::Face => mesh.faces().filter(|&f| !mesh.is_hole(f)).map(|f| f.0).collect(),
-        };
         for (name, default) in defaults {
-            let column = mesh.add_column(kind, name, default).unwrap();
-            for &id in ids.iter().step_by(2) {
-                let x = f64::from(id) / 3.0;
-                let value = match default {
-                    Value::Bool(_) => Value::Bool(id % 3 == 0),
-                    Value::Int(_) => Value::Int(i64::from(id) - 40_000_000_000),
-                    Value::Real(_) => Value::Real(x),
-                    Value::Vec2(_) => Value::Vec2(DVec2::new(x, -x)),
-                    Value::Vec3(_) => Value::Vec3(DVec3::new(x, 0.5, -0.0)),
-                    Value::Vec4(_) => Value::Vec4(glam::DVec4::splat(x)),
-                    Value::Mat3(_) => Value::Mat3(DMat3::from_diagonal(DVec3::splat(x))),
-                    Value::Mat4(_) => Value::Mat4(glam::DMat4::from_scale(DVec3::splat(x))),
-                };
-                assert!(mesh.set_value(column, id, value));
-            }
+            add_attribute(&mut mesh, kind, name, default);
         }
     }
     mesh
+}
+
+/// Adds an attribute with a value at every other element.
+fn add_attribute(mesh: &mut Mesh, kind: ElementKind, name: &str, default: Value) {
+    let ids: Vec<u32> = match kind {
+        ElementKind::Vertex => mesh.vertices().map(|v| v.0).collect(),
+        // Holes have no corners and no line in a file.
+        ElementKind::Halfedge => {
+            mesh.halfedges().filter(|&h| !mesh.is_hole(mesh.face(h))).map(|h| h.0).collect()
+        }
+        ElementKind::Edge => mesh.edges().map(|e| e.0).collect(),
+        ElementKind::Face => mesh.faces().filter(|&f| !mesh.is_hole(f)).map(|f| f.0).collect(),
+    };
+    let column = mesh.add_column(kind, name, default).unwrap();
+    for &id in ids.iter().step_by(2) {
+        let x = f64::from(id) / 3.0;
+        let value = match default {
+            Value::Bool(_) => Value::Bool(id % 3 == 0),
+            Value::Int(_) => Value::Int(i64::from(id) - 40_000_000_000),
+            Value::Real(_) => Value::Real(x),
+            Value::Vec2(_) => Value::Vec2(DVec2::new(x, -x)),
+            Value::Vec3(_) => Value::Vec3(DVec3::new(x, 0.5, -0.0)),
+            Value::Vec4(_) => Value::Vec4(glam::DVec4::splat(x)),
+            Value::Mat3(_) => Value::Mat3(DMat3::from_diagonal(DVec3::splat(x))),
+            Value::Mat4(_) => Value::Mat4(glam::DMat4::from_scale(DVec3::splat(x))),
+        };
+        assert!(mesh.set_value(column, id, value));
+    }
+}
+
+/// A PLY file returns all attributes of a mesh: values, types and defaults.
+fn returns_attributes(file: &MeshFile) {
+    assert!(file.unheld(FileFormat::Ply).is_empty());
+    let mut back = read(FileFormat::Ply, &write(FileFormat::Ply, file)).unwrap();
+    assert_eq!(back.losses(), [""; 0]);
+    assert_eq!(back.encoding, file.encoding);
+    back.bring_all();
+    let (ours, theirs) = (&file.mesh, &back.mesh);
+    let names = |mesh: &Mesh| {
+        let all = mesh.sayable_columns();
+        let mut all: Vec<_> = all.map(|(id, it)| format!("{} {}", id.kind, it.name())).collect();
+        all.sort_unstable();
+        all
+    };
+    assert_eq!(names(ours), names(theirs));
+    for (id, column) in ours.sayable_columns() {
+        let other = theirs.find_column(id.kind, column.name()).unwrap();
+        let (name, kind) = (column.name(), id.kind);
+        let [a, b] = [column, theirs.column(other).unwrap()].map(|c| c.default_value());
+        assert!(a.is_identical(b), "{kind} {name}: {a:?} {b:?}");
+        for index in 0..ours.capacity(kind) as u32 {
+            let corner = hedgerow::mesh::HalfedgeId(index);
+            let in_hole = kind == ElementKind::Halfedge && ours.is_hole(ours.face(corner))
+                || kind == ElementKind::Face && ours.is_hole(hedgerow::mesh::FaceId(index));
+            if let (false, Some(value)) = (in_hole, ours.value(id, index)) {
+                let read = theirs.value(other, index).unwrap();
+                assert!(value.is_identical(read), "{kind} {name}: {value:?} {read:?}");
+            }
+        }
+    }
 }
 
 #[test]
@@ -72,31 +109,45 @@ fn ply_holds_all_attributes() {
         for encoding in ENCODINGS {
             let mut file = MeshFile::from_mesh(attributed(mesh.clone()));
             file.encoding = encoding;
-            assert!(file.unheld(FileFormat::Ply).is_empty());
-            let bytes = write(FileFormat::Ply, &file);
-            let back = read(FileFormat::Ply, &bytes).unwrap();
-            assert_eq!(back.losses(), [""; 0]);
-            assert_eq!(back.encoding, encoding);
-            let mut back = back;
-            back.bring_all();
-            let (ours, theirs) = (&file.mesh, &back.mesh);
-            assert_eq!(ours.sayable_columns().count(), theirs.sayable_columns().count());
-            for (id, column) in ours.sayable_columns() {
-                let other = theirs.find_column(id.kind, column.name()).unwrap();
-                let (name, kind) = (column.name(), id.kind);
-                let [a, b] = [column, theirs.column(other).unwrap()].map(|c| c.attribute_type());
-                assert_eq!(a, b, "{name}");
-                for index in 0..ours.capacity(kind) as u32 {
-                    let corner = hedgerow::mesh::HalfedgeId(index);
-                    let in_hole = kind == ElementKind::Halfedge && ours.is_hole(ours.face(corner))
-                        || kind == ElementKind::Face && ours.is_hole(hedgerow::mesh::FaceId(index));
-                    if let (false, Some(value)) = (in_hole, ours.value(id, index)) {
-                        let read = theirs.value(other, index).unwrap();
-                        assert!(value.is_identical(read), "{kind} {name}: {value:?} {read:?}");
-                    }
+            returns_attributes(&file);
+        }
+    }
+}
+
+#[test]
+fn ply_holds_attributes_whatever_their_names() {
+    // They are names of properties in files of other programs, or become some.
+    let names = "x y z nx ny nz red green blue green_ alpha color normal uv s t u v r g b texcoord \
+        texcoord_ vertex_indices vertex_index vertex1 object group material smoothing texture_u \
+        texture_v diffuse_red as vertex x' é";
+    let defaults = [
+        Value::Bool(true),
+        Value::Int(-7),
+        Value::Real(0.1),
+        Value::Real(1.0),
+        Value::Vec2(DVec2::ZERO),
+        Value::Vec2(DVec2::new(0.5, -0.0)),
+        Value::Vec3(DVec3::ZERO),
+        Value::Vec3(DVec3::ONE),
+        Value::Vec3(DVec3::X),
+        Value::Mat3(DMat3::IDENTITY),
+    ];
+    let mut dice = Dice(7);
+    for round in 0..120 {
+        let mesh = [shape::cube(), shape::tube(4, 2), shape::icosahedron()][round % 3].clone();
+        let mut text = b"o a\nusemtl b\n".to_vec();
+        text.extend(write(FileFormat::Obj, &MeshFile::from_mesh(mesh)));
+        let mut file = read(FileFormat::Obj, &text).unwrap();
+        file.encoding = ENCODINGS[round / 3 % 3];
+        for kind in ElementKind::ALL {
+            for name in names.split_whitespace() {
+                // Some are left out.
+                if let Some(&default) = defaults.get(dice.roll(2 * defaults.len())) {
+                    add_attribute(&mut file.mesh, kind, name, default);
                 }
             }
         }
+        returns_attributes(&file);
     }
 }
 

@@ -14,8 +14,13 @@ pub(super) fn between(asm: &mut Assembler, left: Reg, right: Reg, to: Reg) -> In
     Inst::Atan2Real { to, left: sine, right: cosine }
 }
 
-/// The sine and cosine of the angle between two vectors, times the product of their lengths.
+/// The sine and cosine of the angle between two vectors, times a positive number.
 fn sine_and_cosine(asm: &mut Assembler, left: Reg, right: Reg) -> [Reg; 2] {
+    let [left, right] = [left, right].map(|from| {
+        let to = asm.vec();
+        asm.emit(Inst::Balance { to, from });
+        to
+    });
     let (cross, sine, cosine) = (asm.vec(), asm.reg(), asm.reg());
     let to = cross;
     asm.emit(Inst::Cross { to, left, right });

@@ -12,8 +12,8 @@ const HEADERS: &[(&str, &str)] = &[
     ("array", "array"),
     (
         "cmath",
-        "abs acos asin atan atan2 ceil cos exp fabs floor fmax fmin isfinite isnan log nearbyint \
-         pow sin sqrt tan",
+        "abs acos asin atan atan2 ceil cos exp fabs floor fmax fmin ilogb isfinite isnan log \
+         nearbyint pow scalbn sin sqrt tan",
     ),
     ("cstddef", "ptrdiff_t size_t"),
     ("cstdlib", "llabs"),

@@ -87,7 +87,7 @@ impl<'m> Polygon<'m> {
         let place = |&v: &VertexId| mesh.get_position(v).unwrap_or(DVec3::ZERO);
         let places: Vec<_> = vertices.iter().map(place).collect();
         let normal = mesh.normal(f);
-        let (right, up) = match normal == DVec3::Z || normal == DVec3::ZERO {
+        let (right, up) = match normal == DVec3::Z || normal == DVec3::ZERO || normal.is_nan() {
             true => (DVec3::X, DVec3::Y),
             false => normal.any_orthonormal_pair(),
         };

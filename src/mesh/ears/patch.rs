@@ -183,7 +183,7 @@ impl<'m> Ways<'m> {
 
 /// Grows with the angle between two normals, from 0 to two million.
 fn bend(one: DVec3, other: DVec3) -> i64 {
-    match one == DVec3::ZERO || other == DVec3::ZERO {
+    match one == DVec3::ZERO || other == DVec3::ZERO || other.is_nan() {
         // A degenerate triangle bends as much as possible.
         true => 2_000_000,
         false => rounded(1e6 - 1e6 * one.dot(other)),

@@ -105,6 +105,40 @@ impl MeshFile {
         self.bring((ElementKind::Face, "color", Value::Vec3(DVec3::ONE)));
     }
 
+    /// Makes attributes of vertices of the texture coordinates and normals of corners, where a file
+    /// of the format holds these alone and all corners of each vertex agree. Returns their names.
+    pub fn gather(&mut self, format: FileFormat) -> Vec<&'static str> {
+        let mut all = vec![("uv", AttributeType::Vec2), ("normal", AttributeType::Vec3)];
+        all.retain(|&(name, ty)| format == FileFormat::Off && self.gather_one(name, ty));
+        all.into_iter().map(|(name, _)| name).collect()
+    }
+
+    fn gather_one(&mut self, name: &str, ty: AttributeType) -> bool {
+        let corners = self.column_of_type(ElementKind::Halfedge, name, |has| has == ty);
+        let Some((id, column)) = corners.and_then(|id| Some((id, self.mesh.column(id)?))) else {
+            return false;
+        };
+        let (mesh, default) = (&self.mesh, column.default_value());
+        let value = |v| {
+            let corners = mesh.spokes(v).filter(|&h| !mesh.is_hole(mesh.face(h)));
+            let mut values = corners.filter_map(|h| mesh.value(id, h.0));
+            let first = values.next().unwrap_or(default);
+            values.all(|other| other.is_identical(first)).then_some((v.0, first))
+        };
+        let values: Option<Vec<_>> = mesh.vertices().map(value).collect();
+        let (Some(values), None) = (values, mesh.find_column(ElementKind::Vertex, name)) else {
+            return false;
+        };
+        self.mesh.remove_column(id);
+        self.find_columns(); // their places have moved
+        if let Ok(column) = self.mesh.add_column(ElementKind::Vertex, name, default) {
+            for (index, value) in values {
+                self.mesh.put_value(column, index, value);
+            }
+        }
+        true
+    }
+
     /// The attributes of the mesh that a file of a format cannot hold: kinds, names and types.
     pub fn unheld(&self, format: FileFormat) -> Vec<(ElementKind, &str, AttributeType)> {
         let held: Vec<Option<ColumnId>> = match format {

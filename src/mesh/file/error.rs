@@ -28,6 +28,8 @@ pub enum FileReason {
     ReadOnly,
     /// The ending of the name is that of no format.
     UnknownEnding(String),
+    /// Vertices of halfedge tables were to be merged.
+    MergedTables,
     /// The file violates its format, in words.
     Malformed(String),
     /// The file is truncated, or parts of it cannot be read, in words. A repair skips them.
@@ -333,6 +335,9 @@ impl fmt::Display for FileReason {
                 f,
                 "no mesh is read from or written to `.{end}`: name it {}",
                 FileFormat::listed()
+            ),
+            Self::MergedTables => f.write_str(
+                "the vertices of halfedge tables are not merged: convert it to .obj or .ply first",
             ),
             Self::Malformed(words) | Self::Damaged(words) | Self::Unheld(words) => {
                 f.write_str(words)

@@ -106,6 +106,9 @@ fn read_text(
         FileFormat::Stl => stl::read(text),
         FileFormat::Off => off::read(text),
         FileFormat::Msh => msh::read(text),
+        FileFormat::Halfedges if repair.is_some_and(|repair| repair.merge.is_some()) => {
+            Err((None, FileReason::MergedTables))
+        }
         FileFormat::Halfedges => return read_tables(text).map_err(|reason| error(name, reason)),
     };
     build(name, contents, repair, reorder)

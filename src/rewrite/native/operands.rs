@@ -196,7 +196,9 @@ impl Surroundings<'_> {
             | Inst::Cross { to, left, right } => operands! {
                 Read Real left, 3; Read Real right, 3; Write Real to, 3;
             },
-            Inst::NegVec { to, from } | Inst::Normalize { to, from } => operands! {
+            Inst::NegVec { to, from }
+            | Inst::Normalize { to, from }
+            | Inst::Balance { to, from } => operands! {
                 Read Real from, 3; Write Real to, 3;
             },
             Inst::ScaleVec { to, left, right } | Inst::DivVec { to, left, right } => operands! {

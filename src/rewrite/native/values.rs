@@ -196,13 +196,16 @@ impl Translator<'_, '_> {
                 let value = self.b.ins().sqrt(square);
                 self.set_real(to, value);
             }
-            Inst::Normalize { to, from } => {
+            Inst::Normalize { to, from } | Inst::Balance { to, from } => {
                 let (vector, place) = (self.vector(from), self.place_of_vector());
                 let flags = MemFlagsData::trusted();
                 for (at, part) in (0..).zip(vector) {
                     self.b.ins().store(flags, part, place, at * 8);
                 }
-                let stub = stubs::normalize as *const () as usize;
+                let stub = match inst {
+                    Inst::Balance { .. } => stubs::balance as *const () as usize,
+                    _ => stubs::normalize as *const () as usize,
+                };
                 let signature = self.signature(&[I64], &[]);
                 self.call(stub, signature, &[place]);
                 let values = [0, 8, 16].map(|at| self.b.ins().load(F64, flags, place, at));

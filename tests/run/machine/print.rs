@@ -34,6 +34,8 @@ fn a_few_digits_are_enough_for_a_reader() {
 fn reals_are_short_and_read_back() {
     let cases = [
         (2.0, "2"),
+        (0.0, "0"),
+        (-0.0, "-0.0"),
         (-0.1, "-0.1"),
         (1.0 / 3.0, "0.3333333333333333"),
         (1e15, "1000000000000000"),

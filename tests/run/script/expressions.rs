@@ -79,6 +79,11 @@ fn vectors() {
             ("length(vec3(3, 4, 0)), normalize(vec3(0, 0, 9))", "5 (0, 0, 1)"),
             ("distance(vec3(0, 0, 0), vec3(0, 3, 4))", "5"),
             ("angle(vec3(1, 0, 0), vec3(2, 0, 0))", "0"),
+            ("normalize(vec3(1e-320, 0, 0)), normalize(vec3(0))", "(1, 0, 0) (0, 0, 0)"),
+            (
+                "normalize(vec3(0 / 0, 1, 0)), normalize(vec2(1, infinity))",
+                "(NaN, NaN, NaN) (NaN, NaN)",
+            ),
             ("mix(vec3(0, 0, 0), vec3(2, 4, 6), 0.5)", "(1, 2, 3)"),
             ("vec3(1, 2, 3).y", "2"),
             ("vec3(1, 2, 3) == vec3(1, 2, 3)", "true"),
@@ -194,6 +199,18 @@ fn angles() {
       assert abs(squares / 4 - sum(area(f) for f in faces)) < 1e-9
       print \"done\"";
     assert_eq!(printed(&mut shape::icosphere(2), body), ["done"]);
+    // Whatever the size.
+    for size in ["1e100", "1e-90", "1e-200", "1e300", "1e-310"] {
+        let body = format!(
+            "
+      for v in vertices {{ v.position = v.position * {size} }}
+      let third = atan2(sqrt(3.0), 1.0)
+      assert all(abs(angle(h) - third) < 1e-9 for h in halfedges)
+      assert all(abs(cotangent(h) - 1 / sqrt(3.0)) < 1e-9 for h in halfedges)
+      print abs(angle(vec3({size}, 0, 0), vec3(0, 1, 0)) - 1.5 * third) < 1e-12"
+        );
+        assert_eq!(printed(&mut shape::tetrahedron(), &body), ["true"], "{size}");
+    }
     // What stands out turns the surface by a positive angle, and nothing turns the boundary.
     let body = "
       let v = argmin(length(v.position - vec3(1, 1, 0)) for v in vertices)

@@ -106,6 +106,8 @@ impl Element {
 pub(super) struct Declared {
     pub(super) kind: ElementKind,
     pub(super) name: String,
+    /// The property that has its values, by whose name it is found.
+    pub(super) property: String,
     pub(super) default: Value,
 }
 
@@ -236,10 +238,14 @@ impl Header {
     }
 }
 
-/// `KIND NAME TYPE DEFAULT`
+/// `KIND NAME TYPE DEFAULT`, or with ` as PROPERTY`.
 fn declared(text: &str) -> Option<Declared> {
     let words: Vec<&str> = text.split_ascii_whitespace().collect();
     let [kind, name, ty, default @ ..] = words.as_slice() else { return None };
+    let (default, property) = match default {
+        [default @ .., "as", property] => (default, property),
+        default => (default, name),
+    };
     let kind = ElementKind::ALL.into_iter().find(|known| known.name() == *kind)?;
     let ty = AttributeType::ALL.iter().copied().find(|known| known.name() == *ty)?;
     let default = match (ty, default) {
@@ -250,5 +256,6 @@ fn declared(text: &str) -> Option<Declared> {
             Value::from_reals(ty, &reals)?
         }
     };
-    Some(Declared { kind, name: (*name).to_owned(), default })
+    let (name, property) = ((*name).to_owned(), (*property).to_owned());
+    Some(Declared { kind, name, property, default })
 }

@@ -15,8 +15,9 @@
 //! | `object`, `group`, `material`, `smoothing` of a face, where comments name their values | as `o`, `g`, `usemtl`, `s` in OBJ |
 //!
 //! Facts that a head cannot express are in comments that other programs ignore:
-//! `comment attribute KIND NAME TYPE DEFAULT`, as in halfedge tables; `comment material 0 NAME` and
-//! the like; `comment mtllib NAME`. Reals are written with 32 bits where that is exact.
+//! `comment attribute KIND NAME TYPE DEFAULT`, as in halfedge tables, and ` as PROPERTY` behind it
+//! where another property has the name; `comment material 0 NAME` and the like; `comment mtllib
+//! NAME`. Reals are written with 32 bits where that is exact.
 
 mod body;
 mod header;

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use glam::{DVec2, DVec3};
 
 use super::body::{Body, Table};
-use super::header::{Element, Header, Property, STATES, Scalar};
+use super::header::{Declared, Element, Header, Property, STATES, Scalar};
 use crate::mesh::attribute::{AttributeType, Value};
 use crate::mesh::file::contents::{Contents, FileColumn, width};
 use crate::mesh::file::error::{Failure, FileReason};
@@ -166,6 +166,9 @@ impl Rows<'_> {
     /// Reads texture coordinates at the corners; an empty list stands for none.
     fn texture(&mut self, ends: &[usize]) {
         let Some(place) = self.place("texcoord", true) else { return };
+        if self.find_declared(ElementKind::Halfedge, "texcoord").is_some() {
+            return; // they are an attribute by themselves
+        }
         let table = &self.tables[place];
         let mut is_fitting = true;
         let (mut start, mut first) = (0, 0);
@@ -232,7 +235,7 @@ impl Rows<'_> {
         for (name, parts) in TOGETHER {
             let places: Option<Vec<_>> = parts.iter().map(|part| self.place(part, false)).collect();
             let Some(places) = places else { continue };
-            if self.find_declared(kind, parts[0]).is_some() {
+            if parts.iter().any(|part| self.find_declared(kind, part).is_some()) {
                 continue; // they are attributes by themselves
             }
             let rows = self.tables[places[0]].numbers.len();
@@ -245,13 +248,10 @@ impl Rows<'_> {
                 reals.extend(places.iter().map(|&place| self.tables[place].numbers[row] / scale));
             }
             places.iter().for_each(|&place| self.tables[place] = Table::default());
-            let default = self.find_declared(kind, name).unwrap_or(match name {
-                "color" => Value::Vec3(DVec3::ONE),
-                "alpha" => Value::Real(1.0),
-                "uv" => Value::Vec2(DVec2::ZERO),
-                _ => Value::Vec3(DVec3::ZERO),
-            });
-            if width(default.attribute_type()) == places.len() {
+            let declared = self.find_declared(kind, name).map(|declared| declared.default);
+            if let Some(default) = declared.or(usual_default(name))
+                && width(default.attribute_type()) == places.len()
+            {
                 self.contents.columns.push(FileColumn::new(kind, name, default, reals));
             }
         }
@@ -267,7 +267,8 @@ impl Rows<'_> {
         let property = &self.element.properties[place];
         let said = |c: char| if c.is_alphanumeric() || c == '_' { c } else { '_' };
         let name: String = property.name.chars().map(said).collect();
-        let declared = |kind| self.find_declared(kind, &name);
+        let said_so = |kind| self.find_declared(kind, &property.name);
+        let declared = |kind| said_so(kind).map(|declared| declared.default);
         let common = table.common_length();
         // The count of numbers per corner, if it is the same for all lists.
         let of_corners = (!corners.is_empty() && corners.len() == table.ends.len())
@@ -297,6 +298,7 @@ impl Rows<'_> {
         };
         match found {
             Some((kind, default, each)) if width(default.attribute_type()) == each => {
+                let name = said_so(kind).map_or(name, |declared| declared.name.clone());
                 self.contents.columns.push(FileColumn::new(kind, &name, default, table.numbers));
             }
             _ => {
@@ -309,11 +311,22 @@ impl Rows<'_> {
         }
     }
 
-    fn find_declared(&self, kind: ElementKind, name: &str) -> Option<Value> {
+    /// The attribute that is declared for a property.
+    fn find_declared(&self, kind: ElementKind, property: &str) -> Option<&Declared> {
         let mut all = self.header.declared.iter();
-        let found = all.find(|declared| declared.kind == kind && declared.name == name);
-        found.map(|declared| declared.default)
+        all.find(|declared| declared.kind == kind && declared.property == property)
     }
+}
+
+/// The default of an attribute that other programs know, where none is declared.
+pub(super) fn usual_default(name: &str) -> Option<Value> {
+    Some(match name {
+        "color" => Value::Vec3(DVec3::ONE),
+        "alpha" => Value::Real(1.0),
+        "uv" => Value::Vec2(DVec2::ZERO),
+        "normal" => Value::Vec3(DVec3::ZERO),
+        _ => return None,
+    })
 }
 
 /// The index given by a number; an invalid one becomes [`MISSING`].

@@ -1,8 +1,10 @@
 //! Writing a file: columns of numbers, the head that names them, and the rows.
 
+use std::collections::HashSet;
 use std::io::{self, Write};
 
 use super::header::{STATES, Scalar};
+use super::read::usual_default;
 use crate::mesh::attribute::{AttributeType, Column, ColumnId, Value};
 use crate::mesh::file::contents::width;
 use crate::mesh::file::format::Encoding;
@@ -40,7 +42,7 @@ pub(in crate::mesh::file) fn write(
     let at = numbers.vertex_order.iter().flat_map(|&v| mesh.position(v).to_array()).collect();
     together(&mut vertices, &["x", "y", "z"], at, None);
     let order: Vec<u32> = numbers.vertex_order.iter().map(|v| v.0).collect();
-    head.columns(&mut vertices, file, ElementKind::Vertex, &order);
+    head.columns(&mut vertices, file, &[(ElementKind::Vertex, &order)]);
 
     let mut faces = Vec::new();
     let (mut corners, mut halfedges, mut ends) = (Vec::new(), Vec::new(), Vec::new());
@@ -56,22 +58,19 @@ pub(in crate::mesh::file) fn write(
     faces.push(Property { name, scalar, numbers: corners, rows });
     head.states(&mut faces, file, numbers);
     let order: Vec<u32> = numbers.face_order.iter().map(|f| f.0).collect();
-    head.columns(&mut faces, file, ElementKind::Face, &order);
-    head.columns(&mut faces, file, ElementKind::Halfedge, &halfedges);
+    let kinds = [(ElementKind::Face, &order[..]), (ElementKind::Halfedge, &halfedges)];
+    head.columns(&mut faces, file, &kinds);
 
     let mut edges = Vec::new();
     let order: Vec<u32> = mesh.edges().map(|e| e.0).collect();
-    head.columns(&mut edges, file, ElementKind::Edge, &order);
-    if !edges.is_empty() {
+    if mesh.columns(ElementKind::Edge).any(|(_, column)| column.is_sayable()) {
         let ends = mesh.edges().flat_map(|e| {
             let h = mesh.edge_halfedge(e);
             let number = |v| f64::from(numbers.vertex(v).unwrap_or(1) - 1);
             [number(mesh.vertex(h)), number(mesh.target(h))]
         });
-        let mut both = Vec::new();
-        together(&mut both, &["vertex1", "vertex2"], ends.collect(), Some(Scalar::I32));
-        both.append(&mut edges);
-        edges = both;
+        together(&mut edges, &["vertex1", "vertex2"], ends.collect(), Some(Scalar::I32));
+        head.columns(&mut edges, file, &[(ElementKind::Edge, &order)]);
     }
 
     let elements = [
@@ -120,41 +119,66 @@ fn smallest(numbers: &[f64]) -> Scalar {
     if numbers.iter().all(is_short) { Scalar::F32 } else { Scalar::F64 }
 }
 
+/// The properties that other programs know an attribute by; none if it has its own name.
+fn usual(kind: ElementKind, column: &Column) -> &'static [&'static str] {
+    match (kind, column.name(), column.attribute_type()) {
+        (ElementKind::Halfedge, "uv", AttributeType::Vec2) => &["texcoord"],
+        (ElementKind::Halfedge | ElementKind::Edge, ..) => &[],
+        (_, "normal", AttributeType::Vec3) => &["nx", "ny", "nz"],
+        (_, "color", AttributeType::Vec3) => &["red", "green", "blue"],
+        // A declared `alpha` is read as it stands.
+        (_, "alpha", _) if column.default_value().is_identical(Value::Real(1.0)) => &["alpha"],
+        (_, "uv", AttributeType::Vec2) => &["s", "t"],
+        _ => &[],
+    }
+}
+
 /// The comments of a head, collected so far.
 struct Head {
     text: String,
 }
 
 impl Head {
-    /// Adds the columns of a kind as properties; `order` has the elements in the order in which
-    /// they are written.
+    /// Adds the columns of some kinds as properties of one element, each with the ids in the order
+    /// in which they are written. A name that another property has gets an underscore.
     fn columns(
         &mut self,
         properties: &mut Vec<Property>,
         file: &MeshFile,
-        kind: ElementKind,
-        order: &[u32],
+        kinds: &[(ElementKind, &[u32])],
     ) {
-        for (id, column) in file.mesh.columns(kind).filter(|(_, column)| column.is_sayable()) {
-            let ty = column.attribute_type();
-            let numbers = numbers(file, id, order);
-            let usual = match (kind, column.name(), ty) {
-                (ElementKind::Edge, ..) => None,
-                (ElementKind::Halfedge, "uv", AttributeType::Vec2) => {
-                    let (scalar, rows) = (smallest(&numbers), Rows::Corners(2));
-                    let name = "texcoord".to_owned();
-                    properties.push(Property { name, scalar, numbers, rows });
-                    continue;
+        let columns = || {
+            kinds.iter().flat_map(|&(kind, order)| {
+                let columns = file.mesh.columns(kind).filter(|(_, column)| column.is_sayable());
+                columns.map(move |(id, column)| (id, column, usual(kind, column), order))
+            })
+        };
+        let mut taken: HashSet<String> = properties.iter().map(|it| it.name.clone()).collect();
+        taken.extend(columns().flat_map(|(_, _, usual, _)| usual).map(|&name| name.to_owned()));
+        for (id, column, usual, order) in columns() {
+            let (kind, ty, numbers) = (id.kind, column.attribute_type(), numbers(file, id, order));
+            if let ["texcoord"] = usual {
+                if column.default_value().reals() != [0.0; 2] {
+                    self.declare(kind, column, "texcoord");
                 }
-                (ElementKind::Halfedge, ..) => None,
-                (_, "normal", AttributeType::Vec3) => Some(&["nx", "ny", "nz"][..]),
-                (_, "color", AttributeType::Vec3) => Some(&["red", "green", "blue"][..]),
-                (_, "alpha", AttributeType::Real) => Some(&["alpha"][..]),
-                (_, "uv", AttributeType::Vec2) => Some(&["s", "t"][..]),
-                _ => None,
-            };
-            let Some(names) = usual else {
-                self.declare(kind, column);
+                let (name, scalar) = ("texcoord".to_owned(), smallest(&numbers));
+                properties.push(Property { name, scalar, numbers, rows: Rows::Corners(2) });
+            } else if !usual.is_empty() {
+                let default = column.default_value();
+                if !usual_default(column.name()).is_some_and(|usual| usual.is_identical(default)) {
+                    self.declare(kind, column, column.name());
+                }
+                let is_color = ["red", "alpha"].contains(&usual[0]);
+                match is_color.then(|| as_bytes(&numbers)).flatten() {
+                    Some(bytes) => together(properties, usual, bytes, Some(Scalar::U8)),
+                    None => together(properties, usual, numbers, None),
+                }
+            } else {
+                let mut name = column.name().to_owned();
+                while !taken.insert(name.clone()) {
+                    name.push('_');
+                }
+                self.declare(kind, column, &name);
                 let scalar = match ty {
                     AttributeType::Bool => Scalar::U8,
                     AttributeType::Int if numbers.iter().all(|x| x.abs() <= 2147483647.0) => {
@@ -169,21 +193,13 @@ impl Head {
                     (_, 1) => Rows::One,
                     _ => Rows::Alike(width),
                 };
-                let name = column.name().to_owned();
                 properties.push(Property { name, scalar, numbers, rows });
-                continue;
-            };
-            let bytes =
-                (names[0] == "red" || names[0] == "alpha").then(|| as_bytes(&numbers)).flatten();
-            match bytes {
-                Some(bytes) => together(properties, names, bytes, Some(Scalar::U8)),
-                None => together(properties, names, numbers, None),
             }
         }
     }
 
     /// Adds a comment that declares an attribute, which a head cannot.
-    fn declare(&mut self, kind: ElementKind, column: &Column) {
+    fn declare(&mut self, kind: ElementKind, column: &Column, property: &str) {
         let default = column.default_value();
         let shown = match default {
             Value::Bool(value) => format!(" {value}"),
@@ -191,7 +207,11 @@ impl Head {
             _ => default.reals().iter().map(|real| format!(" {real}")).collect(),
         };
         let (name, ty) = (column.name(), column.attribute_type());
-        self.text += &format!("comment attribute {kind} {name} {ty}{shown}\n");
+        self.text += &format!("comment attribute {kind} {name} {ty}{shown}");
+        if name != property {
+            self.text += &format!(" as {property}");
+        }
+        self.text += "\n";
     }
 
     /// Adds objects, groups, materials and smoothing groups: numbers, and comments that name them.

@@ -12,7 +12,7 @@ pub(super) mod writes;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use crate::mesh::ElementKind;
-use crate::rewrite::arithmetic::{direction, math};
+use crate::rewrite::arithmetic::{balance as balanced, direction, math};
 use crate::rewrite::memory::Budget;
 use crate::rewrite::native::context::{Context, Run, noted};
 use crate::rewrite::question::ask;
@@ -426,4 +426,14 @@ pub(super) unsafe extern "C" fn normalize(place: *mut [f64; 3]) {
     // SAFETY: native code passes the address of a place of that size in its own frame.
     let vector = unsafe { &mut *place };
     *vector = direction((*vector).into()).to_array();
+}
+
+/// Balances the vector at `place`.
+///
+/// # Safety
+/// As for [`normalize`].
+pub(super) unsafe extern "C" fn balance(place: *mut [f64; 3]) {
+    // SAFETY: native code passes the address of a place of that size in its own frame.
+    let vector = unsafe { &mut *place };
+    *vector = balanced((*vector).into()).to_array();
 }
