@@ -1,8 +1,8 @@
 //! `hedgerow check --fix`: applies the certain fixes to a file.
 //!
 //! A fix may reveal further errors, so the text is analyzed again after each round. Nothing is
-//! written before the last round. If a fix only makes the text longer, and its error comes back each
-//! time, none of its kind is written.
+//! written before the last round. If a fix only makes the text longer, and its error comes back
+//! each time, none of its kind is written.
 
 use std::collections::{HashMap, HashSet};
 use std::path::Path;

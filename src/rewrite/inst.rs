@@ -353,9 +353,9 @@ macro_rules! computation {
         | Inst::AddVec { .. } | Inst::SubVec { .. } | Inst::MulVec { .. } | Inst::NegVec { .. }
         | Inst::ScaleVec { .. } | Inst::DivVec { .. } | Inst::MixVec { .. }
         | Inst::EqualVec { .. } | Inst::Dot { .. } | Inst::Cross { .. } | Inst::LengthVec { .. }
-        | Inst::Normalize { .. } | Inst::Balance { .. } | Inst::Wide { .. } | Inst::Matrix { .. } | Inst::Jump { .. }
-        | Inst::JumpIf { .. } | Inst::JumpUnless { .. } | Inst::JumpUnequal { .. }
-        | Inst::JumpEqual { .. }
+        | Inst::Normalize { .. } | Inst::Balance { .. } | Inst::Wide { .. } | Inst::Matrix { .. }
+        | Inst::Jump { .. } | Inst::JumpIf { .. } | Inst::JumpUnless { .. }
+        | Inst::JumpUnequal { .. } | Inst::JumpEqual { .. }
     };
 }
 pub(super) use computation;
