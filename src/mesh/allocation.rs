@@ -156,6 +156,7 @@ impl Mesh {
     }
 
     /// Removes `count` slots at the end of a table, which have been appended and not been used.
+    #[cfg(feature = "native")]
     pub(crate) fn shorten(&mut self, kind: ElementKind, count: usize) {
         let end = self.capacity(kind).saturating_sub(count);
         match kind {
