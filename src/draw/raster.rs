@@ -24,13 +24,6 @@ pub struct Raster {
     pixels: Vec<[u8; 4]>,
 }
 
-/// The place of a pixel on a polygon.
-pub struct Sample<'a> {
-    pub at: DVec2,
-    /// The weight of each corner; the weights add up to one.
-    pub weights: &'a [f64],
-}
-
 impl Raster {
     /// An empty raster, for an image with half its side.
     pub fn new(image: u32) -> Self {
@@ -43,10 +36,12 @@ impl Raster {
         self.side as f64
     }
 
-    /// Draws a polygon; its corners are in pixels, with z towards the viewer.
-    pub fn polygon(&mut self, corners: &[DVec3], colour: &dyn Fn(&Sample) -> [u8; 3]) {
+    /// Draws a polygon; its corners are in pixels, with z towards the viewer. The colour is that of
+    /// the place of a pixel.
+    pub fn polygon(&mut self, corners: &[DVec3], mut colour: impl FnMut(DVec2) -> [u8; 3]) {
         let flat: Vec<_> = corners.iter().map(|corner| corner.truncate()).collect();
         let mut weights = vec![0.0; corners.len()];
+        let plane = plane(corners);
         let rows = span(flat.iter().map(|at| at.y), self.side);
         for row in rows {
             let y = row as f64 + 0.5;
@@ -58,14 +53,17 @@ impl Raster {
             for pair in cuts.chunks_exact(2) {
                 for column in span(pair.iter().copied(), self.side) {
                     let at = DVec2::new(column as f64 + 0.5, y);
-                    weigh(at, &flat, &mut weights);
-                    let near = corners.iter().zip(&weights).map(|(c, w)| c.z * w);
-                    let near = near.sum::<f64>() as f32;
+                    let near = match plane {
+                        Some((origin, slope)) => origin.z + slope.dot(at - origin.truncate()),
+                        None => {
+                            weigh(at, &flat, &mut weights);
+                            corners.iter().zip(&weights).map(|(c, w)| c.z * w).sum()
+                        }
+                    } as f32;
                     let place = row * self.side + column;
                     if near > self.near[place] {
                         self.near[place] = near;
-                        let weights = &weights;
-                        let [red, green, blue] = colour(&Sample { at, weights });
+                        let [red, green, blue] = colour(at);
                         self.pixels[place] = [red, green, blue, 255];
                     }
                 }
@@ -88,6 +86,17 @@ impl Raster {
         };
         Image { side: side as u32, size, pixels: (0..side * side).map(mean).collect() }
     }
+}
+
+/// A corner of a flat polygon with more than three sides, and how its depth changes along the rows
+/// and columns; `None` for other polygons.
+fn plane(corners: &[DVec3]) -> Option<(DVec3, DVec2)> {
+    let (&origin, rest) = corners.split_first()?;
+    let normal: DVec3 = rest.windows(2).map(|two| (two[0] - origin).cross(two[1] - origin)).sum();
+    let normal = normal.try_normalize()?;
+    let is_flat = rest.iter().all(|corner| normal.dot(corner - origin).abs() < 1e-3);
+    (corners.len() > 3 && is_flat && normal.z.abs() > 0.01)
+        .then(|| (origin, -normal.truncate() / normal.z))
 }
 
 /// The pixels whose centers lie between the least and the greatest of some numbers.

@@ -8,7 +8,7 @@
 use glam::{DVec2, DVec3};
 
 use super::curve::distance;
-use super::raster::{Raster, Sample, sides};
+use super::raster::{Raster, sides, weigh};
 use super::shape::Picture;
 use super::viridis::Range;
 use crate::mesh::{ColumnId, ElementKind, FaceId, HalfedgeId, Mesh, Value};
@@ -232,12 +232,12 @@ impl Seen {
     }
 
     fn draw(&self, mesh: &Mesh, colours: Option<&Colours>, pen: &Pen, raster: &mut Raster) {
-        let lines: Vec<_> = self
-            .halfedges
-            .iter()
-            .zip(sides(&flat(&self.corners)))
-            .map(|(&half, side)| (side, self.line(mesh, half, colours, pen)))
-            .collect();
+        let corners = flat(&self.corners);
+        let lines = self.halfedges.iter().zip(sides(&corners)).filter_map(|(&half, side)| {
+            let (half_width, colour) = self.line(mesh, half, colours, pen)?;
+            Some((side, (side[1] - side[0]).normalize_or_zero(), half_width, colour))
+        });
+        let lines: Vec<_> = lines.collect();
         let of_vertices = colours.filter(|colours| colours.kind == ElementKind::Vertex);
         let values: Option<Vec<_>> = of_vertices.map(|colours| {
             let vertices = self.halfedges.iter().map(|&half| mesh.vertex(half));
@@ -250,15 +250,18 @@ impl Seen {
             }
             Some(_) => self.shaded(PALE, 1.0),
         };
-        raster.polygon(&self.corners, &|place: &Sample| {
-            let near = lines.iter().rev().find_map(|(side, line)| {
-                let (half_width, colour) = (*line)?;
-                (distance(place.at, *side) < half_width).then_some(colour)
+        let mut weights = vec![0.0; corners.len()];
+        raster.polygon(&self.corners, |at| {
+            // Most places are far from the whole line through a side.
+            let near = lines.iter().rev().find(|(side, along, half_width, _)| {
+                (at - side[0]).perp_dot(*along).abs() <= *half_width
+                    && distance(at, *side) < *half_width
             });
             match (near, colours, &values) {
-                (Some(colour), ..) => colour,
+                (Some((_, _, _, colour)), ..) => *colour,
                 (None, Some(colours), Some(values)) => {
-                    let parts = values.iter().zip(place.weights);
+                    weigh(at, &corners, &mut weights);
+                    let parts = values.iter().zip(&weights);
                     let value = parts.map(|(&value, weight)| value * weight).sum();
                     self.shaded(colours.colour(value), 0.5)
                 }
