@@ -136,6 +136,20 @@ def test_scripts(ops, sphere, capsys):
     assert pickle.loads(pickle.dumps(report)) == report
 
 
+def test_a_script_takes_elements(sphere):
+    text = "script lift(v: vertex, by: real = 1) { v.position = v.position + vec3(0, 0, by) }"
+    lift = hedgerow.program(text).lift
+    before = sphere.positions
+    lift(sphere, 3)
+    lift(sphere, v=4, by=2)
+    moved = sphere.positions - before
+    assert np.allclose(moved[[3, 4], 2], [1, 2]) and np.count_nonzero(moved) == 2
+    for wrong in (10**6, -1, 1.5, "a", None):
+        with pytest.raises((hedgerow.ArgumentError, TypeError, ValueError)):
+            lift(sphere, wrong)
+    assert np.array_equal(sphere.positions - before, moved)
+
+
 def test_seeds(ops, sphere):
     def shaken(seed):
         mesh = sphere.copy()

@@ -41,8 +41,8 @@ pub(super) unsafe fn within(
     unsafe { within_unsettled(context, settled) }
 }
 
-/// [`within`] for closures that read no more of the mesh than elements that they are given lead to,
-/// so that the tables may keep their spare slots.
+/// [`within`] for closures that access no more of the mesh than what elements that they are given
+/// lead to, so that the tables may keep their spare slots.
 ///
 /// # Safety
 /// As for [`within`].
