@@ -447,7 +447,10 @@ fn an_element_that_a_script_is_given_keeps_its_id() {
             }
         }
         let mut session = Session::new(&program, shape::icosphere(1));
-        assert_eq!(session.run(&script, [("a", VertexId(42))]).unwrap_err().code(), "wrong-argument");
+        assert_eq!(
+            session.run(&script, [("a", VertexId(42))]).unwrap_err().code(),
+            "wrong-argument"
+        );
         assert_eq!(session.run(&script, [("a", EdgeId(0))]).unwrap_err().code(), "wrong-argument");
         assert_eq!(session.run(&script, ()).unwrap_err().code(), "missing-argument");
     }
