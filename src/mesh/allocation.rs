@@ -155,8 +155,7 @@ impl Mesh {
         first as u32
     }
 
-    /// Removes `count` slots at the end of a table, which have been appended and not been used.
-    #[cfg(feature = "native")]
+    /// Removes `count` slots at the end of a table, none of which is a hole.
     pub(crate) fn shorten(&mut self, kind: ElementKind, count: usize) {
         let end = self.capacity(kind).saturating_sub(count);
         match kind {

@@ -75,7 +75,7 @@ impl Mesh {
 
     /// The unit normal, on the side from which the loop runs counterclockwise.
     pub fn normal(&self, f: FaceId) -> DVec3 {
-        unit(self.vector_area(f))
+        direction(self.vector_area(f))
     }
 
     /// The unit normal at a vertex: the faces around it, each weighted by its area.
@@ -83,7 +83,7 @@ impl Mesh {
     pub fn vertex_normal(&self, v: VertexId) -> DVec3 {
         let faces = self.spokes(v).filter_map(|h| self.get_face(h));
         let real = faces.filter(|&f| self.get_is_hole(f) == Some(false));
-        unit(real.map(|f| self.vector_area(f)).sum())
+        direction(real.map(|f| self.vector_area(f)).sum())
     }
 
     /// The mean of the corners.
@@ -98,9 +98,10 @@ impl Mesh {
     }
 }
 
-/// The direction of `v`: zero if that is zero, NaN if it is not finite. Scaled first: the square of
-/// a small length is zero, that of a large one infinite.
-fn unit(v: DVec3) -> DVec3 {
+/// The unit vector in the direction of `v`: zero if that is zero, NaN if it is not finite. The
+/// vector is scaled first: the square of a small length is zero, that of a large one infinite.
+#[inline]
+pub fn direction(v: DVec3) -> DVec3 {
     let largest = v.abs().max_element();
     match v.is_finite() {
         true if largest > 0.0 => (v / largest).normalize_or_zero(),

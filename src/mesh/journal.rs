@@ -15,14 +15,12 @@
 
 use std::mem::swap;
 
-use glam::DVec3;
-
 use super::attribute::{Column, ColumnId};
 use super::connectivity::Mesh;
 use super::id::{EdgeId, ElementKind, FaceId, HalfedgeId, VertexId};
 use super::level_near::Footprint;
 use super::notes::{Bookmark, Journal, Note, Written};
-use super::records::{FaceState, HalfedgeRecord, Slots};
+use super::records::{FaceState, Slots};
 
 impl Mesh {
     /// Opens a journal: writes are noted until its bookmark is given back.
@@ -188,7 +186,7 @@ impl Mesh {
                 *note = Note::Shrunk(kind);
             }
             &mut Note::Shrunk(kind) => {
-                self.add_last(kind);
+                self.append(kind, 1);
                 *note = Note::Grown(kind);
             }
             &mut Note::Taken(kind, slot) => {
@@ -222,38 +220,10 @@ impl Mesh {
 
     /// Removes the slot at the end of a table.
     fn drop_last(&mut self, kind: ElementKind) {
-        match kind {
-            ElementKind::Vertex => {
-                self.vertices.pop();
-                self.positions.pop();
-            }
-            ElementKind::Halfedge => drop(self.halfedges.pop()),
-            ElementKind::Edge => drop(self.edges.pop()),
-            ElementKind::Face => {
-                self.faces.pop();
-                self.holes -= usize::from(self.face_states.pop() == Some(FaceState::Hole));
-            }
+        if kind == ElementKind::Face && self.face_states.last() == Some(&FaceState::Hole) {
+            self.holes -= 1;
         }
-        let len = self.capacity(kind);
-        self.columns[kind as usize].shrink(len);
-    }
-
-    /// Appends a slot to a table, with the values of a new element.
-    pub(super) fn add_last(&mut self, kind: ElementKind) {
-        match kind {
-            ElementKind::Vertex => {
-                self.vertices.push(HalfedgeId::NONE);
-                self.positions.push(DVec3::ZERO);
-            }
-            ElementKind::Halfedge => self.halfedges.push(HalfedgeRecord::UNSET),
-            ElementKind::Edge => self.edges.push(HalfedgeId::NONE),
-            ElementKind::Face => {
-                self.faces.push(HalfedgeId::NONE);
-                self.face_states.push(FaceState::Face);
-            }
-        }
-        let len = self.capacity(kind);
-        self.columns[kind as usize].grow(len);
+        self.shorten(kind, 1);
     }
 }
 

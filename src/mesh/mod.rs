@@ -85,6 +85,7 @@ pub use file::{
     read_mesh_from, read_mesh_reordered, replace_file, write_mesh, write_mesh_to,
     write_mesh_unless,
 };
+pub use geometry::direction;
 pub use history::History;
 pub use id::{EdgeId, Element, ElementKind, FaceId, HalfedgeId, VertexId};
 pub use identical::{identical, identical_but_for_scratch};

@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use super::{Fault, Math};
+pub use crate::mesh::direction;
 
 /// The int, or the fault if it has overflowed.
 #[inline]
@@ -69,18 +70,6 @@ pub(super) fn math(math: Math, x: f64) -> f64 {
 #[inline]
 pub(super) fn mix(left: DVec3, right: DVec3, t: f64) -> DVec3 {
     left * (1.0 - t) + right * t
-}
-
-/// The unit vector in the direction of `v`: zero if that is zero, NaN if it is not finite. The
-/// vector is scaled first: the square of a small length is zero, that of a large one infinite.
-#[inline]
-pub fn direction(v: DVec3) -> DVec3 {
-    let largest = v.abs().max_element();
-    match v.is_finite() {
-        true if largest > 0.0 => (v / largest).normalize_or_zero(),
-        true => DVec3::ZERO,
-        false => DVec3::NAN,
-    }
 }
 
 /// The vector times the power of two for which its largest component is at least 1 and below 2.

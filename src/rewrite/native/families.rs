@@ -11,7 +11,7 @@ use cranelift_codegen::ir::{Block, InstBuilder, Value};
 use super::Variant;
 use super::access::pointer;
 use super::stubs::lists;
-use super::translate::{Region, Translator};
+use super::translate::Translator;
 use crate::mesh::ElementKind;
 use crate::rewrite::{Inst, List};
 
@@ -197,17 +197,5 @@ impl Translator<'_, '_> {
         self.b.def_var(at, next);
         self.b.ins().jump(head, &[]);
         self.b.switch_to_block(end);
-    }
-
-    fn set_slot(&mut self, start: Value, index: Value, value: Value) {
-        let offset = self.b.ins().ishl_imm_u(index, 3);
-        let place = self.b.ins().iadd(start, offset);
-        let flags = self.flags(Region::Slots);
-        self.b.ins().store(flags, value, place, 0);
-    }
-
-    fn set_count(&mut self, list: Value, count: Value) {
-        let flags = self.flags(Region::Lists);
-        self.b.ins().store(flags, count, list, List::COUNT as i32);
     }
 }

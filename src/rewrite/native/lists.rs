@@ -155,8 +155,7 @@ impl Translator<'_, '_> {
     /// Empties a buffer.
     pub(super) fn clear(&mut self, buffer: u16) {
         let (list, none) = (self.list_of(buffer), self.b.ins().iconst(I64, 0));
-        let flags = self.flags(Region::Lists);
-        self.b.ins().store(flags, none, list, List::COUNT as i32);
+        self.set_count(list, none);
     }
 
     /// The index plus a shift, modulo the length of a buffer; traps if that is 0.
@@ -264,10 +263,7 @@ impl Translator<'_, '_> {
         self.b.ins().brif(has_room, here, &[], full, &[]);
         self.b.switch_to_block(here);
         let halfedge = self.b.use_var(at);
-        let offset = self.b.ins().ishl_imm_u(place, 3);
-        let slot = self.b.ins().iadd(start, offset);
-        let flags = self.flags(Region::Slots);
-        self.b.ins().store(flags, halfedge, slot, 0);
+        self.set_slot(start, place, halfedge);
         let place = self.b.ins().iadd_imm_s(place, 1);
         self.b.def_var(count, place);
         let record = self.record(ElementKind::Halfedge, halfedge);
@@ -285,8 +281,7 @@ impl Translator<'_, '_> {
 
         self.b.switch_to_block(done);
         let place = self.b.use_var(count);
-        let flags = self.flags(Region::Lists);
-        self.b.ins().store(flags, place, list, List::COUNT as i32);
+        self.set_count(list, place);
         self.b.ins().jump(on, &[]);
 
         // Nothing has been appended.
@@ -315,15 +310,12 @@ impl Translator<'_, '_> {
     /// Appends slots to a list that has `count` slots, and room for these.
     fn append_to(&mut self, list: Value, count: Value, slots: &[Value]) {
         let start = self.in_list(list, List::START);
-        let offset = self.b.ins().ishl_imm_u(count, 3);
-        let place = self.b.ins().iadd(start, offset);
-        let flags = self.flags(Region::Slots);
+        let (place, flags) = (self.place_of_slot(start, count), self.flags(Region::Slots));
         for (at, slot) in (0..).zip(slots) {
             self.b.ins().store(flags, *slot, place, at * size_of::<u64>() as i32);
         }
         let count = self.b.ins().iadd_imm_s(count, slots.len() as i64);
-        let flags = self.flags(Region::Lists);
-        self.b.ins().store(flags, count, list, List::COUNT as i32);
+        self.set_count(list, count);
     }
 
     /// The address and number of the slots of a buffer.
@@ -333,9 +325,23 @@ impl Translator<'_, '_> {
     }
 
     pub(super) fn slot(&mut self, start: Value, index: Value) -> Value {
-        let offset = self.b.ins().ishl_imm_u(index, 3);
-        let place = self.b.ins().iadd(start, offset);
-        let flags = self.flags(Region::Slots);
+        let (place, flags) = (self.place_of_slot(start, index), self.flags(Region::Slots));
         self.b.ins().load(I64, flags, place, 0)
+    }
+
+    pub(super) fn set_slot(&mut self, start: Value, index: Value, value: Value) {
+        let (place, flags) = (self.place_of_slot(start, index), self.flags(Region::Slots));
+        self.b.ins().store(flags, value, place, 0);
+    }
+
+    /// Sets the number of slots of a list.
+    pub(super) fn set_count(&mut self, list: Value, count: Value) {
+        let flags = self.flags(Region::Lists);
+        self.b.ins().store(flags, count, list, List::COUNT as i32);
+    }
+
+    fn place_of_slot(&mut self, start: Value, index: Value) -> Value {
+        let offset = self.b.ins().ishl_imm_u(index, 3);
+        self.b.ins().iadd(start, offset)
     }
 }
