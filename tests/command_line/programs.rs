@@ -56,28 +56,42 @@ fn the_other_files_are_looked_at_all_the_same() {
 }
 
 #[test]
-fn depth_and_size() {
+fn depth() {
+    let nested = |text: &str| text.repeat(100_000);
+    refused_briefly([
+        nested("("),
+        nested("{"),
+        format!("op f(e: edge) {{ before {}", nested("{")),
+        format!("script s() {{ let x = {}1 }}", nested("(")),
+        format!("script s() {{ let x = {}1 }}", nested("-")),
+        format!("script s() {{ let x = {}true }}", nested("not ")),
+        format!("script s() {{ let x = 1{} }}", nested(" + 1")),
+        format!("script s() {{ {} }}", nested("if true { } else ")),
+        format!("script s() {{ {}", nested("repeat 2 { ")),
+    ]);
+}
+
+#[test]
+fn brackets_by_the_million() {
+    refused_briefly(["{".repeat(3 * MILLION), "}".repeat(3 * MILLION), "[".repeat(MILLION)]);
+}
+
+#[test]
+fn pairs_by_the_million() {
+    refused_briefly(["{}".repeat(2 * MILLION)]);
+}
+
+#[test]
+fn words_by_the_million() {
+    let texts = [("op ", 1), ("a", 3), ("\"", 1), ("\u{1d11e}", 1)];
+    refused_briefly(texts.map(|(text, millions)| text.repeat(millions * MILLION)));
+}
+
+const MILLION: usize = 1_000_000;
+
+/// Checks each text, which is refused in few words.
+fn refused_briefly<const N: usize>(texts: [String; N]) {
     let bench = Bench::new();
-    let million = 1_000_000;
-    let texts = [
-        "(".repeat(100_000),
-        "{".repeat(100_000),
-        format!("op f(e: edge) {{ before {}", "{".repeat(100_000)),
-        format!("script s() {{ let x = {}1 }}", "(".repeat(100_000)),
-        format!("script s() {{ let x = {}1 }}", "-".repeat(100_000)),
-        format!("script s() {{ let x = {}true }}", "not ".repeat(100_000)),
-        format!("script s() {{ let x = 1{} }}", " + 1".repeat(100_000)),
-        format!("script s() {{ {} }}", "if true { } else ".repeat(100_000)),
-        format!("script s() {{ {}", "repeat 2 { ".repeat(100_000)),
-        "{".repeat(3 * million),
-        "}".repeat(3 * million),
-        "{}".repeat(2 * million),
-        "[".repeat(million),
-        "op ".repeat(million),
-        "a".repeat(3 * million),
-        "\"".repeat(million),
-        "\u{1d11e}".repeat(million),
-    ];
     for text in texts {
         bench.write("deep.hedge", &text);
         let said = bench.fails(1, &["check", "deep.hedge"], "error[");
