@@ -4,13 +4,15 @@
 //! mesh, asks no op and draws no random number. A function has its own effects and those of the
 //! functions that it calls; both are read off the tree.
 
+use crate::diagram::Type;
 use crate::source::Span;
 use crate::syntax::Part;
-use crate::syntax::tree::{self, ActionKind, ExprKind, Item};
+use crate::syntax::tree::{self, Action, ActionKind, ExprKind, Item};
 
 use super::builtin::SHUFFLE;
 use super::declared::{Declared, What};
 use super::depth::each_part;
+use super::fields::fields_of;
 use super::sequence_names::WHOLE_MESH;
 use super::signature::Effects;
 use super::unit::Unit;
@@ -72,7 +74,7 @@ fn own_effects(part: Part, declared: &Declared) -> TreeEffects {
         Part::Expr(expr) => found.of_expr(expr, declared),
         Part::Block(block) => {
             for action in &block.statements {
-                found.of_action(&action.kind, action.span);
+                found.of_action(action, declared);
             }
         }
     });
@@ -114,16 +116,16 @@ impl TreeEffects {
         }
     }
 
-    fn of_action(&mut self, action: &ActionKind, span: Span) {
-        match action {
-            ActionKind::Assign { target, .. } if matches!(target.kind, ExprKind::Field(..)) => {
-                self.effects.changes.get_or_insert(span);
+    fn of_action(&mut self, action: &Action, declared: &Declared) {
+        match &action.kind {
+            ActionKind::Assign { target, .. } if !is_of_variable(target, declared) => {
+                self.effects.changes.get_or_insert(action.span);
             }
             ActionKind::For { sequence, .. }
             | ActionKind::Update { sequence, .. }
             | ActionKind::Drain { sequence, .. } => self.of_sequence(sequence),
             ActionKind::Print(_) => {
-                self.effects.prints.get_or_insert(span);
+                self.effects.prints.get_or_insert(action.span);
             }
             _ => {}
         }
@@ -137,5 +139,17 @@ impl TreeEffects {
         if name.index.is_none() && WHOLE_MESH.iter().any(|(known, _)| *known == word) {
             self.effects.looks.get_or_insert(sequence.span);
         }
+    }
+}
+
+/// Whether what is assigned is a variable or a component of one: `p`, `p.x`, `m.x.y`.
+fn is_of_variable(target: &tree::Expr, declared: &Declared) -> bool {
+    match &target.kind {
+        ExprKind::Field(base, field) => {
+            let word = field.text.as_str();
+            let is_component = fields_of(Type::Mat4).iter().any(|(known, _)| *known == word);
+            is_component && declared.element_with(word).is_none() && is_of_variable(base, declared)
+        }
+        _ => true,
     }
 }

@@ -63,6 +63,7 @@ mod routine;
 mod signature;
 
 mod asking;
+mod assignment;
 mod op_call;
 mod script;
 mod statement;

@@ -6,17 +6,14 @@ use crate::source::Span;
 use crate::syntax::tree::{self, Action, ActionKind, Digits, Ident, Piece, Shown};
 
 use super::declared::duplicate;
-use super::fields::fields_of;
 use super::foreign_words;
 use super::op_call::Asked;
 use super::program::{Print, Statement, StatementKind};
 use super::scopes::{Binding, Local};
 use super::script::Scripting;
-use super::suggestion::suggest;
 use super::type_name::type_named;
 use super::typed::to_real;
-use super::typing::converted;
-use super::words::{a_type, short, subject};
+use super::words::{a_type, subject};
 
 /// The maximum number of statements after one on its line that are taken for foreign syntax.
 const MOST_BESIDE: usize = 100;
@@ -80,7 +77,7 @@ impl Scripting<'_> {
         let ActionKind::Assign { target, .. } = &next.kind else {
             return false;
         };
-        let (Some(word), Some(name)) = (plain_name(word), plain_name(target)) else {
+        let (Some(word), Some(name)) = (word.plain_name(), target.plain_name()) else {
             return false;
         };
         let scopes = &self.typing.scopes;
@@ -132,7 +129,7 @@ impl Scripting<'_> {
             self.typing.report.add(error.fix("write `//`", signs, "//"));
             return Some(beside);
         }
-        let word = plain_name(first)?;
+        let word = first.plain_name()?;
         let is_known = self.typing.scopes.find(&word.text).is_some();
         if beside == 0 || is_known || foreign_words::declares(&word.text) {
             return None;
@@ -163,173 +160,13 @@ impl Scripting<'_> {
     }
 
     /// Declares what was taken for a variable, so that it is reported as unknown only once.
-    fn assumed(&mut self, name: &Ident, ty: Option<Type>) {
+    pub(super) fn assumed(&mut self, name: &Ident, ty: Option<Type>) {
         self.typing.scopes.declare(Local {
             name: name.text.clone(),
             span: name.span,
             ty,
             binding: Binding::Var,
         });
-    }
-
-    /// `x = …`, `v.position = …`
-    pub(super) fn assignment(
-        &mut self,
-        target: &tree::Expr,
-        value: &tree::Expr,
-        span: Span,
-    ) -> Option<StatementKind> {
-        if let Some(name) = plain_name(target) {
-            return self.set(name, value);
-        }
-        match &target.kind {
-            tree::ExprKind::Field(base, field) => self.write(base, field, value),
-            _ if is_broken(target) => {
-                self.typing.report.fail();
-                None
-            }
-            _ => {
-                let message = "only a variable or an attribute of an element can be assigned";
-                let error = Diagnostic::error("not-assignable", message, target.span);
-                let error = match attribute_called(target) {
-                    Some((attribute, of))
-                        if self.typing.declared.element_with(attribute).is_some() =>
-                    {
-                        error.note(format!("an attribute stands behind a dot: `{of}.{attribute}`"))
-                    }
-                    _ => error,
-                };
-                self.typing.report.add(error.label(span, ""));
-                None
-            }
-        }
-    }
-
-    fn set(&mut self, name: &Ident, value: &tree::Expr) -> Option<StatementKind> {
-        let word = &name.text;
-        let found = self.typing.scopes.find(word);
-        let Some((variable, local)) = found.map(|(number, local)| (number, local.clone())) else {
-            if word == "mesh" {
-                let message = "a script has the mesh it is run on, which has no name";
-                let error = Diagnostic::error("test-mesh", message, name.span)
-                    .note("a test begins with `mesh = cube()`, or `mesh = load(\"cube.obj\")`");
-                self.typing.report.add(error);
-                self.typing.report.confuse(word);
-                return None;
-            }
-            let message = format!("there is no variable `{word}`");
-            let error = Diagnostic::error("unknown-name", message, name.span);
-            let error = suggest(error, word, name.span, self.typing.scopes.names())
-                .note("a variable begins with `let` or `var`");
-            self.typing.report.add(error);
-            self.typing.report.confuse(word);
-            let ty = self.typing.expression(value).map(|value| value.ty);
-            self.assumed(name, ty);
-            return None;
-        };
-        if let Some(error) = fixed(name, &local) {
-            self.typing.report.add(error);
-        }
-        if let Some(applied) = self.applied_value(value) {
-            let applied = applied?;
-            let fits = self.result_fits(&applied, local.ty, name, value.span);
-            return fits.then(|| applied.into_variable(variable, Vec::new()));
-        }
-        self.typing.may_change = !self.updating;
-        let value = match local.ty {
-            Some(ty) => {
-                let typed = self.typing.expression(value)?;
-                let is_wider = (ty, typed.ty) == (Type::Int, Type::Real);
-                match converted(value, typed, ty, &format!("`{word}`")) {
-                    Ok(value) => value,
-                    Err(error) => {
-                        let error =
-                            error.label(local.span, format!("`{word}` is {} here", a_type(ty)));
-                        let is_wider = is_wider && local.binding == Binding::Var;
-                        self.typing.report.add(match is_wider {
-                            true => error.note(format!("`var {word}: real = …` makes it a real")),
-                            false => error,
-                        });
-                        return None;
-                    }
-                }
-            }
-            None => self.typing.expression(value)?,
-        };
-        Some(StatementKind::Set { variable, value })
-    }
-
-    fn write(
-        &mut self,
-        base: &tree::Expr,
-        field: &Ident,
-        value: &tree::Expr,
-    ) -> Option<StatementKind> {
-        let target = self.typing.expression(base);
-        let Some(target) = target else {
-            self.typing.expression(value);
-            return None;
-        };
-        if !target.ty.is_element() {
-            let message = match target.ty {
-                ty if ty.is_vector() || ty.is_matrix() => {
-                    "a component of a vector cannot be assigned by itself".to_owned()
-                }
-                ty => format!("{} has no attributes", a_type(ty)),
-            };
-            let error = Diagnostic::error("not-assignable", message, base.span.to(field.span));
-            let error = match &target.kind {
-                ExprKind::Read(..) | ExprKind::Local(_) if target.ty.is_vector() => {
-                    self.whole_vector(error, base, target.ty, field, value)
-                }
-                _ => error,
-            };
-            self.typing.report.add(error);
-            return None;
-        }
-        let typed = self.typing.expression(value);
-        let of = typed.as_ref().map(|value| value.ty);
-        let (attribute, ty) = self.typing.attribute_of(target.ty, field, of)?;
-        let whose = format!("`{}`", field.text);
-        let value = self.typing.convert(value, typed?, ty, &whose)?;
-        Some(StatementKind::Write { target, attribute, value })
-    }
-
-    /// Adds the fix for the assignment of a component: assigning the whole vector.
-    fn whole_vector(
-        &self,
-        error: Diagnostic,
-        base: &tree::Expr,
-        ty: Type,
-        field: &Ident,
-        value: &tree::Expr,
-    ) -> Diagnostic {
-        let known = fields_of(ty).iter().any(|(known, _)| *known == field.text);
-        let Some(text) = short(base, 3).filter(|_| known) else {
-            return error.note("assign the whole vector, for example with `vec3(x, y, z)`");
-        };
-        let (mut before, mut behind) = (format!("{text} = {}(", ty.word()), String::new());
-        let mut is_before = true;
-        for (at, (part, _)) in fields_of(ty).iter().enumerate() {
-            let comma = if at > 0 { ", " } else { "" };
-            match *part == field.text {
-                true => {
-                    before += comma;
-                    is_before = false;
-                }
-                false if is_before => before += &format!("{comma}{text}.{part}"),
-                false => behind += &format!("{comma}{text}.{part}"),
-            }
-        }
-        behind += ")";
-        let title = format!("write `{before}…{behind}`");
-        let edits = vec![
-            Edit { span: Span { end: value.span.start, ..base.span }, text: before },
-            Edit { span: value.span.after(), text: behind },
-        ];
-        let mut error = error.note("a vector is assigned whole");
-        error.fixes.push(Fix { title, edits });
-        error
     }
 
     /// `if c { … } else { … }`, where `c` may be the call of an op.
@@ -465,58 +302,4 @@ impl Scripting<'_> {
         self.typing.report.add(error);
         false
     }
-}
-
-/// True if an operand could not be read, which the parser has reported.
-fn is_broken(expr: &tree::Expr) -> bool {
-    match &expr.kind {
-        tree::ExprKind::Broken => true,
-        tree::ExprKind::Binary(_, left, right) => is_broken(left) || is_broken(right),
-        tree::ExprKind::Unary(_, operand) => is_broken(operand),
-        _ => false,
-    }
-}
-
-/// The identifier, if the expression is only a name.
-fn plain_name(expr: &tree::Expr) -> Option<&Ident> {
-    match &expr.kind {
-        tree::ExprKind::Name(name) if name.index.is_none() => Some(&name.ident),
-        _ => None,
-    }
-}
-
-/// The words `q` and `v` of `q(v)` or `q[v]`.
-fn attribute_called(expr: &tree::Expr) -> Option<(&str, &str)> {
-    match &expr.kind {
-        tree::ExprKind::Call { function, args } => match args.as_slice() {
-            [of] => Some((&function.text, &plain_name(of)?.text)),
-            _ => None,
-        },
-        tree::ExprKind::Name(name) => {
-            let of = name.index.as_ref()?.variable.as_ref()?;
-            Some((&name.ident.text, &of.text))
-        }
-        _ => None,
-    }
-}
-
-/// The error for a variable that cannot be assigned, if it is one.
-fn fixed(name: &Ident, local: &Local) -> Option<Diagnostic> {
-    let word = &name.text;
-    let what = match local.binding {
-        Binding::Var => return None,
-        Binding::Let(keyword) => {
-            let message = format!("`{word}` is declared with `let`, so it cannot change");
-            let error = Diagnostic::error("assign-to-let", message, name.span)
-                .label(local.span, "it is declared here")
-                .fix("write `var`", keyword, "var");
-            return Some(error);
-        }
-        Binding::Parameter => "a parameter",
-        Binding::Head => "bound by the statement around it",
-    };
-    let message = format!("`{word}` is {what}, so it cannot change");
-    let error = Diagnostic::error("assign-to-let", message, name.span)
-        .label(local.span, "it is declared here");
-    Some(error)
 }

@@ -161,11 +161,12 @@ fn hole_of(written: &'static str) -> What {
     What::Hole(name, class)
 }
 
-/// The spellings in `a/b`; a lone `/` is one spelling.
+/// The spellings in `a/b`; a slash is alone or the last of several, `+/-//`.
 fn ways(written: &'static str) -> Vec<&'static str> {
-    match written {
-        "/" => vec!["/"],
-        several => several.split('/').collect(),
+    match written.strip_suffix("//") {
+        Some(others) => others.split('/').chain(["/"]).collect(),
+        None if written == "/" => vec![written],
+        None => written.split('/').collect(),
     }
 }
 

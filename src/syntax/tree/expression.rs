@@ -47,6 +47,16 @@ pub struct Expr {
     pub span: Span,
 }
 
+impl Expr {
+    /// The identifier, if the expression is only a name.
+    pub fn plain_name(&self) -> Option<&Ident> {
+        match &self.kind {
+            ExprKind::Name(name) if name.index.is_none() => Some(&name.ident),
+            _ => None,
+        }
+    }
+}
+
 /// An operator with one operand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum UnaryOp {

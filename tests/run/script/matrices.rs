@@ -186,3 +186,26 @@ fn vectors_come_from_outside() {
         try_run(&mut shape::cube(), script, &[("a", "1,2"), ("b", "(4,3,2,1)")]).unwrap();
     assert_eq!(lines, ["(1, 2) (4, 3, 2, 1)"]);
 }
+
+/// Of variables, in functions and in `update`, and of attributes; the others stay.
+#[test]
+fn components_and_columns_are_assigned() {
+    let mut mesh = shape::cube();
+    let script = "
+        attr a: vertex mat4 = mat4(1)
+        fn column(m: mat3) { var n = m  n.x.y = 5  n.z = vec3(7)  n.z.z = n.x.y + 1  return n.z }
+        script main() {
+          for h in halfedges { h.vertex.a.w.x = 9  h.vertex.position.y = h.vertex.position.x }
+          update v in vertices { var p = v.position  p.z = 2  v.position = p + column(mat3(1)) }
+        }";
+    run_alone(&mut mesh, script, &[]).unwrap();
+    let column = mesh.find_column(ElementKind::Vertex, "a").unwrap();
+    let of_cube = shape::cube();
+    for v in mesh.vertices() {
+        let old = of_cube.position(v);
+        assert_eq!(mesh.position(v), DVec3::new(old.x + 7.0, old.x + 7.0, 8.0));
+        let mut a = DMat4::IDENTITY;
+        a.w_axis.x = 9.0;
+        assert_eq!(mesh.value(column, v.0), Some(Value::Mat4(a)));
+    }
+}

@@ -53,6 +53,12 @@ pub(super) const LINES: &[Line] = &[
     ),
     told(
         DRAWING,
+        "^$a . $b:word . $c:word $o=+/-/*// ~= $v:line",
+        "",
+        "a component cannot be assigned by itself: `$a.$b = vec3(x, y, z)`",
+    ),
+    told(
+        DRAWING,
         "^$a . $b:word . $c:word = $v:line",
         "",
         "a component cannot be assigned by itself: `$a.$b = vec3(x, y, z)`",
@@ -76,24 +82,10 @@ pub(super) const LINES: &[Line] = &[
     ),
     fixed(
         DRAWING,
-        "$a . $b:word - ~= $v:line",
+        "$a . $b:word $o=-/*// ~= $v:line",
         "$a.$b = $v",
-        "$a.$b = $a.$b - ($v)",
-        "a change is written out: `$a.$b = $a.$b - …`",
-    ),
-    fixed(
-        DRAWING,
-        "$a . $b:word * ~= $v:line",
-        "$a.$b = $v",
-        "$a.$b = $a.$b * ($v)",
-        "a change is written out: `$a.$b = $a.$b * …`",
-    ),
-    fixed(
-        DRAWING,
-        "$a . $b:word / ~= $v:line",
-        "$a.$b = $v",
-        "$a.$b = $a.$b / ($v)",
-        "a change is written out: `$a.$b = $a.$b / …`",
+        "$a.$b = $a.$b $o ($v)",
+        "a change is written out: `$a.$b = $a.$b $o …`",
     ),
     fixed(
         DRAWING,
