@@ -3,18 +3,22 @@
 //! A vertex keeps its place unless the operation moves it to one that the drawing determines, such
 //! as the midpoint of a collapsed edge. Nodes that are only in `after` are placed among the
 //! existing ones: at the position that an assignment gives, on an edge that they cut, or beside a
-//! vertex that they split.
+//! vertex that they split. Where strands cross or loops are flat because vertices keep their places,
+//! the side is laid out anew if that is better.
 
 use glam::DVec2;
 
 use super::assigned::assigned;
 use super::components::parts;
-use super::curve::{Curve, area, cross};
+use super::curve::{Curve, area, cross, mean};
 use super::example::moved_on_mesh;
 use super::figure::{Figure, Node};
-use super::layout::{NEAR, pulls, settle, stretch};
+use super::layout::{NEAR, parts_in_a_row, pulls, settle, stretch};
 use super::opened::{open_vertices, opened};
 use super::routing::{bend_beside, bend_paths};
+
+/// Twice the area of a loop that looks flat.
+const FLAT: f64 = 0.15;
 
 /// The places of the nodes on the side `after`; nodes that it does not show keep theirs.
 pub(super) fn places_after(figure: &Figure, before: &[Option<DVec2>]) -> Vec<Option<DVec2>> {
@@ -22,16 +26,38 @@ pub(super) fn places_after(figure: &Figure, before: &[Option<DVec2>]) -> Vec<Opt
     if let Some(moved) = moved_on_mesh(figure, before) {
         return placed(figure, before, moved);
     }
-    match moved(figure, before) {
-        Some(moved) => {
-            let (moved, stay) = (placed(figure, before, moved), all_stay());
-            match faults(figure, &moved) > faults(figure, &stay) {
-                true => stay,
-                false => moved,
-            }
+    let moved = moved(figure, before).map(|moved| placed(figure, before, moved));
+    let candidates = moved.into_iter().chain([all_stay()]);
+    let best = candidates.min_by_key(|places| faults(figure, places)).unwrap_or_default();
+    match faults(figure, &best) {
+        0 => best,
+        faults_of_best => {
+            let anew = placed(figure, before, laid_out_anew(figure, before));
+            if faults(figure, &anew) < faults_of_best { anew } else { best }
         }
-        None => all_stay(),
     }
+}
+
+/// The places of a layout that does not depend on `before`, but is turned towards it.
+fn laid_out_anew(figure: &Figure, before: &[Option<DVec2>]) -> Vec<Option<DVec2>> {
+    let mut swapped = figure.clone();
+    std::mem::swap(&mut swapped.before, &mut swapped.after);
+    let mut places = parts_in_a_row(&swapped);
+    let pairs: Vec<_> =
+        before.iter().zip(&places).filter_map(|(a, b)| Some([(*a)?, (*b)?])).collect();
+    let [old, new] = [0, 1].map(|at| mean(&pairs.iter().map(|pair| pair[at]).collect::<Vec<_>>()));
+    // The turn with the least sum of squared distances.
+    let turn: DVec2 =
+        pairs.iter().map(|[a, b]| (*a - old).rotate((*b - new) * DVec2::new(1.0, -1.0))).sum();
+    let turn = turn.normalize_or(DVec2::X);
+    for place in places.iter_mut().flatten() {
+        *place = old + turn.rotate(*place - new);
+    }
+    // Paths bend as they did.
+    for strand in figure.after.strands.iter().filter(|strand| strand.is_path) {
+        strand.nodes[1..strand.nodes.len() - 1].iter().for_each(|&bend| places[bend] = None);
+    }
+    places
 }
 
 /// The places after the operation's moves; `None` if it moves nothing. Paths that begin or end at a
@@ -67,7 +93,8 @@ fn moved(figure: &Figure, before: &[Option<DVec2>]) -> Option<Vec<Option<DVec2>>
     (places != before).then_some(places)
 }
 
-/// The number of pairs of strands that cross, plus the number of loops turned inside out.
+/// The number of pairs of strands that cross, plus the number of loops that are flat or turned
+/// inside out.
 fn faults(figure: &Figure, places: &[Option<DVec2>]) -> usize {
     let side = &figure.after;
     let at = |node: &usize| places[*node].unwrap_or_default();
@@ -82,7 +109,7 @@ fn faults(figure: &Figure, places: &[Option<DVec2>]) -> usize {
     }
     let loops = side.loops.iter().map(|orbit| side.around(&orbit.darts));
     let outlines = loops.map(|nodes| nodes.iter().map(at).collect::<Vec<_>>());
-    faults + outlines.filter(|outline| area(outline) < 0.0).count()
+    faults + outlines.filter(|outline| area(outline) < FLAT).count()
 }
 
 /// Places the nodes that have no place yet.

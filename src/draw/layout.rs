@@ -42,7 +42,7 @@ pub(super) fn places(figure: &Figure) -> [Vec<DVec2>; 2] {
 }
 
 /// The places of `before`: connected components stand side by side.
-fn parts_in_a_row(figure: &Figure) -> Vec<Option<DVec2>> {
+pub(super) fn parts_in_a_row(figure: &Figure) -> Vec<Option<DVec2>> {
     let mut places = vec![None; figure.nodes.len()];
     let parts = parts(figure, &figure.before);
     let mut x = 0.0;
