@@ -7,7 +7,7 @@
 
 use glam::{DVec2, DVec3};
 
-use super::curve::distance;
+use super::curve::{area, distance};
 use super::raster::{Raster, sides, weigh};
 use super::shape::Picture;
 use super::viridis::Range;
@@ -36,7 +36,7 @@ impl Default for View {
 const FREE: f64 = 0.05;
 /// The maximum widths of the lines of edges and of the boundary, in units of the picture.
 const EDGE: f64 = 1.1;
-const BOUNDARY: f64 = 2.4;
+const BOUNDARY: f64 = 2.0;
 /// Pictures up to this size have two pixels per unit.
 const FINE: f64 = 2048.0;
 /// The width of a legend.
@@ -148,7 +148,9 @@ struct Pen {
     edge: f64,
     /// An edge that shows a value.
     coloured: f64,
+    /// The most, and the least in a face that is smaller.
     boundary: f64,
+    least: f64,
 }
 
 impl Pen {
@@ -167,6 +169,7 @@ impl Pen {
             edge: edge / 2.0,
             coloured: (mean * 0.07).clamp(0.5 * unit, 1.4 * unit),
             boundary: (edge * 4.0).clamp(1.2 * unit, BOUNDARY * unit),
+            least: 0.7 * unit,
         }
     }
 }
@@ -202,6 +205,12 @@ struct Seen {
     bright: f64,
 }
 
+/// About the radius of the largest circle in a face: exactly in a triangle.
+fn inscribed(corners: &[DVec2]) -> f64 {
+    let around: f64 = sides(corners).map(|[a, b]| (b - a).length()).sum();
+    area(corners).abs() / around.max(f64::MIN_POSITIVE)
+}
+
 /// The corners of a face without their depth.
 fn flat(corners: &[DVec3]) -> Vec<DVec2> {
     corners.iter().map(|at| at.truncate()).collect()
@@ -233,8 +242,10 @@ impl Seen {
 
     fn draw(&self, mesh: &Mesh, colours: Option<&Colours>, pen: &Pen, raster: &mut Raster) {
         let corners = flat(&self.corners);
+        let room = inscribed(&corners) / 2.0;
         let lines = self.halfedges.iter().zip(sides(&corners)).filter_map(|(&half, side)| {
             let (half_width, colour) = self.line(mesh, half, colours, pen)?;
+            let half_width = half_width.min(room.max(pen.least));
             Some((side, (side[1] - side[0]).normalize_or_zero(), half_width, colour))
         });
         let lines: Vec<_> = lines.collect();
