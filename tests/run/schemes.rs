@@ -22,6 +22,9 @@ script prepare() {
     if all(degree(v) > 3 for v in e.vertices) { dissolve_edge(e) }
   }
 }
+script bisect_some() {
+  for e in shuffle(edges) where random() < 0.3 { must polygon::bisect(e) }
+}
 ";
 
 /// Positions, and the corners of each polygon.
@@ -279,7 +282,8 @@ fn farthest(ours: &Lists, theirs: &Lists, name: &str) -> f64 {
     let mut wanted: Vec<_> = theirs.1.iter().cloned().map(canonical).collect();
     found.sort_unstable();
     wanted.sort_unstable();
-    assert_eq!(found, wanted, "{name}");
+    // Thousands of numbers: they are not shown.
+    assert!(found == wanted, "{name}: other faces");
     worst
 }
 
@@ -299,7 +303,6 @@ fn meshes(program: &Program) -> Vec<(&'static str, Mesh)> {
         ("cube", shape::cube()),
         ("triangle", shape::single_polygon(3)),
         ("polygon", shape::single_polygon(7)),
-        ("pillow", shape::pillow(5)),
         ("disk of three", shape::fan(3)),
         ("disk of seven", shape::fan(7)),
         ("grid", shape::grid(4, 3)),
@@ -314,6 +317,7 @@ fn meshes(program: &Program) -> Vec<(&'static str, Mesh)> {
     for name in ["icosphere", "triangle grid", "triangle torus"] {
         let (_, mesh) = plain.iter().find(|(other, _)| *other == name).unwrap();
         all.push(("polygons", moved(&after(program, "prepare", mesh), &mut dice)));
+        all.push(("cut edges", moved(&after(program, "bisect_some", mesh), &mut dice)));
     }
     all
 }
@@ -333,7 +337,9 @@ fn schemes_give_the_lists_that_their_rules_give() {
         let old = lists(&mesh);
         let triangles = old.1.iter().all(|corners| corners.len() == 3);
         for (script, reference) in schemes {
-            if script == "butterfly" && !triangles || script == "dual" && name == "pillow" {
+            // At a vertex with two edges the two points of the midedge scheme are one.
+            let meet = script == "midedge" && name == "cut edges";
+            if meet || script == "butterfly" && !triangles {
                 continue;
             }
             let new = after(&program, script, &mesh);
@@ -363,7 +369,7 @@ fn counts(mesh: &Mesh) -> [usize; 4] {
 fn the_numbers_of_elements_follow_from_those_before() {
     let program = Program::parse("schemes.hedge", PROGRAM).unwrap();
     for (name, mesh) in meshes(&program) {
-        if name == "pillow" {
+        if name == "cut edges" {
             continue;
         }
         let [v, e, f, holes] = counts(&mesh);
@@ -434,10 +440,10 @@ fn knot() -> Mesh {
     let (positions, polygons) = shape::grid(5, 5).to_polygons();
     let at = |x: f64, y: f64| positions.iter().position(|p| p.x == x && p.y == y).unwrap() as u32;
     let joined = [
-        (at(5.0, 2.0), at(3.0, 5.0)),
-        (at(5.0, 3.0), at(2.0, 5.0)),
-        (at(0.0, 2.0), at(3.0, 0.0)),
-        (at(0.0, 3.0), at(2.0, 0.0)),
+        (at(5.0, 2.0), at(2.0, 5.0)),
+        (at(5.0, 3.0), at(3.0, 5.0)),
+        (at(0.0, 2.0), at(2.0, 0.0)),
+        (at(0.0, 3.0), at(3.0, 0.0)),
     ];
     let number = |v: u32| joined.iter().find(|pair| pair.0 == v).map_or(v, |pair| pair.1);
     let mut used: Vec<_> = polygons.corners().iter().map(|&v| number(v)).collect();
@@ -470,7 +476,7 @@ fn a_ring_of_quads_is_cut_from_each_of_its_edges() {
             let middle = VertexId(outcome.result().expect("it is applied").index);
             assert!(new.position(middle).distance(place) < 1e-12);
             let now = counts(new);
-            assert_eq!(now[0] + now[2] - now[1], v + f - e);
+            assert_eq!(now[0] + now[2] + e, v + f + now[1]);
             assert_eq!(now[3], holes);
             *crossed.entry(now[2] - f).or_default() += 1;
             // What is cut can be cut again.
