@@ -1,5 +1,5 @@
 // One step of subdivision by CGAL, for comparison with std/subdivide.hedge:
-//   subdivide loop|catmull-clark|sqrt3 IN.off OUT.off
+//   subdivide loop|catmull-clark|sqrt3|doo-sabin IN.off OUT.off
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/subdivision_method_3.h>
@@ -19,6 +19,7 @@ int main(int count, char** words) {
   if (scheme == "loop") CGAL::Subdivision_method_3::Loop_subdivision(mesh, one);
   else if (scheme == "catmull-clark") CGAL::Subdivision_method_3::CatmullClark_subdivision(mesh, one);
   else if (scheme == "sqrt3") CGAL::Subdivision_method_3::Sqrt3_subdivision(mesh, one);
+  else if (scheme == "doo-sabin") CGAL::Subdivision_method_3::DooSabin_subdivision(mesh, one);
   else return 2;
   std::ofstream out(words[3]);
   out.precision(17);

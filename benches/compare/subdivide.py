@@ -12,11 +12,17 @@ import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
 HOUSE = HERE.parent.parent
-SCHEMES = {"loop": "loop_subdivide", "catmull-clark": "catmull_clark", "sqrt3": "sqrt3"}
+SCHEMES = {
+    "loop": "loop_subdivide",
+    "catmull-clark": "catmull_clark",
+    "sqrt3": "sqrt3",
+    "doo-sabin": "doo_sabin",
+}
 MESHES = {
     "loop": ["bunny", "teapot"],
     "catmull-clark": ["bunny", "teapot"],
     "sqrt3": ["bunny"],
+    "doo-sabin": ["bunny"],
 }
 
 

@@ -17,6 +17,8 @@ if TYPE_CHECKING:
     from . import Program
 
 _FILES = (
+    "components",
+    "dual",
     "map",
     "planar",
     "planar_cleanup",

@@ -27,12 +27,14 @@ const FILES: &[LibraryFile] = &[
         text: include_str!("std/planar_cleanup.hedge"),
     },
     LibraryFile { name: "std/subdivide.hedge", text: include_str!("std/subdivide.hedge") },
+    LibraryFile { name: "std/dual.hedge", text: include_str!("std/dual.hedge") },
     LibraryFile { name: "std/remesh.hedge", text: include_str!("std/remesh.hedge") },
     LibraryFile { name: "std/simplify.hedge", text: include_str!("std/simplify.hedge") },
     LibraryFile { name: "std/triangulate.hedge", text: include_str!("std/triangulate.hedge") },
     LibraryFile { name: "std/smooth.hedge", text: include_str!("std/smooth.hedge") },
     LibraryFile { name: "std/random.hedge", text: include_str!("std/random.hedge") },
     LibraryFile { name: "std/repair.hedge", text: include_str!("std/repair.hedge") },
+    LibraryFile { name: "std/components.hedge", text: include_str!("std/components.hedge") },
     LibraryFile { name: "std/scotty3d.hedge", text: include_str!("std/scotty3d.hedge") },
 ];
 

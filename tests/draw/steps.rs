@@ -50,7 +50,7 @@ fn shipped_ones_are_shown_inside_and_at_the_boundary() {
         assert_eq!(meshes, ["a cube", "a grid"], "{}", op.name);
         seen += 1;
     }
-    assert_eq!(seen, 5);
+    assert_eq!(seen, 6);
 }
 
 #[test]

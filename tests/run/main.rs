@@ -10,6 +10,7 @@ mod machine;
 mod masks;
 mod planar_actions;
 mod programs;
+mod schemes;
 mod script;
 mod sequences;
 mod session;

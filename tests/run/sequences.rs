@@ -17,13 +17,14 @@ const USES: &str = r#"
 use "std/remesh.hedge"
 use "std/simplify.hedge"
 use "std/subdivide.hedge"
+use "std/components.hedge"
 use "std/smooth.hedge"
 use "std/triangulate.hedge"
 use "std/repair.hedge"
 "#;
 
 /// What keeps a mesh of triangles one, and wants one.
-const OF_TRIANGLES: [&str; 13] = [
+const OF_TRIANGLES: [&str; 14] = [
     "linear(1)",
     "loop_subdivide(1)",
     "loop_subdivide(1, true)",
@@ -31,6 +32,7 @@ const OF_TRIANGLES: [&str; 13] = [
     "remesh(0, 1, 1.5, 0.7, 2, 0.5)",
     "simplify_by(0.4)",
     "sqrt3(1)",
+    "butterfly(1)",
     "remesh(0, 2)",
     "simplify(max(count(faces) div 2, 60))",
     "simplify(40, 0.5)",
@@ -40,10 +42,12 @@ const OF_TRIANGLES: [&str; 13] = [
 ];
 
 /// What takes any polygons, and leaves them.
-const OF_POLYGONS: [&str; 4] = ["laplacian(1)", "taubin(2)", "tangential(1)", "laplacian(2, 0.3)"];
+const OF_POLYGONS: [&str; 5] =
+    ["laplacian(1)", "taubin(2)", "tangential(1)", "laplacian(2, 0.3)", "components()"];
 
-/// What makes quads of any polygons.
-const TO_QUADS: [&str; 2] = ["catmull_clark(1)", "linear_quads(1)"];
+/// What makes other polygons of any polygons.
+const TO_POLYGONS: [&str; 4] =
+    ["catmull_clark(1)", "linear_quads(1)", "doo_sabin(1)", "midedge(1)"];
 
 fn load(name: &str) -> Mesh {
     let path = format!("{}/examples/meshes/{name}.obj", env!("CARGO_MANIFEST_DIR"));
@@ -91,7 +95,7 @@ fn sequence(dice: &mut Dice, mut triangles: bool) -> String {
             6 | 7 => OF_POLYGONS[dice.below(OF_POLYGONS.len())],
             8 => {
                 triangles = false;
-                TO_QUADS[dice.below(TO_QUADS.len())]
+                TO_POLYGONS[dice.below(TO_POLYGONS.len())]
             }
             _ => {
                 triangles = true;

@@ -78,7 +78,7 @@ pub fn emissions() -> Vec<Emission> {
     all
 }
 
-/// All drawn operations, with the functions of the one program that has any.
+/// All drawn operations, with the functions of `values.hedge`: those of others call none.
 fn drawn() -> Emission {
     let mut texts = Vec::new();
     let mut paths = examples();
@@ -113,7 +113,7 @@ fn drawn() -> Emission {
             else {
                 continue;
             };
-            if !program.functions.is_empty() && all.program.functions.is_empty() {
+            if stem == "values" && all.program.functions.is_empty() {
                 all.program.functions = program.functions;
                 all.sources = sources;
             }
