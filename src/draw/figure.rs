@@ -150,6 +150,13 @@ impl<'a> Figure<'a> {
         figure
     }
 
+    /// True if a loop of `before` runs around the same nodes in `after`.
+    pub fn stays(&self, orbit: &Orbit) -> bool {
+        let nodes = self.before.around(&orbit.darts);
+        let mut later = self.after.loops.iter();
+        later.any(|other| other.face == orbit.face && self.after.around(&other.darts) == nodes)
+    }
+
     /// All nodes of a vertex.
     pub fn nodes_of(&self, name: NameId) -> impl Iterator<Item = usize> {
         let nodes = self.nodes.iter().enumerate();

@@ -97,7 +97,7 @@ fn level_main(figure: &Figure, places: &mut [Option<DVec2>]) {
         return;
     };
     let among = |_: usize| true;
-    let ring = side.around(&outside(side, &among));
+    let ring = side.around(&outside(figure, side, &among));
     let nodes = side.nodes(main);
     let ends = [nodes[0], nodes[nodes.len() - 1]];
     let [Some(from), Some(to)] = ends.map(|end| places[end]) else {
@@ -171,12 +171,12 @@ fn place_blocks(figure: &Figure, part: &[usize], places: &mut [Option<DVec2>]) {
         return place_part(figure, &figure.before, part, &[], places);
     };
     match all.len() {
-        1 => return place_part(figure, first, part, &outside(first, &among), places),
-        _ => place_part(figure, first, nodes, &outside(first, &among), places),
+        1 => return place_part(figure, first, part, &outside(figure, first, &among), places),
+        _ => place_part(figure, first, nodes, &outside(figure, first, &among), places),
     }
     for (at, (side, nodes)) in all.iter().enumerate().skip(1) {
         let mut here = vec![None; places.len()];
-        place_part(figure, side, nodes, &outside(side, &among), &mut here);
+        place_part(figure, side, nodes, &outside(figure, side, &among), &mut here);
         let joint = nodes.iter().find(|&&node| places[node].is_some());
         let Some((joint, root, from)) =
             joint.and_then(|&joint| Some((joint, places[joint]?, here[joint]?)))

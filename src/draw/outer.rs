@@ -2,15 +2,16 @@
 //!
 //! The drawn loops are polygons glued along their edges; the sides that are in no loop form walks
 //! around the result. The longest walk is the outside. Where all sides are in loops, as on a closed
-//! surface, the outside is a hole, or else the longest loop. A hole that is the only loop and runs
+//! surface, the outside is a hole, or else the longest loop, one that stays as it is if there are
+//! several. A hole that is the only loop and runs
 //! around several pieces is the outside as well.
 
-use super::figure::{Dart, Orbit, Side};
+use super::figure::{Dart, Figure, Orbit, Side};
 use crate::diagram::LoopKind;
 
 /// The darts around the outside, clockwise; empty if there is no loop. Only loops and walks whose
 /// first node is in `among` count.
-pub(super) fn outside(side: &Side, among: &dyn Fn(usize) -> bool) -> Vec<Dart> {
+pub(super) fn outside(figure: &Figure, side: &Side, among: &dyn Fn(usize) -> bool) -> Vec<Dart> {
     let counts = |darts: &[Dart]| {
         let first = darts.first();
         first.is_some_and(|&dart| among(side.nodes(dart)[0]))
@@ -28,8 +29,10 @@ pub(super) fn outside(side: &Side, among: &dyn Fn(usize) -> bool) -> Vec<Dart> {
     }
     let loops = |holes: bool| {
         let wanted = side.loops.iter();
-        let wanted = wanted.filter(move |orbit| (orbit.kind == LoopKind::Hole) == holes);
-        longest(wanted.map(|orbit| orbit.darts.clone()).filter(|darts| counts(darts)))
+        let wanted = wanted
+            .filter(move |orbit| (orbit.kind == LoopKind::Hole) == holes && counts(&orbit.darts));
+        let (stay, change): (Vec<_>, Vec<_>) = wanted.partition(|orbit| figure.stays(orbit));
+        longest(stay.into_iter().chain(change).map(|orbit| orbit.darts.clone()))
     };
     loops(true).or_else(|| loops(false)).unwrap_or_default()
 }
