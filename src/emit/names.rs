@@ -6,9 +6,9 @@
 
 use std::collections::BTreeSet;
 
+use super::print::support::CPP;
 use super::reserved::{is_reserved, plain, unreserved};
 use super::routine::Statement;
-use super::support::CPP;
 use super::term::{Attribute, IndexLoop, Term};
 use crate::diagram::{self, Kind, NameId, Op, Role, Rule, Type};
 use crate::resolve::Variable;

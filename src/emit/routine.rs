@@ -204,14 +204,6 @@ impl Statement {
         }
     }
 
-    /// True if it, or one inside of it, adds to a list.
-    pub fn adds_to(&self, name: &str) -> bool {
-        match self {
-            Self::Push { list, .. } => list == name,
-            statement => statement.bodies().into_iter().flatten().any(|inner| inner.adds_to(name)),
-        }
-    }
-
     /// The statement with its bodies replaced, if they run on the mesh: those of a preview do not.
     pub fn with_bodies(mut self, mut made: impl FnMut(Vec<Self>) -> Vec<Self>) -> Self {
         if !matches!(self, Self::Preview { .. }) {
@@ -220,39 +212,6 @@ impl Statement {
             }
         }
         self
-    }
-
-    /// True if it, or one inside of it, allocates or erases.
-    pub fn changes_the_lists(&self) -> bool {
-        match self {
-            Self::New { .. } | Self::NewEach { .. } | Self::Erase { .. } => true,
-            Self::Preview { .. } => false,
-            statement => statement.bodies().into_iter().flatten().any(Self::changes_the_lists),
-        }
-    }
-
-    /// Reports the types of everything that is named, bodies included.
-    pub fn types(&self, see: &mut dyn FnMut(Type)) {
-        self.terms(&mut |term| term.folds(&mut |fold| see(fold.variable.ty)));
-        match self {
-            Self::Bind { ty, .. } | Self::List { ty, .. } | Self::Gather { ty, .. } => see(*ty),
-            Self::Attempt { .. } | Self::Walk { .. } => see(Type::Halfedge),
-            Self::New { kind, .. } | Self::NewEach { kind, .. } => see(type_of(*kind)),
-            Self::Variable { place, .. } | Self::MustCall { place: Some(place), .. }
-                if place.form != Form::Known =>
-            {
-                see(place.ty);
-            }
-            Self::Apply { place: Some(variable), .. } | Self::For { variable, .. } => {
-                see(variable.ty);
-            }
-            Self::Update { visit, held } => {
-                visit.types(see);
-                held.iter().for_each(|held| see(held.element));
-            }
-            _ => {}
-        }
-        self.bodies().into_iter().flatten().for_each(|inner| inner.types(see));
     }
 
     /// Reports every name that it reads, bodies included.

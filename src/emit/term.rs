@@ -243,14 +243,6 @@ impl Term {
         }
     }
 
-    /// Reports every aggregate in it.
-    pub fn folds(&self, see: &mut dyn FnMut(&Fold)) {
-        if let Self::Fold(fold) = self {
-            see(fold);
-        }
-        self.parts(&mut |part| part.folds(see));
-    }
-
     /// Reports every attribute in it.
     pub fn attributes(&self, see: &mut dyn FnMut(&Attribute)) {
         if let Self::Attribute(attribute, _) = self {

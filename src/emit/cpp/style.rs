@@ -2,7 +2,7 @@
 //! next. Everything is a named [`pattern`](super::pattern).
 
 use super::pattern::{Form, PATTERNS, StyleError, free_words, is_word, not_a_name, understand};
-use crate::diagram::{Kind, Pointer};
+use crate::diagram::{Kind, Type};
 
 /// The names of the types of elements.
 pub(super) const ELEMENTS: [&str; 4] = ["Vertex", "Halfedge", "Edge", "Face"];
@@ -194,6 +194,26 @@ impl Style {
         at.map_or("", |at| &self.patterns[at])
     }
 
+    /// A type; `is_outside` where the names of the mesh class are not in scope.
+    pub(in crate::emit) fn ty(&self, ty: Type, is_outside: bool) -> String {
+        match ty {
+            Type::Bool => "bool".into(),
+            Type::Int => "long long".into(),
+            Type::Real => self.name("real").into(),
+            Type::Vec3 => self.name("Vector").into(),
+            Type::Vec2 => self.value("Vector2"),
+            Type::Vec4 => self.value("Vector4"),
+            Type::Mat3 => self.value("Matrix3"),
+            Type::Mat4 => self.value("Matrix4"),
+            // Nothing of this type is built.
+            Type::Text => "auto".into(),
+            Type::Vertex | Type::Halfedge | Type::Edge | Type::Face => match is_outside {
+                true => self.qualified(&format!("{ty:?}")),
+                false => self.name(&format!("{ty:?}")).into(),
+            },
+        }
+    }
+
     /// A type of values; where the mesh class has none, an array, for matrices column by column.
     pub(in crate::emit) fn value(&self, ty: &str) -> String {
         let name = self.name(ty);
@@ -222,12 +242,6 @@ impl Style {
     /// True if halfedges store `prev`.
     pub(in crate::emit) fn has_prev(&self) -> bool {
         !self.name("prev").is_empty()
-    }
-
-    /// `of.pointer`; `None` for a pointer that is not a field.
-    pub(in crate::emit) fn read(&self, of: &str, pointer: Pointer) -> Option<String> {
-        let pointer = self.name(pointer.word());
-        (!pointer.is_empty()).then(|| fill(self.name("read"), of, pointer, ""))
     }
 
     /// `of.pointer` for a pointer by its usual name, and also for `position` and `boundary`; of a
@@ -261,12 +275,6 @@ impl Style {
     /// True if a type is nested in the mesh class.
     pub(in crate::emit) fn is_nested(&self, ty: &str) -> bool {
         ELEMENTS.contains(&ty) && self.name("nested") == "yes"
-    }
-
-    /// `of.pointer = value`
-    pub(in crate::emit) fn write(&self, of: &str, pointer: Pointer, value: &str) -> Option<String> {
-        let pointer = self.name(pointer.word());
-        (!pointer.is_empty()).then(|| fill(self.name("write"), of, pointer, value))
     }
 
     /// An attribute of the program, to be read or set.

@@ -1,7 +1,7 @@
-//! Terms as text: what C++ and Rust have in common, and where brackets are needed.
+//! Operators as text, and where brackets are needed.
 
-use super::term::{Attribute, Fold, Function, IndexLoop, Term};
 use crate::diagram::{Binary, Pointer, Unary};
+use crate::emit::term::Term;
 
 /// The precedence of the outermost operator of a text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -42,43 +42,6 @@ impl Spelled {
     }
 }
 
-/// A target language: everything that it spells in its own way.
-pub(super) trait Language: Sized {
-    fn text(&self, term: &Term) -> String {
-        spell(self, term).text
-    }
-
-    fn real(&self, value: f64) -> Spelled;
-    fn int(&self, value: i64) -> Spelled;
-    fn follow(&self, pointer: Pointer, of: Spelled) -> Spelled;
-    fn position(&self, of: Spelled) -> Spelled;
-    fn attribute(&self, attribute: &Attribute, of: Spelled) -> Spelled;
-    fn hole(&self, of: Spelled) -> Spelled;
-    fn vector(&self, parts: [Spelled; 3]) -> Spelled;
-    fn choice(&self, condition: Spelled, then: Spelled, otherwise: Spelled) -> Spelled;
-    fn to_real(&self, of: Spelled) -> Spelled;
-    /// A builtin function of the language, or a support function of the emitted text.
-    fn call(&self, function: Function, args: Vec<Spelled>) -> Spelled;
-    /// A function of the program.
-    fn invoke(&self, name: &str, args: Vec<Spelled>) -> Spelled;
-    /// An operator that is a call.
-    fn operator(&self, operator: Binary, args: &[Spelled; 2]) -> Option<Spelled>;
-    fn fold(&self, fold: &Fold) -> Spelled;
-    /// The condition that something holds for some index.
-    fn some(&self, indices: &IndexLoop, condition: &Term) -> Spelled;
-}
-
-/// The conditions under which an element is skipped: it is gone, or a filter rejects it.
-pub(super) fn skipped(
-    language: &impl Language,
-    gone: Option<String>,
-    filter: Option<&Term>,
-) -> Vec<String> {
-    let level = if gone.is_some() { Level::Or } else { Level::Choice };
-    let others = filter.map(|filter| spell(language, &filter.clone().not()).at(level));
-    gone.into_iter().chain(others).collect()
-}
-
 /// The name of a pointer where it has to be unique among the pointers of all kinds of elements.
 pub(super) fn field(pointer: Pointer) -> &'static str {
     match pointer {
@@ -89,54 +52,9 @@ pub(super) fn field(pointer: Pointer) -> &'static str {
     }
 }
 
-/// Spells a term.
-pub(super) fn spell(language: &impl Language, term: &Term) -> Spelled {
-    match term {
-        Term::Name(name) => Spelled::whole(name),
-        Term::Bool(value) => Spelled::whole(value.to_string()),
-        Term::Int(value) => language.int(*value),
-        Term::Real(value) => language.real(*value),
-        Term::Follow(pointer, of) => language.follow(*pointer, spell(language, of)),
-        Term::Position(of) => language.position(spell(language, of)),
-        Term::Attribute(attribute, of) => language.attribute(attribute, spell(language, of)),
-        Term::Hole(of) => language.hole(spell(language, of)),
-        Term::Component(part, of) => {
-            let name = ["x", "y", "z"][usize::from((*part).min(2))];
-            Spelled::whole(format!("{}.{name}", spell(language, of).at(Level::Whole)))
-        }
-        Term::Vector(parts) => language.vector(parts.each_ref().map(|part| spell(language, part))),
-        Term::Unary(operator, of) => unary(language, *operator, of),
-        Term::Binary(operator, left, right) => {
-            let sides = [left, right].map(|side| spell(language, side));
-            let call = language.operator(*operator, &sides);
-            call.unwrap_or_else(|| infix(*operator, sides))
-        }
-        Term::Call(Function::OfPreview(question), args) => {
-            let texts: Vec<_> = args.iter().map(|arg| language.text(arg)).collect();
-            Spelled::whole(format!("{}.{question}({})", texts[0], texts[1..].join(", ")))
-        }
-        Term::Call(function, args) => language.call(*function, spell_all(language, args)),
-        Term::Invoke(name, args) => language.invoke(name, spell_all(language, args)),
-        Term::If(condition, then, otherwise) => {
-            let [condition, then, otherwise] =
-                [condition, then, otherwise].map(|part| spell(language, part));
-            language.choice(condition, then, otherwise)
-        }
-        Term::Fold(fold) => language.fold(fold),
-        Term::Some(indices, condition) => language.some(indices, condition),
-        Term::Member { list, index, shift, size } => {
-            Spelled::whole(format!("{list}[{}]", place(index.as_deref(), *shift, size)))
-        }
-    }
-}
-
-fn spell_all(language: &impl Language, terms: &[Term]) -> Vec<Spelled> {
-    terms.iter().map(|term| spell(language, term)).collect()
-}
-
 /// The index at a distance from `index`, or from 0, modulo the size of a list. Intermediate results
 /// are never negative, since sizes are unsigned.
-fn place(index: Option<&str>, shift: i64, size: &str) -> String {
+pub(super) fn place(index: Option<&str>, shift: i64, size: &str) -> String {
     let far = shift.unsigned_abs();
     match (index, shift) {
         (None, 0) => "0".to_string(),
@@ -150,30 +68,8 @@ fn place(index: Option<&str>, shift: i64, size: &str) -> String {
     }
 }
 
-fn unary(language: &impl Language, operator: Unary, of: &Term) -> Spelled {
-    let sign = match operator {
-        Unary::Not => {
-            if let Some(negated) = negated(of) {
-                return spell(language, &negated);
-            }
-            "!"
-        }
-        Unary::NegateInt | Unary::NegateReal | Unary::NegateVector => "-",
-        Unary::ToReal => return language.to_real(spell(language, of)),
-    };
-    if let Term::Binary(equal, left, right) = of
-        && let (Unary::Not, ("==", level)) = (operator, symbol(*equal))
-        && *equal != Binary::EqualVector
-    {
-        return joined("!=", level, [left, right].map(|side| spell(language, side)));
-    }
-    // In brackets if it has a sign itself: `--x` would mean something else.
-    let of = spell(language, of).at(Level::Whole);
-    Spelled::new(format!("{sign}{of}"), Level::Prefix)
-}
-
 /// The negation of a comparison or of joined conditions, without a `not` in front of it.
-fn negated(term: &Term) -> Option<Term> {
+pub(super) fn negated(term: &Term) -> Option<Term> {
     let (operator, left, right) = match term {
         Term::Binary(operator, left, right) => (*operator, left, right),
         Term::Unary(Unary::Not, of) => return Some((**of).clone()),
@@ -190,7 +86,7 @@ fn negated(term: &Term) -> Option<Term> {
     })
 }
 
-fn symbol(operator: Binary) -> (&'static str, Level) {
+pub(super) fn symbol(operator: Binary) -> (&'static str, Level) {
     match operator {
         Binary::AddInt | Binary::AddReal | Binary::AddVector => ("+", Level::Sum),
         Binary::SubtractInt | Binary::SubtractReal | Binary::SubtractVector => ("-", Level::Sum),
@@ -222,7 +118,8 @@ pub(super) fn infix(operator: Binary, sides: [Spelled; 2]) -> Spelled {
     joined(symbol, level, sides)
 }
 
-fn joined(symbol: &str, level: Level, [left, right]: [Spelled; 2]) -> Spelled {
+/// The text of an operator of a level between its sides.
+pub(super) fn joined(symbol: &str, level: Level, [left, right]: [Spelled; 2]) -> Spelled {
     let (left_level, right_level) = match level {
         Level::Compare => (Level::Sum, Level::Sum),
         // Mixed `and` and `or` read better in brackets, and C++ warns without them.

@@ -6,8 +6,8 @@
 //! `{T}` stands for the type of the operands, `{N}` for its size, `{M}` for the matrices of that
 //! size; `{P}` and `{X}` for the number of a part or column and its axis.
 
-use super::term::Operation;
 use crate::diagram::{Binary, Builtin, Type};
+use crate::emit::term::Operation;
 
 /// The call of an operation on values of a type in Rust, except for operators, and in C++.
 pub(super) fn spelled(operation: Operation, ty: Type) -> [&'static str; 2] {

@@ -3,10 +3,10 @@
 //! `{0}` stands for the first argument. In C++ `[{0}.halfedge]` is a pointer, spelled as the style
 //! reads it, and a support function is called by its name alone, as in Rust.
 
-use super::language::{Level, Spelled};
-use super::term::{Around, Function};
+use super::spelled::{Level, Spelled};
 use super::wide;
-use crate::diagram::Builtin;
+use crate::diagram::{Binary, Builtin};
+use crate::emit::term::{Around, Function};
 
 /// The call of a function in Rust and in C++; empty for what is not emitted, or as an operator.
 pub(super) fn spelled(function: Function) -> [&'static str; 2] {
@@ -39,6 +39,21 @@ pub(super) fn spelled(function: Function) -> [&'static str; 2] {
             ["all_in_order_around_vertex(mesh, &{0})", "all_in_order_around_vertex({0})"]
         }
         Function::OfPreview(_) => [""; 2],
+    }
+}
+
+/// The call for an operator in Rust and in C++; empty where it stands between its sides.
+pub(super) fn operator(operator: Binary) -> [&'static str; 2] {
+    match operator {
+        // Rounded down: Euclidean division does so only for a positive divisor.
+        Binary::Div => [
+            "({0} / {1} - i64::from({0} % {1} != 0 && ({0} < 0) != ({1} < 0)))",
+            "floor_div({0}, {1})",
+        ],
+        Binary::Mod => ["(({0} % {1} + {1}) % {1})", "floor_mod({0}, {1})"],
+        Binary::MultiplyVector => ["", "multiply({0}, {1})"],
+        Binary::EqualVector => ["", "equal({0}, {1})"],
+        _ => [""; 2],
     }
 }
 
