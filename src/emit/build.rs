@@ -8,10 +8,11 @@ use super::expression::{Expressions, ORDINARY, is_spelled, is_surely_finite, par
 use super::guard;
 use super::item::{Alternative, Item, ItemBody, Signature};
 use super::matching::Matching;
+use super::matrix::finite;
 use super::names::Names;
 use super::reassign;
 use super::routine::{Statement, without_unread};
-use super::term::{Function, Parameter, Term};
+use super::term::{Parameter, Term};
 use crate::check::{Proof, Proved};
 use crate::diagram::{Access, Binary, Drawing, Rule, Type};
 use crate::lower::{Condition, Element, Operation, Step, Tries, Value};
@@ -228,7 +229,7 @@ fn values(
             (names.term(*element), value)
         });
         if let Some(reason) = refusal(assigned) {
-            let infinite = Term::Call(Function::IsFinite, vec![value.clone()]).not();
+            let infinite = finite(value.clone()).not();
             body.push(names.refusal(infinite, *member, reason));
         }
         let set = match attribute {

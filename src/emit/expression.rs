@@ -4,7 +4,7 @@ use super::NotEmitted;
 use super::matrix::{is_wide, negated, operated, type_of_call};
 use super::names::Names;
 use super::routine::Statement;
-use super::term::{Around, Fold, Function, Operation, Parameter, Term};
+use super::term::{Fold, Function, Operation, Parameter, Term};
 use crate::diagram::{
     Access, Binary, Builtin, Collection, Expr, ExprKind, Param, Rule, Type, Unary,
 };
@@ -62,7 +62,9 @@ impl Expressions<'_> {
             ExprKind::Element(name) => self.names.term(*name),
             ExprKind::Local(number) => Term::name(self.names.local(*number)),
             ExprKind::Follow(pointer, base) => self.term(base)?.follow(*pointer),
-            ExprKind::Read(Access::Position, base) => Term::Position(Box::new(self.term(base)?)),
+            ExprKind::Read(Access::Position, base) => {
+                Term::call("Position", vec![self.term(base)?])
+            }
             ExprKind::Component(part, whole) => self.component(*part, whole, expr.ty)?,
             ExprKind::Vector(parts) => self.made(expr.ty, parts)?,
             ExprKind::Unary(Unary::NegateVector, operand) if is_wide(expr.ty) => {
@@ -89,11 +91,6 @@ impl Expressions<'_> {
                         Term::Binary(*operator, left, right)
                     }
                 }
-            }
-            ExprKind::Call(Builtin::IsFinite, args)
-                if args.len() == 1 && args[0].ty == Type::Vec3 =>
-            {
-                Term::Call(Function::IsFinite, vec![self.term(&args[0])?])
             }
             ExprKind::Call(builtin, _) if builtin.is_random() => {
                 return Err(NotEmitted::new("a random number", expr.span));
@@ -161,29 +158,24 @@ fn wanted(part: &Expr) -> &'static str {
     }
 }
 
-/// The element that a collection lies around, and the kind of walk; `None` for other collections.
-pub(super) fn around(collection: &Collection) -> Option<(Around, &Expr)> {
-    Some(match collection {
-        Collection::VertexHalfedges(v) => (Around::VertexHalfedges, v),
-        Collection::VertexEdges(v) => (Around::VertexEdges, v),
-        Collection::VertexFaces(v) => (Around::VertexFaces, v),
-        Collection::VertexNeighbors(v) => (Around::VertexNeighbors, v),
-        Collection::FaceHalfedges(f) => (Around::FaceHalfedges, f),
-        Collection::FaceVertices(f) => (Around::FaceVertices, f),
-        Collection::FaceEdges(f) => (Around::FaceEdges, f),
-        Collection::EdgeVertices(e) => (Around::EdgeVertices, e),
-        Collection::EdgeFaces(e) => (Around::EdgeFaces, e),
-        Collection::Vertices
-        | Collection::Halfedges
-        | Collection::Edges
-        | Collection::Faces
-        | Collection::Holes
-        | Collection::FaceEars(_)
-        | Collection::FacePatch(_) => return None,
-    })
+/// The name of the elements around another, and that one; `None` for other collections.
+pub(super) fn around(collection: &Collection) -> Option<(&'static str, &Expr)> {
+    let name = match collection {
+        Collection::VertexHalfedges(_) => "VertexHalfedges",
+        Collection::VertexEdges(_) => "VertexEdges",
+        Collection::VertexFaces(_) => "VertexFaces",
+        Collection::VertexNeighbors(_) => "VertexNeighbors",
+        Collection::FaceHalfedges(_) => "FaceHalfedges",
+        Collection::FaceVertices(_) => "FaceVertices",
+        Collection::FaceEdges(_) => "FaceEdges",
+        Collection::EdgeVertices(_) => "EdgeVertices",
+        Collection::EdgeFaces(_) => "EdgeFaces",
+        _ => return None,
+    };
+    Some((name, collection.base()?))
 }
 
-/// A collection for which there is no [`Around`], in words.
+/// A collection for which there is no name, in words.
 pub(super) fn collection_words(collection: &Collection) -> &'static str {
     match collection {
         Collection::FaceEars(_) => "`ears` of a face",
@@ -236,17 +228,7 @@ fn greatest(expr: &Expr, positions: f64) -> Option<f64> {
         ExprKind::If(_, then, otherwise) => {
             sides(then, otherwise).map(|[then, otherwise]| then.max(otherwise))
         }
-        ExprKind::Bool(_)
-        | ExprKind::Text(_)
-        | ExprKind::Element(_)
-        | ExprKind::Local(_)
-        | ExprKind::Member(..)
-        | ExprKind::Follow(..)
-        | ExprKind::Read(Access::Declared(_), _)
-        | ExprKind::Invoke(..)
-        | ExprKind::Try(..)
-        | ExprKind::Let(..)
-        | ExprKind::Fold(_) => None,
+        _ => None,
     }
 }
 

@@ -5,7 +5,7 @@
 //! repetition for each index of a family. [`build`](super::build) creates it; a printer per
 //! language spells it.
 
-use super::term::{Around, Attribute, IndexLoop, Parameter, Term};
+use super::term::{Attribute, IndexLoop, Parameter, Term};
 use super::walks::HalfedgeWalk;
 use crate::diagram::{Kind, Pointer, Type};
 
@@ -74,7 +74,8 @@ pub(super) enum Statement {
     /// A loop over the elements around one that exist when it begins.
     For {
         variable: Parameter,
-        around: Around,
+        /// The name of the elements around another that it runs over.
+        around: &'static str,
         element: Term,
         /// True if the body may erase some of them; those are skipped.
         may_go: bool,

@@ -11,12 +11,11 @@ fn everything_that_is_written_out_has_its_header() {
         include_str!("../../src/emit/cpp/journal.txt"),
         include_str!("../../src/emit/cpp/style.rs"),
         include_str!("../../src/emit/print/aggregate.rs"),
-        include_str!("../../src/emit/print/builtin.rs"),
         include_str!("../../src/emit/print/calls.rs"),
         include_str!("../../src/emit/print/item.rs"),
+        include_str!("../../src/emit/print/spellings.txt"),
         include_str!("../../src/emit/print/statement.rs"),
         include_str!("../../src/emit/print/term.rs"),
-        include_str!("../../src/emit/print/wide.rs"),
     ];
     let text = text.concat().replace("use std::collections", "");
     for name in names(&text) {

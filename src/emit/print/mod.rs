@@ -11,15 +11,14 @@ macro_rules! say {
 }
 
 mod aggregate;
-mod builtin;
 mod calls;
 mod item;
 mod lines;
 mod spelled;
+mod spellings;
 mod statement;
 pub(super) mod support;
 mod term;
-mod wide;
 
 pub(super) use item::Part;
 pub(super) use lines::Lines;

@@ -5,7 +5,7 @@ use super::lines::comment;
 use super::spelled::{Level, field};
 use crate::diagram::{Kind, Pointer, Type};
 use crate::emit::routine::{Statement, type_of};
-use crate::emit::term::{Around, IndexLoop, Parameter, Term};
+use crate::emit::term::{IndexLoop, Parameter, Term};
 use crate::emit::walks::{HalfedgeWalk, Step};
 
 /// The maximum length of a line in C++.
@@ -78,7 +78,7 @@ impl Printer<'_> {
                 return self.held(&say!(self, "while {condition}", "while ({condition})"), body);
             }
             Statement::For { variable, around, element, may_go, filter, body } => {
-                let all = self.all_around(*around, element);
+                let all = self.all_around(around, element);
                 let Parameter { name, ty, .. } = variable;
                 let (word, ty) = (ty.word(), self.ty(*ty));
                 let gone = may_go
@@ -367,8 +367,8 @@ impl Printer<'_> {
             }
             kind => {
                 let around = match kind {
-                    Kind::Vertex => Around::VertexHalfedges,
-                    _ => Around::FaceHalfedges,
+                    Kind::Vertex => "VertexHalfedges",
+                    _ => "FaceHalfedges",
                 };
                 let all = self.all_around(around, &element);
                 say!(self, "{all}.collect::<Vec<_>>()", "{all}")

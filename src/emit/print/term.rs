@@ -1,14 +1,14 @@
 //! Terms as text.
 
-use super::builtin::{around, operator, spelled, with_arguments};
+use super::Printer;
 use super::spelled::{
     Level, Spelled, field, infix, joined, negated, number, place, short_number, symbol,
 };
-use super::{Printer, wide};
+use super::spellings::{self, spelled, with_arguments, with_types};
 use crate::diagram::{Binary, Builtin, Pointer, Unary};
 use crate::emit::cpp::support::{qualified, with_pointers};
 use crate::emit::names::invoked;
-use crate::emit::term::{Around, Attribute, Function, IndexLoop, Operation, Term};
+use crate::emit::term::{Attribute, Function, IndexLoop, Operation, Term};
 
 /// From here on a number is written as a `long long` in C++.
 const SHORT: i64 = 1 << 15;
@@ -43,28 +43,7 @@ impl Printer<'_> {
             Term::Int(value) => return self.int(*value),
             Term::Real(value) => return self.real(*value),
             Term::Follow(pointer, of) => self.follow(*pointer, &self.of(of)),
-            Term::Position(of) => {
-                let of = self.of(of);
-                match self.style {
-                    None => format!("mesh.position({of})"),
-                    Some(style) => style.chained(&of, "position"),
-                }
-            }
-            Term::Hole(of) => {
-                let of = self.of(of);
-                match self.style {
-                    None => format!("mesh.is_hole({of})"),
-                    Some(style) => style.chained(&of, "boundary"),
-                }
-            }
             Term::Attribute(attribute, of) => self.attribute(attribute, &self.whole(of)),
-            Term::Component(part, of) => {
-                format!("{}.{}", self.whole(of), ["x", "y", "z"][usize::from((*part).min(2))])
-            }
-            Term::Vector(parts) => {
-                let parts = self.texts(&**parts).join(", ");
-                say!(self, "DVec3::new({parts})", "hedgerow::vector({parts})")
-            }
             Term::Unary(operator, of) => return self.unary(*operator, of),
             Term::Binary(operator, left, right) => {
                 return self.binary(*operator, [left, right].map(|side| self.spell(side)));
@@ -143,7 +122,8 @@ impl Printer<'_> {
     }
 
     fn choice(&self, condition: Spelled, then: Spelled, otherwise: Spelled) -> Spelled {
-        let [condition, then] = [condition, then].map(|part| part.at(self.loosest()));
+        let level = if self.style.is_none() { Level::Choice } else { Level::Or };
+        let [condition, then] = [condition, then].map(|part| part.at(level));
         let otherwise = otherwise.text;
         let text = say!(
             self,
@@ -185,22 +165,14 @@ impl Printer<'_> {
     }
 
     fn binary(&self, operator: Binary, sides: [Spelled; 2]) -> Spelled {
-        let [rust, cpp] = self::operator(operator);
+        let [rust, cpp] = spellings::operator(operator);
         let (call, level) = match self.style {
             None => (rust.to_string(), Level::Whole),
-            Some(_) => (qualified("", cpp), Level::Or),
+            Some(_) => (qualified("", cpp), Level::Choice),
         };
         match call.as_str() {
             "" => infix(operator, sides),
             call => Spelled::whole(with_arguments(call, &sides, level)),
-        }
-    }
-
-    /// The level of what can stand in a list of arguments without brackets.
-    fn loosest(&self) -> Level {
-        match self.style {
-            None => Level::Choice,
-            Some(_) => Level::Or,
         }
     }
 
@@ -219,22 +191,21 @@ impl Printer<'_> {
         let (level, inner) = match (self.style, function) {
             (None, Function::Builtin(Builtin::MixReal)) => (Level::Sum, Level::Product),
             (None, Function::Of(Operation::Negate, _)) => (Level::Prefix, Level::Choice),
-            (_, Function::Remainder) => (Level::Product, self.loosest()),
+            (_, Function::Named("Remainder")) => (Level::Product, Level::Choice),
             // After a call that ends with a type, `<` would begin generic arguments.
             (None, _) if call.ends_with("as i64") => (Level::Compare, Level::Choice),
-            _ => (Level::Whole, self.loosest()),
+            // Pointers are read of the arguments.
+            (Some(_), _) if cpp.contains('[') => (Level::Whole, Level::Whole),
+            _ => (Level::Whole, Level::Choice),
         };
-        let call = match function {
-            Function::Of(operation, of) => wide::with_types(&call, operation, of, |of| self.ty(of)),
-            _ => call,
-        };
+        let call = with_types(&call, function, |ty| self.ty(ty));
         let call = if self.style.is_some() { qualified("", &call) } else { call };
         Spelled::new(with_arguments(&call, &args, inner), level)
     }
 
     /// A call of a function of the program.
     fn invoke(&self, name: &str, args: &[Term]) -> String {
-        let args = args.iter().map(|arg| self.spell(arg).at(self.loosest()));
+        let args = args.iter().map(|arg| self.text(arg));
         let mesh = self.style.is_none().then(|| "mesh".to_string());
         let args = mesh.into_iter().chain(args).collect::<Vec<_>>().join(", ");
         let name = invoked(name);
@@ -242,12 +213,7 @@ impl Printer<'_> {
     }
 
     /// The elements around an element: in Rust an iterator, in C++ a list.
-    pub(super) fn all_around(&self, around_it: Around, element: &Term) -> String {
-        let [rust, cpp] = around(around_it);
-        let call = match self.style {
-            None => rust.to_string(),
-            Some(_) => qualified("", cpp),
-        };
-        with_arguments(&call, &[self.spell(element)], Level::Choice)
+    pub(super) fn all_around(&self, around: &'static str, element: &Term) -> String {
+        self.text(&Term::call(around, vec![element.clone()]))
     }
 }

@@ -2,7 +2,7 @@
 
 use super::super::NotEmitted;
 use super::super::routine::{self, Call, Called};
-use super::super::term::Term;
+use super::super::term::{Function, Term};
 use super::body::Writer;
 use crate::diagram::{Expr, ExprKind, Param, Type};
 use crate::resolve::{Block, Statement, StatementKind};
@@ -113,9 +113,9 @@ impl<'s> Writer<'s> {
 fn is_plain(term: &Term) -> bool {
     match term {
         Term::Name(_) | Term::Bool(_) | Term::Int(_) | Term::Real(_) => true,
-        Term::Component(_, of) | Term::Unary(_, of) => is_plain(of),
+        Term::Unary(_, of) => is_plain(of),
         Term::Binary(_, left, right) => is_plain(left) && is_plain(right),
-        Term::Vector(parts) => parts.iter().all(is_plain),
+        Term::Call(Function::Of(..), args) => args.iter().all(is_plain),
         _ => false,
     }
 }
