@@ -10,12 +10,16 @@ use crate::diagram::{
 };
 use crate::lower::{Hoisted, hoist};
 
-/// The parameters of an operation, with their defaults.
+/// The parameters of an operation or a function, with their defaults.
 pub(super) fn parameters(
     params: &[Param],
     names: &mut Names,
 ) -> Result<Vec<Parameter>, NotEmitted> {
-    let words = names.params().to_vec();
+    if let Some(param) = params.iter().find(|param| !is_spelled(param.ty)) {
+        let what = format!("a parameter of type `{}`", param.ty.word());
+        return Err(NotEmitted::new(what, param.span));
+    }
+    let words = names.params.clone();
     let parameter = |(param, name): (&Param, String)| {
         let default = param.default.as_ref();
         let default = default.map(|value| Expressions { names }.term(value));
@@ -32,31 +36,26 @@ pub(super) struct Expressions<'n> {
 impl Expressions<'_> {
     /// The term of an expression.
     pub fn term(&mut self, expr: &Expr) -> Result<Term, NotEmitted> {
+        let not_emitted = |what| NotEmitted::new(what, expr.span);
         Ok(match &expr.kind {
             ExprKind::Bool(value) => Term::Bool(*value),
             ExprKind::Int(value) => Term::Int(*value),
             ExprKind::Real(value) => Term::Real(*value),
-            ExprKind::Text(_) => return Err(NotEmitted::new("a text", expr.span)),
+            ExprKind::Text(_) => return Err(not_emitted("a text")),
             ExprKind::Invoke(number, args) => {
                 let what = "a function that does more than compute a value";
                 let name = self.names.call(*number);
-                let name = name.ok_or_else(|| NotEmitted::new(what, expr.span))?;
+                let name = name.ok_or_else(|| not_emitted(what))?;
                 let args = args.iter().map(|arg| self.term(arg));
                 Term::Invoke(name, args.collect::<Result<_, _>>()?)
             }
-            ExprKind::Try(..) => {
-                return Err(NotEmitted::new("an op that is only asked", expr.span));
-            }
-            ExprKind::Let(..) => {
-                return Err(NotEmitted::new("a block within a value", expr.span));
-            }
-            ExprKind::Member(..) => {
-                return Err(NotEmitted::new("a name with an index", expr.span));
-            }
+            ExprKind::Try(..) => return Err(not_emitted("an op that is only asked")),
+            ExprKind::Let(..) => return Err(not_emitted("a block within a value")),
+            ExprKind::Member(..) => return Err(not_emitted("a name with an index")),
             ExprKind::Read(Access::Declared(number), base) => {
                 let what = "an attribute in a function";
                 let attribute = self.names.attribute(*number);
-                let attribute = attribute.ok_or_else(|| NotEmitted::new(what, expr.span))?;
+                let attribute = attribute.ok_or_else(|| not_emitted(what))?;
                 Term::Attribute(attribute, Box::new(self.term(base)?))
             }
             ExprKind::Element(name) => self.names.term(*name),
@@ -93,7 +92,7 @@ impl Expressions<'_> {
                 }
             }
             ExprKind::Call(builtin, _) if builtin.is_random() => {
-                return Err(NotEmitted::new("a random number", expr.span));
+                return Err(not_emitted("a random number"));
             }
             ExprKind::Call(builtin, args) => {
                 let function = match type_of_call(*builtin, args, expr.ty) {
@@ -108,9 +107,8 @@ impl Expressions<'_> {
                 condition.then(self.term(then)?, self.term(otherwise)?)
             }
             ExprKind::Fold(fold) => {
-                let (around, element) = around(&fold.collection).ok_or_else(|| {
-                    NotEmitted::new(collection_words(&fold.collection), expr.span)
-                })?;
+                let (around, element) = around(&fold.collection)
+                    .ok_or_else(|| not_emitted(collection_words(&fold.collection)))?;
                 let element = self.term(element)?;
                 let ty = fold.collection.element();
                 let name = self.names.declare(fold.variable, ty);

@@ -88,7 +88,7 @@ impl Matching<'_, '_> {
             }
             let name = self.names.word(half).to_string();
             body.push(Statement::Bind { ty, name: name.clone(), value, is_list: true });
-            let size = self.names.indices().size;
+            let size = self.names.indices.size.clone();
             if place > 0 {
                 continue;
             }
@@ -116,7 +116,7 @@ impl Matching<'_, '_> {
                 Claim::Begins(name) => Term::name(self.names.begin(*name)).is(self.term(*name)),
                 Claim::NotAllEmptyAround(paths) => {
                     let some = self.indexed(true, |this| this.are_empty(paths).not());
-                    some.for_some(self.names.indices())
+                    some.for_some(self.names.indices.clone())
                 }
                 Claim::AllDistinct(names) => self.all_distinct(names, &mut body),
                 Claim::AroundInOrder { along_loop, halfedges } => {
@@ -150,7 +150,7 @@ impl Matching<'_, '_> {
                 |&&name: &&NameId| Statement::Push { list: list.clone(), item: names.term(name) };
             each.iter().map(push).collect()
         });
-        body.push(Statement::IndexLoop { indices: self.names.indices(), body: pushes });
+        body.push(Statement::IndexLoop { indices: self.names.indices.clone(), body: pushes });
         Term::name(list)
     }
 

@@ -2,8 +2,8 @@
 //!
 //! A small imperative language with just what operations need: names that are bound once, pointers
 //! that are followed and set, tests that refuse, walks along loops and around vertices, and
-//! repetition for each index of a family. [`build`](super::build) creates it; a printer per
-//! language spells it.
+//! repetition for each index of a family. [`build`](super::build) creates it, and
+//! [`print`](super::print) spells it in each language.
 
 use super::term::{Attribute, IndexLoop, Parameter, Term};
 use super::walks::HalfedgeWalk;
@@ -39,18 +39,10 @@ pub(super) enum Statement {
     Walk { walk: HalfedgeWalk, body: Vec<Statement> },
     /// A preview of the mesh, and a block whose allocations and writes are noted on it.
     Preview { preview: String, body: Vec<Statement> },
-    /// The allocation of an element.
-    New { kind: Kind, name: String },
-    /// The allocation of an element for each index.
-    NewEach { kind: Kind, name: String, indices: IndexLoop },
-    /// `of.pointer = value`
-    Set { pointer: Pointer, of: Term, value: Term },
-    /// The change of a face into a hole, or of a hole into a face.
-    SetHole { face: Term, hole: bool },
-    /// `vertex.position = value`
-    SetPosition { vertex: Term, value: Term },
-    /// `element.attribute = value`
-    SetAttribute { attribute: Attribute, element: Term, value: Term },
+    /// The allocation of an element, or of one for each index.
+    New { kind: Kind, name: String, indices: Option<IndexLoop> },
+    /// `of.field = value`
+    Set { field: Field, of: Term, value: Term },
     /// The erasure of an element.
     Erase { kind: Kind, element: Term },
     /// The return from a function, or from an operation that has applied.
@@ -61,8 +53,6 @@ pub(super) enum Statement {
     Variable { place: Target, value: Term },
     /// A call that changes the mesh and must succeed.
     MustCall { call: Call, place: Option<Target> },
-    /// A call of an operation, which may refuse.
-    TryCall { call: Call },
     /// A call of an operation, and branches for whether it applied.
     Apply { call: Call, place: Option<Parameter>, then: Vec<Self>, otherwise: Vec<Self> },
     /// Branches for whether a condition holds.
@@ -103,6 +93,16 @@ pub(super) enum Statement {
     Journal(Vec<Term>),
     /// A note of the value of an attribute that will be written to.
     JournalAttribute { attribute: Attribute, element: Term },
+}
+
+/// What is set of an element.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Field {
+    Pointer(Pointer),
+    /// Whether a face is a hole.
+    Hole,
+    Position,
+    Attribute(Attribute),
 }
 
 /// A call of an operation, or of a function that changes the mesh.
@@ -180,6 +180,11 @@ macro_rules! bodies {
 }
 
 impl Statement {
+    /// `of.pointer = value`
+    pub fn set(pointer: Pointer, of: Term, value: Term) -> Self {
+        Self::Set { field: Field::Pointer(pointer), of, value }
+    }
+
     /// A statement that runs only if a condition holds.
     pub fn when(condition: Term, then: Vec<Self>) -> Self {
         Self::Choose { condition, then, otherwise: Vec::new() }
@@ -227,8 +232,8 @@ impl Statement {
                 see(name)
             }
             Self::Gather { indices, .. }
-            | Self::NewEach { indices, .. }
-            | Self::IndexLoop { indices, .. } => indices.names(see),
+            | Self::New { indices: Some(indices), .. }
+            | Self::IndexLoop { indices, .. } => see(&indices.size),
             _ => {}
         }
         self.bodies().into_iter().flatten().for_each(|inner| inner.names(see));
@@ -237,7 +242,7 @@ impl Statement {
     /// Reports every attribute that it reads or sets, bodies included.
     pub fn attributes(&self, see: &mut dyn FnMut(&Attribute)) {
         self.terms(&mut |term| term.attributes(see));
-        if let Self::SetAttribute { attribute, .. } = self {
+        if let Self::Set { field: Field::Attribute(attribute), .. } = self {
             see(attribute);
         }
         self.bodies().into_iter().flatten().for_each(|inner| inner.attributes(see));
@@ -251,7 +256,6 @@ impl Statement {
             | Self::Refuse { when: term, .. }
             | Self::Push { item: term, .. }
             | Self::Erase { element: term, .. }
-            | Self::SetHole { face: term, .. }
             | Self::Return { value: Some(term) }
             | Self::Variable { value: term, .. }
             | Self::Choose { condition: term, .. }
@@ -260,14 +264,12 @@ impl Statement {
             | Self::JournalAttribute { element: term, .. } => see(term),
             Self::Walk { walk: HalfedgeWalk { from: one, until: other, .. }, .. }
             | Self::Set { of: one, value: other, .. }
-            | Self::SetPosition { vertex: one, value: other }
-            | Self::SetAttribute { element: one, value: other, .. }
             | Self::Move { vertex: one, value: other, .. }
             | Self::Defer { element: one, value: other, .. } => {
                 [one, other].into_iter().for_each(see)
             }
             Self::List { items: terms, .. } | Self::Journal(terms) => terms.iter().for_each(see),
-            Self::MustCall { call, .. } | Self::TryCall { call } | Self::Apply { call, .. } => {
+            Self::MustCall { call, .. } | Self::Apply { call, .. } => {
                 call.args.iter().for_each(see);
             }
             Self::For { element, filter, .. } => {
@@ -283,7 +285,6 @@ impl Statement {
             | Self::IndexLoop { .. }
             | Self::Preview { .. }
             | Self::New { .. }
-            | Self::NewEach { .. }
             | Self::Return { value: None }
             | Self::Break
             | Self::Continue

@@ -221,16 +221,9 @@ impl Term {
                     see(size);
                 }
             }
-            Self::Some(indices, _) => indices.names(see),
+            Self::Some(indices, _) => see(&indices.size),
             _ => {}
         }
         self.parts(&mut |part| part.names(see));
-    }
-}
-
-impl IndexLoop {
-    /// Reports the names that it reads.
-    pub fn names(&self, see: &mut dyn FnMut(&str)) {
-        see(&self.size);
     }
 }

@@ -29,8 +29,10 @@ pub fn cpp(selection: &Selection<'_>, style: &Style) -> Result<String, NotEmitte
     };
     let Items { called, mut ops } = items(selection, conventions)?;
     let mut printer = Printer::new(Some(style));
-    if style.gives_back() {
-        ops.iter_mut().for_each(Item::give_back);
+    for Item { signature, .. } in &mut ops {
+        let can_give = style.gives_back() && signature.result.is_none();
+        signature.given = signature.given.take().filter(|_| can_give);
+        signature.result = signature.result.or(signature.given.as_ref().map(|given| given.ty));
     }
     let mut fields = BTreeSet::new();
     for item in called.iter().map(|(_, item)| item).chain(&ops) {

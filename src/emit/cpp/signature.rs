@@ -15,7 +15,7 @@ impl Printer<'_> {
     pub fn head_in_cpp(&mut self, style: &Style, item: &Item, part: Part, body: &str) {
         let Signature { docs, params, .. } = &item.signature;
         // Unused parameters have no name, since C++ compilers warn about them.
-        let mut used = BTreeSet::new();
+        let mut used = BTreeSet::from([self.applied.clone()]);
         for statement in item.statements() {
             statement.names(&mut |name| _ = used.insert(name.to_string()));
         }

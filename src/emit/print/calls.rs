@@ -18,21 +18,14 @@ impl Printer<'_> {
         say!(self, "{name}(mesh{args})", "hedgerow::{name}(journal{args})")
     }
 
-    /// The condition that a called operation applies.
-    pub(super) fn applies(&self, call: &Call) -> String {
+    /// The condition that a called operation applies, or else that it refuses.
+    pub(super) fn outcome_of(&self, call: &Call, applies: bool) -> String {
         let text = self.call_of(call);
-        match (self.style, call.of) {
-            (None, Called::Operation) => format!("{text}.is_some()"),
-            _ => text,
-        }
-    }
-
-    /// The condition that a called operation refuses.
-    fn refuses(&self, call: &Call) -> String {
-        let text = self.call_of(call);
-        match (self.style, call.of) {
-            (None, Called::Operation) => format!("{text}.is_none()"),
-            _ => format!("!{text}"),
+        match (self.style, call.of, applies) {
+            (None, Called::Operation, true) => format!("{text}.is_some()"),
+            (None, Called::Operation, false) => format!("{text}.is_none()"),
+            (_, _, true) => text,
+            (_, _, false) => format!("!{text}"),
         }
     }
 
@@ -64,8 +57,9 @@ impl Printer<'_> {
     ) {
         let Some(Parameter { name, ty, .. }) = place else {
             return match then {
-                [] => self.branches(&self.refuses(call), [otherwise, &[]]),
-                _ => self.branches(&self.applies(call), [then, otherwise]),
+                [] if otherwise.is_empty() => self.lines.line(&(self.call_of(call) + ";")),
+                [] => self.branches(&self.outcome_of(call, false), [otherwise, &[]]),
+                _ => self.branches(&self.outcome_of(call, true), [then, otherwise]),
             };
         };
         let text = self.call_of(call);
@@ -118,31 +112,23 @@ impl Printer<'_> {
     fn release(&mut self, Held { list, attribute, .. }: &Held) {
         let head = say!(
             self,
-            "for (element, value) in {list} {{",
+            "for (element, value) in {list}",
             "for (const auto& [element, value] : {list})"
         );
-        match (self.style, attribute) {
-            (None, None) => {
-                self.lines.open(&head);
-                self.lines.line("mesh.set_position(element, finite(value)?);");
-            }
+        let text = match (self.style, attribute) {
+            (None, None) => "mesh.set_position(element, finite(value)?);".to_string(),
             (None, Some(Attribute { column, .. })) => {
-                self.lines.open(&head);
-                self.lines.line(&format!("set_attribute(mesh, {column}, element.0, value);"));
+                format!("set_attribute(mesh, {column}, element.0, value);")
             }
-            (Some(_), None) => {
-                return self.lines.line(&format!("{head} journal.set_position(element, value);"));
-            }
+            (Some(_), None) => "journal.set_position(element, value);".into(),
             (Some(_), Some(attribute)) => {
                 let [of, back] = ["element", "at"].map(|of| self.attribute(attribute, of));
-                self.lines.open(&format!("{head} {{"));
-                self.lines.line(&format!(
-                    "journal.undone_by([at = element, was = {of}] {{ {back} = was; }});"
-                ));
-                self.lines.line(&format!("{of} = value;"));
+                format!(
+                    "journal.undone_by([at = element, was = {of}] {{ {back} = was; }});\n{of} = value;"
+                )
             }
-        }
-        self.lines.close("}");
+        };
+        self.held_text(&head, &text);
     }
 
     /// Notes elements in the journal, on as many lines as needed.

@@ -31,11 +31,14 @@ impl Printer<'_> {
             return;
         }
         self.is_noted = part == Part::Called;
-        (self.refusal, self.applied) = match (signature.result, self.style) {
-            (None, _) => ("return false;", "true"),
-            (Some(_), None) => ("return None;", "true"),
-            (Some(_), Some(_)) => ("return std::nullopt;", "true"),
+        self.refusal = match (signature.result, self.style) {
+            (None, _) => "return false;",
+            (Some(_), None) => "return None;",
+            (Some(_), Some(_)) => "return std::nullopt;",
         };
+        let given = signature.given.as_ref();
+        let given = given.filter(|_| self.style.is_some() && part != Part::Called);
+        self.applied = given.map_or("true", |given| &given.name).into();
         let body = self.apart(|this| match &item.body {
             ItemBody::Drawn(rules) => this.rules(signature, rules),
             ItemBody::Steps { requires, level, steps } => {
@@ -140,7 +143,7 @@ impl Printer<'_> {
     fn steps(&mut self, signature: &Signature, level: Level, steps: &[Statement]) {
         let result = self.outcome(signature.result);
         match self.style {
-            None => (self.refusal, self.applied) = ("return None;", "Some(())"),
+            None => (self.refusal, self.applied) = ("return None;", "Some(())".into()),
             Some(style) if !self.is_noted => {
                 let mesh = if style.is_member() { "*this" } else { "mesh" };
                 self.lines.line(&format!("hedgerow::Journal journal({mesh});"));
@@ -171,11 +174,8 @@ impl Printer<'_> {
         [changes, refuses]: [bool; 2],
         body: &[Statement],
     ) {
-        (self.refusal, self.applied) = match (self.style, refuses) {
-            (None, true) => ("return None;", "Some(())"),
-            (None, false) => ("return None;", ""),
-            (Some(_), _) => ("throw Refused();", ""),
-        };
+        self.refusal = if self.style.is_none() { "return None;" } else { "throw Refused();" };
+        self.applied = if self.style.is_none() && refuses { "Some(())" } else { "" }.into();
         let outer = std::mem::replace(&mut self.wraps, self.style.is_none() && refuses);
         (self.is_asked, self.is_outside) = (true, true);
         let text = self.apart(|this| this.body(body));

@@ -27,6 +27,7 @@ use super::cpp::Style;
 use crate::diagram::Type;
 
 /// A printer of routines.
+#[derive(Default)]
 pub(super) struct Printer<'s> {
     /// The style of C++; `None` in Rust.
     pub style: Option<&'s Style>,
@@ -34,7 +35,7 @@ pub(super) struct Printer<'s> {
     /// The statement that leaves the current attempt.
     pub refusal: &'static str,
     /// The value of a `return` without one; empty for none.
-    pub applied: &'static str,
+    pub applied: String,
     /// True if values are returned in `Some`, since a function in Rust may refuse.
     pub wraps: bool,
     /// True if the caller has checked that the attributes exist.
@@ -53,13 +54,8 @@ impl<'s> Printer<'s> {
         Self {
             style,
             lines: Lines::new(if style.is_none() { 4 } else { 2 }),
-            refusal: "",
-            applied: "",
             wraps: style.is_none(),
-            is_asked: false,
-            is_outside: false,
-            is_noted: false,
-            preview: None,
+            ..Self::default()
         }
     }
 

@@ -43,7 +43,7 @@ impl Spelled {
 }
 
 /// The name of a pointer where it has to be unique among the pointers of all kinds of elements.
-pub(super) fn field(pointer: Pointer) -> &'static str {
+pub(super) fn unique(pointer: Pointer) -> &'static str {
     match pointer {
         Pointer::VertexHalfedge => "vertex_halfedge",
         Pointer::EdgeHalfedge => "edge_halfedge",
@@ -134,19 +134,8 @@ pub(super) fn joined(symbol: &str, level: Level, [left, right]: [Spelled; 2]) ->
     Spelled::new(format!("{left} {symbol} {right}"), level)
 }
 
-/// A number with all its digits, and with a decimal point or an exponent; `infinite` stands for
-/// infinity, and `none` for NaN.
-pub(super) fn number(value: f64, [infinite, none]: [&str; 2]) -> Spelled {
-    signed(value, format!("{:?}", value.abs()), [infinite, none])
-}
-
-/// The same for a `float` in C++.
-pub(super) fn short_number(value: f64, [infinite, none]: [&str; 2]) -> Spelled {
-    let short = value as f32;
-    signed(short.into(), format!("{:?}f", short.abs()), [infinite, none])
-}
-
-fn signed(value: f64, digits: String, [infinite, none]: [&str; 2]) -> Spelled {
+/// A number whose size has the given digits; `infinite` stands for infinity, and `none` for NaN.
+pub(super) fn number(value: f64, digits: String, [infinite, none]: [&str; 2]) -> Spelled {
     let text = match value.abs() {
         size if size.is_nan() => return Spelled::whole(none),
         size if size.is_infinite() => infinite.to_string(),

@@ -2,9 +2,9 @@
 
 use super::Printer;
 use super::lines::comment;
-use super::spelled::{Level, field};
+use super::spelled::{Level, unique};
 use crate::diagram::{Kind, Pointer, Type};
-use crate::emit::routine::{Statement, type_of};
+use crate::emit::routine::{Field, Statement, type_of};
 use crate::emit::term::{IndexLoop, Parameter, Term};
 use crate::emit::walks::{HalfedgeWalk, Step};
 
@@ -104,58 +104,22 @@ impl Printer<'_> {
             Statement::Continue => "continue;".into(),
             Statement::Walk { walk, body } => return self.walk(walk, body),
             Statement::Preview { preview, body } => return self.previewed(preview, body),
-            Statement::New { kind, name } => {
-                let (ty, new) = (self.ty(type_of(*kind)), self.new_element(*kind));
-                let ty = if self.preview.is_some() { "auto" } else { &ty };
-                say!(self, "let {name} = {new};", "{ty} {name} = {new};")
-            }
-            Statement::NewEach { kind, name, indices } => {
-                let new = self.new_element(*kind);
+            Statement::New { kind, name, indices } => {
                 let ty = match (self.style, &self.preview) {
                     (None, _) => "_".to_string(),
                     (Some(_), None) => self.ty(type_of(*kind)),
                     (Some(_), Some(_)) => format!("hedgerow::Preview::Seen{:?}", type_of(*kind)),
                 };
-                return self.gather((&ty, name), indices, &new);
-            }
-            Statement::Set { pointer, of, value } => {
-                let value = self.text(value);
-                match (self.style, &self.preview) {
-                    (Some(style), None) => style.put(&self.whole(of), pointer.word(), &value) + ";",
-                    (_, preview) => {
-                        let mesh = preview.as_deref().unwrap_or("mesh");
-                        format!("{mesh}.set_{}({}, {value});", field(*pointer), self.text(of))
+                let new = self.new_element(*kind);
+                match indices {
+                    Some(indices) => return self.gather((&ty, name), indices, &new),
+                    None if self.preview.is_some() => {
+                        say!(self, "let {name} = {new};", "auto {name} = {new};")
                     }
+                    None => say!(self, "let {name} = {new};", "{ty} {name} = {new};"),
                 }
             }
-            Statement::SetHole { face, hole } => match (self.style, &self.preview) {
-                (Some(style), None) => {
-                    style.put(&self.whole(face), "boundary", &hole.to_string()) + ";"
-                }
-                (_, preview) => {
-                    let mesh = preview.as_deref().unwrap_or("mesh");
-                    format!("{mesh}.set_hole({}, {hole});", self.text(face))
-                }
-            },
-            Statement::SetPosition { vertex, value } => {
-                let value = self.text(value);
-                match self.style {
-                    None => format!("mesh.set_position({}, {value});", self.text(vertex)),
-                    Some(style) => style.put(&self.whole(vertex), "position", &value) + ";",
-                }
-            }
-            Statement::SetAttribute { attribute, element, value } => {
-                let (column, value) = (&attribute.column, self.text(value));
-                match self.style {
-                    None => {
-                        let element = self.text(element);
-                        format!("set_attribute(mesh, {column}, {element}.0, {value});")
-                    }
-                    Some(_) => {
-                        format!("{} = {value};", self.attribute(attribute, &self.whole(element)))
-                    }
-                }
-            }
+            Statement::Set { field, of, value } => self.set(field, of, &self.text(value)),
             Statement::Erase { kind, element } => {
                 let (word, element) = (kind.word(), self.text(element));
                 match self.style {
@@ -170,7 +134,6 @@ impl Printer<'_> {
             },
             Statement::Variable { place, value } => self.put(place, &self.text(value)),
             Statement::MustCall { call, place } => return self.must(call, place.as_ref()),
-            Statement::TryCall { call } => self.call_of(call) + ";",
             Statement::Apply { call, place, then, otherwise } => {
                 return self.apply(call, place.as_ref(), [then, otherwise]);
             }
@@ -194,12 +157,34 @@ impl Printer<'_> {
         self.lines.line(&line);
     }
 
+    fn set(&self, field: &Field, of: &Term, value: &str) -> String {
+        let (spelled, told) = match field {
+            Field::Pointer(pointer) => (pointer.word(), unique(*pointer)),
+            Field::Hole => ("boundary", "hole"),
+            Field::Position => ("position", "position"),
+            Field::Attribute(attribute) => {
+                let column = &attribute.column;
+                return match self.style {
+                    None => format!("set_attribute(mesh, {column}, {}.0, {value});", self.text(of)),
+                    Some(_) => format!("{} = {value};", self.attribute(attribute, &self.whole(of))),
+                };
+            }
+        };
+        match (self.style, self.preview.as_deref()) {
+            (Some(style), None) => style.put(&self.whole(of), spelled, value) + ";",
+            (_, preview) => {
+                let mesh = preview.unwrap_or("mesh");
+                format!("{mesh}.set_{told}({}, {value});", self.text(of))
+            }
+        }
+    }
+
     /// The value that is returned; empty for none.
     pub fn returned(&self, value: Option<&Term>) -> String {
         match value {
             Some(value) if self.wraps => format!("Some({})", self.text(value)),
             Some(value) => self.text(value),
-            None => self.applied.to_string(),
+            None => self.applied.clone(),
         }
     }
 
@@ -266,7 +251,7 @@ impl Printer<'_> {
         self.held_text(head, &text);
     }
 
-    fn held_text(&mut self, head: &str, text: &str) {
+    pub(super) fn held_text(&mut self, head: &str, text: &str) {
         let mut lines = text.lines();
         match (lines.next(), lines.next()) {
             (Some(only), None) if self.style.is_some() && head.len() + only.len() < WIDTH => {
@@ -306,7 +291,7 @@ impl Printer<'_> {
                 Some((self.text(condition), [then, otherwise]))
             }
             [Statement::Apply { call, place: None, then, otherwise }] if !then.is_empty() => {
-                Some((self.applies(call), [then, otherwise]))
+                Some((self.outcome_of(call, true), [then, otherwise]))
             }
             _ => None,
         };

@@ -1,9 +1,7 @@
 //! Terms as text.
 
 use super::Printer;
-use super::spelled::{
-    Level, Spelled, field, infix, joined, negated, number, place, short_number, symbol,
-};
+use super::spelled::{Level, Spelled, infix, joined, negated, number, place, symbol, unique};
 use super::spellings::{self, spelled, with_arguments, with_types};
 use crate::diagram::{Binary, Builtin, Pointer, Unary};
 use crate::emit::cpp::support::{qualified, with_pointers};
@@ -86,22 +84,25 @@ impl Printer<'_> {
     }
 
     fn real(&self, value: f64) -> Spelled {
+        // With all digits, and with a decimal point or an exponent.
+        let digits = format!("{:?}", value.abs());
         let Some(style) = self.style else {
-            return number(value, ["f64::INFINITY", "f64::NAN"]);
+            return number(value, digits, ["f64::INFINITY", "f64::NAN"]);
         };
         let real = style.name("real");
-        let limit = |what| format!("std::numeric_limits<{real}>::{what}()");
-        let [infinite, none] = ["infinity", "quiet_NaN"].map(limit);
-        match real {
-            // With a `double`, the whole computation would be in `double`.
-            "float" => short_number(value, [&infinite, &none]),
-            _ => number(value, [&infinite, &none]),
-        }
+        let [infinite, none] =
+            ["infinity", "quiet_NaN"].map(|what| format!("std::numeric_limits<{real}>::{what}()"));
+        // With a `double`, the whole computation would be in `double`.
+        let (value, digits) = match (real, value as f32) {
+            ("float", short) => (short.into(), format!("{:?}f", short.abs())),
+            _ => (value, digits),
+        };
+        number(value, digits, [&infinite, &none])
     }
 
     fn follow(&self, pointer: Pointer, of: &str) -> String {
         let Some(style) = self.style else {
-            return format!("mesh.{}({of})", field(pointer));
+            return format!("mesh.{}({of})", unique(pointer));
         };
         match pointer {
             Pointer::Target => style.chained(&style.chained(of, "twin"), "vertex"),

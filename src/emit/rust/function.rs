@@ -11,6 +11,17 @@ use crate::emit::steps::{Items, items};
 use crate::emit::term::Parameter;
 use crate::emit::{NotEmitted, Selection};
 
+/// The modules that emitted code imports from, each with what it takes from it.
+const IMPORTED: [(&str, &str); 3] = [
+    ("std::collections", "HashMap"),
+    ("glam", "DMat3 DMat4 DVec2 DVec3 DVec4"),
+    (
+        "hedgerow::mesh",
+        "Attribute ColumnId EdgeId ElementKind FaceId HalfedgeId Level Mesh VertexId \
+         validate_level_near",
+    ),
+];
+
 /// Operations as Rust. A refused operation returns `None`; one without a result returns whether it
 /// applied.
 ///
@@ -37,31 +48,15 @@ pub fn rust(selection: &Selection<'_>) -> Result<String, NotEmitted> {
         body.push('\n');
         body.push_str(text);
     }
-    let all = [
-        "Attribute",
-        "ColumnId",
-        "EdgeId",
-        "ElementKind",
-        "FaceId",
-        "HalfedgeId",
-        "Level",
-        "Mesh",
-        "VertexId",
-        "validate_level_near",
-    ];
-    let used: Vec<_> = all.into_iter().filter(|word| names(&body, word)).collect();
-    let vectors = ["DMat3", "DMat4", "DVec2", "DVec3", "DVec4"];
-    let vectors: Vec<_> = vectors.into_iter().filter(|of| names(&body, of)).collect();
-    let vectors = match vectors.as_slice() {
-        [] => String::new(),
-        [only] => format!("use glam::{only};\n"),
-        all => format!("use glam::{{{}}};\n", all.join(", ")),
-    };
-    let maps = match names(&body, "HashMap") {
-        true => "use std::collections::HashMap;\n",
-        false => "",
-    };
-    Ok(format!("{maps}{vectors}use hedgerow::mesh::{{{}}};\n{body}", used.join(", ")))
+    let imported = IMPORTED.map(|(module, words)| {
+        let used = words.split_whitespace().filter(|word| names(&body, word));
+        match used.collect::<Vec<_>>().as_slice() {
+            [] => String::new(),
+            [only] => format!("use {module}::{only};\n"),
+            all => format!("use {module}::{{{}}};\n", all.join(", ")),
+        }
+    });
+    Ok(imported.concat() + &body)
 }
 
 /// The name of a type.
