@@ -4,14 +4,15 @@ use std::collections::BTreeSet;
 
 use super::NotEmitted;
 use super::conventions::Conventions;
-use super::expression::{Expressions, ORDINARY, is_spelled, is_surely_finite, parameters};
+use super::expression::{Expressions, ORDINARY, is_surely_finite, parameters};
 use super::guard;
 use super::item::{Alternative, Item, ItemBody, Signature};
 use super::matching::Matching;
+use super::matrix::finite;
 use super::names::Names;
 use super::reassign;
-use super::routine::{Statement, without_unread};
-use super::term::{Function, Parameter, Term};
+use super::routine::{Field, Statement, without_unread};
+use super::term::{Parameter, Term};
 use crate::check::{Proof, Proved};
 use crate::diagram::{Access, Binary, Drawing, Rule, Type};
 use crate::lower::{Condition, Element, Operation, Step, Tries, Value};
@@ -25,10 +26,6 @@ pub(super) fn routine(
     looks: &dyn Fn(u32) -> BTreeSet<u32>,
 ) -> Result<(Item, BTreeSet<u32>), NotEmitted> {
     let op = proved.op();
-    if let Some(param) = op.params.iter().find(|param| !is_spelled(param.ty)) {
-        let what = format!("a parameter of type `{}`", param.ty.word());
-        return Err(NotEmitted::new(what, param.span));
-    }
     let mut all_calls = BTreeSet::new();
     let mut params = Vec::new();
     let mut rules = Vec::new();
@@ -40,7 +37,7 @@ pub(super) fn routine(
         let calls = names.take_calls();
         if conventions.columns {
             let seen = calls.iter().flat_map(|&call| looks(call));
-            body.splice(0..0, columns(&names, seen.collect()));
+            body.splice(0..0, names.columns(&seen.collect()));
         }
         all_calls.extend(calls);
         rules.push(Alternative {
@@ -65,15 +62,6 @@ pub(super) fn routine(
         result: op.result,
     };
     Ok((Item { signature, body: ItemBody::Drawn(rules) }, all_calls))
-}
-
-/// Finds the columns of the attributes that are used, and refuses a mesh without those that the
-/// called functions look at.
-pub(super) fn columns(names: &Names, seen: BTreeSet<u32>) -> Vec<Statement> {
-    let used = names.used_attributes().cloned().map(Statement::Column);
-    let seen = seen.into_iter().filter_map(|it| names.unused_attribute(it));
-    let asked = seen.map(|attribute| Statement::RequireColumn(attribute.clone()));
-    used.chain(asked).collect()
 }
 
 fn alternative(
@@ -173,11 +161,8 @@ fn phases(
 /// The statements that allocate everything new; a family is given by its first member.
 pub(super) fn allocation(created: &[Element], names: &Names) -> Vec<Statement> {
     let allocate = |&Element { name, kind, at_each_index }: &Element| {
-        let name = names.word(name).to_string();
-        match at_each_index {
-            true => Statement::NewEach { kind, name, indices: names.indices() },
-            false => Statement::New { kind, name },
-        }
+        let indices = at_each_index.then(|| names.indices.clone());
+        Statement::New { kind, name: names.word(name).to_string(), indices }
     };
     created.iter().map(allocate).collect()
 }
@@ -228,13 +213,11 @@ fn values(
             (names.term(*element), value)
         });
         if let Some(reason) = refusal(assigned) {
-            let infinite = Term::Call(Function::IsFinite, vec![value.clone()]).not();
+            let infinite = finite(value.clone()).not();
             body.push(names.refusal(infinite, *member, reason));
         }
-        let set = match attribute {
-            None => Statement::SetPosition { vertex: element, value },
-            Some(attribute) => Statement::SetAttribute { attribute, element, value },
-        };
+        let field = attribute.map_or(Field::Position, Field::Attribute);
+        let set = Statement::Set { field, of: element, value };
         sets.push(names.repeated(*member, set));
     }
     Ok(sets)

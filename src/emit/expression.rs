@@ -4,18 +4,22 @@ use super::NotEmitted;
 use super::matrix::{is_wide, negated, operated, type_of_call};
 use super::names::Names;
 use super::routine::Statement;
-use super::term::{Around, Fold, Function, Operation, Parameter, Term};
+use super::term::{Fold, Function, Operation, Parameter, Term};
 use crate::diagram::{
     Access, Binary, Builtin, Collection, Expr, ExprKind, Param, Rule, Type, Unary,
 };
 use crate::lower::{Hoisted, hoist};
 
-/// The parameters of an operation, with their defaults.
+/// The parameters of an operation or a function, with their defaults.
 pub(super) fn parameters(
     params: &[Param],
     names: &mut Names,
 ) -> Result<Vec<Parameter>, NotEmitted> {
-    let words = names.params().to_vec();
+    if let Some(param) = params.iter().find(|param| !is_spelled(param.ty)) {
+        let what = format!("a parameter of type `{}`", param.ty.word());
+        return Err(NotEmitted::new(what, param.span));
+    }
+    let words = names.params.clone();
     let parameter = |(param, name): (&Param, String)| {
         let default = param.default.as_ref();
         let default = default.map(|value| Expressions { names }.term(value));
@@ -32,37 +36,34 @@ pub(super) struct Expressions<'n> {
 impl Expressions<'_> {
     /// The term of an expression.
     pub fn term(&mut self, expr: &Expr) -> Result<Term, NotEmitted> {
+        let not_emitted = |what| NotEmitted::new(what, expr.span);
         Ok(match &expr.kind {
             ExprKind::Bool(value) => Term::Bool(*value),
             ExprKind::Int(value) => Term::Int(*value),
             ExprKind::Real(value) => Term::Real(*value),
-            ExprKind::Text(_) => return Err(NotEmitted::new("a text", expr.span)),
+            ExprKind::Text(_) => return Err(not_emitted("a text")),
             ExprKind::Invoke(number, args) => {
                 let what = "a function that does more than compute a value";
                 let name = self.names.call(*number);
-                let name = name.ok_or_else(|| NotEmitted::new(what, expr.span))?;
+                let name = name.ok_or_else(|| not_emitted(what))?;
                 let args = args.iter().map(|arg| self.term(arg));
                 Term::Invoke(name, args.collect::<Result<_, _>>()?)
             }
-            ExprKind::Try(..) => {
-                return Err(NotEmitted::new("an op that is only asked", expr.span));
-            }
-            ExprKind::Let(..) => {
-                return Err(NotEmitted::new("a block within a value", expr.span));
-            }
-            ExprKind::Member(..) => {
-                return Err(NotEmitted::new("a name with an index", expr.span));
-            }
+            ExprKind::Try(..) => return Err(not_emitted("an op that is only asked")),
+            ExprKind::Let(..) => return Err(not_emitted("a block within a value")),
+            ExprKind::Member(..) => return Err(not_emitted("a name with an index")),
             ExprKind::Read(Access::Declared(number), base) => {
                 let what = "an attribute in a function";
                 let attribute = self.names.attribute(*number);
-                let attribute = attribute.ok_or_else(|| NotEmitted::new(what, expr.span))?;
+                let attribute = attribute.ok_or_else(|| not_emitted(what))?;
                 Term::Attribute(attribute, Box::new(self.term(base)?))
             }
             ExprKind::Element(name) => self.names.term(*name),
             ExprKind::Local(number) => Term::name(self.names.local(*number)),
             ExprKind::Follow(pointer, base) => self.term(base)?.follow(*pointer),
-            ExprKind::Read(Access::Position, base) => Term::Position(Box::new(self.term(base)?)),
+            ExprKind::Read(Access::Position, base) => {
+                Term::call("Position", vec![self.term(base)?])
+            }
             ExprKind::Component(part, whole) => self.component(*part, whole, expr.ty)?,
             ExprKind::Vector(parts) => self.made(expr.ty, parts)?,
             ExprKind::Unary(Unary::NegateVector, operand) if is_wide(expr.ty) => {
@@ -90,13 +91,8 @@ impl Expressions<'_> {
                     }
                 }
             }
-            ExprKind::Call(Builtin::IsFinite, args)
-                if args.len() == 1 && args[0].ty == Type::Vec3 =>
-            {
-                Term::Call(Function::IsFinite, vec![self.term(&args[0])?])
-            }
             ExprKind::Call(builtin, _) if builtin.is_random() => {
-                return Err(NotEmitted::new("a random number", expr.span));
+                return Err(not_emitted("a random number"));
             }
             ExprKind::Call(builtin, args) => {
                 let function = match type_of_call(*builtin, args, expr.ty) {
@@ -111,9 +107,8 @@ impl Expressions<'_> {
                 condition.then(self.term(then)?, self.term(otherwise)?)
             }
             ExprKind::Fold(fold) => {
-                let (around, element) = around(&fold.collection).ok_or_else(|| {
-                    NotEmitted::new(collection_words(&fold.collection), expr.span)
-                })?;
+                let (around, element) = around(&fold.collection)
+                    .ok_or_else(|| not_emitted(collection_words(&fold.collection)))?;
                 let element = self.term(element)?;
                 let ty = fold.collection.element();
                 let name = self.names.declare(fold.variable, ty);
@@ -161,29 +156,24 @@ fn wanted(part: &Expr) -> &'static str {
     }
 }
 
-/// The element that a collection lies around, and the kind of walk; `None` for other collections.
-pub(super) fn around(collection: &Collection) -> Option<(Around, &Expr)> {
-    Some(match collection {
-        Collection::VertexHalfedges(v) => (Around::VertexHalfedges, v),
-        Collection::VertexEdges(v) => (Around::VertexEdges, v),
-        Collection::VertexFaces(v) => (Around::VertexFaces, v),
-        Collection::VertexNeighbors(v) => (Around::VertexNeighbors, v),
-        Collection::FaceHalfedges(f) => (Around::FaceHalfedges, f),
-        Collection::FaceVertices(f) => (Around::FaceVertices, f),
-        Collection::FaceEdges(f) => (Around::FaceEdges, f),
-        Collection::EdgeVertices(e) => (Around::EdgeVertices, e),
-        Collection::EdgeFaces(e) => (Around::EdgeFaces, e),
-        Collection::Vertices
-        | Collection::Halfedges
-        | Collection::Edges
-        | Collection::Faces
-        | Collection::Holes
-        | Collection::FaceEars(_)
-        | Collection::FacePatch(_) => return None,
-    })
+/// The name of the elements around another, and that one; `None` for other collections.
+pub(super) fn around(collection: &Collection) -> Option<(&'static str, &Expr)> {
+    let name = match collection {
+        Collection::VertexHalfedges(_) => "VertexHalfedges",
+        Collection::VertexEdges(_) => "VertexEdges",
+        Collection::VertexFaces(_) => "VertexFaces",
+        Collection::VertexNeighbors(_) => "VertexNeighbors",
+        Collection::FaceHalfedges(_) => "FaceHalfedges",
+        Collection::FaceVertices(_) => "FaceVertices",
+        Collection::FaceEdges(_) => "FaceEdges",
+        Collection::EdgeVertices(_) => "EdgeVertices",
+        Collection::EdgeFaces(_) => "EdgeFaces",
+        _ => return None,
+    };
+    Some((name, collection.base()?))
 }
 
-/// A collection for which there is no [`Around`], in words.
+/// A collection for which there is no name, in words.
 pub(super) fn collection_words(collection: &Collection) -> &'static str {
     match collection {
         Collection::FaceEars(_) => "`ears` of a face",
@@ -236,17 +226,7 @@ fn greatest(expr: &Expr, positions: f64) -> Option<f64> {
         ExprKind::If(_, then, otherwise) => {
             sides(then, otherwise).map(|[then, otherwise]| then.max(otherwise))
         }
-        ExprKind::Bool(_)
-        | ExprKind::Text(_)
-        | ExprKind::Element(_)
-        | ExprKind::Local(_)
-        | ExprKind::Member(..)
-        | ExprKind::Follow(..)
-        | ExprKind::Read(Access::Declared(_), _)
-        | ExprKind::Invoke(..)
-        | ExprKind::Try(..)
-        | ExprKind::Let(..)
-        | ExprKind::Fold(_) => None,
+        _ => None,
     }
 }
 

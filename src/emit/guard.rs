@@ -7,7 +7,7 @@ use super::build::allocation;
 use super::conventions::Conventions;
 use super::names::Names;
 use super::reassign;
-use super::routine::{Statement, without_unread};
+use super::routine::{Field, Statement, without_unread};
 use super::term::{Function, Term};
 use crate::diagram::{Builtin, Drawing, Kind};
 use crate::lower::{GuardTest, Operation, PreviewReads, Question, StarWalk};
@@ -33,9 +33,7 @@ pub(super) fn tests(
     body.extend(reassign::statements(drawing, names, changes));
     let noted = body.into_iter().filter_map(|statement| noted(statement, reads));
     let body = without_unread(noted.chain(tests).collect(), |statement| match statement {
-        Statement::New { name, .. }
-        | Statement::NewEach { name, .. }
-        | Statement::Size { name, .. } => Some(name),
+        Statement::New { name, .. } | Statement::Size { name, .. } => Some(name),
         _ => None,
     });
     vec![Statement::Preview { preview: name, body }]
@@ -48,13 +46,13 @@ fn noted(statement: Statement, reads: PreviewReads) -> Option<Statement> {
         (!body.is_empty()).then_some(body)
     };
     Some(match statement {
-        Statement::New { kind: Kind::Edge, .. } | Statement::NewEach { kind: Kind::Edge, .. } => {
+        Statement::New { kind: Kind::Edge, .. } => return None,
+        Statement::Set { field: Field::Pointer(pointer), .. }
+            if !reads.reads(pointer, StarWalk::Clockwise) =>
+        {
             return None;
         }
-        Statement::Set { pointer, .. } if !reads.reads(pointer, StarWalk::Clockwise) => {
-            return None;
-        }
-        Statement::SetHole { .. } if !reads.reads_holes() => return None,
+        Statement::Set { field: Field::Hole, .. } if !reads.reads_holes() => return None,
         Statement::IndexLoop { indices, body } => {
             Statement::IndexLoop { indices, body: noted_of(body)? }
         }
@@ -78,9 +76,10 @@ impl Tests<'_, '_> {
             Question::OneHoleAlong(path) => self.drawing.rule.is_member(path),
             _ => test.at_each_index,
         };
-        let outer = self.names.enter_index(repeated);
+        let outer = self.names.is_indexed;
+        self.names.is_indexed |= repeated;
         let breaks = self.breaks(test.question);
-        self.names.leave_index(outer);
+        self.names.is_indexed = outer;
         self.body.push(self.names.refusal(breaks, repeated, &test.refusal));
     }
 

@@ -1,7 +1,7 @@
 //! Operations and functions, as they are emitted.
 
 use super::routine::Statement;
-use super::term::{Attribute, Parameter, Term};
+use super::term::{Attribute, Parameter};
 use crate::diagram::{Level, Type};
 
 /// An operation, or a function that operations call.
@@ -44,15 +44,6 @@ pub(super) struct Alternative {
 }
 
 impl Item {
-    /// The lists of its statements.
-    fn bodies_mut(&mut self) -> Vec<&mut Vec<Statement>> {
-        match &mut self.body {
-            ItemBody::Drawn(rules) => rules.iter_mut().map(|rule| &mut rule.body).collect(),
-            ItemBody::Steps { requires, steps, .. } => vec![requires, steps],
-            ItemBody::Function { body, .. } => vec![body],
-        }
-    }
-
     /// Its statements.
     pub fn statements(&self) -> Vec<&Statement> {
         match &self.body {
@@ -67,14 +58,6 @@ impl Item {
         let defaults = self.signature.params.iter().filter_map(|param| param.default.as_ref());
         defaults.for_each(|default| default.attributes(see));
         self.statements().into_iter().for_each(|statement| statement.attributes(see));
-    }
-
-    /// Makes the given element the result, if there is none.
-    pub fn give_back(&mut self) {
-        if let (None, Some(given)) = (self.signature.result, self.signature.given.clone()) {
-            self.signature.result = Some(given.ty);
-            self.bodies_mut().into_iter().for_each(|body| give_back(body, &given.name));
-        }
     }
 }
 
@@ -91,18 +74,7 @@ pub(super) struct Signature {
     pub params: Vec<Parameter>,
     /// The type of its result; an operation without one returns whether it applied.
     pub result: Option<Type>,
-    /// The first parameter that is an element and certainly outlives the operation.
+    /// The first parameter that is an element and certainly outlives the operation: it can be
+    /// returned where there is no result.
     pub given: Option<Parameter>,
-}
-
-/// Makes every `Return` without a result return a name.
-fn give_back(body: &mut [Statement], name: &str) {
-    for statement in body {
-        if let Statement::Return { value: value @ None } = statement {
-            *value = Some(Term::name(name));
-        }
-        for inner in statement.bodies_mut() {
-            give_back(inner, name);
-        }
-    }
 }

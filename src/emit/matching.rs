@@ -3,7 +3,7 @@
 use super::conventions::Conventions;
 use super::names::Names;
 use super::routine::{Statement, type_of};
-use super::term::{Function, Term};
+use super::term::Term;
 use crate::check::matching::{Bound, Claim, Source};
 use crate::diagram::{Drawing, LoopKind, NameId, Pointer, Type};
 use crate::lower::{self, Begin, EmptyPath, Step, Walk};
@@ -36,7 +36,7 @@ impl Matching<'_, '_> {
     fn begin(&mut self, begin: &Begin, body: &mut Vec<Statement>) {
         let element = self.term(begin.element);
         if let (Some(reason), true) = (&begin.isolated, self.conventions.isolated_vertices) {
-            let when = Term::Call(Function::IsIsolated, vec![element.clone()]);
+            let when = Term::call("IsIsolated", vec![element.clone()]);
             body.push(self.names.refusal(when, false, reason));
         }
         let (name, value) = (self.names.begin(begin.halfedge), element.follow(begin.first));
@@ -62,18 +62,18 @@ impl Matching<'_, '_> {
     fn walk(&mut self, walk: &Walk, body: &mut Vec<Statement>) {
         let ty = Type::Halfedge;
         let function = match walk.around_vertex {
-            true => Function::SpokesFrom,
-            false => Function::LoopFrom,
+            true => "SpokesFrom",
+            false => "LoopFrom",
         };
         let from = Term::name(self.names.begin(walk.families[0].0));
-        let mut all = Term::Call(function, vec![from]);
+        let mut all = Term::call(function, vec![from]);
         let period = walk.families.len() as i64;
         if let Some(test) = &walk.is_whole {
             let name = self.names.fresh("all");
             let value = std::mem::replace(&mut all, Term::name(&name));
             body.push(Statement::Bind { ty, name, value, is_list: true });
             let groups = vec![all.clone(), Term::Int(period)];
-            let rest = Term::Call(Function::Remainder, groups);
+            let rest = Term::call("Remainder", groups);
             let when = rest.equals(Term::Int(0)).not();
             body.push(self.names.refusal(when, false, &test.refusal));
         }
@@ -81,20 +81,20 @@ impl Matching<'_, '_> {
             let mut value = all.clone();
             if period > 1 {
                 let dealt = vec![value, Term::Int(place), Term::Int(period)];
-                value = Term::Call(Function::Every, dealt);
+                value = Term::call("Every", dealt);
             }
             if turn != 0 {
-                value = Term::Call(Function::Rotated, vec![value, Term::Int(turn)]);
+                value = Term::call("Rotated", vec![value, Term::Int(turn)]);
             }
             let name = self.names.word(half).to_string();
             body.push(Statement::Bind { ty, name: name.clone(), value, is_list: true });
-            let size = self.names.indices().size;
+            let size = self.names.indices.size.clone();
             if place > 0 {
                 continue;
             }
             body.push(match &walk.fits {
                 Some(test) => {
-                    let length = Term::Call(Function::Length, vec![Term::name(name)]);
+                    let length = Term::call("Length", vec![Term::name(name)]);
                     let when = length.equals(Term::name(size)).not();
                     self.names.refusal(when, false, &test.refusal)
                 }
@@ -116,7 +116,7 @@ impl Matching<'_, '_> {
                 Claim::Begins(name) => Term::name(self.names.begin(*name)).is(self.term(*name)),
                 Claim::NotAllEmptyAround(paths) => {
                     let some = self.indexed(true, |this| this.are_empty(paths).not());
-                    some.for_some(self.names.indices())
+                    some.for_some(self.names.indices.clone())
                 }
                 Claim::AllDistinct(names) => self.all_distinct(names, &mut body),
                 Claim::AroundInOrder { along_loop, halfedges } => {
@@ -150,7 +150,7 @@ impl Matching<'_, '_> {
                 |&&name: &&NameId| Statement::Push { list: list.clone(), item: names.term(name) };
             each.iter().map(push).collect()
         });
-        body.push(Statement::IndexLoop { indices: self.names.indices(), body: pushes });
+        body.push(Statement::IndexLoop { indices: self.names.indices.clone(), body: pushes });
         Term::name(list)
     }
 
@@ -165,7 +165,7 @@ impl Matching<'_, '_> {
                 self.listed(ty, names, body)
             }
         };
-        Term::Call(Function::AllDiffer, vec![all])
+        Term::call("AllDiffer", vec![all])
     }
 
     fn around_in_order(
@@ -175,11 +175,11 @@ impl Matching<'_, '_> {
         body: &mut Vec<Statement>,
     ) -> Term {
         let function = match along_loop {
-            true => Function::AllInOrderAlongLoop,
-            false => Function::AllInOrderAroundVertex,
+            true => "AllInOrderAlongLoop",
+            false => "AllInOrderAroundVertex",
         };
         let all = self.listed(Type::Halfedge, halfedges, body);
-        Term::Call(function, vec![all])
+        Term::call(function, vec![all])
     }
 
     fn ty(&self, bound: Bound) -> Type {
@@ -225,11 +225,11 @@ impl Matching<'_, '_> {
             Claim::Kind(face, _) => self.term(*face).hole().not(),
             Claim::InOrder { along_loop, halfedges } => {
                 let function = match along_loop {
-                    true => Function::InOrderAlongLoop,
-                    false => Function::InOrderAroundVertex,
+                    true => "InOrderAlongLoop",
+                    false => "InOrderAroundVertex",
                 };
                 let terms = halfedges.iter().map(|half| self.term(*half));
-                Term::Call(function, terms.collect())
+                Term::call(function, terms.collect())
             }
             Claim::NotAllEmpty(paths) => self.are_empty(paths).not(),
             Claim::Listed { halfedge, vertices: [origin, vertex], spokes } => {

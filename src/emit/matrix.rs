@@ -13,6 +13,11 @@ pub(super) fn is_wide(ty: Type) -> bool {
     ty != Type::Vec3 && (ty.is_vector() || ty.is_matrix())
 }
 
+/// The condition that all components of a position are finite.
+pub(super) fn finite(position: Term) -> Term {
+    of(Operation::Builtin(Builtin::IsFinite), Type::Vec3, vec![position])
+}
+
 /// An operation on values of a type.
 fn of(operation: Operation, ty: Type, args: Vec<Term>) -> Term {
     Term::Call(Function::Of(operation, ty), args)
@@ -34,7 +39,7 @@ pub(super) fn type_of_call(builtin: Builtin, args: &[Expr], result: Type) -> Opt
     match builtin {
         Builtin::Diagonal | Builtin::UpperLeft => Some(result),
         Builtin::Outer | Builtin::CrossPlane | Builtin::Solve => Some(first),
-        Builtin::IsNan if first == Type::Vec3 => Some(first),
+        Builtin::IsNan | Builtin::IsFinite if first == Type::Vec3 => Some(first),
         _ => is_wide(first).then_some(first),
     }
 }
@@ -49,7 +54,6 @@ impl Expressions<'_> {
     ) -> Result<Term, NotEmitted> {
         let term = self.term(whole)?;
         Ok(match (whole.ty, result) {
-            (Type::Vec3, Type::Real) => Term::Component(part, Box::new(term)),
             (ty, Type::Real) => of(Operation::Part(part), ty, vec![term]),
             (ty, _) if ty.is_matrix() => of(Operation::Column(part / ty.size()), ty, vec![term]),
             (ty, result) => of(Operation::First(result), ty, vec![term]),
@@ -72,16 +76,9 @@ impl Expressions<'_> {
             }
             // A computed term is repeated for each of its parts.
             for at in 0..part.ty.size() {
-                terms.push(match part.ty {
-                    Type::Vec3 => Term::Component(at, Box::new(term.clone())),
-                    of_part => of(Operation::Part(at), of_part, vec![term.clone()]),
-                });
+                terms.push(of(Operation::Part(at), part.ty, vec![term.clone()]));
             }
         }
-        Ok(match <[Term; 3]>::try_from(terms) {
-            Ok(parts) if ty == Type::Vec3 => Term::Vector(Box::new(parts)),
-            Ok(parts) => of(Operation::Make, ty, parts.into()),
-            Err(parts) => of(Operation::Make, ty, parts),
-        })
+        Ok(of(Operation::Make, ty, terms))
     }
 }

@@ -29,14 +29,9 @@ mod term;
 mod walks;
 
 // A routine as text.
-mod builtin;
 pub mod cpp;
-mod language;
-mod lines;
+mod print;
 mod rust;
-mod statement;
-mod support;
-mod wide;
 
 use crate::diagnostic::Diagnostic;
 use crate::source::Span;

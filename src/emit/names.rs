@@ -6,9 +6,9 @@
 
 use std::collections::BTreeSet;
 
+use super::print::support::CPP;
 use super::reserved::{is_reserved, plain, unreserved};
 use super::routine::Statement;
-use super::support::CPP;
 use super::term::{Attribute, IndexLoop, Term};
 use crate::diagram::{self, Kind, NameId, Op, Role, Rule, Type};
 use crate::resolve::Variable;
@@ -51,15 +51,16 @@ struct Named {
 }
 
 /// The names of one rule.
-#[derive(Clone)]
+#[derive(Clone, Default)]
 pub(super) struct Names {
     /// The names of the drawing, by number.
     drawn: Vec<Named>,
     /// The index of the cycle, and its size.
-    indices: IndexLoop,
+    pub indices: IndexLoop,
     /// True inside of a repetition for each index.
-    is_indexed: bool,
-    params: Vec<String>,
+    pub is_indexed: bool,
+    /// The words of the parameters.
+    pub params: Vec<String>,
     folds: Vec<(u32, String)>,
     /// The attributes of the program, and whether the rule uses them.
     attributes: Vec<(Attribute, bool)>,
@@ -68,7 +69,8 @@ pub(super) struct Names {
     calls: BTreeSet<u32>,
     /// The names of the variables of steps in the program.
     variables: Vec<String>,
-    taken: BTreeSet<String>,
+    /// The words that are taken; where a scope ends, it is what it was before.
+    pub taken: BTreeSet<String>,
     /// Words that the mesh class reserves.
     reserved: Vec<String>,
 }
@@ -133,30 +135,13 @@ impl Names {
         }
     }
 
-    /// The words that are taken, for [`Self::back_to`].
-    pub fn mark(&self) -> BTreeSet<String> {
-        self.taken.clone()
-    }
-
-    /// Releases all words that were not taken at the mark: their scope was one block.
-    pub fn back_to(&mut self, mark: BTreeSet<String>) {
-        self.taken = mark;
-    }
-
     /// No names yet, except for those of the functions.
     fn without(functions: &[Option<String>], reserved: &[String]) -> Self {
         Self {
-            drawn: Vec::new(),
-            indices: IndexLoop::default(),
-            is_indexed: false,
-            params: Vec::new(),
-            folds: Vec::new(),
             functions: functions.to_vec(),
-            variables: Vec::new(),
-            calls: BTreeSet::new(),
-            attributes: Vec::new(),
             taken: functions.iter().flatten().map(|name| invoked(name)).collect(),
             reserved: reserved.to_vec(),
+            ..Self::default()
         }
     }
 
@@ -212,11 +197,6 @@ impl Names {
         self.fresh(free.unwrap_or(&wanted[0]))
     }
 
-    /// Releases a name whose scope was one block.
-    pub fn release(&mut self, word: &str) {
-        self.taken.remove(word);
-    }
-
     /// The word for an element, or for the first halfedge of a path; of a family, that of its list.
     pub fn word(&self, name: NameId) -> &str {
         &self.drawn[name.index()].word
@@ -257,21 +237,21 @@ impl Names {
     /// The statement that binds a value, or if `each` the list of its values at each index.
     pub fn bound(&self, ty: Type, name: String, value: Term, each: bool) -> Statement {
         match each {
-            true => Statement::Gather { ty, name, indices: self.indices(), item: value },
+            true => Statement::Gather { ty, name, indices: self.indices.clone(), item: value },
             false => Statement::Bind { ty, name, value, is_list: false },
         }
     }
 
     /// The statement that refuses if a condition holds, or if `each` if it does for some index.
     pub fn refusal(&self, when: Term, each: bool, reason: &str) -> Statement {
-        let when = if each { when.for_some(self.indices()) } else { when };
+        let when = if each { when.for_some(self.indices.clone()) } else { when };
         Statement::Refuse { when, reason: reason.to_string() }
     }
 
     /// A statement, if `each` repeated for each index.
     pub fn repeated(&self, each: bool, statement: Statement) -> Statement {
         match each {
-            true => Statement::IndexLoop { indices: self.indices(), body: vec![statement] },
+            true => Statement::IndexLoop { indices: self.indices.clone(), body: vec![statement] },
             false => statement,
         }
     }
@@ -300,34 +280,13 @@ impl Names {
         word
     }
 
-    /// The index of the cycle, and its size.
-    pub fn indices(&self) -> IndexLoop {
-        self.indices.clone()
-    }
-
     /// Makes something, inside of the repetition for each index if `repeated`.
     pub fn for_each<T>(&mut self, repeated: bool, make: impl FnOnce(&mut Self) -> T) -> T {
-        let outer = self.enter_index(repeated);
-        let made = make(self);
-        self.leave_index(outer);
-        made
-    }
-
-    /// Enters the repetition for each index if `repeated`, and returns the previous state.
-    pub fn enter_index(&mut self, repeated: bool) -> bool {
         let outer = self.is_indexed;
         self.is_indexed |= repeated;
-        outer
-    }
-
-    /// Restores the state that [`Self::enter_index`] returned.
-    pub fn leave_index(&mut self, outer: bool) {
+        let made = make(self);
         self.is_indexed = outer;
-    }
-
-    /// True inside of a repetition for each index.
-    pub fn is_indexed(&self) -> bool {
-        self.is_indexed
+        made
     }
 
     /// The word of a parameter, of the variable of an aggregate, or of a variable.
@@ -360,16 +319,14 @@ impl Names {
         Some(attribute.clone())
     }
 
-    /// An attribute of the program, unless it is used here.
-    pub fn unused_attribute(&self, number: u32) -> Option<&Attribute> {
-        let (attribute, is_used) = self.attributes.get(number as usize)?;
-        (!is_used).then_some(attribute)
-    }
-
-    /// The attributes that have been used so far.
-    pub fn used_attributes(&self) -> impl Iterator<Item = &Attribute> {
-        let used = self.attributes.iter().filter(|(_, is_used)| *is_used);
-        used.map(|(attribute, _)| attribute)
+    /// Finds the columns of the attributes that are used, and refuses a mesh without the others in
+    /// `seen`, which the called functions look at.
+    pub fn columns(&self, seen: &BTreeSet<u32>) -> Vec<Statement> {
+        let all = || (0..).zip(&self.attributes);
+        let used = all().filter(|(_, (_, is_used))| *is_used);
+        let asked = all().filter(|(at, (_, is_used))| !is_used && seen.contains(at));
+        let used = used.map(|(_, (attribute, _))| Statement::Column(attribute.clone()));
+        used.chain(asked.map(|(_, (it, _))| Statement::RequireColumn(it.clone()))).collect()
     }
 
     /// Names a variable, or a value that is computed once.
@@ -377,11 +334,6 @@ impl Names {
         let word = self.fresh(wanted);
         self.folds.push((number, word.clone()));
         word
-    }
-
-    /// The words of the parameters.
-    pub fn params(&self) -> &[String] {
-        &self.params
     }
 }
 

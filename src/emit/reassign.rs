@@ -5,7 +5,7 @@
 
 use super::conventions::Conventions;
 use super::names::Names;
-use super::routine::Statement;
+use super::routine::{Field, Statement};
 use super::term::{IndexLoop, Term};
 use super::walks::{fan_walk, path_walk};
 use crate::diagram::{Drawing, Kind, NameId, Operand, Pointer, Type, Write};
@@ -31,7 +31,7 @@ pub(super) fn statements(
             reassignment.writes.iter().for_each(|write| this.write(write));
         });
     }
-    let indices = reassign.names.indices();
+    let indices = reassign.names.indices.clone();
     let Reassign { walks, links, mut sets, .. } = reassign;
     let mut statements = walks;
     statements.extend(links);
@@ -70,9 +70,10 @@ struct Reassign<'d, 'n> {
 impl Reassign<'_, '_> {
     /// Runs `what`, inside of the repetition for each index if `at_each_index`.
     fn indexed<T>(&mut self, at_each_index: bool, what: impl FnOnce(&mut Self) -> T) -> T {
-        let outer = self.names.enter_index(at_each_index);
+        let outer = self.names.is_indexed;
+        self.names.is_indexed |= at_each_index;
         let made = what(self);
-        self.names.leave_index(outer);
+        self.names.is_indexed = outer;
         made
     }
 
@@ -97,7 +98,7 @@ impl Reassign<'_, '_> {
                     Some(value) if !keeps => self.operand(value),
                     _ => element.clone().follow(*pointer),
                 };
-                self.other(*pointer, Statement::Set { pointer: *pointer, of: element, value });
+                self.other(*pointer, Statement::set(*pointer, element, value));
             }
             Write::FaceAlong { path, changes: true, .. } => {
                 let walk = path_walk(self.drawing, self.names, *path);
@@ -109,7 +110,8 @@ impl Reassign<'_, '_> {
             }
             Write::Hole { face, is_hole, changes: true } => {
                 let face = self.names.term(*face);
-                let set = Statement::SetHole { face, hole: *is_hole };
+                let value = Term::Bool(*is_hole);
+                let set = Statement::Set { field: Field::Hole, of: face, value };
                 self.other(Pointer::FaceHalfedge, set);
             }
             Write::LinkPaths { face, period } => {
@@ -121,7 +123,7 @@ impl Reassign<'_, '_> {
     }
 
     fn walk(&mut self, walk: Option<Statement>) {
-        let each = self.names.is_indexed();
+        let each = self.names.is_indexed;
         self.walks.extend(walk.map(|walk| self.names.repeated(each, walk)));
     }
 
@@ -137,7 +139,7 @@ impl Reassign<'_, '_> {
             Pointer::Edge => 4,
             _ => 5,
         };
-        self.push((name.index(), rank), Statement::Set { pointer, of, value });
+        self.push((name.index(), rank), Statement::set(pointer, of, value));
     }
 
     /// Writes to an element other than a halfedge: vertices first, then edges, then faces.
@@ -151,7 +153,7 @@ impl Reassign<'_, '_> {
     }
 
     fn push(&mut self, order: (usize, usize), statement: Statement) {
-        self.sets.push(Set { order, at_each_index: self.names.is_indexed(), statement });
+        self.sets.push(Set { order, at_each_index: self.names.is_indexed, statement });
     }
 
     fn operand(&self, operand: &Operand) -> Term {
@@ -182,7 +184,7 @@ impl Reassign<'_, '_> {
     fn anchor_of_some(&mut self, pointer: Pointer, of: Term, path: NameId) {
         self.indexed(true, |this| {
             let condition = this.names.empty(path).not();
-            let body = vec![Statement::Set { pointer, of, value: this.names.term(path) }];
+            let body = vec![Statement::set(pointer, of, this.names.term(path))];
             this.other(pointer, Statement::when(condition, body));
         });
     }
@@ -206,7 +208,7 @@ impl Reassign<'_, '_> {
             });
             pushed.collect()
         });
-        let indices = self.names.indices();
+        let indices = self.names.indices.clone();
         self.links.push(Statement::IndexLoop { indices: indices.clone(), body });
         // From here on an index counts the nonempty paths.
         let indices = IndexLoop { index: indices.index, size: self.names.fresh("runs") };
@@ -217,14 +219,9 @@ impl Reassign<'_, '_> {
             size: indices.size.clone(),
         };
         let (last, first) = (member(&lasts, 0), member(&firsts, 1));
-        let set = |pointer, of: &Term, value: &Term| Statement::Set {
-            pointer,
-            of: of.clone(),
-            value: value.clone(),
-        };
-        let mut body = vec![set(Pointer::Next, &last, &first)];
+        let mut body = vec![Statement::set(Pointer::Next, last.clone(), first.clone())];
         if self.conventions.prev {
-            body.push(set(Pointer::Prev, &first, &last));
+            body.push(Statement::set(Pointer::Prev, first, last));
         }
         let size = indices.size.clone();
         self.links.push(Statement::Size { name: size.clone(), list: firsts.clone() });

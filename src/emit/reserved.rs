@@ -5,7 +5,7 @@
 use std::collections::BTreeSet;
 use std::sync::LazyLock;
 
-use super::support;
+use super::print::support;
 
 /// Keywords of C++ up to C++23, with the alternative tokens and the contextual keywords.
 const CPP: &str = "

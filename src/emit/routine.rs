@@ -2,10 +2,10 @@
 //!
 //! A small imperative language with just what operations need: names that are bound once, pointers
 //! that are followed and set, tests that refuse, walks along loops and around vertices, and
-//! repetition for each index of a family. [`build`](super::build) creates it; a printer per
-//! language spells it.
+//! repetition for each index of a family. [`build`](super::build) creates it, and
+//! [`print`](super::print) spells it in each language.
 
-use super::term::{Around, Attribute, IndexLoop, Parameter, Term};
+use super::term::{Attribute, IndexLoop, Parameter, Term};
 use super::walks::HalfedgeWalk;
 use crate::diagram::{Kind, Pointer, Type};
 
@@ -39,18 +39,10 @@ pub(super) enum Statement {
     Walk { walk: HalfedgeWalk, body: Vec<Statement> },
     /// A preview of the mesh, and a block whose allocations and writes are noted on it.
     Preview { preview: String, body: Vec<Statement> },
-    /// The allocation of an element.
-    New { kind: Kind, name: String },
-    /// The allocation of an element for each index.
-    NewEach { kind: Kind, name: String, indices: IndexLoop },
-    /// `of.pointer = value`
-    Set { pointer: Pointer, of: Term, value: Term },
-    /// The change of a face into a hole, or of a hole into a face.
-    SetHole { face: Term, hole: bool },
-    /// `vertex.position = value`
-    SetPosition { vertex: Term, value: Term },
-    /// `element.attribute = value`
-    SetAttribute { attribute: Attribute, element: Term, value: Term },
+    /// The allocation of an element, or of one for each index.
+    New { kind: Kind, name: String, indices: Option<IndexLoop> },
+    /// `of.field = value`
+    Set { field: Field, of: Term, value: Term },
     /// The erasure of an element.
     Erase { kind: Kind, element: Term },
     /// The return from a function, or from an operation that has applied.
@@ -61,8 +53,6 @@ pub(super) enum Statement {
     Variable { place: Target, value: Term },
     /// A call that changes the mesh and must succeed.
     MustCall { call: Call, place: Option<Target> },
-    /// A call of an operation, which may refuse.
-    TryCall { call: Call },
     /// A call of an operation, and branches for whether it applied.
     Apply { call: Call, place: Option<Parameter>, then: Vec<Self>, otherwise: Vec<Self> },
     /// Branches for whether a condition holds.
@@ -74,7 +64,8 @@ pub(super) enum Statement {
     /// A loop over the elements around one that exist when it begins.
     For {
         variable: Parameter,
-        around: Around,
+        /// The name of the elements around another that it runs over.
+        around: &'static str,
         element: Term,
         /// True if the body may erase some of them; those are skipped.
         may_go: bool,
@@ -102,6 +93,16 @@ pub(super) enum Statement {
     Journal(Vec<Term>),
     /// A note of the value of an attribute that will be written to.
     JournalAttribute { attribute: Attribute, element: Term },
+}
+
+/// What is set of an element.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Field {
+    Pointer(Pointer),
+    /// Whether a face is a hole.
+    Hole,
+    Position,
+    Attribute(Attribute),
 }
 
 /// A call of an operation, or of a function that changes the mesh.
@@ -179,6 +180,11 @@ macro_rules! bodies {
 }
 
 impl Statement {
+    /// `of.pointer = value`
+    pub fn set(pointer: Pointer, of: Term, value: Term) -> Self {
+        Self::Set { field: Field::Pointer(pointer), of, value }
+    }
+
     /// A statement that runs only if a condition holds.
     pub fn when(condition: Term, then: Vec<Self>) -> Self {
         Self::Choose { condition, then, otherwise: Vec::new() }
@@ -204,14 +210,6 @@ impl Statement {
         }
     }
 
-    /// True if it, or one inside of it, adds to a list.
-    pub fn adds_to(&self, name: &str) -> bool {
-        match self {
-            Self::Push { list, .. } => list == name,
-            statement => statement.bodies().into_iter().flatten().any(|inner| inner.adds_to(name)),
-        }
-    }
-
     /// The statement with its bodies replaced, if they run on the mesh: those of a preview do not.
     pub fn with_bodies(mut self, mut made: impl FnMut(Vec<Self>) -> Vec<Self>) -> Self {
         if !matches!(self, Self::Preview { .. }) {
@@ -220,39 +218,6 @@ impl Statement {
             }
         }
         self
-    }
-
-    /// True if it, or one inside of it, allocates or erases.
-    pub fn changes_the_lists(&self) -> bool {
-        match self {
-            Self::New { .. } | Self::NewEach { .. } | Self::Erase { .. } => true,
-            Self::Preview { .. } => false,
-            statement => statement.bodies().into_iter().flatten().any(Self::changes_the_lists),
-        }
-    }
-
-    /// Reports the types of everything that is named, bodies included.
-    pub fn types(&self, see: &mut dyn FnMut(Type)) {
-        self.terms(&mut |term| term.folds(&mut |fold| see(fold.variable.ty)));
-        match self {
-            Self::Bind { ty, .. } | Self::List { ty, .. } | Self::Gather { ty, .. } => see(*ty),
-            Self::Attempt { .. } | Self::Walk { .. } => see(Type::Halfedge),
-            Self::New { kind, .. } | Self::NewEach { kind, .. } => see(type_of(*kind)),
-            Self::Variable { place, .. } | Self::MustCall { place: Some(place), .. }
-                if place.form != Form::Known =>
-            {
-                see(place.ty);
-            }
-            Self::Apply { place: Some(variable), .. } | Self::For { variable, .. } => {
-                see(variable.ty);
-            }
-            Self::Update { visit, held } => {
-                visit.types(see);
-                held.iter().for_each(|held| see(held.element));
-            }
-            _ => {}
-        }
-        self.bodies().into_iter().flatten().for_each(|inner| inner.types(see));
     }
 
     /// Reports every name that it reads, bodies included.
@@ -267,8 +232,8 @@ impl Statement {
                 see(name)
             }
             Self::Gather { indices, .. }
-            | Self::NewEach { indices, .. }
-            | Self::IndexLoop { indices, .. } => indices.names(see),
+            | Self::New { indices: Some(indices), .. }
+            | Self::IndexLoop { indices, .. } => see(&indices.size),
             _ => {}
         }
         self.bodies().into_iter().flatten().for_each(|inner| inner.names(see));
@@ -277,7 +242,7 @@ impl Statement {
     /// Reports every attribute that it reads or sets, bodies included.
     pub fn attributes(&self, see: &mut dyn FnMut(&Attribute)) {
         self.terms(&mut |term| term.attributes(see));
-        if let Self::SetAttribute { attribute, .. } = self {
+        if let Self::Set { field: Field::Attribute(attribute), .. } = self {
             see(attribute);
         }
         self.bodies().into_iter().flatten().for_each(|inner| inner.attributes(see));
@@ -291,7 +256,6 @@ impl Statement {
             | Self::Refuse { when: term, .. }
             | Self::Push { item: term, .. }
             | Self::Erase { element: term, .. }
-            | Self::SetHole { face: term, .. }
             | Self::Return { value: Some(term) }
             | Self::Variable { value: term, .. }
             | Self::Choose { condition: term, .. }
@@ -300,14 +264,12 @@ impl Statement {
             | Self::JournalAttribute { element: term, .. } => see(term),
             Self::Walk { walk: HalfedgeWalk { from: one, until: other, .. }, .. }
             | Self::Set { of: one, value: other, .. }
-            | Self::SetPosition { vertex: one, value: other }
-            | Self::SetAttribute { element: one, value: other, .. }
             | Self::Move { vertex: one, value: other, .. }
             | Self::Defer { element: one, value: other, .. } => {
                 [one, other].into_iter().for_each(see)
             }
             Self::List { items: terms, .. } | Self::Journal(terms) => terms.iter().for_each(see),
-            Self::MustCall { call, .. } | Self::TryCall { call } | Self::Apply { call, .. } => {
+            Self::MustCall { call, .. } | Self::Apply { call, .. } => {
                 call.args.iter().for_each(see);
             }
             Self::For { element, filter, .. } => {
@@ -323,7 +285,6 @@ impl Statement {
             | Self::IndexLoop { .. }
             | Self::Preview { .. }
             | Self::New { .. }
-            | Self::NewEach { .. }
             | Self::Return { value: None }
             | Self::Break
             | Self::Continue

@@ -60,14 +60,8 @@ pub(super) enum Term {
     Real(f64),
     /// `h.next`, `v.halfedge`
     Follow(Pointer, Box<Term>),
-    /// `v.position`
-    Position(Box<Term>),
     /// `e.crease`
     Attribute(Attribute, Box<Term>),
-    /// True if a face is a hole.
-    Hole(Box<Term>),
-    Component(u8, Box<Term>),
-    Vector(Box<[Term; 3]>),
     Unary(Unary, Box<Term>),
     Binary(Binary, Box<Term>, Box<Term>),
     Call(Function, Vec<Term>),
@@ -92,25 +86,12 @@ pub(super) struct Fold {
     pub function: FoldFunction,
     pub ty: Type,
     pub variable: Parameter,
-    pub around: Around,
+    /// The name of the elements around another that it runs over.
+    pub around: &'static str,
     pub element: Term,
     pub filter: Option<Term>,
     pub body: Term,
     pub body_type: Type,
-}
-
-/// The elements that an aggregate runs over, around one element.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Around {
-    VertexHalfedges,
-    VertexEdges,
-    VertexFaces,
-    VertexNeighbors,
-    FaceHalfedges,
-    FaceVertices,
-    FaceEdges,
-    EdgeVertices,
-    EdgeFaces,
 }
 
 /// A function that is called.
@@ -120,32 +101,8 @@ pub(super) enum Function {
     Builtin(Builtin),
     /// An operation on values of this type.
     Of(Operation, Type),
-    /// True if, along a loop from the first halfedge, the second comes before the third.
-    InOrderAlongLoop,
-    /// The same around a vertex, counterclockwise.
-    InOrderAroundVertex,
-    /// True if no element occurs twice in a list.
-    AllDiffer,
-    /// True if all components of a vector are finite.
-    IsFinite,
-    /// True if no halfedge starts at a vertex.
-    IsIsolated,
-    /// The halfedges of a loop, starting at one.
-    LoopFrom,
-    /// The halfedges around a vertex, counterclockwise, starting at one.
-    SpokesFrom,
-    /// Every nth entry of a list: the list, the first index, the step.
-    Every,
-    /// A list rotated so that its first entry is at an index.
-    Rotated,
-    /// The number of elements of a list.
-    Length,
-    /// The number of elements of a list modulo an int.
-    Remainder,
-    /// True if the halfedges of a list follow each other along their loop, once around.
-    AllInOrderAlongLoop,
-    /// The same around a vertex, counterclockwise.
-    AllInOrderAroundVertex,
+    /// A function by its name among the spellings.
+    Named(&'static str),
     /// The answer of a preview to a question with this name, about elements.
     OfPreview(&'static str),
 }
@@ -207,8 +164,14 @@ impl Term {
         Self::Binary(Binary::Or, Box::new(self), Box::new(other))
     }
 
+    /// The condition that a face is a hole.
     pub fn hole(self) -> Self {
-        Self::Hole(Box::new(self))
+        Self::Call(Function::Builtin(Builtin::IsHole), vec![self])
+    }
+
+    /// A call of a function by its name among the spellings.
+    pub fn call(name: &'static str, args: Vec<Self>) -> Self {
+        Self::Call(Function::Named(name), args)
     }
 
     pub fn then(self, then: Self, otherwise: Self) -> Self {
@@ -226,12 +189,8 @@ impl Term {
             Self::Name(_) | Self::Bool(_) | Self::Int(_) | Self::Real(_) | Self::Member { .. } => {}
             Self::Some(_, of)
             | Self::Follow(_, of)
-            | Self::Position(of)
             | Self::Attribute(_, of)
-            | Self::Hole(of)
-            | Self::Component(_, of)
             | Self::Unary(_, of) => see(of),
-            Self::Vector(parts) => parts.iter().for_each(see),
             Self::Binary(_, left, right) => [left, right].into_iter().for_each(|part| see(part)),
             Self::Call(_, args) | Self::Invoke(_, args) => args.iter().for_each(see),
             Self::If(condition, then, otherwise) => {
@@ -241,14 +200,6 @@ impl Term {
                 [&fold.element].into_iter().chain(&fold.filter).chain([&fold.body]).for_each(see);
             }
         }
-    }
-
-    /// Reports every aggregate in it.
-    pub fn folds(&self, see: &mut dyn FnMut(&Fold)) {
-        if let Self::Fold(fold) = self {
-            see(fold);
-        }
-        self.parts(&mut |part| part.folds(see));
     }
 
     /// Reports every attribute in it.
@@ -270,16 +221,9 @@ impl Term {
                     see(size);
                 }
             }
-            Self::Some(indices, _) => indices.names(see),
+            Self::Some(indices, _) => see(&indices.size),
             _ => {}
         }
         self.parts(&mut |part| part.names(see));
-    }
-}
-
-impl IndexLoop {
-    /// Reports the names that it reads.
-    pub fn names(&self, see: &mut dyn FnMut(&str)) {
-        see(&self.size);
     }
 }

@@ -31,96 +31,54 @@ pub(super) enum Step {
     Clockwise,
 }
 
-/// The walk along a path, from its first halfedge up to the item after it in `before`.
-pub(super) fn along_path(
-    drawing: &Drawing,
-    names: &Names,
-    path: NameId,
-    halfedge: String,
-) -> Option<HalfedgeWalk> {
-    let next = drawing.before.item_after(path)?;
-    Some(HalfedgeWalk {
-        halfedge,
-        step: Step::Next,
-        from: names.term(path),
-        until: names.term(next),
-        around: next == path,
-    })
-}
-
-/// The walk along a path that sets its face.
+/// The walk along a path, from its first halfedge up to the item after it in `before`, that sets
+/// its face.
 pub(super) fn path_walk(drawing: &Drawing, names: &mut Names, path: NameId) -> Option<Statement> {
     let face = drawing.after.face(path)?;
-    let walk = |names: &Names, halfedge| along_path(drawing, names, path, halfedge);
-    setting(names, Pointer::Face, face, walk)
+    let next = drawing.before.item_after(path)?;
+    let ends = [path, next].map(|name| names.term(name));
+    Some(setting(names, (Pointer::Face, face), Step::Next, ends, next == path))
 }
 
-/// The walk over a fan that sets its vertex.
+/// The walk over the spokes of a fan, clockwise, from after the spoke that follows it up to the
+/// spoke that precedes it, that sets their vertex.
 pub(super) fn fan_walk(drawing: &Drawing, names: &mut Names, fan: NameId) -> Option<Statement> {
-    let vertex = drawing.after.star_of_spoke(fan)?;
-    let walk = |names: &Names, halfedge| along_fan(drawing, names, fan, halfedge);
-    setting(names, Pointer::Vertex, vertex, walk)
-}
-
-fn setting(
-    names: &mut Names,
-    pointer: Pointer,
-    value: NameId,
-    walk: impl Fn(&Names, String) -> Option<HalfedgeWalk>,
-) -> Option<Statement> {
-    let halfedge = names.fresh("h");
-    names.release(&halfedge);
-    let walk = walk(names, halfedge.clone())?;
-    let set = Statement::Set { pointer, of: Term::name(halfedge), value: names.term(value) };
-    Some(Statement::Walk { walk, body: vec![set] })
-}
-
-/// The walk over the spokes of a fan, clockwise: from after the spoke that follows it up to the
-/// spoke that precedes it.
-pub(super) fn along_fan(
-    drawing: &Drawing,
-    names: &Names,
-    fan: NameId,
-    halfedge: String,
-) -> Option<HalfedgeWalk> {
+    let after = drawing.after.star_of_spoke(fan)?;
     let vertex = drawing.before.star_of_spoke(fan)?;
     let spokes = &drawing.before.star(vertex)?.spokes;
-    let at =
-        spokes.iter().position(|spoke| matches!(spoke, Spoke::Fan(name) if name.name == fan))?;
-    Some(along_spokes(drawing, names, vertex, (spokes, at), halfedge))
-}
-
-/// The walk over the run of spokes at a place of a vertex statement.
-pub(super) fn along_spokes(
-    drawing: &Drawing,
-    names: &Names,
-    vertex: NameId,
-    (spokes, at): (&[Spoke], usize),
-    halfedge: String,
-) -> HalfedgeWalk {
-    let count = spokes.len();
-    let half = |spoke: &Spoke| match spoke {
+    let is_fan = |spoke: &Spoke| matches!(spoke, Spoke::Fan(name) if name.name == fan);
+    let at = spokes.iter().position(is_fan)?;
+    let half = |at: usize| match &spokes[at % spokes.len()] {
         Spoke::Halfedge(half) => Some(half.name),
         Spoke::Fan(_) | Spoke::Rest(_) => None,
     };
-    let (before, after) =
-        (half(&spokes[(at + count - 1) % count]), half(&spokes[(at + 1) % count]));
-    let step = Step::Clockwise;
-    match (before, after) {
-        (Some(before), Some(after)) => HalfedgeWalk {
-            halfedge,
-            step,
-            from: match drawing.before.twin(after) {
-                Some(twin) => names.term(twin).follow(Pointer::Next),
-                None => names.term(after).follow(Pointer::Twin).follow(Pointer::Next),
-            },
-            until: names.term(before),
-            around: false,
-        },
+    let (ends, around) = match (half(at + spokes.len() - 1), half(at + 1)) {
+        (Some(previous), Some(following)) => {
+            let twin = match drawing.before.twin(following) {
+                Some(twin) => names.term(twin),
+                None => names.term(following).follow(Pointer::Twin),
+            };
+            ([twin.follow(Pointer::Next), names.term(previous)], false)
+        }
         // The fan is the whole star.
         _ => {
             let first = names.term(vertex).follow(Pointer::VertexHalfedge);
-            HalfedgeWalk { halfedge, step, from: first.clone(), until: first, around: true }
+            ([first.clone(), first], true)
         }
-    }
+    };
+    Some(setting(names, (Pointer::Vertex, after), Step::Clockwise, ends, around))
+}
+
+/// A walk that sets a pointer of its halfedges.
+fn setting(
+    names: &mut Names,
+    (pointer, value): (Pointer, NameId),
+    step: Step,
+    [from, until]: [Term; 2],
+    around: bool,
+) -> Statement {
+    let halfedge = names.fresh("h");
+    names.taken.remove(&halfedge);
+    let body = vec![Statement::set(pointer, Term::name(&halfedge), names.term(value))];
+    Statement::Walk { walk: HalfedgeWalk { halfedge, step, from, until, around }, body }
 }

@@ -4,6 +4,7 @@ use std::fs;
 use std::path::PathBuf;
 
 use hedgerow::analysis::{Analysis, Nowhere};
+use hedgerow::diagram::{functions, overloads};
 use hedgerow::emit::{Selection, Style, cpp, rust};
 use hedgerow::source::Sources;
 
@@ -55,4 +56,16 @@ fn every_proved_operation_is_emitted() {
     }
     assert_eq!(refused, Vec::<String>::new());
     assert!(emitted > 100, "only {emitted} operations");
+}
+
+#[test]
+fn every_builtin_has_a_spelling() {
+    let table = include_str!("../../src/emit/print/spellings.txt");
+    let names: Vec<_> = table.lines().filter_map(|line| line.split_whitespace().next()).collect();
+    let ways = functions().flat_map(|(name, _)| overloads(name));
+    for builtin in ways.map(|way| way.builtin).filter(|builtin| !builtin.is_random()) {
+        let name = format!("{builtin:?}");
+        let of = format!("of.{name}");
+        assert!(names.contains(&name.as_str()) || names.contains(&of.as_str()), "{name}");
+    }
 }

@@ -9,11 +9,13 @@ fn everything_that_is_written_out_has_its_header() {
         include_str!("../../src/emit/cpp/values.txt"),
         include_str!("../../src/emit/cpp/preview.txt"),
         include_str!("../../src/emit/cpp/journal.txt"),
-        include_str!("../../src/emit/builtin.rs"),
-        include_str!("../../src/emit/cpp/spelling.rs"),
-        include_str!("../../src/emit/cpp/statement.rs"),
-        include_str!("../../src/emit/cpp/steps.rs"),
-        include_str!("../../src/emit/wide.rs"),
+        include_str!("../../src/emit/cpp/style.rs"),
+        include_str!("../../src/emit/print/aggregate.rs"),
+        include_str!("../../src/emit/print/calls.rs"),
+        include_str!("../../src/emit/print/item.rs"),
+        include_str!("../../src/emit/print/spellings.txt"),
+        include_str!("../../src/emit/print/statement.rs"),
+        include_str!("../../src/emit/print/term.rs"),
     ];
     let text = text.concat().replace("use std::collections", "");
     for name in names(&text) {

@@ -3,13 +3,9 @@
 mod function;
 pub mod headers;
 mod pattern;
-mod preview;
 mod signature;
-mod spelling;
-mod statement;
-mod steps;
 mod style;
-mod support;
+pub(in crate::emit) mod support;
 
 pub use function::cpp;
 pub use pattern::StyleError;

@@ -2,7 +2,7 @@
 //! next. Everything is a named [`pattern`](super::pattern).
 
 use super::pattern::{Form, PATTERNS, StyleError, free_words, is_word, not_a_name, understand};
-use crate::diagram::{Kind, Pointer};
+use crate::diagram::{Kind, Type};
 
 /// The names of the types of elements.
 pub(super) const ELEMENTS: [&str; 4] = ["Vertex", "Halfedge", "Edge", "Face"];
@@ -168,30 +168,44 @@ impl Style {
     /// The lines before everything else that include the mesh class: the first of the files that
     /// exists.
     pub(in crate::emit) fn include(&self) -> String {
-        let once = if self.is_inline() { "#pragma once\n" } else { "" };
-        once.to_owned() + &self.include_mesh()
-    }
-
-    fn include_mesh(&self) -> String {
+        let mut text = if self.is_inline() { "#pragma once\n" } else { "" }.to_string();
         let files: Vec<_> = self.name("include").split_whitespace().collect();
-        let Some((last, others)) = files.split_last() else {
-            return String::new();
-        };
-        let mut text = String::new();
-        for (at, file) in others.iter().enumerate() {
-            let word = if at == 0 { "if" } else { "elif" };
-            text.push_str(&format!("#{word} __has_include(\"{file}\")\n#include \"{file}\"\n"));
+        for (at, file) in files.iter().enumerate() {
+            text += &match at {
+                _ if files.len() == 1 => String::new(),
+                0 => format!("#if __has_include(\"{file}\")\n"),
+                _ if at + 1 == files.len() => "#else\n".into(),
+                _ => format!("#elif __has_include(\"{file}\")\n"),
+            };
+            text += &format!("#include \"{file}\"\n");
         }
-        match others.is_empty() {
-            true => format!("#include \"{last}\"\n"),
-            false => format!("{text}#else\n#include \"{last}\"\n#endif\n"),
-        }
+        if files.len() > 1 { text + "#endif\n" } else { text }
     }
 
     /// A pattern or a name, as the mesh class spells it.
     pub(in crate::emit) fn name(&self, name: &str) -> &str {
         let at = PATTERNS.iter().position(|(known, ..)| *known == name);
         at.map_or("", |at| &self.patterns[at])
+    }
+
+    /// A type; `is_outside` where the names of the mesh class are not in scope.
+    pub(in crate::emit) fn ty(&self, ty: Type, is_outside: bool) -> String {
+        match ty {
+            Type::Bool => "bool".into(),
+            Type::Int => "long long".into(),
+            Type::Real => self.name("real").into(),
+            Type::Vec3 => self.name("Vector").into(),
+            Type::Vec2 => self.value("Vector2"),
+            Type::Vec4 => self.value("Vector4"),
+            Type::Mat3 => self.value("Matrix3"),
+            Type::Mat4 => self.value("Matrix4"),
+            // Nothing of this type is built.
+            Type::Text => "auto".into(),
+            Type::Vertex | Type::Halfedge | Type::Edge | Type::Face => match is_outside {
+                true => self.qualified(&format!("{ty:?}")),
+                false => self.name(&format!("{ty:?}")).into(),
+            },
+        }
     }
 
     /// A type of values; where the mesh class has none, an array, for matrices column by column.
@@ -224,28 +238,24 @@ impl Style {
         !self.name("prev").is_empty()
     }
 
-    /// `of.pointer`; `None` for a pointer that is not a field.
-    pub(in crate::emit) fn read(&self, of: &str, pointer: Pointer) -> Option<String> {
-        let pointer = self.name(pointer.word());
-        (!pointer.is_empty()).then(|| fill(self.name("read"), of, pointer, ""))
-    }
-
     /// `of.pointer` for a pointer by its usual name, and also for `position` and `boundary`; of a
     /// mesh, `new_vertex` and the like.
     pub(in crate::emit) fn chained(&self, of: &str, pointer: &str) -> String {
-        match (pointer, pointer.strip_prefix("new_")) {
-            ("boundary" | "position", _) => fill(self.name(pointer), of, "", ""),
-            (_, Some(kind)) => format!("{of}.{}", self.allocation(kind)),
+        match pointer {
+            "boundary" | "position" => fill(self.name(pointer), of, "", ""),
+            _ if pointer.starts_with("new_") => format!("{of}.{}", self.name(pointer)),
             _ => fill(self.name("read"), of, self.name(pointer), ""),
         }
     }
 
     /// `of.pointer = value` for the same; of a mesh, the call that erases the value.
     pub(in crate::emit) fn put(&self, of: &str, pointer: &str, value: &str) -> String {
-        match (pointer, pointer.strip_prefix("erase_")) {
-            ("boundary", _) => fill(self.name("set_boundary"), of, "", value),
-            ("position", _) => format!("{} = {value}", self.chained(of, pointer)),
-            (_, Some(kind)) => format!("{of}.{}", self.erasure(kind, value)),
+        match pointer {
+            "boundary" => fill(self.name("set_boundary"), of, "", value),
+            "position" => format!("{} = {value}", self.chained(of, pointer)),
+            _ if pointer.starts_with("erase_") => {
+                format!("{of}.{}", fill(self.name(pointer), value, "", ""))
+            }
             _ => fill(self.name("write"), of, self.name(pointer), value),
         }
     }
@@ -263,12 +273,6 @@ impl Style {
         ELEMENTS.contains(&ty) && self.name("nested") == "yes"
     }
 
-    /// `of.pointer = value`
-    pub(in crate::emit) fn write(&self, of: &str, pointer: Pointer, value: &str) -> Option<String> {
-        let pointer = self.name(pointer.word());
-        (!pointer.is_empty()).then(|| fill(self.name("write"), of, pointer, value))
-    }
-
     /// An attribute of the program, to be read or set.
     pub(in crate::emit) fn attribute(&self, of: &str, name: &str) -> String {
         fill(self.name("attribute"), of, name, "")
@@ -276,28 +280,18 @@ impl Style {
 
     /// A call that allocates.
     pub(in crate::emit) fn allocate(&self, kind: Kind) -> String {
-        self.call(self.allocation(kind.word()))
+        match self.is_member() {
+            true => self.name(&format!("new_{}", kind.word())).into(),
+            false => self.chained("mesh", &format!("new_{}", kind.word())),
+        }
     }
 
     /// A call that erases.
     pub(in crate::emit) fn erase(&self, kind: Kind, of: &str) -> String {
-        self.call(self.erasure(kind.word(), of))
-    }
-
-    /// The call that allocates an element of a kind, without the mesh.
-    pub(in crate::emit) fn allocation(&self, kind: &str) -> String {
-        self.name(&format!("new_{kind}")).to_string()
-    }
-
-    /// The call that erases an element of a kind, without the mesh.
-    pub(in crate::emit) fn erasure(&self, kind: &str, of: &str) -> String {
-        fill(self.name(&format!("erase_{kind}")), of, "", "")
-    }
-
-    fn call(&self, call: String) -> String {
+        let name = format!("erase_{}", kind.word());
         match self.is_member() {
-            true => call,
-            false => format!("mesh.{call}"),
+            true => fill(self.name(&name), of, "", ""),
+            false => self.put("mesh", &name, of),
         }
     }
 }

@@ -4,17 +4,17 @@
 //! likewise, and `[h.next := n]` for a write; `$Vertex` and the like are types. A line that begins
 //! with `?prev` is emitted if halfedges store `prev`.
 
-use super::super::support::{CPP, calls};
 use super::style::Style;
+use crate::emit::print::support::{CPP, calls};
 
 /// True if the text of a function follows pointers.
-pub(super) fn looks_at_mesh(text: &str) -> bool {
+pub(in crate::emit) fn looks_at_mesh(text: &str) -> bool {
     let mut opened = text.split('[').skip(1);
     opened.any(|rest| rest.split(']').next().is_some_and(|inside| inside.contains('.')))
 }
 
 /// The text of a function with its pointers and types spelled.
-pub(super) fn spelled(name: &str, text: &str, style: &Style) -> String {
+pub(in crate::emit) fn spelled(name: &str, text: &str, style: &Style) -> String {
     let lines = text.trim_end().split_inclusive('\n');
     let lines = lines.filter_map(|line| match line.strip_prefix("?prev") {
         Some(line) => style.has_prev().then_some(line),
@@ -25,7 +25,7 @@ pub(super) fn spelled(name: &str, text: &str, style: &Style) -> String {
 }
 
 /// A text with its pointers and types spelled.
-pub(super) fn with_pointers(text: &str, style: &Style) -> String {
+pub(in crate::emit) fn with_pointers(text: &str, style: &Style) -> String {
     let mut out = String::new();
     let mut rest = text;
     while let Some(at) = rest.find(['[', '$']) {
@@ -71,7 +71,7 @@ pub(super) fn with_pointers(text: &str, style: &Style) -> String {
 
 /// Qualifies calls of the other functions with their namespace, to prevent argument-dependent
 /// lookup.
-pub(super) fn qualified(name: &str, text: &str) -> String {
+pub(in crate::emit) fn qualified(name: &str, text: &str) -> String {
     let mut text = text.to_string();
     for other in CPP.names().filter(|other| *other != name) {
         for at in calls(&text, other).into_iter().rev() {

@@ -1,8 +1,6 @@
 //! Routines as Rust.
 
 mod function;
-mod spelling;
-mod statement;
-mod steps;
 
 pub use function::rust;
+pub(super) use function::ty;

@@ -6,24 +6,13 @@ use super::super::NotEmitted;
 use super::super::conventions::Conventions;
 use super::super::expression::{Expressions, around, is_spelled, is_surely_finite};
 use super::super::names::Names;
-use super::super::routine::{self, Form, Held, Target};
+use super::super::routine::{Field, Form, Held, Statement, Target};
 use super::super::term::{Parameter, Term};
 use super::comments::comments;
 use crate::diagram::{Access, Collection, Expr, ExprKind, Type};
 use crate::lower::{AllEffects, Variables};
-use crate::resolve::{Block, Body, Program, Statement, StatementKind, Visit};
+use crate::resolve::{Block, Body, Program, Statement as Step, StatementKind, Visit};
 use crate::source::{Sources, Span};
-
-/// The kind of body that the statements are in.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum BodyKind {
-    /// An operation.
-    Steps,
-    /// A function that has a value.
-    Value,
-    /// A function that has no value.
-    Nothing,
-}
 
 /// The facts about the program.
 #[derive(Clone, Copy)]
@@ -43,7 +32,8 @@ pub(super) struct Writer<'s> {
     pub(super) context: Context<'s>,
     body: &'s Body,
     pub(super) names: &'s mut Names,
-    kind: BodyKind,
+    /// True if it is that of a function, not of an operation.
+    is_function: bool,
     /// The variables that are bound so far.
     bound: BTreeSet<u32>,
     pub(super) variables: Variables,
@@ -61,14 +51,14 @@ impl<'s> Writer<'s> {
         context: Context<'s>,
         body: &'s Body,
         params: usize,
-        kind: BodyKind,
+        is_function: bool,
         names: &'s mut Names,
     ) -> Self {
         Self {
             context,
             body,
             names,
-            kind,
+            is_function,
             bound: (0..params as u32).collect(),
             variables: Variables::of(&body.block),
             held: Vec::new(),
@@ -78,60 +68,46 @@ impl<'s> Writer<'s> {
     }
 
     /// Writes all statements.
-    pub fn write(&mut self) -> Result<Vec<routine::Statement>, NotEmitted> {
+    pub fn write(&mut self) -> Result<Vec<Statement>, NotEmitted> {
         let body = self.body;
         if let Some(variable) = body.variables.iter().find(|of| !is_spelled(of.ty)) {
             let what = format!("a variable of type `{}`", variable.ty.word());
             return Err(NotEmitted::new(what, variable.span));
         }
         let mut written = self.block(&body.block)?;
-        let leaves =
-            matches!(body.block.last(), Some(Statement { kind: StatementKind::Return(_), .. }));
-        let gives = match self.kind {
-            BodyKind::Steps => self.gives_back(),
-            BodyKind::Value => true,
-            BodyKind::Nothing => false,
-        };
-        if !leaves && !gives {
-            written.push(routine::Statement::Return { value: None });
+        let leaves = matches!(body.block.last(), Some(Step { kind: StatementKind::Return(_), .. }));
+        if !leaves && !self.gives_back() {
+            written.push(Statement::Return { value: None });
         }
         Ok(written)
-    }
-
-    /// The term of a value that is computed before any step.
-    pub fn asked(&mut self, value: &Expr) -> Result<Term, NotEmitted> {
-        self.term(value)
     }
 
     /// True if a `return` gives a value.
     fn gives_back(&self) -> bool {
         let mut gives = false;
-        let mut look = |statement: &Statement| {
+        let mut look = |statement: &Step| {
             gives |= matches!(statement.kind, StatementKind::Return(Some(_)));
         };
         self.body.block.iter().for_each(|statement| statement.each(&mut look));
         gives
     }
 
-    pub(super) fn block(
-        &mut self,
-        block: &'s Block,
-    ) -> Result<Vec<routine::Statement>, NotEmitted> {
-        let outer = self.names.mark();
+    pub(super) fn block(&mut self, block: &'s Block) -> Result<Vec<Statement>, NotEmitted> {
+        let outer = self.names.taken.clone();
         let mut written = Vec::new();
         for statement in block {
             let lines = comments(self.context.sources, statement.span);
-            written.extend(lines.into_iter().map(routine::Statement::Comment));
+            written.extend(lines.into_iter().map(Statement::Comment));
             self.statement(statement, &mut written)?;
         }
-        self.names.back_to(outer);
+        self.names.taken = outer;
         Ok(written)
     }
 
     pub(super) fn statement(
         &mut self,
-        statement: &'s Statement,
-        out: &mut Vec<routine::Statement>,
+        statement: &'s Step,
+        out: &mut Vec<Statement>,
     ) -> Result<(), NotEmitted> {
         let span = statement.span;
         let action = match &statement.kind {
@@ -141,35 +117,34 @@ impl<'s> Writer<'s> {
             }
             StatementKind::Repeat { count, body } => {
                 let count = self.term(count)?;
-                let outer = self.names.mark();
+                let outer = self.names.taken.clone();
                 let index = self.names.fresh("i");
                 let body = self.block(body)?;
-                self.names.back_to(outer);
-                routine::Statement::Repeat { index, count, body }
+                self.names.taken = outer;
+                Statement::Repeat { index, count, body }
             }
-            StatementKind::While { condition, body } => routine::Statement::While {
-                condition: self.term(condition)?,
-                body: self.block(body)?,
-            },
+            StatementKind::While { condition, body } => {
+                Statement::While { condition: self.term(condition)?, body: self.block(body)? }
+            }
             StatementKind::For { variable, collection, filter, body, visit, parallel: false }
                 if *visit != Visit::Shuffled =>
             {
-                let outer = self.names.mark();
+                let outer = self.names.taken.clone();
                 if *visit == Visit::Update {
                     self.held = self.written_in(body);
                 }
                 let action = self.visit((*variable, collection), filter.as_ref(), body, span)?;
                 let held = std::mem::take(&mut self.held).into_iter().map(|(_, held)| held);
-                self.names.back_to(outer);
+                self.names.taken = outer;
                 match visit {
                     Visit::Update => {
-                        routine::Statement::Update { visit: Box::new(action), held: held.collect() }
+                        Statement::Update { visit: Box::new(action), held: held.collect() }
                     }
                     _ => action,
                 }
             }
             StatementKind::If { condition, then, otherwise }
-                if self.kind == BodyKind::Value
+                if self.is_function
                     && let (Some(then), Some(other)) =
                         (self.value(then), self.value(otherwise)) =>
             {
@@ -181,7 +156,7 @@ impl<'s> Writer<'s> {
                 let chosen = Expr { ty: then.ty, span, kind };
                 return self.leave(Some(&chosen), out);
             }
-            StatementKind::If { condition, then, otherwise } => routine::Statement::Choose {
+            StatementKind::If { condition, then, otherwise } => Statement::Choose {
                 condition: self.term(condition)?,
                 then: self.block(then)?,
                 otherwise: self.block(otherwise)?,
@@ -191,14 +166,14 @@ impl<'s> Writer<'s> {
                 return self.apply(call, *variable, [then, otherwise], out);
             }
             StatementKind::Require { condition, reason } => {
-                out.push(routine::Statement::Refuse {
+                out.push(Statement::Refuse {
                     when: self.term(condition)?.not(),
                     reason: reason.clone(),
                 });
                 return Ok(());
             }
-            StatementKind::Break => routine::Statement::Break,
-            StatementKind::Continue => routine::Statement::Continue,
+            StatementKind::Break => Statement::Break,
+            StatementKind::Continue => Statement::Continue,
             StatementKind::Return(value) => return self.leave(value.as_ref(), out),
             StatementKind::Call { function, args, .. }
                 if (*function as usize) < self.context.program.functions.len() =>
@@ -209,7 +184,7 @@ impl<'s> Writer<'s> {
                     return Ok(());
                 }
                 let call = self.function(*function, args, out)?;
-                routine::Statement::MustCall { call, place: None }
+                Statement::MustCall { call, place: None }
             }
             kind => return Err(NotEmitted::new(not_emitted(kind), span)),
         };
@@ -220,7 +195,7 @@ impl<'s> Writer<'s> {
     /// The value of a block that only computes one.
     fn value<'b>(&self, block: &'b Block) -> Option<&'b Expr> {
         match block.as_slice() {
-            [Statement { kind: StatementKind::Return(Some(value)), .. }] => {
+            [Step { kind: StatementKind::Return(Some(value)), .. }] => {
                 self.changing_call(value).is_none().then_some(value)
             }
             _ => None,
@@ -228,11 +203,7 @@ impl<'s> Writer<'s> {
     }
 
     /// The term of a value, after binding the parts of it that have the same value each time.
-    fn computed(
-        &mut self,
-        value: &Expr,
-        out: &mut Vec<routine::Statement>,
-    ) -> Result<Term, NotEmitted> {
+    fn computed(&mut self, value: &Expr, out: &mut Vec<Statement>) -> Result<Term, NotEmitted> {
         let value = Expressions { names: self.names }.once(value, false, None, out)?;
         self.term(&value)
     }
@@ -273,18 +244,18 @@ impl<'s> Writer<'s> {
         &mut self,
         variable: u32,
         value: &Expr,
-        out: &mut Vec<routine::Statement>,
+        out: &mut Vec<Statement>,
     ) -> Result<(), NotEmitted> {
         if let Some((function, args)) = self.changing_call(value) {
             let call = self.function(function, args, out)?;
             let place = self.place(variable);
-            out.push(routine::Statement::MustCall { call, place });
+            out.push(Statement::MustCall { call, place });
             return Ok(());
         }
         // Computed first, since the value cannot refer to a new variable.
         let value = self.computed(value, out)?;
         let place = self.place(variable);
-        out.extend(place.map(|place| routine::Statement::Variable { place, value }));
+        out.extend(place.map(|place| Statement::Variable { place, value }));
         Ok(())
     }
 
@@ -292,7 +263,7 @@ impl<'s> Writer<'s> {
     /// deferred writes.
     fn written_in(&mut self, body: &Block) -> Vec<(Access, Held)> {
         let mut held: Vec<(Access, Held)> = Vec::new();
-        let mut note = |statement: &Statement| {
+        let mut note = |statement: &Step| {
             let StatementKind::Write { target, attribute: access, value } = &statement.kind else {
                 return;
             };
@@ -321,7 +292,7 @@ impl<'s> Writer<'s> {
         target: &Expr,
         attribute: Access,
         value: &Expr,
-        out: &mut Vec<routine::Statement>,
+        out: &mut Vec<Statement>,
     ) -> Result<(), NotEmitted> {
         let is_finite = is_surely_finite(value, f64::INFINITY);
         let (ty, span) = (value.ty, value.span);
@@ -329,28 +300,27 @@ impl<'s> Writer<'s> {
         let value = self.term(value)?;
         if let Some((_, held)) = self.held.iter().find(|(of, _)| *of == attribute) {
             let list = held.list.clone();
-            out.push(routine::Statement::Defer { list, element, value });
+            out.push(Statement::Defer { list, element, value });
             return Ok(());
         }
         match attribute {
-            Access::Position => {
-                out.push(routine::Statement::Move { vertex: element, value, is_finite })
-            }
+            Access::Position => out.push(Statement::Move { vertex: element, value, is_finite }),
             Access::Declared(number) => {
                 let attribute = self.names.attribute(number);
                 let attribute = attribute.ok_or_else(|| NotEmitted::new("an attribute", span))?;
-                let outer = self.names.mark();
+                let outer = self.names.taken.clone();
                 let element = self.settled(element, target_ty, target_ty.word(), out);
                 let name = attribute.name.clone();
                 let value = self.settled(value, ty, &name, out);
-                self.names.back_to(outer);
+                self.names.taken = outer;
                 if !self.context.conventions.undoes {
-                    out.push(routine::Statement::JournalAttribute {
+                    out.push(Statement::JournalAttribute {
                         attribute: attribute.clone(),
                         element: element.clone(),
                     });
                 }
-                out.push(routine::Statement::SetAttribute { attribute, element, value });
+                let field = Field::Attribute(attribute);
+                out.push(Statement::Set { field, of: element, value });
             }
         }
         Ok(())
@@ -362,14 +332,14 @@ impl<'s> Writer<'s> {
         filter: Option<&'s Expr>,
         body: &'s Block,
         span: Span,
-    ) -> Result<routine::Statement, NotEmitted> {
+    ) -> Result<Statement, NotEmitted> {
         let (around, element) = around(collection).ok_or_else(|| {
             NotEmitted::new(super::super::expression::collection_words(collection), span)
         })?;
         let element = self.term(element)?;
-        let outer = self.names.mark();
+        let outer = self.names.taken.clone();
         let may_go = self.context.effects.erases(body, collection.element());
-        let action = routine::Statement::For {
+        let action = Statement::For {
             variable: self.bind(variable),
             around,
             element,
@@ -377,15 +347,11 @@ impl<'s> Writer<'s> {
             filter: filter.map(|filter| self.term(filter)).transpose()?,
             body: self.block(body)?,
         };
-        self.names.back_to(outer);
+        self.names.taken = outer;
         Ok(action)
     }
 
-    fn leave(
-        &mut self,
-        value: Option<&Expr>,
-        out: &mut Vec<routine::Statement>,
-    ) -> Result<(), NotEmitted> {
+    fn leave(&mut self, value: Option<&Expr>, out: &mut Vec<Statement>) -> Result<(), NotEmitted> {
         let value = match value {
             None => None,
             Some(value) => Some(match self.changing_call(value) {
@@ -395,12 +361,12 @@ impl<'s> Writer<'s> {
                     let name = self.names.fresh("result");
                     let given = Term::name(&name);
                     let place = Some(Target { name, ty: value.ty, form: Form::Fixed });
-                    out.push(routine::Statement::MustCall { call, place });
+                    out.push(Statement::MustCall { call, place });
                     given
                 }
             }),
         };
-        out.push(routine::Statement::Return { value });
+        out.push(Statement::Return { value });
         Ok(())
     }
 }

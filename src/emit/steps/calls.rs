@@ -1,11 +1,11 @@
 //! Calls in steps: of operations, and of functions that change the mesh.
 
 use super::super::NotEmitted;
-use super::super::routine::{self, Call, Called};
-use super::super::term::Term;
+use super::super::routine::{Call, Called, Statement};
+use super::super::term::{Function, Term};
 use super::body::Writer;
 use crate::diagram::{Expr, ExprKind, Param, Type};
-use crate::resolve::{Block, Statement, StatementKind};
+use crate::resolve::{Block, Statement as Step, StatementKind};
 
 impl<'s> Writer<'s> {
     /// The call of a function that changes the mesh or may refuse, if the value is one.
@@ -26,14 +26,14 @@ impl<'s> Writer<'s> {
         value: Term,
         ty: Type,
         wanted: &str,
-        out: &mut Vec<routine::Statement>,
+        out: &mut Vec<Statement>,
     ) -> Term {
         if !self.context.conventions.undoes || is_plain(&value) {
             return value;
         }
         let name = self.names.fresh(wanted);
         let bound = Term::name(&name);
-        out.push(routine::Statement::Bind { ty, name, value, is_list: false });
+        out.push(Statement::Bind { ty, name, value, is_list: false });
         bound
     }
 
@@ -41,15 +41,15 @@ impl<'s> Writer<'s> {
         &mut self,
         args: &[Expr],
         params: &[Param],
-        out: &mut Vec<routine::Statement>,
+        out: &mut Vec<Statement>,
     ) -> Result<Vec<Term>, NotEmitted> {
-        let outer = self.names.mark();
+        let outer = self.names.taken.clone();
         let mut terms = Vec::new();
         for (arg, param) in args.iter().zip(params) {
             let term = self.term(arg)?;
             terms.push(self.settled(term, arg.ty, &param.name, out));
         }
-        self.names.back_to(outer);
+        self.names.taken = outer;
         Ok(terms)
     }
 
@@ -57,7 +57,7 @@ impl<'s> Writer<'s> {
         &mut self,
         op: usize,
         args: &[Expr],
-        out: &mut Vec<routine::Statement>,
+        out: &mut Vec<Statement>,
     ) -> Result<Call, NotEmitted> {
         self.ops.insert(op);
         let called = &self.context.program.ops[op];
@@ -72,23 +72,22 @@ impl<'s> Writer<'s> {
         call: Call,
         variable: Option<u32>,
         [then, otherwise]: [&'s Block; 2],
-        out: &mut Vec<routine::Statement>,
+        out: &mut Vec<Statement>,
     ) -> Result<(), NotEmitted> {
         match (then.as_slice(), otherwise.as_slice()) {
-            ([], []) => out.push(routine::Statement::TryCall { call }),
-            (_, [Statement { kind: StatementKind::Refused { .. }, .. }]) => {
+            (_, [Step { kind: StatementKind::Refused { .. }, .. }]) => {
                 let place = variable.and_then(|variable| self.place(variable));
-                out.push(routine::Statement::MustCall { call, place });
+                out.push(Statement::MustCall { call, place });
                 then.iter().try_for_each(|statement| self.statement(statement, out))?;
             }
             _ => {
-                let outer = self.names.mark();
+                let outer = self.names.taken.clone();
                 let read = variable.filter(|&variable| self.variables.reads(variable));
                 let place = read.map(|variable| self.bind(variable));
                 let then = self.block(then)?;
-                self.names.back_to(outer);
+                self.names.taken = outer;
                 let otherwise = self.block(otherwise)?;
-                out.push(routine::Statement::Apply { call, place, then, otherwise });
+                out.push(Statement::Apply { call, place, then, otherwise });
             }
         }
         Ok(())
@@ -98,7 +97,7 @@ impl<'s> Writer<'s> {
         &mut self,
         function: u32,
         args: &[Expr],
-        out: &mut Vec<routine::Statement>,
+        out: &mut Vec<Statement>,
     ) -> Result<Call, NotEmitted> {
         self.functions.insert(function);
         let called = &self.context.program.functions[function as usize];
@@ -113,9 +112,9 @@ impl<'s> Writer<'s> {
 fn is_plain(term: &Term) -> bool {
     match term {
         Term::Name(_) | Term::Bool(_) | Term::Int(_) | Term::Real(_) => true,
-        Term::Component(_, of) | Term::Unary(_, of) => is_plain(of),
+        Term::Unary(_, of) => is_plain(of),
         Term::Binary(_, left, right) => is_plain(left) && is_plain(right),
-        Term::Vector(parts) => parts.iter().all(is_plain),
+        Term::Call(Function::Of(..), args) => args.iter().all(is_plain),
         _ => false,
     }
 }

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::super::NotEmitted;
-use super::super::build::{self, columns};
+use super::super::build;
 use super::super::conventions::Conventions;
 use super::super::expression::{is_spelled, parameters};
 use super::super::item::{Item, ItemBody, Signature};
@@ -11,11 +11,11 @@ use super::super::names::{Names, free, invoked};
 use super::super::routine::{Statement, without_unread};
 use super::super::selection::Selection;
 use super::super::term::Parameter;
-use super::body::{BodyKind, Context, Writer};
+use super::body::{Context, Writer};
 use super::journal::journaled;
-use crate::diagram::Param;
+use crate::diagram::{Param, Require};
 use crate::lower::AllEffects;
-use crate::resolve::Body;
+use crate::resolve::{Body, Steps};
 use crate::source::Span;
 
 /// Everything that is emitted.
@@ -148,8 +148,8 @@ impl Builder<'_> {
     }
 
     fn op(&self, op: usize) -> Result<(Item, Vec<Need>), NotEmitted> {
-        if self.selection.steps(op).is_some() {
-            return self.steps(op);
+        if let Some(steps) = self.selection.steps(op) {
+            return self.steps(op, steps);
         }
         let Some(proved) = self.selection.drawn(op) else {
             let span = self.span(Need::Op(op));
@@ -194,36 +194,40 @@ impl Builder<'_> {
         )
     }
 
-    fn steps(&self, op: usize) -> Result<(Item, Vec<Need>), NotEmitted> {
-        let resolved = &self.selection.program.ops[op];
-        let Some(steps) = &resolved.steps else {
-            return Err(NotEmitted::new("an operation", resolved.span));
-        };
-        if let Some(param) = resolved.params.iter().find(|param| !is_spelled(param.ty)) {
-            let what = format!("a parameter of type `{}`", param.ty.word());
-            return Err(NotEmitted::new(what, param.span));
-        }
-        let mut names = self.names(&steps.body, &resolved.params);
-        let params = parameters(&resolved.params, &mut names)?;
-        let mut writer =
-            Writer::new(self.context(), &steps.body, params.len(), BodyKind::Steps, &mut names);
-        let mut requires = Vec::new();
-        for require in &steps.requires {
-            requires.push(Statement::Refuse {
-                when: writer.asked(&require.condition)?.not(),
-                reason: require.reason.clone(),
-            });
+    /// The parameters and statements of a body, and what it calls. The statements begin with the
+    /// columns of attributes, and with the tests before anything is done.
+    fn body(
+        &self,
+        (body, params, requires): (&Body, &[Param], Option<&[Require]>),
+    ) -> Result<Written, NotEmitted> {
+        let mut names = self.names(body, params);
+        let params = parameters(params, &mut names)?;
+        let is_function = requires.is_none();
+        let mut writer = Writer::new(self.context(), body, params.len(), is_function, &mut names);
+        let mut first = Vec::new();
+        for require in requires.unwrap_or_default() {
+            let when = writer.term(&require.condition)?.not();
+            first.push(Statement::Refuse { when, reason: require.reason.clone() });
         }
         let body = writer.write()?;
-        let needs = needs(writer.ops, writer.functions, names.take_calls());
+        let (ops, functions) = (writer.ops, writer.functions.into_iter());
+        let functions = functions.chain(names.take_calls());
+        let functions: Vec<_> = functions.collect();
         if self.conventions.columns {
-            let seen = needs.iter().filter_map(|need| match need {
-                Need::Function(number) => self.effects.function(*number),
-                Need::Op(_) => None,
-            });
-            let seen = seen.flat_map(|effects| effects.attributes.iter().copied());
-            requires.splice(0..0, columns(&names, seen.collect()));
+            let seen = functions.iter().filter_map(|number| self.effects.function(*number));
+            // The caller of a function has looked for all of them.
+            let seen = seen.filter(|_| !is_function).flat_map(|effects| &effects.attributes);
+            first.splice(0..0, names.columns(&seen.copied().collect()));
         }
+        let needs = functions.into_iter().map(Need::Function);
+        let needs = needs.chain(ops.into_iter().map(Need::Op)).collect();
+        Ok(Written { params, first, body, needs })
+    }
+
+    fn steps(&self, op: usize, steps: &Steps) -> Result<(Item, Vec<Need>), NotEmitted> {
+        let resolved = &self.selection.program.ops[op];
+        let Written { params, first, body, needs } =
+            self.body((&steps.body, &resolved.params, Some(&steps.requires)))?;
         let erases = |param: &Parameter| self.effects.ops[op].erases.contains(param.ty.word());
         let outlives = |param: &&Parameter| param.ty.is_element() && !erases(param);
         let signature = Signature {
@@ -235,34 +239,21 @@ impl Builder<'_> {
             result: resolved.result,
         };
         let (level, steps) = (steps.level, without_unread(body, Statement::bound));
-        Ok((Item { signature, body: ItemBody::Steps { requires, level, steps } }, needs))
+        Ok((Item { signature, body: ItemBody::Steps { requires: first, level, steps } }, needs))
     }
 
     fn function(&self, number: u32) -> Result<(Item, Vec<Need>), NotEmitted> {
         let function = &self.selection.program.functions[number as usize];
         let effects = &self.effects.functions[number as usize];
-        let mut types = function.params.iter().map(|param| param.ty);
-        let wide = types.find(|ty| !is_spelled(*ty));
-        let wide = wide.or(function.result.filter(|ty| !is_spelled(*ty)));
-        if let Some(ty) = wide {
+        let mut types = function.params.iter().map(|param| param.ty).chain(function.result);
+        if let Some(ty) = types.find(|ty| !is_spelled(*ty)) {
             let what = format!("a function that takes or gives a `{}`", ty.word());
             return Err(NotEmitted::new(what, function.span));
         }
         let Some(body) = &function.body else {
             return Err(NotEmitted::new("this function", function.span));
         };
-        let mut names = self.names(body, &function.params);
-        let params = parameters(&function.params, &mut names)?;
-        let kind = match function.result {
-            Some(_) => BodyKind::Value,
-            None => BodyKind::Nothing,
-        };
-        let mut writer = Writer::new(self.context(), body, params.len(), kind, &mut names);
-        let mut written = writer.write()?;
-        let needs = needs(writer.ops, writer.functions, names.take_calls());
-        if self.conventions.columns {
-            written.splice(0..0, columns(&names, BTreeSet::new()));
-        }
+        let Written { params, first, body, needs } = self.body((body, &function.params, None))?;
         let signature = Signature {
             name: self.function_names[number as usize].clone(),
             declared: function.name.clone(),
@@ -272,9 +263,17 @@ impl Builder<'_> {
             given: None,
         };
         let (changes, refuses) = (effects.changes, effects.refuses);
-        let body = ItemBody::Function { changes, refuses, body: written };
-        Ok((Item { signature, body }, needs))
+        let body = [first, body].concat();
+        Ok((Item { signature, body: ItemBody::Function { changes, refuses, body } }, needs))
     }
+}
+
+/// What is written for a body.
+struct Written {
+    params: Vec<Parameter>,
+    first: Vec<Statement>,
+    body: Vec<Statement>,
+    needs: Vec<Need>,
 }
 
 /// The doc comment of an operation in steps, with a sentence that applies to all of them.
@@ -285,9 +284,4 @@ fn all_or_nothing(docs: &[String]) -> Vec<String> {
     }
     docs.push("All or nothing: if a step refuses, what was done is undone.".into());
     docs
-}
-
-fn needs(ops: BTreeSet<usize>, functions: BTreeSet<u32>, values: BTreeSet<u32>) -> Vec<Need> {
-    let functions = functions.into_iter().chain(values).map(Need::Function);
-    functions.chain(ops.into_iter().map(Need::Op)).collect()
 }

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::super::item::{Item, ItemBody};
-use super::super::routine::Statement;
+use super::super::routine::{Field, Statement};
 use super::super::term::Term;
 
 /// A drawn operation that notes all elements that it writes to, except for new ones.
@@ -22,9 +22,7 @@ pub(super) fn journaled(mut item: Item) -> Item {
 fn created(body: &[Statement], new: &mut BTreeSet<String>) {
     for statement in body {
         match statement {
-            Statement::New { name, .. } | Statement::NewEach { name, .. } => {
-                new.insert(name.clone());
-            }
+            Statement::New { name, .. } => _ = new.insert(name.clone()),
             Statement::Attempt { body, .. } => created(body, new),
             _ => {}
         }
@@ -53,7 +51,7 @@ fn journaled_body(body: Vec<Statement>, new: &BTreeSet<String>) -> Vec<Statement
                 out.push(Statement::Journal(vec![element.clone()]));
             }
         }
-        if let Statement::SetAttribute { attribute, element, .. } = &statement
+        if let Statement::Set { field: Field::Attribute(attribute), of: element, .. } = &statement
             && !is_new(element, new)
         {
             out.push(Statement::JournalAttribute {
@@ -69,9 +67,8 @@ fn journaled_body(body: Vec<Statement>, new: &BTreeSet<String>) -> Vec<Statement
 /// The element whose pointers, position or kind a statement writes.
 fn target(statement: &Statement) -> Option<&Term> {
     match statement {
+        Statement::Set { field: Field::Attribute(_), .. } => None,
         Statement::Set { of, .. } => Some(of),
-        Statement::SetHole { face, .. } => Some(face),
-        Statement::SetPosition { vertex, .. } => Some(vertex),
         _ => None,
     }
 }

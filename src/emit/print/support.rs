@@ -6,24 +6,24 @@ use std::sync::LazyLock;
 ///
 /// In the files, the text of each follows a line with its name. The name of a template whose first
 /// parameter is a size ends with `.n`: `dot.n` is called as `dot<4>(…)`.
-pub(super) struct Support(Vec<(&'static str, &'static str)>);
+pub(in crate::emit) struct Support(Vec<(&'static str, &'static str)>);
 
 /// Those in C++.
-pub(super) static CPP: LazyLock<Support> = LazyLock::new(|| {
+pub(in crate::emit) static CPP: LazyLock<Support> = LazyLock::new(|| {
     Support::of(concat!(
-        include_str!("cpp/functions.txt"),
-        include_str!("cpp/values.txt"),
-        include_str!("cpp/preview.txt"),
-        include_str!("cpp/journal.txt")
+        include_str!("../cpp/functions.txt"),
+        include_str!("../cpp/values.txt"),
+        include_str!("../cpp/preview.txt"),
+        include_str!("../cpp/journal.txt")
     ))
 });
 
 /// Those in Rust.
-pub(super) static RUST: LazyLock<Support> = LazyLock::new(|| {
+pub(in crate::emit) static RUST: LazyLock<Support> = LazyLock::new(|| {
     Support::of(concat!(
-        include_str!("rust/functions.txt"),
-        include_str!("rust/values.txt"),
-        include_str!("rust/preview.txt")
+        include_str!("../rust/functions.txt"),
+        include_str!("../rust/values.txt"),
+        include_str!("../rust/preview.txt")
     ))
 });
 
@@ -41,8 +41,7 @@ impl Support {
     /// The functions that a text uses, and those that these call, with their texts. Names in the
     /// text are qualified with a namespace, except for those of classes.
     pub fn needed(&self, text: &str, namespace: &str) -> Vec<(&'static str, &'static str)> {
-        let code: Vec<_> = text.lines().filter_map(|line| line.split("//").next()).collect();
-        let code = code.join("\n");
+        let code = code(text);
         let is_used = |name: &str| match name.starts_with(char::is_uppercase) {
             true => names(&code, name),
             false => {
@@ -65,9 +64,15 @@ impl Support {
     }
 }
 
+/// A text without its comments.
+pub(in crate::emit) fn code(text: &str) -> String {
+    let lines: Vec<_> = text.lines().filter_map(|line| line.split("//").next()).collect();
+    lines.join("\n")
+}
+
 /// The places where a text calls a function: its name as a whole word, followed by a bracket, and
 /// not as an accessor of something.
-pub(super) fn calls(text: &str, name: &str) -> Vec<usize> {
+pub(in crate::emit) fn calls(text: &str, name: &str) -> Vec<usize> {
     let (word, signs): (_, &[&str]) = match name.strip_suffix(".n") {
         Some(word) => (word, &["<"]),
         None => (name, &["(", "::<"]),
@@ -82,6 +87,6 @@ pub(super) fn calls(text: &str, name: &str) -> Vec<usize> {
 }
 
 /// True if a text contains a word.
-pub(super) fn names(text: &str, word: &str) -> bool {
+pub(in crate::emit) fn names(text: &str, word: &str) -> bool {
     text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').any(|part| part == word)
 }

@@ -2,16 +2,33 @@
 
 /// A text that grows line by line.
 #[derive(Debug, Default)]
-pub(super) struct Lines {
+pub(in crate::emit) struct Lines {
     text: String,
     depth: usize,
     unit: usize,
+    /// The depth at which these lines are added to others.
+    outer: usize,
 }
 
 impl Lines {
     /// An empty text whose blocks are indented by `unit` spaces.
     pub fn new(unit: usize) -> Self {
         Self { unit, ..Self::default() }
+    }
+
+    /// Lines of a block in these, which are added later.
+    pub fn inner(&self) -> Self {
+        Self { unit: self.unit, outer: self.outer + self.depth + 1, ..Self::default() }
+    }
+
+    /// Adds lines of a block.
+    pub fn add(&mut self, text: &str) {
+        for line in text.lines() {
+            match line {
+                "" => self.blank(),
+                line => self.line(line),
+            }
+        }
     }
 
     /// Adds a line.
@@ -57,7 +74,8 @@ impl Lines {
     /// Adds a comment, wrapped where lines would become too long.
     pub fn comment(&mut self, mark: &str, text: &str) {
         let text = &plain(text);
-        let width = 96usize.saturating_sub(self.depth * self.unit + mark.len() + 1).max(20);
+        let depth = self.outer + self.depth;
+        let width = 96usize.saturating_sub(depth * self.unit + mark.len() + 1).max(20);
         let mut line = String::new();
         for word in text.split_whitespace() {
             if !line.is_empty() && line.chars().count() + 1 + word.chars().count() > width {
@@ -75,7 +93,7 @@ impl Lines {
 
 /// A comment line. A backslash at its end would continue it on the next line in C++, so something
 /// is put behind it.
-pub(super) fn comment(mark: &str, text: &str) -> String {
+pub(in crate::emit) fn comment(mark: &str, text: &str) -> String {
     let text = plain(text);
     let text = text.trim_end();
     match text.ends_with('\\') {
