@@ -92,7 +92,8 @@ impl Analysis {
             plans.push(examined.plan);
             lacks.push(examined.lacks);
         }
-        diagnostics.extend(plan_steps(&program, &functions, &mut plans));
+        let keeps = |op: usize| proved[op].as_ref().map(Proved::keeps).unwrap_or_default();
+        diagnostics.extend(plan_steps(&program, &functions, keeps, &mut plans));
         without_lost_attributes(&parts, &mut diagnostics);
         tell_what_is_lacking(&program, &parts, sources, (&plans, &diagnostics), &mut lacks);
         keep_comments(&mut diagnostics, sources);

@@ -18,6 +18,7 @@ use super::memory::{Memory, Passage};
 use super::names::Names;
 use super::op_context::{Meanings, Read};
 use super::{Examined, NoExample, StepsVerdict, Verdict, example, files};
+use crate::check::Proved;
 use crate::diagnostic::Diagnostic;
 use crate::diagram;
 use crate::library;
@@ -316,7 +317,11 @@ impl Snapshot {
         for &op in due {
             plans[op] = self.examined(op).plan.clone();
         }
-        let told = plan_steps(&self.program, &self.functions, &mut plans);
+        let keeps = |op: usize| {
+            let examined = self.examined(op);
+            examined.proved.as_ref().map(Proved::keeps).unwrap_or_default()
+        };
+        let told = plan_steps(&self.program, &self.functions, keeps, &mut plans);
         Planned { plans: plans.into(), told }
     }
 

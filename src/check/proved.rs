@@ -6,7 +6,7 @@ use super::proof::{Proof, prove};
 use super::witness::{self, Outcome};
 use super::{before, families, fans_have_room, mend};
 use crate::diagnostic::Diagnostic;
-use crate::diagram::{Drawing, Op, Rule};
+use crate::diagram::{Drawing, Op, Property, Rule};
 
 /// An operation that keeps every valid mesh valid. Only [`check`] makes one.
 #[derive(Clone, Debug)]
@@ -28,6 +28,14 @@ impl Proved {
             .iter()
             .zip(&self.proofs)
             .filter_map(|(rule, proof)| proof.refuses_everywhere(rule))
+    }
+
+    /// The properties that every rule keeps.
+    pub fn keeps(&self) -> Vec<Property> {
+        let kept = |property: &Property| {
+            self.proofs.iter().all(|proof| proof.facts().keeps.contains(property))
+        };
+        Property::ALL.into_iter().filter(kept).collect()
     }
 
     /// The proofs, one for each rule.

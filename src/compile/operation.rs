@@ -58,7 +58,7 @@ pub fn compile(
         of: op.params.first().and_then(|param| element_kind(param.ty)),
         result: op.result.and_then(element_kind),
         level: level(op),
-        keeps: kept_levels(proved),
+        keeps: proved.keeps().into_iter().filter_map(Property::level).collect(),
         code: Code { functions: Arc::clone(functions), ..output.asm.finish()? },
         places: output.places,
         refusals: output.refusals,
@@ -72,16 +72,6 @@ pub fn compile(
 fn level(op: &Op) -> Level {
     let guards = op.rules.iter().filter_map(|rule| rule.guard);
     guards.map(|(level, _)| level).max().unwrap_or(Level::Map)
-}
-
-/// The levels that every rule keeps.
-fn kept_levels(proved: &Proved) -> Vec<Level> {
-    let keeps = |level: &Level| {
-        let property = Property::Level(*level);
-        let mut proofs = proved.proofs().iter();
-        proofs.all(|proof| proof.facts().keeps.contains(&property))
-    };
-    [Level::Surface, Level::Simple].into_iter().filter(keeps).collect()
 }
 
 fn alternative(

@@ -195,6 +195,14 @@ impl Property {
         Property::Level(Level::Simple),
     ];
 
+    /// The level, if it is one.
+    pub fn level(self) -> Option<Level> {
+        match self {
+            Self::Level(level) => Some(level),
+            _ => None,
+        }
+    }
+
     /// The word for it after `keeps`.
     pub fn word(self) -> &'static str {
         match self {

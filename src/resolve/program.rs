@@ -88,6 +88,8 @@ pub struct Steps {
     pub requires: Vec<diagram::Require>,
     /// The level of mesh that it requires and keeps.
     pub level: diagram::Level,
+    /// The properties that it claims to keep, with their places.
+    pub keeps: Vec<(diagram::Property, Span)>,
     /// The statements. Parameters are its first variables.
     pub body: Body,
 }

@@ -6,7 +6,7 @@
 use std::rc::Rc;
 
 use crate::diagnostic::Diagnostic;
-use crate::diagram::{Level, Property};
+use crate::diagram::Level;
 use crate::syntax::tree;
 
 use super::condition::guard;
@@ -54,21 +54,12 @@ pub(super) fn steps_signature(
             None => Returned::Unknown,
         },
     };
-    let level = guard(&steps.conditions, report).map_or(Level::Map, |(level, _)| level);
+    guard(&steps.conditions, report);
     for condition in &steps.conditions {
         if let tree::Condition::Alias { span, .. } = condition {
             let message = "an op in steps draws nothing that could be one";
             report.add(Diagnostic::error("cannot-alias", message, *span));
         }
-    }
-    for (property, span) in properties(&op.keeps, report) {
-        if matches!(property, Property::Level(kept) if kept <= level) {
-            continue;
-        }
-        let message = format!("an op in steps does not keep `{}` by itself", property.word());
-        let error = Diagnostic::error("property-not-kept", message, span)
-            .note("of its steps each keeps what it keeps; the whole, the level that it guards");
-        report.add(error);
     }
     let signature = Signature { name: op.name.text.clone(), params, result };
     let resolved = signature.op(op.name.span, None);
@@ -102,6 +93,7 @@ pub(super) fn resolve_steps(
         docs: op.docs.clone(),
         requires,
         level: level.map_or(Level::Map, |(level, _)| level),
+        keeps: properties(&op.keeps, report),
         body: body?,
     })
 }

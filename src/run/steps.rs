@@ -11,6 +11,7 @@ use super::live::Exits;
 use super::lower::{Lowering, Routine};
 use crate::compile::{element_kind, width};
 use crate::diagnostic::Diagnostic;
+use crate::diagram::Property;
 use crate::lower::Effects;
 use crate::mesh::Level;
 use crate::resolve::{Program, ResolvedOp};
@@ -22,28 +23,87 @@ const MOST_REFUSALS: usize = 1024;
 
 /// Makes the plans of the operations in steps of a program, and adds them to the plans of the
 /// others. An operation that calls one without a plan, or a function without code, gets none.
+/// `drawn` gives the properties that a drawn operation keeps.
 ///
 /// # Errors
-/// One diagnostic for each operation that calls itself, directly or indirectly, and for each that is
-/// too large.
+/// One diagnostic for each operation that calls itself, directly or indirectly, for each that is
+/// too large, and for each property that one claims to keep and does not.
 pub fn plan_steps(
     program: &Program,
     functions: &Functions,
+    drawn: impl Fn(usize) -> Vec<Property>,
     plans: &mut [Option<Plan>],
 ) -> Vec<Diagnostic> {
     let mut diagnostics = Vec::new();
+    let mut kept = BTreeMap::new();
     let mut left = calls_of_steps(program, functions);
     for number in called_first(&left) {
         let Some(calls) = left.remove(&number) else { continue };
         let op = &program.ops[number];
         match plan(op, &calls, functions, plans) {
-            Ok(plan) => plans[number] = plan,
+            Ok(Some(plan)) => {
+                let of_calls = calls.iter().map(|&called| {
+                    let keeps = kept.get(&called).cloned().unwrap_or_else(|| drawn(called));
+                    (program.ops[called].name.as_str(), keeps)
+                });
+                let claims = Claims { plan: &plan, calls: of_calls.collect() };
+                let broken = claims.broken(op);
+                kept.insert(number, claims.kept());
+                plans[number] = broken.is_empty().then_some(plan);
+                diagnostics.extend(broken);
+            }
+            Ok(None) => {}
             Err(TooLarge) => diagnostics.push(too_large(op)),
         }
     }
     let on_cycle = left.keys().filter(|&&number| leads_back(&left, number));
     diagnostics.extend(on_cycle.map(|&number| calls_itself(&program.ops[number])));
     diagnostics
+}
+
+/// The properties of an operation in steps: its plan, and what each operation that it calls keeps.
+struct Claims<'c> {
+    plan: &'c Plan,
+    calls: Vec<(&'c str, Vec<Property>)>,
+}
+
+impl Claims<'_> {
+    /// The first operation that it calls and that does not keep a property.
+    fn breaks(&self, property: Property) -> Option<&str> {
+        let mut calls = self.calls.iter();
+        calls.find(|(_, keeps)| !keeps.contains(&property)).map(|(name, _)| *name)
+    }
+
+    /// The properties that it keeps: those that all its steps keep, and the level of its guard.
+    fn kept(&self) -> Vec<Property> {
+        let keeps = |property: &Property| match property {
+            Property::Level(level) => self.plan.keeps.contains(level),
+            Property::ConstantTime => false,
+            _ => self.breaks(*property).is_none(),
+        };
+        Property::ALL.into_iter().filter(keeps).collect()
+    }
+
+    /// The errors for the properties that it claims to keep and does not.
+    fn broken(&self, op: &ResolvedOp) -> Vec<Diagnostic> {
+        let claimed = op.steps.iter().flat_map(|steps| &steps.keeps);
+        let kept = self.kept();
+        let broken = claimed.filter(|(property, _)| !kept.contains(property));
+        let told = broken.map(|&(property, span)| {
+            let word = property.word();
+            let message = format!("`{}` does not keep `{word}`", op.name);
+            let step = self.breaks(property).unwrap_or_default();
+            let note = match property {
+                Property::ConstantTime => "how many steps it takes is not known".to_owned(),
+                Property::Level(_) => {
+                    format!("`{step}` does not keep it; `guard {word}` tests it after the steps")
+                }
+                _ => format!("`{step}` does not keep it"),
+            };
+            Diagnostic::error("property-not-kept", message, span).note(note)
+        });
+        told.collect()
+    }
 }
 
 /// Whether the calls of an operation lead back to it.

@@ -236,7 +236,7 @@ fn faces_first() -> face { argmin(1 for f in faces) }",
 fn what_steps_may_not_be() {
     let around = "op a(e: edge) { steps { must b(e) } } op b(e: edge) { steps { must a(e) } }";
     assert_eq!(codes(around), ["cyclic-steps"; 2]);
-    let claims = "op a(e: edge) keeps euler { guard surface steps { } }";
+    let claims = "op a(e: edge) keeps euler, constant_time { guard surface steps { } }";
     assert_eq!(codes(claims), ["property-not-kept"]);
     let value = "op a(e: edge) -> real { steps { return 1.0 } }";
     assert_eq!(codes(value), ["not-an-element"]);
