@@ -3,7 +3,7 @@
 use super::finding::{Found, Match};
 use super::place::{Braces, CODE, DRAWING, HEAD, Item, PARTS, Places};
 use super::sign::{Around, Sign, sign};
-use super::table::{Form, forms};
+use super::table::{forms, forms_from};
 use crate::diagnostic::Edit;
 use crate::syntax::token::{Token, TokenKind as T};
 use std::ops::Range;
@@ -87,13 +87,11 @@ fn matching(
     place: Places,
     begins: bool,
 ) -> Option<(usize, Vec<Range<usize>>)> {
-    let here = |form: &&Form| form.place & place != 0;
-    let numbered = forms().iter().enumerate().filter(|(_, form)| here(form));
-    let mut matches = numbered.filter_map(|(number, form)| {
-        let parts = form.seen().matched(item, at, begins)?;
+    forms_from(item.word(at)).iter().find_map(|&number| {
+        let form = &forms()[number];
+        let parts = (form.place & place != 0).then(|| form.seen().matched(item, at, begins))??;
         parts.last().is_some_and(|last| last.end > at).then_some((number, parts))
-    });
-    matches.next()
+    })
 }
 
 /// A foreign sign that the table does not list.

@@ -92,6 +92,14 @@ impl Pattern {
         Self { begins, elements: written.split_whitespace().map(Element::of).collect() }
     }
 
+    /// The spellings of the tokens with which it begins; `None` if there are others.
+    pub(super) fn first_words(&self) -> Option<&[&'static str]> {
+        match &self.elements.first()?.what {
+            What::Written(words) | What::Hole(_, Class::OneOf(words)) => Some(words),
+            What::Hole(..) => None,
+        }
+    }
+
     /// The tokens of each element, if the pattern matches at a token; `begins` is true if a
     /// statement can begin there.
     pub(super) fn matched(

@@ -19,6 +19,7 @@ use super::pattern::Pattern;
 use super::place::Places;
 use crate::syntax::token::TokenKind;
 use logos::Logos;
+use std::collections::HashMap;
 use std::ops::Range;
 use std::sync::LazyLock;
 
@@ -150,6 +151,21 @@ pub(super) fn forms() -> &'static [Form] {
     static FORMS: LazyLock<Vec<Form>> =
         LazyLock::new(|| LINES.iter().copied().flatten().map(Form::of).collect());
     &FORMS
+}
+
+/// The numbers of the forms that can begin with a token of this spelling, in order.
+pub(super) fn forms_from(word: &str) -> &'static [usize] {
+    static BY_WORD: LazyLock<HashMap<&str, Vec<usize>>> = LazyLock::new(|| {
+        let words = forms().iter().filter_map(|form| form.seen.first_words()).flatten();
+        // Under no word, those that begin with any.
+        let words = words.copied().chain([""]);
+        words.map(|word| (word, of_word(word))).collect()
+    });
+    fn of_word(word: &str) -> Vec<usize> {
+        let can_begin = |form: &Form| form.seen.first_words().is_none_or(|all| all.contains(&word));
+        (0..forms().len()).filter(|&number| can_begin(&forms()[number])).collect()
+    }
+    BY_WORD.get(word).or_else(|| BY_WORD.get("")).map(Vec::as_slice).unwrap_or_default()
 }
 
 /// The pieces of a template.
