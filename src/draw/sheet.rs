@@ -128,15 +128,16 @@ impl Row {
         let figure = Figure::new(Drawing::new(&rule));
         let unit = places(&figure);
         let mut scale = scale(&figure, &unit);
-        let mut row = Self::drawn(&figure, &unit, scale, prefix);
-        for _ in 0..TRIES {
-            if row.is_tidy {
-                break;
-            }
-            scale *= GROWTH;
-            row = Self::drawn(&figure, &unit, scale, prefix);
+        let first = Self::drawn(&figure, &unit, scale, prefix);
+        if first.is_tidy {
+            return first;
         }
-        row
+        let mut rows = (0..TRIES).map(|_| {
+            scale *= GROWTH;
+            Self::drawn(&figure, &unit, scale, prefix)
+        });
+        // What no size makes tidy stays small.
+        rows.find(|row| row.is_tidy).unwrap_or(first)
     }
 
     fn drawn(figure: &Figure, unit: &[Vec<DVec2>; 2], scale: f64, prefix: &str) -> Self {

@@ -1,10 +1,14 @@
 //! Assignments to variables, attributes of elements, and their components.
 
+use std::collections::BTreeSet;
+
 use crate::diagnostic::{Diagnostic, Edit, Fix};
 use crate::diagram::{Expr, ExprKind, Type};
 use crate::source::Span;
+use crate::syntax::Part;
 use crate::syntax::tree::{self, Ident};
 
+use super::depth::each_part;
 use super::fields::{Field, fields_of};
 use super::program::StatementKind;
 use super::scopes::{Binding, Local};
@@ -201,11 +205,19 @@ impl Scripting<'_> {
         field: &Ident,
         value: &tree::Expr,
     ) -> Diagnostic {
-        let message = "in an `update`, a vector is assigned whole";
+        let message = format!("in an `update`, {} is assigned whole", a_type(ty));
         let error = Diagnostic::error("not-assignable", message, base.span.to(field.span))
             .note("all that an `update` reads is as it was before");
-        let Some(text) = short(base, 3).filter(|_| ty.is_vector()) else {
-            return error;
+        // Of several assignments the last would count.
+        let is_set_often = fields(base).any(|word| self.set_often.contains(word));
+        let Some(text) = short(base, 3).filter(|_| ty.is_vector() && !is_set_often) else {
+            let all: Vec<_> = fields_of(ty).iter().map(|(word, _)| *word).collect();
+            return error.note(format!(
+                "all at once: `{} = {}({})`",
+                short(base, 3).unwrap_or("…".into()),
+                ty.word(),
+                all.join(", ")
+            ));
         };
         let (mut before, mut behind) = (format!("{text} = {}(", ty.word()), String::new());
         let mut is_before = true;
@@ -251,6 +263,32 @@ fn fixed(name: &Ident, local: &Local) -> Option<Diagnostic> {
     let error = Diagnostic::error("assign-to-let", message, name.span)
         .label(local.span, "it is declared here");
     Some(error)
+}
+
+/// The fields that assignments in a block name more than once.
+pub(super) fn set_often(block: &tree::Block) -> BTreeSet<String> {
+    let (mut once, mut often) = (BTreeSet::new(), BTreeSet::new());
+    each_part(Part::Block(block), |part| {
+        let Part::Block(block) = part else { return };
+        for action in &block.statements {
+            if let tree::ActionKind::Assign { target, .. } = &action.kind {
+                let again = fields(target).filter(|word| !once.insert((*word).to_owned()));
+                often.extend(again.map(str::to_owned));
+            }
+        }
+    });
+    often
+}
+
+/// The fields that follow each other in an expression, the last first.
+fn fields(mut expr: &tree::Expr) -> impl Iterator<Item = &str> {
+    std::iter::from_fn(move || {
+        let tree::ExprKind::Field(base, field) = &expr.kind else {
+            return None;
+        };
+        expr = base;
+        Some(field.text.as_str())
+    })
 }
 
 /// Whether an expression is a variable or a component of one.

@@ -1,10 +1,13 @@
 //! A script: its parameters, its variables, its blocks and loops.
 
+use std::collections::BTreeSet;
+
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Collection, Type};
 use crate::source::Span;
 use crate::syntax::tree::{self, Action, ActionKind, Ident};
 
+use super::assignment::set_often;
 use super::builtin::SHUFFLE;
 use super::declared::Declared;
 use super::depth::shallow_block;
@@ -28,6 +31,8 @@ pub(super) struct Scripting<'a> {
     pub(super) loops: u32,
     /// True inside an `update`.
     pub(super) updating: bool,
+    /// The fields that several assignments of the `update` name.
+    pub(super) set_often: BTreeSet<String>,
     /// The type of value that `return` gives.
     pub(super) returns: Returns,
     /// The name of the op, if these are the steps of one.
@@ -101,6 +106,7 @@ impl<'a> Scripting<'a> {
             ops,
             loops: 0,
             updating: false,
+            set_often: BTreeSet::new(),
             returns: Returns::nothing(),
             steps_of: None,
             testing: None,
@@ -284,6 +290,7 @@ impl Scripting<'_> {
     /// `update x in xs where c { … }`
     fn update_each(&mut self, visited: Loop) -> Option<StatementKind> {
         self.updating = true;
+        self.set_often = set_often(visited.body);
         let update = self.visit(visited, Visit::Update);
         self.updating = false;
         update

@@ -231,7 +231,9 @@ impl Printer<'_> {
             return self.held_text(&head, &format!("{name}.push_back({item});"));
         }
         let IndexLoop { index, size } = indices;
-        let index = if ty == "_" { "_" } else { index };
+        let is_used =
+            item.split(|c: char| !(c.is_alphanumeric() || c == '_')).any(|word| word == index);
+        let index = if is_used { index } else { "_" };
         self.lines
             .line(&format!("let {name}: Vec<{ty}> = (0..{size}).map(|{index}| {item}).collect();"));
     }

@@ -1,6 +1,6 @@
 //! Foreign syntax that was found in one place.
 
-use super::pattern::{Class, What};
+use super::pattern::{Class, What, operand_end};
 use super::place::{CODE, HEAD, Item};
 use super::table::{Form, Piece};
 use super::types::type_meant;
@@ -71,9 +71,11 @@ impl<'t> Match<'t, '_> {
                 text.push_str(template.get(piece.place.clone()).unwrap_or(""));
                 continue;
             };
-            // An operand of one token stands without parentheses.
+            // An operand stands without parentheses.
             let bare = [" (", "-("].iter().any(|open| text.ends_with(open));
-            if bare && range.len() == 1 && template[at..].starts_with(')') {
+            let is_operand =
+                range.len() == 1 || operand_end(self.item, range.start) == Some(range.end);
+            if bare && is_operand && template[at..].starts_with(')') {
                 text.pop();
                 at = rest.next().map_or(at, |closing| closing.place.end);
             }

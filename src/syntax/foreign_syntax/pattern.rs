@@ -240,7 +240,17 @@ fn all_ends(what: &What, item: &Item, at: usize) -> Vec<usize> {
                 let ends = paired(item, at, |end| item.ends_line(end));
                 ends.into_iter().filter(|&end| end > at).collect()
             }
-            Class::Line => paired(item, at, |end| item.ends_line(end)).pop().into_iter().collect(),
+            Class::Line => {
+                // A value goes on behind an operator, on whichever line it stands.
+                let is_operator = |at: usize| {
+                    item.kind(at).is_some_and(|kind| {
+                        kind == T::Star || goes_on(kind) && kind != T::LeftParen
+                    })
+                };
+                let continues = |end: usize| is_operator(end) || end > at && is_operator(end - 1);
+                let ends = paired(item, at, |end| item.ends_line(end) && !continues(end));
+                ends.last().copied().into_iter().collect()
+            }
             Class::Plain => {
                 let line = paired(item, at, |end| item.ends_line(end)).pop();
                 let is_plain =
@@ -299,7 +309,7 @@ fn next_end(item: &Item, at: usize, name: &str) -> Option<usize> {
 }
 
 /// The end of a number, or of a name with what is read and called behind it.
-fn operand_end(item: &Item, at: usize) -> Option<usize> {
+pub(super) fn operand_end(item: &Item, at: usize) -> Option<usize> {
     if matches!(item.kind(at)?, T::Int | T::Real) {
         return Some(at + 1);
     }
