@@ -173,8 +173,8 @@ impl Typing<'_> {
                     return Some(());
                 };
                 error("changes-mesh", "changes the mesh").label(place, "it is changed here").note(
-                    "such a call stands as a statement, or is the whole value of `let`, \
-                         `=`, `if` or `return`",
+                    "such a call stands as a statement, or is the whole value of a variable, \
+                     of `if` or of `return`",
                 )
             }
             Place::Rule(_) | Place::Default => {
