@@ -16,10 +16,7 @@ use tempfile::TempDir;
 fn text(emissions: &[Emission]) -> String {
     let mut text = String::new();
     for emission in emissions {
-        let code = rust(&emission.selection()).unwrap();
-        // The program knows these crates by way of the tests' own.
-        let code = code.replace("use glam::", "use support::glam::");
-        let code = code.replace("use hedgerow::", "use support::hedgerow::");
+        let code = through_support(&rust(&emission.selection()).unwrap());
         writeln!(text, "mod {} {{\n{code}}}", emission.name).unwrap();
     }
     text.push_str(
@@ -64,6 +61,21 @@ fn arm(module: &str, subject: &Subject) -> String {
     format!("        (\"{name}\", &[{patterns}]) => {call},\n")
 }
 
+/// Emitted code that knows its crates by way of the tests' own, of which there is one build.
+pub fn through_support(code: &str) -> String {
+    let code = code.replace("use glam::", "use support::glam::");
+    code.replace("use hedgerow::", "use support::hedgerow::")
+}
+
+/// The arguments of `rustc` for the tests' own crate.
+pub fn with_support() -> [String; 4] {
+    let test = env::current_exe().unwrap();
+    let folder = test.parent().unwrap();
+    let dependencies = format!("dependency={}", folder.display());
+    let support = format!("support={}", built(folder).display());
+    ["-L".into(), dependencies, "--extern".into(), support]
+}
+
 /// The library of the tests' own crate, as it was built for this test: the newest beside it.
 fn built(folder: &Path) -> PathBuf {
     let files = fs::read_dir(folder).expect("the test lies in a folder");
@@ -79,16 +91,11 @@ fn built(folder: &Path) -> PathBuf {
 fn rust_does_what_the_machine_does() {
     let bench = TempDir::new().unwrap();
     fs::write(bench.path().join("main.rs"), text(&emissions())).unwrap();
-    let test = env::current_exe().unwrap();
-    let folder = test.parent().unwrap();
     let cargo = env::var_os("CARGO").map(PathBuf::from);
     let compiler = cargo.map(|cargo| cargo.with_file_name("rustc")).filter(|path| path.exists());
     let output = Command::new(compiler.unwrap_or("rustc".into()))
         .args(["--edition=2024", "-Dwarnings", "-Aunused_variables", "-Adead_code", "main.rs"])
-        .arg("-L")
-        .arg(format!("dependency={}", folder.display()))
-        .arg("--extern")
-        .arg(format!("support={}", built(folder).display()))
+        .args(with_support())
         .current_dir(bench.path())
         .output()
         .expect("rustc runs");

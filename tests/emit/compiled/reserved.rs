@@ -3,7 +3,6 @@
 
 use std::fmt::Write as _;
 use std::fs;
-use std::path::{Path, PathBuf};
 
 use hedgerow::analysis::Analysis;
 use hedgerow::emit::{Selection, Style, cpp, rust};
@@ -13,6 +12,7 @@ use tempfile::TempDir;
 use hedgerow::emit::reserved::{plain, unreserved};
 
 use crate::compiled::compiler::{compile, folder, has_compiler};
+use crate::rust::{through_support, with_support};
 
 /// Keywords and alternative tokens of C++ to C++23, and of Rust to 2024 with those kept for later;
 /// macros and types of headers; names of the mesh class and of what is emitted.
@@ -114,15 +114,10 @@ fn reserved_words_are_names_like_others() {
     let bench = TempDir::new().unwrap();
     let write = |name: &str, text: &str| fs::write(bench.path().join(name), text).unwrap();
 
-    write("words.rs", &rust(&selection).unwrap());
-    let built = std::env::current_exe().unwrap();
-    let built = built.parent().unwrap();
-    let [mesh, vectors] =
-        ["hedgerow", "glam"].map(|name| format!("{name}={}", library(built, name)));
+    write("words.rs", &through_support(&rust(&selection).unwrap()));
     let args = ["--edition=2024", "--crate-type=lib", "--emit=metadata", "-Awarnings", "words.rs"];
-    let dependencies = format!("dependency={}", built.display());
-    let others = ["--extern", &mesh, "--extern", &vectors, "-L", &dependencies];
-    compile(bench.path(), "rustc", &[&args[..], &others].concat());
+    let support = with_support();
+    compile(bench.path(), "rustc", &[&args[..], &support.each_ref().map(String::as_str)].concat());
     if !has_compiler() {
         return;
     }
@@ -136,17 +131,6 @@ fn reserved_words_are_names_like_others() {
         let args = [standard, "-fsyntax-only", "-Wall", "-Wextra", "-Werror", "words.cpp"];
         compile(bench.path(), "g++", &args);
     }
-}
-
-/// The library of a crate that was built for this test, last.
-fn library(built: &Path, name: &str) -> String {
-    let is_it = |path: &PathBuf| {
-        let file = path.file_name().and_then(|file| file.to_str()).unwrap_or("");
-        file.starts_with(&format!("lib{name}-")) && file.ends_with(".rlib")
-    };
-    let all = fs::read_dir(built).unwrap().map(|entry| entry.unwrap().path());
-    let last = all.filter(is_it).max_by_key(|path| path.metadata().unwrap().modified().unwrap());
-    last.unwrap().display().to_string()
 }
 
 #[test]
