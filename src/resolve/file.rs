@@ -62,7 +62,7 @@ pub fn resolve_all(units: &[Unit]) -> Resolved {
         .filter_map(|unit| Some((unit.tree.items.first()?.span().file, unit.qualifier.to_owned())));
     let qualifiers = qualifiers.collect();
     let mut program = Program { qualifiers, attributes, ..Program::default() };
-    let mut signatures = Vec::new();
+    let (mut signatures, mut reports) = (Vec::new(), Vec::new());
     functions.resolve(&signatures, |found| !found.calls_ops);
     for (unit, declared) in units.iter().zip(&functions.declared) {
         for item in &unit.tree.items {
@@ -72,8 +72,8 @@ pub fn resolve_all(units: &[Unit]) -> Resolved {
                     resolve_op(op, declared, &program.attributes, &mut report);
                 resolved.misread = unit.tree.is_misread(op.span);
                 signatures.push(signature);
+                reports.push(report);
                 program.ops.push(resolved);
-                diagnostics.extend(report.into_diagnostics());
             }
         }
     }
@@ -85,16 +85,14 @@ pub fn resolve_all(units: &[Unit]) -> Resolved {
                 continue;
             };
             if let Some(steps) = &op.steps {
-                let mut report = Report::default();
-                let signature = &signatures[number];
-                let resolved =
-                    resolve_steps(op, steps, signature, &signatures, declared, &mut report);
+                let (signature, report) = (&signatures[number], &mut reports[number]);
+                let resolved = resolve_steps(op, steps, signature, &signatures, declared, report);
                 program.ops[number].steps = resolved.filter(|_| !program.ops[number].misread);
-                diagnostics.extend(report.into_diagnostics());
             }
             number += 1;
         }
     }
+    diagnostics.extend(reports.into_iter().flat_map(Report::into_diagnostics));
     let mut tests = HashMap::new();
     for (unit, declared) in units.iter().zip(&functions.declared) {
         for item in &unit.tree.items {

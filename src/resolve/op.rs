@@ -42,8 +42,8 @@ pub(super) fn resolve_op(
         report.fail();
     }
     let params = parameters(&op.params, Owner::Op, declared, report);
-    if let Some(steps) = &op.steps {
-        return steps_signature(op, steps, params, report);
+    if op.steps.is_some() {
+        return steps_signature(op, params, report);
     }
     let keeps = properties(&op.keeps, report);
     rule_names(&op.rules, report);

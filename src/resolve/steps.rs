@@ -25,7 +25,6 @@ use super::words::a_type;
 /// The signature of an op in steps, for its calls, and the op without its steps.
 pub(super) fn steps_signature(
     op: &tree::Op,
-    steps: &tree::Steps,
     params: Vec<Parameter>,
     report: &mut Report,
 ) -> (Signature, program::Op) {
@@ -54,13 +53,6 @@ pub(super) fn steps_signature(
             None => Returned::Unknown,
         },
     };
-    guard(&steps.conditions, report);
-    for condition in &steps.conditions {
-        if let tree::Condition::Alias { span, .. } = condition {
-            let message = "an op in steps draws nothing that could be one";
-            report.add(Diagnostic::error("cannot-alias", message, *span));
-        }
-    }
     let signature = Signature { name: op.name.text.clone(), params, result };
     let resolved = signature.op(op.name.span, None);
     (signature, resolved)
@@ -75,7 +67,14 @@ pub(super) fn resolve_steps(
     declared: &Declared,
     report: &mut Report,
 ) -> Option<program::Steps> {
-    let level = guard(&steps.conditions, &mut Report::default());
+    let level = guard(&steps.conditions, report).map_or(Level::Map, |(level, _)| level);
+    for condition in &steps.conditions {
+        if let tree::Condition::Alias { span, .. } = condition {
+            let message = "an op in steps draws nothing that could be one";
+            report.add(Diagnostic::error("cannot-alias", message, *span));
+        }
+    }
+    let keeps = properties(&op.keeps, report);
     let as_function = Rc::new(FunctionSignature {
         name: signature.name.clone(),
         span: op.name.span,
@@ -89,11 +88,6 @@ pub(super) fn resolve_steps(
     });
     let written = (Some(&steps.conditions[..]), &steps.body);
     let (_, requires, body) = resolve_body(written, &as_function, ops, false, declared, report);
-    Some(program::Steps {
-        docs: op.docs.clone(),
-        requires,
-        level: level.map_or(Level::Map, |(level, _)| level),
-        keeps: properties(&op.keeps, report),
-        body: body?,
-    })
+    let steps = program::Steps { docs: op.docs.clone(), requires, level, keeps, body: body? };
+    (!report.failed()).then_some(steps)
 }

@@ -245,3 +245,19 @@ fn what_steps_may_not_be() {
     let both = "op a(e: edge) { before { edge e: a | b } steps { } }";
     assert_eq!(codes(both), ["misplaced-part"]);
 }
+
+#[test]
+fn steps_with_a_wrong_head_have_no_plan() {
+    for (head, code) in [
+        ("keeps nonsense { ", "unknown-property"),
+        ("keeps constant_time { ", "property-not-kept"),
+        ("{ guard nonsense ", "unknown-level"),
+        ("{ alias e f guard surface ", "cannot-alias"),
+        ("-> real { ", "not-an-element"),
+    ] {
+        let analysis = analyse(&format!("op a(e: edge) {head} steps {{ }} }}"));
+        let codes: Vec<_> = analysis.diagnostics.iter().map(|found| found.code).collect();
+        assert_eq!(codes, [code]);
+        assert_eq!(analysis.plans[0], None, "{head}");
+    }
+}
