@@ -6,6 +6,8 @@
 //! vertex that they split. Where strands cross or loops are flat because vertices keep their places,
 //! the side is laid out anew if that is better.
 
+use std::iter::once_with;
+
 use glam::DVec2;
 
 use super::assigned::assigned;
@@ -27,15 +29,19 @@ pub(super) fn places_after(figure: &Figure, before: &[Option<DVec2>]) -> Vec<Opt
         return placed(figure, before, moved);
     }
     let moved = moved(figure, before).map(|moved| placed(figure, before, moved));
-    let candidates = moved.into_iter().chain([all_stay()]);
-    let best = candidates.min_by_key(|places| faults(figure, places)).unwrap_or_default();
-    match faults(figure, &best) {
-        0 => best,
-        faults_of_best => {
-            let anew = placed(figure, before, laid_out_anew(figure, before));
-            if faults(figure, &anew) < faults_of_best { anew } else { best }
+    let anew = || placed(figure, before, laid_out_anew(figure, before));
+    let candidates = moved.into_iter().chain(once_with(all_stay)).chain(once_with(anew));
+    let (mut least, mut best) = (usize::MAX, Vec::new());
+    for places in candidates {
+        let count = faults(figure, &places);
+        if count < least {
+            (least, best) = (count, places);
+        }
+        if least == 0 {
+            break;
         }
     }
+    best
 }
 
 /// The places of a layout that does not depend on `before`, but is turned towards it.

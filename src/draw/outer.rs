@@ -3,8 +3,7 @@
 //! The drawn loops are polygons glued along their edges; the sides that are in no loop form walks
 //! around the result. The longest walk is the outside. Where all sides are in loops, as on a closed
 //! surface, the outside is a hole, or else the longest loop, one that stays as it is if there are
-//! several. A hole that is the only loop and runs
-//! around several pieces is the outside as well.
+//! several. A hole that is the only loop and runs around several pieces is the outside as well.
 
 use super::figure::{Dart, Figure, Orbit, Side};
 use crate::diagram::LoopKind;

@@ -20,10 +20,10 @@ impl Parameter {
 
     /// True if its default is the same for all calls.
     pub fn has_constant(&self) -> bool {
-        let mut speaks = false;
+        let mut has_names = false;
         let default = self.default.as_ref();
-        default.inspect(|term| term.names(&mut |_| speaks = true));
-        default.is_some() && !speaks
+        default.inspect(|term| term.names(&mut |_| has_names = true));
+        default.is_some() && !has_names
     }
 }
 

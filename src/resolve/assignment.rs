@@ -206,7 +206,7 @@ impl Scripting<'_> {
         value: &tree::Expr,
     ) -> Diagnostic {
         let message = format!("in an `update`, {} is assigned whole", a_type(ty));
-        let error = Diagnostic::error("not-assignable", message, base.span.to(field.span))
+        let mut error = Diagnostic::error("not-assignable", message, base.span.to(field.span))
             .note("all that an `update` reads is as it was before");
         // Of several assignments the last would count.
         let is_set_often = fields(base).any(|word| self.set_often.contains(word));
@@ -238,7 +238,6 @@ impl Scripting<'_> {
             Edit { span: Span { end: value.span.start, ..base.span }, text: before },
             Edit { span: value.span.after(), text: behind },
         ];
-        let mut error = error;
         error.fixes.push(Fix { title, edits });
         error
     }

@@ -132,11 +132,8 @@ impl TreeEffects {
     }
 
     fn of_sequence(&mut self, sequence: &tree::Expr) {
-        let ExprKind::Name(name) = &sequence.kind else {
-            return;
-        };
-        let word = name.ident.text.as_str();
-        if name.index.is_none() && WHOLE_MESH.iter().any(|(known, _)| *known == word) {
+        let word = sequence.plain_name().map(|name| name.text.as_str());
+        if WHOLE_MESH.iter().any(|(known, _)| Some(*known) == word) {
             self.effects.looks.get_or_insert(sequence.span);
         }
     }

@@ -47,8 +47,9 @@ pub fn plan_steps(
                     (program.ops[called].name.as_str(), keeps)
                 });
                 let claims = Claims { plan: &plan, calls: of_calls.collect() };
-                let broken = claims.broken(op);
-                kept.insert(number, claims.kept());
+                let keeps = claims.kept();
+                let broken = claims.broken(op, &keeps);
+                kept.insert(number, keeps);
                 plans[number] = broken.is_empty().then_some(plan);
                 diagnostics.extend(broken);
             }
@@ -84,10 +85,9 @@ impl Claims<'_> {
         Property::ALL.into_iter().filter(keeps).collect()
     }
 
-    /// The errors for the properties that it claims to keep and does not.
-    fn broken(&self, op: &ResolvedOp) -> Vec<Diagnostic> {
+    /// The errors for the properties that it claims to keep and that are not among those kept.
+    fn broken(&self, op: &ResolvedOp, kept: &[Property]) -> Vec<Diagnostic> {
         let claimed = op.steps.iter().flat_map(|steps| &steps.keeps);
-        let kept = self.kept();
         let broken = claimed.filter(|(property, _)| !kept.contains(property));
         let told = broken.map(|&(property, span)| {
             let word = property.word();

@@ -3,6 +3,7 @@
 use super::Printer;
 use super::lines::comment;
 use super::spelled::{Level, unique};
+use super::support::names;
 use crate::diagram::{Kind, Pointer, Type};
 use crate::emit::routine::{Field, Statement, type_of};
 use crate::emit::term::{IndexLoop, Parameter, Term};
@@ -231,9 +232,7 @@ impl Printer<'_> {
             return self.held_text(&head, &format!("{name}.push_back({item});"));
         }
         let IndexLoop { index, size } = indices;
-        let is_used =
-            item.split(|c: char| !(c.is_alphanumeric() || c == '_')).any(|word| word == index);
-        let index = if is_used { index } else { "_" };
+        let index = if names(item, index) { index } else { "_" };
         self.lines
             .line(&format!("let {name}: Vec<{ty}> = (0..{size}).map(|{index}| {item}).collect();"));
     }

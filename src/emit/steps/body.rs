@@ -92,16 +92,24 @@ impl<'s> Writer<'s> {
         gives
     }
 
-    pub(super) fn block(&mut self, block: &'s Block) -> Result<Vec<Statement>, NotEmitted> {
+    /// Runs `write`; the words that it takes are free again afterwards.
+    pub(super) fn scope<T>(&mut self, write: impl FnOnce(&mut Self) -> T) -> T {
         let outer = self.names.taken.clone();
-        let mut written = Vec::new();
-        for statement in block {
-            let lines = comments(self.context.sources, statement.span);
-            written.extend(lines.into_iter().map(Statement::Comment));
-            self.statement(statement, &mut written)?;
-        }
+        let written = write(self);
         self.names.taken = outer;
-        Ok(written)
+        written
+    }
+
+    pub(super) fn block(&mut self, block: &'s Block) -> Result<Vec<Statement>, NotEmitted> {
+        self.scope(|this| {
+            let mut written = Vec::new();
+            for statement in block {
+                let lines = comments(this.context.sources, statement.span);
+                written.extend(lines.into_iter().map(Statement::Comment));
+                this.statement(statement, &mut written)?;
+            }
+            Ok(written)
+        })
     }
 
     pub(super) fn statement(
@@ -117,11 +125,10 @@ impl<'s> Writer<'s> {
             }
             StatementKind::Repeat { count, body } => {
                 let count = self.term(count)?;
-                let outer = self.names.taken.clone();
-                let index = self.names.fresh("i");
-                let body = self.block(body)?;
-                self.names.taken = outer;
-                Statement::Repeat { index, count, body }
+                self.scope(|this| {
+                    let index = this.names.fresh("i");
+                    Ok(Statement::Repeat { index, count, body: this.block(body)? })
+                })?
             }
             StatementKind::While { condition, body } => {
                 Statement::While { condition: self.term(condition)?, body: self.block(body)? }
@@ -129,13 +136,13 @@ impl<'s> Writer<'s> {
             StatementKind::For { variable, collection, filter, body, visit, parallel: false }
                 if *visit != Visit::Shuffled =>
             {
-                let outer = self.names.taken.clone();
-                if *visit == Visit::Update {
-                    self.held = self.written_in(body);
-                }
-                let action = self.visit((*variable, collection), filter.as_ref(), body, span)?;
+                let action = self.scope(|this| {
+                    if *visit == Visit::Update {
+                        this.held = this.written_in(body);
+                    }
+                    this.visit((*variable, collection), filter.as_ref(), body, span)
+                })?;
                 let held = std::mem::take(&mut self.held).into_iter().map(|(_, held)| held);
-                self.names.taken = outer;
                 match visit {
                     Visit::Update => {
                         Statement::Update { visit: Box::new(action), held: held.collect() }
@@ -308,11 +315,10 @@ impl<'s> Writer<'s> {
             Access::Declared(number) => {
                 let attribute = self.names.attribute(number);
                 let attribute = attribute.ok_or_else(|| NotEmitted::new("an attribute", span))?;
-                let outer = self.names.taken.clone();
-                let element = self.settled(element, target_ty, target_ty.word(), out);
-                let name = attribute.name.clone();
-                let value = self.settled(value, ty, &name, out);
-                self.names.taken = outer;
+                let (element, value) = self.scope(|this| {
+                    let element = this.settled(element, target_ty, target_ty.word(), out);
+                    (element, this.settled(value, ty, &attribute.name, out))
+                });
                 if !self.context.conventions.undoes {
                     out.push(Statement::JournalAttribute {
                         attribute: attribute.clone(),
@@ -337,18 +343,17 @@ impl<'s> Writer<'s> {
             NotEmitted::new(super::super::expression::collection_words(collection), span)
         })?;
         let element = self.term(element)?;
-        let outer = self.names.taken.clone();
         let may_go = self.context.effects.erases(body, collection.element());
-        let action = Statement::For {
-            variable: self.bind(variable),
-            around,
-            element,
-            may_go,
-            filter: filter.map(|filter| self.term(filter)).transpose()?,
-            body: self.block(body)?,
-        };
-        self.names.taken = outer;
-        Ok(action)
+        self.scope(|this| {
+            Ok(Statement::For {
+                variable: this.bind(variable),
+                around,
+                element,
+                may_go,
+                filter: filter.map(|filter| this.term(filter)).transpose()?,
+                body: this.block(body)?,
+            })
+        })
     }
 
     fn leave(&mut self, value: Option<&Expr>, out: &mut Vec<Statement>) -> Result<(), NotEmitted> {

@@ -43,14 +43,13 @@ impl<'s> Writer<'s> {
         params: &[Param],
         out: &mut Vec<Statement>,
     ) -> Result<Vec<Term>, NotEmitted> {
-        let outer = self.names.taken.clone();
-        let mut terms = Vec::new();
-        for (arg, param) in args.iter().zip(params) {
-            let term = self.term(arg)?;
-            terms.push(self.settled(term, arg.ty, &param.name, out));
-        }
-        self.names.taken = outer;
-        Ok(terms)
+        self.scope(|this| {
+            let settled = |(arg, param): (&Expr, &Param)| {
+                let term = this.term(arg)?;
+                Ok(this.settled(term, arg.ty, &param.name, out))
+            };
+            args.iter().zip(params).map(settled).collect()
+        })
     }
 
     pub(super) fn operation(
@@ -81,11 +80,11 @@ impl<'s> Writer<'s> {
                 then.iter().try_for_each(|statement| self.statement(statement, out))?;
             }
             _ => {
-                let outer = self.names.taken.clone();
                 let read = variable.filter(|&variable| self.variables.reads(variable));
-                let place = read.map(|variable| self.bind(variable));
-                let then = self.block(then)?;
-                self.names.taken = outer;
+                let (place, then) = self.scope(|this| {
+                    let place = read.map(|variable| this.bind(variable));
+                    Ok((place, this.block(then)?))
+                })?;
                 let otherwise = self.block(otherwise)?;
                 out.push(Statement::Apply { call, place, then, otherwise });
             }

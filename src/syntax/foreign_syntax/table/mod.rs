@@ -156,15 +156,15 @@ pub(super) fn forms() -> &'static [Form] {
 /// The numbers of the forms that can begin with a token of this spelling, in order.
 pub(super) fn forms_from(word: &str) -> &'static [usize] {
     static BY_WORD: LazyLock<HashMap<&str, Vec<usize>>> = LazyLock::new(|| {
+        let numbers = |word: &str| {
+            let can_begin =
+                |form: &Form| form.seen.first_words().is_none_or(|all| all.contains(&word));
+            (0..forms().len()).filter(|&number| can_begin(&forms()[number])).collect()
+        };
         let words = forms().iter().filter_map(|form| form.seen.first_words()).flatten();
         // Under no word, those that begin with any.
-        let words = words.copied().chain([""]);
-        words.map(|word| (word, of_word(word))).collect()
+        words.copied().chain([""]).map(|word| (word, numbers(word))).collect()
     });
-    fn of_word(word: &str) -> Vec<usize> {
-        let can_begin = |form: &Form| form.seen.first_words().is_none_or(|all| all.contains(&word));
-        (0..forms().len()).filter(|&number| can_begin(&forms()[number])).collect()
-    }
     BY_WORD.get(word).or_else(|| BY_WORD.get("")).map(Vec::as_slice).unwrap_or_default()
 }
 
