@@ -82,7 +82,6 @@ int main(int count, char** words) {
     }
     return applied;
   };
-  const double length = mean_length(mesh);
   std::size_t applied = 0;
   const std::clock_t start = std::clock();
   if (job == "flip") applied = each(flip);
@@ -95,7 +94,7 @@ int main(int count, char** words) {
         mesh, CGAL::parameters::number_of_iterations(1));
   else if (job == "remesh")
     CGAL::Polygon_mesh_processing::isotropic_remeshing(
-        mesh.faces(), length, mesh, CGAL::parameters::number_of_iterations(5));
+        mesh.faces(), mean_length(mesh), mesh, CGAL::parameters::number_of_iterations(5));
   else if (job == "simplify") {
     namespace Simplification = CGAL::Surface_mesh_simplification;
     using Policies = Simplification::GarlandHeckbert_plane_policies<Mesh, Kernel>;

@@ -23,7 +23,7 @@ impl Translator<'_, '_> {
         };
         let on = self.b.create_block();
         self.b.ins().brif(condition, on, &[], fault, &[]);
-        self.b.switch_to_block(on);
+        self.go_on(on);
     }
 
     /// Emits the blocks of faults: the machine executes the instruction and determines the trap.
@@ -99,7 +99,7 @@ impl Translator<'_, '_> {
     pub(super) fn leave_if(&mut self, condition: Value) {
         let (leave, on) = (self.leave, self.b.create_block());
         self.b.ins().brif(condition, leave, &[], on, &[]);
-        self.b.switch_to_block(on);
+        self.go_on(on);
     }
 }
 

@@ -130,7 +130,7 @@ impl Translator<'_, '_> {
         self.b.switch_to_block(slow);
         self.call_by_machine(inst);
         self.b.ins().jump(on, &[]);
-        self.b.switch_to_block(on);
+        self.go_on(on);
     }
 
     pub(super) fn call_by_machine(&mut self, inst: &Inst) {
@@ -215,7 +215,7 @@ impl Translator<'_, '_> {
         self.b.switch_to_block(slow);
         self.apply_by_machine(inst, [applied, result]);
         self.b.ins().jump(on, &[]);
-        self.b.switch_to_block(on);
+        self.go_on(on);
     }
 
     fn apply_by_machine(&mut self, inst: &Inst, [applied, result]: [Reg; 2]) {
@@ -249,7 +249,7 @@ impl Translator<'_, '_> {
         self.b.switch_to_block(slow);
         self.step(inst);
         self.b.ins().jump(on, &[]);
-        self.b.switch_to_block(on);
+        self.go_on(on);
     }
 
     /// An operation that may be called directly, if it was compiled for what this code expects and
@@ -369,6 +369,6 @@ impl Translator<'_, '_> {
         let number = self.b.ins().iconst(I64, self.at as i64);
         self.call_stub(stubs::calls::left as *const () as usize, &[number]);
         self.b.ins().jump(self.leave, &[]);
-        self.b.switch_to_block(on);
+        self.go_on(on);
     }
 }

@@ -53,7 +53,7 @@ impl Translator<'_, '_> {
                 self.b.switch_to_block(look);
                 let lives = self.lives(of, id);
                 self.b.ins().brif(lives, on, &[], to, &[]);
-                self.b.switch_to_block(on);
+                self.go_on(on);
             }
             Inst::WalkBegin { walk: _, from, at, turns, otherwise } => {
                 let first = self.id(from);
@@ -70,7 +70,7 @@ impl Translator<'_, '_> {
                 let (back, on) = (self.b.create_block(), self.b.create_block());
                 let is_back = self.b.ins().icmp(IntCC::Equal, next, first);
                 self.b.ins().brif(is_back, back, &[], on, &[]);
-                self.b.switch_to_block(on);
+                self.go_on(on);
                 let turn = self.whole(turns);
                 let turn = self.b.ins().iadd_imm_s(turn, 1);
                 let count = self.table_field(offset_of!(Tables, halfedge_count));

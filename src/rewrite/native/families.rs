@@ -84,11 +84,11 @@ impl Translator<'_, '_> {
             }
             _ => {
                 self.b.ins().jump(on, &[]);
-                self.b.switch_to_block(on);
+                self.go_on(on);
                 return false;
             }
         }
-        self.b.switch_to_block(on);
+        self.go_on(on);
         true
     }
 
@@ -161,7 +161,7 @@ impl Translator<'_, '_> {
         self.or_fault_if_negative(answer);
         self.b.def_var(result, answer);
         self.b.ins().jump(on, &[]);
-        self.b.switch_to_block(on);
+        self.go_on(on);
         self.b.use_var(result)
     }
 

@@ -175,7 +175,7 @@ impl Translator<'_, '_> {
         let holds = self.foresee(OrbitCondition::TwoSpokes, [vertex; 2]);
         self.set_whole(to, holds);
         self.b.ins().jump(on, &[]);
-        self.b.switch_to_block(on);
+        self.go_on(on);
     }
 
     /// The conditions of a vertex, answered by one walk around it, that this and the following
@@ -310,7 +310,7 @@ impl Translator<'_, '_> {
         let set = self.set.clone();
         self.put_back(&set);
         self.b.ins().jump(self.leave, &[]);
-        self.b.switch_to_block(on);
+        self.go_on(on);
     }
 
     /// Lets a stub execute the instructions up to, but without, `end`.

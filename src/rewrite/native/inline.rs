@@ -115,7 +115,7 @@ impl<'a> Translator<'a, '_> {
         self.b.switch_to_block(slow);
         self.call_by_machine(inst);
         self.b.ins().jump(on, &[]);
-        self.b.switch_to_block(on);
+        self.go_on(on);
         true
     }
 

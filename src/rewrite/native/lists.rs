@@ -79,7 +79,7 @@ impl Translator<'_, '_> {
                 let which = self.b.ins().iconst(I64, which);
                 self.call_stub(lists::prefetch as *const () as usize, &[which, place]);
                 self.b.ins().jump(on, &[]);
-                self.b.switch_to_block(on);
+                self.go_on(on);
             }
             Inst::NextIndex { buffer, index, otherwise } => {
                 let next = self.whole(index);
@@ -149,7 +149,7 @@ impl Translator<'_, '_> {
         let begun = self.call_stub(lists::begin as *const () as usize, &[]);
         self.leave_if_negative(begun);
         self.b.ins().jump(on, &[]);
-        self.b.switch_to_block(on);
+        self.go_on(on);
     }
 
     /// Empties a buffer.
@@ -185,7 +185,7 @@ impl Translator<'_, '_> {
         let rest = self.b.ins().select(is_negative, positive, rest);
         self.b.def_var(place, rest);
         self.b.ins().jump(on, &[]);
-        self.b.switch_to_block(on);
+        self.go_on(on);
         self.b.use_var(place)
     }
 
@@ -222,7 +222,7 @@ impl Translator<'_, '_> {
         let done = self.call_stub(stub, &[which, header, element]);
         self.or_fault_if_negative(done);
         self.b.ins().jump(on, &[]);
-        self.b.switch_to_block(on);
+        self.go_on(on);
     }
 
     /// Appends a slot to a buffer, whose list this is.
@@ -241,7 +241,7 @@ impl Translator<'_, '_> {
         let done = self.call_stub(lists::push as *const () as usize, &[number, bits]);
         self.or_fault_if_negative(done);
         self.b.ins().jump(on, &[]);
-        self.b.switch_to_block(on);
+        self.go_on(on);
     }
 
     /// Appends the halfedges of a walk to a buffer, and jumps to `on`. A stub walks again if the
@@ -292,7 +292,7 @@ impl Translator<'_, '_> {
         let walked = self.call_stub(stub, &[which, from, until]);
         self.or_fault_if_negative(walked);
         self.b.ins().jump(on, &[]);
-        self.b.switch_to_block(on);
+        self.go_on(on);
     }
 
     /// The address of the list of a buffer.

@@ -174,7 +174,7 @@ impl Translator<'_, '_> {
         self.known.facts = before;
         self.skip = behind - at - 1;
         self.b.ins().jump(on, &[]);
-        self.b.switch_to_block(on);
+        self.go_on(on);
         true
     }
 

@@ -2,7 +2,7 @@
 
 use cranelift_codegen::ir::condcodes::{FloatCC, IntCC};
 use cranelift_codegen::ir::types::{F64, I64};
-use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Value};
+use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Opcode, Type, Value, ValueDef};
 use cranelift_frontend::Variable;
 
 use std::mem::offset_of;
@@ -87,37 +87,41 @@ impl Translator<'_, '_> {
     pub(super) fn whole(&mut self, reg: Reg) -> Value {
         let variable = self.variable(reg);
         let value = self.b.use_var(variable);
-        match self.is_real(reg) {
-            true => self.b.ins().bitcast(I64, MemFlagsData::new(), value),
-            false => value,
-        }
+        self.cast(I64, value)
     }
 
     pub(super) fn real(&mut self, reg: Reg) -> Value {
         let variable = self.variable(reg);
         let value = self.b.use_var(variable);
-        match self.is_real(reg) {
-            true => value,
-            false => self.b.ins().bitcast(F64, MemFlagsData::new(), value),
-        }
+        self.cast(F64, value)
     }
 
     pub(super) fn set_whole(&mut self, reg: Reg, value: Value) {
-        let value = match self.is_real(reg) {
-            true => self.b.ins().bitcast(F64, MemFlagsData::new(), value),
-            false => value,
-        };
+        let ty = if self.is_real(reg) { F64 } else { I64 };
+        let value = self.cast(ty, value);
         let variable = self.variable(reg);
         self.b.def_var(variable, value);
     }
 
     pub(super) fn set_real(&mut self, reg: Reg, value: Value) {
-        let value = match self.is_real(reg) {
-            true => value,
-            false => self.b.ins().bitcast(I64, MemFlagsData::new(), value),
-        };
-        let variable = self.variable(reg);
-        self.b.def_var(variable, value);
+        self.set_whole(reg, value);
+    }
+
+    /// The bits of a value as a value of a type. A cast undoes a cast: Cranelift would move the
+    /// bits there and back.
+    fn cast(&mut self, ty: Type, value: Value) -> Value {
+        let dfg = &self.b.func.dfg;
+        if dfg.value_type(value) == ty {
+            return value;
+        }
+        if let ValueDef::Result(inst, _) = dfg.value_def(dfg.resolve_aliases(value))
+            && dfg.insts[inst].opcode() == Opcode::Bitcast
+            && let [before] = *dfg.inst_args(inst)
+            && dfg.value_type(before) == ty
+        {
+            return before;
+        }
+        self.b.ins().bitcast(ty, MemFlagsData::new(), value)
     }
 
     /// Sets a bool from the result of a comparison.

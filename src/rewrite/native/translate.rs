@@ -15,7 +15,7 @@ use cranelift_frontend::{FunctionBuilder, Switch, Variable};
 use super::Variant;
 use super::compile::entries;
 use super::context::{Context, noted};
-use super::facts::{Facts, KnownAt, Walk, ends, targets};
+use super::facts::{Facts, KnownAt, Walk, ends, jumps, targets};
 use super::guards::{Guard, Set};
 use super::inline::{Back, Inlined};
 use super::liveness::Liveness;
@@ -186,13 +186,21 @@ impl<'a, 'f> Translator<'a, 'f> {
     fn rest(&mut self, known_at: &KnownAt) {
         let Text { code, surroundings, .. } = self.text;
         let insts = &code.insts;
+        let mut last_jump = vec![0; insts.len() + 1];
+        for (from, to) in jumps(code) {
+            let last = &mut last_jump[to.min(insts.len())];
+            *last = from.max(*last);
+        }
         let mut reached = true;
         for (at, inst) in insts.iter().enumerate().skip(code.constants.min(insts.len())) {
             if let Some(block) = self.blocks[at] {
                 if reached {
                     self.b.ins().jump(block, &[]);
                 }
-                self.b.switch_to_block(block);
+                match last_jump[at] < at {
+                    true => self.go_on(block),
+                    false => self.b.switch_to_block(block),
+                }
                 self.known.enter(known_at, at);
                 reached = true;
             }
@@ -215,7 +223,7 @@ impl<'a, 'f> Translator<'a, 'f> {
             if reached {
                 self.b.ins().jump(block, &[]);
             }
-            self.b.switch_to_block(block);
+            self.go_on(block);
             reached = true;
         }
         if reached {
@@ -363,10 +371,17 @@ impl<'a, 'f> Translator<'a, 'f> {
         self.blocks[at].unwrap_or(self.leave)
     }
 
+    /// Goes on in a block to which no more jumps will follow. So it is sealed, and the values of
+    /// variables that all jumps agree about are known in it.
+    pub(super) fn go_on(&mut self, block: Block) {
+        self.b.seal_block(block);
+        self.b.switch_to_block(block);
+    }
+
     pub(super) fn jump_if(&mut self, condition: Value, to: Label) {
         let (to, on) = (self.block(to), self.b.create_block());
         self.b.ins().brif(condition, to, &[], on, &[]);
-        self.b.switch_to_block(on);
+        self.go_on(on);
     }
 
     /// Continues if a condition holds, else notes the refusal and jumps.
@@ -388,7 +403,7 @@ impl<'a, 'f> Translator<'a, 'f> {
         self.b.ins().store(flags, counts, self.context, place);
         let otherwise = self.block(otherwise);
         self.b.ins().jump(otherwise, &[]);
-        self.b.switch_to_block(on);
+        self.go_on(on);
     }
 
     /// Ends the code.

@@ -326,7 +326,7 @@ impl Translator<'_, '_> {
         self.b.switch_to_block(other);
         self.step(inst);
         self.b.ins().jump(on, &[]);
-        self.b.switch_to_block(on);
+        self.go_on(on);
     }
 
     fn function(&mut self, stub: extern "C" fn(f64, f64) -> f64, to: Reg, left: Reg, right: Reg) {

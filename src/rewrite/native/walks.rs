@@ -52,7 +52,7 @@ impl Translator<'_, '_> {
         self.or_fault_if_negative(answer);
         self.set_whole(to, answer);
         self.b.ins().jump(on, &[]);
-        self.b.switch_to_block(on);
+        self.go_on(on);
     }
 
     /// The answer, if a walk can find it.
@@ -98,7 +98,7 @@ impl Translator<'_, '_> {
     pub(super) fn or_slow(&mut self, condition: Value, slow: Block) {
         let on = self.b.create_block();
         self.b.ins().brif(condition, on, &[], slow, &[]);
-        self.b.switch_to_block(on);
+        self.go_on(on);
     }
 
     fn leads(&mut self, record: Value, field: HalfedgeField) -> Value {
@@ -155,7 +155,7 @@ impl Translator<'_, '_> {
         let is_back = self.b.ins().icmp(IntCC::Equal, next, start);
         let on = self.b.create_block();
         self.b.ins().brif(is_back, done, &[], on, &[]);
-        self.b.switch_to_block(on);
+        self.go_on(on);
         let goes_on = self.b.ins().icmp(IntCC::UnsignedLessThan, walked, halfedges.count);
         self.b.ins().brif(goes_on, head, &[], slow, &[]);
         self.b.switch_to_block(done);

@@ -183,7 +183,7 @@ impl Translator<'_, '_> {
         self.b.switch_to_block(full);
         self.step(inst);
         self.b.ins().jump(on, &[]);
-        self.b.switch_to_block(on);
+        self.go_on(on);
     }
 
     /// Sets a register to the element that a stub has returned; jumps if there is none.
@@ -212,7 +212,7 @@ impl Translator<'_, '_> {
         self.b.switch_to_block(pass);
         self.b.ins().store(flags, now, progress, turns);
         self.b.ins().jump(on, &[]);
-        self.b.switch_to_block(on);
+        self.go_on(on);
     }
 
     /// Calls a stub if writes to these fields of elements of this kind are to be notified.
@@ -237,7 +237,7 @@ impl Translator<'_, '_> {
         let done = self.call_stub(stub, &args);
         self.leave_if_negative(done);
         self.b.ins().jump(on, &[]);
-        self.b.switch_to_block(on);
+        self.go_on(on);
     }
 
     /// Translates this instruction and those of its sort that follow it as one.
@@ -253,7 +253,7 @@ impl Translator<'_, '_> {
         self.leave_if_negative(done);
         all.iter().for_each(|inst| self.reload_written(inst));
         self.b.ins().jump(on, &[]);
-        self.b.switch_to_block(on);
+        self.go_on(on);
         self.skip = end - first - 1;
     }
 
