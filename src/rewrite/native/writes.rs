@@ -108,11 +108,15 @@ impl Translator<'_, '_> {
             | Inst::NewHalfedge { .. }
             | Inst::NewEdge { .. }
             | Inst::NewFace { .. } => self.add(),
-            Inst::Erase { kind, element } => {
-                let id = self.id(element);
-                let kind = self.b.ins().iconst(I64, kind as i64);
-                let done = self.call_stub(stubs::erase as *const () as usize, &[kind, id]);
+            Inst::Erase { .. } => {
+                // All that are erased together by one call.
+                let (first, code) = (self.at, self.text.code);
+                let end = self.end_of_run(|inst| matches!(inst, Inst::Erase { .. }));
+                code.insts[first..end].iter().for_each(|inst| self.spill_operands(inst));
+                let span = self.b.ins().iconst(I64, (first | end << 32) as i64);
+                let done = self.call_stub(stubs::erase as *const () as usize, &[span]);
                 self.or_fault_if_negative(done);
+                self.skip = end - first - 1;
             }
             Inst::ExpectRoom { room, .. } => {
                 let Room { vertices, halfedges, edges, faces } = room;

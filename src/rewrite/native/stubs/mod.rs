@@ -357,20 +357,33 @@ pub(super) unsafe extern "C" fn add(context: *mut Context, span: i64) -> i64 {
     unsafe { within_guarded(context, take) }
 }
 
-/// Erases an element; [`LEAVE`] if that fails and the machine has to determine the trap.
+/// Executes instructions that erase elements, from the one in the lower half of `span` up to, but
+/// without, that in its upper half; [`LEAVE`] if one fails and the machine has to determine the
+/// trap.
 ///
 /// # Safety
 /// As for all stubs.
-pub(super) unsafe extern "C" fn erase(context: *mut Context, kind: i64, element: i64) -> i64 {
-    let erase = |_: &mut Context, run: &mut Run<'_>| {
-        let Some(&kind) = ElementKind::ALL.get(kind as usize) else {
+pub(super) unsafe extern "C" fn erase(context: *mut Context, span: i64) -> i64 {
+    let erase = |context: &mut Context, run: &mut Run<'_>| {
+        let call = context.call(run);
+        let (first, end) = (span as u32 as usize, (span >> 32) as usize);
+        let Run { machine, mesh, .. } = run;
+        let Some(window) = Window::at(&mut machine.stack, call.base) else {
             return Ok(LEAVE);
         };
-        let Run { machine, mesh, .. } = run;
-        if !machine.drains.is_empty() {
-            machine.drains.erased(mesh, kind, element as u32);
+        for inst in call.code.insts.get(first..end).unwrap_or_default() {
+            let Inst::Erase { kind, element } = *inst else {
+                return Ok(LEAVE);
+            };
+            let id = window.id(element);
+            if !machine.drains.is_empty() {
+                machine.drains.erased(mesh, kind, id);
+            }
+            if access::erase(mesh, kind, id).is_err() {
+                return Ok(LEAVE);
+            }
         }
-        Ok(access::erase(mesh, kind, element as u32).map_or(LEAVE, |()| 0))
+        Ok(0)
     };
     // SAFETY: as for all stubs.
     unsafe { within_unsettled(context, guarded(erase)) }
