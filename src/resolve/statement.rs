@@ -13,7 +13,7 @@ use super::scopes::{Binding, Local};
 use super::script::Scripting;
 use super::type_name::type_named;
 use super::typed::to_real;
-use super::words::{a_type, subject};
+use super::words::{a_type, short, subject};
 
 /// The maximum number of statements after one on its line that are taken for foreign syntax.
 const MOST_BESIDE: usize = 100;
@@ -121,9 +121,21 @@ impl Scripting<'_> {
             return None;
         };
         if let tree::ExprKind::Unary(tree::UnaryOp::Negate, inner) = &first.kind
-            && let tree::ExprKind::Unary(tree::UnaryOp::Negate, _) = &inner.kind
+            && let tree::ExprKind::Unary(tree::UnaryOp::Negate, counted) = &inner.kind
             && inner.span.start == first.span.start + 1
         {
+            let is_known = |text: &String| {
+                let root = text.split('.').next().unwrap_or_default();
+                beside == 0 && self.typing.scopes.find(root).is_some()
+            };
+            if let Some(counted) = short(counted, 5).filter(is_known) {
+                let change = format!("{counted} = {counted} - 1");
+                let message = format!("a change is written out: `{change}`");
+                let error = Diagnostic::error("unused-value", message, first.span);
+                let fix = format!("write `{change}`");
+                self.typing.report.add(error.fix(fix, first.span, change));
+                return Some(beside);
+            }
             let signs = Span { end: first.span.start + 2, ..first.span };
             let error = Diagnostic::error("unused-value", "a comment begins with `//`", first.span);
             self.typing.report.add(error.fix("write `//`", signs, "//"));
