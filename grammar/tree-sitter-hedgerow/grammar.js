@@ -94,13 +94,14 @@ module.exports = grammar({
     ),
 
     function: ($) => seq(
-      "fn", field("name", $.identifier), field("parameters", $.parameters),
-      optional(seq("->", field("result", $.type))), field("body", $.block),
+      optional("private"), "fn", field("name", $.identifier),
+      field("parameters", $.parameters), optional(seq("->", field("result", $.type))),
+      field("body", $.block),
     ),
 
     script: ($) => seq(
-      "script", field("name", $.identifier), field("parameters", $.parameters),
-      field("body", $.block),
+      optional("private"), "script", field("name", $.identifier),
+      field("parameters", $.parameters), field("body", $.block),
     ),
 
     test: ($) => seq("test", field("name", $.text), field("body", $.block)),
@@ -114,7 +115,7 @@ module.exports = grammar({
     // Operations
 
     operation: ($) => seq(
-      "op", field("name", $.identifier), field("parameters", $.parameters),
+      optional("private"), "op", field("name", $.identifier), field("parameters", $.parameters),
       optional(seq("->", field("result", choice($.identifier, alias($._element, $.type))))),
       optional(seq("keeps", list(field("keeps", $.property)))),
       "{", optional(choice($._rewrite, $._rules, $._done_in_steps)), "}",

@@ -163,7 +163,12 @@ fn chain(snapshot: &Snapshot, tokens: &[Token]) -> Vec<String> {
 }
 
 /// The context where the tokens of an item end.
-fn within(tokens: &[Token]) -> CursorContext {
+fn within(mut tokens: &[Token]) -> CursorContext {
+    if let [Token { kind: T::Private, .. }, item, ..] = tokens
+        && item.kind != T::Attr
+    {
+        tokens = &tokens[1..];
+    }
     let mut open: Vec<(T, T)> = Vec::new();
     let mut opener = tokens[0].kind;
     let mut closed = false;

@@ -228,8 +228,7 @@ impl Target<'_> {
 
     /// The attribute of this name that the file, or one that it uses, declares.
     fn declared(&self, word: &str) -> Option<&Attr> {
-        let seen = self.snapshot.seen().flat_map(|(_, tree)| &tree.items);
-        let mut items = self.snapshot.items().iter().chain(seen);
+        let mut items = self.snapshot.items().iter().chain(self.snapshot.seen_items(None));
         items.find_map(|item| match item {
             Item::Attr(attr) if attr.name.text == word => Some(attr),
             _ => None,

@@ -134,6 +134,13 @@ impl Analysis {
         self.meant(name, functions)
     }
 
+    /// True if the file can name an item, whose name is at this span: an own one, or one of a file
+    /// that it uses that is not private.
+    pub fn sees(&self, name: Span) -> bool {
+        name.file == self.file
+            || self.seen.contains(&name.file) && !self.program.private.contains(&name)
+    }
+
     /// The item of a name, qualified or not, that the file declares, else that of the first file it
     /// uses that has one.
     fn meant<'p>(&self, name: &str, items: impl Iterator<Item = (&'p str, Span)>) -> Option<usize> {
@@ -142,7 +149,8 @@ impl Analysis {
         let is_of = |span: Span| file.is_none() || file == qualifier(span);
         let order = |span: Span| self.seen.iter().position(|&seen| seen == span.file);
         let named = items.enumerate();
-        let named = named.filter(|(_, (known, span))| *known == name && is_of(*span));
+        let named =
+            named.filter(|(_, (known, span))| *known == name && is_of(*span) && self.sees(*span));
         let visible = named.filter_map(|(at, (_, span))| Some((order(span)?, at)));
         visible.min().map(|(_, at)| at)
     }

@@ -164,11 +164,6 @@ impl Snapshot {
         self.used.iter().map(|(file, read)| (*file, &read.tree))
     }
 
-    /// The files whose items can be named in it: those it uses itself.
-    pub fn seen(&self) -> impl Iterator<Item = (FileId, &tree::File)> {
-        self.used().filter(|(file, _)| self.seen.contains(file))
-    }
-
     /// The items that a name may mean, and their own name: those of the text, then those of the files
     /// that it uses itself; a qualified name, `polygon::flip`, means those of that file.
     pub fn items_for<'n>(&self, name: &'n str) -> (impl Iterator<Item = &Item>, &'n str) {
@@ -177,10 +172,12 @@ impl Snapshot {
         (own.chain(self.seen_items(file)), name)
     }
 
-    /// The items of the files that it uses itself, or only of those of a qualifier.
+    /// The items that are not private of the files that it uses itself, or only of those of a
+    /// qualifier.
     pub fn seen_items(&self, of: Option<&str>) -> impl Iterator<Item = &Item> {
         let is_of = move |file| of.is_none_or(|of| qualifier(self.sources.get(file).name()) == of);
-        self.seen().filter(move |(file, _)| is_of(*file)).flat_map(|(_, tree)| &tree.items)
+        let files = self.used().filter(move |(file, _)| self.seen.contains(file) && is_of(*file));
+        files.flat_map(|(_, tree)| &tree.items).filter(|item| item.private_name().is_none())
     }
 
     /// The names of the files it uses, directly or through others.

@@ -18,7 +18,7 @@ pub struct Unused {
     pub what: &'static str,
 }
 
-/// The parameters, variables and private attributes of a text that nothing reads. A loop or an
+/// The parameters, variables and private items of a text that nothing reads or calls. A loop or an
 /// aggregate has to name its element, so that name may go unused, as may one that begins with `_`.
 pub fn unused(snapshot: &Snapshot) -> Vec<Unused> {
     let names = snapshot.names();
@@ -38,6 +38,10 @@ pub fn unused(snapshot: &Snapshot) -> Vec<Unused> {
 /// The kind of a name, in a word, if it is one that something should read.
 fn what(snapshot: &Snapshot, symbol: &Symbol) -> Option<&'static str> {
     let definition = symbol.definition?;
+    let private = |what| {
+        let mut names = snapshot.items().iter().filter_map(Item::private_name);
+        names.any(|name| name.span == definition).then_some(what)
+    };
     match symbol.kind {
         SymbolKind::Parameter => Some("parameter"),
         SymbolKind::Element(_) if symbol.ty.is_some() => Some("parameter"),
@@ -48,13 +52,10 @@ fn what(snapshot: &Snapshot, symbol: &Symbol) -> Option<&'static str> {
             });
             (!is_of_loop).then_some("variable")
         }
-        SymbolKind::Attribute => {
-            let is_private = |item: &Item| match item {
-                Item::Attr(attr) => attr.private && attr.name.span == definition,
-                _ => false,
-            };
-            snapshot.items().iter().any(is_private).then_some("attribute")
-        }
+        SymbolKind::Attribute => private("attribute"),
+        SymbolKind::Op => private("op"),
+        SymbolKind::Function => private("function"),
+        SymbolKind::Script => private("script"),
         _ => None,
     }
 }

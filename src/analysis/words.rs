@@ -17,7 +17,10 @@ pub struct Word {
 pub const MEANINGS: &[(&str, &str)] = &[
     ("use", "takes in what another file declares: `use \"std/triangle.hedge\"`"),
     ("steps", "what an operation calls in place of a drawing, all or nothing: `steps { … }`"),
-    ("private", "an attribute that is never saved: `private attr seen: face bool = false`"),
+    (
+        "private",
+        "makes an op, function, script or attribute visible in its file only: `private fn weight(e: edge) { … }`; an attribute is then never saved",
+    ),
     ("attr", "a value stored with each element of a kind: `attr weight: edge real = 1`"),
     (
         "fn",

@@ -59,7 +59,7 @@ fn list(file: LibraryFile) -> String {
     let parsed = parse(sources.add(file.name, file.text), file.text);
     let Tree { docs, items, .. } = &parsed.tree;
     let mut rows = Vec::new();
-    for item in items {
+    for item in items.iter().filter(|item| item.private_name().is_none()) {
         let (word, name, docs) = match item {
             Item::Op(op) => ("op", &op.name, &op.docs),
             Item::Fn(function) => ("fn", &function.name, &function.docs),

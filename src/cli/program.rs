@@ -209,7 +209,7 @@ fn visible<'p>(
     items: impl Iterator<Item = (&'p str, Span)>,
 ) -> Vec<Candidate<'p>> {
     let items = items.enumerate();
-    let seen = items.filter(|(_, (_, span))| analysis.seen.contains(&span.file));
+    let seen = items.filter(|(_, (_, span))| analysis.sees(*span));
     let candidates = seen.map(|(index, (name, span))| Candidate {
         index,
         name,

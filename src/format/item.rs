@@ -12,7 +12,7 @@ impl Printer<'_> {
             Item::Use(_) => self.spaced_token().append(self.token()),
             Item::Attr(attr) => self.attr(attr, width),
             Item::Fn(function) => {
-                let head = self.head(&function.params, width);
+                let head = self.head(function.private, &function.params, width);
                 let head = match function.result {
                     Some(_) => head.append(self.result()),
                     None => head,
@@ -22,7 +22,7 @@ impl Printer<'_> {
             }
             Item::Op(op) => self.op(op, width),
             Item::Script(script) => {
-                let head = self.head(&script.params, width);
+                let head = self.head(script.private, &script.params, width);
                 let body = self.block(&script.body, width);
                 super::action::headed(vec![(head.append(text(" ")), body)])
             }
@@ -37,10 +37,7 @@ impl Printer<'_> {
 
     /// `private attr name: vertex real = 0`
     fn attr(&mut self, attr: &Attr, width: usize) -> Doc {
-        let mut doc = nil();
-        if attr.private {
-            doc = self.spaced_token();
-        }
+        let mut doc = self.private(attr.private);
         doc = doc.append(self.spaced_token()).append(self.token());
         doc = doc.append(self.spaced_token());
         doc = doc.append(self.spaced_token()).append(self.token());
@@ -50,9 +47,14 @@ impl Printer<'_> {
         }
     }
 
-    /// `script name(…)`
-    fn head(&mut self, params: &[Param], width: usize) -> Doc {
-        let head = self.spaced_token().append(self.token());
+    /// `private `
+    fn private(&mut self, is_there: bool) -> Doc {
+        if is_there { self.spaced_token() } else { nil() }
+    }
+
+    /// `private script name(…)`
+    fn head(&mut self, private: bool, params: &[Param], width: usize) -> Doc {
+        let head = self.private(private).append(self.spaced_token()).append(self.token());
         let open = self.token();
         let mut inside = vec![soft()];
         for (at, param) in params.iter().enumerate() {
@@ -79,7 +81,7 @@ impl Printer<'_> {
 
     /// `op name(…) -> m keeps … { … }`
     fn op(&mut self, op: &Op, width: usize) -> Doc {
-        let mut head = self.head(&op.params, width);
+        let mut head = self.head(op.private, &op.params, width);
         if op.result.is_some() {
             head = head.append(self.result());
         }

@@ -9,7 +9,7 @@ use crate::diagram::{
 use crate::source::Span;
 use crate::syntax::tree::{self, Condition, Ident, Statement};
 
-use super::field::private;
+use super::declared::private;
 use super::fields::{attribute, attributes_of, is_taken};
 use super::foreign_words::{self, Here};
 use super::lists::mention;
@@ -287,7 +287,7 @@ impl Typing<'_> {
             return None;
         }
         if let Some(declared) = self.declared.hidden_attribute(ty, &name.text) {
-            self.report.add(private(name, declared));
+            self.report.add(private("unknown-attribute", name, declared));
             return None;
         }
         if let Some(how) = self.not_assigned(ty, &name.text) {

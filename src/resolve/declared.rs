@@ -37,6 +37,8 @@ pub(super) struct Named {
     pub(super) number: usize,
     /// The span of its name.
     pub(super) span: Span,
+    /// Whether only its file sees it.
+    private: bool,
 }
 
 /// The kind of a callable item.
@@ -67,6 +69,8 @@ pub(super) struct Declared {
     called: BTreeMap<String, Named>,
     /// Items of other used files with the same name as one in `called`.
     others: HashMap<String, Span>,
+    /// The private items of used files, by name and by qualified name.
+    hidden_items: HashMap<String, Span>,
     /// The qualifier of each used file.
     qualifiers: HashMap<FileId, String>,
     /// The signatures of functions and scripts, as far as they are known, by name.
@@ -76,7 +80,7 @@ pub(super) struct Declared {
     /// The names of attributes whose declaration is invalid.
     lost_attributes: HashSet<String>,
     /// The private attributes of used files.
-    hidden: Vec<Head>,
+    hidden_attributes: Vec<Head>,
     /// True if a used file is missing.
     lacks: bool,
     /// The meanings of the words after dots that have been seen so far.
@@ -127,36 +131,24 @@ impl Declared {
         diagnostics: &mut Vec<Diagnostic>,
     ) {
         for item in &file.items {
-            match item {
-                Item::Op(op) => {
-                    let named = Named { what: What::Op, number: numbers.ops, span: op.name.span };
-                    numbers.ops += 1;
-                    diagnostics.extend(self.declare_called(&op.name, named));
-                }
+            let (what, name, private, count) = match item {
+                Item::Op(op) => (What::Op, &op.name, op.private, &mut numbers.ops),
                 Item::Script(script) => {
-                    let named = Named {
-                        what: What::Script,
-                        number: numbers.scripts,
-                        span: script.name.span,
-                    };
-                    numbers.scripts += 1;
-                    diagnostics.extend(self.declare_called(&script.name, named));
+                    (What::Script, &script.name, script.private, &mut numbers.scripts)
                 }
                 Item::Fn(function) => {
-                    let named = Named {
-                        what: What::Function,
-                        number: numbers.functions,
-                        span: function.name.span,
-                    };
-                    numbers.functions += 1;
-                    diagnostics.extend(self.declare_called(&function.name, named));
+                    (What::Function, &function.name, function.private, &mut numbers.functions)
                 }
                 Item::Attr(attr) => {
                     let misread = file.is_misread(attr.span);
                     self.declare_attribute((attr, misread), numbers, diagnostics);
+                    continue;
                 }
-                Item::Test(_) | Item::Use(_) | Item::Broken(_) => {}
-            }
+                Item::Test(_) | Item::Use(_) | Item::Broken(_) => continue,
+            };
+            let named = Named { what, number: *count, span: name.span, private };
+            *count += 1;
+            diagnostics.extend(self.declare_called(name, named));
         }
     }
 
@@ -215,6 +207,10 @@ impl Declared {
         for (name, named) in &used.called {
             self.qualifiers.entry(named.span.file).or_insert_with(|| qualifier.to_owned());
             let qualified = qualified(qualifier, name);
+            if named.private {
+                self.hidden_items.extend([name.clone(), qualified].map(|name| (name, named.span)));
+                continue;
+            }
             let alone = (!own.called.contains_key(name)).then(|| name.clone());
             for name in alone.into_iter().chain([qualified]) {
                 match self.called.get(&name) {
@@ -230,7 +226,7 @@ impl Declared {
                 _ => self.attributes.push(head.clone()),
             }
         }
-        self.hidden.extend(used.attributes.iter().filter(|head| head.private).cloned());
+        self.hidden_attributes.extend(used.attributes.iter().filter(|head| head.private).cloned());
         let lost = used.lost_attributes.iter().cloned();
         self.lost_attributes.extend(lost);
     }
@@ -298,6 +294,9 @@ impl Declared {
         function: &Ident,
         candidates: impl IntoIterator<Item = &'a str>,
     ) -> Diagnostic {
+        if let Some(&declared) = self.hidden_items.get(&function.text) {
+            return private(error.code, function, declared);
+        }
         let (file, word) = split_qualified(&function.text);
         let span = function.span;
         let is_known = |file: &str| self.qualifiers.values().any(|known| known == file);
@@ -368,7 +367,7 @@ impl Declared {
 
     /// The place where a used file declares a private attribute of this name.
     pub(super) fn hidden_attribute(&self, element: Type, name: &str) -> Option<Span> {
-        let mut hidden = self.hidden.iter();
+        let mut hidden = self.hidden_attributes.iter();
         let head = hidden.find(|head| head.element == element && head.name == name)?;
         Some(head.span)
     }
@@ -441,6 +440,14 @@ fn clash(head: &Head, other: &Head) -> Diagnostic {
         true => error,
         false => error.note("the attributes of all files of a program have one namespace"),
     }
+}
+
+/// The error for a private item of another file; `code` is that of an unknown one.
+pub(super) fn private(code: &'static str, name: &Ident, declared: Span) -> Diagnostic {
+    let message = format!("`{}` is private to the file that declares it", name.text);
+    Diagnostic::error(code, message, name.span)
+        .label(declared, "it is declared here")
+        .note("without `private` all files see it that use that one")
 }
 
 /// The error for a name that is taken; `what` is the kind of item, with its article.

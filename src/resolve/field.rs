@@ -6,6 +6,7 @@ use crate::source::Span;
 use crate::syntax::tree::{self, Ident};
 
 use super::condition::declaration;
+use super::declared::private;
 use super::fields::{Field, fields_of, is_taken};
 use super::foreign_words::{self, Here};
 use super::neighbor::near;
@@ -121,7 +122,7 @@ impl Typing<'_> {
             return;
         }
         if let Some(declared) = self.declared.hidden_attribute(ty, &field.text) {
-            self.report.add(private(field, declared));
+            self.report.add(private("unknown-attribute", field, declared));
             return;
         }
         let known: Vec<&str> = fields_of(ty)
@@ -173,12 +174,4 @@ impl Typing<'_> {
             }
         });
     }
-}
-
-/// The error for a private attribute of another file.
-pub(super) fn private(name: &Ident, declared: Span) -> Diagnostic {
-    let message = format!("`{}` is private to the file that declares it", name.text);
-    Diagnostic::error("unknown-attribute", message, name.span)
-        .label(declared, "it is declared here")
-        .note("without `private` all files see it that use that one")
 }

@@ -61,7 +61,9 @@ pub fn resolve_all(units: &[Unit]) -> Resolved {
         .iter()
         .filter_map(|unit| Some((unit.tree.items.first()?.span().file, unit.qualifier.to_owned())));
     let qualifiers = qualifiers.collect();
-    let mut program = Program { qualifiers, attributes, ..Program::default() };
+    let items = units.iter().flat_map(|unit| &unit.tree.items);
+    let private = items.filter_map(|item| Some(item.private_name()?.span)).collect();
+    let mut program = Program { qualifiers, private, attributes, ..Program::default() };
     let (mut signatures, mut reports) = (Vec::new(), Vec::new());
     functions.resolve(&signatures, |found| !found.calls_ops);
     for (unit, declared) in units.iter().zip(&functions.declared) {

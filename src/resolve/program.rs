@@ -1,6 +1,6 @@
 //! A program: operations as diagrams, scripts as typed statements.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
 use crate::diagram::{self, Access, Attribute, Collection, Expr, Param, Type};
@@ -12,6 +12,8 @@ use crate::syntax::tree::{Digits, qualified};
 pub struct Program {
     /// The qualifiers of the names that each file declares.
     pub qualifiers: HashMap<FileId, String>,
+    /// The names of the private ops, functions and scripts, which only their own files see.
+    pub private: HashSet<Span>,
     /// The attributes that elements have; an [`Access`] names one by its number.
     pub attributes: Arc<[Attribute]>,
     /// The operations. One that could not be resolved keeps its index, so that its calls can be

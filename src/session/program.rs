@@ -211,7 +211,7 @@ impl Program {
     }
 
     fn visible(&self, spans: impl Iterator<Item = Span>) -> impl Iterator<Item = usize> {
-        let seen = spans.enumerate().filter(|(_, span)| self.0.analysis.seen.contains(&span.file));
+        let seen = spans.enumerate().filter(|(_, span)| self.0.analysis.sees(*span));
         seen.map(|(at, _)| at)
     }
 

@@ -163,7 +163,7 @@ impl TokenKind {
     }
 
     /// True if it is a keyword that may also be a name, since it is special in one place only:
-    /// `test` before a text, `private` before `attr`, `by` after a sequence, `steps` in an op,
+    /// `test` before a text, `private` before an item, `by` after a sequence, `steps` in an op,
     /// `parallel` before `for`.
     pub fn is_soft(self) -> bool {
         matches!(self, Self::Test | Self::Private | Self::By | Self::Steps | Self::Parallel)

@@ -153,6 +153,9 @@ fn names_that_nothing_reads_are_found() {
         + "private attr old: vertex real = 0
            private attr heat: vertex real = 0
            attr shared: vertex real = 0
+           private fn idle() { idle_too() }
+           private fn idle_too() { }
+           private script idle_script() { }
            fn twice(x: real, y: real, _z: real) -> real { let two = 2 let other = x two * x }
            script main(n: int = 1, m: int = 2) {
              var count = 0
@@ -165,6 +168,8 @@ fn names_that_nothing_reads_are_found() {
            }";
     let told = [
         "attribute old",
+        "function idle",
+        "script idle_script",
         "parameter times",
         "parameter f",
         "parameter y",

@@ -74,12 +74,20 @@ impl Closings {
 fn begins_item(text: &str, tokens: &[Token], at: usize, inside: bool) -> bool {
     let kind = |ahead: usize| tokens.get(at + ahead).map(|token| token.kind);
     let named = kind(1).is_some_and(T::is_name);
+    let declares = |kind| matches!(kind, T::Op | T::Script | T::Fn | T::Attr);
+    let is_private = |at: usize| {
+        let [private, item] = tokens.get(at..at + 2).unwrap_or_default() else { return false };
+        let between = text.get(private.span.end as usize..item.span.start as usize);
+        private.kind == T::Private
+            && declares(item.kind)
+            && between.is_some_and(|between| between.trim().is_empty())
+    };
     let (sure, hard) = match tokens[at].kind {
+        _ if at.checked_sub(1).is_some_and(is_private) => return false,
         T::Op | T::Script | T::Fn => (named && kind(2) == Some(T::LeftParen), true),
         T::Use => (kind(1) == Some(T::Text), true),
         T::Test => (kind(1) == Some(T::Text), false),
-        T::Private => (kind(1) == Some(T::Attr), false),
-        T::Attr if at > 0 && tokens[at - 1].kind == T::Private => return false,
+        T::Private => (is_private(at), false),
         T::Attr => (named && kind(2) == Some(T::Colon), true),
         _ => return false,
     };

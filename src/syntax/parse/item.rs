@@ -40,11 +40,15 @@ fn file_use<'t>() -> Rule<'t, Use> {
         .boxed()
 }
 
+/// `private`, before an item that is for its own file.
+fn private<'t>() -> Rule<'t, bool> {
+    just(T::Private).or_not().map(|word| word.is_some()).boxed()
+}
+
 /// `private attr name: vertex real = 0`
 fn attr<'t>(code: &Code<'t>) -> Rule<'t, Attr> {
     let default = just(T::Equals).ignore_then(code.expression.clone());
-    just(T::Private)
-        .or_not()
+    private()
         .then_ignore(just(T::Attr))
         .then(ident())
         .then_ignore(just(T::Colon))
@@ -53,7 +57,7 @@ fn attr<'t>(code: &Code<'t>) -> Rule<'t, Attr> {
         .then(default.or_not())
         .map_with(|((((private, name), kind), ty), default), scene| Attr {
             docs: Vec::new(),
-            private: private.is_some(),
+            private,
             name,
             kind,
             ty,
@@ -103,15 +107,17 @@ fn body<'t>(code: &Code<'t>) -> Rule<'t, Block> {
     code.block.clone().recover_with(via_parser(later)).boxed()
 }
 
-/// `fn name(…) -> type { … }`
+/// `private fn name(…) -> type { … }`
 fn function<'t>(code: &Code<'t>) -> Rule<'t, Fn> {
-    just(T::Fn)
-        .ignore_then(ident())
+    private()
+        .then_ignore(just(T::Fn))
+        .then(ident())
         .then(params(code))
         .then(result(type_word()))
         .then(body(code))
-        .map_with(|(((name, params), result), body), scene| Fn {
+        .map_with(|((((private, name), params), result), body), scene| Fn {
             docs: Vec::new(),
+            private,
             name,
             params,
             result,
@@ -121,14 +127,16 @@ fn function<'t>(code: &Code<'t>) -> Rule<'t, Fn> {
         .boxed()
 }
 
-/// `script name(…) { … }`
+/// `private script name(…) { … }`
 fn script<'t>(code: &Code<'t>) -> Rule<'t, Script> {
-    just(T::Script)
-        .ignore_then(ident())
+    private()
+        .then_ignore(just(T::Script))
+        .then(ident())
         .then(params(code))
         .then(body(code))
-        .map_with(|((name, params), body), scene| Script {
+        .map_with(|(((private, name), params), body), scene| Script {
             docs: Vec::new(),
+            private,
             name,
             params,
             body,
@@ -149,7 +157,7 @@ fn test<'t>(code: &Code<'t>) -> Rule<'t, Test> {
         .boxed()
 }
 
-/// `op name(…) -> result keeps … { … }`
+/// `private op name(…) -> result keeps … { … }`
 fn op<'t>(code: &Code<'t>) -> Rule<'t, Op> {
     let levels = ident().separated_by(just(T::Comma)).at_least(1).collect();
     let levels = levels.recover_with(via_parser(empty().map(|()| Vec::new())));
@@ -157,14 +165,16 @@ fn op<'t>(code: &Code<'t>) -> Rule<'t, Op> {
         .ignore_then(levels)
         .or_not()
         .map(|keeps: Option<Vec<Ident>>| keeps.unwrap_or_default());
-    just(T::Op)
-        .ignore_then(ident())
+    private()
+        .then_ignore(just(T::Op))
+        .then(ident())
         .then(params(code))
         .then(result(returned()))
         .then(keeps)
         .then(rules(code))
-        .map_with(|((((name, params), result), keeps), (rules, steps)), scene| Op {
+        .map_with(|(((((private, name), params), result), keeps), (rules, steps)), scene| Op {
             docs: Vec::new(),
+            private,
             name,
             params,
             result,

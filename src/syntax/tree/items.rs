@@ -42,6 +42,20 @@ pub enum Item {
     Broken(Span),
 }
 
+impl Item {
+    /// Its name, if it is `private`.
+    pub fn private_name(&self) -> Option<&Ident> {
+        let (private, name) = match self {
+            Self::Attr(attr) => (attr.private, &attr.name),
+            Self::Fn(function) => (function.private, &function.name),
+            Self::Op(op) => (op.private, &op.name),
+            Self::Script(script) => (script.private, &script.name),
+            Self::Use(_) | Self::Test(_) | Self::Broken(_) => return None,
+        };
+        private.then_some(name)
+    }
+}
+
 /// `use "path"`
 #[derive(Clone, Debug, PartialEq)]
 pub struct Use {
@@ -85,11 +99,13 @@ pub struct Param {
     pub span: Span,
 }
 
-/// `fn name(…) -> type { … }`
+/// `fn name(…) -> type { … }`, optionally `private`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fn {
     /// Its doc comment.
     pub docs: Vec<String>,
+    /// True if it is `private`: visible only in its file.
+    pub private: bool,
     /// Its name.
     pub name: Ident,
     /// Its parameters.
@@ -102,11 +118,13 @@ pub struct Fn {
     pub span: Span,
 }
 
-/// `script name(…) { … }`
+/// `script name(…) { … }`, optionally `private`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Script {
     /// Its doc comment.
     pub docs: Vec<String>,
+    /// True if it is `private`: visible only in its file.
+    pub private: bool,
     /// Its name.
     pub name: Ident,
     /// Its parameters.
@@ -130,11 +148,13 @@ pub struct Test {
     pub span: Span,
 }
 
-/// `op name(…) -> result keeps … { … }`
+/// `op name(…) -> result keeps … { … }`, optionally `private`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Op {
     /// Its doc comment, one entry per line, without `///`.
     pub docs: Vec<String>,
+    /// True if it is `private`: visible only in its file.
+    pub private: bool,
     /// Its name.
     pub name: Ident,
     /// Its parameters.
@@ -147,7 +167,7 @@ pub struct Op {
     pub rules: Vec<Rule>,
     /// The steps, for an op in steps.
     pub steps: Option<Steps>,
-    /// The span of the whole item, from `op` to the closing brace.
+    /// The span of the whole item, to the closing brace.
     pub span: Span,
 }
 

@@ -50,7 +50,7 @@ fn keywords_are_those_of_the_lexer() {
     let mut reader = reader();
     for word in words {
         both_read(&mut reader, &format!("script {word}() {{ let {word} = {word} }}"));
-        let fields = format!("attr a: {word} {word} script s() {{ x.{word} = y.{word} }}");
+        let fields = format!("script s() {{ x.{word} = y.{word} }} attr a: {word} {word}");
         assert!(both_read(&mut reader, &fields), "{word}");
     }
 }

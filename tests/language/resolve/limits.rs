@@ -31,6 +31,7 @@ fn resolve_statement(kind: impl FnOnce() -> ActionKind + Send + 'static) -> Reso
     let work = move || {
         let script = Script {
             docs: Vec::new(),
+            private: false,
             name: ident("s"),
             params: Vec::new(),
             body: block(vec![kind()]),

@@ -41,7 +41,7 @@ impl Page {
             Item::Use(path) => self.line(format!("use {:?}", path.path)),
             Item::Attr(attr) => {
                 self.docs(&attr.docs);
-                let private = if attr.private { "private " } else { "" };
+                let private = private(attr.private);
                 let default = optional(" = ", attr.default.as_ref().map(value));
                 let (name, kind, ty) = (&attr.name.text, &attr.kind.text, &attr.ty.text);
                 self.line(format!("{private}attr {name}: {kind} {ty}{default}"));
@@ -49,13 +49,15 @@ impl Page {
             Item::Fn(f) => {
                 self.docs(&f.docs);
                 let result = optional(" -> ", f.result.as_ref().map(|ty| ty.text.clone()));
-                self.line(format!("fn {}{}{result}", f.name.text, params(&f.params)));
+                let (private, name) = (private(f.private), &f.name.text);
+                self.line(format!("{private}fn {name}{}{result}", params(&f.params)));
                 self.block(&f.body);
             }
             Item::Op(op) => self.op(op),
             Item::Script(script) => {
                 self.docs(&script.docs);
-                self.line(format!("script {}{}", script.name.text, params(&script.params)));
+                let (private, name) = (private(script.private), &script.name.text);
+                self.line(format!("{private}script {name}{}", params(&script.params)));
                 self.block(&script.body);
             }
             Item::Test(test) => {
@@ -71,7 +73,8 @@ impl Page {
         let result = optional(" -> ", op.result.as_ref().map(|name| name.text.clone()));
         let keeps: Vec<_> = op.keeps.iter().map(|level| level.text.as_str()).collect();
         let keeps = optional(" keeps ", (!keeps.is_empty()).then(|| keeps.join(" ")));
-        self.line(format!("op {}{}{result}{keeps}", op.name.text, params(&op.params)));
+        let (private, name) = (private(op.private), &op.name.text);
+        self.line(format!("{private}op {name}{}{result}{keeps}", params(&op.params)));
         for rule in &op.rules {
             self.within(|page| match &rule.name {
                 Some(name) => {
@@ -205,6 +208,10 @@ impl Page {
         self.line(format!("{word} {} in {}{filter}", variable.text, value(sequence)));
         self.block(body);
     }
+}
+
+fn private(is_private: bool) -> &'static str {
+    if is_private { "private " } else { "" }
 }
 
 fn optional(before: &str, text: Option<String>) -> String {
