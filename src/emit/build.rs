@@ -3,47 +3,38 @@
 use std::collections::BTreeSet;
 
 use super::NotEmitted;
-use super::conventions::Conventions;
-use super::expression::{Expressions, ORDINARY, is_surely_finite, parameters};
-use super::guard;
-use super::item::{Alternative, Item, ItemBody, Signature};
-use super::matching::Matching;
-use super::matrix::finite;
+use super::item::{Alternative, Item, ItemBody, Parameter, Signature, parameters};
+use super::items::Source;
 use super::names::Names;
 use super::reassign;
-use super::routine::{Field, Statement, without_unread};
-use super::term::{Parameter, Term};
-use crate::check::{Proof, Proved};
-use crate::diagram::{Access, Binary, Drawing, Rule, Type};
-use crate::lower::{Condition, Element, Operation, Step, Tries, Value};
+use super::routine::{Block, Field, Form, Statement, without_unread};
+use super::value::{ORDINARY, Term, is_surely_finite};
+use crate::check::Proved;
+use crate::diagram::{Binary, Drawing, Expr, ExprKind, Kind, Rule, Type};
+use crate::lower::{Begin, Condition, Element, Operation, Step, Tries, Value};
 
-/// A proved operation as a routine, and the functions that it calls; `looks` gives the attributes
-/// that a function looks at.
-pub(super) fn routine(
+/// A proved operation as a routine, with its name in code.
+pub(super) fn routine<'s>(
+    source: &'s Source<'s>,
+    name: &str,
     proved: &Proved,
-    functions: &[Option<String>],
-    conventions: Conventions<'_>,
-    looks: &dyn Fn(u32) -> BTreeSet<u32>,
-) -> Result<(Item, BTreeSet<u32>), NotEmitted> {
+) -> Result<Item, NotEmitted> {
     let op = proved.op();
-    let mut all_calls = BTreeSet::new();
-    let mut params = Vec::new();
-    let mut rules = Vec::new();
+    let mut signature = Signature::new(name, &op.name, &op.docs, op.result);
+    let (mut needs, mut rules, mut attributes) = (BTreeSet::new(), Vec::new(), Vec::new());
     for (rule, proof) in op.rules.iter().zip(proved.proofs()) {
         let rule = proof.drawn(rule);
-        let mut names = Names::new(op, rule, functions, conventions.reserved);
-        params = parameters(&op.params, &mut names)?;
-        let mut body = alternative(rule, proof, conventions, &mut names)?;
-        let calls = names.take_calls();
-        if conventions.columns {
-            let seen = calls.iter().flat_map(|&call| looks(call));
-            body.splice(0..0, names.columns(&seen.collect()));
-        }
-        all_calls.extend(calls);
-        rules.push(Alternative {
-            label: rule.label.clone(),
-            body: without_unread(body, Statement::bound),
-        });
+        let mut names = Names::new(source, op, rule);
+        signature.params = parameters(&op.params, &mut names)?;
+        let drawing = &Drawing::new(rule);
+        let mut writer = Writer { drawing, names, body: Vec::new() };
+        writer.alternative(&Operation::new(drawing, proof), source.selection.exhaustive)?;
+        let Writer { names, mut body, .. } = writer;
+        body.splice(0..0, names.columns(&source.seen_by(&names.needs), false));
+        attributes.extend(names.used_attributes());
+        needs.extend(names.needs);
+        let label = rule.label.clone();
+        rules.push(Alternative { label, body: without_unread(body, false) });
     }
     let outlives = |&(at, param): &(usize, &Parameter)| {
         let erased = |rule: &Rule| {
@@ -52,110 +43,161 @@ pub(super) fn routine(
         };
         param.ty.is_element() && !op.rules.iter().any(erased)
     };
-    let given = params.iter().enumerate().find(outlives).map(|(_, param)| param.clone());
-    let signature = Signature {
-        name: op.name.clone(),
-        declared: op.name.clone(),
-        given,
-        docs: op.docs.clone(),
-        params,
-        result: op.result,
-    };
-    Ok((Item { signature, body: ItemBody::Drawn(rules) }, all_calls))
+    let given = signature.params.iter().enumerate().find(outlives);
+    signature.given = given.map(|(_, param)| param.clone());
+    Ok(Item { signature, attributes, needs, body: ItemBody::Drawn(rules) })
 }
 
-fn alternative(
-    rule: &Rule,
-    proof: &Proof,
-    conventions: Conventions<'_>,
-    names: &mut Names,
-) -> Result<Vec<Statement>, NotEmitted> {
-    let drawing = Drawing::new(rule);
-    let operation = Operation::new(&drawing, proof);
-    let mut rest = phases(&drawing, &operation, conventions, names)?;
-    let steps = &operation.matching.steps;
-    let mut matching = Matching { drawing: &drawing, conventions, names };
-    // From the last attempt outwards: each contains everything after it.
-    let mut end = steps.len();
-    for (at, step) in steps.iter().enumerate().rev() {
-        let Step::Begin(begin) = step else {
-            continue;
-        };
-        let is_tried_once = match begin.tries {
-            Tries::Some(1) => true,
-            Tries::AllForValues => operation.values.iter().all(|set| refusal(set).is_none()),
-            Tries::All | Tries::Some(_) => false,
-        };
-        if is_tried_once {
-            continue;
-        }
-        let mut body = matching.steps(&steps[at + 1..end]);
-        body.extend(rest);
-        rest = vec![Statement::Attempt {
-            kind: rule.kind(begin.element),
-            element: matching.names.word(begin.element).into(),
-            halfedge: matching.names.begin(begin.halfedge),
-            body,
-        }];
-        end = at;
-    }
-    let mut body = matching.steps(&steps[..end]);
-    body.extend(rest);
-    Ok(body)
+/// The writer of one rule.
+pub(super) struct Writer<'d, 's> {
+    pub drawing: &'d Drawing<'d>,
+    pub names: Names<'s>,
+    /// The statements so far.
+    pub body: Vec<Statement>,
 }
 
-/// The statements after matching: the conditions, and phases 2 to 4.
-fn phases(
-    drawing: &Drawing,
-    operation: &Operation,
-    conventions: Conventions<'_>,
-    names: &mut Names,
-) -> Result<Vec<Statement>, NotEmitted> {
-    let rule = drawing.rule;
-    let mut body =
-        Matching { drawing, conventions, names }.empty_paths_and_tests(&operation.matching);
-    for &Condition { condition, at_each_index, refusal } in &operation.requires {
-        let condition =
-            Expressions { names }.once(condition, at_each_index, Some(rule), &mut body)?;
-        let ask = |names: &mut Names| Expressions { names }.term(&condition);
-        let condition = names.for_each(at_each_index, ask)?;
-        let mut parts = Vec::new();
-        match at_each_index {
-            true => parts.push(condition),
-            false => conjuncts(condition, &mut parts),
+impl Writer<'_, '_> {
+    /// Makes something, inside of the repetition for each index if `repeated`.
+    pub fn for_each<T>(&mut self, repeated: bool, make: impl FnOnce(&mut Self) -> T) -> T {
+        let outer = self.names.is_indexed;
+        self.names.is_indexed |= repeated;
+        let made = make(self);
+        self.names.is_indexed = outer;
+        made
+    }
+
+    /// Binds a value, or if `each` the list of its values at each index.
+    pub fn bind(&mut self, ty: Type, name: &str, value: &Term, each: bool) {
+        self.body.push(self.names.bound(ty, name, value, each));
+    }
+
+    /// Refuses if a condition holds, or if `each` if it does for some index.
+    pub fn refuse(&mut self, when: Term, each: bool, reason: &str) {
+        let Names { language, indices, .. } = &self.names;
+        let when = if each { language.for_some(indices, &when) } else { when };
+        self.body.push(Statement::Refuse { when, reason: reason.to_string() });
+    }
+
+    /// Writes a whole rule. If `exhaustive`, pointers that do not change are set, too.
+    fn alternative(&mut self, operation: &Operation, exhaustive: bool) -> Result<(), NotEmitted> {
+        self.phases(operation, exhaustive)?;
+        let steps = &operation.matching.steps;
+        // From the last attempt outwards: each contains everything after it.
+        let mut end = steps.len();
+        for (at, step) in steps.iter().enumerate().rev() {
+            let Step::Begin(begin) = step else {
+                continue;
+            };
+            let is_tried_once = match begin.tries {
+                Tries::Some(1) => true,
+                Tries::AllForValues => operation.values.iter().all(|set| refusal(set).is_none()),
+                Tries::All | Tries::Some(_) => false,
+            };
+            if !is_tried_once {
+                self.before(&steps[at + 1..end]);
+                self.attempt(begin);
+                end = at;
+            }
         }
-        let parts = parts.into_iter();
-        body.extend(parts.map(|part| names.refusal(part.not(), at_each_index, refusal)));
+        self.before(&steps[..end]);
+        Ok(())
     }
-    body.extend(guard::tests(drawing, operation, names, conventions));
-    let values = values(rule, &operation.values, names, &mut body)?;
-    if !operation.created.is_empty() {
-        body.push(Statement::Blank);
-        body.push(Statement::Comment("2. Allocate what is new.".into()));
+
+    /// Binds names before the statements so far.
+    fn before(&mut self, steps: &[Step]) {
+        let rest = std::mem::take(&mut self.body);
+        self.steps(steps);
+        self.body.extend(rest);
     }
-    body.extend(allocation(&operation.created, names));
-    let mut sets = reassign::statements(drawing, names, conventions);
-    sets.extend(values);
-    if !sets.is_empty() {
-        body.push(Statement::Blank);
-        let which = match conventions.exhaustive {
+
+    /// Attempts the statements so far with the halfedges of an element in turn.
+    fn attempt(&mut self, begin: &Begin) {
+        let halfedge = self.names.begin(begin.halfedge);
+        let (language, word) = (self.names.language, self.names.word(begin.element));
+        let (around, which) = match self.drawing.rule.kind(begin.element) {
+            Kind::Edge => ("EdgeHalfedges", format!("Both directions of {word} are")),
+            Kind::Vertex => ("VertexHalfedges", format!("Each halfedge that starts at {word} is")),
+            _ => ("FaceHalfedges", format!("Each halfedge of {word} is")),
+        };
+        let first = format!("// {which} tried.");
+        let all = language.call(around, [&Term::name(word)]);
+        // The two of an edge are a list already.
+        let all = if around == "EdgeHalfedges" { all } else { language.collected(&all) };
+        let head = language.over(Type::Halfedge, &halfedge, &all);
+        let (form, body) = (Form::Attempt, std::mem::take(&mut self.body));
+        self.body.push(Statement::Block(Block { form, first, head, body, ..Block::default() }));
+    }
+
+    /// Writes what follows the binding of names: the tests, and phases 2 to 4.
+    fn phases(&mut self, operation: &Operation, exhaustive: bool) -> Result<(), NotEmitted> {
+        let rule = self.drawing.rule;
+        self.empty_paths_and_tests(&operation.matching);
+        for &Condition { condition, at_each_index: each, refusal } in &operation.requires {
+            let condition = self.names.once(condition, each, Some(rule), &mut self.body)?;
+            let mut parts = Vec::new();
+            match each {
+                true => parts.push(&condition),
+                false => conjuncts(&condition, &mut parts),
+            }
+            for part in parts {
+                let holds = self.for_each(each, |this| this.names.value(part))?;
+                self.refuse(holds.not(), each, refusal);
+            }
+        }
+        self.guard(operation);
+        let mut values = Vec::new();
+        for value in &operation.values {
+            values.push(self.value(value)?);
+        }
+        let allocation = allocation(&operation.created, &self.names);
+        self.phase("2. Allocate what is new.", allocation);
+        let mut sets = reassign::statements(self.drawing, &mut self.names, exhaustive);
+        sets.extend(values);
+        let which = match exhaustive {
             true => "3. Reassign every pointer, whether it changes or not.",
             false => "3. Reassign every pointer that changes.",
         };
-        body.push(Statement::Comment(which.into()));
-        body.extend(sets);
+        self.phase(which, sets);
+        let erase = |&Element { name, kind, at_each_index: each }: &Element| {
+            let element = self.for_each(each, |this| this.names.term(name));
+            self.names.repeated(each, Statement::Erase { kind, element })
+        };
+        let erasures = operation.erased.iter().map(erase).collect();
+        self.phase("4. Erase what is gone.", erasures);
+        let value = operation.result.map(|name| self.names.term(name));
+        self.body.push(Statement::Return { value });
+        Ok(())
     }
-    if !operation.erased.is_empty() {
-        body.push(Statement::Blank);
-        body.push(Statement::Comment("4. Erase what is gone.".into()));
+
+    /// Adds the statements of a phase, unless there are none.
+    fn phase(&mut self, comment: &str, statements: Vec<Statement>) {
+        if !statements.is_empty() {
+            self.body.extend([Statement::Blank, Statement::Comment(comment.into())]);
+            self.body.extend(statements);
+        }
     }
-    for &Element { name, kind, at_each_index } in &operation.erased {
-        let element = names.for_each(at_each_index, |names| names.term(name));
-        let erase = Statement::Erase { kind, element };
-        body.push(names.repeated(at_each_index, erase));
+
+    /// Evaluates a right-hand side on the mesh before any change, and returns the statement that
+    /// assigns it.
+    fn value(&mut self, assigned: &Value) -> Result<Statement, NotEmitted> {
+        let &Value { element, attribute, value, at_each_index: each, .. } = assigned;
+        let attribute = self.names.accessed(attribute);
+        let word = self.names.word(element).trim_end_matches('_');
+        let called = attribute.as_ref().map_or("position", |it| &it.name);
+        let name = self.names.fresh(&format!("{word}_{called}"));
+        let value = self.names.once(value, each, Some(self.drawing.rule), &mut self.body)?;
+        let value = self.for_each(each, |this| this.names.value(&value))?;
+        self.bind(attribute.as_ref().map_or(Type::Vec3, |it| it.ty), &name, &value, each);
+        let [of, value] = self.for_each(each, |this| {
+            let value = if each { this.names.member(&name, 0) } else { Term::name(&name) };
+            [this.names.term(element), value]
+        });
+        if let Some(reason) = refusal(assigned) {
+            self.refuse(self.names.finite(&value).not(), each, reason);
+        }
+        let field = attribute.map_or(Field::Position, Field::Attribute);
+        Ok(self.names.repeated(each, Statement::Set { field, of, value }))
     }
-    body.push(Statement::Return { value: operation.result.map(|name| names.term(name)) });
-    Ok(body)
 }
 
 /// The statements that allocate everything new; a family is given by its first member.
@@ -168,57 +210,17 @@ pub(super) fn allocation(created: &[Element], names: &Names) -> Vec<Statement> {
 }
 
 /// The conditions that an `and` joins; they are tested one by one, in the same order.
-fn conjuncts(term: Term, parts: &mut Vec<Term>) {
-    match term {
-        Term::Binary(Binary::And, left, right) => {
-            conjuncts(*left, parts);
-            conjuncts(*right, parts);
+fn conjuncts<'e>(condition: &'e Expr, parts: &mut Vec<&'e Expr>) {
+    match &condition.kind {
+        ExprKind::Binary(Binary::And, left, right) => {
+            conjuncts(left, parts);
+            conjuncts(right, parts);
         }
-        term => parts.push(term),
+        _ => parts.push(condition),
     }
 }
 
 /// The reason to refuse a new position, if it may be infinite.
 fn refusal<'v>(assigned: &'v Value) -> Option<&'v String> {
     assigned.infinite.as_ref().filter(|_| !is_surely_finite(assigned.value, ORDINARY))
-}
-
-/// Evaluates the right-hand sides on the mesh before any change, and returns the statements that
-/// assign them.
-fn values(
-    rule: &Rule,
-    values: &[Value],
-    names: &mut Names,
-    body: &mut Vec<Statement>,
-) -> Result<Vec<Statement>, NotEmitted> {
-    let mut sets = Vec::new();
-    for assigned in values {
-        let Value { element, attribute, value: expr, at_each_index: member, .. } = assigned;
-        let attribute = match attribute {
-            Access::Position => None,
-            Access::Declared(number) => names.attribute(*number),
-        };
-        let word = names.word(*element).trim_end_matches('_').to_string();
-        let called = attribute.as_ref().map_or("position", |it| &it.name);
-        let name = names.fresh(&format!("{word}_{called}"));
-        let value = Expressions { names }.once(expr, *member, Some(rule), body)?;
-        let value = names.for_each(*member, |names| Expressions { names }.term(&value))?;
-        let ty = attribute.as_ref().map_or(Type::Vec3, |it| it.ty);
-        body.push(names.bound(ty, name.clone(), value, *member));
-        let (element, value) = names.for_each(*member, |names| {
-            let value = match member {
-                true => names.member(&name, 0),
-                false => Term::name(&name),
-            };
-            (names.term(*element), value)
-        });
-        if let Some(reason) = refusal(assigned) {
-            let infinite = finite(value.clone()).not();
-            body.push(names.refusal(infinite, *member, reason));
-        }
-        let field = attribute.map_or(Field::Position, Field::Attribute);
-        let set = Statement::Set { field, of: element, value };
-        sets.push(names.repeated(*member, set));
-    }
-    Ok(sets)
 }

@@ -1,14 +1,29 @@
 //! Operations and functions, as they are emitted.
 
-use super::routine::Statement;
-use super::term::{Attribute, Parameter};
-use crate::diagram::{Level, Type};
+use std::collections::BTreeSet;
+
+use super::NotEmitted;
+use super::names::{Attribute, Names};
+use super::routine::{Statement, names_of};
+use super::value::{Term, is_spelled};
+use crate::diagram::{Level, Param, Type};
 
 /// An operation, or a function that operations call.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Item {
     pub signature: Signature,
+    /// The attributes that it reads or sets.
+    pub attributes: Vec<Attribute>,
+    /// The functions and operations that it calls.
+    pub needs: BTreeSet<Need>,
     pub body: ItemBody,
+}
+
+/// A function or operation that is called, by its number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Need {
+    Function(u32),
+    Op(usize),
 }
 
 /// The statements of an item.
@@ -25,13 +40,7 @@ pub(super) enum ItemBody {
         steps: Vec<Statement>,
     },
     /// A function; every path through it returns its value.
-    Function {
-        /// True if it changes the mesh.
-        changes: bool,
-        /// True if it may refuse midway; its caller then undoes what it has done.
-        refuses: bool,
-        body: Vec<Statement>,
-    },
+    Function(Vec<Statement>),
 }
 
 /// One alternative of a drawn operation.
@@ -44,25 +53,51 @@ pub(super) struct Alternative {
 }
 
 impl Item {
-    /// Its statements.
-    pub fn statements(&self) -> Vec<&Statement> {
+    /// The names that its statements read.
+    pub fn names(&self) -> BTreeSet<String> {
         match &self.body {
-            ItemBody::Drawn(rules) => rules.iter().flat_map(|rule| &rule.body).collect(),
-            ItemBody::Steps { requires, steps, .. } => requires.iter().chain(steps).collect(),
-            ItemBody::Function { body, .. } => body.iter().collect(),
+            ItemBody::Drawn(rules) => names_of(rules.iter().flat_map(|rule| &rule.body)),
+            ItemBody::Steps { requires, steps, .. } => names_of(requires.iter().chain(steps)),
+            ItemBody::Function(body) => names_of(body),
         }
-    }
-
-    /// Reports the attributes that it reads or sets.
-    pub fn attributes(&self, see: &mut dyn FnMut(&Attribute)) {
-        let defaults = self.signature.params.iter().filter_map(|param| param.default.as_ref());
-        defaults.for_each(|default| default.attributes(see));
-        self.statements().into_iter().for_each(|statement| statement.attributes(see));
     }
 }
 
-/// The signature of an operation or function.
+/// A parameter of a routine.
 #[derive(Clone, Debug, PartialEq)]
+pub(super) struct Parameter {
+    pub name: String,
+    pub ty: Type,
+    /// The value if a call gives none; it may refer to earlier parameters.
+    pub default: Option<Term>,
+}
+
+impl Parameter {
+    /// True if its default is the same for all calls.
+    pub fn has_constant(&self) -> bool {
+        self.default.as_ref().is_some_and(|default| default.names.is_empty())
+    }
+}
+
+/// The parameters of an operation or a function, with their defaults.
+pub(super) fn parameters(
+    params: &[Param],
+    names: &mut Names,
+) -> Result<Vec<Parameter>, NotEmitted> {
+    if let Some(param) = params.iter().find(|param| !is_spelled(param.ty)) {
+        let what = format!("a parameter of type `{}`", param.ty.word());
+        return Err(NotEmitted::new(what, param.span));
+    }
+    let words = names.params.clone();
+    let parameter = |(param, name): (&Param, String)| {
+        let default = param.default.as_ref().map(|value| names.value(value)).transpose()?;
+        Ok(Parameter { name, ty: param.ty, default })
+    };
+    params.iter().zip(words).map(parameter).collect()
+}
+
+/// The signature of an operation or function.
+#[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Signature {
     /// Its name.
     pub name: String,
@@ -77,4 +112,16 @@ pub(super) struct Signature {
     /// The first parameter that is an element and certainly outlives the operation: it can be
     /// returned where there is no result.
     pub given: Option<Parameter>,
+    /// True for a function that changes the mesh.
+    pub changes: bool,
+    /// True for a function that may refuse midway; its caller then undoes what it has done.
+    pub refuses: bool,
+}
+
+impl Signature {
+    /// A signature with its name in code, and what the program says, without parameters.
+    pub fn new(name: &str, declared: &str, docs: &[String], result: Option<Type>) -> Self {
+        let (name, declared) = (name.to_string(), declared.to_string());
+        Self { name, declared, docs: docs.to_vec(), result, ..Self::default() }
+    }
 }

@@ -1,192 +1,113 @@
 //! Phase 1, collect: names are bound by following pointers, and what is drawn is tested.
 
-use super::conventions::Conventions;
-use super::names::Names;
-use super::routine::{Statement, type_of};
-use super::term::Term;
+use super::build::Writer;
+use super::language::type_of;
+use super::value::Term;
 use crate::check::matching::{Bound, Claim, Source};
-use crate::diagram::{Drawing, LoopKind, NameId, Pointer, Type};
-use crate::lower::{self, Begin, EmptyPath, Step, Walk};
+use crate::diagram::{Binary, LoopKind, NameId, Pointer, Type};
+use crate::lower::{Begin, EmptyPath, Matching, Step, Walk};
 
-/// Emits the statements of matching.
-pub(super) struct Matching<'d, 'n> {
-    pub drawing: &'d Drawing<'d>,
-    pub conventions: Conventions<'d>,
-    pub names: &'n mut Names,
-}
-
-impl Matching<'_, '_> {
+impl Writer<'_, '_> {
     /// Binds names, in order.
-    pub fn steps(&mut self, steps: &[Step]) -> Vec<Statement> {
-        let mut body = Vec::new();
+    pub fn steps(&mut self, steps: &[Step]) {
         for step in steps {
             match step {
                 Step::Given(_) => {}
-                Step::Begin(begin) => self.begin(begin, &mut body),
-                Step::Walk(walk) => self.walk(walk, &mut body),
-                Step::Bind { bound, source, at_each_index } => {
-                    body.push(self.bind(*bound, *source, *at_each_index));
+                Step::Begin(begin) => self.begin(begin),
+                Step::Walk(walk) => self.walk(walk),
+                &Step::Bind { bound, source, at_each_index: each } => {
+                    let value = self.for_each(each, |this| this.source(source));
+                    let word = match bound {
+                        Bound::Element(name) | Bound::First(name) => self.names.word(name),
+                        Bound::Last(path) => &self.names.named(path).last,
+                    };
+                    let (ty, word) = (self.ty(bound.name()), word.to_string());
+                    self.bind(ty, &word, &value, each);
                 }
             }
         }
-        body
     }
 
     /// Binds the halfedge to begin with, where no other has to be tried.
-    fn begin(&mut self, begin: &Begin, body: &mut Vec<Statement>) {
-        let element = self.term(begin.element);
-        if let (Some(reason), true) = (&begin.isolated, self.conventions.isolated_vertices) {
-            let when = Term::call("IsIsolated", vec![element.clone()]);
-            body.push(self.names.refusal(when, false, reason));
+    fn begin(&mut self, begin: &Begin) {
+        let (language, element) = (self.names.language, self.names.term(begin.element));
+        if let (Some(reason), true) = (&begin.isolated, language.is_rust()) {
+            self.refuse(language.call("IsIsolated", [&element]), false, reason);
         }
-        let (name, value) = (self.names.begin(begin.halfedge), element.follow(begin.first));
-        body.push(self.names.bound(Type::Halfedge, name, value, false));
-    }
-
-    fn bind(&mut self, bound: Bound, source: Source, member: bool) -> Statement {
-        let value = self.indexed(member, |this| this.source(source));
-        let word = match bound {
-            Bound::Element(name) | Bound::First(name) => self.names.word(name),
-            Bound::Last(path) => self.names.last_word(path),
-        };
-        self.names.bound(self.ty(bound), word.to_string(), value, member)
-    }
-
-    /// Makes a term; if `member`, the term for each index.
-    fn indexed(&mut self, member: bool, make: impl FnOnce(&Matching) -> Term) -> Term {
-        let (drawing, conventions) = (self.drawing, self.conventions);
-        self.names.for_each(member, |names| make(&Matching { drawing, conventions, names }))
+        let name = self.names.begin(begin.halfedge);
+        self.bind(Type::Halfedge, &name, &language.follow(begin.first, &element), false);
     }
 
     /// Walks an orbit once around and distributes its halfedges among the families of a period.
-    fn walk(&mut self, walk: &Walk, body: &mut Vec<Statement>) {
-        let ty = Type::Halfedge;
-        let function = match walk.around_vertex {
-            true => "SpokesFrom",
-            false => "LoopFrom",
-        };
+    fn walk(&mut self, walk: &Walk) {
+        let (language, list) = (self.names.language, (Type::Halfedge, true));
+        let function = if walk.around_vertex { "SpokesFrom" } else { "LoopFrom" };
         let from = Term::name(self.names.begin(walk.families[0].0));
-        let mut all = Term::call(function, vec![from]);
-        let period = walk.families.len() as i64;
+        let mut all = language.call(function, [&from]);
+        let [zero, period] = [0, walk.families.len()].map(|number| Term::whole(number.to_string()));
         if let Some(test) = &walk.is_whole {
             let name = self.names.fresh("all");
-            let value = std::mem::replace(&mut all, Term::name(&name));
-            body.push(Statement::Bind { ty, name, value, is_list: true });
-            let groups = vec![all.clone(), Term::Int(period)];
-            let rest = Term::call("Remainder", groups);
-            let when = rest.equals(Term::Int(0)).not();
-            body.push(self.names.refusal(when, false, &test.refusal));
+            self.body.push(language.bind(list, &name, &all));
+            all = Term::name(name);
+            let rest = language.call("Remainder", [&all, &period]);
+            self.refuse(Term::infix(Binary::EqualInt, [rest, zero]).not(), false, &test.refusal);
         }
-        for (place, &(half, turn)) in (0..).zip(&walk.families) {
+        for (place, &(half, turn)) in walk.families.iter().enumerate() {
             let mut value = all.clone();
-            if period > 1 {
-                let dealt = vec![value, Term::Int(place), Term::Int(period)];
-                value = Term::call("Every", dealt);
+            if walk.families.len() > 1 {
+                let place = Term::whole(place.to_string());
+                value = language.call("Every", [&value, &place, &period]);
             }
             if turn != 0 {
-                value = Term::call("Rotated", vec![value, Term::Int(turn)]);
+                value = language.call("Rotated", [&value, &Term::whole(turn.to_string())]);
             }
-            let name = self.names.word(half).to_string();
-            body.push(Statement::Bind { ty, name: name.clone(), value, is_list: true });
-            let size = self.names.indices.size.clone();
-            if place > 0 {
-                continue;
-            }
-            body.push(match &walk.fits {
+            let (name, size) = (self.names.word(half), &self.names.indices.size);
+            self.body.push(language.bind(list, name, &value));
+            match &walk.fits {
+                _ if place > 0 => {}
                 Some(test) => {
-                    let length = Term::call("Length", vec![Term::name(name)]);
-                    let when = length.equals(Term::name(size)).not();
-                    self.names.refusal(when, false, &test.refusal)
+                    let length = language.call("Length", [&Term::name(name)]);
+                    let fits = Term::infix(Binary::EqualInt, [length, Term::name(size)]);
+                    self.refuse(fits.not(), false, &test.refusal);
                 }
-                None => Statement::Size { name: size, list: name },
-            });
+                None => self.body.push(language.size(size, name)),
+            }
         }
     }
 
-    /// Binds whether paths are empty, and emits the tests.
-    pub fn empty_paths_and_tests(&mut self, matching: &lower::Matching) -> Vec<Statement> {
-        let mut body = Vec::new();
-        for &EmptyPath { path, next, at_each_index } in &matching.empty_paths {
-            let value = self.indexed(at_each_index, |this| this.term(path).is(this.term(next)));
-            let name = self.names.empty_word(path).to_string();
-            body.push(self.names.bound(Type::Bool, name, value, at_each_index));
+    /// Binds whether paths are empty, and makes the tests.
+    pub fn empty_paths_and_tests(&mut self, matching: &Matching) {
+        for &EmptyPath { path, next, at_each_index: each } in &matching.empty_paths {
+            let name = self.names.named(path).empty.clone();
+            let ends = [path, next];
+            let [first, next] = self.for_each(each, |this| ends.map(|end| this.names.term(end)));
+            self.bind(Type::Bool, &name, &first.is(next), each);
         }
         for test in &matching.tests {
-            let holds = match &test.condition {
-                Claim::Begins(name) => Term::name(self.names.begin(*name)).is(self.term(*name)),
-                Claim::NotAllEmptyAround(paths) => {
-                    let some = self.indexed(true, |this| this.are_empty(paths).not());
-                    some.for_some(self.names.indices.clone())
-                }
-                Claim::AllDistinct(names) => self.all_distinct(names, &mut body),
-                Claim::AroundInOrder { along_loop, halfedges } => {
-                    self.around_in_order(*along_loop, halfedges, &mut body)
-                }
-                claim => {
-                    let each = test.at_each_index;
-                    let when = self.indexed(each, |this| this.claim(claim).not());
-                    body.push(self.names.refusal(when, each, &test.refusal));
-                    continue;
-                }
-            };
-            body.push(self.names.refusal(holds.not(), false, &test.refusal));
+            let holds = self.for_each(test.at_each_index, |this| this.claim(&test.condition));
+            self.refuse(holds.not(), test.at_each_index, &test.refusal);
         }
-        body
     }
 
     /// A list of elements: those that are no members, then the members index by index.
-    fn listed(&mut self, ty: Type, members: &[NameId], body: &mut Vec<Statement>) -> Term {
-        let list = self.names.fresh("all");
-        let rule = self.drawing.rule;
+    fn listed(&mut self, members: &[NameId]) -> Term {
+        let (list, rule) = (self.names.fresh("all"), self.drawing.rule);
         let (each, once): (Vec<_>, Vec<_>) =
-            members.iter().partition(|&&name| rule.is_member(name));
-        body.push(Statement::List {
-            ty,
-            name: list.clone(),
-            items: once.into_iter().map(|&name| self.term(name)).collect(),
+            members.iter().partition(|name| rule.is_member(**name));
+        let ty = members.first().map_or(Type::Halfedge, |&name| self.ty(name));
+        let terms: Vec<_> = once.into_iter().map(|name| self.names.term(name)).collect();
+        let language = self.names.language;
+        self.body.push(language.list(ty, &list, &terms));
+        let pushes = self.for_each(true, |this| {
+            each.into_iter().map(|name| language.push(&list, &this.names.term(name))).collect()
         });
-        let pushes = self.names.for_each(true, |names| {
-            let push =
-                |&&name: &&NameId| Statement::Push { list: list.clone(), item: names.term(name) };
-            each.iter().map(push).collect()
-        });
-        body.push(Statement::IndexLoop { indices: self.names.indices.clone(), body: pushes });
+        self.body.push(language.index_loop(&self.names.indices, pushes));
         Term::name(list)
     }
 
-    fn all_distinct(&mut self, names: &[NameId], body: &mut Vec<Statement>) -> Term {
-        let all = match names {
-            [family] if self.drawing.rule.is_member(*family) => {
-                Term::name(self.names.word(*family))
-            }
-            _ => {
-                let ty =
-                    names.first().map_or(Type::Halfedge, |&name| self.ty(Bound::Element(name)));
-                self.listed(ty, names, body)
-            }
-        };
-        Term::call("AllDiffer", vec![all])
-    }
-
-    fn around_in_order(
-        &mut self,
-        along_loop: bool,
-        halfedges: &[NameId],
-        body: &mut Vec<Statement>,
-    ) -> Term {
-        let function = match along_loop {
-            true => "AllInOrderAlongLoop",
-            false => "AllInOrderAroundVertex",
-        };
-        let all = self.listed(Type::Halfedge, halfedges, body);
-        Term::call(function, vec![all])
-    }
-
-    fn ty(&self, bound: Bound) -> Type {
-        match bound {
-            Bound::First(_) | Bound::Last(_) => Type::Halfedge,
-            Bound::Element(name) => type_of(self.drawing.rule.kind(name)),
-        }
+    /// The type of a name; of a path, that of its ends.
+    fn ty(&self, name: NameId) -> Type {
+        type_of(self.drawing.rule.kind(name))
     }
 
     fn bound(&self, bound: Bound) -> Term {
@@ -196,22 +117,16 @@ impl Matching<'_, '_> {
         }
     }
 
-    fn term(&self, name: NameId) -> Term {
-        self.names.term(name)
-    }
-
     fn source(&self, source: Source) -> Term {
-        let follow = |term: Term, pointer: &Pointer| term.follow(*pointer);
+        let language = self.names.language;
+        let follow = |term: Term, pointer: &Pointer| language.follow(*pointer, &term);
         source.pointers().iter().fold(self.bound(source.from()), follow)
     }
 
-    fn claim(&self, claim: &Claim) -> Term {
+    /// The condition that a claim holds.
+    fn claim(&mut self, claim: &Claim) -> Term {
+        let (language, term) = (self.names.language, |name: &NameId| self.names.term(*name));
         match claim {
-            // These have statements of their own.
-            Claim::Begins(_)
-            | Claim::AllDistinct(_)
-            | Claim::AroundInOrder { .. }
-            | Claim::NotAllEmptyAround(_) => Term::Bool(true),
             // The same, without `prev`.
             Claim::Leads(Source::Prev(from), to) => {
                 self.source(Source::Next(*to)).is(self.bound(*from))
@@ -220,32 +135,46 @@ impl Matching<'_, '_> {
                 self.source(Source::Clockwise(*to)).is(self.bound(*from))
             }
             Claim::Leads(source, to) => self.source(*source).is(self.bound(*to)),
-            Claim::Distinct(left, right) => self.term(*left).differs_from(self.term(*right)),
-            Claim::Kind(face, LoopKind::Hole) => self.term(*face).hole(),
-            Claim::Kind(face, _) => self.term(*face).hole().not(),
+            Claim::Distinct(left, right) => term(left).is(term(right)).not(),
+            Claim::Kind(face, LoopKind::Hole) => language.call("IsHole", [&term(face)]),
+            Claim::Kind(face, _) => language.call("IsHole", [&term(face)]).not(),
             Claim::InOrder { along_loop, halfedges } => {
-                let function = match along_loop {
-                    true => "InOrderAlongLoop",
-                    false => "InOrderAroundVertex",
-                };
-                let terms = halfedges.iter().map(|half| self.term(*half));
-                Term::call(function, terms.collect())
+                let function = if *along_loop { "InOrderAlongLoop" } else { "InOrderAroundVertex" };
+                language.call(function, &halfedges.each_ref().map(term))
             }
             Claim::NotAllEmpty(paths) => self.are_empty(paths).not(),
             Claim::Listed { halfedge, vertices: [origin, vertex], spokes } => {
-                let apart = self.term(*origin).differs_from(self.term(*vertex));
-                let listed = spokes.iter().map(|&spoke| self.term(*halfedge).is(self.term(spoke)));
-                listed.fold(apart, Term::or)
+                let apart = term(origin).is(term(vertex)).not();
+                spokes.iter().map(|spoke| term(halfedge).is(term(spoke))).fold(apart, Term::or)
+            }
+            Claim::Begins(name) => Term::name(self.names.begin(*name)).is(self.names.term(*name)),
+            Claim::NotAllEmptyAround(paths) => {
+                let some = self.for_each(true, |this| this.are_empty(paths).not());
+                language.for_some(&self.names.indices, &some)
+            }
+            Claim::AllDistinct(names) => {
+                let all = match names[..] {
+                    [family] if self.drawing.rule.is_member(family) => {
+                        Term::name(self.names.word(family))
+                    }
+                    _ => self.listed(names),
+                };
+                language.call("AllDiffer", [&all])
+            }
+            Claim::AroundInOrder { along_loop, halfedges } => {
+                let function =
+                    if *along_loop { "AllInOrderAlongLoop" } else { "AllInOrderAroundVertex" };
+                language.call(function, [&self.listed(halfedges)])
             }
         }
     }
+
     /// The condition that all of these paths are empty.
     fn are_empty(&self, paths: &[NameId]) -> Term {
         let empty = |&path: &NameId| match self.drawing.is_empty_somewhere(path) {
             true => self.names.empty(path),
-            false => Term::Bool(false),
+            false => Term::bool(false),
         };
-        let all = paths.iter().map(empty).reduce(Term::and);
-        all.unwrap_or(Term::Bool(false))
+        paths.iter().map(empty).reduce(Term::and).unwrap_or(Term::bool(false))
     }
 }

@@ -8,25 +8,34 @@
 //! Operations in steps call others, and apply whole or not at all; `steps` makes routines of them,
 //! and of the functions that they call.
 //!
+//! A value is text from the start, and so are statements that are the same wherever they stand; what
+//! depends on its place is spelled when an item is printed.
+//!
 //! The code assumes a valid mesh, which is of the level of the guard if there is one.
 
+// What is emitted.
+mod item;
+mod items;
 mod selection;
+
+// What all of it is spelled with.
+#[macro_use]
+mod language;
+mod names;
+pub mod reserved;
+mod value;
 
 // An operation as a routine.
 mod build;
-mod conventions;
-mod expression;
 mod guard;
-mod item;
 mod matching;
-mod matrix;
-mod names;
 mod reassign;
-pub mod reserved;
 mod routine;
-mod steps;
-mod term;
+mod statement;
 mod walks;
+
+// Operations in steps and functions as routines.
+mod steps;
 
 // A routine as text.
 pub mod cpp;
@@ -54,10 +63,6 @@ pub struct NotEmitted {
 impl NotEmitted {
     fn new(what: impl Into<String>, span: Span) -> Self {
         Self { what: what.into(), span, why: None }
-    }
-
-    fn because(what: impl Into<String>, why: String, span: Span) -> Self {
-        Self { why: Some(why), ..Self::new(what, span) }
     }
 
     /// The failure as a diagnostic.

@@ -6,12 +6,14 @@
 
 use std::collections::BTreeSet;
 
+use super::item::Need;
+use super::items::Source;
+use super::language::Language;
 use super::print::support::CPP;
 use super::reserved::{is_reserved, plain, unreserved};
-use super::routine::Statement;
-use super::term::{Attribute, IndexLoop, Term};
-use crate::diagram::{self, Kind, NameId, Op, Role, Rule, Type};
-use crate::resolve::Variable;
+use super::value::Term;
+use crate::diagram::{self, Access, Kind, NameId, Op, Role, Rule, Type};
+use crate::resolve::Body;
 
 /// The name of a function of the program in code: in C++ it must differ from those of the support
 /// functions.
@@ -35,24 +37,49 @@ pub(super) fn free(wanted: &str, reserved: &[String], taken: &mut BTreeSet<Strin
     free
 }
 
+/// A loop over the indices of a cycle.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct IndexLoop {
+    /// The name of the index, which runs from 0.
+    pub index: String,
+    /// The name of the number of indices.
+    pub size: String,
+}
+
+/// An attribute that the program declares.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Attribute {
+    /// Its name in the program.
+    pub declared: String,
+    /// Its name in code.
+    pub name: String,
+    /// The name of its column, where attributes are stored in columns.
+    pub column: String,
+    /// The type of the elements that have it.
+    pub element: Type,
+    /// The type of its values.
+    pub ty: Type,
+}
+
 /// The words for one name of a drawing.
 #[derive(Clone, Default)]
-struct Named {
+pub(super) struct Named {
     /// That for the element, or for the first halfedge of a path; of a family, that of its list.
     word: String,
     /// That for the last halfedge of a path.
-    last: String,
+    pub last: String,
     /// That for whether a path is empty.
-    empty: String,
+    pub empty: String,
     /// The distance of a member from the index.
     shift: Option<i64>,
     /// That for a member at index 0 that is bound before its family.
     begun: Option<String>,
 }
 
-/// The names of one rule.
+/// The names of one rule, or of one body, in a language.
 #[derive(Clone, Default)]
-pub(super) struct Names {
+pub(super) struct Names<'s> {
+    pub language: Language<'s>,
     /// The names of the drawing, by number.
     drawn: Vec<Named>,
     /// The index of the cycle, and its size.
@@ -61,24 +88,25 @@ pub(super) struct Names {
     pub is_indexed: bool,
     /// The words of the parameters.
     pub params: Vec<String>,
-    folds: Vec<(u32, String)>,
-    /// The attributes of the program, and whether the rule uses them.
-    attributes: Vec<(Attribute, bool)>,
-    /// The names of the functions that have a value, by number, and the functions that are called.
-    functions: Vec<Option<String>>,
-    calls: BTreeSet<u32>,
+    /// The words of variables, with their numbers.
+    bound: Vec<(u32, String)>,
+    /// The attributes of the program, and the numbers of those that are used.
+    pub attributes: Vec<Attribute>,
+    pub used: BTreeSet<u32>,
+    /// The names of the functions that have a value, by number.
+    functions: &'s [Option<String>],
+    /// What is called.
+    pub needs: BTreeSet<Need>,
     /// The names of the variables of steps in the program.
     variables: Vec<String>,
     /// The words that are taken; where a scope ends, it is what it was before.
     pub taken: BTreeSet<String>,
-    /// Words that the mesh class reserves.
-    reserved: Vec<String>,
 }
 
-impl Names {
+impl<'s> Names<'s> {
     /// Names for everything that a rule draws. Parameters have the same names in all rules.
-    pub fn new(op: &Op, rule: &Rule, functions: &[Option<String>], reserved: &[String]) -> Self {
-        let mut names = Self::without(functions, reserved);
+    pub fn new(source: &'s Source<'s>, op: &Op, rule: &Rule) -> Self {
+        let mut names = Self::without(source, source.language);
         for (at, param) in op.params.iter().enumerate() {
             let wanted = match begins_a_family(op, at) {
                 true => format!("{}_0", param.name),
@@ -92,38 +120,37 @@ impl Names {
         }
         names.declare_attributes(&rule.attributes);
         if let Some(cycle) = &rule.cycle {
-            names.indices = IndexLoop {
-                index: names.fresh(&cycle.letter),
-                size: names.first_free(&["n", "count", "size"]),
-            };
+            let index = names.fresh(&cycle.letter);
+            let is_free = |name: &&str| !names.taken.contains(*name) && !is_reserved(name);
+            let size = ["n", "count", "size"].into_iter().find(is_free).unwrap_or("n");
+            names.indices = IndexLoop { index, size: names.fresh(size) };
         }
         names
     }
 
     /// Names for steps or a function: the parameters come first among the variables, and are named
-    /// at once. The words in `taken` are not available.
-    pub fn of_body(
-        variables: &[Variable],
-        params: usize,
-        functions: &[Option<String>],
-        attributes: &[diagram::Attribute],
-        (reserved, taken): (&[String], impl Iterator<Item = String>),
-    ) -> Self {
-        let mut names = Self::without(functions, reserved);
-        names.taken.extend(taken);
-        names.variables = variables.iter().map(|known| known.name.clone()).collect();
-        for variable in variables.iter().take(params) {
+    /// at once.
+    pub fn of_body(source: &'s Source<'s>, body: &Body, params: usize, is_function: bool) -> Self {
+        let language = Language { is_outside: is_function, ..source.language };
+        let mut names = Self::without(source, language);
+        // No variable shadows what is called; in C++, calls are qualified with a namespace.
+        if language.is_rust() {
+            names.taken.extend(source.ops.iter().cloned());
+            names.taken.extend(source.functions.iter().map(|name| invoked(name)));
+        }
+        names.variables = body.variables.iter().map(|known| known.name.clone()).collect();
+        for variable in body.variables.iter().take(params) {
             let word = names.fresh(&variable.name);
             names.params.push(word);
         }
-        names.declare_attributes(attributes);
+        names.declare_attributes(&source.selection.program.attributes);
         names
     }
 
     /// Names for the attributes of the program.
     fn declare_attributes(&mut self, attributes: &[diagram::Attribute]) {
         for declared in attributes {
-            let name = unreserved(&plain(&declared.name), &self.reserved);
+            let name = unreserved(&plain(&declared.name), self.language.reserved);
             let attribute = Attribute {
                 declared: declared.name.clone(),
                 column: self.fresh(&format!("{name}_column")),
@@ -131,16 +158,16 @@ impl Names {
                 element: declared.element,
                 ty: declared.ty,
             };
-            self.attributes.push((attribute, false));
+            self.attributes.push(attribute);
         }
     }
 
     /// No names yet, except for those of the functions.
-    fn without(functions: &[Option<String>], reserved: &[String]) -> Self {
+    fn without(source: &'s Source<'s>, language: Language<'s>) -> Self {
         Self {
-            functions: functions.to_vec(),
-            taken: functions.iter().flatten().map(|name| invoked(name)).collect(),
-            reserved: reserved.to_vec(),
+            language,
+            functions: &source.values,
+            taken: source.values.iter().flatten().map(|name| invoked(name)).collect(),
             ..Self::default()
         }
     }
@@ -148,13 +175,8 @@ impl Names {
     /// The name of a function of the program, which counts as called; `None` if it has no value.
     pub fn call(&mut self, number: u32) -> Option<String> {
         let name = self.functions.get(number as usize)?.clone()?;
-        self.calls.insert(number);
+        self.needs.insert(Need::Function(number));
         Some(name)
-    }
-
-    /// Takes the functions that were called.
-    pub fn take_calls(&mut self) -> BTreeSet<u32> {
-        std::mem::take(&mut self.calls)
     }
 
     fn name(&mut self, rule: &Rule, id: NameId) {
@@ -187,29 +209,17 @@ impl Names {
 
     /// A name that is not taken yet, as close as possible to the one that is wanted.
     pub fn fresh(&mut self, wanted: &str) -> String {
-        free(wanted, &self.reserved, &mut self.taken)
+        free(wanted, self.language.reserved, &mut self.taken)
     }
 
-    /// The first of some names that is not taken yet.
-    fn first_free(&mut self, wanted: &[&str]) -> String {
-        let is_free = |name: &&&str| !self.taken.contains(**name) && !is_reserved(name);
-        let free = wanted.iter().find(is_free);
-        self.fresh(free.unwrap_or(&wanted[0]))
+    /// The words for a name.
+    pub fn named(&self, name: NameId) -> &Named {
+        &self.drawn[name.index()]
     }
 
-    /// The word for an element, or for the first halfedge of a path; of a family, that of its list.
+    /// That for an element, or for the first halfedge of a path; of a family, that of its list.
     pub fn word(&self, name: NameId) -> &str {
-        &self.drawn[name.index()].word
-    }
-
-    /// The word for the last halfedge of a path.
-    pub fn last_word(&self, path: NameId) -> &str {
-        &self.drawn[path.index()].last
-    }
-
-    /// The word for whether a path is empty.
-    pub fn empty_word(&self, path: NameId) -> &str {
-        &self.drawn[path.index()].empty
+        &self.named(name).word
     }
 
     /// The term of an element; of a path, that of its first halfedge.
@@ -219,12 +229,12 @@ impl Names {
 
     /// The last halfedge of a path.
     pub fn last(&self, path: NameId) -> Term {
-        self.place(path, self.last_word(path))
+        self.place(path, &self.named(path).last)
     }
 
     /// The condition that a path is empty.
     pub fn empty(&self, path: NameId) -> Term {
-        self.place(path, self.empty_word(path))
+        self.place(path, &self.named(path).empty)
     }
 
     fn place(&self, name: NameId, word: &str) -> Term {
@@ -234,105 +244,65 @@ impl Names {
         }
     }
 
-    /// The statement that binds a value, or if `each` the list of its values at each index.
-    pub fn bound(&self, ty: Type, name: String, value: Term, each: bool) -> Statement {
-        match each {
-            true => Statement::Gather { ty, name, indices: self.indices.clone(), item: value },
-            false => Statement::Bind { ty, name, value, is_list: false },
-        }
-    }
-
-    /// The statement that refuses if a condition holds, or if `each` if it does for some index.
-    pub fn refusal(&self, when: Term, each: bool, reason: &str) -> Statement {
-        let when = if each { when.for_some(self.indices.clone()) } else { when };
-        Statement::Refuse { when, reason: reason.to_string() }
-    }
-
-    /// A statement, if `each` repeated for each index.
-    pub fn repeated(&self, each: bool, statement: Statement) -> Statement {
-        match each {
-            true => Statement::IndexLoop { indices: self.indices.clone(), body: vec![statement] },
-            false => statement,
-        }
-    }
-
     /// The entry of a list at a distance from the index, or from 0 outside of a repetition.
     pub fn member(&self, list: &str, shift: i64) -> Term {
-        Term::Member {
-            list: list.to_string(),
-            index: self.is_indexed.then(|| self.indices.index.clone()),
-            shift,
-            size: self.indices.size.clone(),
-        }
+        let index = self.is_indexed.then_some(self.indices.index.as_str());
+        Term::member(list, index, shift, &self.indices.size)
     }
 
     /// The word for a member at index 0 that is bound before its family; for any other name its own
     /// word.
     pub fn begin(&mut self, name: NameId) -> String {
         let Named { word, shift, begun, .. } = &self.drawn[name.index()];
-        let word = match (shift, begun) {
-            (None, _) => return word.clone(),
-            (_, Some(word)) => return word.clone(),
-            _ => format!("{word}_0"),
-        };
-        let word = self.fresh(&word);
+        if let Some(known) = begun.as_ref().or(shift.is_none().then_some(word)) {
+            return known.clone();
+        }
+        let word = self.fresh(&format!("{word}_0"));
         self.drawn[name.index()].begun = Some(word.clone());
         word
     }
 
-    /// Makes something, inside of the repetition for each index if `repeated`.
-    pub fn for_each<T>(&mut self, repeated: bool, make: impl FnOnce(&mut Self) -> T) -> T {
-        let outer = self.is_indexed;
-        self.is_indexed |= repeated;
-        let made = make(self);
-        self.is_indexed = outer;
-        made
-    }
-
     /// The word of a parameter, of the variable of an aggregate, or of a variable.
     pub fn local(&self, number: u32) -> &str {
-        let fold = self.folds.iter().rev().find(|fold| fold.0 == number);
-        match fold {
-            Some((_, word)) => word,
-            None => self.params.get(number as usize).map_or("", String::as_str),
-        }
+        let bound = self.bound.iter().rev().find(|(known, _)| *known == number);
+        let word = bound.map(|(_, word)| word).or_else(|| self.params.get(number as usize));
+        word.map_or("", String::as_str)
     }
 
     /// Names the variable of an aggregate.
     pub fn declare(&mut self, number: u32, ty: Type) -> String {
-        let known = self.variables.get(number as usize).cloned();
-        let word = known.unwrap_or_else(|| match ty {
-            Type::Vertex => "w".into(),
-            Type::Halfedge => "h".into(),
-            Type::Edge => "e".into(),
-            _ => "f".into(),
-        });
-        let word = self.fresh(&word);
-        self.folds.push((number, word.clone()));
-        word
+        let word = match (self.variables.get(number as usize), ty) {
+            (Some(known), _) => known.clone(),
+            (None, Type::Vertex) => "w".into(),
+            (None, ty) => ty.word()[..1].into(),
+        };
+        self.bind(number, &word)
     }
 
     /// An attribute of the program, which counts as used; `None` if it is not declared.
     pub fn attribute(&mut self, number: u32) -> Option<Attribute> {
-        let (attribute, is_used) = self.attributes.get_mut(number as usize)?;
-        *is_used = true;
+        let attribute = self.attributes.get(number as usize)?;
+        self.used.insert(number);
         Some(attribute.clone())
     }
 
-    /// Finds the columns of the attributes that are used, and refuses a mesh without the others in
-    /// `seen`, which the called functions look at.
-    pub fn columns(&self, seen: &BTreeSet<u32>) -> Vec<Statement> {
-        let all = || (0..).zip(&self.attributes);
-        let used = all().filter(|(_, (_, is_used))| *is_used);
-        let asked = all().filter(|(at, (_, is_used))| !is_used && seen.contains(at));
-        let used = used.map(|(_, (attribute, _))| Statement::Column(attribute.clone()));
-        used.chain(asked.map(|(_, (it, _))| Statement::RequireColumn(it.clone()))).collect()
+    /// The same for an access; `None` for a position.
+    pub fn accessed(&mut self, access: Access) -> Option<Attribute> {
+        match access {
+            Access::Position => None,
+            Access::Declared(number) => self.attribute(number),
+        }
+    }
+
+    /// The attributes that are used.
+    pub fn used_attributes(&self) -> Vec<Attribute> {
+        self.used.iter().map(|&number| self.attributes[number as usize].clone()).collect()
     }
 
     /// Names a variable, or a value that is computed once.
     pub fn bind(&mut self, number: u32, wanted: &str) -> String {
         let word = self.fresh(wanted);
-        self.folds.push((number, word.clone()));
+        self.bound.push((number, word.clone()));
         word
     }
 }

@@ -3,45 +3,39 @@
 //! Paths that change their loop and fans that change their vertex are walked first, while `next`
 //! and `twin` still have their old values.
 
-use super::conventions::Conventions;
-use super::names::Names;
+use super::names::{IndexLoop, Names};
 use super::routine::{Field, Statement};
-use super::term::{IndexLoop, Term};
+use super::value::Term;
 use super::walks::{fan_walk, path_walk};
-use crate::diagram::{Drawing, Kind, NameId, Operand, Pointer, Type, Write};
+use crate::diagram::{Drawing, Kind, NameId, Operand, Pointer, Reassignment, Type, Write};
 
-/// The statements of the phase, except for the attributes.
-pub(super) fn statements(
-    drawing: &Drawing,
-    names: &mut Names,
-    conventions: Conventions<'_>,
-) -> Vec<Statement> {
+/// The statements of the phase, except for the attributes; if `exhaustive`, pointers that do not
+/// change are set, too.
+pub(super) fn statements(drawing: &Drawing, names: &mut Names, exhaustive: bool) -> Vec<Statement> {
     let list = drawing.reassignments();
     let mut reassign = Reassign {
         drawing,
         names,
-        conventions,
+        exhaustive,
         walks: Vec::new(),
         links: Vec::new(),
         linked: Vec::new(),
         sets: Vec::new(),
     };
-    for reassignment in &list {
-        reassign.indexed(reassignment.at_each_index, |this| {
-            reassignment.writes.iter().for_each(|write| this.write(write));
-        });
+    for Reassignment { at_each_index, writes } in &list {
+        reassign.names.is_indexed = *at_each_index;
+        writes.iter().for_each(|write| reassign.write(write));
     }
-    let indices = reassign.names.indices.clone();
+    reassign.names.is_indexed = false;
     let Reassign { walks, links, mut sets, .. } = reassign;
-    let mut statements = walks;
-    statements.extend(links);
+    let mut statements = [walks, links].concat();
     // Halfedge by halfedge, then the other elements.
     sets.sort_by_key(|set| set.order);
     let (each, once): (Vec<_>, Vec<_>) = sets.into_iter().partition(|set| set.at_each_index);
     statements.extend(once.into_iter().map(|set| set.statement));
     if !each.is_empty() {
         let body = each.into_iter().map(|set| set.statement).collect();
-        statements.push(Statement::IndexLoop { indices, body });
+        statements.push(names.language.index_loop(&names.indices, body));
     }
     statements
 }
@@ -54,10 +48,10 @@ struct Set {
 }
 
 /// The writer of the phase.
-struct Reassign<'d, 'n> {
+struct Reassign<'d, 'n, 's> {
     drawing: &'d Drawing<'d>,
-    names: &'n mut Names,
-    conventions: Conventions<'d>,
+    names: &'n mut Names<'s>,
+    exhaustive: bool,
     /// Walks along paths and fans.
     walks: Vec<Statement>,
     /// The linking of loops of paths that may be empty.
@@ -67,25 +61,18 @@ struct Reassign<'d, 'n> {
     sets: Vec<Set>,
 }
 
-impl Reassign<'_, '_> {
-    /// Runs `what`, inside of the repetition for each index if `at_each_index`.
-    fn indexed<T>(&mut self, at_each_index: bool, what: impl FnOnce(&mut Self) -> T) -> T {
-        let outer = self.names.is_indexed;
-        self.names.is_indexed |= at_each_index;
-        let made = what(self);
-        self.names.is_indexed = outer;
-        made
-    }
-
+impl Reassign<'_, '_, '_> {
     fn write(&mut self, write: &Write) {
-        let exhaustive = self.conventions.exhaustive;
+        let (exhaustive, language) = (self.exhaustive, self.names.language);
         match write {
             Write::Halfedge { pointer, of, value, changes } if *changes || exhaustive => {
-                self.halfedge(*pointer, of.name(), self.operand(of), self.operand(value));
+                let set = Statement::set(*pointer, self.operand(of), self.operand(value));
+                self.set(*pointer, of.name(), set);
             }
             Write::AsItWas { pointer, of } if exhaustive => {
                 let term = self.names.term(*of);
-                self.halfedge(*pointer, *of, term.clone(), term.follow(*pointer));
+                let value = language.follow(*pointer, &term);
+                self.set(*pointer, *of, Statement::set(*pointer, term, value));
             }
             Write::Anchor { pointer, of, value, keeps } if !keeps || exhaustive => {
                 let element = self.names.term(*of);
@@ -93,12 +80,12 @@ impl Reassign<'_, '_> {
                     // One that is kept is set to a named halfedge, or else to its current value.
                     Some(Operand::Named(half)) => self.names.term(*half),
                     Some(Operand::FirstOfSome(path)) if !keeps => {
-                        return self.anchor_of_some(*pointer, element, *path);
+                        return self.anchor_of_some(*pointer, *of, *path);
                     }
                     Some(value) if !keeps => self.operand(value),
-                    _ => element.clone().follow(*pointer),
+                    _ => language.follow(*pointer, &element),
                 };
-                self.other(*pointer, Statement::set(*pointer, element, value));
+                self.set(*pointer, *of, Statement::set(*pointer, element, value));
             }
             Write::FaceAlong { path, changes: true, .. } => {
                 let walk = path_walk(self.drawing, self.names, *path);
@@ -109,10 +96,9 @@ impl Reassign<'_, '_> {
                 self.walk(walk);
             }
             Write::Hole { face, is_hole, changes: true } => {
-                let face = self.names.term(*face);
-                let value = Term::Bool(*is_hole);
-                let set = Statement::Set { field: Field::Hole, of: face, value };
-                self.other(Pointer::FaceHalfedge, set);
+                let (of, value) = (self.names.term(*face), Term::bool(*is_hole));
+                let set = Statement::Set { field: Field::Hole, of, value };
+                self.set(Pointer::FaceHalfedge, *face, set);
             }
             Write::LinkPaths { face, period } => {
                 let first = self.link_paths(period);
@@ -127,33 +113,17 @@ impl Reassign<'_, '_> {
         self.walks.extend(walk.map(|walk| self.names.repeated(each, walk)));
     }
 
-    /// Sets a pointer of a named halfedge: of each `next` first, then `prev`, `twin`, `vertex`,
-    /// `edge`, `face`.
-    fn halfedge(&mut self, pointer: Pointer, name: NameId, of: Term, value: Term) {
-        let rank = match pointer {
-            Pointer::Prev if !self.conventions.prev => return,
-            Pointer::Next => 0,
-            Pointer::Prev => 1,
-            Pointer::Twin => 2,
-            Pointer::Vertex => 3,
-            Pointer::Edge => 4,
-            _ => 5,
-        };
-        self.push((name.index(), rank), Statement::set(pointer, of, value));
-    }
-
-    /// Writes to an element other than a halfedge: vertices first, then edges, then faces.
-    fn other(&mut self, pointer: Pointer, statement: Statement) {
-        let rank = match pointer {
-            Pointer::VertexHalfedge => 0,
-            Pointer::EdgeHalfedge => 1,
-            _ => 2,
-        };
-        self.push((usize::MAX, rank), statement);
-    }
-
-    fn push(&mut self, order: (usize, usize), statement: Statement) {
-        self.sets.push(Set { order, at_each_index: self.names.is_indexed, statement });
+    /// Adds a statement that sets a pointer of a named element. Halfedges come first, in order, then
+    /// vertices, edges and faces.
+    fn set(&mut self, pointer: Pointer, of: NameId, statement: Statement) {
+        use Pointer::*;
+        let order = [Next, Prev, Twin, Vertex, Edge, Face, VertexHalfedge, EdgeHalfedge];
+        let rank = order.iter().position(|known| *known == pointer).unwrap_or(order.len());
+        let of = if rank < 6 { of.index() } else { usize::MAX };
+        if pointer != Prev || self.names.language.has_prev() {
+            let at_each_index = self.names.is_indexed;
+            self.sets.push(Set { order: (of, rank), at_each_index, statement });
+        }
     }
 
     fn operand(&self, operand: &Operand) -> Term {
@@ -173,59 +143,50 @@ impl Reassign<'_, '_> {
 
     /// The end of the first item that is not empty.
     fn there(&self, items: &[NameId], end: impl Fn(NameId) -> Term) -> Term {
+        let language = self.names.language;
         let (last, others) = items.split_last().expect("an operand has items");
-        others
-            .iter()
-            .rev()
-            .fold(end(*last), |term, &item| self.names.empty(item).then(term, end(item)))
+        others.iter().rev().fold(end(*last), |term, &item| {
+            language.choice(&self.names.empty(item), &term, &end(item))
+        })
     }
 
     /// Sets the halfedge of an element to that of a nonempty member of a family of paths.
-    fn anchor_of_some(&mut self, pointer: Pointer, of: Term, path: NameId) {
-        self.indexed(true, |this| {
-            let condition = this.names.empty(path).not();
-            let body = vec![Statement::set(pointer, of, this.names.term(path))];
-            this.other(pointer, Statement::when(condition, body));
-        });
+    fn anchor_of_some(&mut self, pointer: Pointer, of: NameId, path: NameId) {
+        let element = self.names.term(of);
+        self.names.is_indexed = true;
+        let body = vec![Statement::set(pointer, element, self.names.term(path))];
+        let condition = self.names.empty(path).not();
+        self.set(pointer, of, self.names.language.choose(&condition, body, Vec::new()));
+        self.names.is_indexed = false;
     }
 
     /// Links the nonempty paths of a loop, and returns the first halfedge of the first of them.
     fn link_paths(&mut self, period: &[NameId]) -> Term {
+        let language = self.names.language;
         let [firsts, lasts] = ["firsts", "lasts"].map(|wanted| self.names.fresh(wanted));
         for name in [&firsts, &lasts] {
-            self.links.push(Statement::List {
-                ty: Type::Halfedge,
-                name: name.clone(),
-                items: Vec::new(),
-            });
+            self.links.push(language.list(Type::Halfedge, name, &[]));
         }
-        let body = self.indexed(true, |this| {
-            let pushed = period.iter().map(|&path| {
-                let ends = [(&firsts, this.names.term(path)), (&lasts, this.names.last(path))];
-                let push =
-                    |(list, item): (&String, _)| Statement::Push { list: list.clone(), item };
-                Statement::when(this.names.empty(path).not(), ends.map(push).to_vec())
-            });
-            pushed.collect()
+        self.names.is_indexed = true;
+        let pushed = period.iter().map(|&path| {
+            let (first, last) = (self.names.term(path), self.names.last(path));
+            let push = vec![language.push(&firsts, &first), language.push(&lasts, &last)];
+            language.choose(&self.names.empty(path).not(), push, Vec::new())
         });
-        let indices = self.names.indices.clone();
-        self.links.push(Statement::IndexLoop { indices: indices.clone(), body });
+        let body = pushed.collect();
+        self.names.is_indexed = false;
+        self.links.push(language.index_loop(&self.names.indices, body));
         // From here on an index counts the nonempty paths.
-        let indices = IndexLoop { index: indices.index, size: self.names.fresh("runs") };
-        let member = |list: &String, shift| Term::Member {
-            list: list.clone(),
-            index: Some(indices.index.clone()),
-            shift,
-            size: indices.size.clone(),
-        };
+        let index = self.names.indices.index.clone();
+        let indices = IndexLoop { index, size: self.names.fresh("runs") };
+        let member = |list, shift| Term::member(list, Some(&indices.index), shift, &indices.size);
         let (last, first) = (member(&lasts, 0), member(&firsts, 1));
         let mut body = vec![Statement::set(Pointer::Next, last.clone(), first.clone())];
-        if self.conventions.prev {
+        if language.has_prev() {
             body.push(Statement::set(Pointer::Prev, first, last));
         }
-        let size = indices.size.clone();
-        self.links.push(Statement::Size { name: size.clone(), list: firsts.clone() });
-        self.links.push(Statement::IndexLoop { indices, body });
-        Term::Member { list: firsts, index: None, shift: 0, size }
+        self.links.push(language.size(&indices.size, &firsts));
+        self.links.push(language.index_loop(&indices, body));
+        Term::member(&firsts, None, 0, &indices.size)
     }
 }

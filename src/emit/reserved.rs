@@ -6,49 +6,17 @@ use std::collections::BTreeSet;
 use std::sync::LazyLock;
 
 use super::print::support;
+use super::value::rows;
 
-/// Keywords of C++ up to C++23, with the alternative tokens and the contextual keywords.
-const CPP: &str = "
-    alignas alignof and and_eq asm atomic_cancel atomic_commit atomic_noexcept auto bitand bitor
-    bool break case catch char char16_t char32_t char8_t class co_await co_return co_yield compl
-    concept const const_cast consteval constexpr constinit continue contract_assert decltype
-    default delete do double dynamic_cast else enum explicit export extern false final float for
-    friend goto if import inline int long module mutable namespace new noexcept not not_eq nullptr
-    operator or or_eq override post pre private protected public reflexpr register
-    reinterpret_cast requires return short signed sizeof static static_assert static_cast struct
-    switch synchronized template this thread_local throw true try typedef typeid typename typeof
-    union unsigned using virtual void volatile wchar_t while xor xor_eq";
+/// The words of a row of `reserved.txt`, or of all rows without its name.
+fn words(group: Option<&str>) -> impl Iterator<Item = &'static str> {
+    let all = rows(include_str!("reserved.txt")).into_iter();
+    let all = all.filter(move |row| group.is_none_or(|group| row[0] == group));
+    all.flat_map(|row| row[1..].to_vec()).flat_map(str::split_whitespace)
+}
 
-/// Keywords of Rust up to the 2024 edition, including those that are reserved for later use.
-const RUST: &str = "
-    Self abstract as async await become box break const continue crate do dyn else enum extern
-    false final fn for gen if impl in let loop macro macro_rules match mod move mut override priv
-    pub raw ref return safe self static struct super trait true try type typeof union unsafe
-    unsized use virtual where while yield";
-
-/// Macros that are not in capitals: of the standard headers, of compilers, of systems and of
-/// libraries that courses and applications use. Those in capitals are recognized as such.
-const MACROS: &str = "
-    assert errno stdin stdout stderr offsetof setjmp va_arg va_copy va_end va_start alloca
-    complex imaginary noreturn unix linux i386 vax sun mips hppa
-    min max near far small hyper interface major minor makedev cdecl pascal huge environ
-    isnan isinf isfinite isnormal signbit fpclassify isgreater isless isunordered
-    signals slots emit foreach forever check verify require check_if verify_if
-    L_tmpnam L_ctermid P_tmpdir None Bool Status Success Always Complex Expects Ensures";
-
-/// Types and values that emitted code uses without a namespace.
-const USED: &str = "
-    main std mesh hedgerow journal was abs Journal Refused
-    new_vertex new_halfedge new_edge new_face erase size_t ptrdiff_t int8_t int16_t int32_t int64_t
-    uint8_t uint16_t uint32_t uint64_t intptr_t uintptr_t nullptr_t max_align_t FILE
-    Some None Ok Err Option Vec String Box Iterator HashMap
-    Mesh Level ElementKind Attribute ColumnId VertexId HalfedgeId EdgeId FaceId
-    DVec2 DVec3 DVec4 DMat3 DMat4 validate_level_near";
-
-static RESERVED: LazyLock<BTreeSet<&str>> = LazyLock::new(|| {
-    let lists = [CPP, RUST, MACROS, USED].into_iter();
-    lists.flat_map(str::split_whitespace).chain(support::RUST.names()).collect()
-});
+static RESERVED: LazyLock<BTreeSet<&str>> =
+    LazyLock::new(|| words(None).chain(support::RUST.names()).collect());
 
 /// True if a word is reserved by a language, a macro, or emitted code itself.
 pub(super) fn is_reserved(word: &str) -> bool {
@@ -57,7 +25,7 @@ pub(super) fn is_reserved(word: &str) -> bool {
 
 /// True if a word is a keyword of C++.
 pub(super) fn is_keyword_of_cpp(word: &str) -> bool {
-    CPP.split_whitespace().any(|known| known == word)
+    words(Some("CPP")).any(|known| known == word)
 }
 
 /// True if a word looks like a macro: all capitals, at least two of them.

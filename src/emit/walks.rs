@@ -1,43 +1,29 @@
 //! Walks along paths and over fans, and what they set: the face along a path that changes its
-//! loop, the vertex around a fan that changes its vertex.
+//! loop, the vertex around a fan that changes its vertex. While a walk runs, nothing that it follows
+//! is written.
 
 use super::names::Names;
-use super::routine::Statement;
-use super::term::Term;
-use crate::diagram::{Drawing, NameId, Pointer, Spoke};
-
-/// A walk over halfedges. While it runs, nothing that it follows is written; only the `face` or
-/// `vertex` of the halfedges themselves may be.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct HalfedgeWalk {
-    /// The name of the halfedge.
-    pub halfedge: String,
-    /// The step from one to the next.
-    pub step: Step,
-    /// The first halfedge.
-    pub from: Term,
-    /// The halfedge after the last; if it is the first, the walk is empty.
-    pub until: Term,
-    /// True if a walk that ends where it starts goes all the way around instead.
-    pub around: bool,
-}
-
-/// The step of a walk.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Step {
-    /// `h.next`, along a loop.
-    Next,
-    /// `h.twin.next`, clockwise around a vertex, which needs no `prev`.
-    Clockwise,
-}
+use super::routine::{Block, Statement};
+use super::value::{Level, Term};
+use crate::diagram::{Drawing, NameId, Pointer, Spoke, Type};
 
 /// The walk along a path, from its first halfedge up to the item after it in `before`, that sets
 /// its face.
 pub(super) fn path_walk(drawing: &Drawing, names: &mut Names, path: NameId) -> Option<Statement> {
     let face = drawing.after.face(path)?;
     let next = drawing.before.item_after(path)?;
-    let ends = [path, next].map(|name| names.term(name));
-    Some(setting(names, (Pointer::Face, face), Step::Next, ends, next == path))
+    let (first, language) = (names.term(path), names.language);
+    let sets = (Pointer::Face, face);
+    if next == path {
+        let face = language.follow(Pointer::Face, &first);
+        let all = match language.is_rust() {
+            true => language.call("LoopFrom", [&first]),
+            false => language.call("FaceHalfedges", [&face]),
+        };
+        return Some(over(names, sets, &all));
+    }
+    let until = names.term(next);
+    Some(up_to(names, sets, &[Pointer::Next], [first, until]))
 }
 
 /// The walk over the spokes of a fan, clockwise, from after the spoke that follows it up to the
@@ -52,33 +38,61 @@ pub(super) fn fan_walk(drawing: &Drawing, names: &mut Names, fan: NameId) -> Opt
         Spoke::Halfedge(half) => Some(half.name),
         Spoke::Fan(_) | Spoke::Rest(_) => None,
     };
-    let (ends, around) = match (half(at + spokes.len() - 1), half(at + 1)) {
-        (Some(previous), Some(following)) => {
-            let twin = match drawing.before.twin(following) {
-                Some(twin) => names.term(twin),
-                None => names.term(following).follow(Pointer::Twin),
-            };
-            ([twin.follow(Pointer::Next), names.term(previous)], false)
-        }
+    let (sets, language) = ((Pointer::Vertex, after), names.language);
+    let (Some(previous), Some(following)) = (half(at + spokes.len() - 1), half(at + 1)) else {
         // The fan is the whole star.
-        _ => {
-            let first = names.term(vertex).follow(Pointer::VertexHalfedge);
-            ([first.clone(), first], true)
-        }
+        let vertex = names.term(vertex);
+        let first = language.follow(Pointer::VertexHalfedge, &vertex);
+        let all = match language.is_rust() {
+            true => language.call("SpokesFrom", [&first]),
+            false => language.call("VertexHalfedges", [&vertex]),
+        };
+        return Some(over(names, sets, &all));
     };
-    Some(setting(names, (Pointer::Vertex, after), Step::Clockwise, ends, around))
+    let twin = match drawing.before.twin(following) {
+        Some(twin) => names.term(twin),
+        None => language.follow(Pointer::Twin, &names.term(following)),
+    };
+    let ends = [language.follow(Pointer::Next, &twin), names.term(previous)];
+    // Clockwise, which needs no `prev`.
+    Some(up_to(names, sets, &[Pointer::Twin, Pointer::Next], ends))
 }
 
-/// A walk that sets a pointer of its halfedges.
-fn setting(
-    names: &mut Names,
-    (pointer, value): (Pointer, NameId),
-    step: Step,
-    [from, until]: [Term; 2],
-    around: bool,
-) -> Statement {
+/// The name of the halfedge of a walk, and the statement that sets a pointer of it.
+fn setting(names: &mut Names, (pointer, value): (Pointer, NameId)) -> (String, Vec<Statement>) {
     let halfedge = names.fresh("h");
     names.taken.remove(&halfedge);
-    let body = vec![Statement::set(pointer, Term::name(&halfedge), names.term(value))];
-    Statement::Walk { walk: HalfedgeWalk { halfedge, step, from, until, around }, body }
+    let set = Statement::set(pointer, Term::name(&halfedge), names.term(value));
+    (halfedge, vec![set])
+}
+
+/// A walk over a list of halfedges.
+fn over(names: &mut Names, sets: (Pointer, NameId), all: &Term) -> Statement {
+    let (h, body) = setting(names, sets);
+    Statement::block(names.language.over(Type::Halfedge, &h, all), body)
+}
+
+/// A walk from a halfedge up to another.
+fn up_to(
+    names: &mut Names,
+    sets: (Pointer, NameId),
+    step: &[Pointer],
+    [from, until]: [Term; 2],
+) -> Statement {
+    let (h, body) = setting(names, sets);
+    let language = names.language;
+    let next = step.iter().fold(Term::name(&h), |at, pointer| language.follow(*pointer, &at));
+    let (ty, first, next) = (language.ty(Type::Halfedge), &from.text, &next.text);
+    let end = &until.text;
+    let head = say!(
+        language,
+        "while {h} != {end}",
+        "for ({ty} {h} = {first}; {h} != {end}; {h} = {next})"
+    );
+    let head = Term::of(head, Level::Choice, [&from, &until]);
+    let (first, last) = match language.is_rust() {
+        true => (format!("let mut {h} = {first};"), format!("{h} = {next};")),
+        false => Default::default(),
+    };
+    Statement::Block(Block { first, head, body, last, ..Block::default() })
 }

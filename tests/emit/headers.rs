@@ -10,12 +10,14 @@ fn everything_that_is_written_out_has_its_header() {
         include_str!("../../src/emit/cpp/preview.txt"),
         include_str!("../../src/emit/cpp/journal.txt"),
         include_str!("../../src/emit/cpp/style.rs"),
-        include_str!("../../src/emit/print/aggregate.rs"),
-        include_str!("../../src/emit/print/calls.rs"),
+        include_str!("../../src/emit/language.rs"),
         include_str!("../../src/emit/print/item.rs"),
-        include_str!("../../src/emit/print/spellings.txt"),
         include_str!("../../src/emit/print/statement.rs"),
-        include_str!("../../src/emit/print/term.rs"),
+        include_str!("../../src/emit/statement.rs"),
+        include_str!("../../src/emit/steps/body.rs"),
+        include_str!("../../src/emit/value/aggregate.rs"),
+        include_str!("../../src/emit/value/language.rs"),
+        include_str!("../../src/emit/value/spellings.txt"),
     ];
     let text = text.concat().replace("use std::collections", "");
     for name in names(&text) {

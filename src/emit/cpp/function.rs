@@ -4,11 +4,11 @@ use std::collections::BTreeSet;
 
 use super::style::Style;
 use super::support;
-use crate::emit::conventions::Conventions;
 use crate::emit::item::Item;
+use crate::emit::items::{Items, items};
+use crate::emit::language::Language;
 use crate::emit::print::support::CPP;
-use crate::emit::print::{Part, Printer};
-use crate::emit::steps::{Items, items};
+use crate::emit::print::{self, Part};
 use crate::emit::{NotEmitted, Selection};
 use crate::source::Span;
 
@@ -19,48 +19,35 @@ use crate::source::Span;
 /// [`NotEmitted`] for what cannot be expressed in such a function, and for a style that cannot
 /// compile with it.
 pub fn cpp(selection: &Selection<'_>, style: &Style) -> Result<String, NotEmitted> {
-    let conventions = Conventions {
-        prev: style.has_prev(),
-        isolated_vertices: false,
-        columns: false,
-        undoes: false,
-        exhaustive: selection.exhaustive,
-        reserved: &style.reserved(),
-    };
-    let Items { called, mut ops } = items(selection, conventions)?;
-    let mut printer = Printer::new(Some(style));
+    let reserved = style.reserved();
+    let language = Language { style: Some(style), is_outside: false, reserved: &reserved };
+    let Items { called, mut ops } = items(selection, language)?;
     for Item { signature, .. } in &mut ops {
-        let can_give = style.gives_back() && signature.result.is_none();
+        let can_give = style.is("result", "given") && signature.result.is_none();
         signature.given = signature.given.take().filter(|_| can_give);
         signature.result = signature.result.or(signature.given.as_ref().map(|given| given.ty));
     }
     let mut fields = BTreeSet::new();
     for item in called.iter().map(|(_, item)| item).chain(&ops) {
-        item.attributes(&mut |attribute| {
-            let (element, ty) = (attribute.element.word(), printer.ty(attribute.ty));
-            fields.insert(format!("//   {element}: {ty} {}\n", attribute.name));
-        });
+        fields.extend(item.attributes.iter().map(|attribute| {
+            let (element, ty) = (attribute.element.word(), language.ty(attribute.ty));
+            format!("//   {element}: {ty} {}\n", attribute.name)
+        }));
     }
     let outside = called.iter().map(|(home, item)| {
-        let mut printer = Printer::new(Some(style));
-        printer.item(item, Part::Called);
+        let text = print::item(language, item, Part::Called);
         let home = home.strip_suffix(".hedge").unwrap_or(home);
-        once(&format!("{home}_{}", item.signature.name), printer.lines.finish().trim_end())
+        once(&format!("{home}_{}", item.signature.name), text.trim_end())
     });
     let outside = outside.collect::<String>();
     let part = if ops.len() == 1 { Part::Alone } else { Part::Selected };
-    for (at, item) in ops.iter().enumerate() {
-        if at > 0 {
-            printer.lines.line("");
-        }
-        printer.item(item, part);
-    }
-    let body = printer.lines.finish();
+    let shown = ops.iter().map(|item| print::item(language, item, part));
+    let body = shown.collect::<Vec<_>>().join("\n");
     let needed = CPP.needed(&format!("{outside}{body}"), "hedgerow::");
     if let Some(why) = is_blind(style, &outside, &needed) {
         let first = selection.ops.first().and_then(|&op| selection.program.ops.get(op));
         let span = first.map_or(Span::default(), |op| op.span);
-        return Err(NotEmitted::because("this style", why, span));
+        return Err(NotEmitted { why: Some(why), ..NotEmitted::new("this style", span) });
     }
     Ok(file(style, &fields, &outside, &needed, &body))
 }

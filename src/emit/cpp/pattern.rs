@@ -4,78 +4,57 @@
 //! `{value}`.
 
 use std::fmt;
+use std::sync::LazyLock;
 
 use super::super::reserved::is_keyword_of_cpp;
 use crate::diagnostic::all_of;
+use crate::emit::value::rows;
 
 /// The form of a pattern.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Form {
     /// Code that uses all of these parts.
-    Code(&'static [&'static str]),
+    Code(Vec<&'static str>),
     /// A name, optionally with a namespace.
     Name,
     /// A name, or nothing.
     NameOrNone,
     /// One of some words.
-    Word(&'static [&'static str]),
+    Word(Vec<&'static str>),
     /// Names of files, of which the first that exists is used; or nothing.
     Files,
 }
 
 use Form::{Code, Files, Name, NameOrNone, Word};
 
-const OF: Form = Code(&["{of}"]);
-const ATTRIBUTE: Form = Code(&["{of}", "{pointer}"]);
+/// A pattern or a name.
+pub(super) struct Pattern {
+    pub name: &'static str,
+    pub form: Form,
+    /// Its default.
+    pub fields: &'static str,
+    /// Its value for meshes with accessors, if that differs.
+    pub accessors: Option<&'static str>,
+}
 
-/// The patterns and names, each with its form, its default, and its value for meshes with accessors
-/// if that differs.
-pub(super) const PATTERNS: &[(&str, Form, &str, Option<&str>)] = &[
-    ("read", ATTRIBUTE, "{of}->{pointer}", Some("{of}->{pointer}()")),
-    (
-        "write",
-        Code(&["{of}", "{pointer}", "{value}"]),
-        "{of}->{pointer} = {value}",
-        Some("{of}->{pointer}() = {value}"),
-    ),
-    ("next", Name, "next", None),
-    ("prev", NameOrNone, "", None),
-    ("twin", Name, "twin", None),
-    ("vertex", Name, "vertex", None),
-    ("edge", Name, "edge", None),
-    ("face", Name, "face", None),
-    ("halfedge", Name, "halfedge", None),
-    ("boundary", OF, "{of}->boundary", Some("{of}->is_boundary()")),
-    ("set_boundary", Code(&["{of}", "{value}"]), "{of}->boundary = {value}", None),
-    ("position", OF, "{of}->position", Some("{of}->pos")),
-    ("attribute", ATTRIBUTE, "{of}->{pointer}", None),
-    ("mesh", Name, "Mesh", Some("Halfedge_Mesh")),
-    ("include", Files, "", None),
-    ("nested", Word(&["yes", "no"]), "yes", None),
-    ("member", Word(&["yes", "no"]), "no", None),
-    ("inline", Word(&["yes", "no"]), "no", None),
-    ("result", Word(&["bool", "given"]), "bool", None),
-    ("defaults", Word(&["kept", "fixed"]), "kept", None),
-    ("function", NameOrNone, "", None),
-    ("Vertex", Name, "VertexRef", None),
-    ("Halfedge", Name, "HalfedgeRef", None),
-    ("Edge", Name, "EdgeRef", None),
-    ("Face", Name, "FaceRef", None),
-    ("Vector", Name, "Vec3", None),
-    ("Vector2", NameOrNone, "", None),
-    ("Vector4", NameOrNone, "", None),
-    ("Matrix3", NameOrNone, "", None),
-    ("Matrix4", NameOrNone, "", None),
-    ("real", Name, "double", Some("float")),
-    ("new_vertex", Code(&[]), "new_vertex()", None),
-    ("new_halfedge", Code(&[]), "new_halfedge()", None),
-    ("new_edge", Code(&[]), "new_edge()", None),
-    ("new_face", Code(&[]), "new_face()", None),
-    ("erase_vertex", OF, "erase({of})", None),
-    ("erase_halfedge", OF, "erase({of})", None),
-    ("erase_edge", OF, "erase({of})", None),
-    ("erase_face", OF, "erase({of})", None),
-];
+/// The patterns and names of `patterns.txt`.
+pub(super) static PATTERNS: LazyLock<Vec<Pattern>> = LazyLock::new(|| {
+    let patterns = rows(include_str!("patterns.txt")).into_iter().filter_map(|row| {
+        let [name, form, fields, ref accessors @ ..] = row[..] else {
+            return None;
+        };
+        let form = match form {
+            "name" => Name,
+            "name?" => NameOrNone,
+            "files" => Files,
+            "code" => Code(Vec::new()),
+            words if words.contains('|') => Word(words.split('|').collect()),
+            parts => Code(parts.split(' ').collect()),
+        };
+        Some(Pattern { name, form, fields, accessors: accessors.first().copied() })
+    });
+    patterns.collect()
+});
 
 /// The reason why a style is not understood, or cannot compile.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -92,25 +71,24 @@ fn quoted(words: &[&str]) -> String {
 }
 
 /// Checks that a text has the form of its pattern.
-pub(super) fn understand(name: &str, form: Form, value: &str) -> Result<(), StyleError> {
-    let fits = match form {
-        Code(parts) => return understand_code(name, parts, value),
-        Word(words) if words.contains(&value) => true,
-        Word(words) => {
-            return Err(StyleError(format!("`{name}` is one of {}", quoted(words))));
+pub(super) fn understand(name: &str, form: &Form, value: &str) -> Result<(), StyleError> {
+    let is_name = || {
+        let is_number = name == "real" && ["float", "double"].contains(&value);
+        is_number || value.split("::").all(is_word)
+    };
+    match form {
+        Code(parts) => understand_code(name, parts, value),
+        Word(words) if !words.contains(&value) => {
+            Err(StyleError(format!("`{name}` is one of {}", quoted(words))))
         }
         Files if value.contains(['"', '<', '>', '\\']) || value.contains(char::is_control) => {
             let why = "is not the bare name of a file, as `mesh.h`, as `include` must be";
-            return Err(StyleError(format!("`{value}` {why}")));
+            Err(StyleError(format!("`{value}` {why}")))
         }
-        Files => true,
-        NameOrNone if value.is_empty() => true,
-        Name | NameOrNone => {
-            let is_number = name == "real" && ["float", "double"].contains(&value);
-            is_number || value.split("::").all(is_word)
-        }
-    };
-    if fits { Ok(()) } else { Err(not_a_name(name, value)) }
+        NameOrNone if value.is_empty() => Ok(()),
+        Name | NameOrNone if !is_name() => Err(not_a_name(name, value)),
+        _ => Ok(()),
+    }
 }
 
 /// True if a text is one identifier and not a keyword of C++.

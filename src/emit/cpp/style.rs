@@ -1,8 +1,11 @@
 //! Styles of C++: reads, writes, allocations and erasures, which differ from one mesh class to the
 //! next. Everything is a named [`pattern`](super::pattern).
 
+use std::collections::BTreeMap;
+
 use super::pattern::{Form, PATTERNS, StyleError, free_words, is_word, not_a_name, understand};
-use crate::diagram::{Kind, Type};
+use crate::diagram::Kind;
+use crate::emit::language::filled;
 
 /// The names of the types of elements.
 pub(super) const ELEMENTS: [&str; 4] = ["Vertex", "Halfedge", "Edge", "Face"];
@@ -12,14 +15,14 @@ pub(super) const ELEMENTS: [&str; 4] = ["Vertex", "Halfedge", "Edge", "Face"];
 pub struct Style {
     patterns: Vec<String>,
     /// The C++ names of operations, each with the name in the program first.
-    functions: Vec<(String, String)>,
+    functions: BTreeMap<String, String>,
 }
 
 impl Default for Style {
     /// Fields: `h->next`.
     fn default() -> Self {
-        let patterns = PATTERNS.iter().map(|(_, _, fields, _)| fields.to_string()).collect();
-        Self { patterns, functions: Vec::new() }
+        let patterns = PATTERNS.iter().map(|pattern| pattern.fields.to_string()).collect();
+        Self { patterns, functions: BTreeMap::new() }
     }
 }
 
@@ -30,39 +33,40 @@ impl Style {
     /// [`StyleError`] for a text of another form, for an unknown pattern, and for one that cannot
     /// compile.
     pub fn set(&mut self, text: &str) -> Result<(), StyleError> {
-        match text {
-            "fields" => *self = Self::default(),
-            "accessors" => {
-                for (pattern, (.., accessors)) in self.patterns.iter_mut().zip(PATTERNS) {
-                    if let Some(accessors) = accessors {
+        match (text, text.split_once('=')) {
+            ("fields", _) => *self = Self::default(),
+            ("accessors", _) => {
+                for (pattern, known) in self.patterns.iter_mut().zip(PATTERNS.iter()) {
+                    if let Some(accessors) = known.accessors {
                         *pattern = accessors.to_string();
                     }
                 }
             }
-            _ => {
-                let (name, value) = text.split_once('=').ok_or_else(|| {
-                    StyleError(format!(
-                        "`{text}` is no style: write fields, accessors, or NAME=PATTERN"
-                    ))
-                })?;
-                if let Some(op) = name.strip_prefix("function.") {
-                    understand(name, Form::Name, value)?;
-                    if !is_word(value) {
-                        return Err(not_a_name(name, value));
-                    }
-                    self.functions.retain(|(known, _)| known != op);
-                    self.functions.push((op.to_string(), value.to_string()));
-                    return Ok(());
-                }
-                let at =
-                    PATTERNS.iter().position(|(known, ..)| *known == name).ok_or_else(|| {
-                        let names: Vec<_> = PATTERNS.iter().map(|(name, ..)| *name).collect();
-                        StyleError(format!("a style has no `{name}`; it has {}", names.join(", ")))
-                    })?;
-                understand(name, PATTERNS[at].1, value)?;
-                self.patterns[at] = value.to_string();
+            (_, Some((name, value))) => self.set_pattern(name, value)?,
+            (_, None) => {
+                return Err(StyleError(format!(
+                    "`{text}` is no style: write fields, accessors, or NAME=PATTERN"
+                )));
             }
         }
+        Ok(())
+    }
+
+    fn set_pattern(&mut self, name: &str, value: &str) -> Result<(), StyleError> {
+        if let Some(op) = name.strip_prefix("function.") {
+            if !is_word(value) {
+                return Err(not_a_name(name, value));
+            }
+            self.functions.insert(op.to_string(), value.to_string());
+            return Ok(());
+        }
+        let Some(at) = PATTERNS.iter().position(|known| known.name == name) else {
+            let names: Vec<_> = PATTERNS.iter().map(|known| known.name).collect();
+            let names = names.join(", ");
+            return Err(StyleError(format!("a style has no `{name}`; it has {names}")));
+        };
+        understand(name, &PATTERNS[at].form, value)?;
+        self.patterns[at] = value.to_string();
         Ok(())
     }
 
@@ -99,8 +103,8 @@ impl Style {
     /// The patterns that are code, with their names.
     fn code(&self) -> impl Iterator<Item = (&'static str, &str)> {
         let all = PATTERNS.iter().zip(&self.patterns);
-        let code = all.filter(|((_, form, ..), _)| matches!(form, Form::Code(_)));
-        code.map(|((name, ..), pattern)| (*name, pattern.as_str()))
+        let code = all.filter(|(known, _)| matches!(known.form, Form::Code(_)));
+        code.map(|(known, pattern)| (known.name, pattern.as_str()))
     }
 
     /// A pattern that is invalid where no mesh is in scope, as in functions beside the operation,
@@ -132,8 +136,8 @@ impl Style {
         // Pointers follow an arrow, where they do not collide with names of the drawing.
         let free = ["next", "prev", "twin", "vertex", "edge", "face", "halfedge", "function"];
         let all = PATTERNS.iter().zip(&self.patterns);
-        for ((_, form, ..), pattern) in all.filter(|((name, ..), _)| !free.contains(name)) {
-            let words: Vec<&str> = match form {
+        for (known, pattern) in all.filter(|(known, _)| !free.contains(&known.name)) {
+            let words: Vec<&str> = match known.form {
                 Form::Code(_) => free_words(pattern).into_iter().map(|(word, _)| word).collect(),
                 Form::Name | Form::NameOrNone => pattern.split("::").collect(),
                 _ => continue,
@@ -146,8 +150,7 @@ impl Style {
 
     /// The name that a target gives to an operation, if any.
     pub fn function(&self, op: &str) -> Option<&str> {
-        let found = self.functions.iter().find(|(known, _)| known == op);
-        found.map(|(_, name)| name.as_str())
+        self.functions.get(op).map(String::as_str)
     }
 
     /// True if a target names operations, so that others do not belong to it.
@@ -155,20 +158,10 @@ impl Style {
         !self.functions.is_empty()
     }
 
-    /// True if an operation without a result returns the element that it was given.
-    pub(in crate::emit) fn gives_back(&self) -> bool {
-        self.name("result") == "given"
-    }
-
-    /// True if parameters with a default are constants instead.
-    pub(in crate::emit) fn fixes_defaults(&self) -> bool {
-        self.name("defaults") == "fixed"
-    }
-
     /// The lines before everything else that include the mesh class: the first of the files that
     /// exists.
     pub(in crate::emit) fn include(&self) -> String {
-        let mut text = if self.is_inline() { "#pragma once\n" } else { "" }.to_string();
+        let mut text = if self.is("inline", "yes") { "#pragma once\n" } else { "" }.to_string();
         let files: Vec<_> = self.name("include").split_whitespace().collect();
         for (at, file) in files.iter().enumerate() {
             text += &match at {
@@ -182,30 +175,15 @@ impl Style {
         if files.len() > 1 { text + "#endif\n" } else { text }
     }
 
-    /// A pattern or a name, as the mesh class spells it.
-    pub(in crate::emit) fn name(&self, name: &str) -> &str {
-        let at = PATTERNS.iter().position(|(known, ..)| *known == name);
-        at.map_or("", |at| &self.patterns[at])
+    /// True if a pattern that is one of some words is this one.
+    pub(in crate::emit) fn is(&self, name: &str, word: &str) -> bool {
+        self.name(name) == word
     }
 
-    /// A type; `is_outside` where the names of the mesh class are not in scope.
-    pub(in crate::emit) fn ty(&self, ty: Type, is_outside: bool) -> String {
-        match ty {
-            Type::Bool => "bool".into(),
-            Type::Int => "long long".into(),
-            Type::Real => self.name("real").into(),
-            Type::Vec3 => self.name("Vector").into(),
-            Type::Vec2 => self.value("Vector2"),
-            Type::Vec4 => self.value("Vector4"),
-            Type::Mat3 => self.value("Matrix3"),
-            Type::Mat4 => self.value("Matrix4"),
-            // Nothing of this type is built.
-            Type::Text => "auto".into(),
-            Type::Vertex | Type::Halfedge | Type::Edge | Type::Face => match is_outside {
-                true => self.qualified(&format!("{ty:?}")),
-                false => self.name(&format!("{ty:?}")).into(),
-            },
-        }
+    /// A pattern or a name, as the mesh class spells it.
+    pub(in crate::emit) fn name(&self, name: &str) -> &str {
+        let at = PATTERNS.iter().position(|known| known.name == name);
+        at.map_or("", |at| &self.patterns[at])
     }
 
     /// A type of values; where the mesh class has none, an array, for matrices column by column.
@@ -214,23 +192,15 @@ impl Style {
         if !name.is_empty() {
             return name.to_string();
         }
-        let array = |of: &str, size: u8| format!("std::array<{of}, {size}>");
-        let (real, size) = (self.name("real"), if ty.ends_with('3') { 3 } else { 4 });
-        match ty {
-            "Vector2" => array(real, 2),
-            "Vector4" => array(real, 4),
-            _ => array(&array(real, size), size),
-        }
+        let (kind, size) = ty.split_at(ty.len().saturating_sub(1));
+        let array = |of: &str| format!("std::array<{of}, {size}>");
+        let one = array(self.name("real"));
+        if kind == "Matrix" { array(&one) } else { one }
     }
 
     /// True if operations are members of the mesh class.
     pub(in crate::emit) fn is_member(&self) -> bool {
-        self.name("member") == "yes"
-    }
-
-    /// True if operations are defined in a header that several files include.
-    pub(in crate::emit) fn is_inline(&self) -> bool {
-        self.name("inline") == "yes"
+        self.is("member", "yes")
     }
 
     /// True if halfedges store `prev`.
@@ -270,7 +240,7 @@ impl Style {
 
     /// True if a type is nested in the mesh class.
     pub(in crate::emit) fn is_nested(&self, ty: &str) -> bool {
-        ELEMENTS.contains(&ty) && self.name("nested") == "yes"
+        ELEMENTS.contains(&ty) && self.is("nested", "yes")
     }
 
     /// An attribute of the program, to be read or set.
@@ -280,10 +250,8 @@ impl Style {
 
     /// A call that allocates.
     pub(in crate::emit) fn allocate(&self, kind: Kind) -> String {
-        match self.is_member() {
-            true => self.name(&format!("new_{}", kind.word())).into(),
-            false => self.chained("mesh", &format!("new_{}", kind.word())),
-        }
+        let name = format!("new_{}", kind.word());
+        if self.is_member() { self.name(&name).into() } else { self.chained("mesh", &name) }
     }
 
     /// A call that erases.
@@ -296,24 +264,12 @@ impl Style {
     }
 }
 
-/// Fills a pattern in one pass: inserted text is not searched again.
+/// A pattern with its parts filled in.
 fn fill(pattern: &str, of: &str, pointer: &str, value: &str) -> String {
-    let mut text = String::new();
-    let mut rest = pattern;
-    while let Some(at) = rest.find('{') {
-        text.push_str(&rest[..at]);
-        rest = &rest[at..];
-        let parts = [("{of}", of), ("{pointer}", pointer), ("{value}", value)];
-        match parts.iter().find(|(part, _)| rest.starts_with(part)) {
-            Some((part, with)) => {
-                text.push_str(with);
-                rest = &rest[part.len()..];
-            }
-            None => {
-                text.push('{');
-                rest = &rest[1..];
-            }
-        }
-    }
-    text + rest
+    filled(pattern, |part, _, _| match part {
+        "of" => Some(of.to_string()),
+        "pointer" => Some(pointer.to_string()),
+        "value" => Some(value.to_string()),
+        _ => None,
+    })
 }

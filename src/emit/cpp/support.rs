@@ -26,47 +26,38 @@ pub(in crate::emit) fn spelled(name: &str, text: &str, style: &Style) -> String 
 
 /// A text with its pointers and types spelled.
 pub(in crate::emit) fn with_pointers(text: &str, style: &Style) -> String {
-    let mut out = String::new();
-    let mut rest = text;
-    while let Some(at) = rest.find(['[', '$']) {
-        out.push_str(&rest[..at]);
-        if rest[at..].starts_with('$') {
-            let word = &rest[at + 1..];
-            let end = word.find(|c: char| !c.is_ascii_alphanumeric()).unwrap_or(word.len());
-            out.push_str(&match &word[..end] {
-                "Mesh" => style.name("mesh").to_string(),
-                ty => style.qualified(ty),
-            });
-            rest = &word[end..];
-            continue;
-        }
-        let inside = &rest[at + 1..];
-        let end = inside.find(']').unwrap_or(inside.len());
-        match inside[..end].split_once('.') {
-            // A chain of pointers; a lambda or an index is left alone.
-            Some((of, pointers)) => {
-                let (pointers, value) = match pointers.split_once(" := ") {
-                    Some((pointers, value)) => (pointers, Some(value)),
-                    None => (pointers, None),
-                };
-                let mut term = of.to_string();
-                let mut pointers = pointers.split('.').peekable();
-                while let Some(pointer) = pointers.next() {
-                    term = match value.filter(|_| pointers.peek().is_none()) {
-                        Some(value) => style.put(&term, pointer, value),
-                        None => style.chained(&term, pointer),
-                    };
-                }
-                out.push_str(&term);
-                rest = inside.get(end + 1..).unwrap_or("");
-            }
-            None => {
-                out.push('[');
-                rest = inside;
-            }
+    let mut parts = text.split('$');
+    let mut typed = parts.next().unwrap_or_default().to_string();
+    for part in parts {
+        let end = part.find(|c: char| !c.is_ascii_alphanumeric()).unwrap_or(part.len());
+        typed += &match &part[..end] {
+            "Mesh" => style.name("mesh").to_string(),
+            ty => style.qualified(ty),
+        };
+        typed += &part[end..];
+    }
+    let mut parts = typed.split('[');
+    let mut out = parts.next().unwrap_or_default().to_string();
+    for part in parts {
+        // A lambda or an index is left alone.
+        match part.split_once(']').filter(|(inside, _)| inside.contains('.')) {
+            Some((inside, rest)) => out.extend([&chain(inside, style), rest]),
+            None => out.extend(["[", part]),
         }
     }
-    out + rest
+    out
+}
+
+/// A chain of pointers, `h.twin.next`, or a write at its end, `h.twin.next := n`.
+fn chain(text: &str, style: &Style) -> String {
+    if let Some((chain_of, value)) = text.split_once(" := ")
+        && let Some((of, last)) = chain_of.rsplit_once('.')
+    {
+        return style.put(&chain(of, style), last, value);
+    }
+    let mut parts = text.split('.');
+    let of = parts.next().unwrap_or_default().to_string();
+    parts.fold(of, |of, pointer| style.chained(&of, pointer))
 }
 
 /// Qualifies calls of the other functions with their namespace, to prevent argument-dependent

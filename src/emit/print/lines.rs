@@ -72,23 +72,34 @@ impl Lines {
     }
 
     /// Adds a comment, wrapped where lines would become too long.
-    pub fn comment(&mut self, mark: &str, text: &str) {
-        let text = &plain(text);
+    pub fn comment(&mut self, text: &str) {
         let depth = self.outer + self.depth;
-        let width = 96usize.saturating_sub(depth * self.unit + mark.len() + 1).max(20);
-        let mut line = String::new();
-        for word in text.split_whitespace() {
-            if !line.is_empty() && line.chars().count() + 1 + word.chars().count() > width {
-                self.line(&comment(mark, &line));
-                line.clear();
-            }
-            if !line.is_empty() {
-                line.push(' ');
-            }
-            line.push_str(word);
+        let width = 96usize.saturating_sub(depth * self.unit + 3).max(20);
+        for line in packed(plain(text).split_whitespace(), " ", width) {
+            self.line(&comment("//", &line));
         }
-        self.line(&comment(mark, &line));
     }
+}
+
+/// Words on lines of at most this width, if none of them is longer; there is at least one line.
+pub(in crate::emit) fn packed<'w>(
+    words: impl IntoIterator<Item = &'w str>,
+    separator: &str,
+    width: usize,
+) -> Vec<String> {
+    let mut lines = vec![String::new()];
+    for word in words {
+        match lines.last_mut() {
+            Some(line) if line.is_empty() => line.push_str(word),
+            Some(line)
+                if (line.chars().chain(separator.chars()).chain(word.chars())).count() <= width =>
+            {
+                line.extend([separator, word]);
+            }
+            _ => lines.push(word.to_string()),
+        }
+    }
+    lines
 }
 
 /// A comment line. A backslash at its end would continue it on the next line in C++, so something

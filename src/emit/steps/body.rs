@@ -3,199 +3,137 @@
 use std::collections::BTreeSet;
 
 use super::super::NotEmitted;
-use super::super::conventions::Conventions;
-use super::super::expression::{Expressions, around, is_spelled, is_surely_finite};
-use super::super::names::Names;
-use super::super::routine::{Field, Form, Held, Statement, Target};
-use super::super::term::{Parameter, Term};
+use super::super::items::Source;
+use super::super::language::Language;
+use super::super::names::{Attribute, Names};
+use super::super::routine::Statement;
+use super::super::value::{Level, Term, around, bare, is_surely_finite};
 use super::comments::comments;
 use crate::diagram::{Access, Collection, Expr, ExprKind, Type};
-use crate::lower::{AllEffects, Variables};
-use crate::resolve::{Block, Body, Program, Statement as Step, StatementKind, Visit};
-use crate::source::{Sources, Span};
-
-/// The facts about the program.
-#[derive(Clone, Copy)]
-pub(super) struct Context<'s> {
-    pub program: &'s Program,
-    pub sources: &'s Sources,
-    pub effects: &'s AllEffects,
-    /// The names of the operations in code.
-    pub op_names: &'s [String],
-    pub conventions: Conventions<'s>,
-    /// The names of the functions in code.
-    pub function_names: &'s [String],
-}
+use crate::lower::Variables;
+use crate::resolve::{Block, Body, Statement as Step, StatementKind, Visit};
+use crate::source::Span;
 
 /// Writes the statements of one body.
-pub(super) struct Writer<'s> {
-    pub(super) context: Context<'s>,
-    body: &'s Body,
-    pub(super) names: &'s mut Names,
-    /// True if it is that of a function, not of an operation.
-    is_function: bool,
-    /// The variables that are bound so far.
-    bound: BTreeSet<u32>,
-    pub(super) variables: Variables,
-    /// The assignments that an `update` defers.
-    held: Vec<(Access, Held)>,
-    /// The operations that are called.
-    pub ops: BTreeSet<usize>,
-    /// The functions that are called, and change the mesh or may refuse.
-    pub functions: BTreeSet<u32>,
+pub(in crate::emit) struct Writer<'s> {
+    pub source: &'s Source<'s>,
+    pub body: &'s Body,
+    pub names: Names<'s>,
+    /// The statements of the current block so far.
+    pub out: Vec<Statement>,
+    /// True if the body is that of a function, not of an operation.
+    pub is_function: bool,
+    /// The variables that are bound so far: the first ones are parameters.
+    pub bound: BTreeSet<u32>,
+    pub variables: Variables,
+    /// The lists of the writes that an `update` defers.
+    pub held: Vec<(Access, String)>,
 }
 
 impl<'s> Writer<'s> {
-    /// A writer for a body whose first variables are parameters, which are named already.
-    pub fn new(
-        context: Context<'s>,
-        body: &'s Body,
-        params: usize,
-        is_function: bool,
-        names: &'s mut Names,
-    ) -> Self {
-        Self {
-            context,
-            body,
-            names,
-            is_function,
-            bound: (0..params as u32).collect(),
-            variables: Variables::of(&body.block),
-            held: Vec::new(),
-            ops: BTreeSet::new(),
-            functions: BTreeSet::new(),
-        }
-    }
-
-    /// Writes all statements.
-    pub fn write(&mut self) -> Result<Vec<Statement>, NotEmitted> {
-        let body = self.body;
-        if let Some(variable) = body.variables.iter().find(|of| !is_spelled(of.ty)) {
-            let what = format!("a variable of type `{}`", variable.ty.word());
-            return Err(NotEmitted::new(what, variable.span));
-        }
-        let mut written = self.block(&body.block)?;
-        let leaves = matches!(body.block.last(), Some(Step { kind: StatementKind::Return(_), .. }));
-        if !leaves && !self.gives_back() {
-            written.push(Statement::Return { value: None });
-        }
-        Ok(written)
-    }
-
-    /// True if a `return` gives a value.
-    fn gives_back(&self) -> bool {
-        let mut gives = false;
-        let mut look = |statement: &Step| {
-            gives |= matches!(statement.kind, StatementKind::Return(Some(_)));
-        };
-        self.body.block.iter().for_each(|statement| statement.each(&mut look));
-        gives
-    }
-
     /// Runs `write`; the words that it takes are free again afterwards.
-    pub(super) fn scope<T>(&mut self, write: impl FnOnce(&mut Self) -> T) -> T {
+    pub fn scope<T>(&mut self, write: impl FnOnce(&mut Self) -> T) -> T {
         let outer = self.names.taken.clone();
         let written = write(self);
         self.names.taken = outer;
         written
     }
 
-    pub(super) fn block(&mut self, block: &'s Block) -> Result<Vec<Statement>, NotEmitted> {
-        self.scope(|this| {
-            let mut written = Vec::new();
-            for statement in block {
-                let lines = comments(this.context.sources, statement.span);
-                written.extend(lines.into_iter().map(Statement::Comment));
-                this.statement(statement, &mut written)?;
-            }
-            Ok(written)
-        })
+    pub fn block(&mut self, block: &'s Block) -> Result<Vec<Statement>, NotEmitted> {
+        let outer = std::mem::take(&mut self.out);
+        let written = self.scope(|this| {
+            block.iter().try_for_each(|statement| {
+                let lines = comments(this.source.selection.sources, statement.span);
+                this.out.extend(lines.into_iter().map(Statement::Comment));
+                this.statement(statement)
+            })
+        });
+        let inner = std::mem::replace(&mut self.out, outer);
+        written.map(|()| inner)
     }
 
-    pub(super) fn statement(
-        &mut self,
-        statement: &'s Step,
-        out: &mut Vec<Statement>,
-    ) -> Result<(), NotEmitted> {
-        let span = statement.span;
-        let action = match &statement.kind {
-            StatementKind::Set { variable, value } => return self.set(*variable, value, out),
+    pub fn statement(&mut self, statement: &'s Step) -> Result<(), NotEmitted> {
+        let (span, language) = (statement.span, self.names.language);
+        let written = match &statement.kind {
+            StatementKind::Set { variable, value } => return self.set(*variable, value),
             StatementKind::Write { target, attribute, value } => {
-                return self.put(target, *attribute, value, out);
+                return self.write_to(target, *attribute, value);
             }
             StatementKind::Repeat { count, body } => {
-                let count = self.term(count)?;
+                let count = self.names.value(count)?;
                 self.scope(|this| {
-                    let index = this.names.fresh("i");
-                    Ok(Statement::Repeat { index, count, body: this.block(body)? })
+                    let (i, number) = (this.names.fresh("i"), &count.text);
+                    let head = say!(
+                        language,
+                        "for _ in 0..{number}",
+                        "for (long long {i} = {number}; {i} > 0; --{i})"
+                    );
+                    let head = Term::of(head, Level::Choice, [&count]);
+                    Ok(Statement::block(head, this.block(body)?))
                 })?
             }
             StatementKind::While { condition, body } => {
-                Statement::While { condition: self.term(condition)?, body: self.block(body)? }
+                let condition = self.names.value(condition)?;
+                let test = &condition.text;
+                let head = say!(language, "while {test}", "while ({test})");
+                let head = Term::of(head, Level::Choice, [&condition]);
+                Statement::block(head, self.block(body)?)
             }
             StatementKind::For { variable, collection, filter, body, visit, parallel: false }
                 if *visit != Visit::Shuffled =>
             {
-                let action = self.scope(|this| {
+                let visited = self.scope(|this| {
                     if *visit == Visit::Update {
-                        this.held = this.written_in(body);
+                        this.hold(body);
                     }
                     this.visit((*variable, collection), filter.as_ref(), body, span)
                 })?;
-                let held = std::mem::take(&mut self.held).into_iter().map(|(_, held)| held);
-                match visit {
-                    Visit::Update => {
-                        Statement::Update { visit: Box::new(action), held: held.collect() }
-                    }
-                    _ => action,
+                self.out.push(visited);
+                for (access, list) in std::mem::take(&mut self.held) {
+                    let attribute = self.names.accessed(access);
+                    self.out.push(release(language, &list, attribute.as_ref()));
                 }
+                return Ok(());
             }
             StatementKind::If { condition, then, otherwise }
                 if self.is_function
                     && let (Some(then), Some(other)) =
                         (self.value(then), self.value(otherwise)) =>
             {
-                let kind = ExprKind::If(
-                    Box::new(condition.clone()),
-                    Box::new(then.clone()),
-                    Box::new(other.clone()),
-                );
-                let chosen = Expr { ty: then.ty, span, kind };
-                return self.leave(Some(&chosen), out);
+                let parts = [condition, then, other].map(|part| Box::new(part.clone()));
+                let [condition, chosen, other] = parts;
+                let kind = ExprKind::If(condition, chosen, other);
+                return self.leave(Some(&Expr { ty: then.ty, span, kind }));
             }
-            StatementKind::If { condition, then, otherwise } => Statement::Choose {
-                condition: self.term(condition)?,
-                then: self.block(then)?,
-                otherwise: self.block(otherwise)?,
-            },
+            StatementKind::If { condition, then, otherwise } => {
+                let condition = self.names.value(condition)?;
+                let (then, otherwise) = (self.block(then)?, self.block(otherwise)?);
+                language.choose(&condition, then, otherwise)
+            }
             StatementKind::Apply { op, args, variable, then, otherwise } => {
-                let call = self.operation(*op, args, out)?;
-                return self.apply(call, *variable, [then, otherwise], out);
+                return self.apply((*op, args), *variable, [then, otherwise]);
             }
-            StatementKind::Require { condition, reason } => {
-                out.push(Statement::Refuse {
-                    when: self.term(condition)?.not(),
-                    reason: reason.clone(),
-                });
-                return Ok(());
-            }
-            StatementKind::Break => Statement::Break,
-            StatementKind::Continue => Statement::Continue,
-            StatementKind::Return(value) => return self.leave(value.as_ref(), out),
+            StatementKind::Require { condition, reason } => Statement::Refuse {
+                when: self.names.value(condition)?.not(),
+                reason: reason.clone(),
+            },
+            StatementKind::Break => Statement::lines("break;".into(), &[]),
+            StatementKind::Continue => Statement::lines("continue;".into(), &[]),
+            StatementKind::Return(value) => return self.leave(value.as_ref()),
             StatementKind::Call { function, args, .. }
-                if (*function as usize) < self.context.program.functions.len() =>
+                if (*function as usize) < self.source.selection.program.functions.len() =>
             {
-                let effects = self.context.effects.function(*function);
+                let effects = self.source.effects.function(*function);
                 // A call without effects is omitted, since its value is not used.
-                if !effects.is_some_and(|effects| effects.changes || effects.refuses) {
-                    return Ok(());
+                if effects.is_some_and(|effects| effects.changes || effects.refuses) {
+                    let call = self.function(*function, args)?;
+                    self.put(None, &call);
                 }
-                let call = self.function(*function, args, out)?;
-                Statement::MustCall { call, place: None }
+                return Ok(());
             }
             kind => return Err(NotEmitted::new(not_emitted(kind), span)),
         };
-        out.push(action);
+        self.out.push(written);
         Ok(())
     }
 
@@ -210,125 +148,113 @@ impl<'s> Writer<'s> {
     }
 
     /// The term of a value, after binding the parts of it that have the same value each time.
-    fn computed(&mut self, value: &Expr, out: &mut Vec<Statement>) -> Result<Term, NotEmitted> {
-        let value = Expressions { names: self.names }.once(value, false, None, out)?;
-        self.term(&value)
-    }
-
-    pub(super) fn term(&mut self, value: &Expr) -> Result<Term, NotEmitted> {
-        Expressions { names: self.names }.term(value)
+    fn computed(&mut self, value: &Expr) -> Result<Term, NotEmitted> {
+        let value = self.names.once(value, false, None, &mut self.out)?;
+        self.names.value(&value)
     }
 
     /// Names a variable.
-    pub(super) fn bind(&mut self, variable: u32) -> Parameter {
+    pub fn bind(&mut self, variable: u32) -> (String, Type) {
         let known = self.body.variables.get(variable as usize);
         let wanted = known.map_or("x", |variable| variable.name.as_str());
         self.bound.insert(variable);
         let name = self.names.bind(variable, wanted);
-        Parameter::new(name, known.map_or(Type::Int, |variable| variable.ty))
+        (name, known.map_or(Type::Int, |variable| variable.ty))
     }
 
-    /// The target for the value of a variable; `None` if it is never read.
-    pub(super) fn place(&mut self, variable: u32) -> Option<Target> {
+    /// The assignment of a value to a variable; `None` if that is never read.
+    pub fn assigned(&mut self, variable: u32, value: &Term) -> Option<Statement> {
         if !self.variables.reads(variable) {
             return None;
         }
+        let language = self.names.language;
+        let (text, plain) = (&value.text, bare(&value.text));
         if self.bound.contains(&variable) {
-            let known = self.body.variables.get(variable as usize)?;
-            let (name, ty) = (self.names.local(variable).to_string(), known.ty);
-            let form = Form::Known;
-            return Some(Target { name, ty, form });
+            let name = self.names.local(variable);
+            let text = say!(language, "{name} = {plain};", "{name} = {text};");
+            return Some(Statement::lines(text, [value, &Term::name(name)]));
         }
-        let Parameter { name, ty, .. } = self.bind(variable);
-        let form = match self.variables.sets(variable) {
-            0 | 1 => Form::Fixed,
-            _ => Form::Changing,
+        let (name, of) = self.bind(variable);
+        let (ty, is_changed) = (language.ty(of), self.variables.sets(variable) > 1);
+        // The type of a plain number would be ambiguous in Rust.
+        let told = match of {
+            Type::Int | Type::Real if text.parse::<f64>().is_ok() => format!("{name}: {ty}"),
+            _ => name.clone(),
         };
-        Some(Target { name, ty, form })
+        let told = if is_changed { format!("mut {told}") } else { told };
+        let text = say!(language, "let {told} = {plain};", "{ty} {name} = {text};");
+        Some(Statement::lines(text, [value]))
     }
 
-    fn set(
-        &mut self,
-        variable: u32,
-        value: &Expr,
-        out: &mut Vec<Statement>,
-    ) -> Result<(), NotEmitted> {
+    fn set(&mut self, variable: u32, value: &Expr) -> Result<(), NotEmitted> {
         if let Some((function, args)) = self.changing_call(value) {
-            let call = self.function(function, args, out)?;
-            let place = self.place(variable);
-            out.push(Statement::MustCall { call, place });
+            let call = self.function(function, args)?;
+            self.put(Some(variable), &call);
             return Ok(());
         }
         // Computed first, since the value cannot refer to a new variable.
-        let value = self.computed(value, out)?;
-        let place = self.place(variable);
-        out.extend(place.map(|place| Statement::Variable { place, value }));
+        let value = self.computed(value)?;
+        let assigned = self.assigned(variable, &value);
+        self.out.extend(assigned);
         Ok(())
     }
 
-    /// The attributes that the statements of an `update` write to, with names for the lists of the
-    /// deferred writes.
-    fn written_in(&mut self, body: &Block) -> Vec<(Access, Held)> {
-        let mut held: Vec<(Access, Held)> = Vec::new();
+    /// Makes lists for the writes of an `update`, which are deferred to its end.
+    fn hold(&mut self, body: &Block) {
+        let language = self.names.language;
         let mut note = |statement: &Step| {
             let StatementKind::Write { target, attribute: access, value } = &statement.kind else {
                 return;
             };
-            if held.iter().any(|(known, _)| known == access) {
+            if self.held.iter().any(|(held, _)| held == access) {
                 return;
             }
-            let attribute = match access {
-                Access::Position => None,
-                Access::Declared(number) => self.names.attribute(*number),
-            };
+            let attribute = self.names.accessed(*access);
             let word = attribute.as_ref().map_or("position", |it| &it.declared);
-            let written = Held {
-                list: self.names.fresh(&format!("{}s", word.replace('\'', "_"))),
-                element: target.ty,
-                ty: value.ty,
-                attribute,
-            };
-            held.push((*access, written));
+            let list = self.names.fresh(&format!("{}s", word.replace('\'', "_")));
+            let (element, ty) = (language.ty(target.ty), language.ty(value.ty));
+            let line = say!(
+                language,
+                "let mut {list} = Vec::new();",
+                "std::vector<std::pair<{element}, {ty}>> {list};"
+            );
+            self.out.push(Statement::lines(line, []));
+            self.held.push((*access, list));
         };
         body.iter().for_each(|statement| statement.each(&mut note));
-        held
     }
 
-    fn put(
+    fn write_to(
         &mut self,
         target: &Expr,
         attribute: Access,
         value: &Expr,
-        out: &mut Vec<Statement>,
     ) -> Result<(), NotEmitted> {
-        let is_finite = is_surely_finite(value, f64::INFINITY);
-        let (ty, span) = (value.ty, value.span);
-        let (target_ty, element) = (target.ty, self.term(target)?);
-        let value = self.term(value)?;
-        if let Some((_, held)) = self.held.iter().find(|(of, _)| *of == attribute) {
-            let list = held.list.clone();
-            out.push(Statement::Defer { list, element, value });
-            return Ok(());
-        }
-        match attribute {
-            Access::Position => out.push(Statement::Move { vertex: element, value, is_finite }),
-            Access::Declared(number) => {
-                let attribute = self.names.attribute(number);
-                let attribute = attribute.ok_or_else(|| NotEmitted::new("an attribute", span))?;
-                let (element, value) = self.scope(|this| {
-                    let element = this.settled(element, target_ty, target_ty.word(), out);
-                    (element, this.settled(value, ty, &attribute.name, out))
-                });
-                if !self.context.conventions.undoes {
-                    out.push(Statement::JournalAttribute {
-                        attribute: attribute.clone(),
-                        element: element.clone(),
-                    });
-                }
-                let field = Field::Attribute(attribute);
-                out.push(Statement::Set { field, of: element, value });
-            }
-        }
+        let language = self.names.language;
+        let (of, term) = (self.names.value(target)?, self.names.value(value)?);
+        let written = if let Some((_, list)) = self.held.iter().find(|held| held.0 == attribute) {
+            let (element, plain) = (&of.text, bare(&term.text));
+            let line = say!(
+                language,
+                "{list}.push(({element}, {plain}));",
+                "{list}.emplace_back({element}, {plain});"
+            );
+            Statement::lines(line, [&of, &term])
+        } else if let Access::Declared(number) = attribute {
+            let attribute = self.names.attribute(number);
+            let attribute = attribute.ok_or_else(|| NotEmitted::new("an attribute", value.span))?;
+            let [of, term] = self.scope(|this| {
+                let element = this.settled((target, of), target.ty.word());
+                [element, this.settled((value, term), &attribute.name)]
+            });
+            let line = language.write(Some(&attribute), &of, &term.text);
+            Statement::lines(line, [&of, &term])
+        } else {
+            let is_finite = is_surely_finite(value, f64::INFINITY);
+            let checked = checked(language, is_finite, &term.text);
+            Statement::lines(language.write(None, &of, &checked), [&of, &term])
+        };
+        self.out.push(written);
         Ok(())
     }
 
@@ -339,40 +265,62 @@ impl<'s> Writer<'s> {
         body: &'s Block,
         span: Span,
     ) -> Result<Statement, NotEmitted> {
-        let (around, element) = around(collection).ok_or_else(|| {
-            NotEmitted::new(super::super::expression::collection_words(collection), span)
-        })?;
-        let element = self.term(element)?;
-        let may_go = self.context.effects.erases(body, collection.element());
+        let language = self.names.language;
+        let (around, element) = around(collection, span)?;
+        let all = language.call(around, &[self.names.value(element)?]);
+        let may_go = self.source.effects.erases(body, collection.element());
         self.scope(|this| {
-            Ok(Statement::For {
-                variable: this.bind(variable),
-                around,
-                element,
-                may_go,
-                filter: filter.map(|filter| this.term(filter)).transpose()?,
-                body: this.block(body)?,
-            })
+            let (name, ty) = this.bind(variable);
+            let word = ty.word();
+            let gone = say!(language, "!mesh.{word}_alive({name})", "!journal.lives({name})");
+            let filter = filter.map(|filter| this.names.value(filter)).transpose()?;
+            let gone = may_go.then(|| Term::whole(gone)).into_iter();
+            let skipped = gone.chain(filter.map(Term::not)).reduce(Term::or);
+            let mut inner = Vec::new();
+            if let Some(skipped) = skipped {
+                let next = Statement::lines("continue;".into(), &[]);
+                inner.push(language.choose(&skipped, vec![next], Vec::new()));
+            }
+            inner.extend(this.block(body)?);
+            Ok(Statement::block(language.over(ty, &name, &language.collected(&all)), inner))
         })
     }
 
-    fn leave(&mut self, value: Option<&Expr>, out: &mut Vec<Statement>) -> Result<(), NotEmitted> {
+    fn leave(&mut self, value: Option<&Expr>) -> Result<(), NotEmitted> {
         let value = match value {
             None => None,
             Some(value) => Some(match self.changing_call(value) {
-                None => self.computed(value, out)?,
+                None => self.computed(value)?,
                 Some((function, args)) => {
-                    let call = self.function(function, args, out)?;
+                    let given = self.function(function, args)?;
                     let name = self.names.fresh("result");
-                    let given = Term::name(&name);
-                    let place = Some(Target { name, ty: value.ty, form: Form::Fixed });
-                    out.push(Statement::MustCall { call, place });
-                    given
+                    self.out.push(self.names.bound(value.ty, &name, &given, false));
+                    Term::name(&name)
                 }
             }),
         };
-        out.push(Statement::Return { value });
+        self.out.push(Statement::Return { value });
         Ok(())
+    }
+}
+
+/// The loop that performs the deferred writes of a list to an attribute, or to positions.
+fn release(language: Language<'_>, list: &str, attribute: Option<&Attribute>) -> Statement {
+    let head = say!(
+        language,
+        "for (element, value) in {list}",
+        "for (const auto& [element, value] : {list})"
+    );
+    let value = checked(language, attribute.is_some(), "value");
+    let text = language.write(attribute, &Term::whole("element"), &value);
+    Statement::lines(language.held(&head, &text), [])
+}
+
+/// A position that is written; in Rust with a refusal unless it is finite.
+fn checked(language: Language<'_>, is_finite: bool, value: &str) -> String {
+    match is_finite || !language.is_rust() {
+        true => value.to_string(),
+        false => format!("finite({value})?"),
     }
 }
 

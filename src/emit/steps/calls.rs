@@ -1,18 +1,20 @@
 //! Calls in steps: of operations, and of functions that change the mesh.
 
 use super::super::NotEmitted;
-use super::super::routine::{Call, Called, Statement};
-use super::super::term::{Function, Term};
+use super::super::item::Need;
+use super::super::names::invoked;
+use super::super::routine::{Block, Statement};
+use super::super::value::{Level, Term, is_plain};
 use super::body::Writer;
-use crate::diagram::{Expr, ExprKind, Param, Type};
-use crate::resolve::{Block, Statement as Step, StatementKind};
+use crate::diagram::{Expr, ExprKind, Param};
+use crate::resolve::{self, Statement as Step, StatementKind};
 
 impl<'s> Writer<'s> {
     /// The call of a function that changes the mesh or may refuse, if the value is one.
-    pub(super) fn changing_call<'e>(&self, value: &'e Expr) -> Option<(u32, &'e [Expr])> {
+    pub fn changing_call<'e>(&self, value: &'e Expr) -> Option<(u32, &'e [Expr])> {
         match &value.kind {
             ExprKind::Invoke(function, args) => {
-                let effects = self.context.effects.function(*function)?;
+                let effects = self.source.effects.function(*function)?;
                 (effects.changes || effects.refuses).then_some((*function, args))
             }
             _ => None,
@@ -21,99 +23,102 @@ impl<'s> Writer<'s> {
 
     /// A value that can be passed beside the mesh in a call: where the mesh is borrowed, a value
     /// that reads it is bound to a name before.
-    pub(super) fn settled(
-        &mut self,
-        value: Term,
-        ty: Type,
-        wanted: &str,
-        out: &mut Vec<Statement>,
-    ) -> Term {
-        if !self.context.conventions.undoes || is_plain(&value) {
-            return value;
+    pub fn settled(&mut self, (value, term): (&Expr, Term), wanted: &str) -> Term {
+        if !self.names.language.is_rust() || is_plain(value) {
+            return term;
         }
         let name = self.names.fresh(wanted);
-        let bound = Term::name(&name);
-        out.push(Statement::Bind { ty, name, value, is_list: false });
-        bound
+        self.out.push(self.names.bound(value.ty, &name, &term, false));
+        Term::name(&name)
     }
 
-    fn arguments(
-        &mut self,
-        args: &[Expr],
-        params: &[Param],
-        out: &mut Vec<Statement>,
-    ) -> Result<Vec<Term>, NotEmitted> {
-        self.scope(|this| {
+    /// The text of a call with arguments for these parameters.
+    fn called(&mut self, name: &str, args: &[Expr], params: &[Param]) -> Result<Term, NotEmitted> {
+        let args: Vec<_> = self.scope(|this| {
             let settled = |(arg, param): (&Expr, &Param)| {
-                let term = this.term(arg)?;
-                Ok(this.settled(term, arg.ty, &param.name, out))
+                let term = this.names.value(arg)?;
+                Ok(this.settled((arg, term), &param.name))
             };
-            args.iter().zip(params).map(settled).collect()
+            args.iter().zip(params).map(settled).collect::<Result<_, _>>()
+        })?;
+        let list: String = args.iter().map(|arg: &Term| format!(", {}", arg.text)).collect();
+        let text =
+            say!(self.names.language, "{name}(mesh{list})", "hedgerow::{name}(journal{list})");
+        Ok(Term::of(text, Level::Whole, &args))
+    }
+
+    /// The value of a call of a function.
+    pub fn function(&mut self, function: u32, args: &[Expr]) -> Result<Term, NotEmitted> {
+        self.names.needs.insert(Need::Function(function));
+        let called = &self.source.selection.program.functions[function as usize];
+        let name = invoked(&self.source.functions[function as usize]);
+        let refuses = self.source.effects.function(function).is_some_and(|of| of.refuses);
+        let call = self.called(&name, args, &called.params)?;
+        Ok(match refuses && self.names.language.is_rust() {
+            true => Term::of(format!("{}?", call.text), Level::Whole, [&call]),
+            false => call,
         })
     }
 
-    pub(super) fn operation(
-        &mut self,
-        op: usize,
-        args: &[Expr],
-        out: &mut Vec<Statement>,
-    ) -> Result<Call, NotEmitted> {
-        self.ops.insert(op);
-        let called = &self.context.program.ops[op];
-        let name = self.context.op_names[op].clone();
-        let of = if called.result.is_some() { Called::Operation } else { Called::Plain };
-        Ok(Call { name, args: self.arguments(args, &called.params, out)?, of })
+    /// Sets a variable to the value of a call; without one that is read, only calls.
+    pub fn put(&mut self, variable: Option<u32>, call: &Term) {
+        let assigned = variable.and_then(|variable| self.assigned(variable, call));
+        let alone = || Statement::lines(format!("{};", call.text), [call]);
+        self.out.push(assigned.unwrap_or_else(alone));
     }
 
     /// Calls an operation, and goes on as the program does if it applied, or if it refused.
-    pub(super) fn apply(
+    pub fn apply(
         &mut self,
-        call: Call,
+        (op, args): (usize, &[Expr]),
         variable: Option<u32>,
-        [then, otherwise]: [&'s Block; 2],
-        out: &mut Vec<Statement>,
+        [then, otherwise]: [&'s resolve::Block; 2],
     ) -> Result<(), NotEmitted> {
-        match (then.as_slice(), otherwise.as_slice()) {
-            (_, [Step { kind: StatementKind::Refused { .. }, .. }]) => {
-                let place = variable.and_then(|variable| self.place(variable));
-                out.push(Statement::MustCall { call, place });
-                then.iter().try_for_each(|statement| self.statement(statement, out))?;
+        self.names.needs.insert(Need::Op(op));
+        let (called, name) = (&self.source.selection.program.ops[op], &self.source.ops[op]);
+        let (language, has_result) = (self.names.language, called.result.is_some());
+        let name = if language.is_rust() { name.clone() } else { invoked(name) };
+        let call = self.called(&name, args, &called.params)?;
+        let text = &call.text;
+        let with = |text: String| Term::of(text, Level::Whole, [&call]);
+        let [applies, refuses] = match language.is_rust() && has_result {
+            true => ["is_some", "is_none"].map(|is| format!("{text}.{is}()")),
+            false => [text.clone(), format!("!{text}")],
+        };
+        if let [Step { kind: StatementKind::Refused { .. }, .. }] = otherwise.as_slice() {
+            match language.is_rust() {
+                true if has_result => self.put(variable, &with(format!("{text}?"))),
+                true => self.out.push(Statement::RefuseIn {
+                    head: with(format!("if {refuses} {{")),
+                    reason: String::new(),
+                    end: "}",
+                }),
+                false => self.put(variable, &with(format!("hedgerow::must({text})"))),
             }
-            _ => {
-                let read = variable.filter(|&variable| self.variables.reads(variable));
-                let (place, then) = self.scope(|this| {
-                    let place = read.map(|variable| this.bind(variable));
-                    Ok((place, this.block(then)?))
-                })?;
-                let otherwise = self.block(otherwise)?;
-                out.push(Statement::Apply { call, place, then, otherwise });
-            }
+            return then.iter().try_for_each(|statement| self.statement(statement));
         }
+        let read = variable.filter(|&variable| self.variables.reads(variable));
+        let (place, mut then) = self.scope(|this| {
+            let place = read.map(|variable| this.bind(variable));
+            Ok((place, this.block(then)?))
+        })?;
+        let otherwise = self.block(otherwise)?;
+        self.out.push(match place {
+            None if then.is_empty() && otherwise.is_empty() => {
+                Statement::lines(format!("{text};"), [&call])
+            }
+            None if then.is_empty() => Statement::block(language.branch(&with(refuses)), otherwise),
+            None => language.choose(&with(applies), then, otherwise),
+            Some((name, ty)) => {
+                let made = say!(language, "let Some({name}) = {text}", "auto made_{name} = {text}");
+                let head = language.branch(&with(made));
+                if !language.is_rust() {
+                    let given = Term::whole(format!("*made_{name}"));
+                    then.insert(0, self.names.bound(ty, &name, &given, false));
+                }
+                Statement::Block(Block { head, body: then, otherwise, ..Block::default() })
+            }
+        });
         Ok(())
-    }
-
-    pub(super) fn function(
-        &mut self,
-        function: u32,
-        args: &[Expr],
-        out: &mut Vec<Statement>,
-    ) -> Result<Call, NotEmitted> {
-        self.functions.insert(function);
-        let called = &self.context.program.functions[function as usize];
-        let name = self.context.function_names[function as usize].clone();
-        let refuses = self.context.effects.function(function).is_some_and(|of| of.refuses);
-        let of = if refuses { Called::Refusing } else { Called::Sure };
-        Ok(Call { name, args: self.arguments(args, &called.params, out)?, of })
-    }
-}
-
-/// True if a value does not read the mesh.
-fn is_plain(term: &Term) -> bool {
-    match term {
-        Term::Name(_) | Term::Bool(_) | Term::Int(_) | Term::Real(_) => true,
-        Term::Unary(_, of) => is_plain(of),
-        Term::Binary(_, left, right) => is_plain(left) && is_plain(right),
-        Term::Call(Function::Of(..), args) => args.iter().all(is_plain),
-        _ => false,
     }
 }

@@ -9,11 +9,8 @@ pub(super) fn comments(sources: &Sources, span: Span) -> Vec<String> {
     let mut lines = before.rsplit('\n');
     // The lines above belong to a statement only if it begins its line.
     let begins = lines.next().is_some_and(|line| line.trim().is_empty());
-    let above = lines.map_while(|line| line.trim().strip_prefix("//"));
-    let mut found: Vec<String> = match begins {
-        true => above.map(|line| line.trim().to_string()).collect(),
-        false => Vec::new(),
-    };
+    let above = lines.map_while(|line| line.trim().strip_prefix("//")).take_while(|_| begins);
+    let mut found: Vec<_> = above.map(|line| line.trim().to_string()).collect();
     found.reverse();
     let behind = text.get(span.end as usize..).unwrap_or("");
     let behind = behind.split('\n').next().unwrap_or("").trim();

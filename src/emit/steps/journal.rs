@@ -3,85 +3,78 @@
 use std::collections::BTreeSet;
 
 use super::super::item::{Item, ItemBody};
-use super::super::routine::{Field, Statement};
-use super::super::term::Term;
+use super::super::language::Language;
+use super::super::routine::{Block, Field, Statement};
+use super::super::value::Term;
 
 /// A drawn operation that notes all elements that it writes to, except for new ones.
-pub(super) fn journaled(mut item: Item) -> Item {
+pub(in crate::emit) fn journaled(mut item: Item, language: Language<'_>) -> Item {
     if let ItemBody::Drawn(rules) = &mut item.body {
         for rule in rules {
-            let mut new = BTreeSet::new();
-            created(&rule.body, &mut new);
-            rule.body = journaled_body(std::mem::take(&mut rule.body), &new);
+            let body = std::mem::take(&mut rule.body);
+            rule.body = Notes { language, new: BTreeSet::new() }.body(body);
         }
     }
     item
 }
 
-/// The names of new elements.
-fn created(body: &[Statement], new: &mut BTreeSet<String>) {
-    for statement in body {
-        match statement {
-            Statement::New { name, .. } => _ = new.insert(name.clone()),
-            Statement::Attempt { body, .. } => created(body, new),
-            _ => {}
-        }
-    }
+/// The notes of writes to elements that are not new.
+struct Notes<'s> {
+    language: Language<'s>,
+    /// The names of new elements.
+    new: BTreeSet<String>,
 }
 
-fn journaled_body(body: Vec<Statement>, new: &BTreeSet<String>) -> Vec<Statement> {
-    let mut written: Vec<Term> = Vec::new();
-    for statement in &body {
-        if let Some(element) = target(statement).filter(|element| is_settled(element))
-            && !is_new(element, new)
-            && !written.contains(element)
-        {
-            written.push(element.clone());
-        }
-    }
-    let mut out = Vec::new();
-    for statement in body {
-        if let Some(element) = target(&statement) {
-            // The elements of a block are noted together, except for those that are only found
-            // midway.
-            if !written.is_empty() {
-                out.push(Statement::Journal(std::mem::take(&mut written)));
-            }
-            if !is_settled(element) && !is_new(element, new) {
-                out.push(Statement::Journal(vec![element.clone()]));
+impl Notes<'_> {
+    fn body(&mut self, body: Vec<Statement>) -> Vec<Statement> {
+        self.new.extend(body.iter().filter_map(|statement| match statement {
+            Statement::New { name, .. } => Some(name.clone()),
+            _ => None,
+        }));
+        let mut written: Vec<Term> = Vec::new();
+        for element in body.iter().filter_map(written_by) {
+            // One that is computed may be another after the writes before it.
+            if element.root.is_some() && !self.is_new(element) && !written.contains(element) {
+                written.push(element.clone());
             }
         }
-        if let Statement::Set { field: Field::Attribute(attribute), of: element, .. } = &statement
-            && !is_new(element, new)
-        {
-            out.push(Statement::JournalAttribute {
-                attribute: attribute.clone(),
-                element: element.clone(),
-            });
+        let mut out = Vec::new();
+        for mut statement in body {
+            if let Some(element) = written_by(&statement) {
+                // The elements of a block are noted together, except for those that are only found
+                // midway.
+                if !written.is_empty() {
+                    out.push(self.language.keep(&std::mem::take(&mut written)));
+                }
+                if element.root.is_none() {
+                    out.push(self.language.keep(std::slice::from_ref(element)));
+                }
+            }
+            match &mut statement {
+                Statement::Set { field: Field::Attribute(attribute), of, .. }
+                    if !self.is_new(of) =>
+                {
+                    let kept = self.language.keep_attribute(attribute, of);
+                    out.push(Statement::lines(kept, [&*of]));
+                }
+                Statement::Block(Block { body, .. }) => *body = self.body(std::mem::take(body)),
+                _ => {}
+            }
+            out.push(statement);
         }
-        out.push(statement.with_bodies(|body| journaled_body(body, new)));
+        out
     }
-    out
+
+    fn is_new(&self, element: &Term) -> bool {
+        element.root.as_ref().is_some_and(|root| self.new.contains(root))
+    }
 }
 
 /// The element whose pointers, position or kind a statement writes.
-fn target(statement: &Statement) -> Option<&Term> {
+fn written_by(statement: &Statement) -> Option<&Term> {
     match statement {
         Statement::Set { field: Field::Attribute(_), .. } => None,
         Statement::Set { of, .. } => Some(of),
         _ => None,
-    }
-}
-
-/// True if the term is the same element before and after other pointers are set.
-fn is_settled(element: &Term) -> bool {
-    matches!(element, Term::Name(_) | Term::Member { .. })
-}
-
-fn is_new(element: &Term, new: &BTreeSet<String>) -> bool {
-    match element {
-        Term::Name(name) => new.contains(name),
-        Term::Member { list, .. } => new.contains(list),
-        _ => false,
     }
 }

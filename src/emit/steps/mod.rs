@@ -6,7 +6,7 @@
 mod body;
 mod calls;
 mod comments;
-mod items;
 mod journal;
 
-pub(super) use items::{Items, items};
+pub(super) use body::Writer;
+pub(super) use journal::journaled;

@@ -1,6 +1,0 @@
-//! Routines as Rust.
-
-mod function;
-
-pub use function::rust;
-pub(super) use function::ty;

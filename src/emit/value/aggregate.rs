@@ -1,0 +1,66 @@
+//! Aggregates as text: in Rust chains of iterators, in C++ calls of support functions.
+
+use super::language::is_wide;
+use super::spellings::spelling;
+use super::term::{Level, Term};
+use crate::diagram::{Expr, Fold, FoldFunction, Type};
+use crate::emit::NotEmitted;
+use crate::emit::language::filled;
+use crate::emit::names::Names;
+
+impl Names<'_> {
+    /// An aggregate over the elements around one, of which the name is given.
+    pub(super) fn aggregate(
+        &mut self,
+        fold: &Fold,
+        ty: Type,
+        (around, element): (&str, &Expr),
+    ) -> Result<Term, NotEmitted> {
+        let language = self.language;
+        let elements = language.call(around, &[self.value(element)?]);
+        let name = self.declare(fold.variable, fold.collection.element());
+        let filter = fold.filter.as_ref().map(|filter| self.value(filter)).transpose()?;
+        let mut value = self.value(&fold.body)?;
+        if (fold.body.ty, ty) == (Type::Int, Type::Real) {
+            value = language.to_real(&value);
+        }
+        let of = language.ty(fold.collection.element());
+        let mut all = elements.text.clone();
+        if let Some(Term { text: filter, .. }) = &filter {
+            all = say!(
+                language,
+                "{all}.filter(|&{name}| {filter})",
+                "hedgerow::only({all}, [&]({of} {name}) {{ return {filter}; }})"
+            );
+        }
+        // A count of all elements does not use the variable.
+        let reads = value.names.contains(&name);
+        let bound = match reads {
+            true => say!(language, "{name}", "{of} {name}"),
+            false => say!(language, "_", "{of}"),
+        };
+        let body = &value.text;
+        let each = say!(language, "|{bound}| {body}", "[&]({bound}) {{ return {body}; }}");
+        let name = match fold.function {
+            FoldFunction::Sum | FoldFunction::Mean if is_wide(ty) => {
+                format!("all.of.{:?}", fold.function)
+            }
+            function => format!("all.{function:?}"),
+        };
+        let text = filled(spelling(language, &name, ty), |part, _, _| {
+            Some(match part {
+                "all" => all.clone(),
+                "each" => each.clone(),
+                "by" => if reads { "&" } else { "" }.to_string(),
+                "bound" => bound.clone(),
+                "body" => body.clone(),
+                "zero" => language.call_of("zero", (ty, 0), []).text,
+                "T" => language.ty(ty),
+                "N" => ty.size().to_string(),
+                _ => return None,
+            })
+        });
+        let parts = [&elements].into_iter().chain(&filter).chain([&value]);
+        Ok(Term::of(text, Level::Whole, parts))
+    }
+}

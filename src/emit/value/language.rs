@@ -1,0 +1,184 @@
+//! What a language spells in its own way: pointers, numbers, and calls.
+
+use super::spellings::{spelling, with_arguments, with_types};
+use super::term::{Level, Term};
+use crate::diagram::{Binary, Pointer, Type};
+use crate::emit::cpp::support::{qualified, with_pointers};
+use crate::emit::language::Language;
+use crate::emit::names::{Attribute, IndexLoop, invoked};
+
+/// From here on a number is written as a `long long` in C++.
+const SHORT: i64 = 1 << 15;
+
+/// The name of a pointer where it has to be unique among the pointers of all kinds of elements.
+pub(in crate::emit) fn unique(pointer: Pointer) -> &'static str {
+    match pointer {
+        Pointer::VertexHalfedge => "vertex_halfedge",
+        Pointer::EdgeHalfedge => "edge_halfedge",
+        Pointer::FaceHalfedge => "face_halfedge",
+        pointer => pointer.word(),
+    }
+}
+
+impl Language<'_> {
+    pub(super) fn int(self, value: i64) -> Term {
+        let negative = |text| Term::of(text, Level::Prefix, []);
+        match (value, self.is_rust()) {
+            (i64::MIN, false) => Term::whole("(-9223372036854775807LL - 1)"),
+            // Computations with larger ones could overflow an `int`.
+            (SHORT.., false) => Term::whole(format!("{value}LL")),
+            (0.., _) => Term::whole(value.to_string()),
+            (_, true) => negative(value.to_string()),
+            (_, false) => negative(format!("-{}", self.int(-value).text)),
+        }
+    }
+
+    pub(super) fn real(self, value: f64) -> Term {
+        // With all digits, and with a decimal point or an exponent.
+        let digits = format!("{:?}", value.abs());
+        let Some(style) = self.style else {
+            return number(value, digits, ["f64::INFINITY", "f64::NAN"]);
+        };
+        let real = style.name("real");
+        let [infinite, none] =
+            ["infinity", "quiet_NaN"].map(|what| format!("std::numeric_limits<{real}>::{what}()"));
+        // With a `double`, the whole computation would be in `double`.
+        let (value, digits) = match (real, value as f32) {
+            ("float", short) => (short.into(), format!("{:?}f", short.abs())),
+            _ => (value, digits),
+        };
+        number(value, digits, [&infinite, &none])
+    }
+
+    /// `of.pointer`
+    pub fn follow(self, pointer: Pointer, of: &Term) -> Term {
+        match pointer {
+            Pointer::Prev if !self.has_prev() => self.call("Prev.Walk", [of]),
+            pointer => self.call(&format!("{pointer:?}"), [of]),
+        }
+    }
+
+    /// An attribute of an element; in C++ also where it is set.
+    pub fn attribute(self, attribute: &Attribute, of: &Term) -> Term {
+        let element = of.at(Level::Whole);
+        let text = match self.style {
+            None => {
+                let (ty, column) = (self.ty(attribute.ty), &attribute.column);
+                format!("attribute::<{ty}>(mesh, {column}, {element}.0)")
+            }
+            Some(style) => style.attribute(&element, &attribute.name),
+        };
+        Term::of(text, Level::Whole, [of])
+    }
+
+    /// `condition ? then : otherwise`
+    pub fn choice(self, condition: &Term, then: &Term, otherwise: &Term) -> Term {
+        let level = if self.is_rust() { Level::Choice } else { Level::Or };
+        let [test, chosen] = [condition, then].map(|part| part.at(level));
+        let other = &otherwise.text;
+        let text = say!(
+            self,
+            "if {test} {{ {chosen} }} else {{ {other} }}",
+            "{test} ? {chosen} : {other}"
+        );
+        Term::of(text, Level::Choice, [condition, then, otherwise])
+    }
+
+    pub(super) fn to_real(self, of: &Term) -> Term {
+        match self.style {
+            // `as` binds more tightly than a comparison, but `x as f64 < y` reads as a type.
+            None => Term::of(format!("{} as f64", of.at(Level::Prefix)), Level::Compare, [of]),
+            Some(style) => {
+                let text = format!("static_cast<{}>({})", style.name("real"), of.text);
+                Term::of(text, Level::Whole, [of])
+            }
+        }
+    }
+
+    pub(super) fn negative(self, of: &Term) -> Term {
+        // In brackets if it has a sign itself: `--x` would mean something else.
+        Term::of(format!("-{}", of.at(Level::Whole)), Level::Prefix, [of])
+    }
+
+    /// An operator between two values, of which the left one has this type.
+    pub(super) fn binary(self, operator: Binary, ty: Type, sides: [Term; 2]) -> Term {
+        let name = if is_wide(ty) { format!("of.{operator:?}") } else { format!("{operator:?}") };
+        match spelling(self, &name, ty) {
+            "" => Term::infix(operator, sides),
+            _ => self.call_of(&name, (ty, 0), &sides),
+        }
+    }
+
+    /// A builtin function of the language, or a support function of the emitted text, by its name
+    /// among the spellings.
+    pub fn call<'t>(self, name: &str, args: impl IntoIterator<Item = &'t Term>) -> Term {
+        self.call_of(name, (Type::Bool, 0), args)
+    }
+
+    /// A call whose spelling depends on a type, and on the number of a part of it.
+    pub(super) fn call_of<'t>(
+        self,
+        name: &str,
+        (ty, part): (Type, u8),
+        args: impl IntoIterator<Item = &'t Term>,
+    ) -> Term {
+        let spelling = spelling(self, name, ty);
+        let (level, inner) = match (self.style, name) {
+            (None, "MixReal") => (Level::Sum, Level::Product),
+            (None, "of.Negate") => (Level::Prefix, Level::Choice),
+            (None, "Div" | "Mod") => (Level::Whole, Level::Whole),
+            (_, "Remainder") => (Level::Product, Level::Choice),
+            // After a call that ends with a type, `<` would begin generic arguments.
+            (None, _) if spelling.ends_with("as i64") => (Level::Compare, Level::Choice),
+            // Pointers are read of the arguments.
+            (Some(_), _) if spelling.contains('[') => (Level::Whole, Level::Whole),
+            _ => (Level::Whole, Level::Choice),
+        };
+        let call = with_types(self, spelling, (ty, part));
+        let call = match self.style {
+            None => call,
+            Some(style) => with_pointers(&qualified("", &call), style),
+        };
+        let args: Vec<_> = args.into_iter().collect();
+        Term::of(with_arguments(&call, &args, inner), level, args)
+    }
+
+    /// A call of a function of the program.
+    pub(super) fn invoke(self, name: &str, args: &[Term]) -> Term {
+        let texts = args.iter().map(|arg| arg.text.as_str());
+        let mesh = self.is_rust().then_some("mesh");
+        let list = mesh.into_iter().chain(texts).collect::<Vec<_>>().join(", ");
+        let name = invoked(name);
+        Term::of(say!(self, "{name}({list})", "hedgerow::{name}({list})"), Level::Whole, args)
+    }
+
+    /// The condition that a condition holds for some index.
+    pub fn for_some(self, IndexLoop { index, size }: &IndexLoop, condition: &Term) -> Term {
+        let text = &condition.text;
+        let text = say!(
+            self,
+            "(0..{size}).any(|{index}| {text})",
+            "hedgerow::some({size}, [&](std::size_t {index}) {{ return {text}; }})"
+        );
+        Term::of(text, Level::Whole, [condition, &Term::name(size)])
+    }
+}
+
+/// True if a mesh class may have no type for values of the type: they are vectors of two or four
+/// components, or matrices. Vectors of three components always have a type, with operators.
+pub(super) fn is_wide(ty: Type) -> bool {
+    ty != Type::Vec3 && (ty.is_vector() || ty.is_matrix())
+}
+
+/// A number whose size has the given digits; `infinite` stands for infinity, and `none` for NaN.
+fn number(value: f64, digits: String, [infinite, none]: [&str; 2]) -> Term {
+    let text = match value.abs() {
+        size if size.is_nan() => return Term::whole(none),
+        size if size.is_infinite() => infinite.to_string(),
+        _ => digits,
+    };
+    match value.is_sign_negative() {
+        true => Term::of(format!("-{text}"), Level::Prefix, []),
+        false => Term::whole(text),
+    }
+}
