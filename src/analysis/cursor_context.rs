@@ -207,7 +207,8 @@ fn within(mut tokens: &[Token]) -> CursorContext {
         T::Attr | T::Private => match last {
             T::Colon => CursorContext::Type,
             T::Equals => CursorContext::Value(Start::Value),
-            T::Attr | T::Private => CursorContext::Nowhere,
+            T::Private => CursorContext::Top,
+            T::Attr => CursorContext::Nowhere,
             _ => CursorContext::Type,
         },
         first => match open.iter().rev().find(|(bracket, _)| *bracket == T::LeftBrace) {

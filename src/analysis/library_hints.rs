@@ -81,10 +81,10 @@ fn declared(text: &str) -> impl Iterator<Item = (&str, &str)> {
     })
 }
 
-/// True if a file of the library declares an op or a function of this name.
+/// True if a file of the library declares an op, a function or a script of this name.
 fn declares(file: &LibraryFile, word: &str) -> bool {
     file.text.lines().any(|line| {
-        let named = line.strip_prefix("op ").or_else(|| line.strip_prefix("fn "));
+        let named = ["op ", "fn ", "script "].iter().find_map(|word| line.strip_prefix(word));
         let behind = named.and_then(|named| named.strip_prefix(word));
         behind.is_some_and(|behind| behind.starts_with('('))
     })

@@ -59,6 +59,8 @@ pub(super) fn mended(path: &Path) -> Result<Program, Failure> {
         files::write(path, text.as_bytes())?;
         let fixes = if done == 1 { "fix" } else { "fixes" };
         complain(&format!("{}: {done} {fixes} written", path.display()));
+    } else if !program.analysis.is_sound() {
+        complain(&format!("{}: no error has a certain fix", path.display()));
     }
     Ok(program)
 }

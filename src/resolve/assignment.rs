@@ -92,10 +92,16 @@ impl Scripting<'_> {
                     Err(error) => {
                         let error =
                             error.label(local.span, format!("`{word}` is {} here", a_type(ty)));
-                        let is_wider = is_wider && local.binding == Binding::Var;
-                        self.typing.report.add(match is_wider {
-                            true => error.note(format!("`var {word}: real = …` makes it a real")),
-                            false => error,
+                        self.typing.report.add(match local.binding {
+                            Binding::Var { typed: false } if is_wider => error.fix(
+                                format!("declare `{word}: real`"),
+                                local.span.after(),
+                                ": real",
+                            ),
+                            Binding::Var { typed: true } if is_wider => {
+                                error.note(format!("`var {word}: real = …` makes it a real"))
+                            }
+                            _ => error,
                         });
                         return None;
                     }
@@ -247,7 +253,7 @@ impl Scripting<'_> {
 fn fixed(name: &Ident, local: &Local) -> Option<Diagnostic> {
     let word = &name.text;
     let what = match local.binding {
-        Binding::Var => return None,
+        Binding::Var { .. } => return None,
         Binding::Let(keyword) => {
             let message = format!("`{word}` is declared with `let`, so it cannot change");
             let error = Diagnostic::error("assign-to-let", message, name.span)
@@ -260,7 +266,8 @@ fn fixed(name: &Ident, local: &Local) -> Option<Diagnostic> {
     };
     let message = format!("`{word}` is {what}, so it cannot change");
     let error = Diagnostic::error("assign-to-let", message, name.span)
-        .label(local.span, "it is declared here");
+        .label(local.span, "it is declared here")
+        .note(format!("a variable that begins with its value can: `var other = {word}`"));
     Some(error)
 }
 

@@ -25,7 +25,10 @@ pub(super) struct Local {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Binding {
     /// `var`: it may be set.
-    Var,
+    Var {
+        /// Whether a type stands behind its name.
+        typed: bool,
+    },
     /// `let`, with the span of the keyword.
     Let(Span),
     /// A parameter.

@@ -58,7 +58,7 @@ impl Scripting<'_> {
             span: name.span,
             ty: wanted.or(ty),
             binding: match mutable {
-                true => Binding::Var,
+                true => Binding::Var { typed: annotated.is_some() },
                 false => Binding::Let(keyword),
             },
         });
@@ -124,11 +124,16 @@ impl Scripting<'_> {
             && let tree::ExprKind::Unary(tree::UnaryOp::Negate, counted) = &inner.kind
             && inner.span.start == first.span.start + 1
         {
-            let is_known = |text: &String| {
-                let root = text.split('.').next().unwrap_or_default();
-                beside == 0 && self.typing.scopes.find(root).is_some()
+            let may_change = |text: &String| {
+                let (root, field) = text.split_once('.').unwrap_or((text, ""));
+                let local = self.typing.scopes.find(root);
+                beside == 0
+                    && counted.span.start == first.span.start + 2
+                    && local.is_some_and(|(_, local)| {
+                        !field.is_empty() || matches!(local.binding, Binding::Var { .. })
+                    })
             };
-            if let Some(counted) = short(counted, 5).filter(is_known) {
+            if let Some(counted) = short(counted, 5).filter(may_change) {
                 let change = format!("{counted} = {counted} - 1");
                 let message = format!("a change is written out: `{change}`");
                 let error = Diagnostic::error("unused-value", message, first.span);
@@ -177,7 +182,8 @@ impl Scripting<'_> {
             name: name.text.clone(),
             span: name.span,
             ty,
-            binding: Binding::Var,
+            // No type is to be written here.
+            binding: Binding::Var { typed: true },
         });
     }
 

@@ -6,6 +6,7 @@ use super::choice::{Choice, Completion};
 pub(super) const TOP: &[(&str, &str)] = &[
     ("op", "op ${1:name}(${2:e}: ${3:edge}) {\n  before {\n    $0\n  }\n  after {\n  }\n}"),
     ("script", "script ${1:name}(${2}) {\n  $0\n}"),
+    ("private", "private $0"),
     ("fn", "fn ${1:name}(${2:e}: ${3:edge}) -> ${4:real} {\n  $0\n}"),
     ("attr", "attr ${1:name}: ${2:vertex} ${3:real} = ${0:0}"),
     ("use", "use \"$0\""),

@@ -157,8 +157,9 @@ impl<'t> Match<'t, '_> {
         let is_word = |c: char| c.is_alphanumeric() || matches!(c, '_' | '"');
         let ends = |text: &str| text.chars().next_back().is_some_and(|c| is_word(c) || c == ')');
         let begins = |text: &str| text.chars().next().is_some_and(is_word);
-        let apart = begins(&text) || text.starts_with(['{', '=', '!']);
-        if ends(before) && (apart || before.ends_with(')') && text.starts_with('-')) {
+        let apart = begins(&text) || text.starts_with(['{', '=', '!']) || text.starts_with("//");
+        let is_step = before.ends_with("++") || before.ends_with("--");
+        if (ends(before) || is_step) && (apart || before.ends_with(')') && text.starts_with('-')) {
             text.insert(0, ' ');
         }
         if ends(&text) && (begins(behind) || behind.starts_with('=')) {

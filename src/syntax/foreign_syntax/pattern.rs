@@ -8,6 +8,7 @@
 //! | `$a` | a name, optionally with a subscript |
 //! | `$a=(/,` | a token with one of these spellings, kept |
 //! | `$a:word` | a name or a keyword |
+//! | `$a:verb` | the same, but not `if` |
 //! | `$a:vertex` | a name that stands for a vertex in a loop somewhere in the item |
 //! | `$a:text` | a text in quotes |
 //! | `$a:number` | a number |
@@ -15,14 +16,18 @@
 //! | `$a:part` | anything on the line with balanced brackets, up to what follows |
 //! | `$a:some` | the same, at least one token |
 //! | `$a:line` | the same, up to the end of the statement |
+//! | `$a:apart` | all that is left of the line of text, apart from what stands before it |
+//! | `$a:prose` | the same, if it begins with two words |
 //! | `$a:plain` | the same, without the arrow of a path |
 //! | `$a:inside` | the same over several lines: the contents of brackets |
 //! | `$a:value` | the same, at least one token, without braces and without a sign at its end |
 //! | `$a:bound` | the same, at least one token, without commas and conditions |
+//! | `$a:place` | a name with what is read behind it, `v.position.x` |
 //! | `$a:operand` | a number, or a name with what is read and called behind it |
 //! | `$a:exponent` | the same, without a power behind it |
 //! | `$i:next` | a step of what `$i` stands for by one: `i++` |
 //! | `$:end` | nothing, at the end of a line |
+//! | `$:sign` | nothing, before a sign with which the value before it would go on |
 //!
 //! With `~` before it, an element touches the previous one; with `_`, it is on the same line. A
 //! pattern that begins with `^` matches only where a statement begins. A hole that occurs again
@@ -65,6 +70,7 @@ pub(super) enum Class {
     Name,
     OneOf(Vec<&'static str>),
     Word,
+    Verb,
     Number,
     Vertex,
     Text,
@@ -72,14 +78,18 @@ pub(super) enum Class {
     Part,
     Some,
     Line,
+    Apart,
+    Prose,
     Plain,
     Inside,
     Value,
     Bound,
+    Place,
     Operand,
     Exponent,
     Next,
     End,
+    Sign,
 }
 
 impl Pattern {
@@ -149,6 +159,7 @@ fn hole_of(written: &'static str) -> What {
     let (name, class) = written.split_once(':').unwrap_or((written, "name"));
     let class = match class {
         "word" => Class::Word,
+        "verb" => Class::Verb,
         "number" => Class::Number,
         "vertex" => Class::Vertex,
         "text" => Class::Text,
@@ -156,14 +167,18 @@ fn hole_of(written: &'static str) -> What {
         "part" => Class::Part,
         "some" => Class::Some,
         "line" => Class::Line,
+        "apart" => Class::Apart,
+        "prose" => Class::Prose,
         "plain" => Class::Plain,
         "inside" => Class::Inside,
         "value" => Class::Value,
         "bound" => Class::Bound,
+        "place" => Class::Place,
         "operand" => Class::Operand,
         "exponent" => Class::Exponent,
         "next" => Class::Next,
         "end" => Class::End,
+        "sign" => Class::Sign,
         _ => Class::Name,
     };
     What::Hole(name, class)
@@ -231,6 +246,7 @@ fn all_ends(what: &What, item: &Item, at: usize) -> Vec<usize> {
                 let is_vertex = item.is_vertex(item.word(at));
                 item.name_end(at).filter(|_| is_vertex).into_iter().collect()
             }
+            Class::Verb => one(kind.is_some_and(|kind| kind.is_wordlike() && kind != T::If)),
             Class::Word => one(kind.is_some_and(T::is_wordlike)),
             Class::Number => one(matches!(kind, Some(T::Int | T::Real))),
             Class::Text => text_end(item, at).into_iter().collect(),
@@ -247,9 +263,19 @@ fn all_ends(what: &What, item: &Item, at: usize) -> Vec<usize> {
                         kind == T::Star || goes_on(kind) && kind != T::LeftParen
                     })
                 };
-                let continues = |end: usize| is_operator(end) || end > at && is_operator(end - 1);
-                let ends = paired(item, at, |end| item.ends_line(end) && !continues(end));
-                ends.last().copied().into_iter().collect()
+                let continues = |end: usize| {
+                    is_operator(end) && !item.is_step(end)
+                        || end.checked_sub(1).is_some_and(is_operator)
+                };
+                let is_over =
+                    |end| item.begins_comment(end) || item.ends_line(end) && !continues(end);
+                paired(item, at, is_over).last().copied().into_iter().collect()
+            }
+            Class::Apart | Class::Prose => {
+                let is_word = |at: usize| item.kind(at).is_some_and(T::is_wordlike);
+                let is_prose = is_word(at) && is_word(at + 1) && !item.ends_text_line(at + 1);
+                let fits = !item.touches(at) && (*class == Class::Apart || is_prose);
+                (at..).find(|&end| item.ends_text_line(end)).filter(|_| fits).into_iter().collect()
             }
             Class::Plain => {
                 let line = paired(item, at, |end| item.ends_line(end)).pop();
@@ -271,6 +297,7 @@ fn all_ends(what: &What, item: &Item, at: usize) -> Vec<usize> {
                 let is_bound = |end: &usize| (at..*end).all(|at| !decides(item.word(at)));
                 ends.into_iter().filter(|&end| end > at).take_while(is_bound).collect()
             }
+            Class::Place => place_end(item, at).into_iter().collect(),
             Class::Operand => operand_end(item, at).into_iter().collect(),
             Class::Exponent => {
                 let is_last = |&end: &usize| {
@@ -279,12 +306,10 @@ fn all_ends(what: &What, item: &Item, at: usize) -> Vec<usize> {
                 operand_end(item, at).filter(is_last).into_iter().collect()
             }
             Class::Next => Vec::new(),
-            Class::End => {
-                if item.ends_line(at) {
-                    vec![at]
-                } else {
-                    Vec::new()
-                }
+            Class::End => item.ends_line(at).then_some(at).into_iter().collect(),
+            Class::Sign => {
+                let goes_on = matches!(item.word(at), "-" | "+" | "(");
+                goes_on.then_some(at).into_iter().collect()
             }
         },
     }
@@ -306,6 +331,15 @@ fn next_end(item: &Item, at: usize, name: &str) -> Option<usize> {
     ];
     let is_here = |step: &&[&str]| (at..).zip(*step).all(|(at, word)| item.word(at) == *word);
     steps.into_iter().find(is_here).map(|step| at + step.len())
+}
+
+/// The end of a name with what is read behind it.
+fn place_end(item: &Item, at: usize) -> Option<usize> {
+    let mut end = item.name_end(at)?;
+    while item.kind(end) == Some(T::Dot) && item.kind(end + 1).is_some_and(T::is_wordlike) {
+        end += 2;
+    }
+    Some(end)
 }
 
 /// The end of a number, or of a name with what is read and called behind it.

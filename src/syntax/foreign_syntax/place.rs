@@ -112,9 +112,28 @@ impl<'t> Item<'t> {
     /// True if a line ends before a token.
     pub(super) fn ends_line(&self, at: usize) -> bool {
         at >= self.tokens.len()
-            || self.between(at).contains('\n')
+            || self.between(at).contains(['\n', ';'])
             || self.kind(at) == Some(T::RightBrace)
             || self.word(at) == ";"
+    }
+
+    /// True if a token is the first behind the end of a line of text, or there is none.
+    pub(super) fn ends_text_line(&self, at: usize) -> bool {
+        at >= self.tokens.len() || self.between(at).contains('\n')
+    }
+
+    /// True if a step by one begins at a token: `--n`, `++n`.
+    pub(super) fn is_step(&self, at: usize) -> bool {
+        matches!(self.word(at), "-" | "+")
+            && self.word(at) == self.word(at + 1)
+            && [at + 1, at + 2].iter().all(|&at| self.touches(at))
+    }
+
+    /// True if a comment of other languages begins at a token: `-- text`.
+    pub(super) fn begins_comment(&self, at: usize) -> bool {
+        [at, at + 1].map(|at| self.word(at)) == ["-", "-"]
+            && self.touches(at + 1)
+            && !self.touches(at + 2)
     }
 
     /// True if a statement can begin at a token outside parentheses.
@@ -125,7 +144,7 @@ impl<'t> Item<'t> {
         match self.kind(before) {
             Some(T::LeftBrace | T::RightBrace) => true,
             Some(before) if goes_on(before) => false,
-            _ => self.between(at).contains('\n') || self.word(before) == ";",
+            _ => self.between(at).contains(['\n', ';']) || self.word(before) == ";",
         }
     }
 }

@@ -80,7 +80,13 @@ fn begins_item(text: &str, tokens: &[Token], at: usize, inside: bool) -> bool {
         let between = text.get(private.span.end as usize..item.span.start as usize);
         private.kind == T::Private
             && declares(item.kind)
-            && between.is_some_and(|between| between.trim().is_empty())
+            && between.is_some_and(|between| {
+                let mut lines = between.lines().map(str::trim);
+                // A doc comment belongs to what stands behind it.
+                lines.all(|line| {
+                    line.is_empty() || line.starts_with("//") && !line.starts_with("///")
+                })
+            })
     };
     let (sure, hard) = match tokens[at].kind {
         _ if at.checked_sub(1).is_some_and(is_private) => return false,

@@ -36,9 +36,22 @@ pub(super) const LINES: &[Line] = &[
     ),
     told(
         CODE,
-        "^attr/private $l:line",
+        "^attr $l:line",
         "",
         "an attribute is declared beside scripts, not in them: `attr weight: edge real = 0`",
+    ),
+    told(
+        CODE,
+        "^private attr $l:line",
+        "",
+        "an attribute is declared beside scripts, not in them: `private attr weight: edge real = 0`",
+    ),
+    sure(CODE, "^private $k=let/var", "$k", "a variable is seen in its block only"),
+    sure(
+        CODE,
+        "^private $k=fn/op/script",
+        "$k",
+        "what is `private` is declared beside scripts, not in them",
     ),
     told(
         CODE,

@@ -117,7 +117,8 @@ pub(super) const LINES: &[Line] = &[
         "",
         "no `{}`: what a file declares, all files see that use it, unless it is `private`",
     ),
-    sure(HEAD, "^private $:end", "", "`private` stands before `op`, `fn`, `script` or `attr`"),
+    sure(HEAD, "^test $t:text ( ) {", "test $t {", "a test has no parameters: `test $t { … }`"),
+    told(HEAD, "^private $:end", "", "`private` stands before `op`, `fn`, `script` or `attr`"),
     sure(HEAD, "^template < $x:inside >", "", "there are no templates"),
     sure(HEAD, "^$m=main ~(", "script $m(", "a program is `script name() { … }`"),
     told(

@@ -14,7 +14,55 @@ const SEVERAL: &str =
     "a choice among several is `if x == 1 { … } else if x == 2 { … } else { … }`, also as a value";
 const STOPPED: &str = "a script is stopped by `assert c else \"…\"`, an op in steps refused by `require c else \"…\"`";
 
+const COLON: &str = "no `:` stands before a brace";
+const ALONE: &str = "a single statement stands in braces, too: `$k … { $f … }`";
+const ALL: &str = "a single statement stands in braces, too: `for $n in … { $f … }`";
+
 pub(super) const LINES: &[Line] = &[
+    // Without braces. Statements begin with a word.
+    sure(CODE, "^$k=if/while ( $c:inside ) $f:verb $r:part ;", "$k $c { $f $r }", ALONE),
+    sure(CODE, "^$k=if/while ( $c:inside ) $f=break/continue $:end", "$k $c { $f }", ALONE),
+    sure(
+        CODE,
+        "^$k=else if ( $c:inside ) $f:verb $r:part ;",
+        "else if $c { $f $r }",
+        "a single statement stands in braces, too: `else if … { $f … }`",
+    ),
+    sure(CODE, "^$k=else $f:verb $r:part ;", "else { $f $r }", ALONE),
+    fixed(
+        CODE,
+        "^for/foreach ( $t:inside $n : $s:inside ) $f=for/if/while $r:part ;",
+        "for $n in $s { }",
+        "for $n in $s { $f $r; }",
+        ALL,
+    ),
+    sure(
+        CODE,
+        "^for/foreach ( $t:inside $n : $s:inside ) $f:verb $r:part ;",
+        "for $n in $s { $f $r }",
+        ALL,
+    ),
+    fixed(
+        CODE,
+        "^for ( $t=let/var/int/auto/size_t/unsigned/long $n = $a:bound ; $n < $b:bound ; $n:next ) $f=for/if/while $r:part ;",
+        "for $n in $a..$b { }",
+        "for $n in $a..$b { $f $r; }",
+        ALL,
+    ),
+    sure(
+        CODE,
+        "^for ( $t=let/var/int/auto/size_t/unsigned/long $n = $a:bound ; $n < $b:bound ; $n:next ) $f:verb $r:part ;",
+        "for $n in $a..$b { $f $r }",
+        ALL,
+    ),
+    told(
+        CODE,
+        "^for $n in $s=vertices/edges/faces/halfedges/holes $:end",
+        "for $n in $s { }",
+        "what is done for each stands in braces: `for $n in $s { … }`",
+    ),
+    sure(CODE, "^for $n in $s=vertices/edges/faces/halfedges/holes : {", "for $n in $s {", COLON),
+    sure(CODE, "^$k=for/if/while $c:some : {", "$k $c {", COLON),
     sure(
         CODE,
         "^for ( $t=let/var/int/auto/size_t/unsigned/long $i = $a:bound ; $i < $n:bound ; $i:next ) {",

@@ -71,6 +71,7 @@ const LINES: &[&[Line]] = &[
     variables::LINES,
     code::LINES,
     values::LINES,
+    signs::ENDS,
 ];
 
 /// A piece of a template, which replaces a pattern.

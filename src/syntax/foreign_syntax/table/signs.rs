@@ -3,11 +3,18 @@
 use super::{Line, fixed, sure, told};
 use crate::syntax::foreign_syntax::place::{ANY, CODE, DRAWING, PARTS};
 
+const END: &str = "no `;`: a statement ends where the next one begins";
 const POWER: &str = "a power is `pow(x, y)`, a square `x * x`";
 const CHANGE: &str = "a change is written out: `x = x mod 2`, `c = c and d`";
 
+/// The sign at the end of a statement, where no other line says more of what follows it.
+pub(super) const ENDS: &[Line] = &[
+    // What begins like this would go on with what stands before the sign.
+    told(ANY, "; $:sign", "", END),
+    sure(ANY, ";", "", END),
+];
+
 pub(super) const LINES: &[Line] = &[
-    sure(ANY, ";", "", "no `;`: a statement ends where the next one begins"),
     told(CODE | PARTS | DRAWING, "&&/&/%/^ ~= $v:line", "= $v", CHANGE),
     told(CODE | PARTS | DRAWING, "| ~| ~= $v:line", "= $v", CHANGE),
     sure(ANY, "&&/&/∧", "and", "`{}` is written `and`"),

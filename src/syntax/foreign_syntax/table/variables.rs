@@ -4,6 +4,7 @@ use super::{Line, TYPED, fixed, sure, told};
 use crate::syntax::foreign_syntax::place::CODE;
 
 const CHOSEN: &str = "a variable has a value from the beginning; an element is one of those there are: `var $n = argmin(length(e) for e in edges)`";
+const COMMENT: &str = "a comment begins with `//`";
 const BEGIN: &str = "a variable begins with `let`, or with `var` if it changes";
 
 pub(super) const LINES: &[Line] = &[
@@ -20,6 +21,12 @@ pub(super) const LINES: &[Line] = &[
         "^let/var $n : bool $:end",
         "",
         "a variable has a value from the beginning: `var $n = false`",
+    ),
+    told(
+        CODE,
+        "^let/var $n : real $:end",
+        "",
+        "a variable has a value from the beginning: `var $n = 0.0`",
     ),
     told(
         CODE,
@@ -83,39 +90,88 @@ pub(super) const LINES: &[Line] = &[
     ),
     told(
         CODE,
-        "^$t=int/float/double/real/bool/vec3/string $n $:end",
+        "^$t=int/float/double/real/bool/size_t $n:word [ $x:inside ] $l:line",
+        "",
+        "there are no lists: values are kept at elements, `attr mark: vertex int = 0`, or counted when they are wanted, `count(degree(v) == 6 for v in vertices)`",
+    ),
+    told(
+        CODE,
+        "^int/size_t $n $:end",
         "",
         "a variable has a value from the beginning: `var $n = 0`",
     ),
+    told(
+        CODE,
+        "^float/double/real $n $:end",
+        "",
+        "a variable has a value from the beginning: `var $n = 0.0`",
+    ),
+    told(CODE, "^bool $n $:end", "", "a variable has a value from the beginning: `var $n = false`"),
+    told(
+        CODE,
+        "^string $n $:end",
+        "",
+        "a variable has a value from the beginning: `var $n = \"\"`",
+    ),
+    told(
+        CODE,
+        "^$t=vec2/vec3/vec4/mat3/mat4 $n $:end",
+        "",
+        "a variable has a value from the beginning: `var $n = $t(0)`",
+    ),
     fixed(
         CODE,
-        "^$x:operand + ~+",
+        "^$x:place + ~+",
         "$x = $x",
         "$x = $x + 1",
         "a change is written out: `$x = $x + 1`",
     ),
     fixed(
         CODE,
-        "^+ ~+ $x:operand",
+        "^+ ~+ ~$x:place",
         "$x = $x",
         "$x = $x + 1",
         "a change is written out: `$x = $x + 1`",
     ),
+    // Together they would read as one value.
     fixed(
         CODE,
-        "^$x:operand - ~- $:end",
+        "^$x:place - ~- - ~- ~$y:place $:end",
+        "$x = $x $y = $y",
+        "$x = $x - 1 $y = $y - 1",
+        "a change is written out: `$x = $x - 1`",
+    ),
+    fixed(
+        CODE,
+        "; - ~- ~$x:place $:end",
         "$x = $x",
         "$x = $x - 1",
         "a change is written out: `$x = $x - 1`",
     ),
     fixed(
         CODE,
-        "^- ~- $x:operand $:end",
+        "; + ~+ ~$x:place $:end",
+        "$x = $x",
+        "$x = $x + 1",
+        "a change is written out: `$x = $x + 1`",
+    ),
+    fixed(CODE, "; - ~- $l:apart", "", "// $l", COMMENT),
+    fixed(
+        CODE,
+        "^$x:place - ~- $:end",
         "$x = $x",
         "$x = $x - 1",
         "a change is written out: `$x = $x - 1`",
     ),
-    fixed(CODE, "^- ~- $l:line", "", "// $l", "a comment begins with `//`"),
+    fixed(
+        CODE,
+        "^- ~- ~$x:place $:end",
+        "$x = $x",
+        "$x = $x - 1",
+        "a change is written out: `$x = $x - 1`",
+    ),
+    fixed(CODE, "^- ~- $l:apart", "", "// $l", COMMENT),
+    fixed(CODE, "- ~- $l:prose", "", "// $l", COMMENT),
     fixed(
         CODE,
         "^$a . $b:word $o=+/- ~= ( $x:inside , $y:inside , $z:inside ) $:end",
@@ -125,35 +181,35 @@ pub(super) const LINES: &[Line] = &[
     ),
     fixed(
         CODE,
-        "^$x:operand $o=+/-/*// ~= $v:line",
+        "^$x:place $o=+/-/*// ~= $v:line",
         "$x = $v",
         "$x = $x $o ($v)",
         "a change is written out: `$x = $x $o …`",
     ),
     fixed(
         CODE,
-        "^$x:operand % ~= $v:line",
+        "^$x:place % ~= $v:line",
         "$x = $v",
         "$x = $x mod ($v)",
         "a change is written out: `$x = $x mod …`",
     ),
     fixed(
         CODE,
-        "^$x:operand &&/& ~= $v:line",
+        "^$x:place &&/& ~= $v:line",
         "$x = $v",
         "$x = $x and ($v)",
         "a change is written out: `$x = $x and …`",
     ),
     fixed(
         CODE,
-        "^$x:operand | ~| ~= $v:line",
+        "^$x:place | ~| ~= $v:line",
         "$x = $v",
         "$x = $x or ($v)",
         "a change is written out: `$x = $x or …`",
     ),
     fixed(
         CODE,
-        "^$x:operand | ~= $v:line",
+        "^$x:place | ~= $v:line",
         "$x = $v",
         "$x = $x or ($v)",
         "a change is written out: `$x = $x or …`",
