@@ -11,7 +11,7 @@ use crate::diagnostic::Diagnostic;
 use crate::source::{FileId, Span};
 use crate::syntax::foreign_syntax::{Found, Mended, mend, tell};
 use crate::syntax::lex::{Comment, CommentKind, Lexed, lex};
-use crate::syntax::token::Token;
+use crate::syntax::token::{Token, TokenKind as T};
 use crate::syntax::tree::{File, Item};
 use chumsky::Parser;
 
@@ -42,6 +42,7 @@ pub(super) fn parse_with(file: FileId, text: &str, known: &Known) -> Parsed {
     let report = (&mut diagnostics, &mut misread, &mut mended);
     let items = items(text, (&tokens, &comments, &wrong), report, known);
     let tree = File { docs: file_docs(text, &tokens, &comments), items, misread };
+    diagnostics.extend(divisors_in_comments(text, &tokens, &comments));
     diagnostics.sort_by_key(|diagnostic| diagnostic.span().start);
     diagnostics.dedup_by_key(|diagnostic| diagnostic.span().start);
     Parsed { tree, tokens, comments, diagnostics, mended }
@@ -77,6 +78,28 @@ fn items(
         }
     }
     items
+}
+
+/// Warnings of comments that consist of an int behind a value: `n = i // 2` divides ints in other
+/// languages.
+fn divisors_in_comments(text: &str, tokens: &[Token], comments: &[Comment]) -> Vec<Diagnostic> {
+    let is_value = |kind| matches!(kind, T::Word | T::Int | T::RightParen);
+    let computes = |kind| matches!(kind, T::Equals | T::Print | T::Return | T::LeftParen);
+    let told = comments.iter().filter_map(|comment| {
+        let divisor = comment.text(text);
+        let start = comment.span.start as usize;
+        let line = text.get(..start)?.rfind('\n').map_or(0, |end| end + 1);
+        let at = |place: usize| tokens.partition_point(|token| (token.span.start as usize) < place);
+        let before = &tokens[at(line)..at(start)];
+        let is_divisor = comment.kind == CommentKind::Plain
+            && divisor.parse::<u32>().is_ok()
+            && before.last().is_some_and(|last| is_value(last.kind))
+            && before.iter().any(|token| computes(token.kind));
+        let message = "`//` begins a comment, so nothing is divided";
+        let told = Diagnostic::warning("divisor-in-comment", message, comment.span);
+        is_divisor.then(|| told.note(format!("an int is divided by `x div {divisor}`")))
+    });
+    told.collect()
 }
 
 /// The file doc comments before the first token.
