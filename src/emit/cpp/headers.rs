@@ -5,10 +5,8 @@ use std::collections::BTreeSet;
 /// The headers of the names that follow `std::` in a text.
 pub fn headers(text: &str) -> BTreeSet<&'static str> {
     let table = || include_str!("headers.txt").lines().filter_map(|line| line.split_once(": "));
-    let header = |name: &str| {
-        let mut rows = table().filter(|(_, words)| words.split(' ').any(|word| word == name));
-        rows.next().map(|(header, _)| header)
-    };
+    let header =
+        |name: &str| Some(table().find(|(_, words)| words.split(' ').any(|word| word == name))?.0);
     names(text).filter_map(header).collect()
 }
 

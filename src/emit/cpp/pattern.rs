@@ -101,10 +101,7 @@ pub(super) fn is_word(text: &str) -> bool {
 
 /// The refusal of a value that has to be a name.
 pub(super) fn not_a_name(name: &str, value: &str) -> StyleError {
-    let pointer = value.strip_suffix('*').map(str::trim_end).filter(|value| is_word(value));
-    let alias = pointer.map_or_else(String::new, |pointee| {
-        format!(": give the pointer a name, `using {pointee}Ref = {pointee}*;`, and `{name}={pointee}Ref`")
-    });
+    let alias = if value.ends_with('*') { ": an alias is one, `using T = V*;`" } else { "" };
     StyleError(format!("`{value}` is not a C++ name, as `{name}` must be{alias}"))
 }
 

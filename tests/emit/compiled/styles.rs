@@ -156,6 +156,7 @@ fn a_style_that_cannot_compile_is_refused() {
         (&["write={of}->{pointer} = {value};"], "is an expression"),
         (&["read={of}->{pointer}("], "has a bracket that does not match another"),
         (&["Vertex=union"], "`union` is not a C++ name, as `Vertex` must be"),
+        (&["Vertex=V*"], "an alias is one, `using T = V*;`"),
         (&["result=maybe"], "`result` is one of `bool` and `given`"),
         (&["function.flip=a::b"], "`a::b` is not a C++ name"),
         (&["member=yes", "Vertex=Ref", "Face=Ref"], "`Vertex` and `Face` are one type"),
