@@ -1,7 +1,8 @@
 //! Syntax of other languages in items that parse as something else.
 //!
-//! `h.face is None` parses as three values, `flip(mesh, e)` as a call. All errors of the resolver
-//! on such a line have one cause, which is reported instead.
+//! `h.face is None` parses as three values, `flip(mesh, e)` as a call, and `n--` and `--m` on two
+//! lines as one value. All errors of the resolver on such lines have one cause, which is reported
+//! instead.
 
 use super::files::Part;
 use crate::diagnostic::Diagnostic;
@@ -11,13 +12,14 @@ use crate::syntax::written_elsewhere;
 /// The codes of diagnostics that foreign syntax may cause.
 const UNKNOWN: [&str; 4] = ["unknown-field", "unknown-function", "unknown-name", "unused-value"];
 
-/// Replaces the errors of the resolver on a line by that of the foreign syntax in it.
+/// Replaces the errors of the resolver on some lines by those of the foreign syntax in them.
 pub(super) fn tell_as_elsewhere(parts: &[Part], told: &mut Vec<Diagnostic>, sources: &Sources) {
     for part in parts {
         let text = sources.get(part.file).text();
-        let line = |span: Span| {
-            text.get(..span.start as usize).map_or(0, |before| before.matches('\n').count())
+        let line_at = |place: u32| {
+            text.get(..place as usize).map_or(0, |before| before.matches('\n').count())
         };
+        let line = |span: Span| line_at(span.start);
         for item in &part.parsed.tree.items {
             let whole = item.span();
             let inside = |error: &Diagnostic| {
@@ -28,14 +30,16 @@ pub(super) fn tell_as_elsewhere(parts: &[Part], told: &mut Vec<Diagnostic>, sour
                 told.iter().filter(|error| inside(error) && UNKNOWN.contains(&error.code));
             // An error with a fix is understood as it is.
             let unknown = unknown.filter(|error| error.fixes.is_empty());
-            let lines: Vec<_> = unknown.map(|error| line(error.span())).collect();
+            let places = unknown.map(Diagnostic::span);
+            let lines: Vec<_> =
+                places.map(|place| line_at(place.start)..=line_at(place.end)).collect();
             if lines.is_empty() {
                 continue;
             }
             let tokens = &part.parsed.tokens;
             let begin = tokens.partition_point(|token| token.span.start < whole.start);
             let end = tokens.partition_point(|token| token.span.start < whole.end);
-            let asked = |span: Span| lines.contains(&line(span));
+            let asked = |span: Span| lines.iter().any(|lines| lines.contains(&line(span)));
             let found = written_elsewhere(text, &tokens[begin..end], asked);
             let lines: Vec<_> = found.iter().map(|found| line(found.span())).collect();
             told.retain(|error| !inside(error) || !lines.contains(&line(error.span())));

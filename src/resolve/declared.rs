@@ -131,14 +131,10 @@ impl Declared {
         diagnostics: &mut Vec<Diagnostic>,
     ) {
         for item in &file.items {
-            let (what, name, private, count) = match item {
-                Item::Op(op) => (What::Op, &op.name, op.private, &mut numbers.ops),
-                Item::Script(script) => {
-                    (What::Script, &script.name, script.private, &mut numbers.scripts)
-                }
-                Item::Fn(function) => {
-                    (What::Function, &function.name, function.private, &mut numbers.functions)
-                }
+            let (what, name, count) = match item {
+                Item::Op(op) => (What::Op, &op.name, &mut numbers.ops),
+                Item::Script(script) => (What::Script, &script.name, &mut numbers.scripts),
+                Item::Fn(function) => (What::Function, &function.name, &mut numbers.functions),
                 Item::Attr(attr) => {
                     let misread = file.is_misread(attr.span);
                     self.declare_attribute((attr, misread), numbers, diagnostics);
@@ -146,6 +142,7 @@ impl Declared {
                 }
                 Item::Test(_) | Item::Use(_) | Item::Broken(_) => continue,
             };
+            let private = item.private_name().is_some();
             let named = Named { what, number: *count, span: name.span, private };
             *count += 1;
             diagnostics.extend(self.declare_called(name, named));

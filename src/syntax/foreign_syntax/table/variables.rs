@@ -4,6 +4,8 @@ use super::{Line, TYPED, fixed, sure, told};
 use crate::syntax::foreign_syntax::place::CODE;
 
 const CHOSEN: &str = "a variable has a value from the beginning; an element is one of those there are: `var $n = argmin(length(e) for e in edges)`";
+const MORE: &str = "a change is written out: `$x = $x + 1`";
+const LESS: &str = "a change is written out: `$x = $x - 1`";
 const COMMENT: &str = "a comment begins with `//`";
 const BEGIN: &str = "a variable begins with `let`, or with `var` if it changes";
 
@@ -119,57 +121,13 @@ pub(super) const LINES: &[Line] = &[
         "",
         "a variable has a value from the beginning: `var $n = $t(0)`",
     ),
-    fixed(
-        CODE,
-        "^$x:place + ~+",
-        "$x = $x",
-        "$x = $x + 1",
-        "a change is written out: `$x = $x + 1`",
-    ),
-    fixed(
-        CODE,
-        "^+ ~+ ~$x:place",
-        "$x = $x",
-        "$x = $x + 1",
-        "a change is written out: `$x = $x + 1`",
-    ),
-    // Together they would read as one value.
-    fixed(
-        CODE,
-        "^$x:place - ~- - ~- ~$y:place $:end",
-        "$x = $x $y = $y",
-        "$x = $x - 1 $y = $y - 1",
-        "a change is written out: `$x = $x - 1`",
-    ),
-    fixed(
-        CODE,
-        "; - ~- ~$x:place $:end",
-        "$x = $x",
-        "$x = $x - 1",
-        "a change is written out: `$x = $x - 1`",
-    ),
-    fixed(
-        CODE,
-        "; + ~+ ~$x:place $:end",
-        "$x = $x",
-        "$x = $x + 1",
-        "a change is written out: `$x = $x + 1`",
-    ),
+    fixed(CODE, "^$x:place + ~+", "$x = $x", "$x = $x + 1", MORE),
+    fixed(CODE, "^+ ~+ ~$x:place", "$x = $x", "$x = $x + 1", MORE),
+    fixed(CODE, "; - ~- ~$x:place $:end", "$x = $x", "$x = $x - 1", LESS),
+    fixed(CODE, "; + ~+ ~$x:place $:end", "$x = $x", "$x = $x + 1", MORE),
     fixed(CODE, "; - ~- $l:apart", "", "// $l", COMMENT),
-    fixed(
-        CODE,
-        "^$x:place - ~- $:end",
-        "$x = $x",
-        "$x = $x - 1",
-        "a change is written out: `$x = $x - 1`",
-    ),
-    fixed(
-        CODE,
-        "^- ~- ~$x:place $:end",
-        "$x = $x",
-        "$x = $x - 1",
-        "a change is written out: `$x = $x - 1`",
-    ),
+    fixed(CODE, "^$x:place - ~- $:end", "$x = $x", "$x = $x - 1", LESS),
+    fixed(CODE, "^- ~- ~$x:place $:end", "$x = $x", "$x = $x - 1", LESS),
     fixed(CODE, "^- ~- $l:apart", "", "// $l", COMMENT),
     fixed(CODE, "- ~- $l:prose", "", "// $l", COMMENT),
     fixed(
