@@ -290,12 +290,14 @@ impl Mesh {
         Some(std::mem::replace(place, value))
     }
 
-    /// Sets whether a face is a hole, without updating the number of holes.
+    /// Sets whether a face is a hole.
     #[inline]
     pub(crate) fn exchange_hole(&mut self, f: FaceId, hole: bool) -> Option<bool> {
         let state = self.face_states.get_mut(f.index())?;
         let before = state.is_hole()?;
         *state = FaceState::of_living(hole);
+        self.holes -= usize::from(before);
+        self.holes += usize::from(hole);
         Some(before)
     }
 }

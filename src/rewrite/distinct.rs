@@ -55,26 +55,39 @@ impl Seen {
     }
 
     /// Whether no two numbers are equal.
-    #[inline]
     pub fn are_distinct(&mut self, numbers: &[u32]) -> bool {
-        if numbers.len() <= FEW / 2 {
-            return few_are_distinct(numbers);
+        let mut remainders = Remainders::default();
+        numbers.iter().for_each(|&number| remainders.add(number));
+        if remainders.differ {
+            return true;
         }
         self.clear();
         numbers.iter().all(|&number| self.is_new(number))
     }
 }
 
-/// Whether no two of a few numbers are equal: a number is compared with those before it only if its
-/// hash may be among theirs.
-#[inline]
-fn few_are_distinct(numbers: &[u32]) -> bool {
-    let mut hashes = [0_u64; 8];
-    numbers.iter().enumerate().all(|(at, number)| {
-        let hash = number.wrapping_mul(0x9E37_79B9) >> 23;
-        let (word, bit) = (&mut hashes[hash as usize / 64], 1 << (hash % 64));
-        let is_new = *word & bit == 0 || !numbers[..at].contains(number);
+/// The remainders of numbers modulo [`Remainders::COUNT`]: if they differ, so do the numbers, which
+/// are mostly close to each other.
+#[derive(Debug)]
+pub(super) struct Remainders {
+    seen: [u64; Self::COUNT / 64],
+    /// Whether no two remainders are equal.
+    pub(super) differ: bool,
+}
+
+impl Remainders {
+    const COUNT: usize = 256;
+
+    #[inline]
+    pub(super) fn add(&mut self, number: u32) {
+        let (word, bit) = (&mut self.seen[number as usize % Self::COUNT / 64], 1 << (number % 64));
+        self.differ &= *word & bit == 0;
         *word |= bit;
-        is_new
-    })
+    }
+}
+
+impl Default for Remainders {
+    fn default() -> Self {
+        Self { seen: [0; Self::COUNT / 64], differ: true }
+    }
 }

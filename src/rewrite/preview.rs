@@ -11,7 +11,7 @@
 use std::cell::{Cell, RefCell};
 
 use super::access::{self, gone};
-use super::distinct::Seen;
+use super::distinct::{Remainders, Seen};
 use super::{ElementField, Fault, HalfedgeField};
 use crate::mesh::{
     EdgeId, ElementKind, FaceId, HalfedgeId, HalfedgeRecord, Mesh, OrbitCondition, VertexId,
@@ -20,6 +20,9 @@ use crate::mesh::{
 /// The number of the first new element; the next one has the number below. The two numbers above
 /// stand for no element and for an erased one.
 const FIRST_NEW: u32 = u32::MAX - 2;
+
+/// The most spokes of a vertex that are walked without being stored.
+const FEW_SPOKES: usize = 64;
 
 /// The values that have been set, and buffers for questions about them.
 #[derive(Debug, Default)]
@@ -84,6 +87,12 @@ const NOTHING: HalfedgeRecord = HalfedgeRecord {
     edge: EdgeId::NONE,
     face: FaceId::NONE,
 };
+
+/// Whether a halfedge, before which lies `before`, is in a triangle.
+#[inline]
+fn is_in_triangle(halfedge: &HalfedgeRecord, before: &HalfedgeRecord) -> bool {
+    halfedge.next == before.prev
+}
 
 /// Setting values.
 impl Preview {
@@ -296,9 +305,7 @@ impl Preview {
             let before = record(spoke.prev.0)?;
             star.faces.push(spoke.face.0);
             star.targets.push(before.vertex.0);
-            // In a triangle, the halfedge after the spoke is the one before the halfedge that ends
-            // at the vertex.
-            star.has_triangles &= spoke.next == before.prev && before.vertex.0 != vertex;
+            star.has_triangles &= is_in_triangle(spoke, before) && before.vertex.0 != vertex;
             at = before.twin.0;
             if at == start {
                 return Ok(());
@@ -372,6 +379,35 @@ impl Preview {
             }
         }
         Ok(true)
+    }
+
+    /// Whether all conditions about the star of a vertex are certain to hold: it is a fan of three or
+    /// more triangles, and at most one hole, and all its ends differ. `next` must have its new value,
+    /// as where [`OrbitCondition::CornersDiffer`] is asked.
+    pub fn is_simple_fan(&self, mesh: &Mesh, vertex: u32) -> bool {
+        self.is_plain() && self.has_simple_fan(mesh, vertex).unwrap_or(false)
+    }
+
+    fn has_simple_fan(&self, mesh: &Mesh, vertex: u32) -> Option<bool> {
+        let is_closed = mesh.hole_count() == 0;
+        let start = mesh.get_vertex_halfedge(VertexId(vertex))?;
+        let (mut at, mut holes, mut targets) = (start, 0, Remainders::default());
+        for degree in 1..=FEW_SPOKES {
+            let spoke = mesh.get_halfedge(at)?;
+            let before = mesh.get_halfedge(spoke.prev)?;
+            targets.add(before.vertex.0);
+            let is_hole = !is_closed && mesh.get_is_hole(spoke.face)?;
+            holes += u32::from(is_hole);
+            let fits = is_hole || is_in_triangle(spoke, before);
+            if !(fits && targets.differ && before.vertex.0 != vertex) {
+                return Some(false);
+            }
+            at = before.twin;
+            if at == start {
+                return Some(degree >= 3 && holes <= 1);
+            }
+        }
+        Some(false)
     }
 
     fn three_sides(&mut self, mesh: &Mesh, face: u32) -> Result<bool, Fault> {

@@ -47,7 +47,7 @@ impl Translator<'_, '_> {
         }
         let (start, _, size) = table(of.kind());
         let start = self.table_field(start);
-        let offset = self.b.ins().imul_imm_s(id, size as i64);
+        let offset = self.scaled(id, size);
         let record = self.b.ins().iadd(start, offset);
         self.is_not_dead(of.kind(), record)
     }
@@ -98,7 +98,7 @@ impl Translator<'_, '_> {
         self.or_fault(is_in_range);
         let start = place + offset_of!(Slice, start) as i32;
         let start = self.b.ins().load(I64, flags, columns, start);
-        let offset = self.b.ins().imul_imm_s(id, size_of_value(ty) as i64);
+        let offset = self.scaled(id, size_of_value(ty));
         Some(self.b.ins().iadd(start, offset))
     }
 
@@ -113,7 +113,7 @@ impl Translator<'_, '_> {
             self.or_fault(is_in_range);
         }
         let table = self.table_field(table);
-        let offset = self.b.ins().imul_imm_s(id, size as i64);
+        let offset = self.scaled(id, size);
         let record = self.b.ins().iadd(table, offset);
         if !fact.lives(kind) {
             let lives = self.is_not_dead(kind, record);
@@ -148,6 +148,17 @@ impl Translator<'_, '_> {
         self.position_of(id)
     }
 
+    /// The offset of a record of this number of bytes. Adding the number to twice itself is faster
+    /// than multiplying by 3.
+    pub(super) fn scaled(&mut self, id: Value, size: usize) -> Value {
+        if size % 3 != 0 {
+            return self.b.ins().imul_imm_s(id, size as i64);
+        }
+        let twice = self.b.ins().ishl_imm_u(id, 1);
+        let thrice = self.b.ins().iadd(id, twice);
+        self.b.ins().imul_imm_s(thrice, (size / 3) as i64)
+    }
+
     /// The address of the record of an element that a pointer of a living one leads to.
     pub(super) fn record(&mut self, kind: ElementKind, id: Value) -> Value {
         let is_in_range = self.is_in_range(kind, id);
@@ -159,14 +170,14 @@ impl Translator<'_, '_> {
     pub(super) fn place(&mut self, kind: ElementKind, id: Value) -> Value {
         let (table, _, size) = table(kind);
         let table = self.table_field(table);
-        let offset = self.b.ins().imul_imm_s(id, size as i64);
+        let offset = self.scaled(id, size);
         self.b.ins().iadd(table, offset)
     }
 
     /// The address of the position of a vertex in range.
     pub(super) fn position_of(&mut self, id: Value) -> Value {
         let table = self.table_field(offset_of!(Tables, positions));
-        let offset = self.b.ins().imul_imm_s(id, size_of::<glam::DVec3>() as i64);
+        let offset = self.scaled(id, size_of::<glam::DVec3>());
         self.b.ins().iadd(table, offset)
     }
 }

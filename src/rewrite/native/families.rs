@@ -181,7 +181,7 @@ impl Translator<'_, '_> {
     }
 
     /// Runs code for each number below `count`.
-    fn each_below(&mut self, count: Value, each: impl FnOnce(&mut Self, Value)) {
+    pub(super) fn each_below(&mut self, count: Value, each: impl FnOnce(&mut Self, Value)) {
         let at = self.b.declare_var(I64);
         let [head, body, end] = [(); 3].map(|()| self.b.create_block());
         let zero = self.b.ins().iconst(I64, 0);

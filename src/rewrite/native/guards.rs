@@ -3,6 +3,8 @@
 //! In a [`Guard`], native code itself sets the values, keeps the old ones and restores them, and
 //! stubs answer the questions in between. In other code stubs do all of this.
 
+use std::mem::offset_of;
+
 use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::types::{I8, I32, I64};
 use cranelift_codegen::ir::{InstBuilder, Value};
@@ -12,7 +14,7 @@ use super::compile::entries;
 use super::facts::jumps;
 use super::stubs::guards;
 use super::translate::{Region, Translator};
-use crate::mesh::tables::{DEAD, FaceState};
+use crate::mesh::tables::{DEAD, FaceState, Tables};
 use crate::mesh::{ElementKind, OrbitCondition};
 use crate::rewrite::{Code, ElementField, HalfedgeField, Inst, Label, Reg};
 
@@ -28,10 +30,10 @@ pub(super) struct Guard {
 /// A value that has been set, and has to be restored.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Set {
-    /// Native code keeps the old value and its address.
+    /// One with this address.
     Here { before: Value, place: Value, offset: i32, region: Region },
-    /// The preview of the machine knows it.
-    ByMachine,
+    /// A pointer of each halfedge in a buffer; all had the same value.
+    Along { before: Value, slots: (Value, Value), field: HalfedgeField },
 }
 
 /// A condition that is asked, and the refusal if it does not hold.
@@ -63,11 +65,11 @@ impl Guard {
 
     fn at(code: &Code, start: usize) -> Option<Self> {
         let behind = code.insts.get(start + 1..)?;
-        let stores = behind.iter().take_while(|inst| is_store(inst)).count();
-        let by_machine = |inst: &&Inst| matches!(inst, Inst::PreviewStoreAll { .. });
-        if behind[..stores].iter().filter(by_machine).count() > 1 {
-            return None;
-        }
+        let is_set_here = |inst: &&Inst| match inst {
+            Inst::PreviewStoreAll { buffer, .. } => *buffer < code.buffers,
+            _ => is_store(inst),
+        };
+        let stores = behind.iter().take_while(is_set_here).count();
         let asks = behind[stores..].iter().take_while(|inst| is_asked_within(inst));
         let undone = asks.enumerate().filter(|(_, inst)| matches!(inst, Inst::PreviewUndo));
         let (undone, _) = undone.last()?;
@@ -248,9 +250,15 @@ impl Translator<'_, '_> {
             Inst::PreviewStoreHole { face, hole } => {
                 self.living(ElementKind::Face, face);
                 let id = self.id(face);
-                let place = self.state_place(id);
+                let (place, count) = (self.state_place(id), self.holes_with(id, hole));
                 let value = self.b.ins().iconst(I8, FaceState::of_living(hole) as i64);
                 self.set_here(value, place, 0, Region::FaceStates);
+                let holes = self.table_field(offset_of!(Tables, holes));
+                self.set_here(count, holes, 0, Region::Holes);
+            }
+            Inst::PreviewStoreAll { field, buffer, value } => {
+                let value = self.set_value(pointer(field).2, value);
+                self.set_along(field, buffer, value);
             }
             Inst::PreviewUndo => {
                 let set = self.set.clone();
@@ -260,10 +268,7 @@ impl Translator<'_, '_> {
                 self.set.clear();
                 self.call_stub(guards::clear as *const () as usize, &[]);
             }
-            _ => {
-                self.set_by_machine(self.at + 1);
-                self.set.push(Set::ByMachine);
-            }
+            _ => {}
         }
     }
 
@@ -285,6 +290,49 @@ impl Translator<'_, '_> {
         self.set.push(Set::Here { before, place, offset, region });
     }
 
+    /// Sets a pointer of each halfedge in a buffer, if it leads from all of them to the same
+    /// element, as in every valid mesh.
+    fn set_along(&mut self, field: HalfedgeField, buffer: u16, value: Value) {
+        let (offset, region, _) = pointer(field);
+        let slots @ (start, count) = self.slots(buffer);
+        let (before, on) = (self.b.declare_var(I32), self.b.create_block());
+        self.b.def_var(before, value);
+        let some = self.b.create_block();
+        self.b.ins().brif(count, some, &[], on, &[]);
+        self.b.switch_to_block(some);
+        let zero = self.b.ins().iconst(I64, 0);
+        let first = self.slot(start, zero);
+        let first = self.record(ElementKind::Halfedge, first);
+        let flags = self.flags(region);
+        let shared = self.b.ins().load(I32, flags, first, offset as i32);
+        self.b.def_var(before, shared);
+        self.each_below(count, |this, at| {
+            let id = this.slot(start, at);
+            let record = this.record(ElementKind::Halfedge, id);
+            let lives = this.is_not_dead(ElementKind::Halfedge, record);
+            this.or_fault(lives);
+            let own = this.b.ins().load(I32, flags, record, offset as i32);
+            let is_shared = this.b.ins().icmp(IntCC::Equal, own, shared);
+            this.or_fault(is_shared);
+        });
+        self.b.ins().jump(on, &[]);
+        self.go_on(on);
+        let before = self.b.use_var(before);
+        self.store_along(field, slots, value);
+        self.set.push(Set::Along { before, slots, field });
+    }
+
+    /// Stores a pointer of each halfedge in a buffer, all of which have records.
+    fn store_along(&mut self, field: HalfedgeField, (start, count): (Value, Value), value: Value) {
+        let (offset, region, _) = pointer(field);
+        self.each_below(count, |this, at| {
+            let id = this.slot(start, at);
+            let place = this.place(ElementKind::Halfedge, id);
+            let flags = this.flags(region);
+            this.b.ins().store(flags, value, place, offset as i32);
+        });
+    }
+
     /// Restores the values that have been set, the last first.
     pub(super) fn put_back(&mut self, all: &[Set]) {
         for set in all.iter().rev() {
@@ -293,9 +341,7 @@ impl Translator<'_, '_> {
                     let flags = self.flags(region);
                     self.b.ins().store(flags, before, place, offset);
                 }
-                Set::ByMachine => {
-                    self.call_stub(guards::undo as *const () as usize, &[]);
-                }
+                Set::Along { before, slots, field } => self.store_along(field, slots, before),
             }
         }
     }

@@ -91,7 +91,7 @@ impl Translator<'_, '_> {
     fn row(&mut self, rows: Rows, id: Value, slow: Block) -> Value {
         let is_in_range = self.b.ins().icmp(IntCC::UnsignedLessThan, id, rows.count);
         self.or_slow(is_in_range, slow);
-        let offset = self.b.ins().imul_imm_s(id, rows.size as i64);
+        let offset = self.scaled(id, rows.size);
         self.b.ins().iadd(rows.start, offset)
     }
 
@@ -114,7 +114,7 @@ impl Translator<'_, '_> {
         let (kind, id) = (of.kind(), self.id(element));
         let (start, _, size) = table(kind);
         let start = self.table_field(start);
-        let offset = self.b.ins().imul_imm_s(id, size as i64);
+        let offset = self.scaled(id, size);
         let record = self.b.ins().iadd(start, offset);
         let (region, offset) = first(of);
         self.number(region, record, offset)

@@ -57,16 +57,12 @@ impl Translator<'_, '_> {
             Inst::StoreHole { face, hole } => {
                 self.living(ElementKind::Face, face);
                 let id = self.id(face);
-                let before = self.is_in_state(id, FaceState::Hole);
-                let before = self.b.ins().uextend(I64, before);
+                let count = self.holes_with(id, hole);
                 let (place, flags) = (self.state_place(id), self.flags(Region::FaceStates));
                 let now = self.b.ins().iconst(I8, FaceState::of_living(hole) as i64);
                 self.b.ins().store(flags, now, place, 0);
                 let holes = self.table_field(offset_of!(Tables, holes));
                 let flags = self.flags(Region::Holes);
-                let count = self.b.ins().load(I64, flags, holes, 0);
-                let others = self.b.ins().isub(count, before);
-                let count = self.b.ins().iadd_imm_s(others, i64::from(hole));
                 self.b.ins().store(flags, count, holes, 0);
             }
             Inst::StorePosition { vertex, value } => {
@@ -170,6 +166,15 @@ impl Translator<'_, '_> {
             _ => return false,
         }
         true
+    }
+
+    /// The number of holes if a face, by its number, is a hole or not.
+    pub(super) fn holes_with(&mut self, face: Value, hole: bool) -> Value {
+        let before = self.is_in_state(face, FaceState::Hole);
+        let before = self.b.ins().uextend(I64, before);
+        let count = self.hole_count();
+        let others = self.b.ins().isub(count, before);
+        self.b.ins().iadd_imm_s(others, i64::from(hole))
     }
 
     /// Continues if there is room for new elements; else the machine executes the instruction.

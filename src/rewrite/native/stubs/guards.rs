@@ -74,19 +74,6 @@ pub(in super::super) unsafe extern "C" fn clear(context: *mut Context) -> i64 {
     unsafe { within(context, clear) }
 }
 
-/// Restores the values that the preview has set.
-///
-/// # Safety
-/// As for all stubs.
-pub(in super::super) unsafe extern "C" fn undo(context: *mut Context) -> i64 {
-    let undo = |_: &mut Context, run: &mut Run<'_>| {
-        run.machine.preview.undo(run.mesh);
-        Ok(0)
-    };
-    // SAFETY: as for all stubs.
-    unsafe { within_guarded(context, undo) }
-}
-
 /// Whether a condition, by its number, would hold; [`LEAVE`] if there is no answer and the machine
 /// has to determine the trap.
 ///
@@ -128,6 +115,11 @@ pub(in super::super) unsafe extern "C" fn foresee_star(
     let foresee = |context: &mut Context, run: &mut Run<'_>| {
         let all = (0..MOST_ASKED).map(|place| conditions >> (place * BITS) & 0xff);
         let all = all.map_while(|number| usize::try_from(number - 1).ok());
+        let asks_corners =
+            all.clone().any(|number| number == OrbitCondition::CornersDiffer as usize);
+        if asks_corners && run.machine.preview.is_simple_fan(run.mesh, vertex as u32) {
+            return Ok(MOST_ASKED as i64);
+        }
         for (count, number) in (0..).zip(all) {
             let Some(&condition) = OrbitCondition::ALL.get(number) else {
                 return Err(failed(context, run, inst, Message::Malformed));
