@@ -17,7 +17,7 @@ use super::example::flat;
 use super::family_sector::sector;
 use super::figure::{Dart, Figure, Node, Side};
 use super::outer::outside;
-use crate::diagram::{NameId, Spoke};
+use crate::diagram::{Drawing, Kind, NameId, Spoke};
 
 /// The number of relaxation sweeps.
 const SWEEPS: usize = 600;
@@ -152,13 +152,19 @@ fn turn_sector(figure: &Figure, places: &mut [Option<DVec2>]) {
 /// The dart that is drawn horizontally: that of the first parameter that has one, or else the first
 /// dart of the first loop.
 fn main_dart(figure: &Figure) -> Option<Dart> {
-    let rule = figure.drawing.rule;
-    let named = rule.params.iter().flatten().find_map(|&name| {
-        let edge = figure.drawing.before.edge_statement(name);
-        let item = edge.map_or(name, |edge| edge.halfedges[0].name);
+    given_dart(figure).or_else(|| figure.before.loops.first()?.darts.first().copied())
+}
+
+/// The dart of the first parameter that has one.
+fn given_dart(figure: &Figure) -> Option<Dart> {
+    let Drawing { rule, before, .. } = &figure.drawing;
+    rule.params.iter().flatten().find_map(|&name| {
+        let item = match rule.kind(name) {
+            Kind::Edge => before.edge_statement(name)?.halfedges[0].name,
+            _ => name,
+        };
         figure.before.darts[item.index()]
-    });
-    named.or_else(|| figure.before.loops.first()?.darts.first().copied())
+    })
 }
 
 /// Places a connected component: its blocks one after the other, each on the far side of the vertex
@@ -355,7 +361,9 @@ fn angles(figure: &Figure, side: &Side, outside: &[Dart], ring: &[usize]) -> Vec
     };
     let mut angles = vec![0.0; count];
     match (main, ends) {
-        (Some(main), Some([from, to])) if from != to && !is_outside(main) => {
+        (Some(main), Some([from, to]))
+            if from != to && !is_outside(main) && given_dart(figure).is_some() =>
+        {
             // Half a turn below it, half a turn above it.
             for (start, end, angle) in [(from, to, PI), (to, from, TAU)] {
                 let steps = (end + count - start) % count;
@@ -368,8 +376,9 @@ fn angles(figure: &Figure, side: &Side, outside: &[Dart], ring: &[usize]) -> Vec
         (main, ends) => {
             // The main dart is at the bottom, or else some side.
             let start = ends.map_or(0, |[from, _]| from);
-            let lead = match main {
-                Some(dart) if is_outside(dart) => side.strands[dart.strand].nodes.len() - 1,
+            let lead = match (main, ends) {
+                (Some(dart), _) if is_outside(dart) => side.strands[dart.strand].nodes.len() - 1,
+                (_, Some([from, to])) if from != to => (to + count - from) % count,
                 _ => 1,
             };
             let whole = span(0, count);
