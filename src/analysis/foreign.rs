@@ -10,7 +10,14 @@ use crate::source::{Sources, Span};
 use crate::syntax::written_elsewhere;
 
 /// The codes of diagnostics that foreign syntax may cause.
-const UNKNOWN: [&str; 4] = ["unknown-field", "unknown-function", "unknown-name", "unused-value"];
+const UNKNOWN: [&str; 6] = [
+    "unknown-field",
+    "unknown-function",
+    "unknown-name",
+    "unknown-result",
+    "unknown-type",
+    "unused-value",
+];
 
 /// Replaces the errors of the resolver on some lines by those of the foreign syntax in them.
 pub(super) fn tell_as_elsewhere(parts: &[Part], told: &mut Vec<Diagnostic>, sources: &Sources) {

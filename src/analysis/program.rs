@@ -3,8 +3,10 @@
 use super::Examined;
 use super::before::tell_of_before;
 use super::broken_dependencies::tell_what_is_lacking;
+use super::endless::endless;
 use super::files::{Absent, Parts, Reader, fetch, without_consequences, without_lost_attributes};
 use super::foreign::tell_as_elsewhere;
+use super::hidden_guards::hidden_guards;
 use super::kept_comments::keep_comments;
 use super::library_hints::tell_where;
 use super::parse_cache::Readings;
@@ -92,6 +94,8 @@ impl Analysis {
             plans.push(examined.plan);
             lacks.push(examined.lacks);
         }
+        diagnostics.extend(hidden_guards(&program, &parts, &proved));
+        diagnostics.extend(endless(&program));
         let keeps = |op: usize| proved[op].as_ref().map(Proved::keeps).unwrap_or_default();
         diagnostics.extend(plan_steps(&program, &functions, keeps, &mut plans));
         without_lost_attributes(&parts, &mut diagnostics);

@@ -61,7 +61,7 @@ pub const MEANINGS: &[(&str, &str)] = &[
         "face",
         "a cycle of `next` around an interior face, counterclockwise: `face f0: v0 -a-> v1 -b-> v2 -c-> v0`",
     ),
-    ("loop", "a cycle of `next`: a face or a hole"),
+    ("loop", "a cycle of `next`: a face or a hole; in `after` it stays what it was"),
     ("edge", "a pair of twins: `edge e: a | d`"),
     ("vertex", "the spokes of a vertex, counterclockwise: `vertex v: a b *S`"),
     ("halfedge", "one side of an edge: it has `next`, `prev`, `twin`, `vertex`, `edge` and `face`"),
@@ -185,6 +185,18 @@ pub const MEANINGS: &[(&str, &str)] = &[
     (
         "orbit",
         "a cycle of `next` (a face or a hole), a pair of twins (an edge), or a ring of spokes (a vertex)",
+    ),
+    (
+        "orientation",
+        "faces run counterclockwise seen from outside, and the two halfedges of an edge run in opposite directions, so every mesh here is oriented; `--repair` turns the polygons of a file that are not",
+    ),
+    (
+        "list",
+        "there is none: values are kept at elements, `attr mark: vertex int = 0`; `for i in 0..n { … }` takes ints, and `drain` elements in an order",
+    ),
+    (
+        "histogram",
+        "counts, one by one: `for n in 3..9 { print \"{n}: {count(degree(v) == n for v in vertices)}\" }`; `hedgerow info` shows those of degrees and sides",
     ),
     ("spoke", "a halfedge that starts at the vertex"),
     ("path", "a run of zero or more halfedges of a loop: `v2 =P=> v0`"),

@@ -303,7 +303,7 @@ pub(super) struct ConvertArguments {
 pub(super) struct ExplainArguments {
     /// A code such as missing-reassignment, or a word such as degree
     ///
-    /// `functions` lists the functions of the language; nothing, all codes
+    /// `functions`, `types`, `constants`: all of these; nothing: all codes
     #[arg(value_name = "CODE|WORD")]
     pub word: Option<String>,
 }

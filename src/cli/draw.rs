@@ -49,27 +49,49 @@ pub(super) fn draw(arguments: &DrawArguments) -> Result<(), Failure> {
             }
         };
     }
-    let diagram = &*diagram(&program, name)?;
+    let op = program::find_op(&program, name)?;
+    let diagram = &*diagram(&program, op)?;
+    let note = not_proved(&program.analysis, op);
+    let text =
+        || text_op(diagram) + &note.iter().map(|note| format!("\n{note}\n")).collect::<String>();
+    let sheet = || {
+        let mut sheet = draw_sheet(diagram);
+        note.iter().for_each(|note| sheet.add_note(note));
+        sheet
+    };
     match (arguments.drawn, &arguments.output) {
-        (Some(Drawn::Text), Some(output)) => write(output, text_op(diagram).as_bytes()),
+        (Some(Drawn::Text), Some(output)) => write(output, text().as_bytes()),
         (Some(Drawn::Text), None) => {
-            say(text_op(diagram).trim_end());
+            say(text().trim_end());
             Ok(())
         }
         (Some(Drawn::Svg), None) => {
-            say(draw_sheet(diagram).svg().trim_end());
+            say(sheet().svg().trim_end());
             Ok(())
         }
-        (Some(Drawn::Svg), Some(output)) => write(output, draw_sheet(diagram).svg().as_bytes()),
-        (None, Some(output)) => write_picture(&draw_sheet(diagram), output, PIXELS),
+        (Some(Drawn::Svg), Some(output)) => write(output, sheet().svg().as_bytes()),
+        (None, Some(output)) => write_picture(&sheet(), output, PIXELS),
         (None, None) => Err(Failure::usage(
             "where should the picture go? write -o OUT.svg, -o OUT.png, or --as text",
         )),
     }
 }
 
-fn diagram<'a>(program: &'a Program, name: Option<&str>) -> Result<Cow<'a, Op>, Failure> {
-    let op = program::find_op(program, name)?;
+/// The reason why an operation is not proved, in a line.
+fn not_proved(analysis: &Analysis, op: usize) -> Option<String> {
+    if analysis.plans[op].is_some() {
+        return None;
+    }
+    let reasons = failures(analysis, op).into_iter().skip(1);
+    let mut reasons = reasons.map(|reason| reason.trim_start_matches("error: ").to_owned());
+    Some(match (reasons.next(), reasons.count()) {
+        (None, _) => "not proved".to_owned(),
+        (Some(first), 0) => format!("not proved: {first}"),
+        (Some(first), more) => format!("not proved: {first}, and {more} more"),
+    })
+}
+
+fn diagram(program: &Program, op: usize) -> Result<Cow<'_, Op>, Failure> {
     let analysis = &program.analysis;
     if analysis.plans[op].is_none() && analysis.program.ops[op].diagram.is_some() {
         let name = &analysis.program.ops[op].name;

@@ -6,7 +6,8 @@ use super::failure::Failure;
 use super::output::{say, table};
 use crate::analysis::{MEANINGS, Word, functions, word};
 use crate::diagnostic::{explain as explanation, explained};
-use crate::resolve::closest;
+use crate::diagram::{Property, Type};
+use crate::resolve::{closest, constants};
 
 /// Explains a diagnostic and how to fix it, or a word of the language.
 pub(super) fn explain(arguments: &ExplainArguments) -> Result<(), Failure> {
@@ -16,8 +17,8 @@ pub(super) fn explain(arguments: &ExplainArguments) -> Result<(), Failure> {
         return Ok(());
     };
     let asked = usual(bare(asked));
-    if asked == "functions" {
-        list_functions();
+    if let Some(words) = listed(asked) {
+        list(&words);
         return Ok(());
     }
     // `half-edge`, `Halfedge` and `vertices` are written `halfedge` and `vertex`.
@@ -40,7 +41,7 @@ pub(super) fn explain(arguments: &ExplainArguments) -> Result<(), Failure> {
         let advice = match closest(asked, explained().map(|(code, _)| code).chain(functions())) {
             Some(near) => format!("did you mean `{near}`?"),
             None => "`hedgerow explain` lists the diagnostics, `hedgerow explain functions` the \
-                     functions"
+                     functions; likewise `types`, `constants` and `properties`"
                 .to_owned(),
         };
         Failure::usage(format!("there is no diagnostic and no word `{asked}`; {advice}"))
@@ -55,13 +56,24 @@ pub(super) fn explain(arguments: &ExplainArguments) -> Result<(), Failure> {
     Ok(())
 }
 
-/// All functions of the language, a line each.
-fn list_functions() {
-    let rows = functions().into_iter().filter_map(|name| {
+/// The words of which `functions`, `types`, `constants` and `properties` are lists.
+fn listed(asked: &str) -> Option<Vec<&'static str>> {
+    Some(match asked {
+        "functions" => functions(),
+        "types" => Type::ALL.map(Type::word).to_vec(),
+        "constants" => constants().collect(),
+        "properties" => Property::ALL.map(Property::word).to_vec(),
+        _ => return None,
+    })
+}
+
+/// Words of the language, a line each.
+fn list(words: &[&str]) {
+    let rows = words.iter().filter_map(|name| {
         let Word { forms, meaning } = word(name)?;
-        let (first, others) = forms.split_first()?;
+        let first = forms.first().map_or(*name, String::as_str);
         let called = first.split(" -> ").next().unwrap_or(first);
-        let more = if others.is_empty() { "" } else { ", …" };
+        let more = if forms.len() > 1 { ", …" } else { "" };
         Some(vec![format!("{called}{more}"), meaning.to_owned()])
     });
     let rows: Vec<_> = rows.collect();
@@ -84,6 +96,9 @@ fn usual(asked: &str) -> &str {
         "|" => "edge",
         "valence" => "degree",
         "decimate" => "simplify",
+        "delete" | "remove" => "erase",
+        "array" | "lists" => "list",
+        "oriented" | "orient" => "orientation",
         _ => asked,
     }
 }

@@ -16,7 +16,7 @@ use super::output::{complain, complain_json, is_standard, say, say_json, table};
 use super::place;
 use super::program::{self, Program, settings};
 use super::progress::Progress;
-use super::view::attribute;
+use super::view::{attribute, tell_if_blank};
 use crate::draw::{View, draw_mesh};
 use crate::mesh::{MeshFile, Places, RepairReport};
 use crate::rewrite::Unbounded;
@@ -154,7 +154,9 @@ fn save(
     }
     if let Some(picture) = &arguments.picture {
         let view = View { attribute: shown, ..View::default() };
-        write_picture(&draw_mesh(&obj.mesh, &view), picture, 1.0)?;
+        let drawn = draw_mesh(&obj.mesh, &view.with_own_colours(&obj.mesh));
+        tell_if_blank(&drawn, &obj.mesh);
+        write_picture(&drawn, picture, 1.0)?;
     }
     Ok(())
 }

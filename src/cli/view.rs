@@ -6,7 +6,8 @@ use super::arguments::ViewArguments;
 use super::draw::write_picture;
 use super::failure::Failure;
 use super::meshes;
-use crate::draw::{View, draw_mesh};
+use super::output::complain;
+use crate::draw::{Picture, View, draw_mesh};
 use crate::mesh::{ColumnId, Mesh};
 
 /// Makes a picture of a mesh.
@@ -19,11 +20,27 @@ pub(super) fn view(arguments: &ViewArguments) -> Result<(), Failure> {
     if let Some(size) = arguments.size {
         view.size = f64::from(size);
     }
+    obj.bring_all();
     if let Some(name) = &arguments.attribute {
-        obj.bring_all();
         view.attribute = Some(attribute(&obj.mesh, name)?);
     }
-    write_picture(&draw_mesh(&obj.mesh, &view), &arguments.output, 1.0)
+    let picture = draw_mesh(&obj.mesh, &view.with_own_colours(&obj.mesh));
+    tell_if_blank(&picture, &obj.mesh);
+    write_picture(&picture, &arguments.output, 1.0)
+}
+
+/// Says so if nothing of a mesh is seen in its picture.
+pub(super) fn tell_if_blank(picture: &Picture, mesh: &Mesh) {
+    if !picture.is_blank() {
+        return;
+    }
+    complain(match mesh.faces().any(|face| mesh.get_is_hole(face) == Some(false)) {
+        false => "warning: nothing is seen: the mesh has no faces",
+        true => {
+            "warning: nothing is seen: no face has an area from here; `view --from x,y,z` looks \
+             from elsewhere"
+        }
+    });
 }
 
 /// The attribute of a name, or of a kind and a name: `height`, `vertex.height`.

@@ -6,7 +6,7 @@ use glam::DVec2;
 
 use super::curve::{Curve, left};
 use super::curve_fit::follow;
-use super::letters::{Glyph, Label, moved};
+use super::letters::{Glyph, Label, Style, moved, words};
 use super::raster::Image;
 use super::status::Status;
 
@@ -218,6 +218,9 @@ pub(super) enum Paint {
 /// The width of the background around a text on a line.
 const AIR: f64 = 2.0;
 
+/// The size of the letters of a note.
+const NOTE: f64 = 15.0;
+
 /// The opacity of faded groups.
 pub(super) const FADED: f64 = 0.28;
 
@@ -337,6 +340,27 @@ impl Picture {
     /// Its width and height.
     pub fn size(&self) -> [f64; 2] {
         self.size.to_array()
+    }
+
+    /// True if no part of a mesh is seen in it.
+    pub fn is_blank(&self) -> bool {
+        let is_seen = |image: &Image| image.pixels.iter().any(|pixel| pixel[3] > 0);
+        !self.image.as_ref().is_some_and(is_seen)
+    }
+
+    /// Adds a line of text at the bottom.
+    pub fn add_note(&mut self, text: &str) {
+        let label = words(&text.replace('`', ""), Style::Upright, NOTE);
+        let width = 2.0 * (label.half.x + NOTE);
+        // What is drawn stays in the middle of a picture that the note makes wider.
+        let wider = DVec2::new((width - self.size.x).max(0.0) / 2.0, 0.0);
+        let mut group = Group::default();
+        let at = DVec2::new(self.size.x / 2.0, self.size.y + NOTE / 2.0);
+        group.write(&label, at, Ink::Of(Status::Erased));
+        self.size += DVec2::new(2.0 * wider.x, 2.0 * NOTE);
+        self.groups.push(group);
+        let groups = std::mem::take(&mut self.groups).into_iter();
+        self.groups = groups.map(|group| group.moved(wider)).collect();
     }
 
     /// The boxes of its texts.

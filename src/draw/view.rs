@@ -9,8 +9,8 @@ use glam::{DVec2, DVec3};
 
 use super::curve::{area, distance};
 use super::raster::{Raster, sides, weigh};
-use super::shape::Picture;
-use super::viridis::Range;
+use super::shape::{Group, Picture};
+use super::viridis::{Range, swatches};
 use crate::mesh::{ColumnId, ElementKind, FaceId, HalfedgeId, Mesh, Value};
 
 /// The view of a mesh.
@@ -21,7 +21,7 @@ pub struct View {
     /// The width and height of the picture, without a legend.
     pub size: f64,
     /// The attribute that is shown in colour: a number, the length of a vector or matrix, or a
-    /// truth value as 0 or 1. Vectors of an attribute named `color` or `colour` with components
+    /// truth value, of which edges show only those that hold. Vectors of an attribute named `color` or `colour` with components
     /// from 0 to 1 are colours themselves: red, green and blue.
     pub attribute: Option<ColumnId>,
 }
@@ -45,16 +45,33 @@ const LEGEND: f64 = 110.0;
 const FACE: [u8; 3] = [178, 205, 236];
 /// The colour of faces, and of values that are not finite, where an attribute is shown.
 const PALE: [u8; 3] = [226, 230, 236];
+/// The colour of a truth value that holds.
+const HOLDS: [u8; 3] = [0x00, 0x65, 0xb3];
 const LINE: [u8; 3] = [22, 30, 40];
 const ON_BOUNDARY: [u8; 3] = [0xc2, 0x41, 0x0c];
+
+impl View {
+    /// The same view, which shows the colours that the faces or vertices of the mesh have, unless it
+    /// shows another attribute.
+    pub fn with_own_colours(self, mesh: &Mesh) -> Self {
+        let own = |(column, _)| {
+            let colours = Colours::new(mesh, column)?;
+            let is_area = matches!(colours.kind, ElementKind::Face | ElementKind::Vertex);
+            (is_area && matches!(colours.scale, Scale::Own)).then_some(column)
+        };
+        let mut columns: Vec<_> = mesh.sayable_columns().filter_map(own).collect();
+        columns.sort_by_key(|column| column.kind != ElementKind::Face);
+        Self { attribute: self.attribute.or(columns.first().copied()), ..self }
+    }
+}
 
 /// Draws a mesh.
 pub fn draw_mesh(mesh: &Mesh, view: &View) -> Picture {
     let size =
         if view.size.is_finite() { view.size.clamp(16.0, 16_384.0) } else { View::default().size };
     let colours = view.attribute.and_then(|column| Colours::new(mesh, column));
-    let range = colours.as_ref().and_then(|colours| colours.range);
-    let legend = range.map_or(0.0, |_| LEGEND);
+    let has_legend = colours.as_ref().is_some_and(|colours| !matches!(colours.scale, Scale::Own));
+    let legend = if has_legend { LEGEND } else { 0.0 };
     let mut picture = Picture {
         title: "mesh".into(),
         // The legend may be higher than the mesh.
@@ -82,9 +99,9 @@ pub fn draw_mesh(mesh: &Mesh, view: &View) -> Picture {
         }
         picture.image = Some(raster.image(size));
     }
-    if let (Some(colours), Some(range)) = (colours, range) {
+    if let Some(colours) = colours {
         let at = DVec2::new(size + LEGEND / 2.0, picture.size.y / 2.0);
-        picture.groups.push(range.legend(&colours.title, at));
+        picture.groups.extend(colours.legend(at));
     }
     picture
 }
@@ -94,8 +111,17 @@ struct Colours {
     column: ColumnId,
     kind: ElementKind,
     title: String,
-    /// The range of the values; `None` if they are colours.
-    range: Option<Range>,
+    scale: Scale,
+}
+
+/// The way values are shown as colours.
+enum Scale {
+    /// They are colours themselves.
+    Own,
+    /// Numbers of a range.
+    Numbers(Range),
+    /// Truth values.
+    Truth,
 }
 
 impl Colours {
@@ -107,28 +133,49 @@ impl Colours {
         };
         let title = mesh.column(column)?.name().to_string();
         let is_named_so = ["color", "colour"].contains(&title.as_str());
-        let range = match is_named_so && values().all(|value| rgb(value).is_some()) {
-            true => None,
-            false => Some(Range::of(values().map(Value::magnitude))?),
+        let is_truth = |value| matches!(value, Value::Bool(_));
+        let scale = match values().next()? {
+            _ if is_named_so && values().all(|value| rgb(value).is_some()) => Scale::Own,
+            first if is_truth(first) => Scale::Truth,
+            _ => Scale::Numbers(Range::of(values().map(Value::magnitude))?),
         };
-        Some(Self { column, kind, title, range })
+        Some(Self { column, kind, title, scale })
+    }
+
+    fn legend(&self, center: DVec2) -> Option<Group> {
+        let is_line = matches!(self.kind, ElementKind::Edge | ElementKind::Halfedge);
+        let missing = if is_line { LINE } else { PALE };
+        match self.scale {
+            Scale::Own => None,
+            Scale::Numbers(range) => Some(range.legend(&self.title, center)),
+            Scale::Truth => {
+                let values = [("true".to_owned(), HOLDS), ("false".to_owned(), missing)];
+                Some(swatches(&self.title, &values, center))
+            }
+        }
     }
 
     /// The value of an element: its colour, or three times the number; NaN if it has none.
     fn value(&self, mesh: &Mesh, index: u32) -> DVec3 {
         let value = mesh.value(self.column, index);
-        let seen = value.and_then(|value| match self.range {
-            Some(_) => Some(DVec3::splat(value.magnitude())),
-            None => rgb(value),
+        let seen = value.and_then(|value| match self.scale {
+            Scale::Own => rgb(value),
+            Scale::Numbers(_) | Scale::Truth => Some(DVec3::splat(value.magnitude())),
         });
         seen.unwrap_or(DVec3::NAN)
     }
 
     fn colour(&self, value: DVec3) -> [u8; 3] {
-        match self.range {
+        match self.scale {
             _ if !value.is_finite() => PALE,
-            Some(range) => range.colour(value.x),
-            None => value.to_array().map(|part| (part * 255.0).round() as u8),
+            Scale::Own => value.to_array().map(|part| (part * 255.0).round() as u8),
+            Scale::Numbers(range) => range.colour(value.x),
+            Scale::Truth => {
+                let part = |at: usize| {
+                    f64::from(PALE[at]) + (f64::from(HOLDS[at]) - f64::from(PALE[at])) * value.x
+                };
+                [0, 1, 2].map(|at| part(at).round() as u8)
+            }
         }
     }
 }
@@ -296,8 +343,12 @@ impl Seen {
             ElementKind::Halfedge => Some((colours, half.0)),
             _ => None,
         });
-        if let Some((colours, index)) = index {
-            let colour = colours.colour(colours.value(mesh, index));
+        let value = index.map(|(colours, index)| (colours, colours.value(mesh, index)));
+        // A truth value that does not hold leaves the line as it is.
+        let shown = value
+            .filter(|(colours, value)| !matches!(colours.scale, Scale::Truth) || value.x == 1.0);
+        if let Some((colours, value)) = shown {
+            let colour = colours.colour(value);
             let sides = if is_on_boundary { 2.0 } else { 1.0 };
             return Some((pen.coloured * sides, colour));
         }

@@ -17,6 +17,8 @@ const COLOURS: [u32; 9] =
 const STRIPES: usize = 48;
 const BAR: DVec2 = DVec2::new(16.0, 240.0);
 const LETTERS: f64 = 14.0;
+/// The distance of two squares in a legend.
+const SWATCH: f64 = 56.0;
 
 /// The colour of a fraction between 0 and 1.
 pub fn viridis(part: f64) -> [u8; 3] {
@@ -57,22 +59,11 @@ impl Range {
     /// A colour bar around a place, with a title above and the numbers at its ends; for a single
     /// number only a square.
     pub(super) fn legend(self, title: &str, center: DVec2) -> Group {
-        let mut group = Group::default();
-        let write = |group: &mut Group, text: &str, style: Style, y: f64| {
-            let label = words(text, style, LETTERS);
-            let at = DVec2::new(center.x, center.y + y);
-            group.write(&label, at, Ink::Of(Status::Kept));
-        };
         if self.low == self.high {
-            let half = DVec2::splat(BAR.x / 2.0);
-            let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
-            let mut path = Path::default();
-            path.polygon(corners.map(|(x, y)| center + half * DVec2::new(x, y)));
-            group.fill(path, Ink::Colour(self.colour(self.low)));
-            write(&mut group, title, Style::Italic, -BAR.x - 14.0);
-            write(&mut group, &number(self.low), Style::Upright, BAR.x + 8.0);
-            return group;
+            let only = (number(self.low), self.colour(self.low));
+            return swatches(title, &[only], center);
         }
+        let mut group = Group::default();
         let top = center - BAR / 2.0;
         let high = BAR.y / STRIPES as f64;
         for stripe in 0..STRIPES {
@@ -85,11 +76,34 @@ impl Range {
             group.fill(path, Ink::Colour(viridis(part)));
         }
         let [above, below] = [-BAR.y / 2.0 - 14.0, BAR.y / 2.0 + 14.0];
-        write(&mut group, title, Style::Italic, above - 22.0);
-        write(&mut group, &number(self.high), Style::Upright, above);
-        write(&mut group, &number(self.low), Style::Upright, below);
+        let at = |y: f64| DVec2::new(center.x, center.y + y);
+        write(&mut group, title, Style::Italic, at(above - 22.0));
+        write(&mut group, &number(self.high), Style::Upright, at(above));
+        write(&mut group, &number(self.low), Style::Upright, at(below));
         group
     }
+}
+
+/// A square for each of a few values around a place, with the value below it, and a title above.
+pub(super) fn swatches(title: &str, values: &[(String, [u8; 3])], center: DVec2) -> Group {
+    let mut group = Group::default();
+    let half = DVec2::splat(BAR.x / 2.0);
+    let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
+    let first = (values.len() as f64 - 1.0) / 2.0;
+    for (number, (text, colour)) in values.iter().enumerate() {
+        let at = center + DVec2::new(0.0, (number as f64 - first) * SWATCH);
+        let mut path = Path::default();
+        path.polygon(corners.map(|(x, y)| at + half * DVec2::new(x, y)));
+        group.fill(path, Ink::Colour(*colour));
+        write(&mut group, text, Style::Upright, at + DVec2::new(0.0, BAR.x + 8.0));
+    }
+    let above = center.y - first * SWATCH - BAR.x - 14.0;
+    write(&mut group, title, Style::Italic, DVec2::new(center.x, above));
+    group
+}
+
+fn write(group: &mut Group, text: &str, style: Style, at: DVec2) {
+    group.write(&words(text, style, LETTERS), at, Ink::Of(Status::Kept));
 }
 
 /// A number with four significant digits, and a power of ten if it is very large or small.

@@ -118,7 +118,7 @@ impl Matching {
                     tests.push(Test {
                         at_each_index: claim.is_repeated(rule),
                         claim: words::claim(drawing, claim),
-                        refusal: words::refusal(drawing, claim),
+                        refusal: words::refusal(drawing, claim, proved),
                         condition: claim.clone(),
                     });
                     continue;

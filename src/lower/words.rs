@@ -1,6 +1,6 @@
 //! Claims and refusals in words.
 
-use crate::check::matching::{Bound, Claim, Source};
+use crate::check::matching::{Bound, Claim, Source, Step};
 use crate::diagram::{Drawing, Kind, LoopKind, NameId};
 
 /// A bound name, without backticks.
@@ -57,14 +57,14 @@ pub(super) fn claim(drawing: &Drawing, claim: &Claim) -> String {
     }
 }
 
-/// The reason why a claim fails, as a refusal says it.
-pub(super) fn refusal(drawing: &Drawing, claim: &Claim) -> String {
+/// The reason why a claim fails, as a refusal says it; the names are bound by the `steps`.
+pub(super) fn refusal(drawing: &Drawing, claim: &Claim, steps: &[Step]) -> String {
     let rule = drawing.rule;
     let tick = |text: String| format!("`{text}`");
     match claim {
         Claim::Leads(from, to) => {
             if let (Source::Next(Bound::Element(half)), Bound::Element(_)) = (from, to)
-                && let Some(corners) = corners_of_full_loop(drawing, *half)
+                && let Some(corners) = corners_of_full_loop(drawing, *half, steps)
             {
                 let face = drawing.before.face(*half).expect("it lies in a loop");
                 return match corners {
@@ -124,9 +124,17 @@ pub(super) fn refusal(drawing: &Drawing, claim: &Claim) -> String {
     }
 }
 
-/// The number of corners of a halfedge's loop, if all of it is drawn.
-fn corners_of_full_loop(drawing: &Drawing, half: NameId) -> Option<usize> {
+/// The number of corners of a halfedge's loop, if all of it is drawn, and bound along it: then only
+/// another number keeps it from closing.
+fn corners_of_full_loop(drawing: &Drawing, half: NameId, steps: &[Step]) -> Option<usize> {
     let items = &drawing.before.loop_of_item(half)?.items;
     let full = items.iter().all(|item| drawing.rule.kind(item.item.name) == Kind::Halfedge);
-    full.then_some(items.len())
+    let is_here = |bound: Bound| items.iter().any(|item| item.item.name == bound.name());
+    let along = steps.iter().filter(|step| match step {
+        Step::Bind { name, source } => {
+            is_here(*name) && matches!(source, Source::Next(_) | Source::Prev(_))
+        }
+        _ => false,
+    });
+    (full && along.count() + 1 == items.len()).then_some(items.len())
 }

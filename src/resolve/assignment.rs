@@ -68,6 +68,11 @@ impl Scripting<'_> {
             let error = Diagnostic::error("unknown-name", message, name.span);
             let error = suggest(error, word, name.span, self.typing.scopes.names())
                 .note("a variable begins with `let` or `var`");
+            // In a loop or a branch, it may be meant for what follows them, too.
+            let error = match error.fixes.is_empty() && self.typing.scopes.is_outermost() {
+                true => error.fix(format!("write `var {word} = …`"), name.span.before(), "var "),
+                false => error,
+            };
             self.typing.report.add(error);
             self.typing.report.confuse(word);
             let ty = self.typing.expression(value).map(|value| value.ty);

@@ -4,7 +4,8 @@ use std::collections::HashMap;
 
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{
-    Access, Alias, Assignment, Kind, Level, NameId, Ref, Require, Role, Type, free_name,
+    Access, Alias, Assignment, Kind, Level, NameId, Ref, Require, Role, Type, Wanted, free_name,
+    overloads,
 };
 use crate::source::Span;
 use crate::syntax::tree::{self, Condition, Ident, Statement};
@@ -16,6 +17,7 @@ use super::lists::mention;
 use super::lookup::element_type;
 use super::names::Names;
 use super::report::Report;
+use super::signature::Parameter;
 use super::suggestion::suggest;
 use super::typing::{Place, Typing};
 use super::words::not_held;
@@ -46,7 +48,11 @@ pub(super) fn requires(conditions: &[Condition], op: &str, typing: &mut Typing) 
 }
 
 /// The level that a rule guards and the span of its `guard`.
-pub(super) fn guard(conditions: &[Condition], report: &mut Report) -> Option<(Level, Span)> {
+pub(super) fn guard(
+    conditions: &[Condition],
+    params: &[Parameter],
+    report: &mut Report,
+) -> Option<(Level, Span)> {
     let mut first: Option<Span> = None;
     let mut guard = None;
     for condition in conditions {
@@ -69,11 +75,34 @@ pub(super) fn guard(conditions: &[Condition], report: &mut Report) -> Option<(Le
                 let error = Diagnostic::error("unknown-level", message, word.span);
                 let error = suggest(error, &word.text, word.span, names)
                     .note(format!("the levels are {}", quoted(&names)));
+                let error = match is_condition(&word.text) {
+                    true => asked(error, word, *span, params),
+                    false => error,
+                };
                 report.add(error);
             }
         }
     }
     guard
+}
+
+/// True if a built-in function answers with a bool.
+fn is_condition(word: &str) -> bool {
+    overloads(word).iter().any(|way| way.result == Type::Bool)
+}
+
+/// The error that a `guard` names the function `word`, with the fix if one parameter can be asked.
+fn asked(error: Diagnostic, word: &Ident, guard: Span, params: &[Parameter]) -> Diagnostic {
+    let word = &word.text;
+    let takes = |ty| overloads(word).iter().any(|way| way.wanted == [Wanted::Is(ty)]);
+    let mut fitting = params.iter().filter(|param| param.ty.is_some_and(takes));
+    match (fitting.next(), fitting.next()) {
+        (Some(param), None) => {
+            let text = format!("require {word}({})", param.name);
+            error.fix(format!("write `{text}`"), guard, text)
+        }
+        _ => error.note(format!("a condition is asked by `require {word}(…)`")),
+    }
 }
 
 /// The names that may stand for one element.

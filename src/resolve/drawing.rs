@@ -69,8 +69,13 @@ pub(super) fn draw_after(
             }
         }
     }
-    for l in &drawing.side.loops {
+    for l in &mut drawing.side.loops {
         missing_path(l, names, drawing.report);
+        // A `loop` stays what it was.
+        let before = before.loops.iter().find(|other| other.face.name == l.face.name);
+        if let Some(before) = before.filter(|_| l.kind == LoopKind::Any) {
+            l.kind = before.kind;
+        }
     }
     drawing.side
 }

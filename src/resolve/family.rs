@@ -38,7 +38,12 @@ pub(super) fn read_index(
     let mut letter = Letter::default();
     let mut forms: HashMap<String, (bool, Span)> = HashMap::new();
     let created = created(rule);
-    bare_in_new(rule, &created, report);
+    let is_param = |name: &&Name| params.iter().any(|of| of.name.ident.text == name.ident.text);
+    for (word, names) in lists(rule) {
+        // A parameter is single unless its own subscript says otherwise.
+        let names: Vec<&Name> = names.iter().filter(|name| !is_param(name)).collect();
+        bare_in_list(rule, word, &names, report);
+    }
     for param in params {
         let name = &param.name;
         if let Some(index) = &name.index
@@ -79,17 +84,23 @@ fn wrong_beginning(param: &tree::Param, index: &Index) -> Option<String> {
 
 /// The names of `new`, each with whether it has a subscript there, and its span.
 fn created(rule: &tree::Rule) -> HashMap<&str, (bool, Span)> {
-    let statements = rule.after.iter().flat_map(|side| &side.statements);
-    let listed = statements.filter_map(|statement| match statement {
-        Statement::New(listed, _) => Some(listed),
-        _ => None,
-    });
-    let names = listed.flatten();
+    let names = lists(rule).filter(|(word, _)| *word == "new").flat_map(|(_, names)| names);
     names.map(|name| (name.ident.text.as_str(), (name.index.is_some(), name.span))).collect()
 }
 
-/// Reports names in `new` that lack the subscript they have wherever they are drawn.
-fn bare_in_new(rule: &tree::Rule, created: &HashMap<&str, (bool, Span)>, report: &mut Report) {
+/// The lists of a rule, each behind its keyword.
+fn lists(rule: &tree::Rule) -> impl Iterator<Item = (&'static str, &[Name])> {
+    let statements = rule.after.iter().flat_map(|side| &side.statements);
+    statements.filter_map(|statement| match statement {
+        Statement::New(listed, _) => Some(("new", listed.as_slice())),
+        Statement::Erase(listed, _) => Some(("erase", listed.as_slice())),
+        Statement::Keep(listed, _) => Some(("keep", listed.as_slice())),
+        _ => None,
+    })
+}
+
+/// Reports the names in a list that lack the subscript they have wherever they are drawn.
+fn bare_in_list(rule: &tree::Rule, list: &str, names: &[&Name], report: &mut Report) {
     let drawn: Vec<Mention> =
         [&rule.before, &rule.after].into_iter().flatten().flat_map(mentions).collect();
     let index_of = |word: &str| {
@@ -98,14 +109,11 @@ fn bare_in_new(rule: &tree::Rule, created: &HashMap<&str, (bool, Span)>, report:
         let first = others.next()?.index?;
         others.all(|mention| mention.index.is_some()).then_some(first)
     };
-    let mut bare: Vec<(&str, Span, &str)> = created
-        .iter()
-        .filter(|(_, (has_index, _))| !has_index)
-        .filter_map(|(word, (_, span))| {
-            Some((*word, *span, index_of(word)?.variable.as_ref()?.text.as_str()))
-        })
-        .collect();
-    bare.sort_by_key(|(_, span, _)| span.start);
+    let bare = names.iter().filter(|name| name.index.is_none()).filter_map(|name| {
+        let word = name.ident.text.as_str();
+        Some((word, name.span, index_of(word)?.variable.as_ref()?.text.as_str()))
+    });
+    let bare: Vec<(&str, Span, &str)> = bare.collect();
     let Some((_, first, letter)) = bare.first().copied() else {
         return;
     };
@@ -116,7 +124,7 @@ fn bare_in_new(rule: &tree::Rule, created: &HashMap<&str, (bool, Span)>, report:
     } else {
         ("are families", "they have their")
     };
-    let message = format!("{} {be}: in `new` {has} subscript, too", quoted(&words));
+    let message = format!("{} {be}: in `{list}` {has} subscript, too", quoted(&words));
     let mut error = Diagnostic::error("two-forms", message, first);
     for (_, span, _) in &bare[1..] {
         error = error.label(*span, "");

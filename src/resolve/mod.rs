@@ -81,6 +81,6 @@ pub use suggestion::closest;
 pub use testing::is_shape;
 pub use unit::{Unit, qualifier};
 pub use vocabulary::{
-    FieldWord, Signature, fields, function_words, is_constant, is_function,
+    FieldWord, Signature, constants, fields, function_words, is_constant, is_function,
     mesh_and_constant_words, sequence_words, signatures, type_with_article,
 };

@@ -5,6 +5,7 @@ use crate::diagram::{Expr, Type};
 use crate::source::Span;
 use crate::syntax::tree::{self, Ident};
 
+use super::foreign_words::rewritten;
 use super::program::{Block, Statement, StatementKind};
 use super::script::Scripting;
 use super::sequence::is_sequence;
@@ -234,7 +235,7 @@ impl Typing<'_> {
         let ops = self.ops;
         let found = number.and_then(|number| Some((number, ops.get(number)?)));
         let Some((number, op)) = found else {
-            let is_meant = self.unknown_op(function);
+            let is_meant = self.unknown_op(function, args, span);
             for arg in args.iter().filter(|arg| is_meant && !is_sequence(arg)) {
                 self.expression(arg);
             }
@@ -246,7 +247,7 @@ impl Typing<'_> {
     }
 
     /// Reports that there is no such op; true if it is known what was meant.
-    fn unknown_op(&mut self, function: &Ident) -> bool {
+    fn unknown_op(&mut self, function: &Ident, args: &[tree::Expr], span: Span) -> bool {
         let declared = self.declared;
         let word = function.text.as_str();
         if declared.lacks_files() {
@@ -265,7 +266,9 @@ impl Typing<'_> {
         }
         let message = format!("there is no op `{word}`");
         let error = Diagnostic::error("unknown-op", message, function.span);
-        let error = declared.tell_what_is_meant(error, function, declared.op_names());
+        let error = rewritten(error, function, args, span).unwrap_or_else(|error| {
+            declared.tell_what_is_meant(error, function, declared.op_names())
+        });
         let is_meant = !error.fixes.is_empty();
         self.report.add(error);
         is_meant

@@ -1,6 +1,6 @@
 //! Operators: the types they accept, and the widening of ints.
 
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Edit, Fix};
 use crate::diagram::{Binary, Expr, ExprKind, Type, Unary};
 use crate::source::Span;
 use crate::syntax::tree::{self, BinaryOp, UnaryOp};
@@ -69,7 +69,7 @@ impl Typing<'_> {
                 BinaryOp::Add if types.contains(&Type::Text) => error.note(
                     "texts are not joined; what is printed holds values: `print \"{x} of {y}\"`",
                 ),
-                _ => place_note(error, &written),
+                _ => with_places(place_note(error, &written), op, written),
             });
             return None;
         };
@@ -213,12 +213,45 @@ fn wants(op: BinaryOp) -> &'static str {
     }
 }
 
+/// The name and the place of an operand, if it is the name of a vertex.
+fn vertex_named<'t>(written: &'t tree::Expr, value: &Expr) -> Option<(&'t str, Span)> {
+    match &written.kind {
+        tree::ExprKind::Name(name) if value.ty == Type::Vertex && name.index.is_none() => {
+            Some((name.ident.text.as_str(), written.span))
+        }
+        _ => None,
+    }
+}
+
 /// Adds a note if an operand is a vertex, where its position is probably meant.
 fn place_note(error: Diagnostic, operands: &[(&tree::Expr, &Expr)]) -> Diagnostic {
-    let vertex = operands.iter().find(|(_, value)| value.ty == Type::Vertex);
-    match vertex.map(|(written, _)| &written.kind) {
-        Some(tree::ExprKind::Name(name)) => error
-            .note(format!("the point at which a vertex lies is `{}.position`", name.ident.text)),
-        _ => error,
+    let vertex = operands.iter().find_map(|(written, value)| vertex_named(written, value));
+    match vertex {
+        Some((name, _)) => {
+            error.note(format!("the point at which a vertex lies is `{name}.position`"))
+        }
+        None => error,
     }
+}
+
+/// Adds the fix that vertices are replaced by their positions, if the operator takes these.
+fn with_places(
+    mut error: Diagnostic,
+    op: BinaryOp,
+    operands: [(&tree::Expr, &Expr); 2],
+) -> Diagnostic {
+    let vertices = operands.into_iter().filter(|(_, value)| value.ty == Type::Vertex);
+    let named: Option<Vec<_>> =
+        vertices.map(|(written, value)| vertex_named(written, value)).collect();
+    let point = |ty: Type| if ty == Type::Vertex { Type::Vec3 } else { ty };
+    let fits = join(op, operands.map(|(_, value)| point(value.ty))).is_some();
+    let Some(named) = named.filter(|named| fits && !named.is_empty()) else {
+        return error;
+    };
+    let places: Vec<String> = named.iter().map(|(name, _)| format!("`{name}.position`")).collect();
+    let text = || ".position".to_owned();
+    let edits = named.iter().map(|(_, span)| Edit { span: span.after(), text: text() });
+    let edits = edits.collect();
+    error.fixes.push(Fix { title: format!("write {}", places.join(" and ")), edits });
+    error
 }

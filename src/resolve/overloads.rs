@@ -7,6 +7,7 @@ use crate::syntax::tree::{self, Ident};
 
 use super::builtin::{SHUFFLE, function_names};
 use super::constructors::constructed;
+use super::foreign_words::rewritten;
 use super::neighbor::near;
 use super::sequence::is_sequence;
 use super::sequence_names::fold_names;
@@ -14,7 +15,7 @@ use super::testing::mesh_maker;
 use super::typed::{to_real, typed};
 use super::typing::{Place, Typing};
 use super::vocabulary::called;
-use super::words::{a_type, arguments, subject};
+use super::words::{a_type, arguments, short, subject};
 
 /// How well a type fits a parameter.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -86,7 +87,7 @@ impl Typing<'_> {
             return None;
         }
         if known.is_empty() {
-            let is_meant = self.unknown_function(function, span);
+            let is_meant = self.unknown_function(function, args, span);
             // The arguments may contain further errors. A sequence is skipped: such a function may
             // have been expected to take one.
             for arg in args.iter().filter(|arg| is_meant && !is_sequence(arg)) {
@@ -98,6 +99,10 @@ impl Typing<'_> {
         let counts = known.iter().map(|way| way.wanted.len());
         let given = counts.clone().find(|count| *count == args.len());
         let count = given.or(counts.max()).unwrap_or(0);
+        if word == "midpoint" && args.len() == 2 {
+            self.middle_of_two(args, &values, span);
+            return None;
+        }
         self.right_count(function, count, args.len(), span)?;
         let values: Vec<Expr> = values.into_iter().collect::<Option<_>>()?;
         // The best fit wins; among equals, the first.
@@ -147,6 +152,33 @@ impl Typing<'_> {
             false => error,
         });
         None
+    }
+
+    /// Reports `midpoint(v, w)`, which is `mix` of the two points.
+    fn middle_of_two(&mut self, args: &[tree::Expr], values: &[Option<Expr>], span: Span) {
+        let message = "`midpoint` takes an edge, but 2 arguments are given";
+        let error = Diagnostic::error("wrong-count", message, span)
+            .note("the middle of an edge is `midpoint(e)`");
+        let point = |(arg, value): (&tree::Expr, &Option<Expr>)| {
+            let text = short(arg, 3)?;
+            match value.as_ref()?.ty {
+                Type::Vertex => Some(format!("{text}.position")),
+                Type::Vec3 if !text.contains('(') => Some(text),
+                _ => None,
+            }
+        };
+        let points: Option<Vec<String>> = args.iter().zip(values).map(point).collect();
+        self.report.add(match points {
+            Some(points) => {
+                let text = format!("mix({}, 0.5)", points.join(", "));
+                error.note("the middle of two points is `mix(p, q, 0.5)`").fix(
+                    format!("write `{text}`"),
+                    span,
+                    text,
+                )
+            }
+            None => error.note("the middle of two points is `mix(v.position, w.position, 0.5)`"),
+        });
     }
 
     /// Reports the first argument that rules out every remaining overload.
@@ -202,7 +234,7 @@ impl Typing<'_> {
 
     /// Reports a function that an expression cannot call; true if it is known what was meant, so
     /// that the arguments can be checked.
-    fn unknown_function(&mut self, function: &Ident, span: Span) -> bool {
+    fn unknown_function(&mut self, function: &Ident, args: &[tree::Expr], span: Span) -> bool {
         let word = function.text.as_str();
         if self.declared.op(word).is_some() {
             self.op_in_expression(word, span);
@@ -241,7 +273,8 @@ impl Typing<'_> {
         let declared = self.declared;
         let mut candidates: Vec<&str> = function_names().chain(fold_names()).collect();
         candidates.extend(declared.called_names());
-        let error = declared.tell_what_is_meant(error, function, candidates);
+        let error = rewritten(error, function, args, span)
+            .unwrap_or_else(|error| declared.tell_what_is_meant(error, function, candidates));
         let is_meant = !error.fixes.is_empty();
         self.report.add(error);
         is_meant

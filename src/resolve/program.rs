@@ -56,6 +56,20 @@ impl Program {
         let scripts = scripts.map(|script| &script.variables);
         bodies.chain(scripts).flatten()
     }
+
+    /// All statements of functions, ops in steps, scripts and tests, those inside others, too.
+    pub fn statements(&self) -> Vec<&Statement> {
+        let functions = self.functions.iter().filter_map(|of| of.body.as_ref());
+        let steps = self.ops.iter().filter_map(|op| Some(&op.steps.as_ref()?.body));
+        let bodies = functions.chain(steps).map(|body| &body.block);
+        let tests = self.tests.iter().map(|test| &test.script);
+        let scripts = self.scripts.iter().chain(tests).map(|script| &script.body);
+        let mut all = Vec::new();
+        for statement in bodies.chain(scripts).flatten() {
+            statement.each(&mut |inner| all.push(inner));
+        }
+        all
+    }
 }
 
 /// An operation, possibly only partly resolved.

@@ -39,7 +39,7 @@ pub(super) fn resolve_rule(
     let drawn_after = draw_after(after, &drawn_before, &names, report);
     let lists = read_lists(after, [&drawn_before, &drawn_after], &names, report);
 
-    let guard = guard(&rule.conditions, report);
+    let guard = guard(&rule.conditions, context.params, report);
     let aliases = aliases(&rule.conditions, &names, report);
 
     let mut scopes = Scopes::default();

@@ -63,6 +63,11 @@ impl Scopes {
         }
     }
 
+    /// True in the block of an item itself: in no loop and no branch.
+    pub(super) fn is_outermost(&self) -> bool {
+        self.open.len() <= 2
+    }
+
     /// Declares a variable in the innermost block and returns its number.
     pub(super) fn declare(&mut self, local: Local) -> u32 {
         let number = self.locals.len() as u32;

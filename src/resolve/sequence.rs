@@ -11,7 +11,8 @@ use super::scopes::{Binding, Local};
 use super::sequence_names::{FOLDS, WHOLE_MESH, fold_names, sequences_of};
 use super::typed::{to_real, typed};
 use super::typing::{Place, Typing, with_field};
-use super::words::{a_type, quoted, subject};
+use super::vocabulary::{fields, is_function};
+use super::words::{a_type, quoted, short, subject};
 
 /// The sequence of this name around an element.
 fn around(base: Expr, word: &str) -> Result<Collection, Expr> {
@@ -148,10 +149,20 @@ impl Typing<'_> {
         span: Span,
     ) -> Option<Expr> {
         self.right_count(function, 1, args.len(), span)?;
-        let collection = self.sequence(args.first()?)?;
+        let [arg] = args else { return None };
+        if let tree::ExprKind::Field(of, field) = &arg.kind
+            && is_sequence(of)
+        {
+            self.of_each(function, of, field, arg.span);
+            return None;
+        }
+        let collection = self.sequence(arg)?;
         if function.text != "count" {
-            let message =
-                format!("`{0}` wants a value for each element: `{0}(… for x in …)`", function.text);
+            let all = short(arg, 3).unwrap_or_else(|| "…".to_owned());
+            let message = format!(
+                "`{0}` wants a value for each element: `{0}(… for x in {all})`",
+                function.text
+            );
             self.report.add(Diagnostic::error("type-mismatch", message, span));
             return None;
         }
@@ -171,6 +182,30 @@ impl Typing<'_> {
             body: typed(Type::Bool, ExprKind::Bool(true), span),
         };
         Some(typed(Type::Int, ExprKind::Fold(Box::new(fold)), span))
+    }
+
+    /// Reports `mean(v.neighbors.position)`: an aggregate names the element.
+    fn of_each(&mut self, function: &Ident, of: &tree::Expr, field: &Ident, span: Span) {
+        let Some(element) = self.sequence(of).map(|collection| collection.element()) else {
+            return;
+        };
+        let (function, field) = (&function.text, field.text.as_str());
+        let message = format!("`{function}` wants a value for each element of a sequence");
+        let error = Diagnostic::error("type-mismatch", message, span);
+        let is_field = self.declared.attribute(element, field).is_some()
+            || fields(element).iter().any(|known| known.name == field && known.ty.is_some());
+        let value = match is_function(field) {
+            _ if is_field => Some(format!("x.{field}")),
+            true => Some(format!("{field}(x)")),
+            false => None,
+        };
+        self.report.add(match (value, short(of, 3)) {
+            (Some(value), Some(of)) => {
+                let each = format!("{value} for x in {of}");
+                error.fix(format!("write `{function}({each})`"), span, each)
+            }
+            _ => error.note(format!("it is `{function}(… for x in …)`")),
+        });
     }
 
     fn fold_function(&mut self, function: &Ident) -> Option<FoldFunction> {

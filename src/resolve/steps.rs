@@ -67,7 +67,8 @@ pub(super) fn resolve_steps(
     declared: &Declared,
     report: &mut Report,
 ) -> Option<program::Steps> {
-    let level = guard(&steps.conditions, report).map_or(Level::Map, |(level, _)| level);
+    let level =
+        guard(&steps.conditions, &signature.params, report).map_or(Level::Map, |(level, _)| level);
     for condition in &steps.conditions {
         if let tree::Condition::Alias { span, .. } = condition {
             let message = "an op in steps draws nothing that could be one";

@@ -285,11 +285,24 @@ pub(super) fn converted(
     Err(match (wanted, ty) {
         (Type::Vec3, Type::Vertex) => with_field(error, expr, "position"),
         (Type::Int, Type::Real) => with_div(error, expr, &value),
+        (wanted, _) if is_zero(expr) && (wanted.is_vector() || wanted.is_matrix()) => {
+            let zero = format!("{}(0)", wanted.word());
+            error.fix(format!("write `{zero}`"), expr.span, zero)
+        }
         _ => match near(expr, ty, wanted) {
             Some(note) => error.note(note),
             None => error,
         },
     })
+}
+
+/// True if an expression is written `0` or `0.0`.
+fn is_zero(expr: &tree::Expr) -> bool {
+    match expr.kind {
+        tree::ExprKind::Int(value) => value == 0,
+        tree::ExprKind::Real(value) => value == 0.0,
+        _ => false,
+    }
 }
 
 /// The error with the fix that ints are divided by `div`, if they are divided by `/`.

@@ -99,8 +99,12 @@ pub fn sequence_words() -> impl Iterator<Item = &'static str> {
 
 /// The words for the meshes of a test, and the constants.
 pub fn mesh_and_constant_words() -> impl Iterator<Item = &'static str> {
-    let constants = CONSTANTS.iter().map(|(word, _)| *word);
-    CONSTRUCTORS.iter().map(|(word, _)| *word).chain(["load", "refuses", "mesh"]).chain(constants)
+    CONSTRUCTORS.iter().map(|(word, _)| *word).chain(["load", "refuses", "mesh"]).chain(constants())
+}
+
+/// The constants of the language.
+pub fn constants() -> impl Iterator<Item = &'static str> {
+    CONSTANTS.iter().map(|(word, _)| *word)
 }
 
 /// True if a word is a constant or `mesh`, unless something else has the name.

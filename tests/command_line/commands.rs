@@ -572,6 +572,20 @@ fn a_drawing_that_is_not_proved_is_told() {
         said.err.contains("warning: `cut` is not proved; `hedgerow check stale.hedge` tells"),
         "{said:?}"
     );
+    // The picture tells, too, also where it is seen without the warning.
+    let marked = bench.run(&["draw", "stale.hedge", "--as", "text"]).out;
+    assert!(marked.contains("not proved: "), "{marked}");
     bench.write("flip.hedge", BARE_FLIP);
     assert_eq!(bench.run(&["draw", "flip.hedge", "-o", "x.svg"]).err, "");
+    assert!(!bench.succeeds(&["draw", "flip.hedge", "--as", "text"]).contains("proved"));
+}
+
+#[test]
+fn a_view_without_anything_to_see_is_told() {
+    let bench = Bench::new();
+    bench.write("flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n");
+    let said = bench.run(&["view", "flat.obj", "-o", "x.png"]);
+    assert_eq!(said.code, 0, "{said:?}");
+    assert!(said.err.contains("nothing is seen: no face has an area"), "{said:?}");
+    assert_eq!(bench.run(&["view", "cube()", "-o", "x.png"]).err, "");
 }

@@ -119,3 +119,39 @@ fn odd_meshes_and_directions_have_pictures() {
         }
     }
 }
+
+/// Of a truth value at edges, the lines where it holds are strong, and all others as usual.
+#[test]
+fn edges_where_it_holds_stand_out() {
+    const HOLDS: [u8; 3] = [0x00, 0x65, 0xb3];
+    let mut mesh = shape::grid(4, 4);
+    let column = mesh.add_column(ElementKind::Edge, "sharp", Value::Bool(false));
+    let column = column.expect("the first of its name");
+    let view = View { from: DVec3::Z, attribute: Some(column), ..View::default() };
+    let picture = draw_mesh(&mesh, &view);
+    assert!(picture.size()[0] > picture.size()[1], "no room for a legend");
+    // The square of the legend alone.
+    let none = pixels(&mesh, view, HOLDS);
+    assert!(mesh.set_value(column, 7, Value::Bool(true)));
+    assert!(pixels(&mesh, view, HOLDS) > none + 30);
+    assert!(pixels(&mesh, view, BOUNDARY) > 4 * 180, "the boundary is as it was");
+}
+
+#[test]
+fn own_colours_are_shown_unasked() {
+    let mut mesh = shape::grid(2, 1);
+    let above = View { from: DVec3::Z, ..View::default() };
+    assert_eq!(above.with_own_colours(&mesh), above);
+    let red = Value::Vec3(DVec3::new(1.0, 0.0, 0.0));
+    let column = mesh.add_column(ElementKind::Face, "color", red);
+    assert_eq!(above.with_own_colours(&mesh).attribute, column.ok());
+    assert!(pixels(&mesh, above.with_own_colours(&mesh), [255, 0, 0]) > 5000);
+}
+
+#[test]
+fn what_shows_nothing_is_blank() {
+    let edge_on = View { from: DVec3::X, ..View::default() };
+    assert!(draw_mesh(&shape::grid(2, 2), &edge_on).is_blank());
+    assert!(draw_mesh(&Mesh::default(), &View::default()).is_blank());
+    assert!(!draw_mesh(&shape::grid(2, 2), &View::default()).is_blank());
+}

@@ -659,3 +659,22 @@ fn mutated_files_are_answered() {
     }
     assert!(read * 12 > turns && refused * 6 > turns, "{read} {refused}");
 }
+
+/// The sign of what is not a number depends on how it was computed; in a file it does not.
+#[test]
+fn what_is_not_a_number_is_written_in_one_form() {
+    for format in [FileFormat::Ply, FileFormat::Obj, FileFormat::Halfedges] {
+        for encoding in ENCODINGS {
+            let [one, other] = [f64::NAN, -f64::NAN].map(|nan| {
+                let mut mesh = shape::cube();
+                let weight = Value::Vec2(DVec2::new(nan, 1.0));
+                mesh.add_column(ElementKind::Vertex, "weight", weight).unwrap();
+                mesh.add_column(ElementKind::Face, "size", Value::Real(nan)).unwrap();
+                let mut file = MeshFile::from_mesh(mesh);
+                file.encoding = encoding;
+                write(format, &file)
+            });
+            assert!(one == other, "{format}");
+        }
+    }
+}

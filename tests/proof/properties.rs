@@ -83,3 +83,30 @@ fn an_op_with_a_part_that_cannot_be_read_does_not_run() {
     let flip = analysis.op("flip").expect("the next op is untouched");
     assert!(analysis.plans[flip].is_some());
 }
+
+#[test]
+fn a_loop_of_after_stays_what_before_draws() {
+    let text = |before: &str, after: &str| {
+        format!(
+            "op bisect(e: edge) {{
+               before {{
+                 {before} f: v0 -a-> v1 =P=> v0
+                 {before} g: v1 -d-> v0 =Q=> v1
+                 edge e: a | d
+               }}
+               after {{
+                 new m p q k
+                 {after} f: v0 -a-> m -p-> v1 =P=> v0
+                 {after} g: v1 -d-> m -q-> v0 =Q=> v1
+                 edge e: a | q
+                 edge k: p | d
+                 m.position = midpoint(e)
+               }}
+             }}"
+        )
+    };
+    let said = verdict(&text("face", "loop"));
+    assert!(said.turned.is_empty(), "{:?}", said.turned);
+    assert_eq!(said, verdict(&text("face", "face")));
+    assert_eq!(verdict(&text("face", "hole")).turned.len(), 2);
+}

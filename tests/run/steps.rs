@@ -261,3 +261,37 @@ fn steps_with_a_wrong_head_have_no_plan() {
         assert_eq!(analysis.plans[0], None, "{head}");
     }
 }
+
+/// A face that is reached from two sides has the corners that it should have, but another
+/// halfedge than the drawing says.
+#[test]
+fn a_refusal_names_what_differs() {
+    let analysis = sound(
+        "op doublet(v: vertex) -> f {
+           before {
+             face f: v -a-> w -b-> x -c-> u -d-> v
+             face g: v -k-> u -l-> y -m-> w -n-> v
+             edge e1: a | n
+             edge e2: k | d
+           }
+           after {
+             face f: w -b-> x -c-> u -l-> y -m-> w
+             erase v a n k d e1 e2 g
+           }
+         }
+         op quad(f: face) {
+           before { face f: v -a-> w -b-> x -c-> u -d-> v }
+           after { keep f }
+         }
+         script main() {
+           for v in vertices { print why doublet(v) }
+           for f in faces { print why quad(f) }
+         }",
+    );
+    let (_, lines) = run_main(&mut shape::cube(), &analysis);
+    assert_eq!(lines[..8], ["`m.next` is not `n`"; 8]);
+    assert_eq!(lines[8..], [""; 6]);
+    let (_, lines) = run_main(&mut shape::tetrahedron(), &analysis);
+    assert_eq!(lines[..4], ["`f` is not a quad"; 4]);
+    assert_eq!(lines[4..], ["`f` is not a quad"; 4]);
+}

@@ -101,7 +101,11 @@ pub(super) fn is_word(text: &str) -> bool {
 
 /// The refusal of a value that has to be a name.
 pub(super) fn not_a_name(name: &str, value: &str) -> StyleError {
-    let alias = if value.ends_with('*') { ": an alias is one, `using T = V*;`" } else { "" };
+    let alias = match name {
+        _ if value.ends_with('*') => ": an alias is one, `using T = V*;`",
+        "prev" => ": `prev=prev` names the pointer, which is then set like `next`",
+        _ => "",
+    };
     StyleError(format!("`{value}` is not a C++ name, as `{name}` must be{alias}"))
 }
 

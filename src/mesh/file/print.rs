@@ -65,7 +65,7 @@ impl<'o> Printer<'o> {
         self.word(itoa::Buffer::new().format(value));
     }
 
-    /// A real as Rust prints it: without an exponent, and without a point if it is whole.
+    /// A real as Rust prints it, what is not a number without a sign: without an exponent, and without a point if it is whole.
     #[inline]
     pub(super) fn real(&mut self, value: f64) {
         let whole = value as i64;
@@ -76,7 +76,7 @@ impl<'o> Printer<'o> {
             return self.int(whole);
         }
         let mut buffer = zmij::Buffer::new();
-        let text = buffer.format(value);
+        let text = buffer.format(one_nan(value));
         // Where two shortest texts are equally far off, Rust picks the greater, but `zmij` may not;
         // such numbers have few binary places but many digits.
         let may_be_tie = text.len() >= 17 && (value * f64::from(1 << 24)).fract() == 0.0;
@@ -116,4 +116,10 @@ impl<'o> Printer<'o> {
         }
         Ok(())
     }
+}
+
+/// The same number; all that are not numbers become one, whose sign and payload are arbitrary.
+#[inline]
+pub(super) fn one_nan(value: f64) -> f64 {
+    if value.is_nan() { f64::NAN } else { value }
 }

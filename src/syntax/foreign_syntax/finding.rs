@@ -154,12 +154,15 @@ impl<'t> Match<'t, '_> {
     fn spaced(&self, edit: Edit) -> Edit {
         let Edit { span, mut text } = edit;
         let (before, behind) = self.item.around(span.start, span.end);
-        let is_word = |c: char| c.is_alphanumeric() || matches!(c, '_' | '"');
+        let is_word = |c: char| c.is_alphanumeric() || matches!(c, '_' | '"' | '\'');
         let ends = |text: &str| text.chars().next_back().is_some_and(|c| is_word(c) || c == ')');
         let begins = |text: &str| text.chars().next().is_some_and(is_word);
         let apart = begins(&text) || text.starts_with(['{', '=', '!']) || text.starts_with("//");
         let is_step = before.ends_with("++") || before.ends_with("--");
-        if (ends(before) || is_step) && (apart || before.ends_with(')') && text.starts_with('-')) {
+        let is_head = before.ends_with(':') && !before.ends_with("::") && begins(&text);
+        if (ends(before) || is_step) && (apart || before.ends_with(')') && text.starts_with('-'))
+            || is_head
+        {
             text.insert(0, ' ');
         }
         if ends(&text) && (begins(behind) || behind.starts_with('=')) {

@@ -10,6 +10,7 @@
 //! | `$a:word` | a name or a keyword |
 //! | `$a:verb` | the same, but not `if` |
 //! | `$a:vertex` | a name that stands for a vertex in a loop somewhere in the item |
+//! | `$a:rim` | a name that a statement `hole` or `loop` has somewhere in the item |
 //! | `$a:text` | a text in quotes |
 //! | `$a:number` | a number |
 //! | `$a:names` | zero or more names, optionally separated by commas |
@@ -73,6 +74,7 @@ pub(super) enum Class {
     Verb,
     Number,
     Vertex,
+    Rim,
     Text,
     Names,
     Part,
@@ -162,6 +164,7 @@ fn hole_of(written: &'static str) -> What {
         "verb" => Class::Verb,
         "number" => Class::Number,
         "vertex" => Class::Vertex,
+        "rim" => Class::Rim,
         "text" => Class::Text,
         "names" => Class::Names,
         "part" => Class::Part,
@@ -242,9 +245,12 @@ fn all_ends(what: &What, item: &Item, at: usize) -> Vec<usize> {
         What::Hole(_, class) => match class {
             Class::OneOf(ways) => one(kind.is_some() && ways.contains(&item.word(at))),
             Class::Name => item.name_end(at).into_iter().collect(),
-            Class::Vertex => {
-                let is_vertex = item.is_vertex(item.word(at));
-                item.name_end(at).filter(|_| is_vertex).into_iter().collect()
+            Class::Vertex | Class::Rim => {
+                let is_one = match class {
+                    Class::Vertex => item.is_vertex(item.word(at)),
+                    _ => item.is_rim(item.word(at)),
+                };
+                item.name_end(at).filter(|_| is_one).into_iter().collect()
             }
             Class::Verb => one(kind.is_some_and(|kind| kind.is_wordlike() && kind != T::If)),
             Class::Word => one(kind.is_some_and(T::is_wordlike)),

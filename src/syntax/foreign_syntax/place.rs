@@ -24,6 +24,7 @@ pub(super) struct Item<'t> {
     text: &'t str,
     pub tokens: Vec<Token>,
     vertices: HashSet<&'t str>,
+    rims: HashSet<&'t str>,
 }
 
 impl<'t> Item<'t> {
@@ -33,7 +34,10 @@ impl<'t> Item<'t> {
             tokens.windows(2).filter(|pair| matches!(pair[0].kind, T::Arrow | T::FatArrow));
         let targets = arrows.map(|pair| word(&pair[1]));
         let vertices = targets.chain(loop_beginnings(tokens).map(word)).collect();
-        Self { text, tokens: tokens.to_vec(), vertices }
+        let pairs = tokens.windows(2);
+        let rims = pairs.filter(|pair| matches!(pair[0].kind, T::Hole | T::Loop));
+        let rims = rims.map(|pair| word(&pair[1])).collect();
+        Self { text, tokens: tokens.to_vec(), vertices, rims }
     }
 
     pub(super) fn token(&self, at: usize) -> Option<&Token> {
@@ -67,6 +71,11 @@ impl<'t> Item<'t> {
     /// True if this name stands for a vertex in a loop somewhere in the item.
     pub(super) fn is_vertex(&self, word: &str) -> bool {
         self.vertices.contains(word)
+    }
+
+    /// True if a statement `hole` or `loop` has this name somewhere in the item.
+    pub(super) fn is_rim(&self, word: &str) -> bool {
+        self.rims.contains(word)
     }
 
     /// The end of the name that begins at a token, if there is one.

@@ -10,7 +10,7 @@ use crate::mesh::file::contents::width;
 use crate::mesh::file::format::Encoding;
 use crate::mesh::file::kept::MISSING;
 use crate::mesh::file::mesh_file::{MeshFile, WrittenNumbers};
-use crate::mesh::file::print::Printer;
+use crate::mesh::file::print::{Printer, one_nan};
 use crate::mesh::id::ElementKind;
 
 /// A property to be written: its numbers, and how they are divided into rows.
@@ -353,6 +353,7 @@ fn write_rows(
 
 #[inline]
 fn put(printer: &mut Printer, encoding: Encoding, scalar: Scalar, number: f64) {
+    let number = one_nan(number);
     macro_rules! put {
         ($number:expr) => {
             match encoding {

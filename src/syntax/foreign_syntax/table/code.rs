@@ -7,11 +7,18 @@ const CHANGED: &str = "a script changes a mesh by calling operations: `dissolve_
 const REFUSED: &str = "`must` stops where an op refuses, `if let x = …` asks";
 
 const PRINTED: &str = "values are printed by `print \"{count(edges)} edges\"`";
+const PRINT: &str = "a value is printed by `print $x`";
+const NOT_STD: &str = "no `std::` stands in front";
 const RANGE: &str = "a range is `0..n`: from 0 up to, but without, n";
 
 pub(super) const LINES: &[Line] = &[
-    told(CODE, "std :: cout/cerr $l:line", "", PRINTED),
-    told(CODE, "^cout/cerr < ~< $x $:end", "print $x", "it is `print $x`"),
+    sure(CODE, "^std :: $c=cout/cerr", "$c", NOT_STD),
+    sure(CODE, "^cout/cerr < ~< $x:text $:end", "print $x", PRINT),
+    sure(CODE, "^cout/cerr < ~< $x:text < ~< endl $:end", "print $x", PRINT),
+    sure(CODE, "^cout/cerr < ~< $x:text < ~< std :: endl $:end", "print $x", PRINT),
+    sure(CODE, "^cout/cerr < ~< $x:operand $:end", "print $x", PRINT),
+    sure(CODE, "^cout/cerr < ~< $x:operand < ~< endl $:end", "print $x", PRINT),
+    sure(CODE, "^cout/cerr < ~< $x:operand < ~< std :: endl $:end", "print $x", PRINT),
     told(CODE, "^cout/cerr < $l:line", "", PRINTED),
     sure(CODE, "^print : $l:line", "print $l", "no colon stands behind `print`"),
     told(

@@ -56,6 +56,12 @@ pub(super) const LINES: &[Line] = &[
         ") {",
         "what is returned stands behind an arrow: `op flip(e: edge) -> m`, `fn f(x: real) -> real`",
     ),
+    sure(
+        HEAD,
+        ") ->/: $t=void/None/nothing/unit {",
+        ") {",
+        "`$t` is left out: what gives nothing has no arrow",
+    ),
     told(
         HEAD,
         ") -> ( $a , $b:inside ) {",
@@ -118,7 +124,18 @@ pub(super) const LINES: &[Line] = &[
         "no `{}`: what a file declares, all files see that use it, unless it is `private`",
     ),
     sure(HEAD, "^test $t:text ( ) {", "test $t {", "a test has no parameters: `test $t { … }`"),
-    told(HEAD, "^private $:end", "", "`private` stands before `op`, `fn`, `script` or `attr`"),
+    sure(
+        HEAD,
+        "private $k=def/function/func/fun/define/sub/procedure/method/void/proc $f (",
+        "private fn $f(",
+        "`$k` is written `fn`",
+    ),
+    told(
+        HEAD,
+        "^private $:end",
+        "",
+        "`private` stands right before `op`, `fn`, `script` or `attr`, behind the comment",
+    ),
     sure(HEAD, "^template < $x:inside >", "", "there are no templates"),
     sure(HEAD, "^$m=main ~(", "script $m(", "a program is `script name() { … }`"),
     told(

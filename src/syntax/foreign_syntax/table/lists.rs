@@ -36,6 +36,12 @@ pub(super) const LINES: &[Line] = &[
     ),
     sure(DRAWING, "^$w=erase/keep/new $a : $n", "$w $a $n", "no sign stands in a list: `$w a b`"),
     sure(DRAWING, "$w=new/erase/keep :/= $n", "$w $n", "no sign stands behind `$w`: `$w a b`"),
+    told(
+        DRAWING,
+        "^new vertex/edge/face/halfedge/Vertex/Edge/Face/Halfedge/HalfEdge ( $l:inside )",
+        "",
+        "what is new is listed by its name: `new v`",
+    ),
     sure(
         DRAWING,
         "$w=new/erase/keep ( $l:names )",

@@ -115,6 +115,7 @@ pub(super) const LINES: &[Line] = &[
     ),
     sure(PARTS, "^guard ( $c:inside )", "require $c", GUARDED),
     sure(PARTS, "^guard $b=not/! $c:part", "require not $c", GUARDED),
+    sure(PARTS, "^guard $a:operand $o===/!=/</>/<=/>=", "require $a $o", GUARDED),
     sure(PARTS, "^guard $f ( $c:inside )", "require $f($c)", GUARDED),
     sure(PARTS, "$w=require/guard :", "$w", "no colon stands behind `$w`"),
     sure(

@@ -1,10 +1,11 @@
 //! Signs: operators, arrows, ends of lines.
 
 use super::{Line, fixed, sure, told};
-use crate::syntax::foreign_syntax::place::{ANY, CODE, DRAWING, PARTS};
+use crate::syntax::foreign_syntax::place::{ANY, CODE, DRAWING, HEAD, PARTS};
 
 const END: &str = "no `;`: a statement ends where the next one begins";
 const POWER: &str = "a power is `pow(x, y)`, a square `x * x`";
+const CHOICE: &str = "a choice is `if c { x } else { y }`";
 const CHANGE: &str = "a change is written out: `x = x mod 2`, `c = c and d`";
 
 /// The sign at the end of a statement, where no other line says more of what follows it.
@@ -69,5 +70,15 @@ pub(super) const LINES: &[Line] = &[
     ),
     told(CODE | PARTS, "* ~*", "*", POWER),
     told(ANY, "^", "*", POWER),
-    told(ANY, "? $a:part : $b:line", "", "a choice is `if c { x } else { y }`"),
+    sure(CODE, "= $c:value ? $a:value : $b:line", "= if $c { $a } else { $b }", CHOICE),
+    sure(CODE, "return $c:value ? $a:value : $b:line", "return if $c { $a } else { $b }", CHOICE),
+    sure(CODE, "print $c:value ? $a:value : $b:line", "print if $c { $a } else { $b }", CHOICE),
+    sure(CODE | HEAD, "{ $c:value ? $a:value : $b:value }", "{ if $c { $a } else { $b } }", CHOICE),
+    sure(
+        CODE | PARTS,
+        "$o=(/, $c:bound ? $a:bound : $b:bound $p=)/,",
+        "$o if $c { $a } else { $b } $p",
+        CHOICE,
+    ),
+    told(ANY, "? $a:part : $b:line", "", CHOICE),
 ];

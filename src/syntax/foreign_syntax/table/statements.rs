@@ -12,8 +12,17 @@ const BACKWARDS: &str = "arrows run forward, around the face: `v0 -$a-> v1`";
 const DRAWN: &str = "a drawing has no `{}`: alternatives are `rule name { … }`, a refusal is `require c else \"…\"`, and `each i { … }` repeats a period";
 const AROUND: &str = "the index runs around, after the last comes the first: `v[i+1]`";
 const FORWARD: &str = "an index does not run backwards: a subscript is `i`, or `i` plus or minus a constant of at most 4, as in `v[i+1]`";
+const EACH: &str = "a period is repeated by `each`: `$k $f: each $i { … }`";
+const UNNAMED_EDGE: &str = "a pair of halfedges is an edge: `edge $e: …`";
+const UNNAMED_FACE: &str = "a cycle of arrows is a face: `face $f: …`";
+const UNNAMED_RIM: &str =
+    "a statement begins with its kind, on both sides: `hole $f: …`, `loop $f: …`";
+const UNNAMED_VERTEX: &str = "spokes belong to a vertex: `vertex $v: …`";
 const OUTER: &str = "the twin has a name of its own: `edge $e: $a | $a'`";
 const ARROW: &str = "a halfedge is drawn `v0 -a-> v1`, a path `v0 =P=> v1`";
+const TWIN: &str = "the twin has a name of its own: it is drawn `-$h'->`, and `edge e: $h | $h'` says whose twin it is";
+const POINTED: &str =
+    "what is drawn has a name of its own: `$h.$p` follows from the loops and edges that are drawn";
 const NAMED: &str = "an arrow has the name of its halfedge: `v0 -a-> v1`";
 
 pub(super) const LINES: &[Line] = &[
@@ -58,6 +67,18 @@ pub(super) const LINES: &[Line] = &[
         "$c=: for each/all/every $i {",
         "$c each $i {",
         "a period is repeated by `each $i { … }`",
+    ),
+    sure(
+        DRAWING,
+        "$e=each $i in $r:part {",
+        "$e $i {",
+        "`each $i` goes all the way around: it has no range",
+    ),
+    sure(
+        DRAWING,
+        "^$k=face/hole/loop/vertex $f $c=: { $a:word ~[ $i ] $l:inside }",
+        "$k $f $c each $i { $a[$i] $l }",
+        EACH,
     ),
     sure(
         DRAWING,
@@ -178,6 +199,14 @@ pub(super) const LINES: &[Line] = &[
     told(DRAWING, "^edge : $l:line", "", "an edge has a name: `edge e: a | d`"),
     told(DRAWING, "^face/hole/loop : $l:line", "", "a {} has a name: `{} f: v0 -a-> v1 …`"),
     told(DRAWING, "^vertex : $l:line", "", "a vertex has a name: `vertex v: a *S b`"),
+    sure(DRAWING, "^$e : $a | $b", "edge $e: $a | $b", UNNAMED_EDGE),
+    sure(DRAWING, "$s=| $b $e : $c | $d", "$s $b edge $e: $c | $d", UNNAMED_EDGE),
+    told(DRAWING, "^$f:rim : $v $d=-/=/=>", "$v $d", UNNAMED_RIM),
+    told(DRAWING, "^$f:rim : $e=each $i {", "$e $i {", UNNAMED_RIM),
+    sure(DRAWING, "^$f : $v $d=-/=/=>", "face $f: $v $d", UNNAMED_FACE),
+    sure(DRAWING, "^$f : $e=each $i { $v $d=-/=/=>", "face $f: $e $i { $v $d", UNNAMED_FACE),
+    sure(DRAWING, "^$v:vertex : $a", "vertex $v: $a", UNNAMED_VERTEX),
+    sure(DRAWING, "^$v:vertex : *", "vertex $v: *", UNNAMED_VERTEX),
     told(DRAWING, "^$a | $b $:end", "", "twins stand in an edge statement: `edge e: $a | $b`"),
     sure(
         DRAWING,
@@ -256,6 +285,8 @@ pub(super) const LINES: &[Line] = &[
     sure(DRAWING, "= $a = >", "=$a=>", "a path is `=$a=>`, without a space in `=>`"),
     sure(DRAWING, "- $a => ", "-$a->", "an arrow is `-$a->`, a path `=$a=>`"),
     sure(DRAWING, "=> $a =>", "=$a=>", "a path is `=$a=>`"),
+    told(DRAWING, "- $h . twin ->", "- $h ->", TWIN),
+    told(DRAWING, "- $h . $p:word ->", "- $h ->", POINTED),
     told(DRAWING, "= $a ->", "- $a ->", ARROW),
     told(DRAWING, "^face/hole/loop $f : $l:some < - $a -/-> $v", "", BACKWARDS),
     told(DRAWING, "< - $a -", "- $a ->", "arrows run forward, around the face: `v0 -$a-> v1`"),

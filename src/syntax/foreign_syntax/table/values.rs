@@ -10,6 +10,7 @@ const AGGREGATE: &str =
     "what holds stands in front: `count(boundary(e) for e in edges)`, likewise `any` and `all`";
 const COMPONENT: &str = "a component of a vector is `p.x`, `p.y`, `p.z`";
 const CALLED: &str = "what is called stands in front: `degree(v)`, `flip(e)`";
+const SIZE: &str = "the size is `abs(x)` of a number, `length(p)` of a vector";
 const POINTER: &str = "what is read behind a dot has no parentheses: `.$p`";
 
 pub(super) const LINES: &[Line] = &[
@@ -30,6 +31,12 @@ pub(super) const LINES: &[Line] = &[
         "^if $x in $s=edges/vertices/faces/halfedges/holes {",
         "if true {",
         "whether something is in a sequence is asked by `any(y == x for y in $s)`",
+    ),
+    told(
+        CODE | PARTS,
+        "new $f=Vertex/Edge/Face/Halfedge/HalfEdge/vertex/edge/face/halfedge ( $a:inside )",
+        "true",
+        "elements are made by operations: `let m = must split(e)`; a drawing lists what is new, `new m`",
     ),
     sure(CODE | PARTS, "new $f:word (", "$f(", "a value is made without `new`"),
     fixed(
@@ -192,22 +199,26 @@ pub(super) const LINES: &[Line] = &[
         "= true",
         "functions have names: `fn name(x: real) { … }`",
     ),
-    told(CODE | PARTS, "= | $x | $:end", "= $x", "the size of a number is `abs(x)`"),
-    told(CODE | PARTS, "= | $x:line", "= true", "functions have names: `fn name(x: real) { … }`"),
+    told(CODE | PARTS, "= | $x:value | $:end", "= $x", SIZE),
+    told(CODE | PARTS, "= | $x:value | $o=+/-/*//", "= $x $o", SIZE),
+    told(
+        CODE | PARTS,
+        "$b==/(/, | $x:part | $l:line",
+        "$b true",
+        "functions have names: `fn name(x: real) { … }`",
+    ),
     told(
         CODE | PARTS,
         "= $x => $l:line",
         "= true",
         "functions have names: `fn name(x: real) { … }`",
     ),
-    fixed(
+    told(
         CODE | PARTS,
-        "print | $x |",
-        "print $x",
-        "print abs($x)",
-        "the size of a number is `abs(x)`",
+        "$b=+/-/*/{/return/print/and/or/not/if/while/where/by/assert/require/</>/<=/>=/==/!= | $x:value |",
+        "$b $x",
+        SIZE,
     ),
-    fixed(CODE | PARTS, "| $x |", "$x", "abs($x)", "the size of a number is `abs(x)`"),
     sure(CODE | PARTS, "=>", ">=", "`{}` is written `>=`"),
     told(CODE | PARTS, "null/None/nullptr/nil", "true", EXISTS),
     told(PARTS, "^face/edge/vertex/hole/loop $n : $l:line", "", SIDES),
