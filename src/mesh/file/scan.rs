@@ -82,6 +82,19 @@ impl<'t> Scanner<'t> {
     /// Skips blanks and continued line ends; true if another word of the line follows.
     #[inline]
     pub(super) fn next_word(&mut self) -> bool {
+        let begins = |byte: u8| byte > b'#' && byte != b'\\';
+        match self.rest() {
+            [b' ', next, ..] if begins(*next) => {
+                self.at += 1;
+                true
+            }
+            [next, ..] if begins(*next) => true,
+            [b'\n', ..] => false,
+            _ => self.skip_blanks(),
+        }
+    }
+
+    fn skip_blanks(&mut self) -> bool {
         let start = self.at;
         loop {
             match self.peek() {
@@ -167,18 +180,15 @@ impl<'t> Scanner<'t> {
     /// The word at this position, if it is a number of one to nine digits.
     #[inline]
     pub(super) fn whole_number(&mut self) -> Option<u32> {
-        let rest = &self.text[self.at..];
-        let mut value = 0;
-        let mut length = 0;
-        while let Some(&byte) = rest.get(length)
-            && byte.is_ascii_digit()
-            && length < 9
+        let rest = self.rest();
+        let (mut value, mut length) = (0_u32, 0);
+        for digit in rest.iter().map(|byte| byte.wrapping_sub(b'0')).take_while(|digit| *digit < 10)
         {
-            value = value * 10 + u32::from(byte - b'0');
+            value = value.wrapping_mul(10).wrapping_add(digit.into());
             length += 1;
         }
         let ends = matches!(rest.get(length), None | Some(b' ' | b'\n' | b'\r' | b'\t'));
-        (length > 0 && ends).then(|| {
+        ((1..=9).contains(&length) && ends).then(|| {
             self.at += length;
             value
         })

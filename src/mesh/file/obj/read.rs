@@ -235,11 +235,15 @@ impl Reader {
 
     /// Stores the indices, from 0, of the vertex, the texture coordinates and the normal of a
     /// corner.
-    #[inline]
+    #[inline(always)]
     fn keep_corner(&mut self, [vertex, texture, normal]: [u32; 3]) {
         let kept = &mut self.contents.kept;
-        keep_corner(&mut kept.corner_texture, self.corners.len(), texture);
-        keep_corner(&mut kept.corner_normals, self.corners.len(), normal);
+        if texture != MISSING || !kept.corner_texture.is_empty() {
+            keep_row(&mut kept.corner_texture, self.corners.len(), texture);
+        }
+        if normal != MISSING || !kept.corner_normals.is_empty() {
+            keep_row(&mut kept.corner_normals, self.corners.len(), normal);
+        }
         self.corners.push(vertex);
     }
 
@@ -341,11 +345,8 @@ fn pad(table: &mut Vec<f64>, before: usize, usual: f64, value: f64) {
     table.push(value);
 }
 
-/// Stores the row of a corner, once any corner has had one.
-#[inline]
-fn keep_corner(table: &mut Vec<u32>, corner: usize, place: u32) {
-    if place != MISSING || !table.is_empty() {
-        table.resize(corner, MISSING);
-        table.push(place);
-    }
+/// Stores the row of a corner, behind those of the corners before it.
+fn keep_row(table: &mut Vec<u32>, corner: usize, place: u32) {
+    table.resize(corner, MISSING);
+    table.push(place);
 }
