@@ -6,6 +6,7 @@ use super::proposal::{Proposal, kind_of, written};
 use super::snapshot::Snapshot;
 use crate::diagnostic::Diagnostic;
 use crate::diagram::Kind;
+use crate::source::Span;
 use crate::syntax::tree::{Rule, Side, Statement};
 
 /// Proposals of edge statements in `before` for halfedges that are reported to lack a twin there:
@@ -14,21 +15,25 @@ pub(super) fn draw_twins(snapshot: &Snapshot, told: &Diagnostic, rule: &Rule) ->
     let Some(before) = &rule.before else {
         return Vec::new();
     };
-    let lacking = |told: &Diagnostic| -> Option<SymbolId> {
-        let at = told.span().start as usize;
+    let lacking = |span: Span| -> Option<SymbolId> {
+        let at = span.start as usize;
         let mention = snapshot.names().at(at).filter(|_| rule.span.touches(at))?;
         let id = mention.symbol;
         let is_half = kind_of(snapshot, id) == Some(Kind::Halfedge);
         let word = &snapshot.names().symbol(id).name;
         (is_half && !is_paired(before, word)).then_some(id)
     };
-    let Some(this) = lacking(told) else {
+    let Some(this) = lacking(told.span()) else {
         return Vec::new();
     };
     let diagnostics = snapshot.diagnostics_so_far();
     let alike = diagnostics.iter().filter(|other| other.code == told.code);
-    let mut all: Vec<_> = alike.filter_map(lacking).collect();
-    all.dedup();
+    let mut all: Vec<SymbolId> = Vec::new();
+    for id in alike.flat_map(|other| &other.labels).filter_map(|label| lacking(label.span)) {
+        if !all.contains(&id) {
+            all.push(id);
+        }
+    }
     let mut wanted = vec![vec![this]];
     if all.len() > 1 {
         wanted.insert(0, all);

@@ -35,6 +35,7 @@ mod missing_conditions;
 pub mod names;
 mod occurrences;
 mod op_context;
+mod open_loops;
 mod outline;
 mod parse_cache;
 mod program;

@@ -9,6 +9,7 @@ use super::foreign::tell_as_elsewhere;
 use super::hidden_guards::hidden_guards;
 use super::kept_comments::keep_comments;
 use super::library_hints::tell_where;
+use super::open_loops::tell_how_to_close;
 use super::parse_cache::Readings;
 use crate::check::{Counterexample, Proved};
 use crate::diagnostic::Diagnostic;
@@ -82,6 +83,7 @@ impl Analysis {
         let (functions, too_large) = Functions::of(&program);
         diagnostics.extend(too_large);
         tell_of_before(&program, &mut diagnostics);
+        tell_how_to_close(&program, &mut diagnostics);
         let mut proved = Vec::new();
         let mut plans = Vec::new();
         let mut lacks = Vec::new();

@@ -17,6 +17,7 @@ use super::library_hints::tell_where;
 use super::memory::{Memory, Passage};
 use super::names::Names;
 use super::op_context::{Meanings, Read};
+use super::open_loops::tell_how_to_close;
 use super::{Examined, NoExample, StepsVerdict, Verdict, example, files};
 use crate::check::Proved;
 use crate::diagnostic::Diagnostic;
@@ -113,6 +114,7 @@ impl Snapshot {
         let (functions, too_large) = Functions::of(&program);
         told.extend(too_large);
         tell_of_before(&program, &mut told);
+        tell_how_to_close(&program, &mut told);
         keep_comments(&mut told, &sources);
         let due = due(&program, &functions, (file, &sources));
         let places = program.ops.iter().enumerate().map(|(number, op)| (op.span, number));

@@ -15,6 +15,14 @@ pub(super) struct Broken {
     pub outcome: Option<Outcome>,
 }
 
+impl Broken {
+    /// True if rings of spokes of `after` are joined or divided.
+    pub fn is_of_rings(&self) -> bool {
+        let mut codes = self.problems.iter().map(|problem| problem.diagnostic.code);
+        codes.all(|code| ["two-vertices-one-ring", "vertex-splits"].contains(&code))
+    }
+}
+
 impl From<Vec<Problem>> for Broken {
     fn from(problems: Vec<Problem>) -> Self {
         Self { problems, arcs: None, outcome: None }

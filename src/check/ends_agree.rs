@@ -6,8 +6,9 @@
 //! a `face` or a `hole`. Two fans, or two paths, do not touch in `before`: nothing would tell where
 //! one ends and the other begins.
 
+use super::pairing::pairing;
 use super::problem::{Problem, Remedy, enumerate};
-use super::remedies::by_ends;
+
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Drawing, Edge, Kind, LoopKind, NameId, Ref, Side, Spoke, Star, View};
 
@@ -167,14 +168,9 @@ impl Law<'_> {
             wrong.into_iter().for_each(|(_, diagnostic)| self.tell(diagnostic));
             return;
         }
-        let mut edges = wrong.iter().map(|(edge, _)| *edge);
-        let halves: Vec<_> = edges.clone().flat_map(|edge| edge.halfedges).collect();
+        let halves: Vec<_> = wrong.iter().flat_map(|(edge, _)| edge.halfedges).collect();
         let halves: Vec<_> = halves.iter().map(|half| half.name).collect();
-        let pairs = by_ends(self.drawing, &halves);
-        let anew = pairs
-            .filter(|pairs| pairs.len() == wrong.len())
-            .map(|pairs| edges.by_ref().map(|edge| edge.edge.name).zip(pairs).collect::<Vec<_>>());
-        let mut remedies: Vec<_> = anew.map(Remedy::PairAnew).into_iter().collect();
+        let mut remedies: Vec<_> = pairing(self.drawing).into_iter().collect();
         if let Some(view) = turned {
             let loops = halves.iter().filter_map(|&half| view.loop_of_item(half));
             let mut loops: Vec<_> = loops.map(|orbit| orbit.span).collect();

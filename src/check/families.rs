@@ -66,6 +66,11 @@ fn laws_at_large(large: &Rule) -> Result<super::vertices_are_orbits::Rings, Brok
     family_rings::test(&drawing)
 }
 
+/// What is wrong with a rule that is unrolled far enough.
+pub(super) fn problems(large: &Rule) -> Vec<Problem> {
+    laws_at_large(large).err().map_or_else(Vec::new, |broken| broken.problems)
+}
+
 /// Tests that the size of the families is known: the length of an orbit of `before` drawn with
 /// `each`.
 fn sizes_are_known(drawing: &Drawing, matching: &[Step]) -> Vec<Problem> {
@@ -120,11 +125,7 @@ fn reject(op: &Op, rule: &Rule, sizes: &Sizes, broken: Broken) -> Rejected {
         outcome = found;
         break;
     }
-    let at_large = |mended: &Rule| match laws_at_large(mended) {
-        Ok(_) => Vec::new(),
-        Err(broken) => broken.problems,
-    };
-    let mut diagnostics = mend::add_fixes(&sizes.large.rule, problems, at_large);
+    let mut diagnostics = mend::add_fixes(&sizes.large.rule, problems, self::problems);
     let mut seen = Vec::new();
     diagnostics.retain(|diagnostic| {
         let key = (diagnostic.code, diagnostic.span());

@@ -26,8 +26,8 @@
 //! A `before` that alone contradicts itself is reported alone (`before`).
 //!
 //! To show the effect of a rejected rule, `witness` carries it out on a mesh, and `mend` offers
-//! fixes that are certain: names to keep, list or erase, an edge, a vertex that takes the spokes of
-//! an erased one (`fan_repair`). For a proved rule, `reach` finds the order in which the names are
+//! fixes that are certain: names to keep, list or erase, edges by their ends (`pairing`), a vertex
+//! that takes the spokes of an erased one (`fan_repair`), and several of these together (`joint`). For a proved rule, `reach` finds the order in which the names are
 //! bound, and `properties` checks the claims of `keeps` against the drawing; [`guard`] knows the
 //! conditions of the levels, and those that a guard has to test. Only this module makes a
 //! [`Proved`], and only that can be compiled. Nothing here depends on the machine.
@@ -51,7 +51,9 @@ mod family_rings;
 mod fan_repair;
 mod fans_have_room;
 mod fold;
+mod forgotten;
 pub mod guard;
+mod joint;
 mod keeps;
 pub mod matching;
 mod mend;
@@ -60,6 +62,7 @@ mod new_is_placed;
 mod next_is_permutation;
 mod nothing_dangles;
 mod outside;
+mod pairing;
 mod pointer;
 mod port;
 mod problem;
@@ -87,5 +90,5 @@ pub use change::Change;
 pub use facts::{Facts, Turned};
 pub use proof::Proof;
 pub use properties::SizeChange;
-pub use proved::{Proved, Rejection, check, examine};
+pub use proved::{Proved, Rejection, check, closing, examine};
 pub use witness::{Counterexample, Outcome, try_out};

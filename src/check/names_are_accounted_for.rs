@@ -10,13 +10,15 @@
 
 use std::collections::BTreeSet;
 
+use super::forgotten::{as_a_hole, is_forgotten};
 use super::outside::{beside, twin_beside};
+use super::pairing::{free_edges, missing_loops, pairing, unpaired};
 use super::problem::{Problem, Remedy, enumerate, is_or_are};
-use super::remedies::{around, by_ends, insertions, unpaired};
+use super::remedies::insertions;
 use super::stale::Stale;
 use super::unknown_names::Unknown;
 use crate::diagnostic::{Diagnostic, all_of};
-use crate::diagram::{Drawing, Edge, Kind, Loop, LoopKind, NameId, Ref};
+use crate::diagram::{Drawing, Edge, Kind, Loop, NameId, Ref};
 use crate::source::Span;
 
 /// Tests the laws.
@@ -119,8 +121,10 @@ impl Law<'_> {
             let text = self.drawing.rule.quoted(name);
             let kind = self.drawing.rule.kind(name).word();
             let message = format!("the {kind} {text} cannot be erased: nobody knows what is in it");
-            let problem = Diagnostic::error("erased-run", message, erased)
+            let mut problem = Diagnostic::error("erased-run", message, erased)
                 .note("only what is drawn one by one can be erased");
+            let orbit = self.drawing.before.loop_of_item(name);
+            problem.notes.extend(orbit.and_then(|orbit| as_a_hole(self.drawing, orbit)));
             self.problems.push(problem.into());
             self.explained.push(name);
         }
@@ -210,7 +214,6 @@ impl Law<'_> {
     fn loop_is_missing(&mut self, orbits: &[(&Loop, Vec<Ref>)]) {
         let drawing = self.drawing;
         let rule = drawing.rule;
-        let is_whole = matches!(orbits, [(orbit, items)] if items.len() == orbit.items.len());
         let names_of = |orbits: &[(&Loop, Vec<Ref>)]| -> Vec<NameId> {
             orbits.iter().flat_map(|(_, missing)| missing).map(|item| item.name).collect()
         };
@@ -254,21 +257,10 @@ impl Law<'_> {
             _ => diagnostic.label(after_keyword(drawing), format!("no loop here holds {list}")),
         };
         diagnostic = diagnostic.note(Stale::of_loop(drawing, &names).sentence());
-        if is_whole && drawing.erased(face).is_some() && first.kind == LoopKind::Face {
-            let face = &rule.name(face).text;
-            diagnostic = diagnostic.note(format!(
-                "to delete a face alone, draw its loop as a hole in `after`: `hole {face}: …`"
-            ));
-        }
+        diagnostic.notes.extend(as_a_hole(drawing, first));
         let mut remedies = vec![Remedy::Erase(names.clone())];
-        let lost = drawing.rule.before.loops.iter().map(|orbit| orbit.face.name);
-        let mut lost = lost
-            .filter(|&face| drawing.survives(face) && drawing.after.loop_of_face(face).is_none());
-        if let (Some(face), None) = (lost.next(), lost.next())
-            && let Some(items) = around(drawing, &names)
-            && rule.cycle.is_none()
-        {
-            remedies.push(Remedy::Draw { face, items });
+        if let Some([draw]) = missing_loops(drawing).as_deref() {
+            remedies.push(draw.clone());
         }
         if orbits.len() == 1 {
             remedies.push(Remedy::Keep(vec![face]));
@@ -283,41 +275,8 @@ impl Law<'_> {
                 self.explained.push(face);
             }
         }
-        for remedy in self.erasures(&names) {
-            if !remedies.contains(&remedy) {
-                remedies.push(remedy);
-            }
-        }
         self.explained.extend(open.iter().filter(|&&name| drawing.after.pairing(name).is_none()));
         self.problems.push(Problem { diagnostic, remedies });
-    }
-
-    /// The remedies that erase everything that `after` forgets, with or without vertices, if that
-    /// is more than the forgotten halfedges.
-    fn erasures(&self, halfedges: &[NameId]) -> Vec<Remedy> {
-        let drawing = self.drawing;
-        let rule = drawing.rule;
-        if rule.cycle.is_some() {
-            return Vec::new();
-        }
-        let is_forgotten = |&name: &NameId| {
-            let kind = rule.kind(name);
-            matches!(kind, Kind::Vertex | Kind::Edge | Kind::Face)
-                && drawing.survives(name)
-                && drawing.after.mention(name).is_none()
-        };
-        let others: Vec<_> = self.names().filter(is_forgotten).collect();
-        let (vertices, others): (Vec<_>, Vec<_>) =
-            others.into_iter().partition(|&name| rule.kind(name) == Kind::Vertex);
-        if others.is_empty() {
-            return Vec::new();
-        }
-        let erase = |more: &[NameId]| Remedy::Erase([halfedges, &others, more].concat());
-        let mut all = vec![erase(&[])];
-        if !vertices.is_empty() {
-            all.push(erase(&vertices));
-        }
-        all
     }
 
     /// Reports halfedges that are paired before, and not after.
@@ -392,32 +351,33 @@ impl Law<'_> {
         }
         // The other half of the missing edge is reported with it.
         for remedy in &remedies {
-            if let Remedy::Pair { halfedges, .. } = remedy {
-                self.explained.extend(halfedges.iter().filter(|half| !names.contains(half)));
+            if let Remedy::Pair(edges) = remedy {
+                let halves = edges.iter().flat_map(|(_, halves)| halves);
+                self.explained.extend(halves.filter(|half| !names.contains(half)));
             }
         }
         self.problems.push(Problem { diagnostic, remedies });
     }
 
     fn unpaired(&self) -> Vec<NameId> {
-        unpaired(self.drawing, |half| self.drawing.created(half).is_some())
+        unpaired(self.drawing)
     }
 
     /// The remedies that pair unpaired halfedges: the edge as it was, if both of its halfedges are
-    /// unpaired, or, if exactly two halfedges are unpaired, those two under each free edge name.
+    /// unpaired, or by their ends, or, if exactly two halfedges are unpaired, those two.
     fn pairings(&self, whole: Option<NameId>) -> Vec<Remedy> {
         let drawing = self.drawing;
-        let free =
-            |edge: NameId| drawing.after.mention(edge).is_none() && drawing.erased(edge).is_none();
-        let kept = whole.filter(|&edge| free(edge));
+        let free: Vec<_> = free_edges(drawing).collect();
+        let kept = whole.filter(|edge| free.contains(edge));
         let kept_alone = kept.map(|edge| Remedy::Keep(vec![edge]));
         let mut remedies: Vec<_> = kept_alone.into_iter().collect();
         if let [left, right] = self.unpaired()[..] {
-            let edges = drawing.rule.names_of(Kind::Edge);
-            let pairs = edges
-                .filter(|&edge| free(edge) && kept != Some(edge))
-                .map(|edge| Remedy::Pair { edge, halfedges: [left, right] });
-            remedies.extend(pairs);
+            let own = [left, right].map(|half| drawing.before.edge(half));
+            let is_own = |edge: &&NameId| own.contains(&Some(**edge));
+            let own: Vec<_> = free.iter().filter(is_own).copied().collect();
+            let edges = if own.is_empty() { free } else { own };
+            let edges = edges.into_iter().filter(|&edge| kept != Some(edge));
+            remedies.extend(edges.map(|edge| Remedy::Pair(vec![(edge, [left, right])])));
         }
         remedies
     }
@@ -485,8 +445,8 @@ impl Law<'_> {
                     diagnostic.notes.extend(twin_beside(drawing, name));
                 }
                 for remedy in &remedies {
-                    if let Remedy::Pair { halfedges, .. } = remedy {
-                        self.explained.extend(halfedges);
+                    if let Remedy::Pair(edges) = remedy {
+                        self.explained.extend(edges.iter().flat_map(|(_, halves)| halves));
                     }
                 }
                 self.problems.push(Problem { diagnostic, remedies });
@@ -519,83 +479,9 @@ impl Law<'_> {
                 diagnostic = diagnostic.label(listed, "");
             }
         }
-        let pairs = by_ends(drawing, &self.unpaired());
-        let remedies = pairs.map(Remedy::PairAll).into_iter().collect();
+        let remedies = pairing(drawing).into_iter().collect();
         self.explained.extend(open);
         self.problems.push(Problem { diagnostic, remedies });
         true
     }
-}
-
-/// Whether a face or edge that is drawn before may stay as it was: its halfedges are neither erased
-/// nor drawn at another one. Of a vertex that is not known.
-fn may_be_kept(drawing: &Drawing, name: NameId) -> bool {
-    let Drawing { before, after, .. } = drawing;
-    let survives = |item: NameId| drawing.erased(item).is_none();
-    match drawing.rule.kind(name) {
-        Kind::Face => before.loop_of_face(name).is_none_or(|face| {
-            let mut items = face.items.iter().map(|item| item.item.name);
-            items.all(|item| survives(item) && after.loop_of_item(item).is_none())
-        }),
-        Kind::Edge => before.edge_statement(name).is_none_or(|edge| {
-            let mut halves = edge.halfedges.iter().map(|half| half.name);
-            halves.all(|half| survives(half) && after.pairing(half).is_none())
-        }),
-        _ => true,
-    }
-}
-
-/// The problem that names of one kind are drawn before, and nowhere after.
-fn is_forgotten(drawing: &Drawing, kind: Kind, names: &[NameId]) -> Problem {
-    let rule = drawing.rule;
-    let list = enumerate(rule, names);
-    let be = is_or_are(names.len());
-    let message = match kind {
-        Kind::Fan => format!("the fan {list} is drawn before, and lies nowhere after"),
-        _ => format!("{list} {be} drawn before, but neither drawn after nor erased"),
-    };
-    let mut spans = names.iter().map(|&name| {
-        let mention = drawing.before.mention(name);
-        mention.expect("a surviving name is drawn before")
-    });
-    let first = spans.next().unwrap_or(rule.before.span);
-    let mut diagnostic = Diagnostic::error("unaccounted-name", message, first)
-        .saying(format!("{} that `after` forgets", kind.a_word()));
-    for span in spans {
-        diagnostic = diagnostic.label(span, "");
-    }
-    let stand = if names.len() == 1 { "stands" } else { "stand" };
-    diagnostic = diagnostic.label(after_keyword(drawing), format!("{list} {stand} nowhere here"));
-    let words: Vec<_> = names.iter().map(|&name| &*rule.name(name).text).collect();
-    let words = words.join(" ");
-    let may_be_kept = names.iter().all(|&name| may_be_kept(drawing, name));
-    diagnostic = match kind {
-        Kind::Fan => {
-            diagnostic.note("list it in the vertex statement of the vertex that takes its spokes")
-        }
-        Kind::Vertex | Kind::Edge | Kind::Face => diagnostic.note(match may_be_kept {
-            true => format!("draw {list} in `after`, or write `keep {words}` or `erase {words}`"),
-            false => format!("draw {list} in `after`, or write `erase {words}`"),
-        }),
-        Kind::Halfedge | Kind::Path => diagnostic,
-    };
-    let remedies = match kind {
-        Kind::Vertex | Kind::Edge | Kind::Face => {
-            let keep = may_be_kept.then(|| Remedy::Keep(names.to_vec()));
-            let mut remedies: Vec<_> = keep.into_iter().collect();
-            remedies.push(Remedy::Erase(names.to_vec()));
-            let erased = drawing.rule.erased.iter().map(|erased| erased.name);
-            let erased = erased.filter(|&name| kind == Kind::Vertex && rule.kind(name) == kind);
-            let kept = || names.to_vec();
-            remedies.extend(erased.map(|erased| Remedy::KeepAndTake { kept: kept(), erased }));
-            remedies
-        }
-        Kind::Fan => {
-            let vertex = drawing.before.star_of_spoke(names[0]);
-            let erased = vertex.filter(|&vertex| drawing.erased(vertex).is_some());
-            erased.map(Remedy::Take).into_iter().collect()
-        }
-        Kind::Halfedge | Kind::Path => Vec::new(),
-    };
-    Problem { diagnostic, remedies }
 }

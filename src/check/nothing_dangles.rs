@@ -4,16 +4,18 @@
 //! in `before`, an erased edge its two halfedges, an erased face its whole loop. That an erased
 //! vertex has its whole star drawn, or moved in fans, is part of law 7.
 
-use super::problem::Problem;
-use super::remedies::draw_edge_of;
+use super::problem::{Problem, enumerate};
+use super::remedies::{draw_edge_of, draw_edges_of};
 use crate::diagnostic::Diagnostic;
-use crate::diagram::{Drawing, Kind};
+use crate::diagram::{Drawing, Kind, NameId};
+use crate::source::Span;
 
 /// Tests the law.
 pub(super) fn test(drawing: &Drawing) -> Vec<Problem> {
     let rule = drawing.rule;
     let view = &drawing.before;
     let mut problems = Vec::new();
+    let mut alone = Vec::new();
     for erased in &rule.erased {
         let name = erased.name;
         let Some(drawn) = view.mention(name) else {
@@ -37,7 +39,7 @@ pub(super) fn test(drawing: &Drawing) -> Vec<Problem> {
                         ),
                     );
                 } else if view.pairing(name).is_none() {
-                    dangles("its twin is not drawn".into(), draw_edge_of(drawing, name));
+                    alone.push((erased.span, drawn, name));
                 }
             }
             Kind::Edge if view.edge_statement(name).is_none() => dangles(
@@ -51,5 +53,33 @@ pub(super) fn test(drawing: &Drawing) -> Vec<Problem> {
             _ => {}
         }
     }
+    problems.extend(without_twins(drawing, &alone));
     problems
+}
+
+/// The problem of erased halfedges whose twins are not drawn, each with the places where it is
+/// erased and drawn.
+fn without_twins(drawing: &Drawing, alone: &[(Span, Span, NameId)]) -> Option<Problem> {
+    let rule = drawing.rule;
+    let &(erased, drawn, first) = alone.first()?;
+    let halves: Vec<_> = alone.iter().map(|(_, _, half)| *half).collect();
+    let halves: Vec<_> = halves.into_iter().filter(|&half| rule.is_first(half)).collect();
+    let (text, several) = (enumerate(rule, &halves), halves.len() > 1);
+    let message = match several {
+        true => format!("{text} are erased, but their twins are not drawn"),
+        false => format!("{text} is erased, but its twin is not drawn"),
+    };
+    let mut diagnostic = Diagnostic::error("dangling-outside", message, erased)
+        .saying("erased here")
+        .label(drawn, "drawn here");
+    for span in alone[1..].iter().flat_map(|(erased, drawn, _)| [*drawn, *erased]) {
+        if diagnostic.labels.iter().all(|label| label.span != span) {
+            diagnostic = diagnostic.label(span, "");
+        }
+    }
+    diagnostic = match several {
+        true => diagnostic.note(draw_edges_of(drawing, &halves)),
+        false => diagnostic.note(draw_edge_of(drawing, first)),
+    };
+    Some(diagnostic.into())
 }

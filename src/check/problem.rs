@@ -1,7 +1,7 @@
 //! A broken law: the diagnostic, and what a repair has to know about it.
 
 use crate::diagnostic::{Diagnostic, all_of};
-use crate::diagram::{NameId, Rule};
+use crate::diagram::{Loop, NameId, Rule};
 use crate::source::Span;
 
 /// A broken law.
@@ -13,35 +13,35 @@ pub(super) struct Problem {
     pub remedies: Vec<Remedy>,
 }
 
-/// Something that might mend a problem.
+/// Something that might mend a problem, or all problems of a rule.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Remedy {
-    /// `erase` these names.
+    /// `erase` these names; of a family, all members.
     Erase(Vec<NameId>),
     /// `keep` these edges, faces or vertices.
     Keep(Vec<NameId>),
     /// List these names in `new`.
     Create(Vec<NameId>),
-    /// The same, and an edge with a new name for each of these pairs.
-    CreateAndPair { created: Vec<NameId>, pairs: Vec<[NameId; 2]> },
     /// State the ring of the vertex that [takes](super::fan_repair) the spokes of this one, which
     /// is erased.
     Take(NameId),
-    /// The same, and `keep` these vertices, but for the one that takes them.
-    KeepAndTake { kept: Vec<NameId>, erased: NameId },
     /// A halfedge or path of `before` in a loop of `after` that has forgotten it: behind `at` of
     /// its items, with the vertex where it starts.
     Insert { face: NameId, at: usize, from: NameId, item: NameId },
-    /// `edge e: x | y`
-    Pair { edge: NameId, halfedges: [NameId; 2] },
-    /// The loop with this statement, drawn the other way round.
-    Turn(Span),
-    /// These edges of `after`, each with these halfedges instead of its own.
-    PairAnew(Vec<(NameId, [NameId; 2])>),
+    /// These edges in `after`, each with these halfedges, also instead of those it has there.
+    Pair(Vec<(NameId, [NameId; 2])>),
     /// An edge with a new name for each of these pairs, listed in `new`.
     PairAll(Vec<[NameId; 2]>),
+    /// The loop with this statement, drawn the other way round.
+    Turn(Span),
     /// The missing loop of a face: each item behind the vertex where it starts.
     Draw { face: NameId, items: Vec<(NameId, NameId)> },
+    /// Other names at the same places of the loops of `after`, and what that means.
+    Redraw { loops: Vec<Loop>, how: String },
+    /// The edges of these halfedges in `before`, each with an outer twin.
+    DrawTwins(Vec<NameId>),
+    /// One after the other.
+    All(Vec<Remedy>),
 }
 
 impl From<Diagnostic> for Problem {

@@ -72,9 +72,15 @@ pub(super) fn prove(op: &Op, rule: &Rule) -> Result<Proof, Broken> {
     let drawing = Drawing::new(rule);
     stop_at(start::test(op, &drawing))?;
     statements(&drawing)?;
-    let rings = vertices_are_orbits::test(&drawing)?;
+    let rings = vertices_are_orbits::test(&drawing);
+    let reached = reach::matching(op, &drawing, &distinct_names::pairs(&drawing));
+    let (rings, matching) = match (rings, reached) {
+        // What is not reached is probably not what is meant, and the rings follow from it.
+        (Err(broken), Err(unreached)) if broken.is_of_rings() => return Err(unreached.into()),
+        (rings, reached) => (rings?, reached),
+    };
     let aliased = alias::allowed(op, rule)?;
-    let matching = reach::matching(op, &drawing, &distinct_names::pairs(&drawing))?;
+    let matching = matching?;
     let guard = match rule.guard {
         Some((level, _)) => aliased.obligations(obligations(&drawing, level), level),
         None => Vec::new(),

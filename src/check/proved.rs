@@ -3,9 +3,10 @@
 use super::broken::{Broken, Rejected, stop_at};
 use super::problem::Problem;
 use super::proof::{Proof, prove};
+use super::sizes::Sizes;
 use super::witness::{self, Outcome};
 use super::{before, families, fans_have_room, mend};
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Fix};
 use crate::diagram::{Drawing, Op, Property, Rule};
 
 /// An operation that keeps every valid mesh valid. Only [`check`] makes one.
@@ -88,12 +89,29 @@ pub fn examine(op: &Op) -> Result<Proved, Rejection> {
     }
 }
 
+/// The fix of an op with loops that do not end where they begin, if it is certain.
+pub fn closing(op: &Op) -> Option<Fix> {
+    match op.rules.as_slice() {
+        [rule] if rule.has_families() => {
+            let large = Sizes::new(rule).large.rule;
+            mend::closing(&large, families::problems)
+        }
+        [rule] => mend::closing(rule, |rule| problems(op, rule)),
+        _ => None,
+    }
+}
+
 fn reject(op: &Op, rule: &Rule, broken: Broken) -> Rejected {
     let mut broken = before::in_before(rule).unwrap_or(broken);
     let outcome = witness::find(op, rule, &mut broken);
-    let laws = |rule: &Rule| match prove(op, rule) {
+    let laws = |rule: &Rule| problems(op, rule);
+    Rejected { diagnostics: mend::add_fixes(rule, broken.problems, laws), outcome }
+}
+
+/// What is wrong with a rule.
+fn problems(op: &Op, rule: &Rule) -> Vec<Problem> {
+    match prove(op, rule) {
         Ok(proof) => proof.refuses_everywhere(rule).map(Problem::from).into_iter().collect(),
         Err(broken) => broken.problems,
-    };
-    Rejected { diagnostics: mend::add_fixes(rule, broken.problems, laws), outcome }
+    }
 }

@@ -1,7 +1,8 @@
-//! Remedies that a drawing itself suggests: where a halfedge was left out of a loop, which
-//! halfedges pair by their ends, and which loop is missing.
+//! Remedies that a drawing itself suggests: where a halfedge was left out of a loop, and which edge
+//! statement is missing.
 
 use super::problem::Remedy;
+use crate::diagnostic::all_of;
 use crate::diagram::{Drawing, Kind, Loop, NameId};
 
 /// The remedies that insert an item in a loop of `after`, at any place: from a vertex that is
@@ -26,49 +27,46 @@ pub(super) fn insertions(drawing: &Drawing, item: NameId) -> Vec<Remedy> {
     remedies.collect()
 }
 
-/// The halfedges that have a twin before, or are new, and have none after.
-pub(super) fn unpaired(drawing: &Drawing, is_new: impl Fn(NameId) -> bool) -> Vec<NameId> {
-    let halves = drawing.rule.names_of(Kind::Halfedge);
-    halves
-        .filter(|&half| drawing.after.pairing(half).is_none() && drawing.erased(half).is_none())
-        .filter(|&half| is_new(half) || drawing.before.pairing(half).is_some())
-        .collect()
-}
-
-/// Pairs of halfedges that run between the same vertices in opposite directions, if each has
-/// exactly one such partner.
-pub(super) fn by_ends(drawing: &Drawing, open: &[NameId]) -> Option<Vec<[NameId; 2]>> {
-    let ends =
-        |half: NameId| Some((drawing.after.loop_origin(half)?, drawing.after.loop_target(half)?));
-    let mut pairs: Vec<[NameId; 2]> = Vec::new();
-    for &half in open {
-        let (from, to) = ends(half)?;
-        let mut others =
-            open.iter().filter(|&&other| ends(other) == Some((to, from)) && other != half);
-        let (Some(&other), None) = (others.next(), others.next()) else {
-            return None;
-        };
-        if pairs.iter().all(|pair| !pair.contains(&half)) {
-            pairs.push([half, other]);
-        }
-    }
-    Some(pairs)
-}
-
-/// The advice to draw the edge statement that `before` lacks for a halfedge: with the halfedge that
-/// is drawn between the same vertices in the other direction, if exactly one is and has no twin
-/// either; else with one outside of the drawing, under a new name.
+/// The advice to draw the edge statement that `before` lacks for a halfedge.
 pub(super) fn draw_edge_of(drawing: &Drawing, half: NameId) -> String {
     let rule = drawing.rule;
-    let ends = |half: NameId| Some((drawing.origin_before(half)?, drawing.target_before(half)?));
-    let across = ends(half).map(|(from, to)| (to, from));
-    let mut drawn = rule.names_of(Kind::Halfedge).filter(|&other| {
-        other != half
-            && across.is_some()
-            && ends(other) == across
-            && drawing.before.pairing(other).is_none()
+    let statement = missing_edge(drawing, half);
+    match across(drawing, half) {
+        Some(twin) => format!(
+            "{} runs between the same vertices in the other direction: if it is the twin, draw \
+             `{statement}`",
+            rule.quoted(twin)
+        ),
+        None => format!(
+            "the halfedge outside would still say that its twin is {}: draw it, `{statement}`",
+            rule.quoted(half)
+        ),
+    }
+}
+
+/// The same for several halfedges.
+pub(super) fn draw_edges_of(drawing: &Drawing, halves: &[NameId]) -> String {
+    let mut statements: Vec<_> = halves.iter().map(|&half| missing_edge(drawing, half)).collect();
+    let mut told = Vec::new();
+    statements.retain(|statement| {
+        let is_new = !told.contains(statement);
+        told.extend(is_new.then(|| statement.clone()));
+        is_new
     });
+    let statements = statements.iter().map(|statement| format!("`{statement}`"));
+    format!("the halfedges outside would still name them: draw their edges, {}", all_of(statements))
+}
+
+/// The edge statement that `before` lacks for a halfedge: with the halfedge [across](across) it, or
+/// else with one outside of the drawing, under a new name.
+fn missing_edge(drawing: &Drawing, half: NameId) -> String {
+    let rule = drawing.rule;
     // A member of a family is named with its index: `h[i]`.
+    let twin = across(drawing, half);
+    let (half, twin) = match twin {
+        Some(twin) if twin < half => (twin, Some(half)),
+        _ => (half, twin),
+    };
     let word = &rule.name(half).text;
     let (stem, index) = word.split_at(word.find('[').unwrap_or(word.len()));
     let free = |mut stem: String| {
@@ -77,52 +75,20 @@ pub(super) fn draw_edge_of(drawing: &Drawing, half: NameId) -> String {
         }
         stem + index
     };
-    if let (Some(twin), None) = (drawn.next(), drawn.next()) {
-        let twin_word = &rule.name(twin).text;
-        let edge = match index.is_empty() && twin < half {
-            true => free(format!("e{twin_word}")),
-            false => free(format!("e{stem}")),
-        };
-        return format!(
-            "{} runs between the same vertices in the other direction: if it is the twin, draw `edge \
-             {edge}: {word} | {twin_word}`",
-            rule.quoted(twin)
-        );
+    let edge = free(format!("e{stem}"));
+    match twin {
+        Some(twin) => format!("edge {edge}: {word} | {}", rule.name(twin).text),
+        None => format!("edge {edge}: {word} | {}", free(format!("{stem}'"))),
     }
-    let (text, edge, twin) =
-        (rule.quoted(half), free(format!("e{stem}")), free(format!("{stem}'")));
-    format!(
-        "the halfedge outside would still say that its twin is {text}: draw it, `edge {edge}: {word} \
-         | {twin}`"
-    )
 }
 
-/// The loop that items form by their ends after, or else by those before, if there is exactly one
-/// way around.
-pub(super) fn around(drawing: &Drawing, items: &[NameId]) -> Option<Vec<(NameId, NameId)>> {
-    let ends = |item: NameId| {
-        let twin = drawing.after.pairing(item).and_then(|edge| {
-            let mut halves = edge.halfedges.iter().map(|half| half.name);
-            halves.find(|&half| half != item)
-        });
-        let across = twin.and_then(|twin| {
-            Some((drawing.after.loop_target(twin)?, drawing.after.loop_origin(twin)?))
-        });
-        across.or_else(|| Some((drawing.before.loop_origin(item)?, drawing.target_before(item)?)))
-    };
-    let all: Vec<_> = items.iter().map(|&item| Some((item, ends(item)?))).collect::<Option<_>>()?;
-    let (first, (start, mut to)) = *all.first()?;
-    let mut around = vec![(start, first)];
-    while to != start {
-        let mut next = all.iter().filter(|(_, (from, _))| *from == to);
-        let (Some(&(item, (from, end))), None) = (next.next(), next.next()) else {
-            return None;
-        };
-        if around.len() >= all.len() {
-            return None;
-        }
-        around.push((from, item));
-        to = end;
-    }
-    (around.len() == all.len()).then_some(around)
+/// The only halfedge that is drawn between the same vertices in the other direction, if it has no
+/// twin either.
+fn across(drawing: &Drawing, half: NameId) -> Option<NameId> {
+    let ends = |half: NameId| Some((drawing.origin_before(half)?, drawing.target_before(half)?));
+    let (from, to) = ends(half)?;
+    let mut drawn = drawing.rule.names_of(Kind::Halfedge).filter(|&other| {
+        other != half && ends(other) == Some((to, from)) && drawing.before.pairing(other).is_none()
+    });
+    drawn.next().filter(|_| drawn.next().is_none())
 }

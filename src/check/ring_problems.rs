@@ -4,6 +4,7 @@ use super::arrangement::{Arc, Lies};
 use super::case::{Case, Step};
 use super::chain::vertex_after;
 use super::fan_repair::fan_names;
+use super::joint::moved_alone;
 use super::port::Port;
 use super::problem::{Problem, Remedy, enumerate};
 use super::star_order::{Token, agrees};
@@ -186,7 +187,7 @@ impl Case<'_> {
             Some(one_span) => diagnostic = diagnostic.label(one_span, one),
             None => diagnostic = diagnostic.note(one),
         }
-        let reason = reversed_path(self.drawing).or_else(|| moved_alone(self.drawing));
+        let reason = reversed_path(self.drawing).or_else(|| ran_elsewhere(self.drawing));
         diagnostic.notes.extend(reason);
         let erased = [first.0, second.0].into_iter();
         let erased = erased.filter(|&vertex| self.drawing.erased(vertex).is_some());
@@ -365,17 +366,9 @@ fn reversed_path(drawing: &Drawing) -> Option<String> {
 }
 
 /// Halfedges that change their ends while their twins outside stay where they are, in words.
-fn moved_alone(drawing: &Drawing) -> Option<String> {
+fn ran_elsewhere(drawing: &Drawing) -> Option<String> {
     let rule = drawing.rule;
-    let firsts = rule.names_of(Kind::Halfedge).filter(|&half| rule.is_first(half));
-    let moved = firsts.filter(|&half| {
-        let is_alone =
-            drawing.before.pairing(half).is_none() && drawing.after.pairing(half).is_none();
-        let [before, after] = [&drawing.before, &drawing.after]
-            .map(|view| view.loop_origin(half).zip(view.loop_target(half)));
-        is_alone && before.is_some() && after.is_some() && before != after
-    });
-    let moved: Vec<_> = moved.collect();
+    let moved = moved_alone(drawing);
     let &half = moved.first()?;
     let text = rule.quoted(half);
     let way = |ends: Option<(NameId, NameId)>| {

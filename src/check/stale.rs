@@ -1,6 +1,6 @@
 //! Pointers that would keep their old values.
 
-use crate::diagnostic::all_of;
+use crate::diagnostic::some_of;
 use crate::diagram::{Drawing, NameId};
 
 /// Pointers that nothing reassigns.
@@ -58,16 +58,16 @@ impl Stale {
             format!("{pointer} would still be {value}")
         };
         if dangling.is_empty() {
-            return all_of(self.pointers.iter().map(say));
+            return some_of(self.pointers.iter().map(say));
         }
         let values = dangling.iter().map(|pointer| pointer.1.clone());
         let mut values: Vec<_> = values.collect();
         values.sort();
         values.dedup();
-        let told = all_of(dangling.iter().map(|&pointer| say(pointer)));
+        let told = some_of(dangling.iter().map(|&pointer| say(pointer)));
         match values.as_slice() {
             [_] => format!("{told}, which is erased"),
-            _ => format!("{told}; {} are erased", all_of(values)),
+            _ => format!("{told}; {} are erased", some_of(values)),
         }
     }
 }

@@ -14,10 +14,14 @@ pub(super) fn statements(drawing: &Drawing) -> Result<(), Broken> {
     let mut problems = names_are_accounted_for::test(drawing);
     problems = beside(problems, next_is_permutation::test(drawing), "next-twice");
     problems = beside(problems, twin_is_involution::test(drawing), "twin-twice");
-    stop_at(problems)?;
+    let unplaced = new_is_placed::test(drawing);
+    if !problems.is_empty() {
+        problems.extend(unplaced);
+        return stop_at(problems);
+    }
     let mut problems = nothing_dangles::test(drawing);
     problems.extend(ends_agree::test(drawing));
-    problems.extend(new_is_placed::test(drawing));
+    problems.extend(unplaced);
     stop_at(problems)
 }
 

@@ -1,9 +1,8 @@
 //! Names of `after` that nothing introduces, and what was probably meant.
 
 use super::problem::{Problem, Remedy, enumerate};
-use super::remedies::{by_ends, unpaired};
 use crate::diagnostic::Diagnostic;
-use crate::diagram::{Drawing, Kind, NameId, Spoke};
+use crate::diagram::{Drawing, Kind, NameId, Rule, Spoke};
 use crate::source::Span;
 
 /// Names of `after` that neither `before` nor `new` knows.
@@ -20,13 +19,15 @@ impl Unknown {
         let rule = drawing.rule;
         let mut found = Self { problems: Vec::new(), meant: Vec::new() };
         let mut created = Vec::new();
+        let is_forgotten = rule.created.is_empty() && found.has_others(drawing);
         for index in 0..rule.names.len() {
             let name = NameId(index as u32);
             let known = drawing.before.mention(name).is_some() || drawing.created(name).is_some();
             let Some(span) = drawing.after.mention(name).filter(|_| !known) else {
                 continue;
             };
-            match found.meaning(drawing, name) {
+            let meant = found.meaning(drawing, name);
+            match meant.filter(|&meant| !is_forgotten || alike(rule, name, meant)) {
                 Some(meant) => {
                     let word = &rule.name(meant).text;
                     let problem = unknown(drawing, (name, span), &[])
@@ -48,12 +49,24 @@ impl Unknown {
         found
     }
 
+    /// True if some name has no meaning: where nothing is listed in `new`, the list is forgotten.
+    fn has_others(&self, drawing: &Drawing) -> bool {
+        let rule = drawing.rule;
+        let mut names = (0..rule.names.len() as u32).map(NameId);
+        names.any(|name| {
+            drawing.after.mention(name).is_some()
+                && drawing.before.mention(name).is_none()
+                && rule.name(name).named
+                && self.meaning(drawing, name).is_none()
+        })
+    }
+
     /// The known name of the same kind that is spelt most like `name`; one that is missing
     /// from `after` comes first.
     fn meaning(&self, drawing: &Drawing, name: NameId) -> Option<NameId> {
         let rule = drawing.rule;
         let word = &rule.name(name).text;
-        let alike = |other: NameId| rule.name(other).text.eq_ignore_ascii_case(word);
+        let alike = |other: NameId| alike(rule, name, other);
         // `tt` for a `t` that lost its twin.
         let longer = |other: NameId| {
             let other = &rule.name(other).text;
@@ -78,6 +91,11 @@ impl Unknown {
             .min()
             .map(|(_, other)| other)
     }
+}
+
+/// True if two names differ at most in capitals.
+fn alike(rule: &Rule, one: NameId, other: NameId) -> bool {
+    rule.name(one).text.eq_ignore_ascii_case(&rule.name(other).text)
 }
 
 /// The message about names that nothing introduces, each with a place where it occurs.
@@ -125,15 +143,6 @@ fn not_listed(drawing: &Drawing, mut names: Vec<(NameId, Span)>) -> Option<Probl
             _ => "if they are created here, list them".to_owned(),
         };
         diagnostic = diagnostic.note(format!("{what}: `new {}`", words.join(" ")));
-        let is_new = |half: NameId| {
-            drawing.created(half).is_some() || elements.contains(&rule.first_member(half))
-        };
-        match by_ends(drawing, &unpaired(drawing, is_new)) {
-            Some(pairs) if !pairs.is_empty() => {
-                remedies.push(Remedy::CreateAndPair { created: elements.clone(), pairs });
-            }
-            _ => {}
-        }
         remedies.push(Remedy::Create(elements));
     }
     Some(Problem { diagnostic, remedies })

@@ -2,7 +2,8 @@
 //!
 //! A fix may reveal further errors, so the text is analyzed again after each round. Nothing is
 //! written before the last round. If a fix only makes the text longer, and its error comes back
-//! each time, none of its kind is written.
+//! each time, none of its kind is written; and none is written in an op that is left with errors, and
+//! not with fewer than before.
 
 use std::collections::{HashMap, HashSet};
 use std::path::Path;
@@ -12,7 +13,7 @@ use super::files;
 use super::output::complain;
 use super::program::{self, Program};
 use crate::diagnostic::{Diagnostic, Edit, Fix};
-use crate::source::{FileId, Source};
+use crate::source::{FileId, Source, Span};
 
 /// The most rounds.
 const MOST_ROUNDS: usize = 64;
@@ -28,6 +29,8 @@ struct Applied {
     kind: Kind,
     line: usize,
     title: String,
+    /// The op that it is in, if that could be read.
+    op: Option<String>,
 }
 
 /// Reads a program, applies the certain fixes to its file, and prints them. Files that it uses stay
@@ -43,11 +46,26 @@ pub(super) fn mended(path: &Path) -> Result<Program, Failure> {
     let source = first.sources.get(first.analysis.file);
     let (name, text) = (source.name().to_owned(), source.text().to_owned());
     let mut vain = HashSet::new();
+    let mut spoilt = HashSet::new();
+    let before = errors_of_ops(&first);
     let (program, applied) = loop {
-        match rounds(first, &vain) {
-            Ok(mended) => break mended,
-            Err(kind) => vain.insert(kind),
-        };
+        match rounds(first, &vain, &spoilt) {
+            Ok((mended, applied)) => {
+                let after = errors_of_ops(&mended);
+                let worse = no_better(&before, &after).into_iter().filter(|op| {
+                    let mut ops = applied.iter().filter_map(|fix| fix.op.as_ref());
+                    ops.any(|one| one == op)
+                });
+                let known = spoilt.len();
+                spoilt.extend(worse);
+                if spoilt.len() == known {
+                    break (mended, applied);
+                }
+            }
+            Err(kind) => {
+                vain.insert(kind);
+            }
+        }
         first = Program::of(name.clone(), text.clone());
     };
     for Applied { line, title, .. } in &applied {
@@ -65,9 +83,36 @@ pub(super) fn mended(path: &Path) -> Result<Program, Failure> {
     Ok(program)
 }
 
-/// All rounds of fixes, except those of errors that are fixed in vain; the kind of another such
-/// error if there is one.
-fn rounds(mut program: Program, vain: &HashSet<Kind>) -> Result<(Program, Vec<Applied>), Kind> {
+/// The numbers of errors in the ops whose drawings can be read. That new elements lack attributes
+/// does not count: only the author knows their values.
+fn errors_of_ops(program: &Program) -> HashMap<String, usize> {
+    let analysis = &program.analysis;
+    let errors = analysis.diagnostics.iter().filter(|told| told.is_error());
+    let errors: Vec<_> = errors.filter(|told| told.code != "missing-attribute").collect();
+    let count = |span: Span| errors.iter().filter(|told| contains(span, told.span())).count();
+    let drawn = analysis.program.ops.iter().filter_map(|op| op.diagram.as_ref());
+    drawn.map(|op| (op.name.clone(), count(op.span))).collect()
+}
+
+/// The ops that have errors, and not fewer than before.
+fn no_better(before: &HashMap<String, usize>, after: &HashMap<String, usize>) -> Vec<String> {
+    let worse = after.iter().filter(|(op, errors)| {
+        **errors > 0 && before.get(*op).is_some_and(|before| before <= *errors)
+    });
+    worse.map(|(op, _)| op.clone()).collect()
+}
+
+fn contains(outer: Span, inner: Span) -> bool {
+    outer.file == inner.file && outer.start <= inner.start && inner.end <= outer.end
+}
+
+/// All rounds of fixes, except those of errors that are fixed in vain, or in ops that they would
+/// leave no better; the kind of another error that is fixed in vain if there is one.
+fn rounds(
+    mut program: Program,
+    vain: &HashSet<Kind>,
+    spoilt: &HashSet<String>,
+) -> Result<(Program, Vec<Applied>), Kind> {
     let mut seen = HashSet::new();
     let mut longer: HashMap<Kind, usize> = HashMap::new();
     let mut all = Vec::new();
@@ -78,6 +123,8 @@ fn rounds(mut program: Program, vain: &HashSet<Kind>) -> Result<(Program, Vec<Ap
         }
         let told = program.analysis.diagnostics.iter();
         let told = told.filter(|told| !vain.contains(&kind(told)));
+        let told = told.map(|told| (told, op_of(&program, told)));
+        let told = told.filter(|(_, op)| op.as_ref().is_none_or(|op| !spoilt.contains(op)));
         let Some((text, applied)) = round(source, program.analysis.file, told) else {
             break;
         };
@@ -96,6 +143,12 @@ fn rounds(mut program: Program, vain: &HashSet<Kind>) -> Result<(Program, Vec<Ap
     Ok((program, all))
 }
 
+/// The op that an error is in, if its drawing can be read.
+fn op_of(program: &Program, told: &Diagnostic) -> Option<String> {
+    let mut ops = program.analysis.program.ops.iter().filter_map(|op| op.diagram.as_ref());
+    ops.find(|op| contains(op.span, told.span())).map(|op| op.name.clone())
+}
+
 fn kind(told: &Diagnostic) -> Kind {
     (told.code, told.message.clone())
 }
@@ -105,11 +158,11 @@ fn kind(told: &Diagnostic) -> Kind {
 fn round<'d>(
     source: &Source,
     file: FileId,
-    told: impl Iterator<Item = &'d Diagnostic>,
+    told: impl Iterator<Item = (&'d Diagnostic, Option<String>)>,
 ) -> Option<(String, Vec<Applied>)> {
     let mut edits: Vec<&Edit> = Vec::new();
     let mut applied = Vec::new();
-    for diagnostic in told {
+    for (diagnostic, op) in told {
         // Between several, the user has to choose.
         let [fix] = diagnostic.fixes.as_slice() else {
             continue;
@@ -119,7 +172,7 @@ fn round<'d>(
         }
         edits.extend(&fix.edits);
         let (line, _) = source.line_column(diagnostic.span().start as usize);
-        applied.push(Applied { kind: kind(diagnostic), line, title: fix.title.clone() });
+        applied.push(Applied { kind: kind(diagnostic), line, title: fix.title.clone(), op });
     }
     if applied.is_empty() {
         return None;

@@ -5,6 +5,21 @@ pub fn all_of<S: AsRef<str>>(words: impl IntoIterator<Item = S>) -> String {
     joined(words, "and")
 }
 
+/// The most words of a long enumeration that are told.
+const MOST: usize = 6;
+
+/// Words as an enumeration; of many, only the first: "u, v, w and 14 more".
+pub fn some_of<S: AsRef<str>>(words: impl IntoIterator<Item = S>) -> String {
+    let words: Vec<S> = words.into_iter().collect();
+    // One more would take as much room as its name.
+    if words.len() <= MOST + 1 {
+        return all_of(words);
+    }
+    let rest = format!("{} more", words.len() - MOST);
+    let first = words.iter().take(MOST).map(AsRef::as_ref);
+    all_of(first.chain([rest.as_str()]))
+}
+
 /// Words as alternatives: "x, y or z".
 pub fn one_of<S: AsRef<str>>(words: impl IntoIterator<Item = S>) -> String {
     joined(words, "or")

@@ -353,6 +353,8 @@ pub struct Side {
     pub stars: Vec<Star>,
     /// Names that `keep` mentions; their statements are among the others.
     pub kept: Vec<Ref>,
+    /// The whole `keep` statements.
+    pub keeps: Vec<Span>,
     /// From the keyword to the closing brace.
     pub span: Span,
 }

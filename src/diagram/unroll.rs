@@ -200,6 +200,7 @@ impl Writer<'_> {
             edges: edges.collect(),
             stars: stars.collect(),
             kept: side.kept.iter().flat_map(|kept| self.turns(*kept)).collect(),
+            keeps: side.keeps.clone(),
             span: side.span,
         }
     }

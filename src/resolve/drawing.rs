@@ -62,8 +62,9 @@ pub(super) fn draw_after(
     for (at, statement) in side.statements.iter().enumerate() {
         drawing.breaks_off = breaks_off(side, at);
         if !drawing.orbit(statement)
-            && let Statement::Keep(kept, _) = statement
+            && let Statement::Keep(kept, span) = statement
         {
+            drawing.side.keeps.push(*span);
             for name in kept {
                 drawing.keep(name, before);
             }

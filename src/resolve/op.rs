@@ -76,7 +76,8 @@ pub(super) fn resolve_op(
     for (rule, names) in op.rules.iter().zip(names) {
         rules.extend(resolve_rule(rule, names, &context, report));
     }
-    let diagram = (!report.failed()).then(|| diagram::Op {
+    let is_complete = !report.failed() || report.has_only("open-loop");
+    let drawn = (is_complete && rules.len() == op.rules.len()).then(|| diagram::Op {
         name: op.name.text.clone(),
         name_span: op.name.span,
         docs: op.docs.clone(),
@@ -87,7 +88,9 @@ pub(super) fn resolve_op(
         span: op.span,
     });
     let signature = Signature { name: op.name.text.clone(), params, result };
+    let (diagram, open) = if report.failed() { (None, drawn) } else { (drawn, None) };
     let mut resolved = signature.op(op.name.span, diagram);
+    resolved.open = open.map(Box::new);
     if resolved.diagram.is_none() && !is_still(op) {
         let (_, still) = resolve_op(&still(op), declared, attributes, &mut Report::default());
         resolved.still = still.diagram.map(Box::new);

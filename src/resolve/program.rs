@@ -89,6 +89,9 @@ pub struct Op {
     /// A diagram for finding contradictions in `before` alone, if `diagram` is missing but every
     /// `before` could be resolved: the op that draws `before` on both sides.
     pub still: Option<Box<diagram::Op>>,
+    /// The diagram whose only errors are loops that do not end where they begin; then there is no
+    /// other.
+    pub open: Option<Box<diagram::Op>>,
     /// The steps, if this is an op in steps that could be resolved.
     pub steps: Option<Steps>,
     /// True if it could not be read as it is written; then it cannot be proved.

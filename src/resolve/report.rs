@@ -11,6 +11,7 @@ use crate::diagnostic::Diagnostic;
 pub(super) struct Report {
     diagnostics: Vec<Diagnostic>,
     failed: bool,
+    failed_silently: bool,
     /// Names about which nothing more is reported.
     confused: Vec<String>,
 }
@@ -47,6 +48,13 @@ impl Report {
     /// Marks the item as failed without a diagnostic: the reason is reported elsewhere.
     pub(super) fn fail(&mut self) {
         self.failed = true;
+        self.failed_silently = true;
+    }
+
+    /// True if all errors have this code, and nothing else has failed.
+    pub(super) fn has_only(&self, code: &str) -> bool {
+        let mut errors = self.diagnostics.iter().filter(|told| told.is_error());
+        !self.failed_silently && errors.all(|error| error.code == code)
     }
 
     /// True if the item has failed.

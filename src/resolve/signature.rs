@@ -55,6 +55,7 @@ impl Signature {
             result: self.result.element(),
             diagram,
             still: None,
+            open: None,
             steps: None,
         }
     }

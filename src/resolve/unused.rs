@@ -27,7 +27,12 @@ pub(super) struct Unused<'a> {
 impl Unused<'_> {
     /// Reports each name, with the missing edge statement if it is unambiguous.
     pub(super) fn report(&self, names: &Names, report: &mut Report) {
-        let pairs = pairs(&Open::find(self.created, self.drawn, names), names);
+        let open = Open::find(self.created, self.drawn, names);
+        let twice = twice(&open);
+        let pairs = match twice {
+            Some(_) => Vec::new(),
+            None => pairs(&open, names),
+        };
         let is_family = |pair: &Pair| names.get(pair.halfedges[0].name).role == Role::Family;
         let all_fit = pairs.len() == self.listed.len()
             && pairs
@@ -44,6 +49,8 @@ impl Unused<'_> {
                 ));
             } else if word == "halfedge" {
                 error = error.note("`new` lists names alone: what is drawn tells their kinds");
+            } else if let Some([first, second]) = twice {
+                error = drawn_twice(error, first, second, names);
             } else if let Some(pair) = pairs.get(at).filter(|_| all_fit) {
                 error = self.missing_edge(error, name, pair, names);
             }
@@ -123,6 +130,24 @@ impl Open {
         }
         found
     }
+}
+
+/// Two places of one halfedge.
+fn twice(open: &[Open]) -> Option<[Ref; 2]> {
+    let mut places = open.iter().enumerate();
+    places.find_map(|(at, one)| {
+        let again = open[at + 1..].iter().find(|other| other.half.name == one.half.name)?;
+        Some([one.half, again.half])
+    })
+}
+
+/// The advice for a halfedge that is drawn on both sides of its edge.
+fn drawn_twice(error: Diagnostic, first: Ref, second: Ref, names: &Names) -> Diagnostic {
+    let word = written(first, names);
+    error.label(first.span, "drawn here").label(second.span, "and here again").note(format!(
+        "`{word}` stands in two places, and an edge has two halfedges, one along each side: \
+             draw another one in one of them, list it in `new`, and pair the two"
+    ))
 }
 
 fn shifted(mention: Ref, by: i32) -> Ref {

@@ -1,0 +1,370 @@
+//! Remedies for everything that is wrong with a rule at once.
+//!
+//! What a person forgets is seldom one name: an `erase` line, or an edge and a name in `new`. And
+//! two names that are exchanged look like many other mistakes. So whole remedies are put together
+//! and tried, in tiers, the simplest first.
+
+use super::pairing::{missing_loops, pairing, pairings};
+use super::problem::{Remedy, enumerate};
+use crate::diagram::{Drawing, Kind, Loop, NameId, Rule};
+
+/// The most vertices, or halfedges, of a rule that is searched for two that are exchanged.
+const MOST_EXCHANGED: usize = 16;
+
+/// The most forgotten vertices of which it is tried which are kept, and which erased.
+const MOST_FORGOTTEN: usize = 4;
+
+/// The most loops of a rule that are closed together.
+const MOST_OPEN: usize = 2;
+
+/// A tier: the remedies of a rule that are equally simple.
+pub(super) type Tier = fn(&Rule) -> Vec<Remedy>;
+
+/// All tiers.
+pub(super) const TIERS: [Tier; 6] =
+    [accounted_for, exchanged_vertices, exchanged_items, unmoved, other_corner, outer_twins];
+
+/// Accounts for all names: lists, draws and pairs whatever is missing.
+fn accounted_for(rule: &Rule) -> Vec<Remedy> {
+    let unknown = unknown(rule);
+    let mut begun = vec![Begun { remedies: Vec::new(), rule: rule.clone() }];
+    if !unknown.is_empty() {
+        begun = begun.iter().filter_map(|one| one.with(Remedy::Create(unknown.clone()))).collect();
+    }
+    go_on(&mut begun, |rule| {
+        missing_loops(&Drawing::new(rule)).map(Remedy::All).into_iter().collect()
+    });
+    go_on(&mut begun, |rule| pairings(&Drawing::new(rule)));
+    let whole = begun.iter().flat_map(Begun::account_for_the_rest);
+    whole.filter(|one| !one.remedies.is_empty()).map(|one| Remedy::All(one.remedies)).collect()
+}
+
+/// Remedies, and the rule with them applied.
+#[derive(Clone)]
+struct Begun {
+    remedies: Vec<Remedy>,
+    rule: Rule,
+}
+
+/// Adds to each of these the same with one more remedy, for each that there is.
+fn go_on(begun: &mut Vec<Begun>, more: impl Fn(&Rule) -> Vec<Remedy>) {
+    let longer = begun
+        .iter()
+        .flat_map(|one| more(&one.rule).into_iter().filter_map(|remedy| one.with(remedy)));
+    let longer: Vec<_> = longer.collect();
+    begun.extend(longer);
+}
+
+impl Begun {
+    fn with(&self, remedy: Remedy) -> Option<Self> {
+        let rule = remedy.apply(&self.rule)?;
+        let remedies = self.remedies.iter().cloned().chain([remedy]).collect();
+        Some(Self { remedies, rule })
+    }
+
+    /// The ways to keep or erase what is left.
+    fn account_for_the_rest(&self) -> Vec<Self> {
+        let forgotten = forgotten(&self.rule);
+        let (vertices, others): (Vec<_>, Vec<_>) =
+            forgotten.into_iter().partition(|&name| self.rule.kind(name) == Kind::Vertex);
+        let (orbits, halves): (Vec<_>, Vec<_>) =
+            others.iter().partition(|&&name| self.rule.kind(name) != Kind::Halfedge);
+        let mut found = self.keep_or_erase(&vertices, &others);
+        if !orbits.is_empty() {
+            let kept = self.with(Remedy::Keep(orbits));
+            found.extend(kept.iter().flat_map(|kept| kept.keep_or_erase(&vertices, &[])));
+        }
+        if !halves.is_empty() && halves.len() < others.len() {
+            found.extend(self.keep_or_erase(&vertices, &halves));
+        }
+        found
+    }
+
+    /// The ways to keep some vertices, and erase the others with these names.
+    fn keep_or_erase(&self, vertices: &[NameId], erased: &[NameId]) -> Vec<Self> {
+        let choices = match vertices.len() {
+            0..=MOST_FORGOTTEN => 0..1_usize << vertices.len(),
+            _ => 0..1,
+        };
+        choices.flat_map(|choice| self.choose(vertices, choice, erased)).collect()
+    }
+
+    /// One of these ways; and the same where another vertex takes the spokes of an erased one.
+    fn choose(&self, vertices: &[NameId], choice: usize, erased: &[NameId]) -> Vec<Self> {
+        let chosen = (0..vertices.len()).filter(|at| choice >> at & 1 == 1);
+        let chosen: Vec<_> = chosen.map(|at| vertices[at]).collect();
+        let gone: Vec<_> = chosen.into_iter().chain(erased.iter().copied()).collect();
+        if gone.iter().any(|&name| is_used(&self.rule, name)) {
+            return Vec::new();
+        }
+        let erased = match gone.is_empty() {
+            true => Some(self.clone()),
+            false => self.with(Remedy::Erase(gone)),
+        };
+        let Some(erased) = erased else {
+            return Vec::new();
+        };
+        let gone = erased.rule.erased.iter().map(|erased| erased.name);
+        let gone = gone.filter(|&name| self.rule.kind(name) == Kind::Vertex);
+        let taken = gone.filter_map(|vertex| erased.with(Remedy::Take(vertex)));
+        taken.filter_map(|taken| taken.keep_vertices()).chain(erased.keep_vertices()).collect()
+    }
+
+    /// Keeps the vertices that are still forgotten.
+    fn keep_vertices(&self) -> Option<Self> {
+        let vertices = forgotten(&self.rule);
+        let vertices = vertices.into_iter().filter(|&name| self.rule.kind(name) == Kind::Vertex);
+        let vertices: Vec<_> = vertices.collect();
+        match vertices.is_empty() {
+            true => Some(self.clone()),
+            false => self.with(Remedy::Keep(vertices)),
+        }
+    }
+}
+
+/// True if a name is returned, or is given an attribute.
+fn is_used(rule: &Rule, name: NameId) -> bool {
+    let targets = rule.assignments.iter().map(|assignment| assignment.target);
+    let mut used = targets.chain(rule.result).map(|used| rule.first_member(used.name));
+    used.any(|used| used == name)
+}
+
+/// The elements of `after` that nothing introduces; of a family the first member.
+fn unknown(rule: &Rule) -> Vec<NameId> {
+    let drawing = Drawing::new(rule);
+    let order = [Kind::Vertex, Kind::Halfedge, Kind::Edge, Kind::Face];
+    let of_kind = order.into_iter().flat_map(|kind| rule.names_of(kind));
+    let is_unknown = |&name: &NameId| {
+        let is_known = drawing.before.mention(name).is_some() || drawing.created(name).is_some();
+        drawing.after.mention(name).is_some() && !is_known
+    };
+    of_kind.filter(|&name| rule.is_first(name)).filter(is_unknown).collect()
+}
+
+/// The elements of `before` that stand nowhere in `after`; of a family the first member.
+fn forgotten(rule: &Rule) -> Vec<NameId> {
+    let drawing = Drawing::new(rule);
+    let order = [Kind::Vertex, Kind::Halfedge, Kind::Edge, Kind::Face];
+    let of_kind = order.into_iter().flat_map(|kind| rule.names_of(kind));
+    let is_forgotten =
+        |&name: &NameId| drawing.survives(name) && drawing.after.mention(name).is_none();
+    of_kind.filter(|&name| rule.is_first(name)).filter(is_forgotten).collect()
+}
+
+/// Exchanges two vertices in all loops.
+fn exchanged_vertices(rule: &Rule) -> Vec<Remedy> {
+    exchanged(rule, |kind| kind == Kind::Vertex)
+}
+
+/// Exchanges two halfedges in all loops.
+fn exchanged_items(rule: &Rule) -> Vec<Remedy> {
+    exchanged(rule, |kind| kind == Kind::Halfedge)
+}
+
+fn exchanged(rule: &Rule, is_meant: impl Fn(Kind) -> bool) -> Vec<Remedy> {
+    let mut drawn: Vec<NameId> = Vec::new();
+    for mention in rule.after.loops.iter().flat_map(mentions) {
+        let first = rule.first_member(mention);
+        if is_meant(rule.kind(first)) && !drawn.contains(&first) {
+            drawn.push(first);
+        }
+    }
+    if drawn.len() > MOST_EXCHANGED {
+        return Vec::new();
+    }
+    let pairs = drawn
+        .iter()
+        .enumerate()
+        .flat_map(|(at, &one)| drawn[at + 1..].iter().map(move |&other| (one, other)));
+    let alike = pairs.filter(|&(one, other)| rule.is_member(one) == rule.is_member(other));
+    let remedies = alike.flat_map(|(one, other)| {
+        let exchange = move |name: NameId| match rule.first_member(name) {
+            first if first == one => rule.turned(other, rule.index(name).into()),
+            first if first == other => rule.turned(one, rule.index(name).into()),
+            _ => name,
+        };
+        let words = format!("exchange {} and {}", rule.quoted(one), rule.quoted(other));
+        let everywhere = format!("{words} in the loops of `after`");
+        let everywhere = redraw(rule, |_, name| exchange(name), everywhere);
+        let faces = rule.after.loops.iter().map(|orbit| orbit.face.name);
+        let in_one = faces.filter(|&face| rule.is_first(face)).filter_map(move |face| {
+            let how = format!("{words} in the loop of {}", rule.quoted(face));
+            let in_loop = |orbit: &Loop, name| match rule.first_member(orbit.face.name) == face {
+                true => exchange(name),
+                false => name,
+            };
+            redraw(rule, in_loop, how)
+        });
+        everywhere.into_iter().chain(in_one)
+    });
+    remedies.collect()
+}
+
+/// Writes another vertex at one corner of a loop.
+fn other_corner(rule: &Rule) -> Vec<Remedy> {
+    let vertices = rule.names_of(Kind::Vertex);
+    let vertices: Vec<_> = vertices.collect();
+    if rule.cycle.is_some() || vertices.len() > MOST_EXCHANGED {
+        return Vec::new();
+    }
+    let mut remedies = Vec::new();
+    for orbit in &rule.after.loops {
+        for at in 0..orbit.items.len() {
+            let corner = orbit.items[at].from.name;
+            let others = vertices.iter().filter(|&&other| other != corner);
+            remedies.extend(others.filter_map(|&other| {
+                let [new, old, face] =
+                    [other, corner, orbit.face.name].map(|name| rule.quoted(name));
+                let how = format!("write {new} for {old} in the loop of {face}");
+                let mut loops = rule.after.loops.clone();
+                let changed = loops.iter_mut().find(|one| one.face.name == orbit.face.name)?;
+                changed.items[at].from.name = other;
+                if at == 0 {
+                    changed.end.name = other;
+                }
+                Some(Remedy::Redraw { loops, how })
+            }));
+        }
+    }
+    remedies
+}
+
+/// Lets every halfedge stay where it was, if its twin is not drawn: there it stays, too.
+fn unmoved(rule: &Rule) -> Vec<Remedy> {
+    let drawing = Drawing::new(rule);
+    let moved = moved_alone(&drawing);
+    let place = |half: NameId| drawing.after.loop_origin(half).zip(drawing.after.loop_target(half));
+    let was = |half: NameId| drawing.before.loop_origin(half).zip(drawing.before.loop_target(half));
+    let stays = |half: NameId| {
+        if !moved.contains(&half) {
+            return Some(half);
+        }
+        let mut here = moved.iter().filter(|&&other| was(other) == place(half));
+        here.next().copied().filter(|_| here.next().is_none())
+    };
+    if moved.is_empty() || rule.cycle.is_some() || moved.iter().any(|&half| stays(half).is_none()) {
+        return Vec::new();
+    }
+    let list = enumerate(rule, &moved);
+    let how =
+        format!("let {list} stay where they were: change their places in the loops of `after`");
+    redraw(rule, |_, name| stays(name).unwrap_or(name), how).into_iter().collect()
+}
+
+/// Draws the twins outside of halfedges that move, and pairs them anew.
+fn outer_twins(rule: &Rule) -> Vec<Remedy> {
+    let moved = moved_alone(&Drawing::new(rule));
+    if moved.is_empty() || rule.cycle.is_some() {
+        return Vec::new();
+    }
+    let begun = Begun { remedies: Vec::new(), rule: rule.clone() };
+    let drawn = begun.with(Remedy::DrawTwins(moved));
+    let paired = drawn.and_then(|drawn| drawn.with(pairing(&Drawing::new(&drawn.rule))?));
+    paired.map(|paired| Remedy::All(paired.remedies)).into_iter().collect()
+}
+
+/// The halfedges whose ends change though their twins are drawn nowhere; of a family the first.
+pub(super) fn moved_alone(drawing: &Drawing) -> Vec<NameId> {
+    let rule = drawing.rule;
+    let firsts = rule.names_of(Kind::Halfedge).filter(|&half| rule.is_first(half));
+    let moved = firsts.filter(|&half| {
+        let is_alone =
+            drawing.before.pairing(half).is_none() && drawing.after.pairing(half).is_none();
+        let [before, after] = [&drawing.before, &drawing.after]
+            .map(|view| view.loop_origin(half).zip(view.loop_target(half)));
+        is_alone && before.is_some() && after.is_some() && before != after
+    });
+    moved.collect()
+}
+
+/// The names of the corners and items of a loop.
+fn mentions(orbit: &Loop) -> impl Iterator<Item = NameId> {
+    orbit.items.iter().flat_map(|item| [item.from.name, item.item.name])
+}
+
+/// The remedy that writes other names in the loops of `after`; `None` if `keep` states one of these
+/// loops, or nothing changes.
+fn redraw(rule: &Rule, new: impl Fn(&Loop, NameId) -> NameId, how: String) -> Option<Remedy> {
+    let mut loops = rule.after.loops.clone();
+    for (orbit, old) in loops.iter_mut().zip(&rule.after.loops) {
+        for item in &mut orbit.items {
+            item.from.name = new(old, item.from.name);
+            item.item.name = new(old, item.item.name);
+        }
+        orbit.end.name = new(old, orbit.end.name);
+        let is_kept = rule.after.kept.iter().any(|kept| kept.name == orbit.face.name);
+        if is_kept && *orbit != *old {
+            return None;
+        }
+    }
+    (loops != rule.after.loops).then_some(Remedy::Redraw { loops, how })
+}
+
+/// Closes the loops of `after` that do not end where they begin: by another end, or another
+/// beginning; the vertex that is replaced may have changed places with one in between.
+pub(super) fn closed(rule: &Rule) -> Vec<Remedy> {
+    let ways: Vec<_> = rule.after.loops.iter().map(|orbit| ways_to_close(rule, orbit)).collect();
+    let is_open = |(_, ways): &(&Loop, &Vec<_>)| ways.len() > 1;
+    let open = rule.after.loops.iter().zip(&ways).filter(is_open);
+    // All members of a family are written in one statement.
+    let mut statements: Vec<_> = open.map(|(orbit, ways)| (orbit.span, ways.len())).collect();
+    statements.dedup_by_key(|(span, _)| *span);
+    if statements.len() > MOST_OPEN {
+        return Vec::new();
+    }
+    let mut choices: Vec<Vec<usize>> = vec![Vec::new()];
+    for (_, count) in &statements {
+        let longer = choices.iter().flat_map(|chosen| {
+            (0..*count).map(move |way| chosen.iter().copied().chain([way]).collect())
+        });
+        choices = longer.collect();
+    }
+    let remedies = choices.iter().filter_map(|chosen| {
+        let chosen: Vec<_> = statements.iter().map(|(span, _)| *span).zip(chosen).collect();
+        let mut loops = Vec::new();
+        let mut how: Vec<String> = Vec::new();
+        for (orbit, ways) in rule.after.loops.iter().zip(&ways) {
+            let way = chosen.iter().find(|(span, _)| *span == orbit.span);
+            let (closed, told) = ways.get(way.map_or(0, |(_, way)| **way))?;
+            loops.push(closed.clone());
+            how.extend(told.clone().filter(|_| rule.is_first(orbit.face.name)));
+        }
+        Some(Remedy::Redraw { loops, how: how.join(", and ") })
+    });
+    remedies.collect()
+}
+
+/// The ways to close a loop, each with its words; the loop itself if it is closed.
+fn ways_to_close(rule: &Rule, orbit: &Loop) -> Vec<(Loop, Option<String>)> {
+    let end = orbit.end.name;
+    let Some(begin) = orbit.items.first().map(|first| first.from.name) else {
+        return Vec::new();
+    };
+    // A loop drawn with `each` is closed.
+    if begin == end || orbit.each {
+        return vec![(orbit.clone(), None)];
+    }
+    let face = rule.quoted(orbit.face.name);
+    let [begins, ends] = [begin, end].map(|name| rule.quoted(name));
+    let with = |corner: NameId, at: Option<usize>, other: NameId, how: String| {
+        let mut closed = orbit.clone();
+        if let Some(at) = at {
+            closed.items[at].from.name = other;
+        }
+        closed.items[0].from.name = corner;
+        closed.end.name = corner;
+        (closed, Some(how))
+    };
+    let exchange = format!("exchange {begins} and {ends} in the loop of {face}");
+    let corners = 1..orbit.items.len();
+    let exchanged = corners.filter_map(|at| match orbit.items[at].from.name {
+        name if name == end => Some(with(end, Some(at), begin, exchange.clone())),
+        name if name == begin => Some(with(begin, Some(at), end, exchange.clone())),
+        _ => None,
+    });
+    let ways = [
+        with(begin, None, begin, format!("end at {begins}")),
+        with(end, None, end, format!("begin at {ends}")),
+    ];
+    ways.into_iter().chain(exchanged).collect()
+}
