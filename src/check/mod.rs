@@ -27,10 +27,11 @@
 //!
 //! To show the effect of a rejected rule, `witness` carries it out on a mesh, and `mend` offers
 //! fixes that are certain: names to keep, list or erase, edges by their ends (`pairing`), a vertex
-//! that takes the spokes of an erased one (`fan_repair`), and several of these together (`joint`). For a proved rule, `reach` finds the order in which the names are
-//! bound, and `properties` checks the claims of `keeps` against the drawing; [`guard`] knows the
-//! conditions of the levels, and those that a guard has to test. Only this module makes a
-//! [`Proved`], and only that can be compiled. Nothing here depends on the machine.
+//! that takes the spokes of an erased one (`fan_repair`), and several of these together (`joint`).
+//! For a proved rule, `reach` finds the order in which the names are bound, and `properties` checks
+//! the claims of `keeps` against the drawing; [`guard`] knows the conditions of the levels, and
+//! those that a guard has to test. Only this module makes a [`Proved`], and only that can be
+//! compiled. Nothing here depends on the machine.
 
 mod alias;
 mod argument;

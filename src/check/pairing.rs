@@ -3,6 +3,12 @@
 use super::problem::Remedy;
 use crate::diagram::{Drawing, Edge, Kind, LoopItem, NameId, Spoke};
 
+/// Two halfedges that become twins.
+type Pair = [NameId; 2];
+
+/// The edge that a pair belongs to.
+type EdgeOf<'a> = &'a dyn Fn(&Pair) -> Option<NameId>;
+
 /// The ends of halfedges after.
 pub(super) struct Ends<'a> {
     drawing: &'a Drawing<'a>,
@@ -106,7 +112,7 @@ fn pairing_with(drawing: &Drawing, moved: Vec<(NameId, NameId)>) -> Option<Remed
     open.retain(|&half| drawing.after.loop_of_item(half).is_some() || drawing.is_outer(half));
     open.extend(wrong.iter().flat_map(|edge| edge.halfedges).map(|half| half.name));
     open.sort();
-    let mut pairs: Vec<[NameId; 2]> = Vec::new();
+    let mut pairs: Vec<Pair> = Vec::new();
     for &half in &open {
         let (from, to) = ends.drawn(half)?;
         let back = |other: &&NameId| **other != half && ends.drawn(**other) == Some((to, from));
@@ -121,10 +127,7 @@ fn pairing_with(drawing: &Drawing, moved: Vec<(NameId, NameId)>) -> Option<Remed
         }
     }
     let wrong: Vec<_> = wrong.iter().map(|edge| edge.edge.name).collect();
-    let (named, others) = in_edges(drawing, &wrong, pairs);
-    let named = (!named.is_empty()).then(|| Remedy::Pair(named));
-    let others = (!others.is_empty()).then(|| Remedy::PairAll(others));
-    let all: Vec<_> = others.into_iter().chain(named).collect();
+    let all = in_edges(drawing, &wrong, pairs);
     match all.as_slice() {
         [] => None,
         [only] => Some(only.clone()),
@@ -134,27 +137,23 @@ fn pairing_with(drawing: &Drawing, moved: Vec<(NameId, NameId)>) -> Option<Remed
 
 /// Distributes pairs over the edges that are free, or have wrong halfedges: each to one that an
 /// outer halfedge of it belongs to, or else any of its halfedges, or else to those that are left
-/// over. The second result is the pairs that no edge is left for.
-fn in_edges(
-    drawing: &Drawing,
-    wrong: &[NameId],
-    mut pairs: Vec<[NameId; 2]>,
-) -> (Vec<(NameId, [NameId; 2])>, Vec<[NameId; 2]>) {
+/// over. Pairs that no edge is left for get new ones.
+fn in_edges(drawing: &Drawing, wrong: &[NameId], mut pairs: Vec<Pair>) -> Vec<Remedy> {
     let rule = drawing.rule;
     let mut free: Vec<_> = free_edges(drawing).chain(wrong.iter().copied()).collect();
     let mut named = Vec::new();
     let own = |half: NameId| drawing.before.edge(half).or_else(|| drawing.after.edge(half));
-    let outer = |pair: &[NameId; 2]| {
+    let outer = |pair: &Pair| {
         let mut outer = pair.iter().filter(|&&half| drawing.is_outer(half));
         outer.find_map(|&half| own(half))
     };
-    let both = |pair: &[NameId; 2]| {
+    let both = |pair: &Pair| {
         let [one, other] = pair.map(own);
         one.filter(|_| one == other)
     };
-    let [first, second] = [0, 1].map(|at| move |pair: &[NameId; 2]| own(pair[at]));
-    let any = |pair: &[NameId; 2]| first(pair).or_else(|| second(pair));
-    let choices: [&dyn Fn(&[NameId; 2]) -> Option<NameId>; 4] = [&both, &outer, &any, &second];
+    let [first, second] = [0, 1].map(|at| move |pair: &Pair| own(pair[at]));
+    let any = |pair: &Pair| first(pair).or_else(|| second(pair));
+    let choices: [EdgeOf; 4] = [&both, &outer, &any, &second];
     for own in choices {
         pairs.retain(|&pair| {
             let edge = own(&pair).filter(|edge| free.contains(edge));
@@ -169,7 +168,9 @@ fn in_edges(
     }
     // In the order of the text.
     named.sort_by_key(|(edge, _)| *edge);
-    (named, pairs)
+    let others = (!pairs.is_empty()).then_some(Remedy::PairAll(pairs));
+    let named = (!named.is_empty()).then_some(Remedy::Pair(named));
+    others.into_iter().chain(named).collect()
 }
 
 /// The edges of `before`, and the new ones, that stand nowhere in `after`.

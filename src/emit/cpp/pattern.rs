@@ -72,10 +72,8 @@ fn quoted(words: &[&str]) -> String {
 
 /// Checks that a text has the form of its pattern.
 pub(super) fn understand(name: &str, form: &Form, value: &str) -> Result<(), StyleError> {
-    let is_name = || {
-        let is_number = name == "real" && ["float", "double"].contains(&value);
-        is_number || value.split("::").all(is_word)
-    };
+    let is_number = name == "real" && ["float", "double"].contains(&value);
+    let is_name = || is_number || value.split("::").all(is_word);
     match form {
         Code(parts) => understand_code(name, parts, value),
         Word(words) if !words.contains(&value) => {
@@ -109,6 +107,8 @@ pub(super) fn not_a_name(name: &str, value: &str) -> StyleError {
     StyleError(format!("`{value}` is not a C++ name, as `{name}` must be{alias}"))
 }
 
+const UNMATCHED: &str = "has a bracket that does not match another";
+
 fn understand_code(name: &str, parts: &[&str], value: &str) -> Result<(), StyleError> {
     let wrong = |why: &str| Err(StyleError(format!("the pattern of `{name}` {why}")));
     if let Some(part) = parts.iter().find(|part| !value.contains(**part)) {
@@ -132,12 +132,8 @@ fn understand_code(name: &str, parts: &[&str], value: &str) -> Result<(), StyleE
             '(' => open.push(')'),
             '[' => open.push(']'),
             '{' => open.push('}'),
-            ')' | ']' | '}' if open.pop() != Some(c) => {
-                return wrong("has a bracket that does not match another");
-            }
-            ';' | '#' | '\\' => {
-                return wrong("is an expression: no `;`, no `#` and no `\\` stands in it");
-            }
+            ')' | ']' | '}' if open.pop() != Some(c) => return wrong(UNMATCHED),
+            ';' | '#' | '\\' => return wrong("is an expression without `;`, `#` and `\\`"),
             '"' | '\'' => return wrong("is an expression without quotes"),
             c if c.is_control() => return wrong("stands on one line"),
             _ if rest.starts_with("//") || rest.starts_with("/*") => {
@@ -148,7 +144,7 @@ fn understand_code(name: &str, parts: &[&str], value: &str) -> Result<(), StyleE
         rest = &rest[c.len_utf8()..];
     }
     match (open.is_empty(), value.trim().is_empty()) {
-        (false, _) => wrong("has a bracket that does not match another"),
+        (false, _) => wrong(UNMATCHED),
         (_, true) => wrong("is empty"),
         _ => Ok(()),
     }

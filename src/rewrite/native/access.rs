@@ -151,7 +151,7 @@ impl Translator<'_, '_> {
     /// The offset of a record of this number of bytes. Adding the number to twice itself is faster
     /// than multiplying by 3.
     pub(super) fn scaled(&mut self, id: Value, size: usize) -> Value {
-        if size % 3 != 0 {
+        if !size.is_multiple_of(3) {
             return self.b.ins().imul_imm_s(id, size as i64);
         }
         let twice = self.b.ins().ishl_imm_u(id, 1);
