@@ -57,9 +57,9 @@ pub(super) fn draw_edges_of(drawing: &Drawing, halves: &[NameId]) -> String {
     format!("the halfedges outside would still name them: draw their edges, {}", all_of(statements))
 }
 
-/// The edge statement that `before` lacks for a halfedge: with the halfedge [across](across) it, or
-/// else with one outside of the drawing, under a new name.
-fn missing_edge(drawing: &Drawing, half: NameId) -> String {
+/// The edge statement that `before` lacks for a halfedge: with the one [`across`], or else with one
+/// outside of the drawing, under a new name.
+pub(super) fn missing_edge(drawing: &Drawing, half: NameId) -> String {
     let rule = drawing.rule;
     // A member of a family is named with its index: `h[i]`.
     let twin = across(drawing, half);

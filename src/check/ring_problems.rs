@@ -7,6 +7,7 @@ use super::fan_repair::fan_names;
 use super::joint::moved_alone;
 use super::port::Port;
 use super::problem::{Problem, Remedy, enumerate};
+use super::remedies::missing_edge;
 use super::star_order::{Token, agrees};
 use crate::diagnostic::{Diagnostic, all_of};
 use crate::diagram::{Drawing, Kind, NameId, Spoke};
@@ -388,5 +389,9 @@ fn ran_elsewhere(drawing: &Drawing) -> Option<String> {
     {
         told.push_str(&format!("; likewise {}", enumerate(rule, others)));
     }
+    let edge = missing_edge(drawing, half);
+    told.push_str(&format!(
+        "; to move it, draw `{edge}` in `before`, and pair both anew in `after`"
+    ));
     Some(told)
 }
