@@ -71,6 +71,11 @@ impl Mesh {
         if self.common_neighbors(a, b, wanted) != wanted {
             return Some(false);
         }
+        if let [Some(left), Some(right)] = polygons
+            && self.same_corners(left, right, [a, b])
+        {
+            return Some(false);
+        }
         let hole = [h, twin].into_iter().zip(sides).find(|(_, side)| *side == Side::Hole);
         if hole.is_some_and(|(hole, _)| self.loop_from(hole).take(4).count() < 4) {
             return Some(false);

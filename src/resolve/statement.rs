@@ -12,7 +12,6 @@ use super::program::{Print, Statement, StatementKind};
 use super::scopes::{Binding, Local};
 use super::script::Scripting;
 use super::type_name::type_named;
-use super::typed::to_real;
 use super::words::{a_type, short, subject};
 
 /// The maximum number of statements after one on its line that are taken for foreign syntax.
@@ -226,11 +225,12 @@ impl Scripting<'_> {
 
     fn printed(&mut self, written: &tree::Expr, digits: Digits) -> Option<Print> {
         let value = self.typing.expression(written)?;
-        let of_reals = value.ty == Type::Real || value.ty.is_vector() || value.ty.is_matrix();
+        let of_numbers = matches!(value.ty, Type::Int | Type::Real)
+            || value.ty.is_vector()
+            || value.ty.is_matrix();
         match value.kind {
             ExprKind::Text(text) if digits == Digits::Few => Some(Print::Text(text)),
-            _ if of_reals || digits == Digits::Few => Some(Print::Value(value, digits)),
-            _ if value.ty == Type::Int => Some(Print::Value(to_real(value), digits)),
+            _ if of_numbers || digits == Digits::Few => Some(Print::Value(value, digits)),
             _ => {
                 let message = format!(
                     "digits are of numbers, vectors and matrices, but {} is {}",

@@ -27,6 +27,9 @@ impl Lowering<'_> {
                 (Print::Text(text), _) => self.print_text(text),
                 (Print::Value(value, digits), Some(from)) => {
                     self.asm.emit(print_value(value.ty, from, *digits));
+                    if let (Type::Int, Digits::Behind(count @ 1..)) = (value.ty, *digits) {
+                        self.print_text(&format!(".{}", "0".repeat(count.into())));
+                    }
                 }
                 (Print::Value(..), None) => {}
             }

@@ -47,10 +47,14 @@ pub struct Holes {
 pub fn holes(token: &str) -> Holes {
     let mut holes = Holes { values: Vec::new(), is_open: false };
     let mut begun: Option<Hole> = None;
-    let mut chars = token.char_indices();
+    let mut chars = token.char_indices().peekable();
     while let Some((at, character)) = chars.next() {
         match (&mut begun, character) {
             (_, '\\') => {
+                chars.next();
+            }
+            // Part of a qualified name.
+            (Some(_), ':') if chars.peek().is_some_and(|(_, next)| *next == ':') => {
                 chars.next();
             }
             (None, '{') => {

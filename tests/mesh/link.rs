@@ -121,6 +121,13 @@ fn on_random_parts_and_after_collapses() {
     assert!(total.iter().all(|&count| count > 2_000), "{total:?}");
 }
 
+/// On a mesh that is no simple one, too, the faces at the edge are compared.
+#[test]
+fn faces_with_the_same_corners_are_not_kept() {
+    let pillow = shape::pillow(4);
+    assert!(pillow.edges().all(|e| !pillow.link_condition(e)));
+}
+
 /// Merges the two faces at an edge.
 fn merge_faces(mesh: &mut Mesh, e: EdgeId) {
     let h = mesh.edge_halfedge(e);

@@ -252,6 +252,21 @@ pub const OPS: &[Op] = &[
           }
         }",
     ),
+    op(
+        "refill",
+        "op refill(a: halfedge) {
+          before {
+            loop f: v0 -a-> v1 -b-> v2 =P=> v0
+            edge e: a | d
+            vertex v1: b d
+          }
+          GUARD
+          after {
+            loop f: v0 -a-> v1 -b-> v2 =P=> v0
+            keep e v1
+          }
+        }",
+    ),
     Op {
         name: "connect",
         text: "op connect(a: halfedge, b: halfedge) -> e {

@@ -92,8 +92,8 @@ fn has_other_corners(sketch: &Sketch, orbit: &Loop) -> bool {
 
 fn corners_own(sketch: &Sketch, orbit: &Loop) -> Obligation {
     let corners: Vec<_> = orbit.items.iter().map(|item| item.from.name).collect();
-    let named = |vertex: &&NameId| sketch.neighbors_are_named(**vertex);
-    let lonely = corners.iter().find(named);
+    let is_lonely = |vertex: &&NameId| sketch.faces_are_drawn(**vertex);
+    let lonely = corners.iter().find(is_lonely);
     let because = if is_triangle_apart(sketch, orbit) {
         Some("it is a triangle, and what lies across an edge has another corner")
     } else if lonely.is_some_and(|&vertex| others_differ(sketch, orbit, vertex)) {

@@ -235,6 +235,15 @@ impl<'a> Sketch<'a> {
             && out.all(|half| drawing.target_after(half).is_some())
     }
 
+    /// True if all faces and holes around a vertex of `after` are drawn: it has no outer halfedge,
+    /// which would lie in another one.
+    pub fn faces_are_drawn(&self, vertex: NameId) -> bool {
+        let drawing = self.drawing;
+        let starts_here = |half: NameId| drawing.origin_after(half) == Some(vertex);
+        let mut outer = self.halfedges().filter(|&half| drawing.is_outer(half));
+        self.neighbors_are_named(vertex) && !outer.any(starts_here)
+    }
+
     /// The number of edges of `after` between two vertices that are drawn, or have a drawn
     /// halfedge.
     pub fn drawn_edges_between(&self, v: NameId, w: NameId) -> usize {
