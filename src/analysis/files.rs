@@ -218,9 +218,7 @@ pub(super) fn without_consequences(parts: &[Part], told: &mut Vec<Diagnostic>, s
         .collect();
     told.retain(|told| {
         let place = told.span();
-        let inside = unread
-            .iter()
-            .any(|(item, _)| item.file == place.file && item.touches(place.start as usize));
+        let inside = unread.iter().any(|(item, _)| touches(*item, place));
         let is_unknown = matches!(
             told.code,
             "unknown-op" | "unknown-function" | "unknown-attribute" | "unknown-field"
@@ -230,25 +228,32 @@ pub(super) fn without_consequences(parts: &[Part], told: &mut Vec<Diagnostic>, s
     });
 }
 
-/// Removes the errors about attributes without a value in new elements if the declaration of the
-/// attribute has another error: whether it has a default is then unknown.
-pub(super) fn without_lost_attributes(parts: &[Part], told: &mut Vec<Diagnostic>) {
-    let of_attributes = |told: &Diagnostic| told.code == "missing-attribute";
-    let touches =
-        |item: Span, place: Span| item.file == place.file && item.touches(place.start as usize);
-    let wrong =
-        |item: Span| told.iter().any(|error| !of_attributes(error) && touches(item, error.span()));
+/// The declarations of attributes that have errors.
+pub(super) fn lost_attributes(parts: &[Part], told: &[Diagnostic]) -> Vec<Span> {
+    let is_wrong = |item: Span| {
+        let mut others = told.iter().filter(|error| error.code != MISSING);
+        others.any(|error| touches(item, error.span()))
+    };
     let lost = parts.iter().flat_map(|part| {
         let tree = &part.parsed.tree;
         let declared = tree.items.iter().filter(|item| matches!(item, Item::Attr(_)));
-        declared.map(Item::span).filter(|&item| tree.is_misread(item) || wrong(item))
+        declared.map(Item::span).filter(|&item| tree.is_misread(item) || is_wrong(item))
     });
-    let lost: Vec<Span> = lost.collect();
-    told.retain(|error| {
-        let mut labels = error.labels.iter();
-        let is_lost = labels.any(|label| lost.iter().any(|&item| touches(item, label.span)));
-        !(of_attributes(error) && is_lost)
-    });
+    lost.collect()
+}
+
+/// True if an error says that new elements lack an attribute whose declaration is among these:
+/// whether it has a default is unknown.
+pub(super) fn is_about_lost(lost: &[Span], error: &Diagnostic) -> bool {
+    let mut labels = error.labels.iter();
+    error.code == MISSING && labels.any(|label| lost.iter().any(|&item| touches(item, label.span)))
+}
+
+/// The code of errors about attributes without a value in new elements.
+const MISSING: &str = "missing-attribute";
+
+fn touches(item: Span, place: Span) -> bool {
+    item.file == place.file && item.touches(place.start as usize)
 }
 
 /// The items of a file that cannot be parsed as written, each with whether its name is lost too.

@@ -4,7 +4,9 @@ use super::Examined;
 use super::before::tell_of_before;
 use super::broken_dependencies::tell_what_is_lacking;
 use super::endless::endless;
-use super::files::{Absent, Parts, Reader, fetch, without_consequences, without_lost_attributes};
+use super::files::{
+    Absent, Parts, Reader, fetch, is_about_lost, lost_attributes, without_consequences,
+};
 use super::foreign::tell_as_elsewhere;
 use super::hidden_guards::hidden_guards;
 use super::kept_comments::keep_comments;
@@ -79,7 +81,7 @@ impl Analysis {
         let used = parts.first().map(|root| root.uses.as_slice());
         let used = used.unwrap_or_default().iter();
         let seen = std::iter::once(file).chain(used.map(|&used| parts[used].file));
-        let seen = seen.collect();
+        let seen: Vec<FileId> = seen.collect();
         let (functions, too_large) = Functions::of(&program);
         diagnostics.extend(too_large);
         tell_of_before(&program, &mut diagnostics);
@@ -96,11 +98,12 @@ impl Analysis {
             plans.push(examined.plan);
             lacks.push(examined.lacks);
         }
-        diagnostics.extend(hidden_guards(&program, &parts, &proved));
-        diagnostics.extend(endless(&program));
         let keeps = |op: usize| proved[op].as_ref().map(Proved::keeps).unwrap_or_default();
+        diagnostics.extend(hidden_guards(&program, file, &seen, keeps));
+        diagnostics.extend(endless(&program));
         diagnostics.extend(plan_steps(&program, &functions, keeps, &mut plans));
-        without_lost_attributes(&parts, &mut diagnostics);
+        let lost = lost_attributes(&parts, &diagnostics);
+        diagnostics.retain(|error| !is_about_lost(&lost, error));
         tell_what_is_lacking(&program, &parts, sources, (&plans, &diagnostics), &mut lacks);
         keep_comments(&mut diagnostics, sources);
         diagnostics.sort_by_key(|diagnostic| {

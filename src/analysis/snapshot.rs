@@ -10,8 +10,10 @@ use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 use std::rc::Rc;
 
 use super::before::tell_of_before;
+use super::endless::endless;
 use super::files::{Parts, Reader, fetch, name_of};
 use super::foreign::tell_as_elsewhere;
+use super::hidden_guards::hidden_guards;
 use super::kept_comments::keep_comments;
 use super::library_hints::tell_where;
 use super::memory::{Memory, Passage};
@@ -21,7 +23,7 @@ use super::open_loops::tell_how_to_close;
 use super::{Examined, NoExample, StepsVerdict, Verdict, example, files};
 use crate::check::Proved;
 use crate::diagnostic::Diagnostic;
-use crate::diagram;
+use crate::diagram::{self, Property};
 use crate::library;
 use crate::resolve::{Fields, Program, qualifier, resolve_all};
 use crate::rewrite::Plans;
@@ -48,6 +50,8 @@ pub struct Snapshot {
     functions: Functions,
     /// The diagnostics found before anything is proved, in any file.
     told: Vec<Diagnostic>,
+    /// The declarations of attributes that have errors.
+    lost: Vec<Span>,
     names: OnceCell<Names>,
     /// For each op, a fingerprint of what its words mean outside of it.
     meanings: OnceCell<Vec<u64>>,
@@ -102,15 +106,15 @@ impl Snapshot {
         told.extend(resolved.diagnostics);
         tell_where(&mut told, &sources);
         drop(units);
+        told.extend(parts.iter().flat_map(|part| part.parsed.diagnostics.iter().cloned()));
+        let lost = files::lost_attributes(&parts, &told);
         let seen = parts[0].uses.iter().map(|&used| parts[used].file);
         let seen = seen.collect();
         let ways = files::ways(&sources, &parts);
         let own = parts.remove(0);
-        let used = parts.into_iter().map(|part| (part.file, part.parsed));
-        told.extend(own.parsed.diagnostics.iter().cloned());
-        let used: Vec<_> = used.collect();
-        told.extend(used.iter().flat_map(|(_, parsed)| parsed.diagnostics.iter().cloned()));
+        let used = parts.into_iter().map(|part| (part.file, part.parsed)).collect();
         let program = resolved.program;
+        told.extend(endless(&program));
         let (functions, too_large) = Functions::of(&program);
         told.extend(too_large);
         tell_of_before(&program, &mut told);
@@ -137,6 +141,7 @@ impl Snapshot {
             planned: OnceCell::new(),
             examples: RefCell::default(),
             told,
+            lost,
             memory,
         }
     }
@@ -303,11 +308,19 @@ impl Snapshot {
     fn planned(&self) -> &Planned {
         self.planned.get_or_init(|| {
             let ops = &self.program.ops;
-            match self.due.iter().all(|&op| ops[op].steps.is_none()) {
+            let mut planned = match self.due.iter().all(|&op| ops[op].steps.is_none()) {
                 true => Planned::default(),
                 false => self.plan(&self.due),
-            }
+            };
+            let keeps = |op: usize| self.keeps(op);
+            planned.told.extend(hidden_guards(&self.program, self.file, &self.seen, keeps));
+            planned
         })
+    }
+
+    /// The properties that an op keeps.
+    fn keeps(&self, op: usize) -> Vec<Property> {
+        self.examined(op).proved.as_ref().map(Proved::keeps).unwrap_or_default()
     }
 
     /// The plans of the ops in `due`, which include all that their steps call.
@@ -316,10 +329,7 @@ impl Snapshot {
         for &op in due {
             plans[op] = self.examined(op).plan.clone();
         }
-        let keeps = |op: usize| {
-            let examined = self.examined(op);
-            examined.proved.as_ref().map(Proved::keeps).unwrap_or_default()
-        };
+        let keeps = |op: usize| self.keeps(op);
         let told = plan_steps(&self.program, &self.functions, keeps, &mut plans);
         Planned { plans: plans.into(), told }
     }
@@ -385,6 +395,7 @@ impl Snapshot {
     }
 
     fn located<'d>(&self, told: impl Iterator<Item = &'d Diagnostic>) -> Vec<Diagnostic> {
+        let told = told.filter(|told| !files::is_about_lost(&self.lost, told));
         let (mut here, there): (Vec<_>, Vec<_>) =
             told.partition(|told| told.span().file == self.file);
         let mut broken: BTreeMap<FileId, Vec<&Diagnostic>> = BTreeMap::new();

@@ -1,7 +1,7 @@
 //! What the editor shows is what `check` says, and what it offers for a program in order leaves
 //! it so.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 
 use hedgerow::analysis::{Action, Analysis, Nowhere, Purpose, Reader, Snapshot, actions, unused};
@@ -128,6 +128,7 @@ fn the_editor_hides_no_error() {
     for (text, wanted) in [
         ("use \"std/polygon.hedge\"\nattr tag: vertex real\n", "missing-attribute"),
         ("use \"std/polygon.hedge\"\nattr tag: vertex real = 0\n", ""),
+        ("use \"std/polygon.hedge\"\nattr tag: edge real = 0:5\n", "syntax-error"),
         ("use \"bad.hedge\"\n", "broken-file"),
         ("use \"unread.hedge\"\n", "broken-file"),
         ("use \"through.hedge\"\n", "broken-file"),
@@ -138,6 +139,44 @@ fn the_editor_hides_no_error() {
         let wanted: Vec<_> = Some(wanted).into_iter().filter(|code| !code.is_empty()).collect();
         assert_eq!(shown, wanted, "{text}");
     }
+}
+
+/// The texts with mistakes of the pages of the language, each with its place.
+fn mistaken() -> Vec<(String, String)> {
+    let paths = fs::read_dir("tests/language/files").unwrap().map(|entry| entry.unwrap().path());
+    let pages = paths.filter(|path| path.extension().is_some_and(|end| end == "md"));
+    let texts = pages.flat_map(|path| {
+        let page = fs::read_to_string(&path).unwrap();
+        let inputs = page.split("\n```hedge\n").skip(1).enumerate();
+        let inputs = inputs.map(|(at, rest)| {
+            let text = rest.split("\n```\n").next().unwrap().to_owned() + "\n";
+            (format!("{} {at}", path.display()), text)
+        });
+        inputs.collect::<Vec<_>>()
+    });
+    texts.collect()
+}
+
+#[test]
+fn the_editor_says_what_check_says() {
+    let (mut differing, mut count) = (Vec::new(), 0);
+    for (place, text) in mistaken() {
+        let mut sources = Sources::new();
+        let file = sources.add("root.hedge", &text);
+        let analysis = Analysis::with(&mut sources, file, &mut Nowhere);
+        let own = analysis.diagnostics.iter().filter(|told| told.span().file == file);
+        let shown = Snapshot::new("root.hedge", &text, &mut Nowhere).diagnostics();
+        let checked: BTreeSet<_> = own.map(|told| (told.code, told.message.clone())).collect();
+        let shown: BTreeSet<_> =
+            shown.iter().map(|told| (told.code, told.message.clone())).collect();
+        count += 1;
+        if checked != shown && !checked.iter().any(|(code, _)| *code == "broken-file") {
+            let only = checked.symmetric_difference(&shown);
+            differing.push(format!("{place}: {:?}", only.collect::<Vec<_>>()));
+        }
+    }
+    assert!(differing.is_empty(), "{}", differing.join("\n"));
+    assert!(count > 300, "{count} texts");
 }
 
 /// What nothing reads in a text, by name.
