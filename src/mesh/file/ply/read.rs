@@ -35,11 +35,7 @@ pub(in crate::mesh::file) fn read(text: &[u8]) -> Result<Contents, Failure> {
             "tristrips" => rows.strips()?,
             "edge" => rows.edges(),
             _ if element.count == 0 => {}
-            name => {
-                let name = shown(name.as_bytes());
-                let what = [format!("element `{name}`"), format!("elements `{name}`")];
-                contents.kept.note_count(what.each_ref().map(String::as_str), element.count);
-            }
+            _ => rows.pass_over(""),
         }
         if is_cut_off {
             break;
@@ -219,15 +215,20 @@ impl Rows<'_> {
 
     fn edges(&mut self) {
         let ends = ["vertex1", "vertex2"].map(|name| self.take(name, false));
-        if let [Some((from, _)), Some((to, _))] = ends {
-            let pairs = from.numbers.iter().zip(&to.numbers);
-            self.contents.edges = pairs.map(|(&v, &w)| [v as u32, w as u32]).collect();
-            let before = self.contents.columns.len();
-            self.columns(ElementKind::Edge, &[]);
-            if self.contents.columns.len() == before {
-                self.contents.edges = Vec::new(); // they say nothing that the faces do not
-            }
-        }
+        let [Some((from, _)), Some((to, _))] = ends else {
+            return self.pass_over(" without `vertex1` and `vertex2`");
+        };
+        let pairs = from.numbers.iter().zip(&to.numbers);
+        self.contents.edges = pairs.map(|(&v, &w)| [index(v), index(w)]).collect();
+        self.columns(ElementKind::Edge, &[]);
+    }
+
+    /// Notes that the rows are not in the mesh; `which` is said behind the name of the element.
+    fn pass_over(&mut self, which: &str) {
+        let name = shown(self.element.name.as_bytes());
+        let what = ["element", "elements"].map(|word| format!("{word} `{name}`{which}"));
+        let what = what.each_ref().map(String::as_str);
+        self.contents.kept.note_count(what, self.element.count);
     }
 
     /// Makes columns of the remaining tables. `corners` has the ends of the polygons.
