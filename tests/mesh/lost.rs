@@ -46,3 +46,17 @@ fn edges_that_no_face_has_are_reported() {
     let expected = "2 elements `edge` without `vertex1` and `vertex2`";
     assert_eq!(told(FileFormat::Ply, &ply(lists, "2 0 1\n2 1 2\n")), [expected]);
 }
+
+#[test]
+fn signs_and_comments_are_no_reason_to_refuse_a_file() {
+    let obj = "v +1 0 0\nv 0 1 0\nv 0 0 1\nvt 0 0\nf +1/+1 2 -1/1\n";
+    let file = read(FileFormat::Obj, obj.as_bytes()).unwrap();
+    assert_eq!((file.mesh.vertex_count(), file.mesh.edge_count()), (3, 3));
+    for corner in ["+", "+-1", "-+1", "1/+", "++1"] {
+        let error = read(FileFormat::Obj, obj.replace("+1/+1", corner).as_bytes()).unwrap_err();
+        assert_eq!(error, format!("t:5: `{corner}` is not a corner of a face"));
+    }
+    let msh = "$Comments\nx\n$EndComments\n$MeshFormat\n2.2 0 8\n$EndMeshFormat\n";
+    let told = told(FileFormat::Msh, msh.as_bytes());
+    assert_eq!(told, ["1 section `$Comments`, first in line 1"]);
+}
