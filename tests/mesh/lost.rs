@@ -1,9 +1,15 @@
 //! Parts of files that are not in the mesh: each is reported, refused or written back.
 
-use hedgerow::mesh::{FileFormat, MeshFile, Repair, read_mesh_from};
+use hedgerow::mesh::{Encoding, FileFormat, MeshFile, Repair, read_mesh_from, write_mesh_to};
 
 fn read(format: FileFormat, bytes: &[u8]) -> Result<MeshFile, String> {
     read_mesh_from("t", format, bytes, None).map_err(|error| error.to_string())
+}
+
+fn write(format: FileFormat, file: &MeshFile) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    write_mesh_to(&mut bytes, format, file).unwrap();
+    bytes
 }
 
 /// What is reported of a file that is read.
@@ -45,6 +51,57 @@ fn edges_that_no_face_has_are_reported() {
     let lists = "element edge 2\nproperty list uchar int vertex_indices\n";
     let expected = "2 elements `edge` without `vertex1` and `vertex2`";
     assert_eq!(told(FileFormat::Ply, &ply(lists, "2 0 1\n2 1 2\n")), [expected]);
+}
+
+#[test]
+fn what_follows_the_last_element_is_reported() {
+    let line = "1 line behind the last element that the header declares, first in line 15";
+    let lines = "2 lines behind the last element that the header declares, first in line 15";
+    let cases =
+        [("", None), ("\n \n", None), ("3 0 3 1\n", Some(line)), ("3 0 3 1\n\nx", Some(lines))];
+    for (rows, expected) in cases {
+        assert_eq!(told(FileFormat::Ply, &ply("", rows)), Vec::from_iter(expected));
+    }
+    let off = b"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 2 1\n\nx\n";
+    assert_eq!(told(FileFormat::Off, off), ["2 lines behind the last face, first in line 7"]);
+
+    let one = read(FileFormat::Ply, &ply("", "")).unwrap();
+    for (format, element) in [(FileFormat::Ply, "element"), (FileFormat::Stl, "triangle")] {
+        let mut file = one.clone();
+        file.encoding = Encoding::LittleEndian;
+        let mut bytes = write(format, &file);
+        bytes.push(b'\n');
+        assert_eq!(told(format, &bytes), [""; 0]);
+        bytes.extend([1; 49]);
+        let expected = format!("50 bytes behind the last {element} that the header declares");
+        assert_eq!(told(format, &bytes), [expected]);
+    }
+}
+
+#[test]
+fn what_is_there_twice_is_refused() {
+    let ply = |element: &str| {
+        read(FileFormat::Ply, &ply(&format!("element {element} 1\n"), "")).unwrap_err()
+    };
+    assert_eq!(ply("vertex"), "t:9: the element `vertex` is there twice");
+    assert_eq!(ply("face"), "t:9: the element `face` is there twice");
+    let msh = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n2\n7 0 0 0\n7 1 0 0\n$EndNodes\n";
+    assert_eq!(read(FileFormat::Msh, msh.as_bytes()).unwrap_err(), "t:7: node 7 is there twice");
+}
+
+#[test]
+fn comments_of_ply_are_written_back() {
+    let comments = "comment TextureFile a.png\nobj_info made by  hand\ncomment\n\
+        comment attribute of a mesh\ncomment material 1 of two\ncomment \u{e9}\n";
+    let mut file = read(FileFormat::Ply, &ply(comments, "")).unwrap();
+    assert_eq!(file.losses(), [""; 0]);
+    for encoding in [Encoding::Ascii, Encoding::BigEndian] {
+        file.encoding = encoding;
+        let written = write(FileFormat::Ply, &file);
+        let text = String::from_utf8_lossy(&written);
+        assert!(text.contains(&format!(" 1.0\n{comments}element vertex")), "{text}");
+        assert_eq!(write(FileFormat::Ply, &read(FileFormat::Ply, &written).unwrap()), written);
+    }
 }
 
 #[test]

@@ -20,6 +20,7 @@ pub(in crate::mesh::file) fn read(text: &[u8]) -> Result<Contents, Failure> {
     let mut body = Body::new(&header, &text[header.length..]);
     let mut contents = Contents { encoding: header.encoding, ..Contents::default() };
     contents.kept.libraries.clone_from(&header.libraries);
+    contents.kept.comments.clone_from(&header.comments);
     contents.damage = header.damage.clone();
     for element in &header.elements {
         body.expect_numbers(element)?;
@@ -40,6 +41,9 @@ pub(in crate::mesh::file) fn read(text: &[u8]) -> Result<Contents, Failure> {
         if is_cut_off {
             break;
         }
+    }
+    if !body.is_cut_off {
+        body.note_rest(&mut contents.kept);
     }
     check_corners(&mut contents);
     Ok(contents)
