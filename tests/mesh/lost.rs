@@ -92,7 +92,8 @@ fn what_is_there_twice_is_refused() {
 #[test]
 fn comments_of_ply_are_written_back() {
     let comments = "comment TextureFile a.png\nobj_info made by  hand\ncomment\n\
-        comment attribute of a mesh\ncomment material 1 of two\ncomment \u{e9}\n";
+        comment attribute of a mesh\ncomment material 1 of two\ncomment \u{e9}\n\
+        comment group 0 by name\n";
     let mut file = read(FileFormat::Ply, &ply(comments, "")).unwrap();
     assert_eq!(file.losses(), [""; 0]);
     for encoding in [Encoding::Ascii, Encoding::BigEndian] {

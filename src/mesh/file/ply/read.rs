@@ -208,11 +208,18 @@ impl Rows<'_> {
     /// Reads objects, groups, materials and smoothing groups, where comments name them.
     fn states(&mut self) {
         for (keyword, name) in STATES.into_iter().enumerate() {
-            if self.header.names[keyword].is_empty() {
+            let names = &self.header.names[keyword];
+            if names.is_empty() {
                 continue;
             }
-            if let Some((table, _)) = self.take(name, false) {
-                self.contents.kept.add_states(keyword, &self.header.names[keyword], &table.numbers);
+            match self.take(name, false) {
+                Some((table, _)) => {
+                    self.contents.kept.add_states(keyword, names, &table.numbers);
+                }
+                // They are comments of another program.
+                None => self.contents.kept.comments.extend((0..).zip(names).map(|(at, text)| {
+                    format!("comment {name} {at} {}", String::from_utf8_lossy(text))
+                })),
             }
         }
     }
