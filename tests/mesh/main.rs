@@ -11,6 +11,7 @@ mod files;
 mod journal;
 mod laws;
 mod link;
+mod lost;
 mod measure;
 mod memory;
 mod obj;

@@ -23,7 +23,7 @@ pub(super) struct Contents {
     /// A corner with an invalid index is [`MISSING`], and counted in `strays`.
     pub(super) polygons: Polygons,
     pub(super) columns: Vec<FileColumn>,
-    /// The edges that have values, by their vertices; empty if there are none.
+    /// The edges that the file has beside its faces, by their vertices.
     pub(super) edges: Vec<[u32; 2]>,
     pub(super) kept: Kept,
     pub(super) strays: Strays,
@@ -227,7 +227,7 @@ impl Contents {
     }
 
     /// Gives the edges of the file their values; `slot` maps a vertex of the file to its slot.
-    fn give_edges(&self, mesh: &mut Mesh, slot: impl Fn(u32) -> u32) {
+    fn give_edges(&mut self, mesh: &mut Mesh, slot: impl Fn(u32) -> u32) {
         if self.edges.is_empty() {
             return;
         }
@@ -237,17 +237,26 @@ impl Contents {
             let (v, w) = (mesh.vertex(h).0, mesh.target(h).0);
             known.insert([v.min(w), v.max(w)], edge);
         }
+        let find = |&[v, w]: &[u32; 2]| {
+            let (v, w) = (slot(v), slot(w));
+            known.get(&[v.min(w), v.max(w)]).copied()
+        };
+        let edges: Vec<Option<EdgeId>> = self.edges.iter().map(find).collect();
         for column in self.columns.iter().filter(|column| column.kind == ElementKind::Edge) {
             let Ok(id) = mesh.add_column(ElementKind::Edge, &column.name, column.default) else {
                 continue;
             };
-            for (place, &[v, w]) in (0..).zip(&self.edges) {
-                let (v, w) = (slot(v), slot(w));
-                let edge = known.get(&[v.min(w), v.max(w)]);
+            for (place, edge) in (0..).zip(&edges) {
                 if let (Some(edge), Some(value)) = (edge, column.value(place)) {
                     mesh.put_value(id, edge.0, value);
                 }
             }
+        }
+        if let Some(first) = edges.iter().position(Option::is_none) {
+            let what = ["edge", "edges"]
+                .map(|word| format!("{word} that no face has, first in row {}", first + 1));
+            let count = edges.iter().filter(|edge| edge.is_none()).count();
+            self.kept.note_count(what.each_ref().map(String::as_str), count);
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use super::scan::Scanner;
 use crate::mesh::polygons::Polygons;
 
 /// Marks a missing index.
@@ -12,6 +13,8 @@ pub(super) const MISSING: u32 = u32::MAX;
 pub(super) struct Kept {
     /// The operands of `mtllib`.
     pub(super) libraries: Vec<Vec<u8>>,
+    /// The lines `comment` and `obj_info` of a PLY file.
+    pub(super) comments: Vec<String>,
     /// The operands of `o`, `g`, `usemtl` and `s`, which states refer to by index.
     pub(super) names: Vec<Vec<u8>>,
     /// The states, each with the index of the face at which it starts.
@@ -112,6 +115,23 @@ impl Kept {
     pub(super) fn note_count(&mut self, what: [&str; 2], count: usize) {
         if count > 0 {
             self.notes.push(Note { what: what.map(str::to_owned), count, line: None });
+        }
+    }
+
+    /// Notes the lines behind the last element of a file; `before` lines precede the text.
+    pub(super) fn note_lines_behind(&mut self, rest: &mut Scanner, element: &str, before: u32) {
+        let what = ["line", "lines"].map(|word| format!("{word} behind the last {element}"));
+        while rest.next_line() {
+            self.note(what.each_ref().map(String::as_str), before + rest.line());
+            rest.end_line();
+        }
+    }
+
+    /// Notes the bytes behind the last element of a binary file, unless all are blank.
+    pub(super) fn note_bytes_behind(&mut self, rest: &[u8], element: &str) {
+        if !rest.trim_ascii().is_empty() {
+            let what = ["byte", "bytes"].map(|word| format!("{word} behind the last {element}"));
+            self.note_count(what.each_ref().map(String::as_str), rest.len());
         }
     }
 

@@ -293,10 +293,8 @@ impl<'t> Reader<'t> {
             }
             face
         });
-        if read.is_ok() && self.scanner.next_line() {
-            let line = self.scanner.line();
-            let what = ["line behind the last face", "lines behind the last face"];
-            self.contents.kept.note(what, line);
+        if read.is_ok() {
+            self.contents.kept.note_lines_behind(&mut self.scanner, "face", 0);
         }
         colors.columns(ElementKind::Face, &mut self.contents);
         self.contents.polygons = Polygons::of_parts(corners, ends);

@@ -64,6 +64,10 @@ fn read_binary(text: &[u8], claimed: usize) -> Contents {
         "triangles with two bytes of a program's own",
     ];
     contents.kept.note_count(tags, tagged);
+    let rest = &text[HEADER + triangles.len() * TRIANGLE..];
+    if claimed <= all.len() {
+        contents.kept.note_bytes_behind(rest, "triangle that the header declares");
+    }
     contents.encoding = Encoding::LittleEndian;
     if claimed > all.len() {
         contents.damage.add(None, || {

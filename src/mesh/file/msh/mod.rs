@@ -23,6 +23,15 @@ const NODES: [u8; 32] = [
     6, 20, 35, 56,
 ];
 
+/// The number of nodes of an element of a type.
+fn node_count(element: i64) -> Result<usize, String> {
+    let known = usize::try_from(element).ok().and_then(|element| NODES.get(element));
+    match known {
+        Some(&nodes @ 1..) => Ok(usize::from(nodes)),
+        _ => Err(format!("there is no element of type {element}")),
+    }
+}
+
 /// The number of corners of elements of a type that are faces; 0 for other types.
 fn sides(element: usize) -> usize {
     match element {

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use glam::DVec3;
 
-use super::{NODES, mujoco, sides};
+use super::{mujoco, node_count, sides};
 use crate::mesh::attribute::{AttributeType, Value};
 use crate::mesh::file::contents::{Contents, FileColumn};
 use crate::mesh::file::error::{Failure, FileReason};
@@ -85,7 +85,9 @@ impl<'t> Reader<'t> {
                     self.format()?;
                     has_format = true;
                 }
-                _ if !has_format => return Err("a Gmsh file begins with `$MeshFormat`".into()),
+                _ if !has_format && section != b"Comments" => {
+                    return Err("a Gmsh file begins with `$MeshFormat`".into());
+                }
                 b"PhysicalNames" => self.names()?,
                 b"Entities" => self.entities()?,
                 b"Nodes" => self.nodes()?,
@@ -226,7 +228,9 @@ impl<'t> Reader<'t> {
 
     fn node(&mut self, tag: u64) -> Answer<()> {
         let at = DVec3::new(self.real()?, self.real()?, self.real()?);
-        self.nodes.insert(tag, self.contents.positions.len() as u32);
+        if self.nodes.insert(tag, self.contents.positions.len() as u32).is_some() {
+            return Err(format!("node {tag} is there twice"));
+        }
         self.contents.positions.push(at);
         Ok(())
     }
@@ -414,14 +418,6 @@ impl<'t> Reader<'t> {
         contents.encoding = Encoding::Ascii;
         contents.polygons = Polygons::of_parts(self.corners, self.ends);
         contents
-    }
-}
-
-fn node_count(element: i64) -> Answer<usize> {
-    let known = usize::try_from(element).ok().and_then(|element| NODES.get(element));
-    match known {
-        Some(&nodes @ 1..) => Ok(usize::from(nodes)),
-        _ => Err(format!("there is no element of type {element}")),
     }
 }
 

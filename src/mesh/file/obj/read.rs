@@ -208,11 +208,12 @@ impl Reader {
             let mut places = [MISSING; 3];
             for (i, place) in places.iter_mut().enumerate() {
                 let negative = scanner.take(b'-');
+                let is_signed = negative || scanner.take(b'+');
                 let digits = scanner.digits();
                 let length = scanner.position() - start;
                 let is_left_out = i > 0
                     && digits.is_none()
-                    && !negative
+                    && !is_signed
                     && !before[length..].first().is_some_and(u8::is_ascii_digit);
                 if !is_left_out {
                     let index = digits.ok_or_else(|| malformed(before))? as i64;

@@ -3,7 +3,7 @@
 use super::header::{Element, Header, Property, Scalar};
 use crate::mesh::file::error::{Damage, Failure, FileReason};
 use crate::mesh::file::format::Encoding;
-use crate::mesh::file::kept::MISSING;
+use crate::mesh::file::kept::{Kept, MISSING};
 use crate::mesh::file::scan::{Scanner, no_number, shown};
 
 /// The numbers of a property, row by row.
@@ -113,6 +113,15 @@ impl<'t> Body<'t> {
             }
         }
         Ok(tables)
+    }
+
+    /// Notes what follows the last element.
+    pub(super) fn note_rest(&mut self, kept: &mut Kept) {
+        let last = "element that the header declares";
+        match self.encoding {
+            Encoding::Ascii => kept.note_lines_behind(&mut self.scanner, last, self.lines),
+            _ => kept.note_bytes_behind(self.bytes, last),
+        }
     }
 
     fn tables(&self, element: &Element) -> Vec<Table> {

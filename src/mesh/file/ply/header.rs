@@ -119,6 +119,8 @@ pub(super) struct Header {
     /// The names of objects, groups, materials and smoothing groups, by number.
     pub(super) names: [Vec<Vec<u8>>; 4],
     pub(super) libraries: Vec<Vec<u8>>,
+    /// The other comments, and the lines `obj_info`.
+    pub(super) comments: Vec<String>,
     /// The length in bytes, and the number of lines.
     pub(super) length: usize,
     pub(super) lines: u32,
@@ -137,6 +139,7 @@ impl Header {
             declared: Vec::new(),
             names: Default::default(),
             libraries: Vec::new(),
+            comments: Vec::new(),
             length: 0,
             lines: 0,
             damage: Damage::default(),
@@ -160,14 +163,22 @@ impl Header {
             let known = match words.as_slice() {
                 [word] if header.lines == 1 => word.eq_ignore_ascii_case("ply"),
                 _ if header.lines == 1 => false,
-                [] | ["obj_info", ..] => true,
+                [] => true,
+                ["obj_info", ..] => {
+                    header.comments.push(line.trim().to_owned());
+                    true
+                }
                 ["format", name, _] => {
                     has_format = true;
                     header.set_format(name)
                 }
                 ["comment", ..] => {
-                    header.comment(line.trim_start()["comment".len()..].trim());
+                    header.comment(line.trim());
                     true
+                }
+                ["element", name, _] if header.elements.iter().any(|it| it.name == *name) => {
+                    let name = shown(name.as_bytes());
+                    return fail(format!("the element `{name}` is there twice"), header.lines);
                 }
                 ["element", name, count] => match count.parse() {
                     Ok(count) => {
@@ -222,18 +233,23 @@ impl Header {
         }
     }
 
-    /// Reads a comment, if it is one of the declarations that this module writes.
-    fn comment(&mut self, text: &str) {
+    /// Reads a comment: one of the declarations that this module writes, or one to keep.
+    fn comment(&mut self, line: &str) {
+        let text = line["comment".len()..].trim();
         let (word, rest) = text.split_once(' ').unwrap_or((text, ""));
         if word == "mtllib" {
             self.libraries.push(rest.as_bytes().to_vec());
-        } else if word == "attribute" {
-            self.declared.extend(declared(rest));
+        } else if word == "attribute"
+            && let Some(declared) = declared(rest)
+        {
+            self.declared.push(declared);
         } else if let Some(place) = STATES.iter().position(|state| *state == word)
             && let (number, name) = rest.split_once(' ').unwrap_or((rest, ""))
             && number.parse() == Ok(self.names[place].len())
         {
             self.names[place].push(name.as_bytes().to_vec());
+        } else {
+            self.comments.push(line.to_owned());
         }
     }
 }

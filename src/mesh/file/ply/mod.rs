@@ -17,7 +17,7 @@
 //! Facts that a head cannot express are in comments that other programs ignore:
 //! `comment attribute KIND NAME TYPE DEFAULT`, as in halfedge tables, and ` as PROPERTY` behind it
 //! where another property has the name; `comment material 0 NAME` and the like; `comment mtllib
-//! NAME`. Reals are written with 32 bits where that is exact.
+//! NAME`. Other comments and `obj_info` are kept. Reals are written with 32 bits where that is exact.
 
 mod body;
 mod header;

@@ -20,6 +20,7 @@ pub(in crate::mesh::file) fn read(text: &[u8]) -> Result<Contents, Failure> {
     let mut body = Body::new(&header, &text[header.length..]);
     let mut contents = Contents { encoding: header.encoding, ..Contents::default() };
     contents.kept.libraries.clone_from(&header.libraries);
+    contents.kept.comments.clone_from(&header.comments);
     contents.damage = header.damage.clone();
     for element in &header.elements {
         body.expect_numbers(element)?;
@@ -35,15 +36,14 @@ pub(in crate::mesh::file) fn read(text: &[u8]) -> Result<Contents, Failure> {
             "tristrips" => rows.strips()?,
             "edge" => rows.edges(),
             _ if element.count == 0 => {}
-            name => {
-                let name = shown(name.as_bytes());
-                let what = [format!("element `{name}`"), format!("elements `{name}`")];
-                contents.kept.note_count(what.each_ref().map(String::as_str), element.count);
-            }
+            _ => rows.pass_over(""),
         }
         if is_cut_off {
             break;
         }
+    }
+    if !body.is_cut_off {
+        body.note_rest(&mut contents.kept);
     }
     check_corners(&mut contents);
     Ok(contents)
@@ -208,26 +208,38 @@ impl Rows<'_> {
     /// Reads objects, groups, materials and smoothing groups, where comments name them.
     fn states(&mut self) {
         for (keyword, name) in STATES.into_iter().enumerate() {
-            if self.header.names[keyword].is_empty() {
+            let names = &self.header.names[keyword];
+            if names.is_empty() {
                 continue;
             }
-            if let Some((table, _)) = self.take(name, false) {
-                self.contents.kept.add_states(keyword, &self.header.names[keyword], &table.numbers);
+            match self.take(name, false) {
+                Some((table, _)) => {
+                    self.contents.kept.add_states(keyword, names, &table.numbers);
+                }
+                // They are comments of another program.
+                None => self.contents.kept.comments.extend((0..).zip(names).map(|(at, text)| {
+                    format!("comment {name} {at} {}", String::from_utf8_lossy(text))
+                })),
             }
         }
     }
 
     fn edges(&mut self) {
         let ends = ["vertex1", "vertex2"].map(|name| self.take(name, false));
-        if let [Some((from, _)), Some((to, _))] = ends {
-            let pairs = from.numbers.iter().zip(&to.numbers);
-            self.contents.edges = pairs.map(|(&v, &w)| [v as u32, w as u32]).collect();
-            let before = self.contents.columns.len();
-            self.columns(ElementKind::Edge, &[]);
-            if self.contents.columns.len() == before {
-                self.contents.edges = Vec::new(); // they say nothing that the faces do not
-            }
-        }
+        let [Some((from, _)), Some((to, _))] = ends else {
+            return self.pass_over(" without `vertex1` and `vertex2`");
+        };
+        let pairs = from.numbers.iter().zip(&to.numbers);
+        self.contents.edges = pairs.map(|(&v, &w)| [index(v), index(w)]).collect();
+        self.columns(ElementKind::Edge, &[]);
+    }
+
+    /// Notes that the rows are not in the mesh; `which` is said behind the name of the element.
+    fn pass_over(&mut self, which: &str) {
+        let name = shown(self.element.name.as_bytes());
+        let what = ["element", "elements"].map(|word| format!("{word} `{name}`{which}"));
+        let what = what.each_ref().map(String::as_str);
+        self.contents.kept.note_count(what, self.element.count);
     }
 
     /// Makes columns of the remaining tables. `corners` has the ends of the polygons.

@@ -37,7 +37,9 @@ pub(in crate::mesh::file) fn write(
     numbers: &WrittenNumbers,
 ) -> io::Result<()> {
     let mesh = &file.mesh;
-    let mut head = Head { text: String::new() };
+    // They come before the declarations, which number their names in order.
+    let comments = file.kept.comments.iter().map(|comment| format!("{comment}\n"));
+    let mut head = Head { text: comments.collect() };
     let mut vertices = Vec::new();
     let at = numbers.vertex_order.iter().flat_map(|&v| mesh.position(v).to_array()).collect();
     together(&mut vertices, &["x", "y", "z"], at, None);
