@@ -1,6 +1,6 @@
 //! One operation, proved and compiled, or the reasons why not.
 
-use super::contradictions::contradictions;
+use super::always_refused::always_refused;
 use crate::check::{Counterexample, Outcome, Proved, examine};
 use crate::compile::compile;
 use crate::diagnostic::{Diagnostic, Fix};
@@ -56,7 +56,7 @@ impl Examined {
                     Err(_) => found.diagnostics.push(too_large(op.span, &op.name)),
                 }
                 found.diagnostics.extend(proof.warnings());
-                found.diagnostics.extend(whole.map(contradictions).unwrap_or_default());
+                found.diagnostics.extend(whole.map(always_refused).unwrap_or_default());
                 found.proved = Some(proof);
             }
             Some(Err(rejection)) => {

@@ -3,7 +3,7 @@
 use super::Examined;
 use super::before::tell_of_before;
 use super::broken_dependencies::tell_what_is_lacking;
-use super::endless::endless;
+use super::endless_drains::endless_drains;
 use super::files::{
     Absent, Parts, Reader, fetch, is_about_lost, lost_attributes, without_consequences,
 };
@@ -100,7 +100,7 @@ impl Analysis {
         }
         let keeps = |op: usize| proved[op].as_ref().map(Proved::keeps).unwrap_or_default();
         diagnostics.extend(hidden_guards(&program, file, &seen, keeps));
-        diagnostics.extend(endless(&program));
+        diagnostics.extend(endless_drains(&program));
         diagnostics.extend(plan_steps(&program, &functions, keeps, &mut plans));
         let lost = lost_attributes(&parts, &diagnostics);
         diagnostics.retain(|error| !is_about_lost(&lost, error));

@@ -10,7 +10,7 @@ use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 use std::rc::Rc;
 
 use super::before::tell_of_before;
-use super::endless::endless;
+use super::endless_drains::endless_drains;
 use super::files::{Parts, Reader, fetch, name_of};
 use super::foreign::tell_as_elsewhere;
 use super::hidden_guards::hidden_guards;
@@ -114,7 +114,7 @@ impl Snapshot {
         let own = parts.remove(0);
         let used = parts.into_iter().map(|part| (part.file, part.parsed)).collect();
         let program = resolved.program;
-        told.extend(endless(&program));
+        told.extend(endless_drains(&program));
         let (functions, too_large) = Functions::of(&program);
         told.extend(too_large);
         tell_of_before(&program, &mut told);

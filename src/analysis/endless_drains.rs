@@ -5,7 +5,7 @@ use crate::diagram::{Collection, ExprKind, Kind, Rule};
 use crate::resolve::{Block, Program, ResolvedOp, Statement, StatementKind};
 
 /// A warning for each `drain` without `while` that adds an element for every one it takes.
-pub(super) fn endless(program: &Program) -> Vec<Diagnostic> {
+pub(super) fn endless_drains(program: &Program) -> Vec<Diagnostic> {
     let mut warnings = Vec::new();
     for statement in program.statements() {
         let StatementKind::Drain { collection, key, condition: None, body, .. } = &statement.kind

@@ -6,7 +6,7 @@ use crate::diagram::{
 };
 
 /// A warning for each `require` of an op that contradicts `before`, so that every place is refused.
-pub(super) fn contradictions(op: &diagram::Op) -> Vec<Diagnostic> {
+pub(super) fn always_refused(op: &diagram::Op) -> Vec<Diagnostic> {
     let warnings = op.rules.iter().flat_map(|rule| {
         let drawing = Drawing::new(rule);
         rule.requires.iter().filter_map(move |require| {
