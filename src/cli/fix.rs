@@ -179,8 +179,13 @@ fn round<'d>(
     }
     edits.sort_by_key(|edit| (edit.span.start, edit.span.end));
     let mut text = source.text().to_owned();
+    // New lines end as those of the file.
+    let ends_in_crlf = text.contains("\r\n");
     for edit in edits.iter().rev() {
-        text.replace_range(edit.span.range(), &edit.text);
+        match ends_in_crlf && !edit.text.contains('\r') {
+            true => text.replace_range(edit.span.range(), &edit.text.replace('\n', "\r\n")),
+            false => text.replace_range(edit.span.range(), &edit.text),
+        }
     }
     Some((text, applied))
 }

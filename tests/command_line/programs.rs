@@ -172,6 +172,11 @@ fn what_is_sure_is_written_until_nothing_is_left() {
     let again = bench.run(&["check", "--fix", "poke.hedge"]);
     assert!(!again.err.contains("written"), "{again:?}");
     assert_eq!(bench.read("poke.hedge"), mended);
+    // Lines keep their ends.
+    let with_crlf = |text: &str| text.replace('\n', "\r\n");
+    bench.write("windows.hedge", &with_crlf(FORGOTTEN));
+    bench.run(&["check", "--fix", "windows.hedge"]);
+    assert_eq!(bench.read("windows.hedge"), with_crlf(&mended));
 }
 
 /// Each round mends one level, and the text becomes longer.
