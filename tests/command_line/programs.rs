@@ -174,7 +174,7 @@ fn what_is_sure_is_written_until_nothing_is_left() {
     assert_eq!(bench.read("poke.hedge"), mended);
     // Lines keep their ends.
     let with_crlf = |text: &str| text.replace('\n', "\r\n");
-    bench.write("windows.hedge", &with_crlf(FORGOTTEN));
+    bench.write("windows.hedge", with_crlf(FORGOTTEN));
     bench.run(&["check", "--fix", "windows.hedge"]);
     assert_eq!(bench.read("windows.hedge"), with_crlf(&mended));
 }
