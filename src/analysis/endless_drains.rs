@@ -21,7 +21,7 @@ pub(super) fn endless_drains(program: &Program) -> Vec<Diagnostic> {
         });
         let adding = adding(body, kind, program).filter(|_| is_plain && !leaves(body));
         let Some(op) = adding else { continue };
-        let (name, kinds) = (&op.name, plural(kind));
+        let (name, kinds) = (&op.name, kind.plural());
         let message = format!(
             "`{name}` adds {kinds}, which this `drain` takes, too: it ends only where `{name}` refuses"
         );
@@ -39,13 +39,6 @@ fn drained(collection: &Collection) -> Option<Kind> {
         Collection::Edges => Some(Kind::Edge),
         Collection::Faces => Some(Kind::Face),
         _ => None,
-    }
-}
-
-fn plural(kind: Kind) -> String {
-    match kind {
-        Kind::Vertex => "vertices".to_owned(),
-        kind => format!("{}s", kind.word()),
     }
 }
 

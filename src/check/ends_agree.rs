@@ -8,7 +8,6 @@
 
 use super::pairing::pairing;
 use super::problem::{Problem, Remedy, enumerate};
-
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Drawing, Edge, Kind, LoopKind, NameId, Ref, Side, Spoke, Star, View};
 

@@ -6,6 +6,7 @@
 
 use super::pairing::{missing_loops, pairing, pairings};
 use super::problem::{Remedy, enumerate};
+use super::unknown_names::is_unknown;
 use crate::diagram::{Drawing, Kind, Loop, NameId, Rule};
 
 /// The most vertices, or halfedges, of a rule that is searched for two that are exchanged.
@@ -132,23 +133,22 @@ fn is_used(rule: &Rule, name: NameId) -> bool {
 /// The elements of `after` that nothing introduces; of a family the first member.
 fn unknown(rule: &Rule) -> Vec<NameId> {
     let drawing = Drawing::new(rule);
-    let order = [Kind::Vertex, Kind::Halfedge, Kind::Edge, Kind::Face];
-    let of_kind = order.into_iter().flat_map(|kind| rule.names_of(kind));
-    let is_unknown = |&name: &NameId| {
-        let is_known = drawing.before.mention(name).is_some() || drawing.created(name).is_some();
-        drawing.after.mention(name).is_some() && !is_known
-    };
-    of_kind.filter(|&name| rule.is_first(name)).filter(is_unknown).collect()
+    elements(rule).filter(|&name| is_unknown(&drawing, name)).collect()
 }
 
 /// The elements of `before` that stand nowhere in `after`; of a family the first member.
 fn forgotten(rule: &Rule) -> Vec<NameId> {
     let drawing = Drawing::new(rule);
-    let order = [Kind::Vertex, Kind::Halfedge, Kind::Edge, Kind::Face];
-    let of_kind = order.into_iter().flat_map(|kind| rule.names_of(kind));
     let is_forgotten =
         |&name: &NameId| drawing.survives(name) && drawing.after.mention(name).is_none();
-    of_kind.filter(|&name| rule.is_first(name)).filter(is_forgotten).collect()
+    elements(rule).filter(is_forgotten).collect()
+}
+
+/// The elements of a rule, kind by kind; of a family the first member.
+fn elements(rule: &Rule) -> impl Iterator<Item = NameId> {
+    let order = [Kind::Vertex, Kind::Halfedge, Kind::Edge, Kind::Face];
+    let of_kind = order.into_iter().flat_map(|kind| rule.names_of(kind));
+    of_kind.filter(|&name| rule.is_first(name))
 }
 
 /// Exchanges two vertices in all loops.

@@ -295,7 +295,7 @@ impl Law<'_> {
         // Two halfedges that are left over belong together, whatever edges they come from.
         match edges.as_slice() {
             [(_, one), (_, two)]
-                if one.len() == 1 && two.len() == 1 && self.unpaired().len() == 2 =>
+                if one.len() == 1 && two.len() == 1 && unpaired(self.drawing).len() == 2 =>
             {
                 self.edge_is_missing(&edges);
             }
@@ -359,10 +359,6 @@ impl Law<'_> {
         self.problems.push(Problem { diagnostic, remedies });
     }
 
-    fn unpaired(&self) -> Vec<NameId> {
-        unpaired(self.drawing)
-    }
-
     /// The remedies that pair unpaired halfedges: the edge as it was, if both of its halfedges are
     /// unpaired, or by their ends, or, if exactly two halfedges are unpaired, those two.
     fn pairings(&self, whole: Option<NameId>) -> Vec<Remedy> {
@@ -371,7 +367,7 @@ impl Law<'_> {
         let kept = whole.filter(|edge| free.contains(edge));
         let kept_alone = kept.map(|edge| Remedy::Keep(vec![edge]));
         let mut remedies: Vec<_> = kept_alone.into_iter().collect();
-        if let [left, right] = self.unpaired()[..] {
+        if let [left, right] = unpaired(self.drawing)[..] {
             let own = [left, right].map(|half| drawing.before.edge(half));
             let is_own = |edge: &&NameId| own.contains(&Some(**edge));
             let own: Vec<_> = free.iter().filter(is_own).copied().collect();
@@ -463,7 +459,7 @@ impl Law<'_> {
         let rule = drawing.rule;
         let is_open =
             |half: &NameId| drawing.created(*half).is_some() && !self.explained.contains(half);
-        let open: Vec<_> = self.unpaired().into_iter().filter(is_open).collect();
+        let open: Vec<_> = unpaired(self.drawing).into_iter().filter(is_open).collect();
         // In an unrolled rule, the first member is reported for its family.
         let told: Vec<_> = open.iter().copied().filter(|&half| rule.is_first(half)).collect();
         if told.len() < 2 || !self.pairings(None).is_empty() {

@@ -72,11 +72,10 @@ fn missing(rule: &Rule, first: &Ref, others: &[Ref], access: Access) -> Diagnost
     }
     let names = [first].into_iter().chain(others).map(|created| created.name);
     let names: Vec<_> = names.collect();
-    let (list, kind) = (enumerate(rule, &names), kind.word());
+    let list = enumerate(rule, &names);
     let who = match others {
-        [] => format!("the new {kind} {list} has"),
-        _ if kind == "vertex" => format!("the new vertices {list} have"),
-        _ => format!("the new {kind}s {list} have"),
+        [] => format!("the new {} {list} has", kind.word()),
+        _ => format!("the new {} {list} have", kind.plural()),
     };
     let message = match access {
         Access::Position => format!("{who} no position"),

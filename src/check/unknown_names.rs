@@ -22,8 +22,8 @@ impl Unknown {
         let is_forgotten = rule.created.is_empty() && found.has_others(drawing);
         for index in 0..rule.names.len() {
             let name = NameId(index as u32);
-            let known = drawing.before.mention(name).is_some() || drawing.created(name).is_some();
-            let Some(span) = drawing.after.mention(name).filter(|_| !known) else {
+            let Some(span) = drawing.after.mention(name).filter(|_| is_unknown(drawing, name))
+            else {
                 continue;
             };
             let meant = found.meaning(drawing, name);
@@ -54,8 +54,7 @@ impl Unknown {
         let rule = drawing.rule;
         let mut names = (0..rule.names.len() as u32).map(NameId);
         names.any(|name| {
-            drawing.after.mention(name).is_some()
-                && drawing.before.mention(name).is_none()
+            is_unknown(drawing, name)
                 && rule.name(name).named
                 && self.meaning(drawing, name).is_none()
         })
@@ -91,6 +90,12 @@ impl Unknown {
             .min()
             .map(|(_, other)| other)
     }
+}
+
+/// True if `after` draws a name that neither `before` nor `new` knows.
+pub(super) fn is_unknown(drawing: &Drawing, name: NameId) -> bool {
+    let is_known = drawing.before.mention(name).is_some() || drawing.created(name).is_some();
+    drawing.after.mention(name).is_some() && !is_known
 }
 
 /// True if two names differ at most in capitals.

@@ -48,6 +48,16 @@ impl Kind {
         }
     }
 
+    /// The word for several.
+    pub fn plural(self) -> String {
+        match self {
+            Kind::Vertex => "vertices".to_owned(),
+            Kind::Path | Kind::Fan | Kind::Halfedge | Kind::Edge | Kind::Face => {
+                format!("{}s", self.word())
+            }
+        }
+    }
+
     /// The type of an element of the kind; `None` for a run.
     pub fn element_type(self) -> Option<Type> {
         match self {

@@ -21,8 +21,8 @@ pub struct View {
     /// The width and height of the picture, without a legend.
     pub size: f64,
     /// The attribute that is shown in colour: a number, the length of a vector or matrix, or a
-    /// truth value, of which edges show only those that hold. Vectors of an attribute named `color` or `colour` with components
-    /// from 0 to 1 are colours themselves: red, green and blue.
+    /// truth value, of which edges show only those that hold. Vectors of an attribute named `color`
+    /// or `colour` with components from 0 to 1 are colours themselves: red, green and blue.
     pub attribute: Option<ColumnId>,
 }
 

@@ -8,11 +8,11 @@ use hedgerow::mesh::{
     validate, write_mesh_to,
 };
 
-fn read(format: FileFormat, bytes: &[u8]) -> Result<MeshFile, String> {
+pub(super) fn read(format: FileFormat, bytes: &[u8]) -> Result<MeshFile, String> {
     read_mesh_from("t", format, bytes, None).map_err(|error| error.to_string())
 }
 
-fn write(format: FileFormat, file: &MeshFile) -> Vec<u8> {
+pub(super) fn write(format: FileFormat, file: &MeshFile) -> Vec<u8> {
     let mut bytes = Vec::new();
     write_mesh_to(&mut bytes, format, file).unwrap();
     bytes

@@ -1,16 +1,8 @@
 //! Parts of files that are not in the mesh: each is reported, refused or written back.
 
-use hedgerow::mesh::{Encoding, FileFormat, MeshFile, Repair, read_mesh_from, write_mesh_to};
+use hedgerow::mesh::{Encoding, FileFormat, Repair, read_mesh_from};
 
-fn read(format: FileFormat, bytes: &[u8]) -> Result<MeshFile, String> {
-    read_mesh_from("t", format, bytes, None).map_err(|error| error.to_string())
-}
-
-fn write(format: FileFormat, file: &MeshFile) -> Vec<u8> {
-    let mut bytes = Vec::new();
-    write_mesh_to(&mut bytes, format, file).unwrap();
-    bytes
-}
+use crate::files::{read, write};
 
 /// What is reported of a file that is read.
 fn told(format: FileFormat, bytes: &[u8]) -> Vec<String> {

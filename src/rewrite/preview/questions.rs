@@ -1,0 +1,190 @@
+//! Questions about the result of an operation.
+
+use super::{Preview, is_in_triangle};
+use crate::mesh::{ElementKind, FaceId, Mesh, OrbitCondition, VertexId};
+use crate::rewrite::access::gone;
+use crate::rewrite::distinct::Remainders;
+use crate::rewrite::{ElementField, Fault};
+
+/// The most spokes of a vertex that are walked without being stored.
+const FEW_SPOKES: usize = 64;
+
+impl Preview {
+    /// Whether a condition would hold for an element; `at` is the second element of a condition
+    /// about two.
+    pub fn foresees(
+        &mut self,
+        mesh: &Mesh,
+        condition: OrbitCondition,
+        element: u32,
+        at: u32,
+    ) -> Result<bool, Fault> {
+        match condition {
+            OrbitCondition::ThreeSides => self.three_sides(mesh, element),
+            OrbitCondition::MeetsOnce => self.meets_once(mesh, element),
+            OrbitCondition::CornerOnce => self.corner_once(mesh, element, at),
+            OrbitCondition::TwoSpokes => self.two_spokes(mesh, element),
+            OrbitCondition::OneHole => self.one_hole(mesh, element),
+            OrbitCondition::FacesDiffer => self.faces_differ(mesh, element),
+            OrbitCondition::NeighborsDiffer => self.neighbors_differ(mesh, element),
+            OrbitCondition::SingleEdge => self.single_edge(mesh, element),
+            OrbitCondition::CornersDiffer => self.corners_differ(mesh, element),
+            OrbitCondition::CornersOwn => self.corners_own(mesh, element, at),
+        }
+    }
+
+    /// Whether a condition would hold for the origin of every halfedge in a buffer.
+    pub fn foresees_along(
+        &mut self,
+        mesh: &Mesh,
+        condition: OrbitCondition,
+        halfedges: &[u64],
+    ) -> Result<bool, Fault> {
+        for &halfedge in halfedges {
+            let vertex = self.record(mesh, halfedge as u32)?.vertex.0;
+            if !self.foresees(mesh, condition, vertex, vertex)? {
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    }
+
+    /// Whether all conditions about the star of a vertex are certain to hold: it is a fan of three or
+    /// more triangles, and at most one hole, and all its ends differ. `next` must have its new value,
+    /// as where [`OrbitCondition::CornersDiffer`] is asked.
+    pub fn is_simple_fan(&self, mesh: &Mesh, vertex: u32) -> bool {
+        self.is_plain() && self.has_simple_fan(mesh, vertex).unwrap_or(false)
+    }
+
+    fn has_simple_fan(&self, mesh: &Mesh, vertex: u32) -> Option<bool> {
+        let is_closed = mesh.hole_count() == 0;
+        let start = mesh.get_vertex_halfedge(VertexId(vertex))?;
+        let (mut at, mut holes, mut targets) = (start, 0, Remainders::default());
+        for degree in 1..=FEW_SPOKES {
+            let spoke = mesh.get_halfedge(at)?;
+            let before = mesh.get_halfedge(spoke.prev)?;
+            targets.add(before.vertex.0);
+            let is_hole = !is_closed && mesh.get_is_hole(spoke.face)?;
+            holes += u32::from(is_hole);
+            let fits = is_hole || is_in_triangle(spoke, before);
+            if !(fits && targets.differ && before.vertex.0 != vertex) {
+                return Some(false);
+            }
+            at = before.twin;
+            if at == start {
+                return Some(degree >= 3 && holes <= 1);
+            }
+        }
+        Some(false)
+    }
+
+    fn three_sides(&mut self, mesh: &Mesh, face: u32) -> Result<bool, Fault> {
+        self.corners.clear();
+        Ok(self.walk_loop(mesh, face, 3)? == 3)
+    }
+
+    fn meets_once(&mut self, mesh: &Mesh, face: u32) -> Result<bool, Fault> {
+        self.corners.clear();
+        self.walk_loop(mesh, face, usize::MAX)?;
+        Ok(self.seen.are_distinct(&self.corners))
+    }
+
+    fn two_spokes(&self, mesh: &Mesh, vertex: u32) -> Result<bool, Fault> {
+        let start = self.halfedge(mesh, ElementField::Vertex, vertex)?;
+        if start == u32::MAX {
+            return Ok(true);
+        }
+        let before = self.record(mesh, start)?.prev.0;
+        Ok(self.record(mesh, before)?.twin.0 != start)
+    }
+
+    fn corner_once(&mut self, mesh: &Mesh, face: u32, vertex: u32) -> Result<bool, Fault> {
+        let star = self.walk_star(mesh, vertex)?;
+        Ok(star.faces.iter().filter(|&&other| other == face).count() <= 1)
+    }
+
+    fn faces_differ(&mut self, mesh: &Mesh, vertex: u32) -> Result<bool, Fault> {
+        self.walk_star(mesh, vertex)?;
+        Ok(self.seen.are_distinct(&self.star.faces))
+    }
+
+    fn neighbors_differ(&mut self, mesh: &Mesh, vertex: u32) -> Result<bool, Fault> {
+        self.walk_star(mesh, vertex)?;
+        let Self { star, seen, .. } = self;
+        Ok(*star.targets_differ.get_or_insert_with(|| seen.are_distinct(&star.targets)))
+    }
+
+    fn one_hole(&mut self, mesh: &Mesh, vertex: u32) -> Result<bool, Fault> {
+        self.walk_star(mesh, vertex)?;
+        let (is_plain, mut holes) = (self.is_plain(), 0);
+        for &face in &self.star.faces {
+            let is_hole = match is_plain {
+                true => mesh.get_is_hole(FaceId(face)),
+                false => Some(self.is_hole(mesh, face)?),
+            };
+            holes += u32::from(is_hole.ok_or_else(|| gone(ElementKind::Face, face))?);
+        }
+        Ok(holes <= 1)
+    }
+
+    fn single_edge(&mut self, mesh: &Mesh, halfedge: u32) -> Result<bool, Fault> {
+        let ends = (self.record(mesh, halfedge)?.vertex.0, self.target(mesh, halfedge)?);
+        let star = self.walk_star(mesh, ends.0)?;
+        Ok(star.targets.iter().filter(|&&target| target == ends.1).count() <= 1)
+    }
+
+    /// Whether no two faces around a vertex have the same set of corners.
+    fn corners_differ(&mut self, mesh: &Mesh, vertex: u32) -> Result<bool, Fault> {
+        // If all faces are triangles, and the neighbors of the vertex are at least three and
+        // distinct, then each triangle has its own pair of consecutive neighbors.
+        let star = self.walk_star(mesh, vertex)?;
+        let are_triangles = star.has_triangles && star.faces.len() >= 3;
+        if are_triangles && self.neighbors_differ(mesh, vertex)? {
+            return Ok(true);
+        }
+        self.corners.clear();
+        self.runs.clear();
+        for at in 0..self.star.faces.len() {
+            let face = self.star.faces[at];
+            if self.is_hole(mesh, face)? {
+                continue;
+            }
+            let start = self.corners.len();
+            self.walk_loop(mesh, face, usize::MAX)?;
+            let end = self.corners.len();
+            self.corners[start..].sort_unstable();
+            self.runs.push((start as u32, end as u32));
+        }
+        let corners = &self.corners;
+        let run = |&(start, end): &(u32, u32)| &corners[start as usize..end as usize];
+        self.runs.sort_unstable_by(|a, b| run(a).cmp(run(b)));
+        Ok(self.runs.windows(2).all(|two| run(&two[0]) != run(&two[1])))
+    }
+
+    /// Whether no other face around a vertex of a face has the same set of corners.
+    fn corners_own(&mut self, mesh: &Mesh, face: u32, vertex: u32) -> Result<bool, Fault> {
+        if self.is_hole(mesh, face)? {
+            return Ok(true);
+        }
+        self.walk_star(mesh, vertex)?;
+        self.corners.clear();
+        let size = self.walk_loop(mesh, face, usize::MAX)?;
+        self.corners.sort_unstable();
+        for at in 0..self.star.faces.len() {
+            let other = self.star.faces[at];
+            if other == face || self.is_hole(mesh, other)? {
+                continue;
+            }
+            self.corners.truncate(size);
+            if self.walk_loop(mesh, other, size + 1)? != size {
+                continue;
+            }
+            self.corners[size..].sort_unstable();
+            let (own, others) = self.corners.split_at(size);
+            if own == others {
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    }
+}
