@@ -4,7 +4,7 @@
 //! taken for misspellings, so they are listed in tables. About half of them have an equivalent
 //! here, which is offered as a fix; for the others a sentence explains how it is done.
 
-use crate::diagnostic::{Diagnostic, Edit, Fix};
+use crate::diagnostic::Diagnostic;
 use crate::diagram::Type;
 use crate::source::Span;
 use crate::syntax::foreign_syntax::type_word;
@@ -12,7 +12,6 @@ use crate::syntax::tree::{self, Ident};
 
 use super::lookup::CONSTANTS;
 use super::suggestion::suggest;
-use super::words::short;
 
 /// The replacement of a foreign word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -51,7 +50,6 @@ const PARALLEL: Here = Said(
 );
 const CHANGED: Here =
     Said("a script changes a mesh by calling operations: `split(e)`, `dissolve_edge(e)`");
-const CLAMPED: &str = "it is `min(max(x, low), high)`";
 const STOPPED: Here = Said("`assert c else \"…\"` stops a script");
 
 /// The replacement of a foreign field of a type.
@@ -161,7 +159,6 @@ pub(super) fn function(word: &str) -> Option<Here> {
         "getattr" | "get" | "at" => {
             Said("attributes and pointers stand behind a dot: `v.position`")
         }
-        "clamp" => Said(CLAMPED),
         "parallel_for" | "parfor" => PARALLEL,
         "sqr" | "square" => Said("it is `x * x`"),
         "next"
@@ -294,35 +291,19 @@ pub(super) fn declared_type(word: &str) -> Option<&'static str> {
     type_word(word).or_else(|| ours.find(|ours| *ours == word))
 }
 
-/// The error with the fix for a call that has another form here: a constant is not called, and
-/// `clamp(x, low, high)` takes two calls.
-pub(super) fn rewritten(
+/// The error with the fix for a call of a constant; any other call gives the error back.
+pub(super) fn constant_called(
     error: Diagnostic,
     function: &Ident,
     args: &[tree::Expr],
     span: Span,
 ) -> Result<Diagnostic, Diagnostic> {
     let word = function.text.as_str();
-    match args {
-        [] if CONSTANTS.iter().any(|(known, _)| *known == word) => Ok(error
-            .saying(format!("`{word}` is a constant"))
-            .fix(format!("write `{word}`"), span, word)),
-        [x, low, high] if word == "clamp" => {
-            let part = |arg: &tree::Expr| match arg.kind {
-                tree::ExprKind::Int(value) => value.to_string(),
-                tree::ExprKind::Real(value) => format!("{value:?}"),
-                _ => short(arg, 3).unwrap_or_else(|| "…".to_owned()),
-            };
-            let [x, above, high] = [x, low, high].map(part);
-            let title = format!("write `min(max({x}, {above}), {high})`");
-            let edit = |span, text: &str| Edit { span, text: text.to_owned() };
-            let edits = vec![edit(function.span, "min(max"), edit(low.span.after(), ")")];
-            let mut error = error.note(CLAMPED);
-            error.fixes.push(Fix { title, edits });
-            Ok(error)
-        }
-        _ => Err(error),
+    if !args.is_empty() || !CONSTANTS.iter().any(|(known, _)| *known == word) {
+        return Err(error);
     }
+    let error = error.saying(format!("`{word}` is a constant"));
+    Ok(error.fix(format!("write `{word}`"), span, word))
 }
 
 /// Adds the replacement of the foreign `word` at `span` to `diagnostic`; if there is none, suggests

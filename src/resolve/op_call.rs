@@ -5,7 +5,7 @@ use crate::diagram::{Expr, Type};
 use crate::source::Span;
 use crate::syntax::tree::{self, Ident};
 
-use super::foreign_words::rewritten;
+use super::foreign_words::constant_called;
 use super::program::{Block, Statement, StatementKind};
 use super::script::Scripting;
 use super::sequence::is_sequence;
@@ -266,7 +266,7 @@ impl Typing<'_> {
         }
         let message = format!("there is no op `{word}`");
         let error = Diagnostic::error("unknown-op", message, function.span);
-        let error = rewritten(error, function, args, span).unwrap_or_else(|error| {
+        let error = constant_called(error, function, args, span).unwrap_or_else(|error| {
             declared.tell_what_is_meant(error, function, declared.op_names())
         });
         let is_meant = !error.fixes.is_empty();

@@ -7,7 +7,7 @@ use crate::syntax::tree::{self, Ident};
 
 use super::builtin::{SHUFFLE, function_names};
 use super::constructors::constructed;
-use super::foreign_words::rewritten;
+use super::foreign_words::constant_called;
 use super::neighbor::near;
 use super::sequence::is_sequence;
 use super::sequence_names::fold_names;
@@ -273,7 +273,7 @@ impl Typing<'_> {
         let declared = self.declared;
         let mut candidates: Vec<&str> = function_names().chain(fold_names()).collect();
         candidates.extend(declared.called_names());
-        let error = rewritten(error, function, args, span)
+        let error = constant_called(error, function, args, span)
             .unwrap_or_else(|error| declared.tell_what_is_meant(error, function, candidates));
         let is_meant = !error.fixes.is_empty();
         self.report.add(error);

@@ -100,6 +100,30 @@ pub(super) fn call(asm: &mut Assembler, place: u32, builtin: Builtin, args: &[Re
         Builtin::MaxInt => Inst::MaxInt { to, left, right },
         Builtin::MinReal => Inst::MinReal { to, left, right },
         Builtin::MaxReal => Inst::MaxReal { to, left, right },
+        Builtin::MinVector => {
+            return each_component(asm, of, all, |[to, left, right]| Inst::MinReal {
+                to,
+                left,
+                right,
+            });
+        }
+        Builtin::MaxVector => {
+            return each_component(asm, of, all, |[to, left, right]| Inst::MaxReal {
+                to,
+                left,
+                right,
+            });
+        }
+        Builtin::ClampInt => {
+            let least = asm.reg();
+            asm.emit(Inst::MaxInt { to: least, left, right });
+            Inst::MinInt { to, left: least, right: t }
+        }
+        Builtin::ClampReal => {
+            let least = asm.reg();
+            asm.emit(Inst::MaxReal { to: least, left, right });
+            Inst::MinReal { to, left: least, right: t }
+        }
         Builtin::Sqrt => math(Math::Sqrt),
         Builtin::Sin => math(Math::Sin),
         Builtin::Cos => math(Math::Cos),
@@ -126,6 +150,13 @@ pub(super) fn call(asm: &mut Assembler, place: u32, builtin: Builtin, args: &[Re
         Builtin::IsFinite => wide(Lanes::IsFinite, of, all),
     };
     asm.trap_at(place, inst);
+}
+
+/// Appends the instruction of each component of vectors.
+fn each_component(asm: &mut Assembler, ty: Type, all: [Reg; 3], inst: fn([Reg; 3]) -> Inst) {
+    for at in 0..super::width(ty) {
+        asm.emit(inst(all.map(|vector| vector.part(at))));
+    }
 }
 
 fn length(asm: &mut Assembler, ty: Type, to: Reg, from: Reg) -> Inst {
