@@ -35,15 +35,16 @@ impl Mesh {
     /// the column's.
     #[must_use]
     pub fn set_default(&mut self, id: ColumnId, default: Value) -> bool {
-        self.note_default(id);
-        let columns = &mut self.columns[id.kind as usize].0;
-        match columns.get_mut(id.place as usize) {
-            Some(column) if column.attribute_type() == default.attribute_type() => {
-                column.default = default;
-                true
-            }
-            _ => false,
+        let at = (id.kind as usize, id.place as usize);
+        let Some(column) = self.columns[at.0].0.get(at.1) else { return false };
+        if column.attribute_type() != default.attribute_type() {
+            return false;
         }
+        if !column.default.is_identical(default) {
+            self.note_default(id);
+            self.columns[at.0].0[at.1].default = default;
+        }
+        true
     }
 
     /// Fills every slot with the default, without a note in the journal: for scratch columns.

@@ -2,7 +2,7 @@
 
 use super::level::Known;
 use super::{Error, Session};
-use crate::mesh::Bookmark;
+use crate::mesh::{Bookmark, Level};
 
 /// A state of the mesh that can be restored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -13,12 +13,18 @@ pub struct Mark(u64);
 pub(super) struct Marks {
     open: Vec<(Mark, Bookmark, Known)>,
     made: u64,
+    /// The level that was found behind a mark and forgotten when the mark was undone: the next mark
+    /// looks for it first, so that it stays known.
+    forgotten: Option<Level>,
 }
 
 impl Session {
     /// Marks the state of the mesh. From then on all writes are recorded, which takes time and
     /// memory in proportion to them, until the mark is [undone](Self::undo) or [kept](Self::keep).
     pub fn mark(&mut self) -> Mark {
+        if let Some(level) = self.marks.forgotten.take() {
+            self.known.seek(level, &self.mesh);
+        }
         self.marks.made += 1;
         let mark = Mark(self.marks.made);
         self.marks.open.push((mark, self.mesh.open_journal(), self.known));
@@ -35,6 +41,10 @@ impl Session {
             session.masks.note(&session.mesh, &bookmark);
             session.mesh.roll_back(bookmark);
             session.masks.shrink(&session.mesh);
+            let found = session.known.level();
+            if found > known.level() {
+                session.marks.forgotten = Some(found);
+            }
             session.known = known;
             // Columns may have been added since.
             session.engine.unbind();
