@@ -4,7 +4,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::check::Proved;
-use crate::diagram::{Access, Expr, ExprKind, Kind, Type};
+use crate::diagram::{Access, Expr, ExprKind, Kind, Loop, LoopKind, NameId, Rule, Type};
 use crate::resolve::{Program, Statement, StatementKind, Steps};
 use crate::source::Span;
 
@@ -15,7 +15,8 @@ pub struct Effects {
     pub changes: bool,
     /// True if it may stop before its end, so that its changes have to be undone.
     pub refuses: bool,
-    /// The kinds of elements that it may erase, by the words of their types.
+    /// The kinds of elements that it may erase, by the words of their types; a face that becomes a
+    /// hole counts as erased.
     pub erases: BTreeSet<&'static str>,
     /// The attributes that it reads or writes.
     pub attributes: BTreeSet<u32>,
@@ -45,15 +46,11 @@ impl AllEffects {
                 Some(steps) => Effects::of_steps(steps),
                 None => proved[op].as_ref().map_or_else(Effects::default, |proved| {
                     let rules = proved.op().rules.iter();
-                    let erased = rules.flat_map(|rule| {
-                        let erased = rule.erased.iter();
-                        erased.map(|erased| rule.kind(erased.name))
+                    let erases = rules.flat_map(|rule| {
+                        let erased = rule.erased.iter().map(|erased| rule.kind(erased.name));
+                        erased.chain(opens(rule).then_some(Kind::Face)).map(Kind::word)
                     });
-                    Effects {
-                        changes: true,
-                        erases: erased.map(Kind::word).collect(),
-                        ..Effects::default()
-                    }
+                    Effects { changes: true, erases: erases.collect(), ..Effects::default() }
                 }),
             });
         }
@@ -111,6 +108,16 @@ impl AllEffects {
         let functions = functions.filter_map(|&function| self.function(function));
         ops.chain(functions).any(|called| called.erases.contains(ty.word()))
     }
+}
+
+/// True if a face may become a hole.
+fn opens(rule: &Rule) -> bool {
+    let holes = |loops: &'_ [Loop]| -> Vec<NameId> {
+        let holes = loops.iter().filter(|one| one.kind == LoopKind::Hole);
+        holes.map(|hole| hole.face.name).collect()
+    };
+    let before = holes(&rule.before.loops);
+    holes(&rule.after.loops).iter().any(|hole| !before.contains(hole))
 }
 
 impl Effects {

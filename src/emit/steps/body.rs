@@ -274,7 +274,8 @@ impl<'s> Writer<'s> {
             let word = ty.word();
             let gone = say!(language, "!mesh.{word}_alive({name})", "!journal.lives({name})");
             let filter = filter.map(|filter| this.names.value(filter)).transpose()?;
-            let gone = may_go.then(|| Term::whole(gone)).into_iter();
+            let hole = (ty == Type::Face).then(|| language.call("IsHole", &[Term::name(&name)]));
+            let gone = [Some(Term::whole(gone)), hole].into_iter().flatten().filter(|_| may_go);
             let skipped = gone.chain(filter.map(Term::not)).reduce(Term::or);
             let mut inner = Vec::new();
             if let Some(skipped) = skipped {
