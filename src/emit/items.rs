@@ -18,8 +18,8 @@ use crate::source::Span;
 /// Everything that is emitted.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(in crate::emit) struct Items {
-    /// The items that are called, each after those that it calls, and with the name of its file.
-    pub called: Vec<(String, Item)>,
+    /// The items that are called, each after those that it calls.
+    pub called: Vec<Item>,
     /// The operations that were selected.
     pub ops: Vec<Item>,
 }
@@ -85,7 +85,7 @@ struct Builder<'s> {
     source: &'s Source<'s>,
     /// The items that are begun, and whether they are done.
     is_done: BTreeMap<Need, bool>,
-    called: Vec<(String, Item)>,
+    called: Vec<Item>,
 }
 
 impl Builder<'_> {
@@ -115,7 +115,7 @@ impl Builder<'_> {
             self.need(other, Some(span))?;
         }
         self.is_done.insert(need, true);
-        self.called.push((selection.sources.get(span.file).name().to_string(), item));
+        self.called.push(item);
         Ok(())
     }
 }

@@ -4,7 +4,7 @@
 //! get a suffix. A family is a list with its name, and a member an entry of it: `h[i]`,
 //! `h[(i + 1) % n]`.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::item::Need;
 use super::items::Source;
@@ -149,8 +149,11 @@ impl<'s> Names<'s> {
 
     /// Names for the attributes of the program.
     fn declare_attributes(&mut self, attributes: &[diagram::Attribute]) {
+        let members = self.language.style.map(|style| style.members()).unwrap_or_default();
+        let mut taken = BTreeMap::new();
         for declared in attributes {
-            let name = unreserved(&plain(&declared.name), self.language.reserved);
+            let taken = taken.entry(declared.element.word()).or_insert_with(|| members.clone());
+            let name = free(&declared.name, self.language.reserved, taken);
             let attribute = Attribute {
                 declared: declared.name.clone(),
                 column: self.fresh(&format!("{name}_column")),

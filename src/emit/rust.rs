@@ -30,7 +30,7 @@ pub fn rust(selection: &Selection<'_>) -> Result<String, NotEmitted> {
     let language = Language::default();
     let Items { called, ops } = items(selection, language)?;
     let shown = ops.iter().map(|item| (item, Part::Selected));
-    let shown = shown.chain(called.iter().map(|(_, item)| (item, Part::Called)));
+    let shown = shown.chain(called.iter().map(|item| (item, Part::Called)));
     let shown = shown.map(|(item, part)| format!("\n{}", print::item(language, item, part)));
     let mut body: String = shown.collect();
     for (_, text) in RUST.needed(&body, "") {

@@ -11,5 +11,6 @@ mod cpp;
 mod everything;
 mod golden;
 mod headers;
+mod members;
 mod rust;
 mod told;

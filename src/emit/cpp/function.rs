@@ -28,16 +28,20 @@ pub fn cpp(selection: &Selection<'_>, style: &Style) -> Result<String, NotEmitte
         signature.result = signature.result.or(signature.given.as_ref().map(|given| given.ty));
     }
     let mut fields = BTreeSet::new();
-    for item in called.iter().map(|(_, item)| item).chain(&ops) {
+    for item in called.iter().chain(&ops) {
         fields.extend(item.attributes.iter().map(|attribute| {
             let (element, ty) = (attribute.element.word(), language.ty(attribute.ty));
             format!("//   {element}: {ty} {}\n", attribute.name)
         }));
     }
-    let outside = called.iter().map(|(home, item)| {
+    let outside = called.iter().map(|item| {
         let text = print::item(language, item, Part::Called);
-        let home = home.strip_suffix(".hedge").unwrap_or(home);
-        once(&format!("{home}_{}", item.signature.name), text.trim_end())
+        // Two programs may have functions of the same name: those with other texts are others. The
+        // hash is FNV-1a (Fowler, Noll and Vo, 1991).
+        let hash = |hash: u32, byte| (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193);
+        let version = format!("v{:08x}", text.bytes().fold(0x811c_9dc5, hash));
+        let text = format!("inline namespace {version} {{\n{}\n}}", text.trim_end());
+        once(&format!("{}_{version}", item.signature.name), &text)
     });
     let outside = outside.collect::<String>();
     let part = if ops.len() == 1 { Part::Alone } else { Part::Selected };

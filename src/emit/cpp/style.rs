@@ -1,7 +1,7 @@
 //! Styles of C++: reads, writes, allocations and erasures, which differ from one mesh class to the
 //! next. Everything is a named [`pattern`](super::pattern).
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::pattern::{Form, PATTERNS, StyleError, free_words, is_word, not_a_name, understand};
 use crate::diagram::Kind;
@@ -146,6 +146,15 @@ impl Style {
         }
         reserved.retain(|word| is_word(word) && word != "pointer");
         reserved
+    }
+
+    /// The words for the members of elements, which attributes cannot have as names.
+    pub(in crate::emit) fn members(&self) -> BTreeSet<String> {
+        let all = "next prev twin vertex edge face halfedge boundary set_boundary position";
+        let words = all.split(' ').flat_map(|name| {
+            self.name(name).split(|c: char| !c.is_ascii_alphanumeric() && c != '_')
+        });
+        words.map(String::from).collect()
     }
 
     /// The name that a target gives to an operation, if any.

@@ -352,8 +352,9 @@ class Journal {
 };
 #endif
 
-#ifndef HEDGEROW_tests_emit_steps_twos
-#define HEDGEROW_tests_emit_steps_twos
+#ifndef HEDGEROW_twos_v89619fe5
+#define HEDGEROW_twos_v89619fe5
+inline namespace v89619fe5 {
 /// How often 2 divides a number.
 inline long long twos(long long n) {
   long long rest = n;
@@ -365,10 +366,12 @@ inline long long twos(long long n) {
   }
   return count;
 }
+}
 #endif
 
-#ifndef HEDGEROW_std_polygon_bisect
-#define HEDGEROW_std_polygon_bisect
+#ifndef HEDGEROW_bisect_ve9d9c578
+#define HEDGEROW_bisect_ve9d9c578
+inline namespace ve9d9c578 {
 /// Cuts an edge in two at its midpoint; returns the new vertex.
 ///
 /// ```text
@@ -430,6 +433,7 @@ inline std::optional<Mesh::VertexRef> bisect(Journal& journal, Mesh::EdgeRef e) 
   e1->halfedge = p;
   m->position = m_position;
   return m;
+}
 }
 #endif
 
