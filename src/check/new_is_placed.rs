@@ -124,9 +124,20 @@ fn missing_elsewhere(created: &Ref, kind: Kind, declared: &Attribute) -> Diagnos
     let Attribute { name, ty, .. } = declared;
     let made = kind.a_word();
     let message = format!("`{name}` has no default, and a used file creates {made} without it");
-    let default = format!(" = {}", ty.zero().unwrap_or_default());
+    let zero = ty.zero().unwrap_or_default();
+    let error = Diagnostic::error("missing-attribute", message, declared.span)
+        .label(created.span, "created here");
+    let (default, error) = match kind {
+        Kind::Vertex => (format!(" = {zero}"), error),
+        _ => (
+            format!(" = inherited({zero})"),
+            error.note(format!(
+                "a new {0} then takes over the value of the {0} that it comes from; with \
+                 `= {zero}` it has this value",
+                kind.word()
+            )),
+        ),
+    };
     let declaration = format!("attr {name}: {} {}{default}", kind.word(), ty.word());
-    Diagnostic::error("missing-attribute", message, declared.span)
-        .label(created.span, "created here")
-        .fix(format!("write `{declaration}`"), declared.behind, default)
+    error.fix(format!("write `{declaration}`"), declared.behind, default)
 }

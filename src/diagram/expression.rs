@@ -259,6 +259,8 @@ pub struct Attribute {
     pub behind: Span,
     /// The constant that a new element gets. Without one, an op gives each new element its value.
     pub default: Option<Expr>,
+    /// True if a new element rather gets the value of what it [comes from](super::Rule::inherited).
+    pub inherits: bool,
     /// True if it is temporary, and removed when the run is over.
     pub private: bool,
 }

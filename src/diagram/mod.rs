@@ -7,6 +7,7 @@
 mod builtin;
 mod drawing;
 mod expression;
+mod inherit;
 mod member;
 mod op;
 mod reassign;

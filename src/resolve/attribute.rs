@@ -43,7 +43,8 @@ fn attribute(
     let head = declared.attribute_at(attr.name.span);
     let ty = head.map(|head| head.ty);
     let mut report = Report::default();
-    let default = attr.default.as_ref().and_then(|default| {
+    let (default, inherits) = default(attr, head.map(|head| head.element), &mut report);
+    let default = default.and_then(|default| {
         let mut scopes = Scopes::default();
         scopes.enter();
         let mut typing = Typing {
@@ -68,6 +69,34 @@ fn attribute(
         ty: ty.unwrap_or(Type::Real),
         behind: attr.ty.span.after(),
         default: default.filter(|_| ty.is_some()),
+        inherits,
         private: attr.private,
     }
+}
+
+/// The word before a default with which new elements inherit: `= inherited(0)`.
+const INHERITED: &str = "inherited";
+
+/// The default of an attribute, and whether new elements rather inherit.
+fn default<'a>(
+    attr: &'a tree::Attr,
+    element: Option<Type>,
+    report: &mut Report,
+) -> (Option<&'a tree::Expr>, bool) {
+    let Some(whole) = &attr.default else { return (None, false) };
+    let (function, args) = match &whole.kind {
+        tree::ExprKind::Call { function, args } if function.text == INHERITED => (function, args),
+        _ => return (Some(whole), false),
+    };
+    if element == Some(Type::Vertex) {
+        let message = "a new vertex comes from no other, so it inherits nothing";
+        let error = Diagnostic::error("not-inherited", message, function.span);
+        report.add(error.note("write the default alone; operations set other values in `after`"));
+    }
+    let [default] = args.as_slice() else {
+        let message = format!("`{INHERITED}` wants one value, for what inherits nothing");
+        report.add(Diagnostic::error("wrong-count", message, whole.span));
+        return (None, false);
+    };
+    (Some(default), true)
 }

@@ -69,7 +69,7 @@ pub(super) fn resolve_rule(
         // A value with the name of a drawn element has been reported as an error.
         names.find(&param.name).filter(|_| param.ty.is_some_and(|ty| ty.is_element()))
     });
-    Some(Rule {
+    let mut rule = Rule {
         label: rule.name.as_ref().map(|name| name.text.clone()),
         example: None,
         params: params.collect(),
@@ -86,7 +86,9 @@ pub(super) fn resolve_rule(
         span: rule.span,
         cycle: names.cycle(),
         names: names.into_list(),
-    })
+    };
+    rule.assignments.extend(rule.inherited());
+    Some(rule)
 }
 
 /// Both sides of a rule.

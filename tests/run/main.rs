@@ -3,6 +3,7 @@
 mod engines;
 mod everywhere;
 mod guard;
+mod inherited;
 mod lessons;
 mod live;
 mod local_ops;
