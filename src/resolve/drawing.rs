@@ -3,7 +3,7 @@
 use std::collections::{HashMap, HashSet};
 
 use crate::diagnostic::Diagnostic;
-use crate::diagram::{Edge, Kind, Loop, LoopItem, LoopKind, NameId, Ref, Side, Spoke, Star};
+use crate::diagram::{Edge, Kind, Loop, LoopItem, LoopKind, NameId, Ref, Role, Side, Spoke, Star};
 use crate::source::Span;
 use crate::syntax::tree::{self, Arrow, LoopKeyword, Statement};
 
@@ -275,9 +275,13 @@ impl<'a> Drawing<'a> {
             .label(first.from.span, "it begins here");
         if let Some(item) = self.lacks(gap) {
             let name = self.names.get(item);
+            let word = match (name.role, self.names.cycle()) {
+                (Role::Family, Some(cycle)) => format!("{}[{}]", name.text, cycle.letter),
+                _ => name.text.clone(),
+            };
             let arrow = match name.kind {
-                Kind::Path => format!("={}=>", name.text),
-                _ => format!("-{}->", name.text),
+                Kind::Path => format!("={word}=>"),
+                _ => format!("-{word}->"),
             };
             let rest = format!(" {arrow} {begins}");
             let error = error.label(name.span, "in no loop of `after`");

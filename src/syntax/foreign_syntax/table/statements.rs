@@ -12,6 +12,7 @@ const BACKWARDS: &str = "arrows run forward, around the face: `v0 -$a-> v1`";
 const DRAWN: &str = "a drawing has no `{}`: alternatives are `rule name { … }`, a refusal is `require c else \"…\"`, and `each i { … }` repeats a period";
 const AROUND: &str = "the index runs around, after the last comes the first: `v[i+1]`";
 const FORWARD: &str = "an index does not run backwards: a subscript is `i`, or `i` plus or minus a constant of at most 4, as in `v[i+1]`";
+const PERIOD: &str = "a period ends with an arrow: behind it the next one begins";
 const EACH: &str = "a period is repeated by `each`: `$k $f: each $i { … }`";
 const UNNAMED_EDGE: &str = "a pair of halfedges is an edge: `edge $e: …`";
 const UNNAMED_FACE: &str = "a cycle of arrows is a face: `face $f: …`";
@@ -88,10 +89,11 @@ pub(super) const LINES: &[Line] = &[
     ),
     sure(
         DRAWING,
-        "$e=each $i { $l:inside $d=->/=> $v }",
-        "$e $i { $l $d }",
-        "a period ends with an arrow: behind it the next one begins",
+        "$e=each $i { $a:word [ $i ] $l:inside $d=->/=> $a:word [ $i + 1 ] }",
+        "$e $i { $a[$i] $l $d }",
+        PERIOD,
     ),
+    told(DRAWING, "$e=each $i { $l:inside $d=->/=> $v }", "$e $i { $l $d }", PERIOD),
     sure(DRAWING, "[ ( $i $s=+/- $n:number ) %/mod $m:some ]", "[$i $s $n]", AROUND),
     sure(DRAWING, "[ $i $s=+/- $n:number %/mod $m:some ]", "[$i $s $n]", AROUND),
     told(
