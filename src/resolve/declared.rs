@@ -23,7 +23,7 @@ use super::neighbor::path;
 use super::report::Report;
 use super::sequence_names::fold_names;
 use super::signature::FunctionSignature;
-use super::suggestion::suggest;
+use super::suggestion::{suggest, suggest_function};
 use super::testing::mesh_maker;
 use super::unit::Unit;
 use super::words::{a_type, plural, short};
@@ -310,7 +310,10 @@ impl Declared {
             return suggest(error, &function.text, span, there);
         }
         let here = foreign_words::function(word).or_else(|| mesh_maker(word));
-        foreign_words::tell(error, (word, span), here, candidates)
+        match here {
+            Some(_) => foreign_words::tell(error, (word, span), here, []),
+            None => suggest_function(error, word, span, candidates),
+        }
     }
 
     /// The qualified name of an item of a used file, if it can be written.

@@ -5,7 +5,7 @@
 //! here, which is offered as a fix; for the others a sentence explains how it is done.
 
 use crate::diagnostic::Diagnostic;
-use crate::diagram::Type;
+use crate::diagram::{Overload, Type, Wanted, functions, overloads};
 use crate::source::Span;
 use crate::syntax::foreign_syntax::type_word;
 use crate::syntax::tree::{self, Ident};
@@ -51,6 +51,8 @@ const PARALLEL: Here = Said(
 const CHANGED: Here =
     Said("a script changes a mesh by calling operations: `split(e)`, `dissolve_edge(e)`");
 const STOPPED: Here = Said("`assert c else \"…\"` stops a script");
+const LEAST: Here = Said("`drain e in edges by length(e) { … }` takes the least first");
+const SQUARED: Here = Said("of a vector it is `dot(d, d)`, of an edge `pow(length(e), 2)`");
 
 /// The replacement of a foreign field of a type.
 pub(super) fn field(ty: Type, word: &str) -> Option<Here> {
@@ -209,9 +211,8 @@ pub(super) fn function(word: &str) -> Option<Here> {
         "first" | "choice" | "pick" | "any_of" | "random_choice" | "random_edge" | "sample" => {
             PICKED
         }
-        "sort" | "sort_by" | "order" | "order_by" => {
-            Said("`drain e in edges by length(e) { … }` takes the least first")
-        }
+        "sort" | "sort_by" | "order" | "order_by" | "queue" | "priority_queue" | "heap"
+        | "heapq" | "heappush" | "heappop" | "pop" => LEAST,
         "seed" | "srand" | "set_seed" => Said("the seed is given to the run: `--seed 7`"),
         "save" | "write" | "export" | "save_mesh" | "write_obj" | "write_mesh" => {
             Said("what a script leaves is written by `hedgerow run … -o FILE`")
@@ -228,8 +229,93 @@ pub(super) fn function(word: &str) -> Option<Here> {
         | "garbage_collection" => CHANGED,
         "rand" | "randint" | "rnd" | "uniform" => Written("random"),
         "permute" | "shuffled" => Written("shuffle"),
-        _ => return sequence_called(word),
+        _ => return measured(word).or_else(|| calculated(word)).or_else(|| sequence_called(word)),
     })
+}
+
+/// The replacement of a measure of a mesh or its elements.
+fn measured(word: &str) -> Option<Here> {
+    Some(match word {
+        "squared_length" | "length_squared" | "squaredNorm" | "squared_norm" | "length2"
+        | "lengthSquared" | "length_sq" | "lengthSq" | "norm2" | "sqr_length" | "sqrLength" => {
+            SQUARED
+        }
+        "squared_distance" | "distance_squared" | "distance2" | "dist2" => {
+            Said("with `let d = p - q` it is `dot(d, d)`")
+        }
+        "gaussian_curvature" | "angle_defect" | "gauss_curvature" => {
+            Said("inside the boundary it is `2 * pi - sum(angle(h) for h in v.halfedges)`")
+        }
+        "vertex_area" | "voronoi_area" | "mixed_area" | "barycentric_area" | "dual_area" => {
+            Said("a third of the faces around a vertex is `sum(area(f) for f in v.faces) / 3`")
+        }
+        "bounding_box" | "bbox" | "aabb" => Said(
+            "the corners of the box are found by a loop: `for v in vertices { low = min(low, \
+             v.position) }`",
+        ),
+        "volume" => Said(
+            "of a mesh without boundary it is `sum(dot(centroid(f), normal(f)) * area(f) for f in \
+             faces) / 3`",
+        ),
+        "surface_area" | "total_area" => Said("it is `sum(area(f) for f in faces)`"),
+        _ => return None,
+    })
+}
+
+/// The replacement of a function of numbers, vectors or matrices.
+fn calculated(word: &str) -> Option<Here> {
+    Some(match word {
+        "sign" | "signum" | "sgn" => Said("it is `if x > 0 { 1 } else if x < 0 { -1 } else { 0 }`"),
+        "copysign" => Said("it is `if y < 0 { -abs(x) } else { abs(x) }`"),
+        "sinh" => Said("it is `(exp(x) - exp(-x)) / 2`"),
+        "cosh" => Said("it is `(exp(x) + exp(-x)) / 2`"),
+        "tanh" => Said("it is `1 - 2 / (exp(2 * x) + 1)`"),
+        "asinh" | "arcsinh" => Said("it is `log(x + sqrt(x * x + 1))`"),
+        "acosh" | "arccosh" => Said("it is `log(x + sqrt(x * x - 1))`"),
+        "atanh" | "arctanh" => Said("it is `log((1 + x) / (1 - x)) / 2`"),
+        "atan" | "arctan" => Said("`atan2(y, x)` takes both sides: of one number, `atan2(x, 1)`"),
+        "arctan2" => Written("atan2"),
+        "log2" => Said("it is `log(x) / log(2)`"),
+        "log10" => Said("it is `log(x) / log(10)`"),
+        "log1p" => Said("it is `log(1 + x)`"),
+        "exp2" => Said("it is `pow(2, x)`"),
+        "exp10" => Said("it is `pow(10, x)`"),
+        "expm1" => Said("it is `exp(x) - 1`"),
+        "fract" | "frac" => Said("it is `x - floor(x)`"),
+        "trunc" => Said("it is `if x < 0 { ceil(x) } else { floor(x) }`"),
+        "modf" => Said("the whole part is `floor(x)`, the rest `x - floor(x)`"),
+        "fmod" | "remainder" => {
+            Said("of ints it is `i mod n`, of reals from 0 on `x - y * floor(x / y)`")
+        }
+        "hypot" => Said("it is `length(vec2(x, y))`"),
+        "cbrt" => Said("of a number from 0 on it is `pow(x, 1 / 3)`"),
+        "rsqrt" | "inversesqrt" => Said("it is `1 / sqrt(x)`"),
+        "radians" | "deg2rad" | "to_radians" => Said("it is `x * pi / 180`"),
+        "degrees" | "rad2deg" | "to_degrees" => Said("it is `x * 180 / pi`"),
+        "saturate" | "clamp01" => Said("it is `clamp(x, 0, 1)`"),
+        "clip" => Written("clamp"),
+        "smoothstep" => {
+            Said("with `let t = clamp((x - a) / (b - a), 0, 1)` it is `t * t * (3 - 2 * t)`")
+        }
+        "step" => Said("`step(a, x)` is `if x < a { 0 } else { 1 }`"),
+        "reflect" => Said("it is `d - 2 * dot(d, n) * n`"),
+        "trace" => Said(
+            "it is the sum of `(m * vec3(1, 0, 0)).x`, `(m * vec3(0, 1, 0)).y` and \
+             `(m * vec3(0, 0, 1)).z`",
+        ),
+        "fmin" => Written("min"),
+        "fmax" => Written("max"),
+        _ => return of_floats(word),
+    })
+}
+
+/// The function that C calls with an `f` behind its name: `sqrtf`.
+fn of_floats(word: &str) -> Option<Here> {
+    let name = word.strip_suffix('f')?;
+    let (ours, _) = functions().find(|(ours, _)| *ours == name)?;
+    let of_reals =
+        |way: &Overload| way.wanted.iter().all(|wanted| *wanted == Wanted::Is(Type::Real));
+    overloads(name).iter().all(of_reals).then_some(Written(ours))
 }
 
 fn sequence_called(word: &str) -> Option<Here> {

@@ -24,19 +24,67 @@ pub fn closest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) ->
 }
 
 /// Labels the primary place of `diagnostic` with the candidate closest to `word`, if there is one,
-/// and adds the fix that writes it at `span`.
+/// and adds the fix that writes it at `span`, unless the digits differ: those are meant.
 pub(super) fn suggest<'a>(
     diagnostic: Diagnostic,
     word: &str,
     span: Span,
     candidates: impl IntoIterator<Item = &'a str>,
 ) -> Diagnostic {
-    match closest(word, candidates) {
-        Some(meant) => diagnostic.saying(format!("did you mean `{meant}`?")).fix(
-            format!("write `{meant}`"),
-            span,
-            meant,
-        ),
-        None => diagnostic,
+    suggest_if(diagnostic, (word, span), candidates, |meant| digits(word) == digits(meant))
+}
+
+/// The same for functions, whose short names are so dense that one letter makes another.
+pub(super) fn suggest_function<'a>(
+    diagnostic: Diagnostic,
+    word: &str,
+    span: Span,
+    candidates: impl IntoIterator<Item = &'a str>,
+) -> Diagnostic {
+    suggest_if(diagnostic, (word, span), candidates, |meant| is_slip(word, meant))
+}
+
+fn suggest_if<'a>(
+    diagnostic: Diagnostic,
+    (word, span): (&str, Span),
+    candidates: impl IntoIterator<Item = &'a str>,
+    is_certain: impl Fn(&str) -> bool,
+) -> Diagnostic {
+    let Some(meant) = closest(word, candidates) else {
+        return diagnostic;
+    };
+    let diagnostic = diagnostic.saying(format!("did you mean `{meant}`?"));
+    match is_certain(meant) {
+        true => diagnostic.fix(format!("write `{meant}`"), span, meant),
+        false => diagnostic,
     }
+}
+
+/// The number of letters of a short name: `cos` and `cosh`, `sin` and `sign` are two.
+const SHORT: usize = 4;
+
+/// True if a word that is close to a function is certainly a misspelling of it: with the same
+/// digits, and a short one with its letters in another order, left out or doubled.
+fn is_slip(word: &str, meant: &str) -> bool {
+    let letters = |word: &str| word.chars().collect::<Vec<_>>();
+    let sorted = |word: &str| {
+        let mut letters = letters(word);
+        letters.sort_unstable();
+        letters
+    };
+    let single = |word: &str| {
+        let mut letters = letters(word);
+        letters.dedup();
+        letters
+    };
+    let mut rest = meant.chars();
+    digits(word) == digits(meant)
+        && (letters(word).len().min(letters(meant).len()) > SHORT
+            || sorted(word) == sorted(meant)
+            || word.chars().all(|letter| rest.any(|other| other == letter))
+            || single(word) == single(meant))
+}
+
+fn digits(word: &str) -> String {
+    word.chars().filter(char::is_ascii_digit).collect()
 }
