@@ -1,9 +1,10 @@
 //! Foreign syntax that was found in one place.
 
-use super::pattern::{Class, What, operand_end};
+use super::pattern::{Class, What};
 use super::place::{CODE, HEAD, Item};
 use super::table::{Form, Piece};
 use super::types::type_meant;
+use super::value::operand_end;
 use crate::diagnostic::Edit;
 use crate::source::Span;
 use crate::syntax::token::{Token, TokenKind as T};

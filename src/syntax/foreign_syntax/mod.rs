@@ -21,6 +21,8 @@ mod mend;
 
 mod types;
 
+mod value;
+
 use super::token::Token;
 use crate::diagnostic::Diagnostic;
 use crate::source::Span;

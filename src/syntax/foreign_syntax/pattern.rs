@@ -21,9 +21,11 @@
 //! | `$a:prose` | the same, if it begins with two words |
 //! | `$a:plain` | the same, without the arrow of a path |
 //! | `$a:inside` | the same over several lines: the contents of brackets |
-//! | `$a:value` | the same, at least one token, without braces and without a sign at its end |
+//! | `$a:value` | a part of at least one token, without braces, statements and a sign at its end |
+//! | `$a:whole` | a value as far as it goes on, with a statement or nothing behind it |
 //! | `$a:bound` | the same, at least one token, without commas and conditions |
 //! | `$a:place` | a name with what is read behind it, `v.position.x` |
+//! | `$a:owner` | the same, or with what is called behind it, before what is read or called last |
 //! | `$a:operand` | a number, or a name with what is read and called behind it |
 //! | `$a:exponent` | the same, without a power behind it |
 //! | `$i:next` | a step of what `$i` stands for by one: `i++` |
@@ -35,6 +37,7 @@
 //! stands for the same text.
 
 use super::place::{Item, goes_on};
+use super::value::{is_of_statement, operand_end, owner_ends, place_end, whole_end};
 use crate::syntax::token::{Token, TokenKind as T};
 use std::ops::Range;
 
@@ -85,8 +88,10 @@ pub(super) enum Class {
     Plain,
     Inside,
     Value,
+    Whole,
     Bound,
     Place,
+    Owner,
     Operand,
     Exponent,
     Next,
@@ -175,8 +180,10 @@ fn hole_of(written: &'static str) -> What {
         "plain" => Class::Plain,
         "inside" => Class::Inside,
         "value" => Class::Value,
+        "whole" => Class::Whole,
         "bound" => Class::Bound,
         "place" => Class::Place,
+        "owner" => Class::Owner,
         "operand" => Class::Operand,
         "exponent" => Class::Exponent,
         "next" => Class::Next,
@@ -292,18 +299,21 @@ fn all_ends(what: &What, item: &Item, at: usize) -> Vec<usize> {
             Class::Inside => paired(item, at, |_| false),
             Class::Value => {
                 let mut ends = paired(item, at, |end| {
-                    item.ends_line(end) || item.kind(end) == Some(T::LeftBrace)
+                    let is_over = |kind| kind == T::LeftBrace || is_of_statement(kind);
+                    item.ends_line(end) || item.kind(end).is_some_and(is_over)
                 });
                 let is_sign = |kind: T| kind == T::Star || goes_on(kind);
                 ends.retain(|&end| end > at && !item.kind(end - 1).is_some_and(is_sign));
                 ends
             }
+            Class::Whole => whole_end(item, at).into_iter().collect(),
             Class::Bound => {
                 let ends = paired(item, at, |end| item.ends_line(end));
                 let is_bound = |end: &usize| (at..*end).all(|at| !decides(item.word(at)));
                 ends.into_iter().filter(|&end| end > at).take_while(is_bound).collect()
             }
             Class::Place => place_end(item, at).into_iter().collect(),
+            Class::Owner => owner_ends(item, at),
             Class::Operand => operand_end(item, at).into_iter().collect(),
             Class::Exponent => {
                 let is_last = |&end: &usize| {
@@ -339,34 +349,6 @@ fn next_end(item: &Item, at: usize, name: &str) -> Option<usize> {
     steps.into_iter().find(is_here).map(|step| at + step.len())
 }
 
-/// The end of a name with what is read behind it.
-fn place_end(item: &Item, at: usize) -> Option<usize> {
-    let mut end = item.name_end(at)?;
-    while item.kind(end) == Some(T::Dot) && item.kind(end + 1).is_some_and(T::is_wordlike) {
-        end += 2;
-    }
-    Some(end)
-}
-
-/// The end of a number, or of a name with what is read and called behind it.
-pub(super) fn operand_end(item: &Item, at: usize) -> Option<usize> {
-    if matches!(item.kind(at)?, T::Int | T::Real) {
-        return Some(at + 1);
-    }
-    let mut end = item.name_end(at)?;
-    loop {
-        end = match item.kind(end) {
-            Some(T::Dot) if item.kind(end + 1).is_some_and(T::is_wordlike) => end + 2,
-            Some(T::LeftParen) if item.touches(end) => {
-                let closing = paired(item, end + 1, |_| false).pop()?;
-                item.kind(closing).filter(|kind| *kind == T::RightParen)?;
-                closing + 1
-            }
-            _ => return Some(end),
-        };
-    }
-}
-
 fn text_end(item: &Item, at: usize) -> Option<usize> {
     match item.kind(at)? {
         T::Text => Some(at + 1),
@@ -394,7 +376,7 @@ fn names_ends(item: &Item, at: usize) -> Vec<usize> {
 
 /// The possible ends of a run of tokens with balanced brackets that begins at a token, nearest
 /// first, up to a token for which `over` holds.
-fn paired(item: &Item, at: usize, over: impl Fn(usize) -> bool) -> Vec<usize> {
+pub(super) fn paired(item: &Item, at: usize, over: impl Fn(usize) -> bool) -> Vec<usize> {
     let mut ends = vec![at];
     let mut depth = 0_usize;
     for end in at..at + LONGEST {

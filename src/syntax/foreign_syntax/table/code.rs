@@ -101,13 +101,13 @@ pub(super) const LINES: &[Line] = &[
     ),
     sure(
         CODE,
-        "= $a:value _if $c:value _else $b:line",
+        "= $a:value _if $c:value _else $b:whole",
         "= if $c { $a } else { $b }",
         "a choice is `if c { x } else { y }`",
     ),
     sure(
         CODE,
-        "return $a:value _if $c:value _else $b:line",
+        "return $a:value _if $c:value _else $b:whole",
         "return if $c { $a } else { $b }",
         "a choice is `if c { x } else { y }`",
     ),

@@ -70,9 +70,9 @@ pub(super) const LINES: &[Line] = &[
     ),
     told(CODE | PARTS, "* ~*", "*", POWER),
     told(ANY, "^", "*", POWER),
-    sure(CODE, "= $c:value ? $a:value : $b:line", "= if $c { $a } else { $b }", CHOICE),
-    sure(CODE, "return $c:value ? $a:value : $b:line", "return if $c { $a } else { $b }", CHOICE),
-    sure(CODE, "print $c:value ? $a:value : $b:line", "print if $c { $a } else { $b }", CHOICE),
+    sure(CODE, "= $c:value ? $a:value : $b:whole", "= if $c { $a } else { $b }", CHOICE),
+    sure(CODE, "return $c:value ? $a:value : $b:whole", "return if $c { $a } else { $b }", CHOICE),
+    sure(CODE, "print $c:value ? $a:value : $b:whole", "print if $c { $a } else { $b }", CHOICE),
     sure(CODE | HEAD, "{ $c:value ? $a:value : $b:value }", "{ if $c { $a } else { $b } }", CHOICE),
     sure(
         CODE | PARTS,
