@@ -1,6 +1,6 @@
 //! Sequences of elements, and the aggregates over them.
 
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Edit, Fix};
 use crate::diagram::{Collection, Expr, ExprKind, Fold, FoldFunction, Type};
 use crate::source::Span;
 use crate::syntax::tree::{self, Ident};
@@ -13,6 +13,18 @@ use super::typed::{to_real, typed};
 use super::typing::{Place, Typing, with_field};
 use super::vocabulary::{fields, is_function};
 use super::words::{a_type, quoted, short, subject};
+
+const COUNTED: &str = "`count(edges)` counts them all, `count(boundary(e) for e in edges)` those \
+                       for which a condition holds";
+
+/// True if an aggregate takes each element as it is, or one for each.
+fn counts_each(body: &tree::Expr, variable: &Ident) -> bool {
+    match &body.kind {
+        tree::ExprKind::Name(name) => name.index.is_none() && name.ident.text == variable.text,
+        tree::ExprKind::Int(1) => true,
+        _ => false,
+    }
+}
 
 /// The sequence of this name around an element.
 fn around(base: Expr, word: &str) -> Result<Collection, Expr> {
@@ -131,6 +143,10 @@ impl Typing<'_> {
         let value = self.expression(body);
         self.scopes.leave();
         let (filter, fold, value) = (filter?, fold?, value?);
+        if fold == FoldFunction::Count && counts_each(body, variable) {
+            self.each_counted(expr, value.ty);
+            return None;
+        }
         let (ty, value) = self.fold_body(fold, function, body, value)?;
         let ty = match (fold, &collection) {
             (FoldFunction::ArgMin | FoldFunction::ArgMax, Some(of)) => of.element(),
@@ -224,6 +240,42 @@ impl Typing<'_> {
         None
     }
 
+    /// Reports `count(v for v in vertices where boundary(v))`, with the bool in place of the element.
+    fn each_counted(&mut self, expr: &tree::Expr, ty: Type) {
+        let tree::ExprKind::Aggregate { body, variable, sequence, filter, .. } = &expr.kind else {
+            return;
+        };
+        let message = format!(
+            "`count` wants a bool for each element, but {} is {}",
+            subject(body),
+            a_type(ty)
+        );
+        let error = Diagnostic::error("type-mismatch", message, body.span).note(COUNTED);
+        let Some(all) = short(sequence, 3) else {
+            self.report.add(error);
+            return;
+        };
+        let edit = |span, text: String| Edit { span, text };
+        let Span { start, .. } = body.span;
+        let (written, edits) = match filter {
+            None => {
+                let whole = body.span.to(sequence.span);
+                (format!("count({all})"), vec![edit(whole, all)])
+            }
+            Some(filter) => {
+                let over = format!(" for {} in {all}", variable.text);
+                let before = Span { start, end: filter.span.start, ..filter.span };
+                let edits =
+                    vec![edit(before, String::new()), edit(filter.span.after(), over.clone())];
+                (format!("count(…{over})"), edits)
+            }
+        };
+        let title = format!("write `{written}`");
+        let mut error = error;
+        error.fixes.push(Fix { title, edits });
+        self.report.add(error);
+    }
+
     /// The type of an aggregate, and its body converted to the type that it aggregates.
     fn fold_body(
         &mut self,
@@ -254,9 +306,7 @@ impl Typing<'_> {
                     a_type(ty)
                 );
                 let error = Diagnostic::error("type-mismatch", message, written.span);
-                let all = "`count(edges)` counts them all, `count(boundary(e) for e in edges)` \
-                           those for which a condition holds";
-                self.report.add(error.note(all));
+                self.report.add(error.note(COUNTED));
                 return None;
             }
             (FoldFunction::Count | FoldFunction::Any | FoldFunction::All, _) => {

@@ -58,11 +58,14 @@ pub fn signatures(function: &str) -> Vec<Signature> {
             gives: Some(way.result),
         })
         .collect();
-    if fold_names().any(|fold| fold == function) {
-        ways.push(Signature {
-            takes: vec!["value for x in sequence where condition"],
-            gives: None,
-        });
+    let over = |takes| Signature { takes: vec![takes], gives: None };
+    match function {
+        "count" => ways.extend([over("sequence"), over("bool for x in sequence where condition")]),
+        "any" | "all" => ways.push(over("bool for x in sequence where condition")),
+        _ if fold_names().any(|fold| fold == function) => {
+            ways.push(over("value for x in sequence where condition"));
+        }
+        _ => {}
     }
     ways
 }
