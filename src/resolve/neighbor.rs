@@ -25,10 +25,16 @@ pub(super) fn near(written: &tree::Expr, ty: Type, wanted: Type) -> Option<Strin
     Some(match (ty, wanted) {
         (Type::Edge, Type::Vec3) => format!("the middle of {of} is `midpoint({text})`"),
         (Type::Face, Type::Vec3) => format!("the middle of {of} is `centroid({text})`"),
-        (Type::Halfedge, Type::Vertex | Type::Vec3) => {
+        (Type::Halfedge, Type::Vec3) => {
+            format!("{of} goes from `{text}.vertex.position` to `{text}.target.position`")
+        }
+        (Type::Halfedge, Type::Vertex) => {
             format!("{of} begins at `{text}.{}`", path(ty, wanted)?)
         }
         (_, Type::Vec3) => format!("the position of {of} is `{text}.{}`", path(ty, wanted)?),
+        (Type::Edge, Type::Halfedge) => {
+            format!("the halfedges of {of} are `{text}.halfedge` and `{text}.halfedge.twin`")
+        }
         (_, Type::Halfedge) => format!("one halfedge of {of} is `{text}.{}`", path(ty, wanted)?),
         _ => format!("the {} of {of} is `{text}.{}`", wanted.word(), path(ty, wanted)?),
     })

@@ -55,6 +55,19 @@ fn convert(wanted: Wanted, arg: Expr) -> Expr {
     }
 }
 
+/// The note on what a function means for an argument of a type that it does not take in this place.
+fn combined(function: &Ident, written: &tree::Expr, ty: Type) -> Option<String> {
+    let (word, text) = (function.text.as_str(), short(written, 3)?);
+    if word == "cotangent" && ty == Type::Edge {
+        let weight = "(cotangent(h) + cotangent(h.twin)) / 2";
+        return Some(format!(
+            "with `let h = {text}.halfedge`, the weight of an edge is `{weight}`"
+        ));
+    }
+    let alone = overloads(word).iter().any(|way| way.wanted == [Wanted::Is(ty)]);
+    alone.then(|| format!("of {} alone it is `{word}({text})`", a_type(ty)))
+}
+
 impl Typing<'_> {
     /// `f(x, y)`
     pub(super) fn call(
@@ -223,6 +236,7 @@ impl Typing<'_> {
                 // One halfedge of several is meant least.
                 types.sort_by_key(|ty| *ty == Type::Halfedge);
                 let meant = types.into_iter().find_map(|ty| near(written, value.ty, ty));
+                let meant = combined(function, written, value.ty).or(meant);
                 self.report.add(meant.into_iter().fold(error, Diagnostic::note));
                 return;
             }
