@@ -136,6 +136,12 @@ pub(super) const LINES: &[Line] = &[
     told(CODE, "^for $n in $s:some order/sorted/sort by $k:some {", "for $n in $s {", ORDERED),
     told(
         CODE,
+        "^for $i in $a:part .. $n:part step/by - $s:part {",
+        "for $i in $a..$n {",
+        "a range has no step: `var $i = $a`, then `while $i > $n { … $i = $i - $s }`",
+    ),
+    told(
+        CODE,
         "^for $i in $a:part .. $n:part step/by $s:part {",
         "for $i in $a..$n {",
         "a range has no step: `var $i = $a`, then `while $i < $n { … $i = $i + $s }`",
