@@ -207,7 +207,9 @@ impl Case<'_> {
             let message = format!("the statement of {text} names no spoke");
             return Diagnostic::error("vertex-without-spokes", message, star.span)
                 .note(format!(
-                    "a fan runs from a spoke that has a name to the next: `vertex {}: h *S`",
+                    "a fan runs from a spoke that stands in a loop, `loop f: {0} -h-> w => {0}` and \
+                     `vertex {0}: h *S`, to the next; if no spoke changes, the loop alone is enough, \
+                     and `keep f` in `after`",
                     self.drawing.rule.name(vertex).text
                 ))
                 .into();
