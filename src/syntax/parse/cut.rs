@@ -3,6 +3,7 @@
 //! An item begins at its keyword outside all braces, or, inside braces that are not closed, at a
 //! keyword that can begin nothing else, so that a broken item ends where the next one begins.
 
+use super::foreign_syntax::item_word;
 use crate::syntax::token::{Token, TokenKind as T};
 use std::ops::Range;
 
@@ -95,6 +96,12 @@ fn begins_item(text: &str, tokens: &[Token], at: usize, inside: bool) -> bool {
         T::Test => (kind(1) == Some(T::Text), false),
         T::Private => (is_private(at), false),
         T::Attr => (named && kind(2) == Some(T::Colon), true),
+        // `def f`: a foreign word, followed by another.
+        T::Word => {
+            let is_item = text.get(tokens[at].span.range()).and_then(item_word).is_some();
+            let named = kind(1).is_some_and(T::is_wordlike);
+            return is_item && named && !inside && indent(text, tokens, at) == Some(0);
+        }
         _ => return false,
     };
     let Some(indent) = indent(text, tokens, at) else {

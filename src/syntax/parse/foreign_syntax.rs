@@ -233,7 +233,7 @@ fn begins_item(failure: &Failure) -> bool {
 }
 
 /// The keyword of this language for a foreign word that begins an item.
-fn item_word(word: &str) -> Option<&'static str> {
+pub(super) fn item_word(word: &str) -> Option<&'static str> {
     Some(match word {
         "def" | "function" | "func" | "fun" | "define" => "fn",
         "import" | "include" | "from" | "open" => "use",
