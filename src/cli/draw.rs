@@ -26,6 +26,12 @@ fn is_picture(path: &Path) -> bool {
     end.is_some_and(|end| end == "png" || end == "svg")
 }
 
+/// True if the file itself declares operations.
+fn has_own_ops(program: &Program) -> bool {
+    let analysis = &program.analysis;
+    analysis.program.ops.iter().any(|op| op.span.file == analysis.file)
+}
+
 /// Draws an operation, before and after, or all of a file on one page.
 pub(super) fn draw(arguments: &DrawArguments) -> Result<(), Failure> {
     let (path, name) = program::part(&arguments.op);
@@ -49,7 +55,12 @@ pub(super) fn draw(arguments: &DrawArguments) -> Result<(), Failure> {
             }
         };
     }
-    let op = program::find_op(&program, name)?;
+    let op = program::find_op(&program, name).map_err(|failure| match failure {
+        Failure::Usage(message) if name.is_none() && has_own_ops(&program) => {
+            Failure::Usage(format!("{message}, or `--html` for one page of all"))
+        }
+        failure => failure,
+    })?;
     let diagram = &*diagram(&program, op)?;
     let note = not_proved(&program.analysis, op);
     let text =

@@ -31,6 +31,7 @@ fn no_such_operation_or_script() {
         (["plan", &part(&flip, "flop")], "did you mean `flip`?"),
         (["plan", &part(&flip, "knot")], "it has `flip`, `flip_any`"),
         (["plan", &flip], "write FILE::NAME with one of `flip`, `flip_any`"),
+        (["draw", &flip], "one of `flip`, `flip_any`, or `--html` for one page of all"),
         (["plan", "::"], "cannot read"),
         (["plan", &part(&remesh, "remesh")], "only operations are drawn, applied and emitted"),
         (["plan", &part(&remesh, "remesh")], "remesh.hedge::remesh MESH` runs it"),
