@@ -233,6 +233,11 @@ pub(super) fn function(word: &str) -> Option<Here> {
     })
 }
 
+/// True if other languages have such a function of values.
+pub(super) fn is_foreign(word: &str) -> bool {
+    measured(word).or_else(|| calculated(word)).is_some()
+}
+
 /// The replacement of a measure of a mesh or its elements.
 fn measured(word: &str) -> Option<Here> {
     Some(match word {

@@ -84,12 +84,16 @@ impl Scripting<'_> {
                 let word = &function.text;
                 let message = format!("`{word}` may be refused, and then there is no value");
                 let error = Diagnostic::error("needs-must", message, expr.span);
+                let refused = match self.steps_of {
+                    Some(op) => format!("refuses `{op}`"),
+                    None => "stops the script".to_owned(),
+                };
                 let called = self.typing.declared.op(word).and_then(|op| self.ops.get(op));
                 let gives = called.filter(|op| op.result != Returned::Nothing);
                 self.typing.report.add(match gives {
                     Some(_) => error
                         .note(format!(
-                            "`if let x = {word}(…)` asks, `must {word}(…)` stops the script"
+                            "`if let x = {word}(…)` asks, `must {word}(…)` {refused}"
                         ))
                         .fix("write `must`", expr.span.before(), "must "),
                     None => error.note(format!(

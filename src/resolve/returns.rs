@@ -5,6 +5,7 @@ use crate::diagram::{Expr, ExprKind, Type};
 use crate::source::Span;
 use crate::syntax::tree::{self, Action, ActionKind};
 
+use super::foreign_words::is_foreign;
 use super::program::{Block, Statement, StatementKind};
 use super::scopes::{Binding, Local};
 use super::script::Scripting;
@@ -75,13 +76,24 @@ impl Scripting<'_> {
                         matches!(called.result, Value::Of(_))
                             && self.returns.value != Value::Nothing
                     }
+                    None if self.is_op_call(value) => false,
                     None => {
-                        !self.is_op_call(value) && self.typing.declared.is_called(&function.text)
+                        self.typing.declared.is_called(&function.text)
+                            || self.steps_of.is_none() && self.wants_value(&function.text)
                     }
                 }
             }
             tree::ExprKind::Must(_) => matches!(self.returns.value, Value::Of(_)),
             _ => true,
+        }
+    }
+
+    /// True if an unknown function at the end of a function is meant to give its value.
+    fn wants_value(&self, function: &str) -> bool {
+        match self.returns.value {
+            Value::Of(_) => true,
+            Value::Open => is_foreign(function),
+            Value::Nothing | Value::Unknown => false,
         }
     }
 
