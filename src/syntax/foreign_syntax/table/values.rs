@@ -1,7 +1,7 @@
 //! Values: what is read, called and computed.
 
 use super::{Line, fixed, sure, told};
-use crate::syntax::foreign_syntax::place::{CODE, PARTS};
+use crate::syntax::foreign_syntax::place::{CODE, HEAD, PARTS};
 
 const SIDES: &str = "an op is drawn: `before { … }` is what it finds, `after { … }` what it leaves";
 const EXISTS: &str =
@@ -12,6 +12,16 @@ const COMPONENT: &str = "a component of a vector is `p.x`, `p.y`, `p.z`";
 const CALLED: &str = "what is called stands in front: `degree(v)`, `flip(e)`";
 const SIZE: &str = "the size is `abs(x)` of a number, `length(p)` of a vector";
 const POINTER: &str = "what is read behind a dot has no parentheses: `.$p`";
+
+/// A pattern of a value, with what can stand before it.
+macro_rules! behind {
+    ($value:literal) => {
+        concat!(
+            "$b=(/,/=/+/-/{/}/return/not/and/or/if/while/where/by/require/print/assert/else/</>/<=/>=/==/!= ",
+            $value
+        )
+    };
+}
 
 pub(super) const LINES: &[Line] = &[
     told(CODE | PARTS, "is not $b=None/null/nil/nullptr/NULL", "!= true", EXISTS),
@@ -97,15 +107,45 @@ pub(super) const LINES: &[Line] = &[
         "what belongs to an element stands behind a dot, `.$p`; what is called stands in front, `$p(…)`",
     ),
     sure(
-        CODE | PARTS,
-        "$b=(/,/=/+/-/{/}/return/not/and/or/if/while/where/by/require/print/assert/else/</>/<=/>=/==/!= $x . $f=adjacent/distance/dot/cross/angle ~( $y:inside )",
+        CODE | PARTS | HEAD,
+        behind!("$x:owner . $f=adjacent/distance/dot/cross/angle ~( $y:inside )"),
         "$b $f($x, $y)",
         CALLED,
     ),
     sure(
-        CODE | PARTS,
-        "$b=(/,/=/+/-/{/}/return/not/and/or/if/while/where/by/require/print/assert/else/</>/<=/>=/==/!= $x . $f=degree/length/area/normal/centroid/midpoint/boundary/hole/dihedral_angle/angle/cotangent/normalize ~( )",
+        CODE | PARTS | HEAD,
+        behind!(
+            "$x:owner . $f=degree/length/area/normal/centroid/midpoint/boundary/hole/dihedral_angle/angle/cotangent/normalize ~( )"
+        ),
         "$b $f($x)",
+        CALLED,
+    ),
+    fixed(
+        CODE | PARTS | HEAD,
+        behind!("$x:owner . is_boundary/on_boundary/is_border/is_on_boundary/isBoundary ~( )"),
+        "$b $x",
+        "$b boundary($x)",
+        CALLED,
+    ),
+    fixed(
+        CODE | PARTS | HEAD,
+        behind!("$x:owner . valence/valency ~( )"),
+        "$b $x",
+        "$b degree($x)",
+        CALLED,
+    ),
+    fixed(
+        CODE | PARTS | HEAD,
+        behind!("$x:owner . norm/magnitude ~( )"),
+        "$b $x",
+        "$b length($x)",
+        CALLED,
+    ),
+    fixed(
+        CODE | PARTS | HEAD,
+        behind!("$x:owner . normalized ~( )"),
+        "$b $x",
+        "$b normalize($x)",
         CALLED,
     ),
     told(CODE | PARTS, ". $f:word ~( $x:inside )", "", CALLED),
