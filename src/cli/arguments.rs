@@ -223,7 +223,7 @@ pub(super) struct ApplyArguments {
 #[derive(Debug, Args)]
 pub(super) struct PlanArguments {
     /// A program, and an operation in it; without one, all of them,
-    /// of a file that only uses others those that it uses
+    /// of a file that only uses others those that its scripts call
     #[arg(value_name = "FILE[::OP]", verbatim_doc_comment)]
     pub op: String,
     /// Form in which to show it

@@ -1,5 +1,6 @@
 //! `hedgerow plan`
 
+use std::collections::BTreeSet;
 use std::mem::discriminant;
 use std::path::Path;
 
@@ -10,11 +11,13 @@ use super::failure::Failure;
 use super::files;
 use super::output::{complain, complain_of, say, say_exactly, table};
 use super::program::{self, Program};
-use crate::analysis::read_program;
+use crate::analysis::{Analysis, read_program};
 use crate::emit::{NotEmitted, Selection, Style, cpp, rust};
 use crate::library;
 use crate::mesh::Level;
+use crate::resolve::Script;
 use crate::rewrite::{Cell, Plan, Refusal, Row, Stage, Steps};
+use crate::run::prepare;
 
 /// Shows operations as pointer assignments: as a table, as data, or as code.
 pub(super) fn plan(arguments: &PlanArguments) -> Result<(), Failure> {
@@ -57,6 +60,14 @@ pub(super) fn plan(arguments: &PlanArguments) -> Result<(), Failure> {
         Shown::Cpp | Shown::Rust => {
             if name.is_none() {
                 leave_out(&program, &mut ops, |op| emit(&[op]).err());
+                let is_own = |op: &usize| {
+                    program.analysis.program.ops[*op].span.file == program.analysis.file
+                };
+                let scripts = own_scripts(&program).filter(|_| !ops.iter().any(is_own));
+                for (_, script) in scripts {
+                    let name = &script.name;
+                    complain(&format!("left out: `{name}`, since only operations are emitted"));
+                }
             }
             emitted(&program, emit(&ops))?
         }
@@ -103,17 +114,28 @@ fn style(arguments: &PlanArguments) -> Result<Style, Failure> {
     Ok(style)
 }
 
-/// All ops of a file; if it has none, those that it uses, of which a target that names ops selects
-/// the named ones.
+/// All ops of a file; if it has none, those that its scripts call, or else those of the files that
+/// it uses. Of these a target that names ops selects the named ones.
 fn all(program: &Program, style: &Style) -> Vec<usize> {
     let ops = &program.analysis.program.ops;
     let own = |at: &usize| ops[*at].span.file == program.analysis.file;
     let wanted = |at: &usize| !style.names_functions() || style.function(&ops[*at].name).is_some();
     let found: Vec<_> = (0..ops.len()).filter(own).collect();
-    match found.is_empty() {
-        true => (0..ops.len()).filter(wanted).collect(),
-        false => found,
+    if !found.is_empty() {
+        return found;
     }
+    let Analysis { program: known, plans, .. } = &program.analysis;
+    let called = own_scripts(program).filter_map(|(script, _)| prepare(known, script, plans).ok());
+    let called: BTreeSet<usize> = called.flat_map(|script| script.called().to_vec()).collect();
+    let of_use = |at: &usize| called.is_empty() || called.contains(at);
+    (0..ops.len()).filter(of_use).filter(wanted).collect()
+}
+
+/// The scripts of the file itself, with their numbers.
+fn own_scripts(program: &Program) -> impl Iterator<Item = (usize, &Script)> {
+    let analysis = &program.analysis;
+    let scripts = analysis.program.scripts.iter().enumerate();
+    scripts.filter(|(_, script)| script.span.file == analysis.file)
 }
 
 /// The names of the ops that steps call.

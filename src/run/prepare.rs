@@ -169,6 +169,11 @@ fn does_not_fit(script: &Script, too_large: TooLarge) -> Diagnostic {
 }
 
 impl Prepared {
+    /// The numbers of the operations that it may call itself, in the order of the program.
+    pub fn called(&self) -> &[usize] {
+        &self.called
+    }
+
     /// The code of the script.
     pub fn code(&self) -> &Code {
         &self.code

@@ -36,6 +36,17 @@ fn a_plan_as_code() {
 }
 
 #[test]
+fn of_a_file_with_scripts_alone_what_they_call_is_emitted() {
+    let bench = Bench::new();
+    let text = "use \"std/triangle.hedge\"\nscript s() { for e in edges { flip(e) } }\n";
+    bench.write("s.hedge", text);
+    let said = bench.run(&["plan", "s.hedge", "--as", "cpp"]);
+    assert!(said.out.contains("bool flip(Mesh&"), "{}", said.out);
+    assert!(!said.out.contains("collapse("), "{}", said.out);
+    assert!(said.err.contains("left out: `s`, since only operations are emitted"), "{}", said.err);
+}
+
+#[test]
 fn an_op_that_is_called_as_a_word_of_the_language_gets_another_name() {
     let bench = Bench::new();
     let op =
