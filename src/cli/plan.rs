@@ -98,7 +98,9 @@ fn style(arguments: &PlanArguments) -> Result<Style, Failure> {
             None => read_program(path).map_err(|why| {
                 let names: Vec<_> = library::targets().map(|known| known.short_name()).collect();
                 Failure::usage(format!(
-                    "cannot read `{target}`: {why}; a target is a file of styles, or {}",
+                    "cannot read `{target}`: {why}; a target is a file of styles, or {}; a mesh class \
+                     that stores halfedges in pairs, as CGAL, OpenMesh, pmp and geometry-central \
+                     do, can be none",
                     names.join(", ")
                 ))
             })?,
