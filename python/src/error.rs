@@ -11,6 +11,8 @@ use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 
+use super::watch::stopped_by;
+
 /// The class of an exception.
 #[derive(Clone, Copy)]
 pub enum Kind {
@@ -30,7 +32,6 @@ impl Kind {
             Self::Mesh => "MeshError",
             Self::Run => "RunError",
             Self::File => "FileError",
-
             Self::Busy => "BusyError",
         }
     }
@@ -49,7 +50,10 @@ pub fn in_call(py: Python<'_>, error: &Error) -> PyErr {
         | "changing-function" => Kind::Argument,
         "below-level" | "attribute-conflict" => Kind::Mesh,
         "unknown-mark" => Kind::Argument,
-        "interrupted" => return PyKeyboardInterrupt::new_err(error.to_string()),
+        "interrupted" => {
+            let interrupt = || PyKeyboardInterrupt::new_err(error.to_string());
+            return stopped_by().unwrap_or_else(interrupt);
+        }
         _ => Kind::Run,
     };
     told(py, kind, error)

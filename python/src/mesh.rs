@@ -20,6 +20,7 @@ use super::column::{column, flat};
 use super::element::kind;
 use super::error::{Kind, in_call, saying};
 use super::pointers::{ends, holes, living, pointers, polygons};
+use super::watch::Signals;
 
 /// A mesh, with what it takes to call operations on it.
 #[pyclass(frozen, subclass, name = "Mesh", module = "hedgerow._hedgerow")]
@@ -48,7 +49,8 @@ fn no_program() -> &'static Program {
 
 impl State {
     fn new(mesh: Mesh) -> Self {
-        let session = Session::new(no_program(), mesh);
+        let mut session = Session::new(no_program(), mesh);
+        session.watch(Signals::default());
         Self { session, near: Vec::new(), marks: Vec::new(), file: None }
     }
 

@@ -1,5 +1,6 @@
 //! Looking on while something runs: signals, progress, and what is printed.
 
+use std::cell::Cell;
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
@@ -8,6 +9,48 @@ use pyo3::prelude::*;
 
 /// The time for which nobody looks at signals and progress.
 const BETWEEN: Duration = Duration::from_millis(50);
+
+thread_local! {
+    /// The exception of the signal that has stopped the last operation or question.
+    static RAISED: Cell<Option<PyErr>> = const { Cell::new(None) };
+}
+
+/// The exception that has stopped an operation or a question.
+pub fn stopped_by() -> Option<PyErr> {
+    RAISED.take()
+}
+
+/// Looks at signals while operations and questions run, which may hold the interpreter's lock: other
+/// threads get it now and then.
+#[derive(Default)]
+pub struct Signals {
+    next: Option<Instant>,
+}
+
+impl Watch for Signals {
+    fn turn(&mut self, _depth: u16, _done: u64, _total: Option<u64>) -> ControlFlow<()> {
+        self.tick()
+    }
+
+    fn tick(&mut self) -> ControlFlow<()> {
+        let now = Instant::now();
+        if self.next.is_some_and(|next| now < next) {
+            return ControlFlow::Continue(());
+        }
+        self.next = Some(now + BETWEEN);
+        let looked = Python::attach(|py| {
+            py.detach(|| ());
+            py.check_signals()
+        });
+        match looked {
+            Ok(()) => ControlFlow::Continue(()),
+            Err(error) => {
+                RAISED.set(Some(error));
+                ControlFlow::Break(())
+            }
+        }
+    }
+}
 
 /// Looks on for Python. The interpreter's lock is taken only now and then.
 pub struct Watcher {

@@ -306,6 +306,38 @@ def test_interrupts(ops, sphere):
     sphere.check()
 
 
+def test_interrupts_of_operations_and_questions(sphere):
+    text = "op o(e: edge) { steps { var n = 0 while n == 0 { n = n * 2 } } }"
+    endless, before = hedgerow.program(text).o, sphere.copy()
+    asks = (lambda: endless(sphere, 1), lambda: endless.can(sphere, 1), lambda: endless.can(sphere),
+            lambda: endless.why(sphere), lambda: endless.live(sphere), lambda: endless.each(sphere, [1, 2]),
+            lambda: endless.can(sphere, near=endless_outcome))  # fmt: skip
+    flip = hedgerow.std.triangle.flip
+    endless_outcome = flip(sphere.copy(), 1)
+    for ask in asks:
+        threading.Timer(0.1, signal.raise_signal, (signal.SIGINT,)).start()
+        started = time.perf_counter()
+        with pytest.raises(KeyboardInterrupt):
+            ask()
+        assert time.perf_counter() - started < 20
+        assert sphere == before
+    assert flip(sphere, 1)
+
+
+def test_the_exception_of_a_signal_is_what_is_raised(sphere):
+    def handler(number, frame):
+        raise LookupError("enough")
+
+    endless = hedgerow.program("op o(e: edge) { steps { var n = 0 while n == 0 { n = n * 2 } } }").o
+    old = signal.signal(signal.SIGINT, handler)
+    try:
+        threading.Timer(0.1, signal.raise_signal, (signal.SIGINT,)).start()
+        with pytest.raises(LookupError, match="enough"):
+            endless(sphere, 1)
+    finally:
+        signal.signal(signal.SIGINT, old)
+
+
 def test_progress(ops, sphere):
     told = []
 

@@ -269,7 +269,7 @@ impl Machine {
         (asked, slot): (&mut Asked, u32),
         watch: &mut dyn Watch,
     ) -> Result<Outcome, Trap> {
-        self.start(mesh, args);
+        self.start_watched(mesh, args, watch)?;
         let plans = Plans::clone(&self.plans);
         let drains = match &mut asked.changes {
             Changes::Noted(drains) => drains,

@@ -5,6 +5,7 @@
 //! code of an operation everything that can trap or refuse must come before the first write, which
 //! the compiler has to ensure; a script that traps keeps its effects so far.
 
+use std::ops::ControlFlow;
 use std::time::Duration;
 
 use super::attempt::Said;
@@ -295,7 +296,7 @@ impl Machine {
         args: &[u64],
         watch: &mut dyn Watch,
     ) -> Result<Outcome, Trap> {
-        self.start(mesh, args);
+        self.start_watched(mesh, args, watch)?;
         let plans = Plans::clone(&self.plans);
         self.carry_out::<false>(mesh, plan, Call::of(plan, &plans), watch)
     }
@@ -309,13 +310,27 @@ impl Machine {
         args: &[u64],
         watch: &mut dyn Watch,
     ) -> Result<Outcome, Trap> {
-        self.start(mesh, args);
+        self.start_watched(mesh, args, watch)?;
         let plans = Plans::clone(&self.plans);
         // Native code would not leave the matched elements in the window.
         let engine = std::mem::replace(&mut self.engine, Engine::Machine);
         let outcome = self.consider(mesh, plan, Call::of(plan, &plans), watch);
         self.engine = engine;
         outcome
+    }
+
+    /// The start of a call that is one of many: the watcher is called now and then.
+    pub(super) fn start_watched(
+        &mut self,
+        mesh: &Mesh,
+        args: &[u64],
+        watch: &mut dyn Watch,
+    ) -> Result<(), Trap> {
+        self.start(mesh, args);
+        match self.progress.tick(watch) {
+            ControlFlow::Continue(()) => Ok(()),
+            ControlFlow::Break(()) => Err(Trap::new(Message::Interrupted)),
+        }
     }
 
     pub(super) fn start(&mut self, mesh: &Mesh, args: &[u64]) {

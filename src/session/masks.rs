@@ -3,7 +3,7 @@
 use super::questions::Free;
 use super::{Arguments, Error, Op, Session, Verdict};
 use crate::mesh::{Bookmark, ElementKind, Level, Mesh};
-use crate::rewrite::{Asked, Unwatched};
+use crate::rewrite::Asked;
 use crate::run::Argument;
 
 /// A mask that a session keeps.
@@ -175,7 +175,8 @@ impl Session {
                     let question = (application.plan(), self.slots.as_slice());
                     let machine = &mut self.engine.machine;
                     let noted = (&mut *asked, id);
-                    let answer = machine.ask_again(&mut self.mesh, question, noted, &mut Unwatched);
+                    let answer =
+                        machine.ask_again(&mut self.mesh, question, noted, &mut *self.watch);
                     let answer = answer.map_err(|trap| {
                         asked.make_stale(id);
                         self.trapped_at(application, trap, (kind, id))

@@ -3,7 +3,7 @@
 use super::{Arguments, Error, Op, Reason, Session, Verdict};
 use crate::compile::{element_kind, width};
 use crate::mesh::{Element, ElementKind};
-use crate::rewrite::{Outcome, Trap, Unwatched};
+use crate::rewrite::{Outcome, Trap};
 use crate::run::{Application, Argument, Prepared};
 
 /// The parameter of an operation that ranges over all elements.
@@ -116,7 +116,8 @@ impl Session {
         self.give(application.parameters(), arguments)?;
         self.make_ready(op, application)?;
         let plan = application.plan();
-        let asked = self.engine.machine.ask(&mut self.mesh, plan, &self.slots, &mut Unwatched);
+        let Self { engine, mesh, slots, watch, .. } = self;
+        let asked = engine.machine.ask(mesh, plan, slots, &mut **watch);
         match asked.map_err(|trap| self.trapped(application, trap))? {
             Outcome::Applied { .. } => Ok(None),
             Outcome::Refused { reason } => Ok(Some(reason)),
@@ -140,7 +141,8 @@ impl Session {
         let plan = application.plan();
         for id in living {
             self.slots[slot] = u64::from(id);
-            let asked = self.engine.machine.ask(&mut self.mesh, plan, &self.slots, &mut Unwatched);
+            let Self { engine, mesh, slots, watch, .. } = &mut *self;
+            let asked = engine.machine.ask(mesh, plan, slots, &mut **watch);
             let asked = asked.map_err(|trap| self.trapped_at(application, trap, (kind, id)))?;
             answers[id as usize] = answer(op.verdict(asked));
         }

@@ -40,6 +40,8 @@ pub struct Session {
     pub(super) masks: Masks,
     pub(super) values: Vec<Option<Argument>>,
     pub(super) slots: Vec<u64>,
+    /// The watcher of operations and questions.
+    pub(super) watch: Box<dyn Watch + Send>,
     runs_by: rewrite::Engine,
     memory: Option<usize>,
     seed: u64,
@@ -59,6 +61,7 @@ impl Session {
             masks: Masks::default(),
             values: Vec::new(),
             slots: Vec::new(),
+            watch: Box::new(Unwatched),
             runs_by: rewrite::Engine::default(),
             memory: None,
             seed: 0,
@@ -167,6 +170,13 @@ impl Session {
         self.each_machine(|machine| machine.seed(seed));
     }
 
+    /// Sets the watcher of operations, questions and kept masks from now on, which may stop them
+    /// (`interrupted`). Scripts and functions are given theirs:
+    /// [`run_watched`](Self::run_watched). A copy of the session has no watcher.
+    pub fn watch(&mut self, watch: impl Watch + Send + 'static) {
+        self.watch = Box::new(watch);
+    }
+
     /// True if an element is alive.
     pub fn is_alive(&self, element: impl Into<Element>) -> bool {
         let Element { kind, index } = element.into();
@@ -183,8 +193,8 @@ impl Session {
     ///
     /// # Errors
     /// The arguments do not fit the parameters, an element is not alive, the mesh lacks the level
-    /// that the operation requires (`below-level`), or an expression of it has no value here. The
-    /// mesh is unchanged.
+    /// that the operation requires (`below-level`), an expression of it has no value here, or it was
+    /// stopped (`interrupted`). The mesh is unchanged.
     pub fn apply(&mut self, op: &Op, arguments: impl Arguments) -> Result<Outcome, Error> {
         self.created.clear();
         self.erased.clear();
@@ -193,8 +203,8 @@ impl Session {
         let plan = application.plan();
         let gone = ElementKind::ALL.map(|kind| self.mesh.erased(kind).len());
         let mark = self.masks.are_kept().then(|| self.mesh.open_journal());
-        let outcome =
-            self.engine.machine.apply_watched(&mut self.mesh, plan, &self.slots, &mut Unwatched);
+        let Self { engine, mesh, slots, watch, .. } = self;
+        let outcome = engine.machine.apply_watched(mesh, plan, slots, &mut **watch);
         if let Some(mark) = mark {
             self.masks.note(&self.mesh, &mark);
             self.mesh.keep(mark);
@@ -367,7 +377,8 @@ impl Session {
         if !all_given {
             self.engine.machine.forget_created();
             let code = parameters.code();
-            let run = self.engine.machine.run(&mut self.mesh, code, &self.slots, &mut Unwatched);
+            let Self { engine, mesh, slots, watch, .. } = self;
+            let run = engine.machine.run(mesh, code, slots, &mut **watch);
             run.map_err(|trap| self.error(application.told_of_parameters(trap)))?;
             for (slot, value) in self.slots.iter_mut().zip(self.engine.machine.window()) {
                 *slot = *value;

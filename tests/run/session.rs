@@ -478,6 +478,55 @@ fn a_script_can_be_stopped_and_the_session_goes_on() {
 }
 
 #[test]
+fn operations_and_questions_can_be_stopped() {
+    struct Stop(bool);
+    impl Watch for Stop {
+        fn turn(&mut self, _: u16, _: u64, _: Option<u64>) -> ControlFlow<()> {
+            self.tick()
+        }
+        fn tick(&mut self) -> ControlFlow<()> {
+            match self.0 {
+                true => ControlFlow::Break(()),
+                false => ControlFlow::Continue(()),
+            }
+        }
+    }
+    let text = "op endless(e: edge) { steps { var n = 0 while n == 0 { n = n * 2 } } }
+op short(e: edge, times: int = endless_number(1)) { steps { for f in faces { } } }
+fn endless_number(n: int) -> int { var m = n while m != 0 { m = m * 1 } return m }";
+    let program = Program::parse("endless", text).unwrap();
+    let [endless, short] = ["endless", "short"].map(|name| program.op(name).unwrap());
+    let mut session = Session::new(&program, shape::octahedron());
+    session.watch(Stop(true));
+    let before = whole(session.mesh());
+    for op in [&endless, &short] {
+        let stopped = [
+            session.apply(op, EdgeId(1)).map(drop),
+            session.can(op, EdgeId(1)).map(drop),
+            session.why(op, EdgeId(1)).map(drop),
+            session.mask(op, ()).map(drop),
+            session.verdicts(op, ()).map(drop),
+            session.keep_mask(op, ()).map(drop),
+        ];
+        stopped.into_iter().for_each(|one| assert_eq!(code(one.unwrap_err()), "interrupted"));
+        assert_eq!(whole(session.mesh()), before);
+    }
+    session.watch(Stop(false));
+    assert!(session.apply(&short, (EdgeId(1), 2)).unwrap().is_applied());
+    // Many short questions are stopped between two of them.
+    let program = self::program();
+    let op = program.op("flip").unwrap();
+    let mut session = Session::new(&program, shape::triangle_torus(20, 20));
+    let mask = session.keep_mask(&op, ()).unwrap();
+    let can = session.kept_mask(mask).unwrap().to_vec();
+    session.watch(Stop(true));
+    assert_eq!(code(session.mask(&op, ()).unwrap_err()), "interrupted");
+    assert_eq!(code(session.keep_mask(&op, ()).unwrap_err()), "interrupted");
+    session.watch(Stop(false));
+    assert_eq!(session.kept_mask(mask).unwrap(), can);
+}
+
+#[test]
 fn copies_and_threads() {
     fn goes_anywhere<T: Send + Sync>() {}
     goes_anywhere::<(Program, Op, Script, Error)>();
