@@ -41,6 +41,7 @@ from __future__ import annotations
 import importlib
 
 from . import errors
+from ._elements import ElementTable
 from ._hedgerow import (
     Applied,
     Elements,
@@ -52,7 +53,7 @@ from ._hedgerow import (
     Refused,
     Script,
 )
-from ._mesh import ElementTable, Mesh, Trial
+from ._mesh import Mesh, Trial
 from ._pictures import Diagram, Proof
 from ._programs import check, load, program
 from ._report import Count, Report

@@ -7,124 +7,11 @@ import os
 import numpy as np
 
 from . import _arrays
+from ._elements import PLURALS, ElementTable, rows
 from ._hedgerow import Mesh as MeshTables
 from .errors import ArgumentError, MeshError, RunError
 
-__all__ = ["ElementTable", "Mesh", "Trial"]
-
-_POINTERS = {
-    "halfedge": ("next", "prev", "twin", "vertex", "edge", "face"),
-    "vertex": ("halfedge",),
-    "edge": ("halfedge",),
-    "face": ("halfedge",),
-}
-_PLURALS = {"vertex": "vertices", "halfedge": "halfedges", "edge": "edges", "face": "faces"}
-
-
-class ElementTable:
-    """The elements of one kind, by number: which live, their pointers, and their attributes.
-
-    All arrays have a place for each number, also for those of erased elements (``alive`` tells).
-    Arrays are copies and cannot be written: an attribute is set as a whole.
-
-    >>> mesh = Mesh.cube()
-    >>> mesh.edges["crease"] = 0.0
-    >>> mesh.edges["crease"] = np.where(mesh.edges.ids < 4, 1.0, mesh.edges["crease"])
-    >>> float(mesh.edges["crease"].sum())
-    4.0
-    >>> mesh.halfedges.next[mesh.halfedges.next[:4]]
-    array([2, 3, 0, 1])
-    """
-
-    __slots__ = ("_kind", "_mesh")
-
-    def __init__(self, mesh, kind):
-        self._mesh = mesh
-        self._kind = kind
-
-    def __len__(self):
-        """How many live; holes are not counted among faces."""
-        return self._mesh._count(self._kind)
-
-    @property
-    def size(self):
-        """How many places an array by number has."""
-        return self._mesh._capacity(self._kind)
-
-    @property
-    def alive(self):
-        """By number whether the element lives; holes count as faces."""
-        return _arrays.frozen(self._mesh._living(self._kind))
-
-    @property
-    def ids(self):
-        """The numbers of the living ones, in order; of faces those that are no holes."""
-        alive = self._mesh._living(self._kind)
-        if self._kind == "face":
-            alive &= ~self._mesh._holes()
-        return np.flatnonzero(alive)
-
-    @property
-    def is_hole(self):
-        """Of faces by number whether it is a hole: a loop along a boundary."""
-        if self._kind != "face":
-            raise AttributeError("only faces can be holes")
-        return _arrays.frozen(self._mesh._holes())
-
-    @property
-    def vertices(self):
-        """Of edges by number the two vertices; -1 where there is no edge."""
-        if self._kind != "edge":
-            raise AttributeError("only edges have two vertices")
-        return _arrays.frozen(self._mesh._ends().reshape(-1, 2))
-
-    @property
-    def attributes(self):
-        """The types of the attributes, by name."""
-        return self._mesh._attributes(self._kind)
-
-    def __getattr__(self, name):
-        if name in _POINTERS[self._kind]:
-            return _arrays.frozen(self._mesh._pointers(self._kind, name))
-        raise AttributeError(f"a {self._kind} has no pointer `{name}`")
-
-    def __dir__(self):
-        return sorted({*super().__dir__(), *_POINTERS[self._kind]})
-
-    def __iter__(self):
-        """The numbers of those that lived when the loop began and still do when their turn comes."""
-        for number in self.ids.tolist():
-            if self._mesh._is_alive(self._kind, number):
-                yield number
-
-    def __contains__(self, number):
-        """Whether a number is that of a living element; a text, whether it is an attribute."""
-        if isinstance(number, str):
-            return number in self.attributes
-        return self._mesh._is_alive(self._kind, number)
-
-    def __getitem__(self, name):
-        if not isinstance(name, str):
-            raise TypeError("attributes go by their names")
-        return _arrays.of_column(*self._mesh._attribute(self._kind, name))
-
-    def __setitem__(self, name, values):
-        if not isinstance(name, str):
-            raise TypeError("attributes go by their names")
-        what = f"the {self._kind} attribute `{name}`"
-        array, word = _arrays.attribute(values, self.size, self.ids, what)
-        known = self.attributes.get(name)
-        if known == "real" and word in ("int", "bool"):
-            array, word = array.astype(np.float64), "real"
-        self._mesh._set_attribute(self._kind, name, array, word)
-
-    def __delitem__(self, name):
-        self._mesh._remove_attribute(self._kind, name)
-
-    def __repr__(self):
-        names = ", ".join(f"{name}: {word}" for name, word in self.attributes.items())
-        return f"<{len(self)} {_PLURALS[self._kind]}{' with ' + names if names else ''}>"
-
+__all__ = ["Mesh", "Trial"]
 
 class Trial:
     """What is done within is undone at the end, unless :meth:`keep` is called."""
@@ -345,7 +232,7 @@ class Mesh(MeshTables):
 
     def elements(self, kind):
         """The elements of a kind: ``vertex``, ``halfedge``, ``edge`` or ``face``."""
-        for name, plural in _PLURALS.items():
+        for name, plural in PLURALS.items():
             if kind in (name, plural):
                 return ElementTable(self, name)
         raise ValueError(f"there is no kind of elements `{kind}`")
@@ -385,7 +272,7 @@ class Mesh(MeshTables):
         """The coordinates of the living vertices, as other programs want them: their rows are what
         :attr:`faces` names. If vertices have been erased, row and number differ: see
         :attr:`vertex_ids`, :attr:`positions`."""
-        return _arrays.frozen(self._vertices())
+        return rows(self._vertices(), self.elements("vertex"))
 
     @vertices.setter
     def vertices(self, values):
@@ -413,9 +300,15 @@ class Mesh(MeshTables):
     @property
     def faces(self):
         """The faces by the rows of :attr:`vertices`: an array if all have the same number of sides,
-        else a list of arrays."""
-        faces = self._faces()
-        return _arrays.frozen(faces) if isinstance(faces, np.ndarray) else faces
+        else a list of arrays. By a name it is an attribute of the faces, by number, as that of
+        ``mesh.elements("face")``.
+
+        >>> mesh = Mesh.cube()
+        >>> mesh.faces["label"] = 3
+        >>> mesh.faces["label"]
+        array([3, 3, 3, 3, 3, 3])
+        """
+        return rows(self._faces(), self.elements("face"))
 
     def _faces(self):
         corners, ends = self._polygons(False)
@@ -556,7 +449,7 @@ class Mesh(MeshTables):
         def told(count, one, many):
             return f"{count} {one if count == 1 else many}"
 
-        parts = [told(self._count(kind), kind, _PLURALS[kind]) for kind in ("vertex", "edge", "face")]
+        parts = [told(self._count(kind), kind, PLURALS[kind]) for kind in ("vertex", "edge", "face")]
         if self.hole_count:
             parts.append(told(self.hole_count, "hole", "holes"))
         return f"<Mesh: {', '.join(parts)}>"

@@ -120,6 +120,30 @@ def test_attributes_of_all_types(rng):
     del mesh["heat"]
 
 
+def test_attributes_of_rows(ops, sphere):
+    ops.collapse(sphere, 3)
+    mixed = Mesh(np.eye(5, 3), [[0, 1, 2, 3], [0, 3, 4]])
+    for mesh in (sphere, mixed):
+        mesh.faces["label"], mesh.vertices["heat"] = 3, np.arange(mesh.vertex_count)
+        faces = mesh.elements("face")
+        assert (mesh.faces["label"] == faces["label"]).all() and faces.attributes == {"label": "int"}
+        assert mesh.vertices["heat"][mesh.vertex_ids[-1]] == mesh.vertex_count - 1 == mesh["heat"].max()
+        assert "label" in mesh.faces and "heat" not in mesh.faces and "heat" in mesh.vertices
+        with pytest.raises(KeyError, match="no face has an attribute `none`; there is `label`"):
+            mesh.faces["none"]
+    # Otherwise they are arrays of numpy, and so is what is computed of them.
+    corners = sphere.faces
+    assert repr(corners) == repr(np.array(corners)) and type(corners[0]) is type(corners + 1) is np.ndarray
+    assert type(corners.max()) is np.int64 and len({corners.max()}) == 1 and corners.mean() > 0
+    assert type(pickle.loads(pickle.dumps(corners))) is np.ndarray
+    assert (pickle.loads(pickle.dumps(corners)) == corners).all() and corners[0, 1] in corners
+    with pytest.raises(ValueError, match="read-only"):
+        corners[0] = 0
+    assert type(pickle.loads(pickle.dumps(mixed.faces))) is list and len(mixed.faces[0]) == 4
+    with pytest.raises(IndexError):
+        np.copy(corners, subok=True)["label"]
+
+
 def test_attributes_of_programs(ops, sphere):
     ops.count_hits(sphere)
     ops.count_hits(sphere)

@@ -1,0 +1,180 @@
+"""Elements of a kind: their tables, and rows of them."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from . import _arrays
+
+__all__ = ["ElementTable"]
+
+_POINTERS = {
+    "halfedge": ("next", "prev", "twin", "vertex", "edge", "face"),
+    "vertex": ("halfedge",),
+    "edge": ("halfedge",),
+    "face": ("halfedge",),
+}
+PLURALS = {"vertex": "vertices", "halfedge": "halfedges", "edge": "edges", "face": "faces"}
+
+
+class ElementTable:
+    """The elements of one kind, by number: which live, their pointers, and their attributes.
+
+    All arrays have a place for each number, also for those of erased elements (``alive`` tells).
+    Arrays are copies and cannot be written: an attribute is set as a whole.
+
+    >>> from hedgerow import Mesh
+    >>> mesh = Mesh.cube()
+    >>> mesh.edges["crease"] = 0.0
+    >>> mesh.edges["crease"] = np.where(mesh.edges.ids < 4, 1.0, mesh.edges["crease"])
+    >>> float(mesh.edges["crease"].sum())
+    4.0
+    >>> mesh.halfedges.next[mesh.halfedges.next[:4]]
+    array([2, 3, 0, 1])
+    """
+
+    __slots__ = ("_kind", "_mesh")
+
+    def __init__(self, mesh, kind):
+        self._mesh = mesh
+        self._kind = kind
+
+    def __len__(self):
+        """How many live; holes are not counted among faces."""
+        return self._mesh._count(self._kind)
+
+    @property
+    def size(self):
+        """How many places an array by number has."""
+        return self._mesh._capacity(self._kind)
+
+    @property
+    def alive(self):
+        """By number whether the element lives; holes count as faces."""
+        return _arrays.frozen(self._mesh._living(self._kind))
+
+    @property
+    def ids(self):
+        """The numbers of the living ones, in order; of faces those that are no holes."""
+        alive = self._mesh._living(self._kind)
+        if self._kind == "face":
+            alive &= ~self._mesh._holes()
+        return np.flatnonzero(alive)
+
+    @property
+    def is_hole(self):
+        """Of faces by number whether it is a hole: a loop along a boundary."""
+        if self._kind != "face":
+            raise AttributeError("only faces can be holes")
+        return _arrays.frozen(self._mesh._holes())
+
+    @property
+    def vertices(self):
+        """Of edges by number the two vertices; -1 where there is no edge."""
+        if self._kind != "edge":
+            raise AttributeError("only edges have two vertices")
+        return _arrays.frozen(self._mesh._ends().reshape(-1, 2))
+
+    @property
+    def attributes(self):
+        """The types of the attributes, by name."""
+        return self._mesh._attributes(self._kind)
+
+    def __getattr__(self, name):
+        if name in _POINTERS[self._kind]:
+            return _arrays.frozen(self._mesh._pointers(self._kind, name))
+        raise AttributeError(f"a {self._kind} has no pointer `{name}`")
+
+    def __dir__(self):
+        return sorted({*super().__dir__(), *_POINTERS[self._kind]})
+
+    def __iter__(self):
+        """The numbers of those that lived when the loop began and still do when their turn comes."""
+        for number in self.ids.tolist():
+            if self._mesh._is_alive(self._kind, number):
+                yield number
+
+    def __contains__(self, number):
+        """Whether a number is that of a living element; a text, whether it is an attribute."""
+        if isinstance(number, str):
+            return number in self.attributes
+        return self._mesh._is_alive(self._kind, number)
+
+    def __getitem__(self, name):
+        if not isinstance(name, str):
+            raise TypeError("attributes go by their names")
+        return _arrays.of_column(*self._mesh._attribute(self._kind, name))
+
+    def __setitem__(self, name, values):
+        if not isinstance(name, str):
+            raise TypeError("attributes go by their names")
+        what = f"the {self._kind} attribute `{name}`"
+        array, word = _arrays.attribute(values, self.size, self.ids, what)
+        known = self.attributes.get(name)
+        if known == "real" and word in ("int", "bool"):
+            array, word = array.astype(np.float64), "real"
+        self._mesh._set_attribute(self._kind, name, array, word)
+
+    def __delitem__(self, name):
+        self._mesh._remove_attribute(self._kind, name)
+
+    def __repr__(self):
+        names = ", ".join(f"{name}: {word}" for name, word in self.attributes.items())
+        return f"<{len(self)} {PLURALS[self._kind]}{' with ' + names if names else ''}>"
+
+
+class _ByName:
+    """Rows of elements, which by a name are an attribute of the elements."""
+
+    _table = None
+
+    def __getitem__(self, key):
+        return self._table[key] if self._names(key) else self._plain()[key]
+
+    def __setitem__(self, key, values):
+        if self._names(key):
+            self._table[key] = values
+        else:
+            super().__setitem__(key, values)
+
+    def __contains__(self, key):
+        return key in self._table if self._names(key) else key in self._plain()
+
+    def _names(self, key):
+        return self._table is not None and isinstance(key, str)
+
+
+class _Array(_ByName, np.ndarray):
+    """Rows as an array; what is computed of it is an array of numpy."""
+
+    def _plain(self):
+        return self.view(np.ndarray)
+
+    def __reduce__(self):
+        return self._plain().__reduce__()
+
+    def __array_wrap__(self, array, context=None, return_scalar=False):
+        return np.asarray(array)[()]
+
+    def __repr__(self):
+        return repr(self._plain())
+
+
+class _List(_ByName, list):
+    """Rows as a list of arrays."""
+
+    def _plain(self):
+        return list(self)
+
+    def __reduce__(self):
+        return list, (self._plain(),)
+
+
+def rows(values, table):
+    """Rows of the elements of a table, an array or a list, that take the names of attributes."""
+    if isinstance(values, np.ndarray):
+        made = _arrays.frozen(values.view(_Array))
+    else:
+        made = _List(values)
+    made._table = table
+    return made
