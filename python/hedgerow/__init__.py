@@ -54,7 +54,7 @@ from ._hedgerow import (
     Script,
 )
 from ._mesh import Mesh, Trial
-from ._pictures import Diagram, Proof
+from ._pictures import Diagram, Picture, Proof
 from ._programs import check, load, program
 from ._report import Count, Report
 from .errors import (
@@ -85,6 +85,7 @@ __all__ = [
     "MeshError",
     "Op",
     "Parameter",
+    "Picture",
     "Program",
     "ProgramError",
     "Proof",

@@ -9,6 +9,7 @@ import numpy as np
 from . import _arrays
 from ._elements import PLURALS, ElementTable, rows
 from ._hedgerow import Mesh as MeshTables
+from ._measures import Measured
 from .errors import ArgumentError, MeshError, RunError
 
 __all__ = ["Mesh", "Trial"]
@@ -48,7 +49,7 @@ class Trial:
         return False
 
 
-class Mesh(MeshTables):
+class Mesh(MeshTables, Measured):
     """A halfedge mesh of polygons.
 
     ``vertices`` are rows of 3 coordinates (2 get a third, 0), ``faces`` rows or lists of corners,

@@ -1,4 +1,4 @@
-"""Pictures of operations."""
+"""Pictures of operations and meshes."""
 
 from __future__ import annotations
 
@@ -28,6 +28,28 @@ class Diagram:
 
     def __repr__(self):
         return f"<diagram of {self.name}>"
+
+
+class Picture:
+    """The picture of a mesh. A notebook shows it."""
+
+    def __init__(self, png):
+        #: The picture as PNG.
+        self.png = png
+
+    def save(self, path):
+        """Writes the PNG to a file."""
+        path = os.fspath(path)
+        if not str(path).lower().endswith(".png"):
+            raise ValueError(f"the picture of a mesh is a .png file, not `{path}`")
+        with open(path, "wb") as file:
+            file.write(self.png)
+
+    def _repr_png_(self):
+        return self.png
+
+    def __repr__(self):
+        return "<picture of a mesh>"
 
 
 class Proof:

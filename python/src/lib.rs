@@ -13,6 +13,7 @@ mod error;
 mod function;
 mod item;
 mod live;
+mod measure;
 mod mesh;
 mod op;
 mod outcome;
@@ -35,6 +36,8 @@ mod _hedgerow {
     #[pymodule_export]
     use super::live::LiveMask;
     #[pymodule_export]
+    use super::measure::{mesh_measure, mesh_normals, mesh_summary};
+    #[pymodule_export]
     use super::mesh::MeshTables;
     #[pymodule_export]
     use super::op::Op;
@@ -43,7 +46,7 @@ mod _hedgerow {
     #[pymodule_export]
     use super::parameters::Parameter;
     #[pymodule_export]
-    use super::picture::mesh_pixels;
+    use super::picture::{mesh_pixels, mesh_png};
     #[pymodule_export]
     use super::program::{Program, check_text};
     #[pymodule_export]

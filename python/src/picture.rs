@@ -1,12 +1,13 @@
 //! Pictures of meshes.
 
-use hedgerow::draw::{View, draw_mesh};
-use hedgerow::mesh::ElementKind;
+use hedgerow::draw::{Picture, TooLarge, View, draw_mesh};
 use hedgerow::mesh::glam::DVec3;
 use numpy::PyArray1;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
+use pyo3::types::PyBytes;
 
+use super::element::kind;
 use super::mesh::{MeshTables, column_of};
 
 /// The pixels of a picture of a mesh, seen from a direction, with an attribute of its vertices in
@@ -19,12 +20,39 @@ pub fn mesh_pixels<'py>(
     from: [f64; 3],
     attribute: Option<&str>,
 ) -> PyResult<(usize, Bound<'py, PyArray1<u8>>)> {
+    let attribute = attribute.map(|name| ("vertex", name));
+    let (width, pixels) = draw(mesh, size, from, attribute, |picture| picture.rgb(1.0))?;
+    Ok((width, PyArray1::from_vec(py, pixels.into_flattened())))
+}
+
+/// The same picture as PNG, with an attribute of any kind, or the colours that the mesh has.
+#[pyfunction]
+pub fn mesh_png<'py>(
+    py: Python<'py>,
+    mesh: &Bound<'py, MeshTables>,
+    size: f64,
+    from: [f64; 3],
+    attribute: Option<(String, String)>,
+) -> PyResult<Bound<'py, PyBytes>> {
+    let attribute = attribute.as_ref().map(|(kind, name)| (kind.as_str(), name.as_str()));
+    let png = draw(mesh, size, from, attribute, |picture| picture.png(1.0))?;
+    Ok(PyBytes::new(py, &png))
+}
+
+/// Draws a mesh with an attribute, given by the kind of its elements and its name.
+fn draw<T: Send>(
+    mesh: &Bound<'_, MeshTables>,
+    size: f64,
+    from: [f64; 3],
+    attribute: Option<(&str, &str)>,
+    show: impl FnOnce(&Picture) -> Result<T, TooLarge> + Send,
+) -> PyResult<T> {
+    let py = mesh.py();
     let state = mesh.get().hold(py)?;
     let mesh = state.session.mesh();
-    let column =
-        attribute.map(|name| column_of(py, mesh, ElementKind::Vertex, name)).transpose()?;
-    let view = View { from: DVec3::from_array(from), size, attribute: column };
-    let drawn = py.detach(|| draw_mesh(mesh, &view).rgb(1.0));
-    let (width, pixels) = drawn.map_err(|error| PyValueError::new_err(error.to_string()))?;
-    Ok((width, PyArray1::from_vec(py, pixels.into_flattened())))
+    let column = |(of, name)| column_of(py, mesh, kind(of)?, name);
+    let view =
+        View { from: DVec3::from_array(from), size, attribute: attribute.map(column).transpose()? };
+    let shown = py.detach(|| show(&draw_mesh(mesh, &view.with_own_colours(mesh))));
+    shown.map_err(|error| PyValueError::new_err(error.to_string()))
 }

@@ -53,8 +53,7 @@ pub struct Measures {
     /// Missing when there are no edges.
     pub edge_lengths: Option<Lengths>,
     pub area: f64,
-    /// The enclosed volume, negative if the surface is inside out; missing when there is a hole or
-    /// no face. Faces with more than three sides are cut into triangles from their first corner.
+    /// The [enclosed volume](Mesh::volume); missing when there is a hole or no face.
     pub volume: Option<f64>,
     /// The corners of the bounding box; missing when there are no vertices.
     pub bounds: Option<[[f64; 3]; 2]>,
@@ -115,30 +114,58 @@ fn isolated_vertices(mesh: &Mesh) -> usize {
     mesh.vertices().filter(|&v| mesh.vertex_halfedge(v).is_none()).count()
 }
 
+impl Mesh {
+    /// V - E + F; holes and isolated vertices are not counted.
+    pub fn euler_characteristic(&self) -> i64 {
+        let surface_vertices = self.vertex_count() - isolated_vertices(self);
+        surface_vertices as i64 - self.edge_count() as i64 + self.face_count() as i64
+    }
+
+    /// The sum of the areas of all faces; holes have none.
+    pub fn surface_area(&self) -> f64 {
+        self.real_faces().map(|f| self.area(f)).sum()
+    }
+
+    /// The enclosed volume, negative if the surface is inside out; `None` if there is a hole or no
+    /// face. Faces with more than three sides are cut into triangles from their first corner.
+    pub fn volume(&self) -> Option<f64> {
+        let is_closed = self.hole_count() == 0 && self.face_count() > 0;
+        let [apex, _] = self.bounds().filter(|_| is_closed)?;
+        Some(self.real_faces().map(|f| cone_volume(self, f, apex)).sum())
+    }
+
+    /// The corners of the bounding box; `None` if there are no vertices.
+    pub fn bounds(&self) -> Option<[DVec3; 2]> {
+        let mut places = self.vertices().map(|v| self.position(v));
+        let first = places.next()?;
+        let (low, high) =
+            places.fold((first, first), |(low, high), place| (low.min(place), high.max(place)));
+        Some([low, high])
+    }
+
+    fn real_faces(&self) -> impl Iterator<Item = FaceId> + '_ {
+        self.faces().filter(|&f| !self.is_hole(f))
+    }
+}
+
 impl Measures {
     fn of(mesh: &Mesh) -> Self {
-        let surface_vertices = mesh.vertex_count() - isolated_vertices(mesh);
-        let euler_characteristic =
-            surface_vertices as i64 - mesh.edge_count() as i64 + mesh.face_count() as i64;
+        let euler_characteristic = mesh.euler_characteristic();
         let components = mesh.component_count();
         // Each component has V - E + F = 2 - 2g once its holes are faces.
         let closed = euler_characteristic + mesh.hole_count() as i64;
         let genus = components as i64 - closed / 2;
         let degrees = mesh.vertices().map(|v| mesh.degree(v)).filter(|&degree| degree > 0);
-        let faces = || mesh.faces().filter(|&f| !mesh.is_hole(f));
-        let bounds = bounds(mesh);
-        let is_closed = mesh.hole_count() == 0 && mesh.face_count() > 0;
-        let apex = bounds.map(|[low, _]| DVec3::from_array(low)).filter(|_| is_closed);
         Self {
             euler_characteristic,
             components,
             genus: usize::try_from(genus).unwrap_or(0),
             degrees: histogram(degrees),
-            face_sizes: histogram(faces().map(|f| mesh.face_size(f))),
+            face_sizes: histogram(mesh.real_faces().map(|f| mesh.face_size(f))),
             edge_lengths: Lengths::of(mesh),
-            area: faces().map(|f| mesh.area(f)).sum(),
-            volume: apex.map(|apex| faces().map(|f| cone_volume(mesh, f, apex)).sum()),
-            bounds,
+            area: mesh.surface_area(),
+            volume: mesh.volume(),
+            bounds: mesh.bounds().map(|corners| corners.map(|corner| corner.to_array())),
         }
     }
 }
@@ -155,14 +182,6 @@ fn histogram(sizes: impl Iterator<Item = usize>) -> Vec<Bin> {
         *counts.entry(size).or_insert(0) += 1;
     }
     counts.into_iter().map(|(size, count)| Bin { size, count }).collect()
-}
-
-fn bounds(mesh: &Mesh) -> Option<[[f64; 3]; 2]> {
-    let mut places = mesh.vertices().map(|v| mesh.position(v));
-    let first = places.next()?;
-    let (low, high) =
-        places.fold((first, first), |(low, high), place| (low.min(place), high.max(place)));
-    Some([low.to_array(), high.to_array()])
 }
 
 impl Lengths {

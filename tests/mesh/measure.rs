@@ -52,6 +52,19 @@ fn genus_and_components() {
 }
 
 #[test]
+fn one_measure_alone_is_that_of_the_summary() {
+    let mut open = shape::tube(5, 2);
+    let alone = open.add_vertex();
+    open.set_position(alone, DVec3::splat(9.0));
+    for mesh in [Mesh::default(), shape::cube(), open] {
+        let all = Summary::of(&mesh).measures.unwrap();
+        assert_eq!((mesh.surface_area(), mesh.volume()), (all.area, all.volume));
+        assert_eq!(mesh.bounds().map(|corners| corners.map(|at| at.to_array())), all.bounds);
+        assert_eq!(mesh.euler_characteristic(), all.euler_characteristic);
+    }
+}
+
+#[test]
 fn volume_and_bounding_box() {
     let volume = |mesh: &Mesh| Summary::of(mesh).measures.unwrap().volume;
     let mut cube = shape::cube();
