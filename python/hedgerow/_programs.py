@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 
 from ._hedgerow import Program, check_text
+from .errors import ArgumentError
 
 __all__ = ["check", "load", "program", "rebuild"]
 
@@ -24,8 +25,7 @@ def program(text, name="program.hedge"):
     6 faces
     Report({})
     """
-    if not isinstance(text, str):
-        raise TypeError(f"a program is a text, not {type(text).__name__}; `load` reads files")
+    _expect_text(text, "`load` reads files")
     return Program._parse(name, text)
 
 
@@ -40,7 +40,16 @@ def check(text, name="program.hedge"):
     >>> [found["code"] for found in check("op flip(e: edge) { }")][:1]
     ['missing-side']
     """
+    _expect_text(text, "`check(open(path).read(), path)` checks a file")
     return check_text(name, text)
+
+
+def _expect_text(text, advice):
+    """Raises an exception unless something is the text of a program, not the path of one."""
+    if not isinstance(text, str):
+        raise TypeError(f"a program is a text, not {type(text).__name__}; {advice}")
+    if text.endswith(".hedge") and "\n" not in text and not text.lstrip().startswith("//"):
+        raise ArgumentError(f"`{text}` is a path, not the text of a program; {advice}", "wrong-argument")
 
 
 def rebuild(texts):

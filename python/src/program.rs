@@ -2,12 +2,13 @@
 
 use std::path::PathBuf;
 
+use hedgerow::mesh::FileFormat;
 use pyo3::IntoPyObjectExt;
 use pyo3::exceptions::{PyAttributeError, PyKeyError};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 
-use super::error::{diagnostics, in_program};
+use super::error::{Kind, diagnostics, in_program, saying};
 use super::function::Function;
 use super::op::Op;
 use super::script::Script;
@@ -81,6 +82,11 @@ impl Program {
     #[staticmethod]
     #[pyo3(name = "_read")]
     fn read(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
+        if path.extension().is_some() && FileFormat::of(&path).is_ok() {
+            let path = path.display();
+            let message = format!("`{path}` is a mesh, not a program: `Mesh.load` reads meshes");
+            return Err(saying(py, Kind::File, "bad-file", message));
+        }
         let program = py.detach(|| hedgerow::Program::load(path));
         Self::of(py, program)
     }
