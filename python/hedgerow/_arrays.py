@@ -81,14 +81,18 @@ def polygons(faces):
     return _integers(array, "corners of faces"), sides * np.arange(1, count + 1, dtype=np.int64)
 
 
-def numbers(elements):
-    """Numbers of elements in a row."""
+def numbers(elements, places):
+    """Numbers of elements in a row; also those at which one bool for each place holds."""
     try:
         array = np.asarray(elements)
     except ValueError as why:
         raise _wrong(f"numbers of elements: {why}") from None
     if array.ndim != 1:
         raise _wrong(f"numbers of elements stand in a row, not in shape {array.shape}")
+    if array.dtype == bool:
+        if len(array) != places:
+            raise _wrong(f"a mask of elements has {places} places, not {len(array)}")
+        array = np.flatnonzero(array)
     return _integers(array, "numbers of elements", ArgumentError)
 
 

@@ -7,6 +7,7 @@ use pyo3::exceptions::{PyOverflowError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyDict, PyFloat, PyString, PyTuple};
 
+use super::element::one;
 use super::parameters::{Parameters, element_kind};
 
 /// Arguments of a call, in order and by name, as the library takes them.
@@ -37,7 +38,7 @@ impl Values {
         let mut values = Self::default();
         for (at, value) in in_order.iter().enumerate() {
             let value = match parameters.all.get(at) {
-                Some(parameter) => argument(&value, parameter.ty, &parameter.name)?,
+                Some(parameter) => parameters.argument(&value, parameter)?,
                 None => Argument::Bool(false),
             };
             values.in_order.push(value);
@@ -45,7 +46,7 @@ impl Values {
         for (name, value) in named.into_iter().flatten() {
             let name: String = name.extract()?;
             let value = match parameters.all.iter().find(|parameter| parameter.name == name) {
-                Some(parameter) => argument(&value, parameter.ty, &name)?,
+                Some(parameter) => parameters.argument(&value, parameter)?,
                 None => Argument::Bool(false),
             };
             values.named.push((name, value));
@@ -137,8 +138,7 @@ pub fn element(value: &Bound<'_, PyAny>, kind: ElementKind, name: &str) -> PyRes
         Ok(number) if !is_other => Some(number),
         Err(error) if !is_other && error.is_instance_of::<PyOverflowError>(value.py()) => None,
         _ => {
-            let a = if kind == ElementKind::Edge { "an" } else { "a" };
-            let message = format!("`{name}` wants the number of {a} {kind}");
+            let message = format!("`{name}` wants the number of {}", one(kind));
             return Err(PyTypeError::new_err(message));
         }
     };

@@ -14,6 +14,12 @@ pub fn kind(name: &str) -> PyResult<ElementKind> {
     })
 }
 
+/// A kind with its article: `an edge`.
+pub fn one(kind: ElementKind) -> String {
+    let article = if kind == ElementKind::Edge { "an" } else { "a" };
+    format!("{article} {kind}")
+}
+
 /// The numbers of some elements, by kind.
 #[pyclass(frozen, module = "hedgerow")]
 pub struct Elements {

@@ -72,8 +72,10 @@ fn told(py: Python<'_>, kind: Kind, error: &Error) -> PyErr {
             Some(report) => report_dict(py, report)?.into_any().unbind(),
             None => py.None(),
         };
-        // What has no place is told as it is, without the word `error` before it.
-        let placed = error.diagnostics().iter().any(|one| place(one, error.sources()).is_some());
+        // What has no place in a program is told as it is, without the word `error` before it: what
+        // is wrong with an argument is wrong where the call is.
+        let has_place = |one| place(one, error.sources()).is_some();
+        let placed = !matches!(kind, Kind::Argument) && error.diagnostics().iter().any(has_place);
         let text = match (placed, error.diagnostics()) {
             (false, [one]) => {
                 let notes = one.notes.iter().map(|note| format!("\n  note: {note}"));

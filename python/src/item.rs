@@ -9,7 +9,7 @@ macro_rules! item {
     ) => {
         impl $type {
             pub fn new(item: hedgerow::$type, program: Py<Program>) -> Self {
-                let parameters = Parameters::new(item.parameters());
+                let parameters = Parameters::new(item.parameters(), $word == "op");
                 Self { item, program, parameters }
             }
         }
@@ -29,8 +29,10 @@ macro_rules! item {
             }
 
             #[getter]
-            fn __doc__(&self) -> String {
-                self.item.docs().join("\n")
+            fn __doc__(&self, py: Python<'_>) -> PyResult<String> {
+                let signature = format!("{}{}", self.item.name(), self.__signature__(py)?.str()?);
+                let docs = self.item.docs().join("\n");
+                Ok(if docs.is_empty() { signature } else { format!("{signature}\n\n{docs}") })
             }
 
             /// The parameters, in order; the mesh is not among them.

@@ -54,7 +54,7 @@ item! {Op, "op", options [], result |_op| Some("hedgerow.Applied | hedgerow.Refu
     }
 
     /// Applies the operation at one element after the other: `elements` are numbers for its first
-    /// parameter that is an element and not given. The answer tells where it was applied; an
+    /// parameter that is an element and not given, or a bool for each number. The answer tells where it was applied; an
     /// element that has gone meanwhile counts as refused.
     #[pyo3(signature = (mesh, elements, /, *args, **kwargs))]
     fn each<'py>(
@@ -66,21 +66,21 @@ item! {Op, "op", options [], result |_op| Some("hedgerow.Applied | hedgerow.Refu
         kwargs: Option<&Bound<'py, PyDict>>,
     ) -> PyResult<Bound<'py, PyArray1<bool>>> {
         let mut given = Values::new(&self.parameters, args, kwargs)?;
-        let numbers = py.import("hedgerow._arrays")?.getattr("numbers")?;
-        let elements: PyReadonlyArray1<'_, i64> = numbers.call1((elements,))?.extract()?;
-        let elements = values(&elements)?;
         let Some((at, kind)) = self.parameters.first_free(&given) else {
             let message = format!("`{}` has no parameter left that is an element", self.item.name());
             return Err(saying(py, Kind::Argument, "wrong-argument", message));
         };
-        let mut state = mesh.get().hold(py)?;
-        let session = &mut state.session;
-        session.use_program(self.item.program());
-        let capacity = session.mesh().capacity(kind) as i64;
+        let capacity = mesh.get().hold(py)?.session.mesh().capacity(kind) as i64;
+        let numbers = py.import("hedgerow._arrays")?.getattr("numbers")?;
+        let elements: PyReadonlyArray1<'_, i64> = numbers.call1((elements, capacity))?.extract()?;
+        let elements = values(&elements)?;
         if let Some(wrong) = elements.iter().find(|&&one| one < 0 || one >= capacity) {
             let message = format!("there is no {kind} {wrong}");
             return Err(saying(py, Kind::Argument, "wrong-argument", message));
         }
+        let mut state = mesh.get().hold(py)?;
+        let session = &mut state.session;
+        session.use_program(self.item.program());
         let (op, parameters) = (&self.item, &self.parameters);
         let applied = py.detach(move || {
             let mut applied = vec![false; elements.len()];

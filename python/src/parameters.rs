@@ -1,11 +1,13 @@
 //! Parameters of operations, scripts and functions, as Python shows them.
 
+use hedgerow::Argument;
 use hedgerow::diagram::Type;
 use hedgerow::mesh::ElementKind;
+use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
-use pyo3::types::PyTuple;
+use pyo3::types::{PyString, PyTuple};
 
-use super::argument::Values;
+use super::argument::{Values, argument};
 
 /// A parameter of an operation, a script or a function.
 #[pyclass(frozen, module = "hedgerow")]
@@ -63,10 +65,12 @@ pub fn element_kind(ty: Type) -> Option<ElementKind> {
 /// The parameters of something that is called.
 pub struct Parameters {
     pub all: Vec<Parameter>,
+    /// Whether they are those of an operation, which has `each`.
+    of_op: bool,
 }
 
 impl Parameters {
-    pub fn new(parameters: Vec<hedgerow::Parameter<'_>>) -> Self {
+    pub fn new(parameters: Vec<hedgerow::Parameter<'_>>, of_op: bool) -> Self {
         let one = |parameter: hedgerow::Parameter<'_>| {
             let ty = Type::ALL.into_iter().find(|ty| ty.word() == parameter.ty);
             Parameter {
@@ -75,7 +79,22 @@ impl Parameters {
                 default: parameter.default.map(str::to_owned),
             }
         };
-        Self { all: parameters.into_iter().map(one).collect() }
+        Self { all: parameters.into_iter().map(one).collect(), of_op }
+    }
+
+    /// A value for one of them.
+    pub fn argument(&self, value: &Bound<'_, PyAny>, parameter: &Parameter) -> PyResult<Argument> {
+        let is_row = || value.len().is_ok() && !value.is_instance_of::<PyString>();
+        argument(value, parameter.ty, &parameter.name).map_err(|error| {
+            match self.of_op && element_kind(parameter.ty).is_some() && is_row() {
+                true => {
+                    let told = error.value(value.py());
+                    let advice = "`each` applies the operation at several, one after the other";
+                    PyTypeError::new_err(format!("{told}; {advice}"))
+                }
+                false => error,
+            }
+        })
     }
 
     /// The first that is an element and not among some values: its number and its kind.

@@ -4,6 +4,8 @@ use hedgerow::mesh::{ElementKind, FaceId, HalfedgeRecord, Mesh, VertexId};
 use pyo3::exceptions::PyAttributeError;
 use pyo3::prelude::*;
 
+use super::element::one;
+
 /// The number that stands for no element.
 const NOTHING: i64 = -1;
 
@@ -11,7 +13,7 @@ const NOTHING: i64 = -1;
 pub fn pointers(mesh: &Mesh, kind: ElementKind, name: &str) -> PyResult<Vec<i64>> {
     let id = |id: u32| if id == u32::MAX { NOTHING } else { i64::from(id) };
     let none = || {
-        let message = format!("a {kind} has no pointer `{name}`");
+        let message = format!("{} has no pointer `{name}`", one(kind));
         PyAttributeError::new_err(message)
     };
     if kind == ElementKind::Halfedge {

@@ -2,9 +2,11 @@
 
 import inspect
 import pickle
+import pydoc
 import signal
 import threading
 import time
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -25,7 +27,7 @@ def test_a_program_is_its_items(ops, tmp_path):
         ops["none"]
     path = tmp_path / "ops.hedge"
     path.write_text("/// Says it.\nscript hello() { print \"hello\" }")
-    assert hedgerow.load(path).hello.__doc__ == "Says it."
+    assert hedgerow.load(path).hello.__doc__.endswith("\n\nSays it.")
     assert hedgerow.load("std/remesh.hedge").remesh.__name__ == "remesh"
     assert hedgerow.std.remesh is hedgerow.std.remesh
     with pytest.raises(AttributeError, match="the library has no file"):
@@ -44,7 +46,10 @@ def test_signatures_and_docs(ops):
             assert name == "times"
         case _:
             raise AssertionError(times)
-    assert inspect.getdoc(ops.move) == "Moves all vertices."
+    signature, blank, docs = inspect.getdoc(ops.move).splitlines()
+    assert signature == f"move{inspect.signature(ops.move)}" and (blank, docs) == ("", "Moves all vertices.")
+    assert ops.total.__doc__ == "total(mesh, /) -> float"
+    assert "flip(mesh, /, e: int)" in pydoc.render_doc(ops.flip)
     assert "corner" in ops.flip.__doc__ and "neighbours" in ops.excess.__doc__
     assert ops.split.result == "vertex" and ops.flip.result is None and ops.flip.level == "simple"
 
@@ -64,6 +69,16 @@ def test_errors_carry_what_was_rendered():
         hedgerow.load("none.hedge")
     with pytest.raises(TypeError, match="`load` reads files"):
         hedgerow.program(b"script s() {}")
+    with pytest.raises(TypeError, match="checks a file"):
+        hedgerow.check(Path("broken.hedge"))
+    with pytest.raises(hedgerow.ArgumentError, match="`broken.hedge` is a path, .* checks a file"):
+        hedgerow.check("broken.hedge")
+    with pytest.raises(hedgerow.ArgumentError, match="`a/broken.hedge` is a path, .* `load` reads files"):
+        hedgerow.program("a/broken.hedge")
+    assert hedgerow.check("// see ops.hedge") == []
+    for name in ("bunny.obj", "bunny.PLY", "bunny.halfedges"):
+        with pytest.raises(hedgerow.FileError, match=f"`{name}` is a mesh, not a program: `Mesh.load`"):
+            hedgerow.load(name)
 
 
 def test_applied_and_refused(ops, sphere):
@@ -231,6 +246,14 @@ def test_each(ops, sphere, rng):
     assert ops.flip.each(at_once, edges).tolist() == slow and at_once == one_by_one
     assert ops.flip.each(at_once, np.asarray(edges[:5], np.int32)).shape == (5,)
     assert ops.flip.each(at_once, []).shape == (0,)
+    # Also at those of a mask.
+    masked, numbered = sphere.copy(), sphere.copy()
+    mask, live = ops.flip.can(sphere) & (np.arange(sphere.edges.size) % 3 == 0), ops.flip.live(masked)
+    assert (ops.flip.each(masked, mask) == ops.flip.each(numbered, np.flatnonzero(mask))).all()
+    assert masked == numbered
+    assert (ops.flip.each(masked, live) == ops.flip.each(numbered, ops.flip.can(numbered))).all()
+    with pytest.raises(hedgerow.ArgumentError, match="a mask of elements has 120 places, not 3"):
+        ops.flip.each(sphere, [True, False, True])
 
 
 def test_live_masks(ops, rng):
@@ -268,9 +291,14 @@ def test_what_is_no_outcome_and_no_number_is_said_to_be_none(ops, sphere):
     for near in (5, True, "near", [3]):
         with pytest.raises(TypeError, match="`near` wants what an action gave"):
             ops.flip.can(sphere, near=near)
-    for number in (-1, 2**32, 10**30, np.int64(-5)):
-        with pytest.raises(hedgerow.ArgumentError, match=f"`e` is no edge of the mesh: {number}"):
+    for number in (-1, 2**32, 10**30, np.int64(-5), 999_999):
+        with pytest.raises(hedgerow.ArgumentError, match=f"^`e` is no edge of the mesh: {number}$"):
             ops.flip(sphere, number)
+    for several in ([1, 2], np.array([1, 2]), (1,)):
+        with pytest.raises(TypeError, match="^`e` wants the number of an edge; `each` applies the operation"):
+            ops.flip(sphere, several)
+    with pytest.raises(TypeError, match="^`e` wants the number of an edge$"):
+        ops.gain(sphere, [1, 2])
     for other in (1.0, True, "1", None, [1]):
         with pytest.raises(TypeError, match="`e` wants the number of an edge"):
             ops.flip(sphere, other)

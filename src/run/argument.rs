@@ -55,11 +55,11 @@ impl Argument {
         }
     }
 
-    /// Whether it exists in the mesh, if it is an element; true for other values.
-    pub(super) fn exists_in(&self, mesh: &Mesh) -> bool {
+    /// The number of the element, if it is one that is not in the mesh.
+    pub(super) fn missing_in(&self, mesh: &Mesh) -> Option<u32> {
         match *self {
-            Self::Element(kind, id) => mesh.is_alive(kind, id),
-            _ => true,
+            Self::Element(kind, id) if !mesh.is_alive(kind, id) => Some(id),
+            _ => None,
         }
     }
 

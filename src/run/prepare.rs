@@ -342,9 +342,9 @@ impl Prepared {
                         let message = format!("`{}` is not finite", param.name);
                         return Err(Diagnostic::error("wrong-argument", message, param.span));
                     }
-                    if !value.exists_in(mesh) {
-                        let message =
-                            format!("`{}` is no {} of the mesh", param.name, param.ty.word());
+                    if let Some(id) = value.missing_in(mesh) {
+                        let kind = param.ty.word();
+                        let message = format!("`{}` is no {kind} of the mesh: {id}", param.name);
                         return Err(Diagnostic::error("wrong-argument", message, param.span));
                     }
                     value.fill(texts, slots);

@@ -250,6 +250,8 @@ fn what_does_not_fit_is_an_error_and_the_mesh_is_as_it_was() {
     let hits = session.mesh_mut().find_column(ElementKind::Edge, "hits").unwrap();
     session.mesh_mut().remove_column(hits);
     assert_eq!(whole(session.mesh()), before);
+    let gone = session.apply(&flip, EdgeId(999_999)).unwrap_err();
+    assert_eq!(gone.message(), "`e` is no edge of the mesh: 999999");
     let told = program.op("flop").unwrap_err().to_string();
     assert!(told.contains("did you mean `flip`?"), "{told}");
     // It goes on as if nothing had been.
