@@ -76,6 +76,26 @@ class ElementTable:
         return _arrays.frozen(self._mesh._ends().reshape(-1, 2))
 
     @property
+    def faces(self):
+        """Of edges by number the two faces, that of the halfedge of the edge first; -1 where there is
+        a hole, or no edge."""
+        if self._kind != "edge":
+            raise AttributeError("only edges have two faces")
+        halfedges, first = self._mesh.halfedges, self.halfedge
+        faces = np.where(self._mesh._holes()[halfedges.face], -1, halfedges.face)
+        pairs = np.stack([faces[first], faces[halfedges.twin[first]]], 1)
+        pairs[first < 0] = -1
+        return _arrays.frozen(pairs)
+
+    @property
+    def target(self):
+        """Of halfedges by number the vertex where it ends; -1 where there is no halfedge."""
+        if self._kind != "halfedge":
+            raise AttributeError("only halfedges have a target")
+        twin = self.twin
+        return _arrays.frozen(np.where(twin < 0, -1, self.vertex[twin]))
+
+    @property
     def attributes(self):
         """The types of the attributes, by name."""
         return self._mesh._attributes(self._kind)
@@ -83,7 +103,8 @@ class ElementTable:
     def __getattr__(self, name):
         if name in _POINTERS[self._kind]:
             return _arrays.frozen(self._mesh._pointers(self._kind, name))
-        raise AttributeError(f"a {self._kind} has no pointer `{name}`")
+        article = "an" if self._kind == "edge" else "a"
+        raise AttributeError(f"{article} {self._kind} has no pointer `{name}`", name=name, obj=self)
 
     def __dir__(self):
         return sorted({*super().__dir__(), *_POINTERS[self._kind]})

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 
 import numpy as np
 
@@ -13,6 +14,10 @@ from ._measures import Measured
 from .errors import ArgumentError, MeshError, RunError
 
 __all__ = ["Mesh", "Trial"]
+
+#: What other libraries call the numbers of elements.
+_COUNTS = re.compile(r"(?:n|num|nb|number_of|count)_?(vert|halfedge|edge|face)\w*")
+
 
 class Trial:
     """What is done within is undone at the end, unless :meth:`keep` is called."""
@@ -240,12 +245,14 @@ class Mesh(MeshTables, Measured):
 
     @property
     def edges(self):
-        """The edges: ``mesh.edges["crease"]``, ``mesh.edges.vertices``, ``len(mesh.edges)``."""
+        """The edges: ``mesh.edges["crease"]``, ``mesh.edges.vertices``, ``mesh.edges.faces``,
+        ``len(mesh.edges)``."""
         return ElementTable(self, "edge")
 
     @property
     def halfedges(self):
-        """The halfedges: ``mesh.halfedges.next``, ``prev``, ``twin``, ``vertex``, ``edge``, ``face``."""
+        """The halfedges: ``mesh.halfedges.next``, ``prev``, ``twin``, ``vertex``, ``target``, ``edge``,
+        ``face``."""
         return ElementTable(self, "halfedge")
 
     @property
@@ -352,6 +359,13 @@ class Mesh(MeshTables, Measured):
         return name in self.elements("vertex").attributes
 
     __iter__ = None
+
+    def __getattr__(self, name):
+        message = f"a mesh has no `{name}`"
+        if counts := _COUNTS.fullmatch(name):
+            plural = next(plural for plural in PLURALS.values() if plural.startswith(counts[1]))
+            message += f": `len(mesh.{plural})` is how many {plural} there are"
+        raise AttributeError(message, name=name, obj=self)
 
     def check(self):
         """Raises a :class:`MeshError` if the tables are not in order: they always are, unless

@@ -92,6 +92,57 @@ impl LiveMask {
         })
     }
 
+    /// At how many elements it would be applied, as an array tells.
+    fn sum(&self, py: Python<'_>) -> PyResult<usize> {
+        self.count(py)
+    }
+
+    /// Whether there is an element at which it would be applied.
+    fn any(&self, py: Python<'_>) -> PyResult<bool> {
+        self.with(py, |mask| mask.contains(&true))
+    }
+
+    /// Whether it would be applied at all elements; it is not at numbers of erased ones.
+    fn all(&self, py: Python<'_>) -> PyResult<bool> {
+        self.with(py, |mask| !mask.contains(&false))
+    }
+
+    fn __and__<'py>(
+        &self,
+        py: Python<'py>,
+        other: &Bound<'py, PyAny>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        self.array(py)?.bitand(other)
+    }
+
+    fn __rand__<'py>(
+        &self,
+        py: Python<'py>,
+        other: &Bound<'py, PyAny>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        self.array(py)?.bitand(other)
+    }
+
+    fn __or__<'py>(
+        &self,
+        py: Python<'py>,
+        other: &Bound<'py, PyAny>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        self.array(py)?.bitor(other)
+    }
+
+    fn __ror__<'py>(
+        &self,
+        py: Python<'py>,
+        other: &Bound<'py, PyAny>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        self.array(py)?.bitor(other)
+    }
+
+    fn __invert__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.array(py)?.bitnot()
+    }
+
     fn __getitem__(&self, py: Python<'_>, number: usize) -> PyResult<bool> {
         let found = self.with(py, |mask| mask.get(number).copied())?;
         found.ok_or_else(|| PyIndexError::new_err(format!("there is no element {number}")))

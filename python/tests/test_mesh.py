@@ -56,11 +56,37 @@ def test_pointers_are_a_halfedge_mesh(sphere):
     assert (h.vertex[sphere.elements("vertex").halfedge] == np.arange(sphere.vertex_count)).all()
     ends = np.stack([h.vertex[sphere.edges.halfedge], h.vertex[h.twin[sphere.edges.halfedge]]], 1)
     assert (sphere.edges.vertices == ends).all()
-    with pytest.raises(AttributeError, match="no pointer `nxt`"):
+    assert (h.target == h.vertex[h.twin]).all()
+    with pytest.raises(AttributeError, match="a halfedge has no pointer `nxt`"):
         h.nxt
+    with pytest.raises(AttributeError, match="an edge has no pointer `nxt`"):
+        sphere.edges.nxt
     for array in (h.next, sphere.vertices, sphere.faces, sphere.positions, sphere.edges.alive):
         with pytest.raises(ValueError, match="read-only"):
             array[0] = 0
+
+
+def test_faces_and_targets_of_what_is_there(ops):
+    mesh = Mesh.grid(3, 3, triangles=True)
+    assert ops.collapse(mesh, 12)
+    beside, halfedges = mesh.edges.faces, mesh.halfedges
+    of_language = hedgerow.program(
+        "fn sides(e: edge) -> int { count(e.faces) } fn tip(h: halfedge) -> vertex { h.target }"
+    )
+    ids = mesh.edges.ids
+    assert ((beside >= 0).sum(1)[ids] == of_language.sides(mesh)[ids]).all()
+    assert set(beside[beside >= 0]) == set(mesh.face_ids) and (beside[~mesh.edges.alive] == -1).all()
+    assert (halfedges.target == of_language.tip(mesh)).all() and (halfedges.target == -1).any()
+    assert Mesh().edges.faces.shape == (0, 2) and len(Mesh().halfedges.target) == 0
+
+
+def test_names_of_other_libraries(sphere):
+    for name, plural in {"n_vertices": "vertices", "num_verts": "vertices", "nfaces": "faces", "n_edges": "edges"}.items():
+        with pytest.raises(AttributeError, match=rf"no `{name}`: `len\(mesh.{plural}\)` is how many {plural}"):
+            getattr(sphere, name)
+    with pytest.raises(AttributeError, match="a mesh has no `vertexes`"):
+        sphere.vertexes
+    assert not hasattr(sphere, "__array__")
 
 
 def test_numbers_stay(ops, sphere):

@@ -275,6 +275,12 @@ def test_live_masks(ops, rng):
             assert mask.count() == fresh.sum() and mask.numbers().tolist() == np.flatnonzero(fresh).tolist()
     assert applied > 100
     before = live[0].array
+    other = rng.random(len(before)) < 0.5
+    assert (live[0].sum(), live[0].any(), live[0].all()) == (before.sum(), before.any(), before.all())
+    assert (live[0] & other).tolist() == (other & live[0]).tolist() == (before & other).tolist()
+    assert (live[0] | other).tolist() == (other | live[0]).tolist() == (before | other).tolist()
+    assert (~live[0]).tolist() == (~before).tolist() and (live[0] & live[0]).tolist() == before.tolist()
+    assert live[0].pick(1.0) == live[0].numbers()[-1] and live[0].pick(0) == live[0].numbers()[0]
     with mesh.trial():
         ops.flip(mesh, live[0].pick(0.5))
         assert len(live[0]) == len(before)
