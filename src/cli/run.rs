@@ -82,6 +82,10 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
             "interrupted" => interrupt::CODE,
             _ => 1,
         };
+        let ops: Vec<_> = failure.report.ops.into_iter().map(Op::from).collect();
+        if arguments.format == Format::Human && ops.iter().any(|op| op.applied + op.refused > 0) {
+            complain(&format!("until it stopped:\n{}\n", show_ops(&ops)));
+        }
         failed(&[failure.diagnostic], code)
     })?;
     let run = started.elapsed().as_secs_f64();
@@ -235,7 +239,7 @@ impl Report {
     fn show(&self) -> String {
         let mut parts = Vec::new();
         if !self.ops.is_empty() {
-            parts.push(self.show_ops());
+            parts.push(show_ops(&self.ops));
         }
         parts.push(self.show_counts());
         if !self.drains.is_empty() {
@@ -249,22 +253,6 @@ impl Report {
             "seconds: load {load:.3}, compile {compile:.3}, run {run:.3}{native}, save {save:.3}"
         ));
         parts.join("\n\n")
-    }
-
-    fn show_ops(&self) -> String {
-        let mut rows = vec![["op", "applied", "refused", ""].map(String::from).to_vec()];
-        for op in &self.ops {
-            rows.push(vec![op.op.clone(), op.applied.to_string(), op.refused.to_string()]);
-            for reason in &op.reasons {
-                rows.push(vec![
-                    String::new(),
-                    String::new(),
-                    reason.times.to_string(),
-                    reason.reason.clone(),
-                ]);
-            }
-        }
-        table(&rows, &[false, true, true, false])
     }
 
     fn show_drains(&self) -> String {
@@ -282,4 +270,21 @@ impl Report {
         }
         table(&rows, &[false, true, true])
     }
+}
+
+/// A table of what was applied and refused.
+fn show_ops(ops: &[Op]) -> String {
+    let mut rows = vec![["op", "applied", "refused", ""].map(String::from).to_vec()];
+    for op in ops {
+        rows.push(vec![op.op.clone(), op.applied.to_string(), op.refused.to_string()]);
+        for reason in &op.reasons {
+            rows.push(vec![
+                String::new(),
+                String::new(),
+                reason.times.to_string(),
+                reason.reason.clone(),
+            ]);
+        }
+    }
+    table(&rows, &[false, true, true, false])
 }

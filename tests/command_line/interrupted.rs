@@ -54,6 +54,26 @@ fn an_endless_script_leaves_no_file() {
 }
 
 #[test]
+fn what_was_done_until_then_is_told() {
+    let bench = Bench::new();
+    bench.write("m.obj", SQUARE);
+    let flips = "use \"std/triangle.hedge\" script s() { for e in edges { flip(e) }";
+    bench.write(
+        "endless.hedge",
+        format!("{flips} print \"begun\" var n = 0 while true {{ n = n + 1 }} }}"),
+    );
+    let (code, endless) = interrupted(&bench, &["run", "endless.hedge", "m.obj"]);
+    assert_eq!(code, Some(130), "{endless}");
+    bench.write("fails.hedge", format!("{flips} assert count(faces) < 0 }}"));
+    let fails = bench.run(&["run", "fails.hedge", "m.obj"]).err;
+    for told in [endless, fails] {
+        let table = told.split_once("until it stopped:\n").unwrap().1;
+        assert!(table.starts_with("op    applied  refused\nflip"), "{told}");
+        assert!(table.find("error[") > table.find("hole"), "{told}");
+    }
+}
+
+#[test]
 fn nothing_is_written_once_it_is_interrupted() {
     let bench = Bench::new();
     // Whatever moment the signal comes at, the file is the old one or the whole new one.
