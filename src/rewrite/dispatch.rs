@@ -698,7 +698,8 @@ impl Machine {
                 }
                 Refused { op } => match call.steps {
                     Some(steps) => {
-                        let reason = steps.refusal_of(op, self.last_reason);
+                        let reason = self.last_refusal.and_then(|(_, reason)| reason);
+                        let reason = steps.refusal_of(op, reason);
                         return Ok(Outcome::Refused { reason });
                     }
                     None => break self.must_not_refuse(op),

@@ -48,8 +48,8 @@ pub struct Machine {
     pub(super) counts: Vec<Count>,
     /// The level that the mesh is known to have.
     pub(super) known: KnownLevel,
-    /// The reason why the op called last refused.
-    pub(super) last_reason: Option<u16>,
+    /// The operation called last that refused, and its reason.
+    pub(super) last_refusal: Option<(u16, Option<u16>)>,
     /// Whether the running operation is only asked: it ends at its first write.
     pub(super) is_dry: bool,
     /// The instruction at which the operation that was asked last has stopped.
@@ -130,7 +130,7 @@ impl Machine {
             line: String::new(),
             counts: plans.iter().map(count).collect(),
             known: KnownLevel::new(Level::Map),
-            last_reason: None,
+            last_refusal: None,
             is_dry: false,
             stopped_at: 0,
             random: RandomNumbers::new(0),
@@ -338,7 +338,7 @@ impl Machine {
         self.line.clear();
         self.drains.clear();
         self.paths.clear();
-        self.last_reason = None;
+        self.last_refusal = None;
         self.is_dry = false;
         self.holding = 0;
         self.neighbors = Neighbors::default();
@@ -413,7 +413,7 @@ impl Machine {
             self.end_op(mesh, (op, plan), mark, applied);
         }
         if let Outcome::Refused { reason } = outcome {
-            self.last_reason = reason;
+            self.last_refusal = Some((op, reason));
         }
         // The effects of a step may still be undone.
         if caller.op.is_none() && caller.steps.is_none() {
@@ -447,8 +447,15 @@ impl Machine {
     /// The reason of the last refusal, as one of the reasons of this operation.
     pub(super) fn last_reason(&self, op: u16) -> Option<&str> {
         let plan = self.plans.get(usize::from(op))?.as_ref()?;
-        let refusal = plan.refusals.get(usize::from(self.last_reason?))?;
-        Some(&refusal.reason)
+        let (_, reason) = self.last_refusal?;
+        Some(&plan.refusals.get(usize::from(reason?))?.reason)
+    }
+
+    /// The name of the operation that refused last in this run, and its reason.
+    pub fn last_refusal(&self) -> Option<(&str, &str)> {
+        let (op, _) = self.last_refusal?;
+        let plan = self.plans.get(usize::from(op))?.as_ref()?;
+        Some((&plan.name, self.last_reason(op)?))
     }
 
     /// The trap of an operation that refused although the script said `must`.

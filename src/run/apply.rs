@@ -203,19 +203,19 @@ impl Application {
 
     /// The diagnostic of a trap in the code of its parameters.
     pub(crate) fn told_of_parameters(&self, trap: Trap) -> Diagnostic {
-        diagnostic(&self.parameters, trap, &[])
+        diagnostic(&self.parameters, trap, None)
     }
 
     /// The diagnostic of a trap in its own code or in what that calls, at its place there; the mesh
     /// is as it was.
     pub(crate) fn told(&self, trap: Trap, mesh: &Mesh) -> Diagnostic {
         let Some(span) = trap.trace.iter().find_map(|site| self.span(site)) else {
-            return diagnostic(&self.parameters, trap, &[]);
+            return diagnostic(&self.parameters, trap, None);
         };
         let message = trap.to_string();
         match &trap.message {
             Message::Interrupted | Message::NoRoom(_) | Message::NoMemory(_) => {
-                diagnostic(&self.parameters, trap, &[])
+                diagnostic(&self.parameters, trap, None)
             }
             Message::BelowLevel { op, level, why, .. } => match validate_level(mesh, *level) {
                 Err(below) => {

@@ -80,7 +80,7 @@ pub(super) fn run_with(
     match outcome {
         Ok(_) => Ok(report),
         Err(trap) => {
-            let diagnostic = diagnostic(prepared, trap, machine.counts());
+            let diagnostic = diagnostic(prepared, trap, Some(&machine));
             Err(Box::new(Failure { diagnostic, report }))
         }
     }
@@ -148,8 +148,9 @@ fn op_report(name: &str, plan: &Plan, count: &Count) -> OpReport {
 /// The greatest number of calls shown as labels of a failure.
 const MOST_CALLERS: usize = 8;
 
-/// The diagnostic of a trap, at the innermost place that is known. `counts` are those of the run.
-pub(crate) fn diagnostic(prepared: &Prepared, trap: Trap, counts: &[Count]) -> Diagnostic {
+/// The diagnostic of a trap, at the innermost place that is known. The machine is that of the run, if
+/// it was one of a script or a function.
+pub(crate) fn diagnostic(prepared: &Prepared, trap: Trap, machine: Option<&Machine>) -> Diagnostic {
     let known: Vec<(&Site, Span)> =
         trap.trace.iter().filter_map(|site| Some((site, span(prepared, site)?))).collect();
     let (first, calls) = match known.split_first() {
@@ -162,7 +163,15 @@ pub(crate) fn diagnostic(prepared: &Prepared, trap: Trap, counts: &[Count]) -> D
             diagnostic = diagnostic.note(values.clone());
         }
         Message::BelowLevel { why, .. } => diagnostic = diagnostic.note(why.clone()),
-        Message::Gone(kind) => diagnostic.notes.extend(erased_by(prepared, *kind, counts)),
+        Message::Gone(kind) => {
+            let counts = machine.map_or(&[][..], Machine::counts);
+            diagnostic.notes.extend(erased_by(prepared, *kind, counts));
+        }
+        Message::Interrupted => {
+            let last = machine.and_then(Machine::last_refusal);
+            let told = last.map(|(op, reason)| format!("`{op}` was the last to refuse: {reason}"));
+            diagnostic.notes.extend(told);
+        }
         _ => {}
     }
     let mut told = vec![first];

@@ -320,7 +320,7 @@ impl Session {
         match outcome {
             Ok(_) => Ok(report),
             Err(trap) => {
-                let diagnostic = run::diagnostic(prepared, trap, self.engine.machine.counts());
+                let diagnostic = run::diagnostic(prepared, trap, Some(&self.engine.machine));
                 Err(Error::failure(Failure { diagnostic, report }, &self.engine.program.0.sources))
             }
         }

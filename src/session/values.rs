@@ -178,12 +178,12 @@ impl Session {
                 false => machine.run_without_drains(&mut self.mesh, code, &self.slots, watch),
             };
             if let Err(trap) = ran {
-                let diagnostic = run::diagnostic(prepared, trap, machine.counts());
+                let diagnostic = run::diagnostic(prepared, trap, Some(machine));
                 return Err(self.error(diagnostic.note(format!("asked at number {id}"))));
             }
             if id % IDS_PER_LOOK == 0 && watch.tick().is_break() {
                 let trap = Trap::new(Message::Interrupted);
-                let diagnostic = run::diagnostic(prepared, trap, machine.counts());
+                let diagnostic = run::diagnostic(prepared, trap, Some(machine));
                 return Err(self.error(diagnostic));
             }
             self.take_value(function, values, id as usize);

@@ -74,6 +74,20 @@ fn what_was_done_until_then_is_told() {
 }
 
 #[test]
+fn what_refuses_without_end_is_told() {
+    let bench = Bench::new();
+    bench.write("m.obj", SQUARE);
+    let script = "use \"std/triangle.hedge\"
+op wait(e: edge) { steps { while count(faces) > 0 { flip(e) } } }
+script s() { print \"begun\" for e in edges where boundary(e) { wait(e) } }";
+    bench.write("s.hedge", script);
+    for engine in ["native", "machine"] {
+        let (_, err) = interrupted(&bench, &["run", "s.hedge", "m.obj", "--engine", engine]);
+        assert!(err.contains("note: `flip` was the last to refuse: "), "{err}");
+    }
+}
+
+#[test]
 fn nothing_is_written_once_it_is_interrupted() {
     let bench = Bench::new();
     // Whatever moment the signal comes at, the file is the old one or the whole new one.

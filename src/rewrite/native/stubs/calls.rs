@@ -145,7 +145,7 @@ pub(in super::super) unsafe extern "C" fn refused(context: *mut Context, op: i64
     let refused = |context: &mut Context, run: &mut Run<'_>| {
         let reason = context.place(0).noted.map(|(_, reason)| reason);
         context.noted = 0;
-        run.machine.last_reason = reason;
+        run.machine.last_refusal = Some((op as u16, reason));
         run.machine.count(op as u16, Outcome::Refused { reason });
         Ok(0)
     };
