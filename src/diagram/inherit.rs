@@ -1,5 +1,5 @@
 //! Values that new elements take over from what was there: of the attributes that are
-//! [inherited](Attribute::inherits) and that the rule does not set.
+//! [inherited](super::Attribute::inherits) and that the rule does not set.
 //!
 //! A new face takes the value of the face whose halfedge it has now, or else that of a face beside
 //! it; a new edge that of the only edge that lay between the faces that those at its sides come
@@ -7,32 +7,28 @@
 //! Anything else has the default.
 
 use super::{
-    Access, Assignment, Attribute, Expr, ExprKind, Kind, Loop, LoopKind, NameId, Ref, Role, Rule,
-    Side,
+    Access, Assignment, Expr, ExprKind, Kind, Loop, LoopKind, NameId, Ref, Role, Rule, Side,
 };
 
 impl Rule {
     /// The assignments by which new elements inherit.
     pub fn inherited(&self) -> Vec<Assignment> {
         let mut all = Vec::new();
-        for created in &self.created {
-            let element = self.kind(created.name).element_type();
-            let inherits =
-                |attribute: &Attribute| attribute.inherits && Some(attribute.element) == element;
-            let mut source = None;
+        if !self.attributes.iter().any(|attribute| attribute.inherits) {
+            return all;
+        }
+        for &target in &self.created {
+            let element = self.kind(target.name).element_type();
+            let (Some(element), Some(source)) = (element, self.source(target)) else { continue };
+            let value = |ty, kind| Expr { ty, kind, span: target.span };
             for (number, attribute) in (0..).zip(self.attributes.iter()) {
                 let access = Access::Declared(number);
-                if !inherits(attribute) || self.sets(created.name, access) {
-                    continue;
+                let has_it = attribute.inherits && attribute.element == element;
+                if has_it && !self.sets(target.name, access) {
+                    let source = Box::new(value(element, self.element(source)));
+                    let value = value(attribute.ty, ExprKind::Read(access, source));
+                    all.push(Assignment { target, attribute: access, value, span: target.span });
                 }
-                let source = *source.get_or_insert_with(|| self.source(*created));
-                let Some(source) = source else { continue };
-                let (ty, span) = (attribute.ty, created.span);
-                let (kind, of) = (self.element(source), attribute.element);
-                let element = Expr { ty: of, kind, span };
-                let kind = ExprKind::Read(access, Box::new(element));
-                let value = Expr { ty, kind, span };
-                all.push(Assignment { target: *created, attribute: access, value, span });
             }
         }
         all
@@ -85,9 +81,10 @@ impl Rule {
         })
     }
 
-    /// The halfedges and paths of a face in `after`.
+    /// The halfedges and paths of a face, and no hole, in `after`.
     fn drawn(&self, face: Ref) -> Option<Vec<Ref>> {
-        let orbit = self.after.loops.iter().find(|orbit| orbit.face.name == face.name)?;
+        let is_it = |orbit: &&Loop| orbit.face.name == face.name && orbit.kind != LoopKind::Hole;
+        let orbit = self.after.loops.iter().find(is_it)?;
         let items = orbit.items.iter();
         Some(items.map(|item| self.moved(item.item, face, orbit.face)).collect())
     }

@@ -255,8 +255,7 @@ fn measured(word: &str) -> Option<Here> {
             Said("a third of the faces around a vertex is `sum(area(f) for f in v.faces) / 3`")
         }
         "bounding_box" | "bbox" | "aabb" => Said(
-            "the corners of the box are found by a loop: `for v in vertices { low = min(low, \
-             v.position) }`",
+            "its corners are `min(v.position for v in vertices)` and `max(v.position for v in vertices)`",
         ),
         "volume" => Said(
             "of a mesh without boundary it is `sum(dot(centroid(f), normal(f)) * area(f) for f in \

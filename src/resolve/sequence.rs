@@ -292,8 +292,10 @@ impl Typing<'_> {
             (FoldFunction::Mean | FoldFunction::Sum, ty) if ty.is_vector() || ty.is_matrix() => {
                 return Some((value.ty, value));
             }
-            (FoldFunction::Sum, Type::Int | Type::Real)
-            | (FoldFunction::Min | FoldFunction::Max, Type::Int | Type::Real) => {
+            (FoldFunction::Min | FoldFunction::Max, ty) if ty.is_vector() => {
+                return Some((value.ty, value));
+            }
+            (FoldFunction::Sum | FoldFunction::Min | FoldFunction::Max, Type::Int | Type::Real) => {
                 return Some((value.ty, value));
             }
             (FoldFunction::ArgMin | FoldFunction::ArgMax, Type::Int | Type::Real) => {
@@ -318,10 +320,8 @@ impl Typing<'_> {
                 return Some((ty, value));
             }
             (FoldFunction::Mean | FoldFunction::Sum, _) => "numbers, vectors or matrices",
-            (
-                FoldFunction::Min | FoldFunction::Max | FoldFunction::ArgMin | FoldFunction::ArgMax,
-                _,
-            ) => "numbers",
+            (FoldFunction::Min | FoldFunction::Max, _) => "numbers or vectors",
+            (FoldFunction::ArgMin | FoldFunction::ArgMax, _) => "numbers",
         };
         let message =
             format!("{whose} wants {wants}, but {} is {}", subject(written), a_type(value.ty));

@@ -95,21 +95,24 @@ impl Sum {
         asm.emit(Inst::AddInt { to, left, right });
     }
 
-    /// Keeps the lesser or greater of two values; the first value is taken as it is.
+    /// Keeps the lesser or greater of two values, of vectors in each component; the first value is taken as it is.
     fn take_better(self, asm: &mut Assembler, function: FoldFunction, right: Reg, next: Label) {
         let compare = asm.label();
-        let (to, left) = (self.to, self.to);
+        let to = self.to;
         asm.emit(Inst::JumpIf { condition: self.seen, to: compare });
         copy(asm, self.ty, to, right);
         self.add_one(asm, self.seen);
         asm.emit(Inst::Jump { to: next });
         asm.bind(compare);
-        asm.emit(match (function, self.ty) {
-            (FoldFunction::Min, Type::Int) => Inst::MinInt { to, left, right },
-            (FoldFunction::Min, _) => Inst::MinReal { to, left, right },
-            (_, Type::Int) => Inst::MaxInt { to, left, right },
-            (_, _) => Inst::MaxReal { to, left, right },
-        });
+        for part in 0..width(self.ty) {
+            let [to, left, right] = [to, to, right].map(|value| value.part(part));
+            asm.emit(match (function, self.ty) {
+                (FoldFunction::Min, Type::Int) => Inst::MinInt { to, left, right },
+                (FoldFunction::Min, _) => Inst::MinReal { to, left, right },
+                (_, Type::Int) => Inst::MaxInt { to, left, right },
+                (_, _) => Inst::MaxReal { to, left, right },
+            });
+        }
     }
 
     /// Keeps the element with the better value; of equal values, the first. NaN is worse than any

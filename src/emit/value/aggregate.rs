@@ -3,7 +3,7 @@
 use super::language::is_wide;
 use super::spellings::spelling;
 use super::term::{Level, Term};
-use crate::diagram::{Expr, Fold, FoldFunction, Type};
+use crate::diagram::{Expr, Fold, Type};
 use crate::emit::NotEmitted;
 use crate::emit::language::filled;
 use crate::emit::names::Names;
@@ -41,12 +41,8 @@ impl Names<'_> {
         };
         let body = &value.text;
         let each = say!(language, "|{bound}| {body}", "[&]({bound}) {{ return {body}; }}");
-        let name = match fold.function {
-            FoldFunction::Sum | FoldFunction::Mean if is_wide(ty) => {
-                format!("all.of.{:?}", fold.function)
-            }
-            function => format!("all.{function:?}"),
-        };
+        let of = if is_wide(ty) { "of." } else { "" };
+        let name = format!("all.{of}{:?}", fold.function);
         let text = filled(spelling(language, &name, ty), |part, _, _| {
             Some(match part {
                 "all" => all.clone(),

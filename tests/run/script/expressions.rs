@@ -29,6 +29,15 @@ fn numbers() {
                 "max(vec4(0, 1, 2, 3), vec4(1.5)) - min(vec4(2), vec4(0, 9, 0, 9))",
                 "(1.5, -0.5, 2, 1)",
             ),
+            (
+                "min(v.position for v in vertices), max(v.position for v in vertices)",
+                "(-1, -1, -1) (1, 1, 1)",
+            ),
+            (
+                "max(vec2(v.position) + vec2(1, 2) for v in vertices where v.position.y < 0)",
+                "(2, 1)",
+            ),
+            ("min(vec4(v.position, 3) for v in vertices where v.position.x > 0)", "(1, -1, -1, 3)"),
             ("min(vec3(sqrt(-1), 1, 2), vec3(3, sqrt(-1), 1))", "(3, 1, 1)"),
             ("sqrt(16.0), pow(2.0, 10.0), floor(1.5), ceil(1.5)", "4 1024 1 2"),
             ("round(2.5), round(3.5)", "2 4"),
