@@ -5,12 +5,14 @@
 //! edges, so that what hides the face hides them too. Faces with a corner at no finite position are
 //! not drawn.
 
+use std::collections::BTreeSet;
+
 use glam::{DVec2, DVec3};
 
 use super::curve::{area, distance};
 use super::raster::{Raster, sides, weigh};
 use super::shape::{Group, Picture};
-use super::viridis::{Range, swatches};
+use super::viridis::{Range, SWATCH, number, swatches};
 use crate::mesh::{ColumnId, ElementKind, FaceId, HalfedgeId, Mesh, Value};
 
 /// The view of a mesh.
@@ -21,7 +23,8 @@ pub struct View {
     /// The width and height of the picture, without a legend.
     pub size: f64,
     /// The attribute that is shown in colour: a number, the length of a vector or matrix, or a
-    /// truth value, of which edges show only those that hold. Vectors of an attribute named `color`
+    /// truth value, of which edges show only those that hold. A few whole numbers have colours of
+    /// their own, except at vertices. Vectors of an attribute named `color`
     /// or `colour` with components from 0 to 1 are colours themselves: red, green and blue.
     pub attribute: Option<ColumnId>,
 }
@@ -47,6 +50,18 @@ const FACE: [u8; 3] = [178, 205, 236];
 const PALE: [u8; 3] = [226, 230, 236];
 /// The colour of a truth value that holds.
 const HOLDS: [u8; 3] = [0x00, 0x65, 0xb3];
+/// The colours of a few labels, which colour-blind viewers tell apart (M. Okabe and K. Ito, "Color
+/// Universal Design", 2008), with grey for their black.
+const LABELS: [[u8; 3]; 8] = [
+    [0x56, 0xb4, 0xe9],
+    [0xe6, 0x9f, 0x00],
+    [0x00, 0x9e, 0x73],
+    [0xf0, 0xe4, 0x42],
+    [0x00, 0x72, 0xb2],
+    [0xd5, 0x5e, 0x00],
+    [0xcc, 0x79, 0xa7],
+    [0x99, 0x99, 0x99],
+];
 const LINE: [u8; 3] = [22, 30, 40];
 const ON_BOUNDARY: [u8; 3] = [0xc2, 0x41, 0x0c];
 
@@ -75,7 +90,7 @@ pub fn draw_mesh(mesh: &Mesh, view: &View) -> Picture {
     let mut picture = Picture {
         title: "mesh".into(),
         // The legend may be higher than the mesh.
-        size: DVec2::new(size + legend, size.max(3.0 * legend)),
+        size: DVec2::new(size + legend, size.max(colours.as_ref().map_or(0.0, Colours::height))),
         ..Picture::default()
     };
     let eye = Eye::new(view.from);
@@ -120,6 +135,8 @@ enum Scale {
     Own,
     /// Numbers of a range.
     Numbers(Range),
+    /// A few whole numbers, in order.
+    Labels(Vec<i64>),
     /// Truth values.
     Truth,
 }
@@ -137,17 +154,31 @@ impl Colours {
         let scale = match values().next()? {
             _ if is_named_so && values().all(|value| rgb(value).is_some()) => Scale::Own,
             first if is_truth(first) => Scale::Truth,
+            _ if let Some(labels) = labels(mesh, column) => Scale::Labels(labels),
             _ => Scale::Numbers(Range::of(values().map(Value::magnitude))?),
         };
         Some(Self { column, kind, title, scale })
     }
 
+    /// The height of a picture that has room for the legend.
+    fn height(&self) -> f64 {
+        match &self.scale {
+            Scale::Own => 0.0,
+            Scale::Labels(labels) => 2.0 * LEGEND + labels.len() as f64 * SWATCH,
+            Scale::Numbers(_) | Scale::Truth => 3.0 * LEGEND,
+        }
+    }
+
     fn legend(&self, center: DVec2) -> Option<Group> {
         let is_line = matches!(self.kind, ElementKind::Edge | ElementKind::Halfedge);
         let missing = if is_line { LINE } else { PALE };
-        match self.scale {
+        match &self.scale {
             Scale::Own => None,
             Scale::Numbers(range) => Some(range.legend(&self.title, center)),
+            Scale::Labels(labels) => {
+                let values = labels.iter().map(|label| number(*label as f64)).zip(LABELS);
+                Some(swatches(&self.title, &values.collect::<Vec<_>>(), center))
+            }
             Scale::Truth => {
                 let values = [("true".to_owned(), HOLDS), ("false".to_owned(), missing)];
                 Some(swatches(&self.title, &values, center))
@@ -160,16 +191,22 @@ impl Colours {
         let value = mesh.value(self.column, index);
         let seen = value.and_then(|value| match self.scale {
             Scale::Own => rgb(value),
-            Scale::Numbers(_) | Scale::Truth => Some(DVec3::splat(value.magnitude())),
+            Scale::Numbers(_) | Scale::Labels(_) | Scale::Truth => {
+                Some(DVec3::splat(value.magnitude()))
+            }
         });
         seen.unwrap_or(DVec3::NAN)
     }
 
     fn colour(&self, value: DVec3) -> [u8; 3] {
-        match self.scale {
+        match &self.scale {
             _ if !value.is_finite() => PALE,
             Scale::Own => value.to_array().map(|part| (part * 255.0).round() as u8),
             Scale::Numbers(range) => range.colour(value.x),
+            Scale::Labels(labels) => {
+                let at = labels.iter().position(|label| *label as f64 == value.x);
+                at.map_or(PALE, |at| LABELS[at])
+            }
             Scale::Truth => {
                 let part = |at: usize| {
                     f64::from(PALE[at]) + (f64::from(HOLDS[at]) - f64::from(PALE[at])) * value.x
@@ -178,6 +215,23 @@ impl Colours {
             }
         }
     }
+}
+
+/// The values of an attribute, if they are whole numbers and few. Numbers at vertices are not
+/// labels: faces show what lies between them.
+fn labels(mesh: &Mesh, column: ColumnId) -> Option<Vec<i64>> {
+    let mut labels = BTreeSet::new();
+    let is_hole = |id: &u32| column.kind == ElementKind::Face && mesh.is_hole(FaceId(*id));
+    for id in mesh.elements(column.kind).filter(|id| !is_hole(id)) {
+        match mesh.value(column, id)? {
+            Value::Int(label) => labels.insert(label),
+            _ => return None,
+        };
+        if column.kind == ElementKind::Vertex || labels.len() > LABELS.len() {
+            return None;
+        }
+    }
+    (labels.len() > 1).then(|| labels.into_iter().collect())
 }
 
 /// Red, green and blue of a vector with components from 0 to 1; a fourth is ignored.

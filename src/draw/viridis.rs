@@ -18,7 +18,7 @@ const STRIPES: usize = 48;
 const BAR: DVec2 = DVec2::new(16.0, 240.0);
 const LETTERS: f64 = 14.0;
 /// The distance of two squares in a legend.
-const SWATCH: f64 = 56.0;
+pub(super) const SWATCH: f64 = 56.0;
 
 /// The colour of a fraction between 0 and 1.
 pub fn viridis(part: f64) -> [u8; 3] {

@@ -32,9 +32,9 @@ fn a_boundary_is_strong() {
 #[test]
 fn an_attribute_has_the_colours_of_its_values() {
     let mut mesh = shape::grid(2, 1);
-    let column = mesh.add_column(ElementKind::Face, "side", Value::Int(3));
+    let column = mesh.add_column(ElementKind::Face, "side", Value::Real(3.0));
     let column = column.expect("the first of its name");
-    assert!(mesh.set_value(column, 1, Value::Int(5)));
+    assert!(mesh.set_value(column, 1, Value::Real(5.0)));
     let view = View { from: DVec3::Z, attribute: Some(column), ..View::default() };
     let picture = draw_mesh(&mesh, &view);
     assert!(picture.size()[0] > picture.size()[1], "no room for a legend");
@@ -43,6 +43,27 @@ fn an_attribute_has_the_colours_of_its_values() {
         let count = pixels(&mesh, view, colour);
         assert!(count > 5000, "{count} pixels of {colour:?}");
     }
+}
+
+/// Up to eight whole numbers have colours that are far from each other, however near they are.
+#[test]
+fn a_few_whole_numbers_are_labels() {
+    const LABELS: [[u8; 3]; 3] = [[0x56, 0xb4, 0xe9], [0xe6, 0x9f, 0x00], [0x00, 0x9e, 0x73]];
+    let mut mesh = shape::grid(9, 1);
+    let column = mesh.add_column(ElementKind::Face, "label", Value::Int(1_000_000));
+    let column = column.expect("the first of its name");
+    for (face, label) in [(0, -2), (1, -2), (2, -1), (3, -1)] {
+        assert!(mesh.set_value(column, face, Value::Int(label)));
+    }
+    let view = View { from: DVec3::Z, attribute: Some(column), ..View::default() };
+    for colour in LABELS {
+        let count = pixels(&mesh, view, colour);
+        assert!(count > 200, "{count} pixels of {colour:?}");
+    }
+    for face in 0..9 {
+        assert!(mesh.set_value(column, face, Value::Int(i64::from(face))));
+    }
+    assert_eq!(LABELS.map(|colour| pixels(&mesh, view, colour)), [0; 3]);
 }
 
 #[test]
