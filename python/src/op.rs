@@ -54,8 +54,8 @@ item! {Op, "op", options [], result |_op| Some("hedgerow.Applied | hedgerow.Refu
     }
 
     /// Applies the operation at one element after the other: `elements` are numbers for its first
-    /// parameter that is an element and not given, or a bool for each number. The answer tells where it was applied; an
-    /// element that has gone meanwhile counts as refused.
+    /// parameter that is an element and not given, or a bool for each number. The answer tells where
+    /// it was applied; an element that has gone meanwhile counts as refused.
     #[pyo3(signature = (mesh, elements, /, *args, **kwargs))]
     fn each<'py>(
         &self,

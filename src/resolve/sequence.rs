@@ -250,7 +250,7 @@ impl Typing<'_> {
             subject(body),
             a_type(ty)
         );
-        let error = Diagnostic::error("type-mismatch", message, body.span).note(COUNTED);
+        let mut error = Diagnostic::error("type-mismatch", message, body.span).note(COUNTED);
         let Some(all) = short(sequence, 3) else {
             self.report.add(error);
             return;
@@ -271,7 +271,6 @@ impl Typing<'_> {
             }
         };
         let title = format!("write `{written}`");
-        let mut error = error;
         error.fixes.push(Fix { title, edits });
         self.report.add(error);
     }
