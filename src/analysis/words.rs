@@ -21,9 +21,10 @@ pub const MEANINGS: &[(&str, &str)] = &[
         "private",
         "makes an op, function, script or attribute visible in its file only: `private fn weight(e: edge) { … }`; an attribute is then never saved",
     ),
+    ("attr", "a value stored with each element of a kind: `attr weight: edge real = 1`"),
     (
-        "attr",
-        "a value stored with each element of a kind: `attr weight: edge real = 1`; with `= inherited(1)` new elements take over the value of what they come from",
+        "inherited",
+        "a default for what comes from nothing: other new halfedges, edges and faces take over the value of what they come from, `attr label: face int = inherited(0)`",
     ),
     (
         "fn",
