@@ -18,9 +18,9 @@ pub fn mesh_pixels<'py>(
     mesh: &Bound<'py, MeshTables>,
     size: f64,
     from: [f64; 3],
-    attribute: Option<&str>,
+    attribute: Option<String>,
 ) -> PyResult<(usize, Bound<'py, PyArray1<u8>>)> {
-    let attribute = attribute.map(|name| ("vertex", name));
+    let attribute = attribute.map(|name| ("vertex".to_owned(), name));
     let (width, pixels) = draw(mesh, size, from, attribute, |picture| picture.rgb(1.0))?;
     Ok((width, PyArray1::from_vec(py, pixels.into_flattened())))
 }
@@ -34,7 +34,6 @@ pub fn mesh_png<'py>(
     from: [f64; 3],
     attribute: Option<(String, String)>,
 ) -> PyResult<Bound<'py, PyBytes>> {
-    let attribute = attribute.as_ref().map(|(kind, name)| (kind.as_str(), name.as_str()));
     let png = draw(mesh, size, from, attribute, |picture| picture.png(1.0))?;
     Ok(PyBytes::new(py, &png))
 }
@@ -44,13 +43,13 @@ fn draw<T: Send>(
     mesh: &Bound<'_, MeshTables>,
     size: f64,
     from: [f64; 3],
-    attribute: Option<(&str, &str)>,
+    attribute: Option<(String, String)>,
     show: impl FnOnce(&Picture) -> Result<T, TooLarge> + Send,
 ) -> PyResult<T> {
     let py = mesh.py();
     let state = mesh.get().hold(py)?;
     let mesh = state.session.mesh();
-    let column = |(of, name)| column_of(py, mesh, kind(of)?, name);
+    let column = |(of, name): (String, String)| column_of(py, mesh, kind(&of)?, &name);
     let view =
         View { from: DVec3::from_array(from), size, attribute: attribute.map(column).transpose()? };
     let shown = py.detach(|| show(&draw_mesh(mesh, &view.with_own_colours(mesh))));

@@ -143,11 +143,15 @@ impl Analysis {
         self.meant(name, functions)
     }
 
+    /// True if the file itself declares an item at this span, not one that it uses.
+    pub fn is_own(&self, item: Span) -> bool {
+        item.file == self.file
+    }
+
     /// True if the file can name an item, whose name is at this span: an own one, or one of a file
     /// that it uses that is not private.
     pub fn sees(&self, name: Span) -> bool {
-        name.file == self.file
-            || self.seen.contains(&name.file) && !self.program.private.contains(&name)
+        self.is_own(name) || self.seen.contains(&name.file) && !self.program.private.contains(&name)
     }
 
     /// The item of a name, qualified or not, that the file declares, else that of the first file it

@@ -29,7 +29,7 @@ fn is_picture(path: &Path) -> bool {
 /// True if the file itself declares operations.
 fn has_own_ops(program: &Program) -> bool {
     let analysis = &program.analysis;
-    analysis.program.ops.iter().any(|op| op.span.file == analysis.file)
+    analysis.program.ops.iter().any(|op| analysis.is_own(op.span))
 }
 
 /// Draws an operation, before and after, or all of a file on one page.

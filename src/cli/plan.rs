@@ -60,10 +60,8 @@ pub(super) fn plan(arguments: &PlanArguments) -> Result<(), Failure> {
         Shown::Cpp | Shown::Rust => {
             if name.is_none() {
                 leave_out(&program, &mut ops, |op| emit(&[op]).err());
-                let is_own = |op: &usize| {
-                    program.analysis.program.ops[*op].span.file == program.analysis.file
-                };
-                let scripts = own_scripts(&program).filter(|_| !ops.iter().any(is_own));
+                let has_own = ops.iter().any(|&op| is_own(&program, op));
+                let scripts = own_scripts(&program).filter(|_| !has_own);
                 for (_, script) in scripts {
                     let name = &script.name;
                     complain(&format!("left out: `{name}`, since only operations are emitted"));
@@ -120,9 +118,8 @@ fn style(arguments: &PlanArguments) -> Result<Style, Failure> {
 /// it uses. Of these a target that names ops selects the named ones.
 fn all(program: &Program, style: &Style) -> Vec<usize> {
     let ops = &program.analysis.program.ops;
-    let own = |at: &usize| ops[*at].span.file == program.analysis.file;
     let wanted = |at: &usize| !style.names_functions() || style.function(&ops[*at].name).is_some();
-    let found: Vec<_> = (0..ops.len()).filter(own).collect();
+    let found: Vec<_> = (0..ops.len()).filter(|&op| is_own(program, op)).collect();
     if !found.is_empty() {
         return found;
     }
@@ -133,11 +130,15 @@ fn all(program: &Program, style: &Style) -> Vec<usize> {
     (0..ops.len()).filter(of_use).filter(wanted).collect()
 }
 
+fn is_own(program: &Program, op: usize) -> bool {
+    program.analysis.is_own(program.analysis.program.ops[op].span)
+}
+
 /// The scripts of the file itself, with their numbers.
 fn own_scripts(program: &Program) -> impl Iterator<Item = (usize, &Script)> {
     let analysis = &program.analysis;
     let scripts = analysis.program.scripts.iter().enumerate();
-    scripts.filter(|(_, script)| script.span.file == analysis.file)
+    scripts.filter(|(_, script)| analysis.is_own(script.span))
 }
 
 /// The names of the ops that steps call.

@@ -184,7 +184,7 @@ pub(super) fn find_script(program: &Program, name: Option<&str>) -> Result<usize
     }
     let scripts = visible(analysis, scripts);
     if scripts.iter().all(|script| !script.own)
-        && let Some(op) = analysis.program.ops.iter().find(|op| op.span.file == analysis.file)
+        && let Some(op) = analysis.program.ops.iter().find(|op| analysis.is_own(op.span))
         && name.is_none()
     {
         let (file, op) = (program.sources.get(analysis.file).name(), &op.name);
@@ -210,11 +210,8 @@ fn visible<'p>(
 ) -> Vec<Candidate<'p>> {
     let items = items.enumerate();
     let seen = items.filter(|(_, (_, span))| analysis.sees(*span));
-    let candidates = seen.map(|(index, (name, span))| Candidate {
-        index,
-        name,
-        own: span.file == analysis.file,
-    });
+    let candidates =
+        seen.map(|(index, (name, span))| Candidate { index, name, own: analysis.is_own(span) });
     candidates.collect()
 }
 

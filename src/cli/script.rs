@@ -20,7 +20,7 @@ pub(super) fn help(script: &str) -> Result<(), Failure> {
     let program = program::read(path)?;
     complain_of(&program.analysis.diagnostics, &program.sources);
     let scripts = &program.analysis.program.scripts;
-    let own = scripts.iter().filter(|script| script.span.file == program.analysis.file);
+    let own = scripts.iter().filter(|script| program.analysis.is_own(script.span));
     let told: Vec<&Script> = match name {
         None if own.clone().count() > 1 => own.collect(),
         name => vec![&scripts[program::find_script(&program, name)?]],

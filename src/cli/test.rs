@@ -81,7 +81,7 @@ fn run_file(program: &Program, path: &Path, arguments: &TestArguments) -> FileRe
         say(&shown);
     }
     let own = analysis.program.tests.iter().enumerate();
-    let own = own.filter(|(_, test)| test.script.span.file == analysis.file);
+    let own = own.filter(|(_, test)| analysis.is_own(test.script.span));
     for (number, test) in own {
         let name = test.script.name.clone();
         if interrupt::is_asked() || !arguments.wants(&name) {
@@ -110,7 +110,7 @@ fn run_file(program: &Program, path: &Path, arguments: &TestArguments) -> FileRe
         });
     }
     let unread = analysis.program.unread_tests.iter();
-    let own = unread.filter(|(name, span)| span.file == analysis.file && arguments.wants(name));
+    let own = unread.filter(|(name, span)| analysis.is_own(*span) && arguments.wants(name));
     let broken: Vec<_> = own.map(|(name, _)| name.clone()).collect();
     if is_human {
         broken.iter().for_each(|name| say(&format!("  broken  {name}")));

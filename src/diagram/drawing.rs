@@ -4,7 +4,7 @@
 //! of each halfedge, the statement of each element. If a name occurs twice, the first place counts;
 //! the checker reports the second.
 
-use super::{Edge, Kind, Loop, NameId, Ref, Rule, Side, Spoke, Star};
+use super::{Edge, Kind, Loop, LoopItem, NameId, Ref, Rule, Side, Spoke, Star};
 use crate::source::Span;
 
 /// A rule with an index of its two sides.
@@ -219,9 +219,16 @@ impl<'a> View<'a> {
         self.side.stars.get(self.statement[vertex.index()]?)
     }
 
+    /// The loop a halfedge or path is in, and what is drawn there.
+    pub fn loop_item(&self, item: NameId) -> Option<(&'a Loop, &'a LoopItem)> {
+        let (orbit, position) = self.place[item.index()]?;
+        let orbit = &self.side.loops[orbit];
+        Some((orbit, &orbit.items[position]))
+    }
+
     /// The loop a halfedge or path is in.
     pub fn loop_of_item(&self, item: NameId) -> Option<&'a Loop> {
-        Some(&self.side.loops[self.place[item.index()]?.0])
+        Some(self.loop_item(item)?.0)
     }
 
     /// The face a halfedge or path lies in.
@@ -253,8 +260,7 @@ impl<'a> View<'a> {
 
     /// The mention of the vertex from which a halfedge or path leaves in its loop.
     pub fn origin_mention(&self, item: NameId) -> Option<Ref> {
-        let (orbit, position) = self.place[item.index()]?;
-        Some(self.side.loops[orbit].items[position].from)
+        Some(self.loop_item(item)?.1.from)
     }
 
     /// The mention of the vertex at which a halfedge or path ends in its loop.

@@ -7,7 +7,7 @@
 //! Anything else has the default.
 
 use super::{
-    Access, Assignment, Expr, ExprKind, Kind, Loop, LoopKind, NameId, Ref, Role, Rule, Side,
+    Access, Assignment, Drawing, Expr, ExprKind, Kind, LoopKind, NameId, Ref, Role, Rule, View,
 };
 
 impl Rule {
@@ -17,9 +17,10 @@ impl Rule {
         if !self.attributes.iter().any(|attribute| attribute.inherits) {
             return all;
         }
+        let drawing = Drawing::new(self);
         for &target in &self.created {
             let element = self.kind(target.name).element_type();
-            let (Some(element), Some(source)) = (element, self.source(target)) else { continue };
+            let (Some(element), Some(source)) = (element, drawing.source(target)) else { continue };
             let value = |ty, kind| Expr { ty, kind, span: target.span };
             for (number, attribute) in (0..).zip(self.attributes.iter()) {
                 let access = Access::Declared(number);
@@ -39,132 +40,12 @@ impl Rule {
         all.any(|one| one.target.name == name && one.attribute == attribute)
     }
 
-    /// The element in `before` from which a new one inherits.
-    fn source(&self, created: Ref) -> Option<Ref> {
-        let source = match self.kind(created.name) {
-            Kind::Face => self.origin(created),
-            Kind::Edge => self.edge_between(self.sides(created)?),
-            Kind::Halfedge => {
-                let (at, face) = self.place(&self.after, created)?;
-                let origin = self.origin(face)?;
-                let from = self.moved(at.0.items[at.1].from, created, at.0.items[at.1].item);
-                self.corner(from, origin)
-            }
-            _ => None,
-        };
-        // An element that is there once cannot take over the values of several.
-        let is_single = |name| self.name(name).role == Role::Single;
-        source.filter(|source| !is_single(created.name) || is_single(source.name))
-    }
-
-    /// The face in `before` that a face in `after` comes from.
-    fn origin(&self, face: Ref) -> Option<Ref> {
-        if !self.is_new(face.name) {
-            return Some(face);
-        }
-        self.own(face).or_else(|| {
-            self.drawn(face)?.into_iter().find_map(|item| {
-                let beside = self.place(&self.after, self.twin(item)?)?.1;
-                match self.is_new(beside.name) {
-                    true => self.own(beside),
-                    false => Some(beside).filter(|_| !self.is_hole(beside.name)),
-                }
-            })
-        })
-    }
-
-    /// The face, and no hole, in which a halfedge or path of a new face lay.
-    fn own(&self, face: Ref) -> Option<Ref> {
-        self.drawn(face)?.into_iter().find_map(|item| {
-            let before = self.place(&self.before, item)?.1;
-            (!self.is_hole(before.name)).then_some(before)
-        })
-    }
-
-    /// The halfedges and paths of a face, and no hole, in `after`.
-    fn drawn(&self, face: Ref) -> Option<Vec<Ref>> {
-        let is_it = |orbit: &&Loop| orbit.face.name == face.name && orbit.kind != LoopKind::Hole;
-        let orbit = self.after.loops.iter().find(is_it)?;
-        let items = orbit.items.iter();
-        Some(items.map(|item| self.moved(item.item, face, orbit.face)).collect())
-    }
-
-    fn is_hole(&self, face: NameId) -> bool {
-        let mut all = self.before.loops.iter();
-        all.any(|orbit| orbit.face.name == face && orbit.kind == LoopKind::Hole)
-    }
-
-    fn is_new(&self, name: NameId) -> bool {
-        self.created.iter().any(|created| created.name == name)
-    }
-
-    /// The loop of a halfedge or path on one side, its index there, and the face.
-    fn place<'r>(&self, side: &'r Side, item: Ref) -> Option<((&'r Loop, usize), Ref)> {
-        side.loops.iter().find_map(|orbit| {
-            let at = orbit.items.iter().position(|it| it.item.name == item.name)?;
-            Some(((orbit, at), self.moved(orbit.face, item, orbit.items[at].item)))
-        })
-    }
-
-    /// The twin of a halfedge in `after`.
-    fn twin(&self, halfedge: Ref) -> Option<Ref> {
-        self.after.edges.iter().find_map(|edge| {
-            let [a, b] = edge.halfedges;
-            let one =
-                |x: Ref, y: Ref| (x.name == halfedge.name).then(|| self.moved(y, halfedge, x));
-            one(a, b).or_else(|| one(b, a))
-        })
-    }
-
-    /// The faces in `before` that the faces at the sides of a new edge come from.
-    fn sides(&self, edge: Ref) -> Option<[Ref; 2]> {
-        let drawn = self.after.edges.iter().find(|drawn| drawn.edge.name == edge.name)?;
-        let [a, b] = drawn.halfedges.map(|halfedge| {
-            let halfedge = self.moved(halfedge, edge, drawn.edge);
-            self.origin(self.place(&self.after, halfedge)?.1)
-        });
-        Some([a?, b?])
-    }
-
-    /// The only edge in `before` between two different faces.
-    fn edge_between(&self, [one, other]: [Ref; 2]) -> Option<Ref> {
-        let is_single = |mention: Ref| self.name(mention.name).role == Role::Single;
-        let (one, other) = if is_single(one) { (other, one) } else { (one, other) };
-        let mut found = self.before.edges.iter().filter_map(|edge| {
-            let [a, b] = edge.halfedges.map(|halfedge| Some(self.place(&self.before, halfedge)?.1));
-            let lies = |x: Ref, y: Ref| {
-                let moved = |mention: Ref| self.moved(mention, one, x);
-                (x.name == one.name && self.same(moved(y), other)).then(|| moved(edge.edge))
-            };
-            lies(a?, b?).or_else(|| lies(b?, a?))
-        });
-        let edge = found.next().filter(|_| found.next().is_none())?;
-        let is_one_of_many = is_single(one) && !is_single(edge);
-        (!is_one_of_many && !self.same(one, other)).then_some(edge)
-    }
-
-    /// The halfedge of a face in `before` that starts at a vertex.
-    fn corner(&self, vertex: Ref, face: Ref) -> Option<Ref> {
-        let orbit = self.before.loops.iter().find(|orbit| orbit.face.name == face.name)?;
-        let mut items = orbit.items.iter();
-        items.find_map(|item| {
-            let moved = |mention: Ref| self.moved(mention, vertex, item.from);
-            let is_there = item.from.name == vertex.name && self.same(moved(orbit.face), face);
-            let is_halfedge = self.kind(item.item.name) == Kind::Halfedge;
-            (is_there && is_halfedge).then(|| moved(item.item))
-        })
-    }
-
     /// A mention that is drawn beside `drawn`, beside `at` instead, which is of the same name.
     fn moved(&self, mention: Ref, at: Ref, drawn: Ref) -> Ref {
         match self.name(mention.name).role {
             Role::Family => Ref { shift: mention.shift + at.shift - drawn.shift, ..mention },
             _ => mention,
         }
-    }
-
-    fn same(&self, one: Ref, other: Ref) -> bool {
-        one.name == other.name && one.shift == other.shift
     }
 
     /// A mentioned element as a value.
@@ -174,4 +55,119 @@ impl Rule {
             _ => ExprKind::Element(mention.name),
         }
     }
+
+    fn is_single(&self, mention: Ref) -> bool {
+        self.name(mention.name).role == Role::Single
+    }
+}
+
+impl Drawing<'_> {
+    /// The element in `before` from which a new one inherits.
+    fn source(&self, created: Ref) -> Option<Ref> {
+        let rule = self.rule;
+        let source = match rule.kind(created.name) {
+            Kind::Face => self.origin(created),
+            Kind::Edge => self.edge_between(self.sides(created)?),
+            Kind::Halfedge => {
+                let (orbit, item) = self.after.loop_item(created.name)?;
+                let origin = self.origin(rule.moved(orbit.face, created, item.item))?;
+                self.corner(rule.moved(item.from, created, item.item), origin)
+            }
+            _ => None,
+        };
+        // An element that is there once cannot take over the values of several.
+        source.filter(|source| !rule.is_single(created) || rule.is_single(*source))
+    }
+
+    /// The face in `before` that a face in `after` comes from.
+    fn origin(&self, face: Ref) -> Option<Ref> {
+        if self.created(face.name).is_none() {
+            return Some(face);
+        }
+        self.own(face).or_else(|| {
+            self.drawn(face)?.into_iter().find_map(|item| {
+                let beside = self.face_of(&self.after, self.twin(item)?)?;
+                match self.created(beside.name) {
+                    Some(_) => self.own(beside),
+                    None => Some(beside).filter(|face| !self.is_hole(*face)),
+                }
+            })
+        })
+    }
+
+    /// The face, and no hole, in which a halfedge or path of a new face lay.
+    fn own(&self, face: Ref) -> Option<Ref> {
+        let items = self.drawn(face)?.into_iter();
+        let mut before = items.filter_map(|item| self.face_of(&self.before, item));
+        before.find(|face| !self.is_hole(*face))
+    }
+
+    /// The halfedges and paths of a face, and no hole, in `after`.
+    fn drawn(&self, face: Ref) -> Option<Vec<Ref>> {
+        let orbit = self.after.loop_of_face(face.name);
+        let orbit = orbit.filter(|orbit| orbit.kind != LoopKind::Hole)?;
+        let items = orbit.items.iter();
+        Some(items.map(|item| self.rule.moved(item.item, face, orbit.face)).collect())
+    }
+
+    fn is_hole(&self, face: Ref) -> bool {
+        let before = self.before.loop_of_face(face.name);
+        before.is_some_and(|orbit| orbit.kind == LoopKind::Hole)
+    }
+
+    /// The face of a halfedge or path on one side.
+    fn face_of(&self, view: &View, item: Ref) -> Option<Ref> {
+        let (orbit, drawn) = view.loop_item(item.name)?;
+        Some(self.rule.moved(orbit.face, item, drawn.item))
+    }
+
+    /// The twin of a halfedge in `after`.
+    fn twin(&self, halfedge: Ref) -> Option<Ref> {
+        let [a, b] = self.after.pairing(halfedge.name)?.halfedges;
+        let (own, other) = if a.name == halfedge.name { (a, b) } else { (b, a) };
+        Some(self.rule.moved(other, halfedge, own))
+    }
+
+    /// The faces in `before` that the faces at the sides of a new edge come from.
+    fn sides(&self, edge: Ref) -> Option<[Ref; 2]> {
+        let drawn = self.after.edge_statement(edge.name)?;
+        let [a, b] = drawn.halfedges.map(|halfedge| {
+            let halfedge = self.rule.moved(halfedge, edge, drawn.edge);
+            self.origin(self.face_of(&self.after, halfedge)?)
+        });
+        Some([a?, b?])
+    }
+
+    /// The only edge in `before` between two different faces.
+    fn edge_between(&self, [one, other]: [Ref; 2]) -> Option<Ref> {
+        let rule = self.rule;
+        let (one, other) = if rule.is_single(one) { (other, one) } else { (one, other) };
+        let mut found = rule.before.edges.iter().filter_map(|edge| {
+            let [a, b] = edge.halfedges.map(|halfedge| self.face_of(&self.before, halfedge));
+            let lies = |x: Ref, y: Ref| {
+                let moved = |mention: Ref| rule.moved(mention, one, x);
+                (x.name == one.name && same(moved(y), other)).then(|| moved(edge.edge))
+            };
+            lies(a?, b?).or_else(|| lies(b?, a?))
+        });
+        let edge = found.next().filter(|_| found.next().is_none())?;
+        let is_one_of_many = rule.is_single(one) && !rule.is_single(edge);
+        (!is_one_of_many && !same(one, other)).then_some(edge)
+    }
+
+    /// The halfedge of a face in `before` that starts at a vertex.
+    fn corner(&self, vertex: Ref, face: Ref) -> Option<Ref> {
+        let rule = self.rule;
+        let orbit = self.before.loop_of_face(face.name)?;
+        orbit.items.iter().find_map(|item| {
+            let moved = |mention: Ref| rule.moved(mention, vertex, item.from);
+            let is_there = item.from.name == vertex.name && same(moved(orbit.face), face);
+            let is_halfedge = rule.kind(item.item.name) == Kind::Halfedge;
+            (is_there && is_halfedge).then(|| moved(item.item))
+        })
+    }
+}
+
+fn same(one: Ref, other: Ref) -> bool {
+    one.name == other.name && one.shift == other.shift
 }

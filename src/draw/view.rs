@@ -24,8 +24,8 @@ pub struct View {
     pub size: f64,
     /// The attribute that is shown in colour: a number, the length of a vector or matrix, or a
     /// truth value, of which edges show only those that hold. A few whole numbers have colours of
-    /// their own, except at vertices. Vectors of an attribute named `color`
-    /// or `colour` with components from 0 to 1 are colours themselves: red, green and blue.
+    /// their own, except at vertices. Vectors of an attribute named `color` or `colour` with
+    /// components from 0 to 1 are colours themselves: red, green and blue.
     pub attribute: Option<ColumnId>,
 }
 
@@ -85,12 +85,12 @@ pub fn draw_mesh(mesh: &Mesh, view: &View) -> Picture {
     let size =
         if view.size.is_finite() { view.size.clamp(16.0, 16_384.0) } else { View::default().size };
     let colours = view.attribute.and_then(|column| Colours::new(mesh, column));
-    let has_legend = colours.as_ref().is_some_and(|colours| !matches!(colours.scale, Scale::Own));
-    let legend = if has_legend { LEGEND } else { 0.0 };
+    let height = colours.as_ref().map_or(0.0, Colours::height);
+    let legend = if height > 0.0 { LEGEND } else { 0.0 };
     let mut picture = Picture {
         title: "mesh".into(),
         // The legend may be higher than the mesh.
-        size: DVec2::new(size + legend, size.max(colours.as_ref().map_or(0.0, Colours::height))),
+        size: DVec2::new(size + legend, size.max(height)),
         ..Picture::default()
     };
     let eye = Eye::new(view.from);
@@ -160,7 +160,7 @@ impl Colours {
         Some(Self { column, kind, title, scale })
     }
 
-    /// The height of a picture that has room for the legend.
+    /// The height of a picture that has room for the legend; zero without one.
     fn height(&self) -> f64 {
         match &self.scale {
             Scale::Own => 0.0,
@@ -191,9 +191,7 @@ impl Colours {
         let value = mesh.value(self.column, index);
         let seen = value.and_then(|value| match self.scale {
             Scale::Own => rgb(value),
-            Scale::Numbers(_) | Scale::Labels(_) | Scale::Truth => {
-                Some(DVec3::splat(value.magnitude()))
-            }
+            _ => Some(DVec3::splat(value.magnitude())),
         });
         seen.unwrap_or(DVec3::NAN)
     }

@@ -4,7 +4,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::check::Proved;
-use crate::diagram::{Access, Expr, ExprKind, Kind, Loop, LoopKind, NameId, Rule, Type};
+use crate::diagram::{Access, Expr, ExprKind, Kind, LoopKind, Type};
 use crate::resolve::{Program, Statement, StatementKind, Steps};
 use crate::source::Span;
 
@@ -46,10 +46,13 @@ impl AllEffects {
                 Some(steps) => Effects::of_steps(steps),
                 None => proved[op].as_ref().map_or_else(Effects::default, |proved| {
                     let rules = proved.op().rules.iter();
-                    let erases = rules.flat_map(|rule| {
-                        let erased = rule.erased.iter().map(|erased| rule.kind(erased.name));
-                        erased.chain(opens(rule).then_some(Kind::Face)).map(Kind::word)
+                    let erased = rules.flat_map(|rule| {
+                        let erased = rule.erased.iter();
+                        erased.map(|erased| rule.kind(erased.name))
                     });
+                    let turned = proved.proofs().iter().flat_map(|proof| &proof.facts().turned);
+                    let opened = turned.filter(|turned| turned.to == LoopKind::Hole);
+                    let erases = erased.chain(opened.map(|_| Kind::Face)).map(Kind::word);
                     Effects { changes: true, erases: erases.collect(), ..Effects::default() }
                 }),
             });
@@ -108,16 +111,6 @@ impl AllEffects {
         let functions = functions.filter_map(|&function| self.function(function));
         ops.chain(functions).any(|called| called.erases.contains(ty.word()))
     }
-}
-
-/// True if a face may become a hole.
-fn opens(rule: &Rule) -> bool {
-    let holes = |loops: &'_ [Loop]| -> Vec<NameId> {
-        let holes = loops.iter().filter(|one| one.kind == LoopKind::Hole);
-        holes.map(|hole| hole.face.name).collect()
-    };
-    let before = holes(&rule.before.loops);
-    holes(&rule.after.loops).iter().any(|hole| !before.contains(hole))
 }
 
 impl Effects {

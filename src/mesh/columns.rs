@@ -35,16 +35,14 @@ impl Mesh {
     /// the column's.
     #[must_use]
     pub fn set_default(&mut self, id: ColumnId, default: Value) -> bool {
-        let at = (id.kind as usize, id.place as usize);
-        let Some(column) = self.columns[at.0].0.get(at.1) else { return false };
-        if column.attribute_type() != default.attribute_type() {
-            return false;
-        }
-        if !column.default.is_identical(default) {
+        let column = self.column(id);
+        let column = column.filter(|it| it.attribute_type() == default.attribute_type());
+        let was = column.map(|column| column.default);
+        if was.is_some_and(|was| !was.is_identical(default)) {
             self.note_default(id);
-            self.columns[at.0].0[at.1].default = default;
+            self.swap_default(id, &mut { default });
         }
-        true
+        was.is_some()
     }
 
     /// Fills every slot with the default, without a note in the journal: for scratch columns.

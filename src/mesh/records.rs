@@ -19,7 +19,7 @@ pub struct HalfedgeRecord {
 }
 
 impl HalfedgeRecord {
-    pub(super) const UNSET: Self = Self {
+    pub(crate) const UNSET: Self = Self {
         next: HalfedgeId::NONE,
         prev: HalfedgeId::NONE,
         twin: HalfedgeId::NONE,

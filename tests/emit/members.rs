@@ -1,23 +1,13 @@
 //! Names in emitted code that would be those of something else.
 
-use hedgerow::analysis::Analysis;
-use hedgerow::emit::{Selection, Style, cpp};
-use hedgerow::source::Sources;
+use hedgerow::emit::Style;
+
+use super::told::emitted_in;
 
 /// The first operation of a program as C++.
 fn emitted(text: &str, style: &Style) -> String {
-    let mut sources = Sources::new();
-    let file = sources.add("ops.hedge", text);
-    let analysis = Analysis::of(&sources, file);
-    assert!(analysis.is_sound(), "{:?}", analysis.diagnostics);
-    let selection = Selection {
-        program: &analysis.program,
-        proved: &analysis.proved,
-        sources: &sources,
-        ops: &[0],
-        exhaustive: false,
-    };
-    cpp(&selection, style).unwrap()
+    let ([cpp, _], _) = emitted_in(style, text);
+    cpp.unwrap()
 }
 
 /// The members that elements must have, as the text says: `face: bool boundary_2`.

@@ -6,6 +6,11 @@ use hedgerow::source::Sources;
 
 /// The first op of a sound program as C++ and as Rust, with the sources.
 fn emitted(text: &str) -> ([Result<String, NotEmitted>; 2], Sources) {
+    emitted_in(&Style::default(), text)
+}
+
+/// The same with the C++ in a style.
+pub fn emitted_in(style: &Style, text: &str) -> ([Result<String, NotEmitted>; 2], Sources) {
     let mut sources = Sources::new();
     let file = sources.add("test.hedge", text);
     let analysis = Analysis::of(&sources, file);
@@ -17,7 +22,7 @@ fn emitted(text: &str) -> ([Result<String, NotEmitted>; 2], Sources) {
         ops: &[0],
         exhaustive: false,
     };
-    ([cpp(&selection, &Style::default()), rust(&selection)], sources)
+    ([cpp(&selection, style), rust(&selection)], sources)
 }
 
 /// An op that is proved, and cannot be emitted: what that is, and its words in the text.

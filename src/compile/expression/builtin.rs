@@ -1,9 +1,10 @@
 //! Calls of built-in functions.
 
 use super::angle;
+use super::fold::better;
 use super::operator::{matrix, wide};
 use super::pointer::{ask, first, load};
-use crate::diagram::{Builtin, Type};
+use crate::diagram::{Builtin, FoldFunction, Type};
 use crate::rewrite::{
     Assembler, ElementField, HalfedgeField, Inst, Lanes, Math, Matrix, Question, Reg,
 };
@@ -96,33 +97,16 @@ pub(super) fn call(asm: &mut Assembler, place: u32, builtin: Builtin, args: &[Re
         }
         Builtin::AbsInt => Inst::AbsInt { to, from },
         Builtin::AbsReal => math(Math::Abs),
-        Builtin::MinInt => Inst::MinInt { to, left, right },
-        Builtin::MaxInt => Inst::MaxInt { to, left, right },
-        Builtin::MinReal => Inst::MinReal { to, left, right },
-        Builtin::MaxReal => Inst::MaxReal { to, left, right },
-        Builtin::MinVector => {
-            return each_component(asm, of, all, |[to, left, right]| Inst::MinReal {
-                to,
-                left,
-                right,
-            });
+        Builtin::MinInt | Builtin::MinReal | Builtin::MinVector => {
+            return better(asm, FoldFunction::Min, result, all);
         }
-        Builtin::MaxVector => {
-            return each_component(asm, of, all, |[to, left, right]| Inst::MaxReal {
-                to,
-                left,
-                right,
-            });
+        Builtin::MaxInt | Builtin::MaxReal | Builtin::MaxVector => {
+            return better(asm, FoldFunction::Max, result, all);
         }
-        Builtin::ClampInt => {
+        Builtin::ClampInt | Builtin::ClampReal => {
             let least = asm.reg();
-            asm.emit(Inst::MaxInt { to: least, left, right });
-            Inst::MinInt { to, left: least, right: t }
-        }
-        Builtin::ClampReal => {
-            let least = asm.reg();
-            asm.emit(Inst::MaxReal { to: least, left, right });
-            Inst::MinReal { to, left: least, right: t }
+            better(asm, FoldFunction::Max, result, [least, left, right]);
+            return better(asm, FoldFunction::Min, result, [to, least, t]);
         }
         Builtin::Sqrt => math(Math::Sqrt),
         Builtin::Sin => math(Math::Sin),
@@ -150,13 +134,6 @@ pub(super) fn call(asm: &mut Assembler, place: u32, builtin: Builtin, args: &[Re
         Builtin::IsFinite => wide(Lanes::IsFinite, of, all),
     };
     asm.trap_at(place, inst);
-}
-
-/// Appends the instruction of each component of vectors.
-fn each_component(asm: &mut Assembler, ty: Type, all: [Reg; 3], inst: fn([Reg; 3]) -> Inst) {
-    for at in 0..super::width(ty) {
-        asm.emit(inst(all.map(|vector| vector.part(at))));
-    }
 }
 
 fn length(asm: &mut Assembler, ty: Type, to: Reg, from: Reg) -> Inst {

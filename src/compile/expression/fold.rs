@@ -25,6 +25,19 @@ pub(super) fn settle(asm: &mut Assembler, to: Reg, answer: bool, done: Label) {
     asm.emit(Inst::Jump { to: done });
 }
 
+/// Puts the lesser or greater of two values into a register, of vectors in each component.
+pub(super) fn better(asm: &mut Assembler, function: FoldFunction, ty: Type, all: [Reg; 3]) {
+    for part in 0..width(ty) {
+        let [to, left, right] = all.map(|value| value.part(part));
+        asm.emit(match (function, ty) {
+            (FoldFunction::Min, Type::Int) => Inst::MinInt { to, left, right },
+            (FoldFunction::Min, _) => Inst::MinReal { to, left, right },
+            (_, Type::Int) => Inst::MaxInt { to, left, right },
+            (_, _) => Inst::MaxReal { to, left, right },
+        });
+    }
+}
+
 /// The aggregate of the values so far: in `to`, of type `ty`; in `seen` the number of values, where
 /// that matters; and in `best` the value of the element in `to`, if the aggregate is an element.
 #[derive(Clone, Copy)]
@@ -95,7 +108,7 @@ impl Sum {
         asm.emit(Inst::AddInt { to, left, right });
     }
 
-    /// Keeps the lesser or greater of two values, of vectors in each component; the first value is taken as it is.
+    /// Keeps the lesser or greater of two values; the first value is taken as it is.
     fn take_better(self, asm: &mut Assembler, function: FoldFunction, right: Reg, next: Label) {
         let compare = asm.label();
         let to = self.to;
@@ -104,15 +117,7 @@ impl Sum {
         self.add_one(asm, self.seen);
         asm.emit(Inst::Jump { to: next });
         asm.bind(compare);
-        for part in 0..width(self.ty) {
-            let [to, left, right] = [to, to, right].map(|value| value.part(part));
-            asm.emit(match (function, self.ty) {
-                (FoldFunction::Min, Type::Int) => Inst::MinInt { to, left, right },
-                (FoldFunction::Min, _) => Inst::MinReal { to, left, right },
-                (_, Type::Int) => Inst::MaxInt { to, left, right },
-                (_, _) => Inst::MaxReal { to, left, right },
-            });
-        }
+        better(asm, function, self.ty, [to, to, right]);
     }
 
     /// Keeps the element with the better value; of equal values, the first. NaN is worse than any

@@ -76,15 +76,6 @@ pub enum Looked {
     Hole(u32),
 }
 
-const NOTHING: HalfedgeRecord = HalfedgeRecord {
-    next: HalfedgeId::NONE,
-    prev: HalfedgeId::NONE,
-    twin: HalfedgeId::NONE,
-    vertex: VertexId::NONE,
-    edge: EdgeId::NONE,
-    face: FaceId::NONE,
-};
-
 /// Whether a halfedge, before which lies `before`, is in a triangle.
 #[inline]
 fn is_in_triangle(halfedge: &HalfedgeRecord, before: &HalfedgeRecord) -> bool {
@@ -124,7 +115,7 @@ impl Preview {
 
     /// Adds a new element, and returns its number.
     pub fn add(&mut self) -> u32 {
-        self.new.push(New { record: NOTHING, halfedge: u32::MAX, hole: false });
+        self.new.push(New { record: HalfedgeRecord::UNSET, halfedge: u32::MAX, hole: false });
         FIRST_NEW - (self.new.len() as u32 - 1)
     }
 
