@@ -5,7 +5,11 @@
 //! made when it is first needed. A caller inside a pool of `rayon` stays in that pool. Without the
 //! feature `threads` everything runs on the calling thread.
 
+#[cfg(feature = "threads")]
+use std::collections::VecDeque;
 use std::ops::Range;
+#[cfg(feature = "threads")]
+use std::sync::mpsc::channel;
 
 #[cfg(feature = "threads")]
 pub use pool::{set_threads, threads};
@@ -44,21 +48,17 @@ pub(crate) fn each_at_work<W: Send>(
         let senders: Vec<_> = workers.iter().map(|_| sender.clone()).collect();
         drop(sender);
         let work = &work;
-        pool::beside(
-            |scope| {
-                for (worker, sender) in workers.iter_mut().zip(senders) {
-                    scope.spawn(move |_| {
-                        work(worker);
-                        drop(sender);
-                    });
-                }
-            },
-            || {
-                while let Err(RecvTimeoutError::Timeout) = receiver.recv_timeout(every) {
-                    meanwhile();
-                }
-            },
-        );
+        pool::scope(|scope| {
+            for (worker, sender) in workers.iter_mut().zip(senders) {
+                scope.spawn(move |_| {
+                    work(worker);
+                    drop(sender);
+                });
+            }
+            while let Err(RecvTimeoutError::Timeout) = receiver.recv_timeout(every) {
+                meanwhile();
+            }
+        });
     }
     #[cfg(not(feature = "threads"))]
     for worker in workers {
@@ -87,7 +87,11 @@ pub(crate) fn map<I: Send, T: Send>(items: Vec<I>, work: impl Fn(I) -> T + Sync 
     #[cfg(feature = "threads")]
     if items.len() > 1 && threads() > 1 {
         let mut results: Vec<Option<T>> = items.iter().map(|_| None).collect();
-        pool::beside(|scope| start(scope, items, &mut results, &work), || ());
+        pool::scope(|scope| {
+            for (item, result) in items.into_iter().zip(&mut results) {
+                scope.spawn(|_| *result = Some(work(item)));
+            }
+        });
         return results.into_iter().flatten().collect();
     }
     items.into_iter().map(work).collect()
@@ -132,32 +136,27 @@ pub(crate) fn in_order<I: Send, T: Send, E>(
     let mut items = items.into_iter();
     #[cfg(feature = "threads")]
     if threads() > 1 {
-        let mut some = || -> Vec<I> { items.by_ref().take(4 * threads()).collect() };
-        let (mut now, mut ready): (_, Vec<T>) = (some(), Vec::new());
-        while !now.is_empty() || !ready.is_empty() {
-            let mut results: Vec<Option<T>> = now.iter().map(|_| None).collect();
-            now = pool::beside(
-                |scope| start(scope, now, &mut results, &work),
-                || ready.drain(..).try_for_each(&mut take).map(|()| some()),
-            )?;
-            ready.extend(results.into_iter().flatten());
-        }
-        return Ok(());
+        let (ahead, work) = (4 * threads(), &work);
+        return pool::scope(|scope| {
+            let mut results = VecDeque::with_capacity(ahead);
+            loop {
+                while results.len() < ahead
+                    && let Some(item) = items.next()
+                {
+                    let (sender, receiver) = channel();
+                    // The receiver is gone if an earlier result was an error.
+                    scope.spawn(move |_| _ = sender.send(work(item)));
+                    results.push_back(receiver);
+                }
+                // A sender is dropped without a result if the work panics, as the scope will.
+                let Some(result) = results.pop_front().and_then(pool::received) else {
+                    return Ok(());
+                };
+                take(result)?;
+            }
+        });
     }
     items.try_for_each(|item| take(work(item)))
-}
-
-/// Starts work on all items; the results are complete when the scope ends.
-#[cfg(feature = "threads")]
-fn start<'s, I: Send + 's, T: Send>(
-    scope: &rayon::Scope<'s>,
-    items: Vec<I>,
-    results: &'s mut [Option<T>],
-    work: &'s (impl Fn(I) -> T + Sync),
-) {
-    for (item, result) in items.into_iter().zip(results) {
-        scope.spawn(move |_| *result = Some(work(item)));
-    }
 }
 
 /// The concatenated parts.
@@ -173,9 +172,10 @@ pub(crate) fn joined<T>(parts: Vec<Vec<T>>) -> Vec<T> {
 #[cfg(feature = "threads")]
 mod pool {
     use std::num::NonZeroUsize;
+    use std::sync::mpsc::Receiver;
     use std::sync::{Arc, Mutex, PoisonError};
 
-    use rayon::{Scope, ThreadPool, ThreadPoolBuilder};
+    use rayon::{Scope, ThreadPool, ThreadPoolBuilder, Yield};
 
     /// The threads of this process, and the number that was requested.
     struct Pool {
@@ -217,19 +217,23 @@ mod pool {
         }
     }
 
-    /// Starts work on the threads of the pool, and runs `meanwhile` on this thread.
-    pub(crate) fn beside<'s, T>(
-        start: impl FnOnce(&Scope<'s>),
-        meanwhile: impl FnOnce() -> T,
-    ) -> T {
-        let scope = |scope: &Scope<'s>| {
-            start(scope);
-            meanwhile()
-        };
+    /// Runs `work` on this thread; what it spawns runs on the threads of the pool, and has ended
+    /// when this returns.
+    pub(super) fn scope<'s, T>(work: impl FnOnce(&Scope<'s>) -> T) -> T {
         match current().1 {
-            Some(pool) if rayon::current_thread_index().is_none() => pool.in_place_scope(scope),
-            _ => rayon::in_place_scope(scope),
+            Some(pool) if rayon::current_thread_index().is_none() => pool.in_place_scope(work),
+            _ => rayon::in_place_scope(work),
         }
+    }
+
+    /// What work that was started sends, if it ends. A thread of a pool works meanwhile.
+    pub(super) fn received<T>(receiver: Receiver<T>) -> Option<T> {
+        while rayon::yield_now() == Some(Yield::Executed) {
+            if let Ok(result) = receiver.try_recv() {
+                return Some(result);
+            }
+        }
+        receiver.recv().ok()
     }
 
     /// The number of threads, and the pool if it could be made.

@@ -7,6 +7,7 @@
 //! once what precedes it is known.
 
 use std::io::{self, Read};
+use std::sync::{Mutex, PoisonError};
 
 use super::read::Reader;
 use crate::mesh::Polygons;
@@ -26,10 +27,13 @@ pub(in crate::mesh::file) fn read(source: impl Read, bytes: usize) -> io::Result
     let size = (bytes / (4 * threads)).clamp(LEAST, MOST);
     let blocks = Blocks { source, size, begun: Vec::new(), is_first: true };
     let mut whole = Reader::new(bytes);
+    // Parts that were appended: their memory is used for those that follow.
+    let spare = Mutex::new(Vec::new());
     let alone = |block: io::Result<Vec<u8>>| {
         let block = block?;
         let part = (threads > 1).then(|| {
-            let mut part = Reader::new(block.len());
+            let used = spare.lock().unwrap_or_else(PoisonError::into_inner).pop();
+            let mut part: Reader = used.unwrap_or_default();
             part.read(&block);
             part
         });
@@ -37,7 +41,10 @@ pub(in crate::mesh::file) fn read(source: impl Read, bytes: usize) -> io::Result
     };
     parallel::in_order(blocks, alone, |read: io::Result<_>| {
         match read? {
-            (_, Some(part)) if !part.counts_back => whole.append(part),
+            (_, Some(part)) if !part.counts_back => {
+                let used = whole.append(part);
+                spare.lock().unwrap_or_else(PoisonError::into_inner).push(used);
+            }
             (block, _) => whole.read(&block),
         }
         Ok::<_, io::Error>(())
@@ -93,18 +100,19 @@ fn is_cut(text: &[u8]) -> bool {
 }
 
 impl Reader {
-    /// Appends the next part of the file.
-    fn append(&mut self, part: Self) {
+    /// Appends the next part of the file; returns an empty part with its memory.
+    fn append(&mut self, mut part: Self) -> Self {
         let lines = self.lines;
         self.lines += part.lines;
         let [vertices, faces, corners] =
             [self.contents.positions.len(), self.ends.len(), self.corners.len()];
-        let Contents { positions, vertex_lines, face_lines, kept, damage, strays, .. } =
-            part.contents;
+        let Contents {
+            mut positions, mut vertex_lines, mut face_lines, kept, damage, strays, ..
+        } = part.contents;
         let all = &mut self.contents;
-        all.positions.extend(positions);
-        all.vertex_lines.extend(vertex_lines.into_iter().map(|line| line + lines));
-        all.face_lines.extend(face_lines.into_iter().map(|line| line + lines));
+        all.positions.append(&mut positions);
+        all.vertex_lines.extend(vertex_lines.drain(..).map(|line| line + lines));
+        all.face_lines.extend(face_lines.drain(..).map(|line| line + lines));
         all.damage.append(damage, lines);
         all.strays.append(strays, lines);
         let tables = [
@@ -121,8 +129,8 @@ impl Reader {
             rows.rows.extend(part.rows);
         }
         all.kept.append(kept.passed_over, kept.notes, lines);
-        self.corners.extend(part.corners);
-        self.ends.extend(part.ends.into_iter().map(|end| end + corners));
+        self.corners.append(&mut part.corners);
+        self.ends.extend(part.ends.drain(..).map(|end| end + corners));
         extend(&mut self.weights, part.weights, vertices, 1.0);
         extend(&mut self.alphas, part.alphas, vertices, 1.0);
         extend(&mut self.colors, part.colors, vertices * 3, 1.0);
@@ -135,6 +143,12 @@ impl Reader {
         let states = part.states.into_iter();
         self.states.extend(states.map(|(face, place, name)| (face + faces as u32, place, name)));
         self.libraries.extend(part.libraries);
+        Self {
+            contents: Contents { positions, vertex_lines, face_lines, ..Contents::default() },
+            corners: part.corners,
+            ends: part.ends,
+            ..Self::default()
+        }
     }
 
     /// The contents of the file, after all of it has been read.
