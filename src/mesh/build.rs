@@ -8,6 +8,7 @@
 //!
 //! A list that is not a mesh is rejected with the first fault found; nothing is repaired here.
 
+use std::ops::Range;
 use std::sync::atomic::AtomicU32;
 use std::sync::atomic::Ordering::Relaxed;
 
@@ -90,10 +91,13 @@ fn check_sizes(positions: &[DVec3], polygons: &Polygons) -> Result<(), BuildErro
 }
 
 fn check_polygons(positions: &[DVec3], polygons: &Polygons) -> Result<(), BuildError> {
-    if let Some(i) = positions.iter().position(|p| !p.is_finite()) {
-        return Err(BuildError::NotFinite { vertex: i as u32, position: positions[i] });
-    }
     let vertices = positions.len();
+    let odd = parallel::map(parallel::parts(vertices, LEAST), |mut part| {
+        part.find(|&vertex| !positions[vertex].is_finite())
+    });
+    if let Some(vertex) = odd.into_iter().flatten().next() {
+        return Err(BuildError::NotFinite { vertex: vertex as u32, position: positions[vertex] });
+    }
     let parts = parallel::parts(polygons.len(), LEAST);
     let checked = parallel::map(parts, |part| {
         let mut sorted = Vec::new();
@@ -104,45 +108,6 @@ fn check_polygons(positions: &[DVec3], polygons: &Polygons) -> Result<(), BuildE
         fault.map_or(Ok(()), Err)
     });
     checked.into_iter().collect()
-}
-
-impl BuildError {
-    /// The fault of a single polygon. `sorted` is scratch space.
-    pub(super) fn of_polygon(
-        polygon: usize,
-        corners: &[u32],
-        vertices: usize,
-        sorted: &mut Vec<u32>,
-    ) -> Option<Self> {
-        if let &[a, b, c] = corners
-            && a != b
-            && b != c
-            && c != a
-            && (a.max(b).max(c) as usize) < vertices
-        {
-            return None; // as most are
-        }
-        if corners.len() < 3 {
-            return Some(Self::TooFewCorners { polygon, corners: corners.len() });
-        }
-        if let Some(&vertex) = corners.iter().find(|&&v| v as usize >= vertices) {
-            return Some(Self::NoSuchVertex { polygon, vertex, vertices });
-        }
-        let vertex = repeated(corners, sorted)?;
-        Some(Self::RepeatedCorner { polygon, vertex })
-    }
-}
-
-/// A corner that occurs twice. `sorted` is scratch space.
-fn repeated(corners: &[u32], sorted: &mut Vec<u32>) -> Option<u32> {
-    if corners.len() <= 8 {
-        let earlier = |(i, v): (usize, &u32)| corners[..i].contains(v).then_some(*v);
-        return corners.iter().enumerate().find_map(earlier);
-    }
-    sorted.clear();
-    sorted.extend_from_slice(corners);
-    sorted.sort_unstable();
-    sorted.windows(2).find(|pair| pair[0] == pair[1]).map(|pair| pair[0])
 }
 
 /// The fewest elements that are worth a thread.
@@ -209,42 +174,35 @@ impl<'p> Builder<'p> {
         let inner = self.inner();
         self.twins = parallel::collect(inner, LEAST, |_| AtomicU32::new(NONE));
         // Each task scans all sides for those of its range of vertices.
-        let firsts = parallel::map(Sides::parts(self.vertices.len(), inner), |part| {
+        let parts = Sides::parts(self.vertices.len(), inner);
+        let mut vertices = std::mem::take(&mut self.vertices);
+        let firsts = parallel::split(&mut vertices, parts.iter().map(Range::len));
+        let found = parallel::map(parts.iter().zip(firsts).collect(), |(part, firsts)| {
             let sides = Sides::gather(&self.loops, part.clone());
             sides.edges().try_for_each(|edge| self.join(edge))?;
-            let mut firsts = vec![HalfedgeId::NONE; part.len()];
             for (h, &v) in self.loops.corners().iter().enumerate().rev() {
                 if let Some(first) = firsts.get_mut((v as usize).wrapping_sub(part.start)) {
                     *first = HalfedgeId(h as u32);
                 }
             }
-            Ok(firsts)
+            Ok(())
         });
-        self.vertices = parallel::joined(firsts.into_iter().collect::<Result<_, _>>()?);
-        Ok(())
+        self.vertices = vertices;
+        found.into_iter().collect()
     }
 
     /// Makes twins of two halfedges that run between the same two vertices; a single one stays
     /// without a twin.
     fn join(&self, edge: &[(u32, u32)]) -> Result<(), BuildError> {
-        let polygon = |h: u32| self.loops.polygon(h) as usize;
-        match *edge {
-            [] | [_] => Ok(()),
-            [(_, a), (_, b)] => {
-                let [from, to] = self.loops.ends(a);
-                if self.loops.corners()[b as usize] == from {
-                    let polygons = [polygon(a), polygon(b)];
-                    return Err(BuildError::SameDirection { from, to, polygons });
-                }
-                self.twins[a as usize].store(b, Relaxed);
-                self.twins[b as usize].store(a, Relaxed);
-                Ok(())
-            }
-            [(_, a), (_, b), (_, c), ..] => Err(BuildError::EdgeUsedThrice {
-                ends: self.loops.ends(a),
-                polygons: [a, b, c].map(polygon),
-            }),
+        let polygon = |h| self.loops.polygon(h) as usize;
+        if let Some(fault) = BuildError::of_edge(edge, |h| self.loops.ends(h), polygon) {
+            return Err(fault);
         }
+        if let [(_, a), (_, b)] = *edge {
+            self.twins[a as usize].store(b, Relaxed);
+            self.twins[b as usize].store(a, Relaxed);
+        }
+        Ok(())
     }
 
     /// The polygon of a halfedge, or of its twin if it runs along a hole.
@@ -440,7 +398,7 @@ impl Builder<'_> {
 struct EdgeNumbers {
     /// A bit for each halfedge that is the first of its edge.
     bits: Vec<u64>,
-    /// The number of bits before each word.
+    /// The number of bits before each word, and that of all.
     before: Vec<u32>,
 }
 
@@ -450,9 +408,12 @@ impl EdgeNumbers {
             let all = word * 64..halfedges.min(word * 64 + 64);
             all.rev().fold(0, |bits, h| bits << 1 | u64::from(is_first(h as u32)))
         });
-        let count =
-            |all: &mut u32, bits: &u64| Some(std::mem::replace(all, *all + bits.count_ones()));
-        let before = bits.iter().scan(0, count).collect();
+        let mut before = Vec::with_capacity(bits.len() + 1);
+        before.push(0);
+        before.extend(bits.iter().scan(0, |all, bits| {
+            *all += bits.count_ones();
+            Some(*all)
+        }));
         Self { bits, before }
     }
 
@@ -465,17 +426,22 @@ impl EdgeNumbers {
 
     /// The first halfedges of all edges.
     fn first(&self) -> Vec<HalfedgeId> {
-        let parts = parallel::map(parallel::parts(self.bits.len(), LEAST / 64), |part| {
-            let mut first = Vec::new();
+        let mut all = vec![HalfedgeId::NONE; self.before[self.bits.len()] as usize];
+        let parts = parallel::parts(self.bits.len(), LEAST / 64);
+        let count = |part: &Range<usize>| self.before[part.end] - self.before[part.start];
+        let firsts = parallel::split(&mut all, parts.iter().map(|part| count(part) as usize));
+        parallel::map(parts.iter().cloned().zip(firsts).collect(), |(part, first)| {
+            let mut first = first.iter_mut();
             for word in part {
                 let mut bits = self.bits[word];
-                while bits != 0 {
-                    first.push(HalfedgeId(word as u32 * 64 + bits.trailing_zeros()));
+                while bits != 0
+                    && let Some(first) = first.next()
+                {
+                    *first = HalfedgeId(word as u32 * 64 + bits.trailing_zeros());
                     bits &= bits - 1;
                 }
             }
-            first
         });
-        parallel::joined(parts)
+        all
     }
 }

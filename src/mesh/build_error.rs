@@ -53,6 +53,66 @@ pub enum BuildError {
     },
 }
 
+impl BuildError {
+    /// The fault of a single polygon. `sorted` is scratch space.
+    #[inline]
+    pub(super) fn of_polygon(
+        polygon: usize,
+        corners: &[u32],
+        vertices: usize,
+        sorted: &mut Vec<u32>,
+    ) -> Option<Self> {
+        if let &[a, b, c] = corners
+            && a != b
+            && b != c
+            && c != a
+            && (a.max(b).max(c) as usize) < vertices
+        {
+            return None; // as most are
+        }
+        if corners.len() < 3 {
+            return Some(Self::TooFewCorners { polygon, corners: corners.len() });
+        }
+        if let Some(&vertex) = corners.iter().find(|&&v| v as usize >= vertices) {
+            return Some(Self::NoSuchVertex { polygon, vertex, vertices });
+        }
+        let vertex = repeated(corners, sorted)?;
+        Some(Self::RepeatedCorner { polygon, vertex })
+    }
+
+    /// The fault of the sides between two vertices.
+    #[inline]
+    pub(super) fn of_edge(
+        sides: &[(u32, u32)],
+        ends: impl Fn(u32) -> [u32; 2],
+        polygon: impl Fn(u32) -> usize,
+    ) -> Option<Self> {
+        match *sides {
+            [] | [_] => None,
+            [(_, a), (_, b)] => {
+                let [from, to] = ends(a);
+                let fault = || Self::SameDirection { from, to, polygons: [a, b].map(polygon) };
+                (ends(b)[0] == from).then(fault)
+            }
+            [(_, a), (_, b), (_, c), ..] => {
+                Some(Self::EdgeUsedThrice { ends: ends(a), polygons: [a, b, c].map(polygon) })
+            }
+        }
+    }
+}
+
+/// A corner that occurs twice. `sorted` is scratch space.
+fn repeated(corners: &[u32], sorted: &mut Vec<u32>) -> Option<u32> {
+    if corners.len() <= 8 {
+        let earlier = |(i, v): (usize, &u32)| corners[..i].contains(v).then_some(*v);
+        return corners.iter().enumerate().find_map(earlier);
+    }
+    sorted.clear();
+    sorted.extend_from_slice(corners);
+    sorted.sort_unstable();
+    sorted.windows(2).find(|pair| pair[0] == pair[1]).map(|pair| pair[0])
+}
+
 impl fmt::Display for BuildError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

@@ -79,24 +79,14 @@ impl Faults {
         let mut at_fault = vec![false; list.positions.len()];
         let mut faulty = Vec::new();
         for edge in list.sides().edges() {
-            match *edge {
-                [_] => continue,
-                [(_, a), (_, b)] if ends(a)[0] != ends(b)[0] => {
+            let Some(fault) = BuildError::of_edge(edge, ends, polygon) else {
+                if let [(_, a), (_, b)] = *edge {
                     twins[a as usize] = b;
                     twins[b as usize] = a;
-                    continue;
                 }
-                [(_, a), (_, b)] => {
-                    let [from, to] = ends(a);
-                    let polygons = [polygon(a), polygon(b)];
-                    faulty.push(BuildError::SameDirection { from, to, polygons });
-                }
-                [(_, a), (_, b), (_, c), ..] => faulty.push(BuildError::EdgeUsedThrice {
-                    ends: ends(a),
-                    polygons: [a, b, c].map(polygon),
-                }),
-                [] => {}
-            }
+                continue;
+            };
+            faulty.push(fault);
             ends(edge[0].1).into_iter().for_each(|v| at_fault[v as usize] = true);
         }
         // In the order in which the faults show when the polygons are read one by one.

@@ -159,6 +159,14 @@ pub(crate) fn in_order<I: Send, T: Send, E>(
     items.try_for_each(|item| take(work(item)))
 }
 
+/// The consecutive parts of a slice, which have the given lengths.
+pub(crate) fn split<T>(
+    mut slice: &mut [T],
+    lengths: impl Iterator<Item = usize>,
+) -> impl Iterator<Item = &mut [T]> {
+    lengths.map_while(move |length| slice.split_off_mut(..length))
+}
+
 /// The concatenated parts.
 pub(crate) fn joined<T>(parts: Vec<Vec<T>>) -> Vec<T> {
     let size: usize = parts.iter().map(Vec::len).sum();

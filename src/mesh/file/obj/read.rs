@@ -49,6 +49,9 @@ impl Reader {
         // If the allocation fails, the lists grow as they are filled.
         let _ = reader.corners.try_reserve(bytes / 12);
         let _ = reader.ends.try_reserve(bytes / 40);
+        let _ = reader.contents.face_lines.try_reserve(bytes / 40);
+        let _ = reader.contents.positions.try_reserve(bytes / 100);
+        let _ = reader.contents.vertex_lines.try_reserve(bytes / 100);
         reader
     }
 
