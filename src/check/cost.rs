@@ -8,7 +8,7 @@
 use super::guard::Obligation;
 use super::matching::{Claim, Step};
 use crate::diagram::{
-    Builtin, Collection, Drawing, Expr, ExprKind, Extent, Kind, LoopItem, NameId, Spoke, Type,
+    Builtin, Collection, Drawing, Expr, ExprKind, Extent, Kind, LoopItem, NameId, Ref, Spoke, Type,
 };
 
 /// The quantities that the time grows with; empty if it is constant.
@@ -93,6 +93,11 @@ impl Cost<'_> {
                 let edge = self.words(of, "an edge");
                 Some(format!("the degrees of the ends of {edge}"))
             }
+            Extent::Sides => {
+                let edge = self.words(of, "an edge");
+                let drawn = |name| self.has_whole_sides(name);
+                (!is_drawn(of, drawn)).then(|| format!("the sizes of the faces at {edge}"))
+            }
         }
     }
 
@@ -133,6 +138,13 @@ impl Cost<'_> {
         let halfedge = |item: &LoopItem| rule.kind(item.item.name) == Kind::Halfedge;
         let orbit = self.drawing.before.loop_of_face(face);
         orbit.is_some_and(|orbit| orbit.items.iter().all(halfedge))
+    }
+
+    fn has_whole_sides(&self, edge: NameId) -> bool {
+        let view = &self.drawing.before;
+        let is_whole =
+            |half: &Ref| view.face(half.name).is_some_and(|face| self.is_whole_loop(face));
+        view.edge_statement(edge).is_some_and(|edge| edge.halfedges.iter().all(is_whole))
     }
 
     /// The name of an element, or what it is.

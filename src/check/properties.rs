@@ -178,7 +178,7 @@ pub(super) fn wrong_size(drawing: &Drawing, size: i64) -> Option<String> {
 }
 
 /// True if no hole changes: none is created or erased, each that is drawn has its vertices and
-/// paths as before, and no fan moves, for a hole may lie in it.
+/// paths as before, and no fan and no outer halfedge gets another vertex, for a hole may be there.
 fn keeps_boundary(drawing: &Drawing) -> bool {
     let rule = drawing.rule;
     let may_be_hole = |orbit: &&Loop| orbit.kind != LoopKind::Face;
@@ -196,9 +196,11 @@ fn keeps_boundary(drawing: &Drawing) -> bool {
     let none_created = rule.after.loops.iter().filter(may_be_hole).all(|orbit| {
         drawing.before.loop_of_face(orbit.face.name).is_some_and(|before| before.kind == orbit.kind)
     });
+    let stays = |outer| drawing.origin_before(outer) == drawing.origin_after(outer);
     none_created
         && rule.before.loops.iter().filter(may_be_hole).all(same)
         && drawing.moved_fans().next().is_none()
+        && rule.names_of(Kind::Halfedge).filter(|&name| drawing.is_outer(name)).all(stays)
 }
 
 /// The change of the degree of each vertex that survives.

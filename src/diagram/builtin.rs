@@ -100,6 +100,8 @@ pub enum Extent {
     Orbit,
     /// The orbits of the ends of an edge.
     Ends,
+    /// The loops of the halfedges of an edge.
+    Sides,
 }
 
 /// One way to call a function.
@@ -170,6 +172,10 @@ const fn around(wanted: &'static [Wanted], result: Type, builtin: Builtin) -> Ov
 
 const fn at_ends(wanted: &'static [Wanted], result: Type, builtin: Builtin) -> Overload {
     Overload { extent: Extent::Ends, ..of(wanted, result, builtin) }
+}
+
+const fn along_sides(wanted: &'static [Wanted], result: Type, builtin: Builtin) -> Overload {
+    Overload { extent: Extent::Sides, ..of(wanted, result, builtin) }
 }
 
 /// The functions by name, each with its meaning and its overloads. The constructors and the
@@ -334,7 +340,7 @@ const FUNCTIONS: &[(&str, &str, &[Overload])] = &[
     (
         "dihedral_angle",
         "the angle between the normals at an edge, positive where it stands out",
-        &[of(&[E], REAL, Builtin::DihedralAngle)],
+        &[along_sides(&[E], REAL, Builtin::DihedralAngle)],
     ),
     (
         "abs",

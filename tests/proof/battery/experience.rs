@@ -1,9 +1,10 @@
 //! What really becomes of meshes: the literal rewrite at every match, and the machine.
 
-use hedgerow::diagram::Rule;
+use hedgerow::diagram::{Property, Rule};
 use hedgerow::mesh::{Mesh, validate};
 use hedgerow::rewrite::{Engine, Machine, Outcome, Plan};
 
+use crate::battery::kept::lost;
 use crate::battery::trial::Trial;
 use support::reference::matching::{bound_by, matches_where};
 use support::reference::printing::mesh_text;
@@ -42,10 +43,11 @@ impl Experience {
 const MOST: usize = 200;
 
 /// Rewrites literally at every match of the rules, the same one written out for several sizes;
-/// with a plan the machine has to agree with one of them, and native code with the machine.
+/// with a plan the machine has to agree with one of them, and native code with the machine. What
+/// the machine makes has to keep the given properties.
 pub fn experience(
     rules: &[&Rule],
-    plan: Option<&Plan>,
+    plan: Option<(&Plan, &[Property])>,
     trials: impl Iterator<Item = Trial>,
 ) -> Experience {
     let mut experience = Experience::default();
@@ -82,7 +84,7 @@ pub fn experience(
                     }
                 }
             }
-            let Some(plan) = plan else {
+            let Some((plan, keeps)) = plan else {
                 if experience.broken > 0 {
                     return experience; // one is enough
                 }
@@ -101,6 +103,11 @@ pub fn experience(
                     experience.applied += 1;
                     if let Err(invalid) = validate(&result) {
                         let what = format!("the machine makes\n{}{invalid}\n", mesh_text(&result));
+                        experience.breaks(&mesh, &place, what);
+                    } else if let Some(property) = lost(keeps, &mesh, &result) {
+                        let lost = property.word();
+                        let what =
+                            format!("the machine makes\n{}not `{lost}`\n", mesh_text(&result));
                         experience.breaks(&mesh, &place, what);
                     }
                     let literals = results.iter().filter_map(|(_, literal)| literal.as_ref());

@@ -182,7 +182,7 @@ fn accepted(
     let run = catch_unwind(AssertUnwindSafe(|| {
         let plan = compile(proved, sources, &Arc::default()).expect("a small op");
         let trials = home.cloned().into_iter().chain(pool.trials(tried, random));
-        experience(&rules, Some(&plan), trials)
+        experience(&rules, Some((&plan, &proved.keeps())), trials)
     }));
     let Ok(experience) = run else {
         judged.complaints.push("compiling or running it panics".into());

@@ -3,7 +3,7 @@
 //!
 //! An op that the checker accepts must not break any mesh: not by the literal rewrite of any
 //! match, nor by the machine, whose result must be that of a literal rewrite; and the result
-//! must be what `after` draws. An op that it rejects must break one, or make something that
+//! must be what `after` draws, and have the properties that the checker says are kept. An op that it rejects must break one, or make something that
 //! `after` does not draw, or match nowhere, or be rejected for saying too little or a thing
 //! twice. The meshes are random completions of the drawing before, and random maps. Some let names
 //! be one, by an `alias`; others are not spoilt but drawn out of random maps. What is accepted is
@@ -18,6 +18,7 @@ mod emitted;
 mod experience;
 mod given;
 mod judge;
+mod kept;
 mod table;
 mod trial;
 
