@@ -2,7 +2,7 @@
 //! family, or for each element of an aggregate. They are computed before the loop, and get names;
 //! otherwise `centroid(f)` would walk around the face at each of its corners.
 
-use crate::diagram::{Binary, Expr, ExprKind, FoldFunction, Rule};
+use crate::diagram::{Binary, Builtin, Expr, ExprKind, FoldFunction, Rule, Type};
 
 /// A value with the parts that do not vary split off.
 #[derive(Clone, Debug)]
@@ -48,7 +48,7 @@ impl<'e> Finder<'e> {
         let is_same = repeated
             && some(expr, computes)
             && !some(expr, |part| self.varies(part))
-            && (surely || !some(expr, may_stop));
+            && (surely || !may_stop(expr));
         if is_same {
             self.found.push(expr);
             return;
@@ -101,15 +101,20 @@ fn some(expr: &Expr, is_it: impl Fn(&Expr) -> bool) -> bool {
     found
 }
 
-/// True if a part by itself may have no value.
-fn may_stop(part: &Expr) -> bool {
-    match &part.kind {
-        ExprKind::Binary(operator, ..) => matches!(operator, Binary::Div | Binary::Mod),
-        ExprKind::Fold(fold) => !matches!(
-            fold.function,
-            FoldFunction::Any | FoldFunction::All | FoldFunction::Count | FoldFunction::Sum
-        ),
+/// True if an expression may have no value, so that a run stops where it is computed.
+pub fn may_stop(expr: &Expr) -> bool {
+    some(expr, |part| match &part.kind {
+        // Ints overflow.
+        ExprKind::Binary(..) | ExprKind::Unary(..) => part.ty == Type::Int,
+        ExprKind::Call(builtin, _) => {
+            matches!(builtin, Builtin::AbsInt | Builtin::Round | Builtin::RandomInt)
+        }
+        ExprKind::Fold(fold) => match fold.function {
+            FoldFunction::Any | FoldFunction::All | FoldFunction::Count => false,
+            FoldFunction::Sum => part.ty == Type::Int,
+            _ => true,
+        },
         ExprKind::Invoke(..) => true,
         _ => false,
-    }
+    })
 }

@@ -20,7 +20,7 @@ mod variables;
 
 pub use effects::{AllEffects, Effects};
 pub use guard::{Guard, GuardTest, PreviewReads, Question, StarWalk};
-pub use hoist::{Hoisted, hoist};
+pub use hoist::{Hoisted, hoist, may_stop};
 pub use matching::{Begin, EmptyPath, Matching, Step, Test, Tries, Walk, WalkTest};
 pub use operation::{Condition, Element, Operation, Value};
 pub use variables::Variables;

@@ -88,3 +88,24 @@ fn a_position_is_tested_unless_its_form_says_that_it_is_finite() {
         }
     }
 }
+
+#[test]
+fn what_nothing_reads_is_computed_where_that_may_stop_a_run() {
+    for (value, may_stop) in [
+        ("7 mod (degree(v) - 3)", true),
+        ("mean(w.tint for w in v.neighbors where boundary(w))", true),
+        ("seventh(degree(v))", true),
+        ("round(v.tint)", true),
+        ("v.tint / 0", false),
+        ("length(v.position)", false),
+        ("count(boundary(w) for w in v.neighbors)", false),
+    ] {
+        let ([cpp, rust], _) = emitted(&format!(
+            "op f(v: vertex) {{ steps {{ let x = {value} v.tint = 1 }} }}
+            attr tint: vertex real = 0
+            fn seventh(n: int) -> int {{ 7 div n }}"
+        ));
+        assert_eq!(cpp.unwrap().contains("  static_cast<void>("), may_stop, "{value}");
+        assert_eq!(rust.unwrap().contains("    let _ = "), may_stop, "{value}");
+    }
+}

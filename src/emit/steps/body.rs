@@ -10,7 +10,7 @@ use super::super::routine::Statement;
 use super::super::value::{Level, Term, around, bare, is_surely_finite};
 use super::comments::comments;
 use crate::diagram::{Access, Collection, Expr, ExprKind, Type};
-use crate::lower::Variables;
+use crate::lower::{Variables, may_stop};
 use crate::resolve::{Block, Body, Statement as Step, StatementKind, Visit};
 use crate::source::Span;
 
@@ -123,12 +123,8 @@ impl<'s> Writer<'s> {
             StatementKind::Call { function, args, .. }
                 if (*function as usize) < self.source.selection.program.functions.len() =>
             {
-                let effects = self.source.effects.function(*function);
-                // A call without effects is omitted, since its value is not used.
-                if effects.is_some_and(|effects| effects.changes || effects.refuses) {
-                    let call = self.function(*function, args)?;
-                    self.put(None, &call);
-                }
+                let call = self.function(*function, args)?;
+                self.put(None, &call);
                 return Ok(());
             }
             kind => return Err(NotEmitted::new(not_emitted(kind), span)),
@@ -193,9 +189,15 @@ impl<'s> Writer<'s> {
             return Ok(());
         }
         // Computed first, since the value cannot refer to a new variable.
-        let value = self.computed(value)?;
-        let assigned = self.assigned(variable, &value);
-        self.out.extend(assigned);
+        let term = self.computed(value)?;
+        let assigned = self.assigned(variable, &term);
+        // What nothing reads is computed where that may stop a run.
+        let alone = || {
+            let plain = bare(&term.text);
+            let text = say!(self.names.language, "let _ = {plain};", "static_cast<void>({plain});");
+            Statement::lines(text, [&term])
+        };
+        self.out.extend(assigned.or_else(|| may_stop(value).then(alone)));
         Ok(())
     }
 
