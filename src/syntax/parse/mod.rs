@@ -29,6 +29,8 @@ mod failure;
 
 mod report;
 
+mod unclosed;
+
 mod foreign_syntax;
 
 mod input;

@@ -2,7 +2,7 @@
 
 use super::failure::{Failure, Mistake, Phrase};
 use super::foreign_syntax::{IN_BRACES, path_meant, told_here};
-use super::recover::begins_part;
+use super::unclosed::Braces;
 use crate::diagnostic::Diagnostic;
 use crate::source::Span;
 use crate::syntax::token::{Token, TokenKind as T};
@@ -19,50 +19,20 @@ pub(super) struct Around<'t> {
     pub item: &'t [Token],
     /// The token after the item, if any.
     pub next: Option<Token>,
-    /// For each token of the item, and for its end, the innermost open brace before it.
-    pub open: Vec<Option<Token>>,
+    /// The braces of the item.
+    pub braces: Braces<'t>,
 }
 
 impl<'t> Around<'t> {
     /// Collects the context in an item of a file.
     pub(super) fn new(text: &'t str, item: &'t [Token], next: Option<Token>) -> Self {
-        let open = open_braces(item);
-        Self { text, item, next, open }
+        Self { text, item, next, braces: Braces::new(text, item) }
     }
 
-    /// The innermost brace that is open at a place, if braces are missing in this item.
-    fn open_at(&self, span: Span) -> Option<Token> {
-        let never_closed = self.open.last().copied().flatten();
-        let before = |token: &Token| token.span.start < span.start;
-        let at = self.item.partition_point(before);
-        never_closed.and(self.open.get(at).copied().flatten())
+    /// The index of the first token from a place on.
+    fn at(&self, span: Span) -> usize {
+        self.item.partition_point(|token| token.span.start < span.start)
     }
-}
-
-/// The number of braces that are never closed.
-fn never_closed(tokens: &[Token]) -> usize {
-    tokens.iter().fold(0_usize, |open, token| match token.kind {
-        T::LeftBrace => open + 1,
-        T::RightBrace => open.saturating_sub(1),
-        _ => open,
-    })
-}
-
-fn open_braces(tokens: &[Token]) -> Vec<Option<Token>> {
-    let mut open: Vec<Token> = Vec::new();
-    let mut at = Vec::with_capacity(tokens.len() + 1);
-    for &token in tokens {
-        at.push(open.last().copied());
-        match token.kind {
-            T::LeftBrace => open.push(token),
-            T::RightBrace => {
-                open.pop();
-            }
-            _ => {}
-        }
-    }
-    at.push(open.last().copied());
-    at
 }
 
 /// Reports the failures of an item, but not those that follow from others: a second one on a line,
@@ -211,8 +181,8 @@ fn unexpected(failure: Failure, around: &Around) -> Diagnostic {
     let wanted = listed(&wanted(&failure));
     let anew = starts_anew(&failure);
     let closes = failure.wanted.has(T::RightBrace);
-    if let Some(open) = around.open_at(failure.span).filter(|_| closes) {
-        return not_closed(open, &failure, &found, around);
+    if let Some(open) = around.braces.open_at(around.at(failure.span)).filter(|_| closes) {
+        return not_closed(open, &failure, found, around);
     }
     if let Some(told) = keyword_as_name(&failure, around).or_else(|| no_value(&failure, around)) {
         return told;
@@ -250,7 +220,7 @@ fn keyword_as_name(failure: &Failure, around: &Around) -> Option<Diagnostic> {
     let kind = failure.found.filter(|kind| kind.is_keyword())?;
     let names = [Phrase::Name, Phrase::Parameter, Phrase::Halfedge, Phrase::Vertex];
     failure.wanted.phrases().find(|phrase| names.contains(phrase))?;
-    let at = around.item.partition_point(|token| token.span.start < failure.span.start);
+    let at = around.at(failure.span);
     let before = around.item.get(at.checked_sub(1)?)?;
     let behind = around.item.get(at + 1);
     let apart = |one: Span, other: Span| {
@@ -270,7 +240,7 @@ fn keyword_as_name(failure: &Failure, around: &Around) -> Option<Diagnostic> {
 
 /// The error for an empty `{}` in a text that is printed.
 fn no_value(failure: &Failure, around: &Around) -> Option<Diagnostic> {
-    let at = around.item.partition_point(|token| token.span.start < failure.span.start);
+    let at = around.at(failure.span);
     let before = around.item.get(at.checked_sub(1)?)?;
     let is_empty = matches!(before.kind, T::TextHead | T::TextMiddle)
         && matches!(failure.found, Some(T::TextMiddle | T::TextTail));
@@ -280,29 +250,35 @@ fn no_value(failure: &Failure, around: &Around) -> Option<Diagnostic> {
     })
 }
 
-/// The error for an unclosed brace, at something that cannot be inside it.
-fn not_closed(open: Token, failure: &Failure, found: &str, around: &Around) -> Diagnostic {
-    let is_one = never_closed(around.item) == 1;
-    let (open, found, place) = match less_indented(around) {
-        Some((inner, closing)) if inner.span != open.span => {
-            (inner, "the brace that closes what is around it".to_owned(), closing.span)
+/// The error for an unclosed brace, at something that cannot be inside it. The lines tell where it
+/// should be closed; if what cannot be inside is indented as its block is, nobody knows.
+fn not_closed(open: usize, failure: &Failure, found: String, around: &Around) -> Diagnostic {
+    let unclosed = around.braces.unclosed(open);
+    let at = around.at(failure.span);
+    let is_certain = unclosed.end <= at && unclosed.is_indented && around.braces.lack_one();
+    let is_other = unclosed.brace != open || unclosed.end < at;
+    let (place, found) = match around.item.get(unclosed.end).filter(|_| is_other) {
+        Some(token) if token.kind == T::RightBrace => {
+            (token.span, "the brace that closes what is around it".to_owned())
         }
-        _ => (open, found.to_owned(), failure.span),
+        Some(token) => (token.span, shown(token.span, around.text)),
+        None => (failure.span, found),
     };
     let place = behind_the_last_line(place, around);
-    let line = line_before(around.text, open.span);
-    let message = match line.trim() {
+    let brace = around.item[unclosed.brace].span;
+    let message = match line_before(around.text, brace).trim() {
         "" => format!("a `{{` is not closed before {found}"),
         head => format!("the `{{` of `{head}` is not closed before {found}"),
     };
     let told = Diagnostic::error("syntax-error", message, place)
         .saying("a `}` is missing")
-        .label(open.span, "this `{` is not closed");
+        .label(brace, "this `{` is not closed");
+    let line = line_before(around.text, around.item[unclosed.head].span);
     let indent = &line[..line.len() - line.trim_start().len()];
-    let begins = failure.found.is_none_or(begins_part) || place != failure.span;
-    match place.start == place.end && begins && is_one {
-        true => told.fix("close it here", place, format!("\n{indent}}}")),
-        false => told,
+    match (place.start == place.end && is_certain, unclosed.on_one_line) {
+        (true, true) => told.fix("close it here", place, " }"),
+        (true, false) => told.fix("close it here", place, format!("\n{indent}}}")),
+        (false, _) => told,
     }
 }
 
@@ -310,30 +286,6 @@ fn not_closed(open: Token, failure: &Failure, found: &str, around: &Around) -> D
 fn line_before(text: &str, span: Span) -> &str {
     let before = text.get(..span.start as usize).unwrap_or("");
     before.rsplit('\n').next().unwrap_or("")
-}
-
-/// A brace whose closing brace is indented less than the line where it opens, and the closing
-/// brace, which probably closes the surrounding block.
-fn less_indented(around: &Around) -> Option<(Token, Token)> {
-    let width = |token: &Token| {
-        let line = line_before(around.text, token.span);
-        line.len() - line.trim_start().len()
-    };
-    let mut open: Vec<Token> = Vec::new();
-    for &token in around.item {
-        match token.kind {
-            T::LeftBrace => open.push(token),
-            T::RightBrace => {
-                let opened = open.pop()?;
-                let begins_line = line_before(around.text, token.span).trim().is_empty();
-                if begins_line && width(&token) < width(&opened) {
-                    return Some((opened, token));
-                }
-            }
-            _ => {}
-        }
-    }
-    None
 }
 
 /// Adds a note with the syntax of the statement or header that failed.

@@ -66,22 +66,41 @@ pub(super) const LINES: &[Line] = &[
     sure(CODE, "^const/auto/val/my/local/final/constexpr/static $n =", "let $n =", BEGIN),
     sure(
         CODE,
-        "^$t=int/float/double/real/bool/vec2/vec3/vertex/edge/face/halfedge/size_t/unsigned/long/short/EdgeRef/FaceRef/VertexRef/HalfedgeRef/Vec3/Edge/Face/Vertex/Halfedge/EdgeCRef/FaceCRef/VertexCRef/HalfedgeCRef/HalfedgeIter/EdgeIter/FaceIter/VertexIter $a = $x:some , $b = $y:line",
+        "^$t=int/float/double/real/bool/vec2/vec3/size_t/unsigned/long/short/Vec3 $a = $x:some , $b = $y:line",
         "let $a: $t = $x let $b: $t = $y",
+        "a statement sets one variable",
+    ),
+    // What kind of element a variable is, follows from its value.
+    sure(
+        CODE,
+        "^$t=vertex/edge/face/halfedge/EdgeRef/FaceRef/VertexRef/HalfedgeRef/Edge/Face/Vertex/Halfedge/EdgeCRef/FaceCRef/VertexCRef/HalfedgeCRef/HalfedgeIter/EdgeIter/FaceIter/VertexIter $a = $x:some , $b = $y:line",
+        "let $a = $x let $b = $y",
         "a statement sets one variable",
     ),
     sure(
         CODE,
-        "^const/static/final/constexpr $t=int/float/double/real/bool/vec2/vec3/vertex/edge/face/halfedge/size_t/unsigned/long/short/EdgeRef/FaceRef/VertexRef/HalfedgeRef/Vec3/Edge/Face/Vertex/Halfedge/EdgeCRef/FaceCRef/VertexCRef/HalfedgeCRef/HalfedgeIter/EdgeIter/FaceIter/VertexIter $n =",
+        "^const/static/final/constexpr $t=int/float/double/real/bool/vec2/vec3/size_t/unsigned/long/short/Vec3 $n =",
         "let $n: $t =",
+        BEGIN,
+    ),
+    sure(
+        CODE,
+        "^const/static/final/constexpr $t=vertex/edge/face/halfedge/EdgeRef/FaceRef/VertexRef/HalfedgeRef/Edge/Face/Vertex/Halfedge/EdgeCRef/FaceCRef/VertexCRef/HalfedgeCRef/HalfedgeIter/EdgeIter/FaceIter/VertexIter $n =",
+        "let $n =",
         BEGIN,
     ),
     sure(CODE, "^const/auto/val/static/final $t:word $n =", "let $n =", BEGIN),
     sure(CODE, "^const/auto & $n =", "let $n =", BEGIN),
     sure(
         CODE,
-        "^$t=int/float/double/real/bool/vec2/vec3/vertex/edge/face/halfedge/size_t/unsigned/long/short/EdgeRef/FaceRef/VertexRef/HalfedgeRef/Vec3/Edge/Face/Vertex/Halfedge/EdgeCRef/FaceCRef/VertexCRef/HalfedgeCRef/HalfedgeIter/EdgeIter/FaceIter/VertexIter $n =",
+        "^$t=int/float/double/real/bool/vec2/vec3/size_t/unsigned/long/short/Vec3 $n =",
         "let $n: $t =",
+        BEGIN,
+    ),
+    sure(
+        CODE,
+        "^$t=vertex/edge/face/halfedge/EdgeRef/FaceRef/VertexRef/HalfedgeRef/Edge/Face/Vertex/Halfedge/EdgeCRef/FaceCRef/VertexCRef/HalfedgeCRef/HalfedgeIter/EdgeIter/FaceIter/VertexIter $n =",
+        "let $n =",
         BEGIN,
     ),
     sure(
