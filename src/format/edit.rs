@@ -55,9 +55,22 @@ pub fn edits_of_lines(
     // The indentation of the first line follows the line break before it.
     let start = start.saturating_sub(1);
     let end = table.start(lines.end).unwrap_or(source.len());
-    let mut edits = edits(file, source, parsed)?;
-    edits.retain(|edit| start <= edit.range.end && edit.range.start < end);
-    Ok(edits)
+    let edits = edits(file, source, parsed)?.into_iter();
+    let inside = edits.filter(|edit| start <= edit.range.end && edit.range.start < end);
+    let own = inside.filter_map(|edit| match edit.range.end < end || end == source.len() {
+        true => Some(edit),
+        false => before_last_line(source, &edit),
+    });
+    Ok(own.collect())
+}
+
+/// The part of an edit before the line that it ends on, whose indentation stays.
+fn before_last_line(source: &str, edit: &Edit) -> Option<Edit> {
+    let old = source.get(edit.range.clone())?;
+    let old = &old[..old.rfind('\n')?];
+    let text = edit.text[..edit.text.rfind('\n')?].to_owned();
+    let range = edit.range.start..edit.range.start + old.len();
+    (old != text).then_some(Edit { range, text })
 }
 
 /// The gaps before each token and comment, and after the last.

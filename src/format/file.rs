@@ -2,6 +2,7 @@
 
 use super::printer::{Lines, Printer, WIDTH};
 use super::remark;
+use super::torn::would_be_torn;
 use super::words::Words;
 use crate::syntax::Parsed;
 use crate::syntax::tree::Item;
@@ -27,7 +28,7 @@ pub(super) fn formatted(source: &str, parsed: &Parsed) -> String {
         page.verbatim(starts[0]);
     }
     for (item, part) in items.iter().zip(starts.windows(2)) {
-        if stays.between(part[0], part[1]) {
+        if stays.between(part[0], part[1]) || would_be_torn(source, item) {
             page.verbatim(part[1]);
         } else {
             page.item(item);

@@ -30,6 +30,8 @@ mod commas;
 
 mod words;
 
+mod torn;
+
 mod file;
 
 mod safe;

@@ -115,7 +115,10 @@ fn some_lines_keep_the_words_of_all() {
         let from = dice.below(lines);
         let some = line_edits(&text, from..from + 3);
         let all = all_edits(&text);
-        assert!(some.iter().all(|edit| all.contains(edit)));
+        // At the end of the lines only the indentation of the next one is left out.
+        assert!(some.iter().all(|edit| all.iter().any(|whole| {
+            whole.range.start == edit.range.start && whole.text.starts_with(&edit.text)
+        })));
         let words = |text: &str| text.split_whitespace().collect::<String>();
         assert_eq!(words(&edited(&text, &some)), words(&text));
         changed += usize::from(some.len() < all.len() && !some.is_empty());
