@@ -138,8 +138,10 @@ impl<'t> Reading<'t, '_> {
         if failures.is_empty() {
             return vec![(first, as_it_is.unwrap_or(Item::Broken(whole)))];
         }
-        self.misread.push(whole);
         let Mended { tokens: mended, found } = mend(self.text, tokens);
+        let wrong = failures.iter().map(|failure| failure.span);
+        let wrong = wrong.chain(found.iter().map(|found| found.span));
+        self.misread.push(misread(tokens, as_it_is.as_ref(), wrong));
         if found.is_empty() {
             let around = Around::new(self.text, tokens, next);
             self.diagnostics.extend(report_all(failures, &around));
@@ -196,6 +198,16 @@ fn whole(tokens: &[Token]) -> Span {
         [only] => only.span,
         [] => Span::default(),
     }
+}
+
+/// What could not be read as it is written: all tokens or, if nothing is `wrong` in the item that
+/// they begin with, those behind it.
+fn misread(tokens: &[Token], item: Option<&Item>, mut wrong: impl Iterator<Item = Span>) -> Span {
+    let end = item.map_or(0, |item| item.span().end);
+    let (read, behind) = tokens.split_at(tokens.partition_point(|token| token.span.start < end));
+    let is_closed = read.last().is_some_and(|last| last.kind == T::RightBrace);
+    let is_behind = is_closed && !behind.is_empty() && wrong.all(|wrong| end <= wrong.start);
+    whole(if is_behind { behind } else { tokens })
 }
 
 /// True if an error only follows from a finding: on the same line as the foreign syntax, or after
