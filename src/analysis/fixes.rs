@@ -10,12 +10,12 @@ use super::element::{Fate, element_of};
 use super::missing_conditions::lacking;
 use super::names::SymbolId;
 use super::proposal::{Proposal, kind_of, written};
-use super::side::subject;
+use super::side::{draws_erased, mentions, subject};
 use super::snapshot::Snapshot;
 use crate::diagnostic::{Diagnostic, Edit};
 use crate::diagram::Kind;
 use crate::source::Span;
-use crate::syntax::tree::{Arrow, Item, Name, Rule, Side, Spoke, Statement};
+use crate::syntax::tree::{Item, Name, Rule, Side, Statement};
 
 /// The changes that fix the diagnostics of a part of the text.
 pub(super) fn mending(snapshot: &Snapshot, part: &Range<usize>) -> Vec<Action> {
@@ -79,6 +79,7 @@ fn proposals(snapshot: &Snapshot, told: &Diagnostic, part: &Range<usize>) -> Vec
             let unknown = snapshot.names().of_rule(item, at);
             let mut unknown: Vec<_> = unknown
                 .filter(|(id, _)| fate(snapshot, *id, rule) == Some(Fate::Unknown))
+                .filter(|(id, _)| !is_run(kind_of(snapshot, *id)))
                 .map(|(id, _)| (id, written(snapshot, id)))
                 .collect();
             let order = [Kind::Vertex, Kind::Halfedge, Kind::Edge, Kind::Face];
@@ -113,6 +114,11 @@ fn close(snapshot: &Snapshot, told: &Diagnostic) -> Vec<Proposal> {
         go_on("-h->"),
         (format!("end at `{first}`"), edit(end.span, first.to_owned())),
     ]
+}
+
+/// True for paths and fans, which are neither made nor erased by name.
+fn is_run(kind: Option<Kind>) -> bool {
+    matches!(kind, Some(Kind::Path | Kind::Fan))
 }
 
 fn fate(snapshot: &Snapshot, id: SymbolId, rule: &Rule) -> Option<Fate> {
@@ -150,7 +156,7 @@ fn account_for(
 ) -> Vec<Proposal> {
     let mut proposals = Vec::new();
     let statements = rule.before.iter().flat_map(|side| &side.statements);
-    for statement in statements.filter(|statement| subject(statement).is_some()) {
+    for statement in statements.filter(|statement| !draws_erased(statement, after)) {
         let draws = |name: &String| mentions(statement).any(|drawn| drawn == name);
         let is_stated = |name: &Name| {
             let stated = after.statements.iter().filter_map(subject);
@@ -195,7 +201,7 @@ fn list_forgotten(
         if kind == Some(Kind::Vertex) && !is_stated(name) {
             kept.push(written(snapshot, *id));
         }
-        if !matches!(kind, Some(Kind::Path | Kind::Fan)) {
+        if !is_run(kind) {
             erased.push(written(snapshot, *id));
         }
     }
@@ -211,33 +217,6 @@ fn list_forgotten(
         proposals.push((title, vec![edit]));
     }
     proposals
-}
-
-/// The names that a statement draws.
-fn mentions(statement: &Statement) -> impl Iterator<Item = &String> {
-    let mut words: Vec<&String> =
-        subject(statement).map(|name| &name.ident.text).into_iter().collect();
-    match statement {
-        Statement::Loop(orbit) => {
-            for item in &orbit.items {
-                if let Arrow::Halfedge(name) | Arrow::Path(Some(name)) = &item.arrow {
-                    words.push(&name.ident.text);
-                }
-            }
-        }
-        Statement::Edge { halfedges, .. } => {
-            words.extend(halfedges.iter().map(|half| &half.ident.text));
-        }
-        Statement::Vertex(star) => {
-            for spoke in &star.spokes {
-                if let Spoke::Halfedge(name) | Spoke::Fan(Some(name), _) = spoke {
-                    words.push(&name.ident.text);
-                }
-            }
-        }
-        _ => {}
-    }
-    words.into_iter()
 }
 
 /// Proposals that list names in `new`: the one at a place, and all at once.

@@ -6,12 +6,12 @@ use super::cursor_context::{op_near, rule_near};
 use super::edits::{append, indentation, slice, statement_span};
 use super::hover::op_named;
 use super::invert::inverse;
-use super::side::subject;
+use super::side::{draws_erased, subject};
 use super::snapshot::Snapshot;
 use super::soundness::stays_sound;
 use crate::diagnostic::Edit;
 use crate::source::Span;
-use crate::syntax::tree::{Name, Op, Rule, Side, Statement};
+use crate::syntax::tree::{Op, Rule, Side, Statement};
 
 /// The refactorings at a byte.
 pub(super) fn rewriting(snapshot: &Snapshot, offset: usize) -> Vec<Action> {
@@ -60,15 +60,13 @@ fn is_empty(side: Option<&Side>) -> bool {
 /// The edit that restates the statements of `before` that `after` does not mention.
 fn skeleton(snapshot: &Snapshot, rule: &Rule) -> Option<Vec<Edit>> {
     let before = rule.before.as_ref()?;
-    let words = |list: fn(&Statement) -> Option<&Vec<Name>>| -> Vec<&str> {
-        let statements = rule.after.iter().flat_map(|side| &side.statements);
-        let names = statements.filter_map(list).flatten();
-        names.map(|name| name.ident.text.as_str()).collect()
-    };
-    let gone = words(|statement| match statement {
-        Statement::Erase(names, _) | Statement::Keep(names, _) => Some(names),
+    let kept = rule.after.iter().flat_map(|side| &side.statements);
+    let kept = kept.filter_map(|statement| match statement {
+        Statement::Keep(names, _) => Some(names),
         _ => None,
     });
+    let kept: Vec<&str> = kept.flatten().map(|name| name.ident.text.as_str()).collect();
+    let erases = |statement| rule.after.as_ref().is_some_and(|side| draws_erased(statement, side));
     let stated = rule.after.iter().flat_map(|side| &side.statements);
     let stated: Vec<&str> =
         stated.filter_map(subject).map(|name| name.ident.text.as_str()).collect();
@@ -78,9 +76,10 @@ fn skeleton(snapshot: &Snapshot, rule: &Rule) -> Option<Vec<Edit>> {
         .filter(|statement| {
             subject(statement).is_some_and(|name| {
                 let word = name.ident.text.as_str();
-                !gone.contains(&word) && !stated.contains(&word)
+                !kept.contains(&word) && !stated.contains(&word)
             })
         })
+        .filter(|statement| !erases(statement))
         .map(|statement| slice(snapshot, statement).to_owned())
         .collect();
     if missing.is_empty() {

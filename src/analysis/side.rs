@@ -259,3 +259,46 @@ pub fn subject(statement: &Statement) -> Option<&Name> {
         _ => None,
     }
 }
+
+/// The names that a statement draws.
+pub(super) fn mentions(statement: &Statement) -> impl Iterator<Item = &String> {
+    let mut words: Vec<&String> =
+        subject(statement).map(|name| &name.ident.text).into_iter().collect();
+    match statement {
+        Statement::Loop(orbit) => {
+            for item in &orbit.items {
+                if let Arrow::Halfedge(name) | Arrow::Path(Some(name)) = &item.arrow {
+                    words.push(&name.ident.text);
+                }
+            }
+        }
+        Statement::Edge { halfedges, .. } => {
+            words.extend(halfedges.iter().map(|half| &half.ident.text));
+        }
+        Statement::Vertex(star) => {
+            for spoke in &star.spokes {
+                if let Spoke::Halfedge(name) | Spoke::Fan(Some(name), _) = spoke {
+                    words.push(&name.ident.text);
+                }
+            }
+        }
+        _ => {}
+    }
+    words.into_iter()
+}
+
+/// True if a statement draws something that a side erases.
+pub(super) fn draws_erased(statement: &Statement, side: &Side) -> bool {
+    let erased = side.statements.iter().filter_map(|statement| match statement {
+        Statement::Erase(names, _) => Some(names),
+        _ => None,
+    });
+    let corners = match statement {
+        Statement::Loop(orbit) => orbit.items.as_slice(),
+        _ => &[],
+    };
+    erased.flatten().map(|name| &name.ident.text).any(|erased| {
+        mentions(statement).any(|drawn| drawn == erased)
+            || corners.iter().any(|corner| corner.from.ident.text == *erased)
+    })
+}

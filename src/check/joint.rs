@@ -309,7 +309,7 @@ pub(super) fn closed(rule: &Rule) -> Vec<Remedy> {
     // All members of a family are written in one statement.
     let mut statements: Vec<_> = open.map(|(orbit, ways)| (orbit.span, ways.len())).collect();
     statements.dedup_by_key(|(span, _)| *span);
-    if statements.len() > MOST_OPEN {
+    if statements.is_empty() || statements.len() > MOST_OPEN {
         return Vec::new();
     }
     let mut choices: Vec<Vec<usize>> = vec![Vec::new()];
