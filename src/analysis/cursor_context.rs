@@ -1,6 +1,7 @@
 //! The syntactic context of a cursor, derived from the tokens before it: so it is known even where
 //! nothing around it can be parsed.
 
+use super::following_words::following;
 use super::names::SideName;
 use super::snapshot::Snapshot;
 use crate::syntax::tree::{self, Item, Rule};
@@ -23,6 +24,10 @@ pub enum CursorContext {
     Level,
     /// After the arrow of an op's head.
     Result,
+    /// After `mesh =` or `mesh ==`.
+    Mesh,
+    /// Only these words fit.
+    Words(&'static [&'static str]),
     /// In an op, between its parts.
     OpBody,
     /// In a side of a rule, and what the drawing wants there.
@@ -44,6 +49,8 @@ pub enum Start {
     Value,
     /// A sequence is wanted.
     Sequence,
+    /// The default of an attribute is wanted.
+    Default,
 }
 
 /// The next part that a drawing wants.
@@ -104,7 +111,9 @@ pub fn place(snapshot: &Snapshot, offset: usize) -> CursorContext {
     let is_text = matches!(last.kind, T::Text | T::TextTail | T::OpenText);
     if is_text && last.span.end as usize >= offset {
         let is_use = tokens.iter().rev().nth(1).map(|token| token.kind) == Some(T::Use);
-        let is_inside = (last.span.end as usize) > offset || last.kind == T::OpenText;
+        let written = snapshot.sources().slice(last.span);
+        let is_open = written.len() == 1 || !written.ends_with('"');
+        let is_inside = (last.span.end as usize) > offset || is_open;
         return match (is_use, is_inside) {
             (true, true) => CursorContext::Path,
             _ => CursorContext::Nowhere,
@@ -121,12 +130,29 @@ pub fn place(snapshot: &Snapshot, offset: usize) -> CursorContext {
     let Some(start) = start else {
         return CursorContext::Top;
     };
-    within(&tokens[start..])
+    let item = &tokens[start..];
+    let gap = &snapshot.text()[last.span.end as usize..offset.max(last.span.end as usize)];
+    match within(item) {
+        CursorContext::Value(_) if is_mesh(snapshot, item) => CursorContext::Mesh,
+        found @ (CursorContext::Value(_) | CursorContext::OpBody | CursorContext::Nowhere) => {
+            following(item, !gap.contains('\n')).map_or(found, CursorContext::Words)
+        }
+        found => found,
+    }
+}
+
+/// True if the tokens of an item end with `mesh =`, `mesh ==` or `mesh !=`, and it is a test.
+fn is_mesh(snapshot: &Snapshot, tokens: &[Token]) -> bool {
+    let [Token { kind: T::Test, .. }, .., word, sign] = tokens else {
+        return false;
+    };
+    matches!(sign.kind, T::Equals | T::Equal | T::NotEqual)
+        && snapshot.sources().slice(word.span) == "mesh"
 }
 
 /// True if a token begins an item: it is a keyword of items, and first on its line or after a
 /// closing brace.
-fn begins_item(snapshot: &Snapshot, token: Token) -> bool {
+pub(super) fn begins_item(snapshot: &Snapshot, token: Token) -> bool {
     let is_keyword =
         matches!(token.kind, T::Op | T::Script | T::Fn | T::Attr | T::Use | T::Test | T::Private);
     let before = &snapshot.text()[..token.span.start as usize];
@@ -206,7 +232,7 @@ fn within(mut tokens: &[Token]) -> CursorContext {
         T::Use => CursorContext::Nowhere,
         T::Attr | T::Private => match last {
             T::Colon => CursorContext::Type,
-            T::Equals => CursorContext::Value(Start::Value),
+            T::Equals => CursorContext::Value(Start::Default),
             T::Private => CursorContext::Top,
             T::Attr => CursorContext::Nowhere,
             _ => CursorContext::Type,
@@ -287,16 +313,16 @@ fn side(tokens: &[Token], side: SideName) -> CursorContext {
     let has_colon = rest.contains(&T::Colon);
     let wanted = match tokens[start].kind {
         T::Equals => match last {
-            // `=P=>` ends with its own arrow; a value ends with a word, a number or a parenthesis.
+            // `=P=>` ends with its own arrow, behind which the loop goes on.
+            _ if is_path(tokens, start) && rest.contains(&T::FatArrow) => in_loop(last),
+            // A value ends with a word, a number or a parenthesis.
             Some(T::Word | T::RightParen | T::Int | T::Real) => Wanted::Statement,
             _ if is_path(tokens, start) => Wanted::Path,
             _ => return CursorContext::Value(Start::Value),
         },
         T::Face | T::Hole | T::Loop => match last {
             None => Wanted::Face,
-            Some(T::Colon | T::Arrow | T::FatArrow) => Wanted::LoopVertex,
-            Some(T::Minus) => Wanted::LoopHalfedge,
-            _ if has_colon => Wanted::Statement,
+            _ if has_colon => in_loop(last),
             _ => return CursorContext::Nowhere,
         },
         T::Edge => match last {
@@ -316,6 +342,15 @@ fn side(tokens: &[Token], side: SideName) -> CursorContext {
         _ => Wanted::Statement,
     };
     CursorContext::Side(side, wanted)
+}
+
+/// The part that a loop wants behind its colon.
+fn in_loop(last: Option<T>) -> Wanted {
+    match last {
+        Some(T::Colon | T::Arrow | T::FatArrow) => Wanted::LoopVertex,
+        Some(T::Minus) => Wanted::LoopHalfedge,
+        _ => Wanted::Statement,
+    }
 }
 
 /// True if an `=` begins an arrow of a loop: a vertex precedes it, after a colon or another arrow.

@@ -23,9 +23,9 @@ use super::open_loops::tell_how_to_close;
 use super::{Examined, NoExample, StepsVerdict, Verdict, example, files};
 use crate::check::Proved;
 use crate::diagnostic::Diagnostic;
-use crate::diagram::{self, Property};
+use crate::diagram::{self, Property, Type};
 use crate::library;
-use crate::resolve::{Fields, Program, qualifier, resolve_all};
+use crate::resolve::{Fields, Program, Types, qualifier, resolve_all};
 use crate::rewrite::Plans;
 use crate::run::{Functions, calls_of_steps, plan_steps};
 use crate::source::{FileId, Sources, Span};
@@ -45,6 +45,8 @@ pub struct Snapshot {
     program: Program,
     /// The meanings of the words after dots.
     fields: Fields,
+    /// The types of variables, by the spans of their names.
+    types: Types,
     /// The indices of the ops of the program, by the spans of their names.
     places: HashMap<Span, usize>,
     functions: Functions,
@@ -137,6 +139,7 @@ impl Snapshot {
             places: places.collect(),
             program,
             fields: resolved.fields,
+            types: resolved.types,
             functions,
             planned: OnceCell::new(),
             examples: RefCell::default(),
@@ -194,22 +197,18 @@ impl Snapshot {
 
     /// The file that a `use` of the text refers to, if it could be read.
     pub fn used_file(&self, path: &str) -> Option<FileId> {
-        self.sources.find(&self.name_of(path))
-    }
-
-    fn name_of(&self, path: &str) -> String {
-        name_of(self.sources.get(self.file).name(), path)
+        self.sources.find(&name_of(self.sources.get(self.file).name(), path))
     }
 
     /// True if it depends on a file of this name, whether that exists or not.
     pub fn looks_for(&self, file: &str) -> bool {
-        let used = self.used().map(|(_, tree)| tree);
-        let own = std::iter::once(&self.parsed.tree);
         let has = self.sources.find(file).is_some_and(|found| found != self.file);
-        has || own
-            .chain(used)
-            .flat_map(|tree| &tree.items)
-            .any(|item| matches!(item, Item::Use(used) if self.name_of(&used.path) == file))
+        let looks = |(here, tree): (FileId, &tree::File)| {
+            let here = self.sources.get(here).name();
+            let mut items = tree.items.iter();
+            items.any(|item| matches!(item, Item::Use(used) if name_of(here, &used.path) == file))
+        };
+        has || std::iter::once((self.file, &self.parsed.tree)).chain(self.used()).any(looks)
     }
 
     /// Its items.
@@ -225,6 +224,11 @@ impl Snapshot {
     /// The declarations of the program.
     pub fn program(&self) -> &Program {
         &self.program
+    }
+
+    /// The type of the variable that is declared at a span, as far as it is known.
+    pub fn type_at(&self, name: Span) -> Option<Type> {
+        self.types.get(&name).copied()
     }
 
     /// The index in the program of an op of the tree.

@@ -3,39 +3,44 @@
 use super::names::{SymbolId, SymbolKind};
 use super::snapshot::Snapshot;
 use crate::diagram::Type;
+use crate::syntax::{Token, TokenKind};
+
+/// The type of this name.
+pub(super) fn type_named(word: &str) -> Option<Type> {
+    Type::ALL.into_iter().find(|ty| ty.word() == word)
+}
 
 /// The type of what a name stands for, as far as it is known.
 pub fn type_of(snapshot: &Snapshot, id: SymbolId) -> Option<Type> {
     let symbol = snapshot.names().symbol(id);
-    let named = |word: &str| Type::ALL.into_iter().find(|ty| ty.word() == word);
     if let Some(ty) = &symbol.ty {
-        return named(ty);
+        return type_named(ty);
     }
     if let SymbolKind::Element(Some(kind)) = symbol.kind {
-        return named(kind.word());
+        return type_named(kind.word());
     }
     let place = symbol.definition?;
-    let mut variables = snapshot.program().variables();
-    if let Some(known) = variables.find(|known| known.span == place) {
-        return Some(known.ty);
+    if let Some(known) = snapshot.type_at(place) {
+        return Some(known);
     }
     // `for e in edges`: known even where the script cannot be parsed.
     let tokens = &snapshot.parsed().tokens;
     let at = tokens.iter().position(|token| token.span == place)?;
-    let sequence = tokens.get(at + 2..)?;
-    let words = sequence.iter().map(|token| snapshot.sources().slice(token.span));
-    words
-        .zip(sequence)
-        .take_while(|(_, token)| {
-            token.kind.is_wordlike() || token.kind == crate::syntax::TokenKind::Dot
-        })
-        .map(|(word, _)| word)
-        .filter(|word| *word != ".")
-        .find_map(|word| match word {
-            "vertices" | "neighbors" => Some(Type::Vertex),
-            "halfedges" | "ears" | "patch" => Some(Type::Halfedge),
-            "edges" => Some(Type::Edge),
-            "faces" | "holes" => Some(Type::Face),
-            _ => None,
-        })
+    type_of_elements(snapshot, tokens.get(at + 2..)?)
+}
+
+/// The type of the elements of the sequence that begins at some tokens, as far as it is known.
+pub(super) fn type_of_elements(snapshot: &Snapshot, sequence: &[Token]) -> Option<Type> {
+    let head = sequence.iter().take_while(|token| {
+        let goes_on = token.kind.is_wordlike() || token.kind == TokenKind::Dot;
+        goes_on && !matches!(token.kind, TokenKind::Where | TokenKind::By)
+    });
+    let mut words = head.map(|token| snapshot.sources().slice(token.span));
+    words.find_map(|word| match word {
+        "vertices" | "neighbors" => Some(Type::Vertex),
+        "halfedges" | "ears" | "patch" => Some(Type::Halfedge),
+        "edges" => Some(Type::Edge),
+        "faces" | "holes" => Some(Type::Face),
+        _ => None,
+    })
 }

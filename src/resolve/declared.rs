@@ -17,10 +17,11 @@ use crate::syntax::tree::{self, Ident, Item, qualified, split_qualified};
 use super::attribute_head::{Head, head};
 use super::builtin::function_names;
 use super::fields::is_taken;
-use super::file::Fields;
+use super::file::{Fields, Types};
 use super::foreign_words;
 use super::neighbor::path;
 use super::report::Report;
+use super::scopes::Scopes;
 use super::sequence_names::fold_names;
 use super::signature::FunctionSignature;
 use super::suggestion::{suggest, suggest_function};
@@ -85,6 +86,8 @@ pub(super) struct Declared {
     lacks: bool,
     /// The meanings of the words after dots that have been seen so far.
     met: RefCell<Fields>,
+    /// The types of the variables that have been seen so far.
+    types: RefCell<Types>,
 }
 
 /// The numbers of items counted so far.
@@ -405,6 +408,16 @@ impl Declared {
     /// Takes the recorded meanings of the words after dots.
     pub(super) fn take_met(&mut self) -> Fields {
         self.met.take()
+    }
+
+    /// Records the types of variables, as far as they are known.
+    pub(super) fn meet_variables(&self, scopes: &Scopes) {
+        self.types.borrow_mut().extend(scopes.types());
+    }
+
+    /// Takes the recorded types of variables.
+    pub(super) fn take_types(&mut self) -> Types {
+        self.types.take()
     }
 
     /// The names of the declared attributes of elements of a type.

@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 
 use crate::diagnostic::Diagnostic;
+use crate::diagram::Type;
 use crate::source::Span;
 use crate::syntax::tree::{self, Ident, Item};
 
@@ -21,6 +22,10 @@ use super::unit::Unit;
 /// `None` for a built-in field. Words of unknown meaning are missing.
 pub type Fields = HashMap<Span, Option<Span>>;
 
+/// The types of the variables of functions, ops in steps, scripts and tests, by the spans of their
+/// names, also where the item has an error.
+pub type Types = HashMap<Span, Type>;
+
 /// A program and its diagnostics.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Resolved {
@@ -30,6 +35,8 @@ pub struct Resolved {
     pub diagnostics: Vec<Diagnostic>,
     /// The meanings of the words after dots.
     pub fields: Fields,
+    /// The types of variables.
+    pub types: Types,
 }
 
 /// Resolves a single file that uses no others: the meaning of every name and the type of every
@@ -127,8 +134,12 @@ pub fn resolve_all(units: &[Unit]) -> Resolved {
         }
     }
     diagnostics.extend(functions.take_diagnostics());
-    let fields = functions.declared.iter_mut().flat_map(Declared::take_met).collect();
+    let (mut fields, mut types) = (Fields::new(), Types::new());
+    for declared in &mut functions.declared {
+        fields.extend(declared.take_met());
+        types.extend(declared.take_types());
+    }
     program.functions = functions.into_resolved();
     diagnostics.sort_by_key(Diagnostic::span);
-    Resolved { program, diagnostics, fields }
+    Resolved { program, diagnostics, fields, types }
 }

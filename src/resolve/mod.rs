@@ -72,7 +72,7 @@ mod test_meshes;
 mod testing;
 
 pub use crate::syntax::tree::Digits;
-pub use file::{Fields, Resolved, resolve, resolve_all};
+pub use file::{Fields, Resolved, Types, resolve, resolve_all};
 pub use program::{
     Block, Body, Function, Op as ResolvedOp, Print, Program, Script, Statement, StatementKind,
     Steps, Test, TestMesh, Variable, Visit,
@@ -82,5 +82,5 @@ pub use testing::is_shape;
 pub use unit::{Unit, qualifier};
 pub use vocabulary::{
     FieldWord, Signature, constants, fields, function_words, is_constant, is_function,
-    mesh_and_constant_words, sequence_words, signatures, type_with_article,
+    mesh_and_constant_words, mesh_words, sequence_words, signatures, type_with_article,
 };

@@ -128,6 +128,7 @@ pub(super) fn resolve_body(
     let block = scripting.body(written);
     let value = scripting.returns.value();
     let scopes = scripting.typing.scopes;
+    declared.meet_variables(&scopes);
     if let Value::Of(ty) = value
         && !report.failed()
         && !ends(&block)

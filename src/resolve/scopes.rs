@@ -107,6 +107,11 @@ impl Scopes {
         })
     }
 
+    /// The types of all variables, by the spans of their names, as far as they are known.
+    pub(super) fn types(&self) -> impl Iterator<Item = (Span, Type)> {
+        self.locals.iter().filter_map(|local| Some((local.span, local.ty?)))
+    }
+
     /// All variables by number; `None` if the type of one is unknown.
     pub(super) fn into_variables(self) -> Option<Vec<Variable>> {
         let variable =

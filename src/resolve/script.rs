@@ -68,6 +68,7 @@ pub(super) fn resolve_script(
     let mut scripting = Scripting::beginning(&params, ops, declared, report);
     let body = scripting.block(&script.body);
     let scopes = scripting.typing.scopes;
+    declared.meet_variables(&scopes);
     if report.failed() {
         return None;
     }

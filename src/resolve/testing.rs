@@ -80,6 +80,7 @@ pub(super) fn resolve_test(
     scripting.actions(rest, &mut body);
     let meshes = scripting.testing.take().unwrap_or_default().all;
     let scopes = scripting.typing.scopes;
+    declared.meet_variables(&scopes);
     if report.failed() {
         return None;
     }

@@ -100,9 +100,14 @@ pub fn sequence_words() -> impl Iterator<Item = &'static str> {
     WHOLE_MESH.iter().map(|(word, _)| *word)
 }
 
+/// The functions that make the mesh of a test, each with whether it takes arguments.
+pub fn mesh_words() -> impl Iterator<Item = (&'static str, bool)> {
+    CONSTRUCTORS.iter().map(|(word, sizes)| (*word, !sizes.is_empty())).chain([("load", true)])
+}
+
 /// The words for the meshes of a test, and the constants.
 pub fn mesh_and_constant_words() -> impl Iterator<Item = &'static str> {
-    CONSTRUCTORS.iter().map(|(word, _)| *word).chain(["load", "refuses", "mesh"]).chain(constants())
+    mesh_words().map(|(word, _)| word).chain(["refuses", "mesh"]).chain(constants())
 }
 
 /// The constants of the language.

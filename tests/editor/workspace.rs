@@ -191,3 +191,19 @@ fn symbols_are_those_of_the_workspace() {
     assert_eq!(symbols(&mut client, "far"), [""; 0]);
     assert_eq!(symbols(&mut client, "near"), ["far.hedge:1"]);
 }
+
+#[test]
+fn a_file_appears_that_only_a_used_file_looks_for() {
+    let mut client = Client::able("utf-8");
+    let give = |client: &mut Client, name: &str, text: &str| {
+        let file = json!({ "uri": format!("file:///work/parts/{name}"), "text": text });
+        client.notify("hedgerow/files", json!({ "files": [file] }));
+    };
+    give(&mut client, "b.hedge", "use \"c.hedge\"\nscript b() { c() }\n");
+    client.open("use \"parts/b.hedge\"\nscript main() { b() }\n");
+    let errors =
+        |client: &Client| client.published().unwrap()["diagnostics"].as_array().unwrap().len();
+    assert_eq!(errors(&client), 1);
+    give(&mut client, "c.hedge", "script c() { }\n");
+    assert_eq!(errors(&client), 0);
+}

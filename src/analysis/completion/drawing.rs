@@ -1,18 +1,25 @@
 //! Completions in a drawing.
 
 use super::choice::{Choice, Completion};
-use super::words::{DRAWINGS, LISTS, keywords};
+use super::words::{DRAWINGS, LISTS, keywords, kinds};
 use crate::analysis::cursor_context::{Wanted, op_near, rule_near};
 use crate::analysis::edits::statement_span;
 use crate::analysis::element::{Fate, element_of};
 use crate::analysis::names::{SideName, Symbol, SymbolId, SymbolKind};
-use crate::analysis::side::{Sketch, subject};
+use crate::analysis::side::{Sketch, draws_erased, subject};
 use crate::analysis::snapshot::Snapshot;
 use crate::diagram::Kind;
-use crate::syntax::tree::{Rule, Statement};
+use crate::syntax::tree::Rule;
+
+/// The results of an op: a name that it draws or, in steps, the kind of an element.
+pub(super) fn results(snapshot: &Snapshot, offset: usize) -> Vec<Completion> {
+    let op = op_near(snapshot, offset).map(|(_, op)| op);
+    let is_drawn = op.is_some_and(|op| op.rules.iter().any(|rule| rule.before.is_some()));
+    if is_drawn { drawn(snapshot, offset) } else { kinds() }
+}
 
 /// The names that an op may return.
-pub(super) fn drawn(snapshot: &Snapshot, offset: usize) -> Vec<Completion> {
+fn drawn(snapshot: &Snapshot, offset: usize) -> Vec<Completion> {
     let Some((item, _)) = op_near(snapshot, offset) else {
         return Vec::new();
     };
@@ -82,19 +89,11 @@ pub(super) fn of_side(
 
 /// Completions that restate the statements of `before` that `after` does not mention yet.
 fn open_statements(snapshot: &Snapshot, rule: &Rule, after: &Sketch) -> Vec<Completion> {
-    let lists = rule.after.iter().flat_map(|side| &side.statements);
-    let erased: Vec<&str> = lists
-        .filter_map(|statement| match statement {
-            Statement::Erase(names, _) => Some(names),
-            _ => None,
-        })
-        .flatten()
-        .map(|name| name.ident.text.as_str())
-        .collect();
+    let erases = |statement| rule.after.as_ref().is_some_and(|side| draws_erased(statement, side));
     let statements = rule.before.iter().flat_map(|side| &side.statements);
     let open = statements.filter_map(|statement| {
         let name = &subject(statement)?.ident.text;
-        if after.is_subject(name) || erased.contains(&name.as_str()) {
+        if after.is_subject(name) || erases(statement) {
             return None;
         }
         let text = snapshot.sources().slice(statement_span(statement));

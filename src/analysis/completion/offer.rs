@@ -1,8 +1,8 @@
 //! The completions for each context of a cursor.
 
 use super::choice::{Choice, Completion};
-use super::drawing::{drawn, of_side};
-use super::value::{of_chain, of_file, values};
+use super::drawing::{of_side, results};
+use super::value::{meshes, of_chain, of_file, values};
 use super::words::{PARTS, TOP, keywords, types};
 use crate::analysis::cursor_context::{CursorContext, place};
 use crate::analysis::snapshot::Snapshot;
@@ -24,7 +24,12 @@ pub fn completions(snapshot: &Snapshot, offset: usize) -> Vec<Completion> {
         CursorContext::Level => {
             ["surface", "simple"].map(|level| Completion::new(level, Choice::Property, 0)).to_vec()
         }
-        CursorContext::Result => drawn(snapshot, offset),
+        CursorContext::Result => results(snapshot, offset),
+        CursorContext::Mesh => meshes(snapshot, offset),
+        CursorContext::Words(words) => {
+            let words = words.iter();
+            words.map(|word| Completion::new(*word, Choice::Keyword, 0)).collect()
+        }
         CursorContext::OpBody => keywords(PARTS),
         CursorContext::Side(side, wanted) => of_side(snapshot, offset, side, wanted),
         CursorContext::Value(start) => values(snapshot, offset, start),

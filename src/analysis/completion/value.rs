@@ -4,18 +4,26 @@ use super::choice::{Choice, Completion};
 use super::drawing::named;
 use super::words::{ACTIONS, keywords};
 use crate::analysis::cursor_context::{Start, item_near, rule_near};
-use crate::analysis::names::{Names, Symbol, SymbolId, SymbolKind};
+use crate::analysis::loop_heads::bound_near;
+use crate::analysis::names::{Names, Symbol, SymbolKind};
 use crate::analysis::snapshot::Snapshot;
-use crate::analysis::types::type_of;
+use crate::analysis::types::{type_named, type_of};
 use crate::diagram::{Kind, Type};
-use crate::resolve::{fields, function_words, sequence_words, signatures};
-use crate::syntax::tree::Item;
+use crate::resolve::{fields, function_words, mesh_words, sequence_words, signatures};
+use crate::syntax::tree::{Attr, Item};
 
 /// Completions in a value; a statement, where one may begin.
 pub(super) fn values(snapshot: &Snapshot, offset: usize, start: Start) -> Vec<Completion> {
     let mut found = Vec::new();
     if start == Start::Statement {
         found.extend(keywords(ACTIONS));
+    }
+    if start == Start::Default {
+        found.push(Completion::new("inherited", Choice::Keyword, 2).with("inherited($1)"));
+    }
+    if matches!(item_near(snapshot, offset), Some((_, Item::Test(_)))) {
+        found.push(Completion::new("mesh", Choice::Variable, 1));
+        found.push(Completion::new("refuses", Choice::Function, 1).with("refuses($1)"));
     }
     let sequence_rank = if start == Start::Sequence { 0 } else { 4 };
     let sequences = sequence_words();
@@ -41,6 +49,15 @@ pub(super) fn values(snapshot: &Snapshot, offset: usize, start: Start) -> Vec<Co
     found
 }
 
+/// What a mesh of a test can be.
+pub(super) fn meshes(snapshot: &Snapshot, offset: usize) -> Vec<Completion> {
+    let made = mesh_words().map(|(word, takes)| {
+        let call = if takes { format!("{word}($1)") } else { format!("{word}()") };
+        Completion::new(word, Choice::Function, 0).with(&call)
+    });
+    made.chain(variables(snapshot, offset)).collect()
+}
+
 /// What the used files of a name declare, to be called.
 pub(super) fn of_file(snapshot: &Snapshot, file: &str) -> Vec<Completion> {
     snapshot.seen_items(Some(file)).filter_map(called).collect()
@@ -60,8 +77,10 @@ fn called(item: &Item) -> Option<Completion> {
 /// The variables and parameters of the item around a byte; in an op also the elements it draws.
 fn variables(snapshot: &Snapshot, offset: usize) -> Vec<Completion> {
     let names = snapshot.names();
+    let bound = bound_near(snapshot, offset).into_iter();
+    let bound = bound.map(|(name, ty)| variable(name, ty));
     let Some((item, node)) = item_near(snapshot, offset) else {
-        return Vec::new();
+        return bound.collect();
     };
     let is_op = matches!(node, Item::Op(_));
     let rule = rule_near(snapshot, offset).map(|(_, rule, _)| rule);
@@ -70,22 +89,23 @@ fn variables(snapshot: &Snapshot, offset: usize) -> Vec<Completion> {
     let own = names.symbols().filter(|(_, symbol)| {
         symbol.item == Some(item) && (symbol.rule.is_none() || symbol.rule == rule)
     });
-    own.filter_map(|(id, symbol)| match symbol.kind {
+    let own = own.filter_map(|(id, symbol)| match symbol.kind {
         SymbolKind::Element(Some(kind)) if is_op && !matches!(kind, Kind::Path | Kind::Fan) => {
             Some(named(symbol, kind, 1))
         }
-        SymbolKind::Parameter => Some(variable(snapshot, id, symbol)),
-        SymbolKind::Variable if before(symbol) => Some(variable(snapshot, id, symbol)),
+        SymbolKind::Variable if !before(symbol) => None,
+        SymbolKind::Parameter | SymbolKind::Variable => {
+            Some(variable(&symbol.name, type_of(snapshot, id)))
+        }
         _ => None,
-    })
-    .collect()
+    });
+    own.chain(bound).collect()
 }
 
-fn variable(snapshot: &Snapshot, id: SymbolId, symbol: &Symbol) -> Completion {
-    let ty = type_of(snapshot, id).map_or("", Type::word);
+fn variable(name: &str, ty: Option<Type>) -> Completion {
     Completion {
-        detail: ty.to_owned(),
-        ..Completion::new(symbol.name.clone(), Choice::Variable, 1)
+        detail: ty.map_or("", Type::word).to_owned(),
+        ..Completion::new(name, Choice::Variable, 1)
     }
 }
 
@@ -102,22 +122,41 @@ pub(super) fn of_chain(snapshot: &Snapshot, offset: usize, chain: &[String]) -> 
         .into_iter()
         .map(|known| field(known.name, known.ty, u8::from(!known.is_attribute)))
         .collect();
-    for item in snapshot.items() {
-        if let Item::Attr(attr) = item
-            && attr.kind.text == ty.word()
-        {
-            let word = attr.name.text.clone();
-            found.push(Completion {
-                detail: attr.ty.text.clone(),
-                ..Completion::new(word, Choice::Field, 0)
-            });
-        }
-    }
+    found.extend(attributes(snapshot, ty).map(|attr| Completion {
+        detail: attr.ty.text.clone(),
+        ..Completion::new(attr.name.text.clone(), Choice::Field, 0)
+    }));
     found
+}
+
+/// The attributes of elements of a type that the text or a file it uses declares.
+fn attributes(snapshot: &Snapshot, of: Type) -> impl Iterator<Item = &Attr> {
+    let items = snapshot.items().iter().chain(snapshot.seen_items(None));
+    items.filter_map(move |item| match item {
+        Item::Attr(attr) if attr.kind.text == of.word() => Some(attr),
+        _ => None,
+    })
 }
 
 fn chain_type(snapshot: &Snapshot, offset: usize, chain: &[String]) -> Option<Type> {
     let (first, rest) = chain.split_first()?;
+    let mut ty = type_of_name(snapshot, offset, first)?;
+    for word in rest {
+        let declared = || attributes(snapshot, ty).find(|attr| attr.name.text == *word);
+        ty = match fields(ty).into_iter().find(|field| field.name == word) {
+            Some(known) => known.ty?,
+            None => type_named(&declared()?.ty.text)?,
+        };
+    }
+    Some(ty)
+}
+
+/// The type of what a name stands for at a byte.
+fn type_of_name(snapshot: &Snapshot, offset: usize, name: &str) -> Option<Type> {
+    let bound = bound_near(snapshot, offset);
+    if let Some((_, ty)) = bound.into_iter().rfind(|(bound, _)| *bound == name) {
+        return ty;
+    }
     let (item, _) = item_near(snapshot, offset)?;
     let names: &Names = snapshot.names();
     // Of several variables of a name, the last before the cursor is the likeliest.
@@ -125,13 +164,8 @@ fn chain_type(snapshot: &Snapshot, offset: usize, chain: &[String]) -> Option<Ty
         .symbols()
         .filter(|(_, symbol)| {
             let is_before = symbol.definition.is_none_or(|place| (place.start as usize) < offset);
-            symbol.name == *first && symbol.item == Some(item) && is_before
+            symbol.name == name && symbol.item == Some(item) && is_before
         })
         .last();
-    let mut ty = type_of(snapshot, symbol?.0)?;
-    for word in rest {
-        let known = fields(ty).into_iter().find(|field| field.name == word)?;
-        ty = known.ty?;
-    }
-    Some(ty)
+    type_of(snapshot, symbol?.0)
 }

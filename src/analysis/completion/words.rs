@@ -64,9 +64,13 @@ pub(super) fn keywords(words: &[(&str, &str)]) -> Vec<Completion> {
 
 /// The types of values and elements.
 pub(super) fn types() -> Vec<Completion> {
-    let words = [
-        "edge", "face", "halfedge", "vertex", "bool", "int", "real", "vec2", "vec3", "mat3",
-        "mat4", "text",
-    ];
+    let words = ["bool", "int", "real", "vec2", "vec3", "mat3", "mat4", "text"];
+    let values = words.map(|word| Completion::new(word, Choice::Type, 0));
+    kinds().into_iter().chain(values).collect()
+}
+
+/// The types of elements.
+pub(super) fn kinds() -> Vec<Completion> {
+    let words = ["edge", "face", "halfedge", "vertex"];
     words.map(|word| Completion::new(word, Choice::Type, 0)).to_vec()
 }
