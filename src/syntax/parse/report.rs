@@ -11,6 +11,9 @@ use crate::syntax::tree::split_qualified;
 /// The start of the note about a keyword used as a name.
 const ANOTHER_NAME: &str = "another name is needed";
 
+/// The label at a brace that is not closed.
+const NOT_CLOSED: &str = "this `{` is not closed";
+
 /// The context of a failure.
 pub(super) struct Around<'t> {
     /// The text of the file.
@@ -39,6 +42,7 @@ impl<'t> Around<'t> {
 /// a leftover closing brace, the same one again, everything after a block without braces.
 pub(super) fn report_all(failures: Vec<Failure>, around: &Around) -> Vec<Diagnostic> {
     let mut told: Vec<Diagnostic> = Vec::new();
+    let places: Vec<u32> = failures.iter().map(|failure| failure.span.start).collect();
     for failure in failures {
         let is_mistake = failure.mistake.is_some();
         let leftover = failure.found == Some(T::RightBrace) && wanted(&failure).is_empty();
@@ -55,6 +59,14 @@ pub(super) fn report_all(failures: Vec<Failure>, around: &Around) -> Vec<Diagnos
         });
         if is_mistake || !follows {
             told.push(said);
+        }
+    }
+    // Where something else is wrong in a block, perhaps more than its brace is missing.
+    for told in &mut told {
+        let brace = told.labels.iter().find(|label| label.text == NOT_CLOSED);
+        let block = brace.map(|brace| brace.span.start..told.span().start);
+        if block.is_some_and(|block| places.iter().any(|place| block.contains(place))) {
+            told.fixes.clear();
         }
     }
     told
@@ -272,13 +284,27 @@ fn not_closed(open: usize, failure: &Failure, found: String, around: &Around) ->
     };
     let told = Diagnostic::error("syntax-error", message, place)
         .saying("a `}` is missing")
-        .label(brace, "this `{` is not closed");
+        .label(brace, NOT_CLOSED);
     let line = line_before(around.text, around.item[unclosed.head].span);
     let indent = &line[..line.len() - line.trim_start().len()];
-    match (place.start == place.end && is_certain, unclosed.on_one_line) {
-        (true, true) => told.fix("close it here", place, " }"),
-        (true, false) => told.fix("close it here", place, format!("\n{indent}}}")),
+    let end = around.item[unclosed.end - 1].span.after();
+    match (is_certain, unclosed.on_one_line) {
+        (true, true) => told.fix("close it here", end, " }"),
+        (true, false) => {
+            let end = behind_comment(end, around.text);
+            told.fix("close it here", end, format!("\n{indent}}}"))
+        }
         (false, _) => told,
+    }
+}
+
+/// The place behind the comment that follows on the line, if there is one.
+fn behind_comment(place: Span, text: &str) -> Span {
+    let rest = text.get(place.end as usize..).unwrap_or("");
+    let rest = rest.lines().next().unwrap_or("").trim_end();
+    match rest.trim_start().starts_with("//") {
+        true => Span { end: place.end + rest.len() as u32, ..place }.after(),
+        false => place,
     }
 }
 

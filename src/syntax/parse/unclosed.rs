@@ -19,7 +19,7 @@ pub(super) struct Unclosed {
     pub brace: usize,
     /// The index of the first token of the statement whose block it opens.
     pub head: usize,
-    /// The index of the first token that is indented less than the block, or of the end.
+    /// The index of the first token that is not inside of the block, as it is indented.
     pub end: usize,
     /// True if the block is on the line of its brace.
     pub on_one_line: bool,
@@ -61,25 +61,65 @@ impl<'t> Braces<'t> {
         open == 1
     }
 
-    /// The brace that is not closed: one whose closing brace is indented less than its statement,
-    /// and so probably closes the surrounding block, or else the one that is open.
+    /// The brace that is not closed: one that something certainly is outside of, one whose closing
+    /// brace is indented less than its statement, and so probably closes the surrounding block, or
+    /// else the one that is open.
     pub(super) fn unclosed(&self, open: usize) -> Unclosed {
+        if let Some((brace, end)) = self.outside() {
+            return self.ending(brace, end);
+        }
         let inner = self.item.iter().enumerate().find_map(|(at, token)| {
             let begins_line = token.kind == T::RightBrace && self.line[at] == at;
             let opened = self.open[at].filter(|_| begins_line)?;
             (self.width[at] < self.width[self.head(opened)]).then_some(opened)
         });
         let brace = inner.unwrap_or(open);
-        let (head, body) = (self.head(brace), self.body(brace));
+        let body = self.body(brace);
         let mut behind = brace + 1..self.item.len();
         let end = behind.find(|&at| self.line[at] == at && self.width[at] < body);
-        let end = end.unwrap_or(self.item.len());
+        self.ending(brace, end.unwrap_or(self.item.len()))
+    }
+
+    /// The first token that cannot be inside of the innermost open block, and the brace of that: an
+    /// `else` that follows no block, or a `)` that closes a parenthesis around the block.
+    fn outside(&self) -> Option<(usize, usize)> {
+        let mut open: Vec<usize> = Vec::new();
+        let is = |at: &usize, kind: T| self.item[*at].kind == kind;
+        for (at, token) in self.item.iter().enumerate() {
+            match token.kind {
+                T::LeftBrace | T::LeftParen => open.push(at),
+                T::RightBrace => while open.pop().is_some_and(|at| !is(&at, T::LeftBrace)) {},
+                T::RightParen if open.last().is_some_and(|at| is(at, T::LeftParen)) => {
+                    open.pop();
+                }
+                T::RightParen if open.iter().any(|at| is(at, T::LeftParen)) => {
+                    return Some((*open.last()?, at));
+                }
+                T::Else if self.is_misplaced(at) => return Some((self.open[at]?, at)),
+                _ => {}
+            }
+        }
+        None
+    }
+
+    /// True if an `else` before a block follows no block, or is indented less than what is around.
+    fn is_misplaced(&self, at: usize) -> bool {
+        let kind = |at: usize| self.item.get(at).map(|token| token.kind);
+        let begins_block = matches!(kind(at + 1), Some(T::LeftBrace | T::If));
+        let follows_block = at > 0 && kind(at - 1) == Some(T::RightBrace);
+        let is_less = |open| self.line[at] == at && self.width[at] < self.body(open);
+        begins_block && (!follows_block || self.open[at].is_some_and(is_less))
+    }
+
+    /// The brace that is not closed, and the index of the token before which its block ends.
+    fn ending(&self, brace: usize, end: usize) -> Unclosed {
+        let head = self.head(brace);
         Unclosed {
             brace,
             head,
             end,
             on_one_line: end > brace + 1 && self.line[end - 1] == self.line[brace],
-            is_indented: self.width[head] < body,
+            is_indented: self.width[head] < self.body(brace),
         }
     }
 

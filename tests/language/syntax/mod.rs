@@ -1,5 +1,6 @@
 //! What the parser makes of texts: pages of trees and messages, and noise.
 
+mod braces;
 mod dump;
 mod grammar;
 mod noise;
