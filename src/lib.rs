@@ -98,6 +98,27 @@
 //! # }
 //! ```
 //!
+//! What was done since a mark is undone, bit for bit; [`Session::attempt`] undoes what fails. The
+//! element that an operation returns is an id of its kind:
+//!
+//! ```
+//! use hedgerow::mesh::{EdgeId, VertexId, shape};
+//! use hedgerow::{Program, Session};
+//!
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! let program = Program::load("std/triangle.hedge")?;
+//! let mut session = Session::new(&program, shape::octahedron());
+//! let mark = session.mark();
+//! if let Some(new) = session.apply(&program.op("split")?, EdgeId(0))?.result() {
+//!     let vertex = VertexId::try_from(new)?;
+//!     assert_eq!(session.mesh().spokes(vertex).count(), 4);
+//! }
+//! session.undo(mark)?;
+//! assert_eq!(session.mesh().vertex_count(), 6);
+//! # Ok(())
+//! # }
+//! ```
+//!
 //! Bad input is an error that gives the places in the program, never a panic:
 //!
 //! ```
@@ -191,9 +212,11 @@ pub mod source;
 #[doc(hidden)]
 pub mod syntax;
 
+pub use analysis::{Disk, Reader};
+pub use diagram::Type;
 #[cfg(feature = "threads")]
 pub use mesh::set_threads;
-pub use rewrite::{Unwatched, Watch};
+pub use rewrite::{Engine, Unwatched, Watch};
 pub use run::{Argument, OpReport, Report};
 pub use session::{
     Arguments, Error, Function, Given, KeptMask, Mark, Match, Op, Outcome, Parameter, Program,

@@ -13,7 +13,7 @@ use crate::emit::{NotEmitted, Selection};
 /// The modules that emitted code imports from, each with what it takes from it.
 const IMPORTED: [(&str, &str); 3] = [
     ("std::collections", "HashMap"),
-    ("glam", "DMat3 DMat4 DVec2 DVec3 DVec4"),
+    ("hedgerow::mesh::glam", "DMat3 DMat4 DVec2 DVec3 DVec4"),
     (
         "hedgerow::mesh",
         "Attribute ColumnId EdgeId ElementKind FaceId HalfedgeId Level Mesh VertexId \

@@ -78,6 +78,17 @@ macro_rules! element_id {
             }
         }
 
+        impl TryFrom<Element> for $id {
+            type Error = OtherKind;
+
+            fn try_from(element: Element) -> Result<Self, OtherKind> {
+                match element.kind {
+                    ElementKind::$kind => Ok(Self(element.index)),
+                    _ => Err(OtherKind { element, wanted: $id::KIND }),
+                }
+            }
+        }
+
         /// `vertex 3`, or `no vertex`.
         impl fmt::Display for $id {
             fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -144,3 +155,18 @@ impl fmt::Debug for Element {
         fmt::Display::fmt(self, f)
     }
 }
+
+/// The error for an element of another kind than the wanted one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct OtherKind {
+    pub element: Element,
+    pub wanted: ElementKind,
+}
+
+impl fmt::Display for OtherKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} is not of kind {}", self.element, self.wanted)
+    }
+}
+
+impl std::error::Error for OtherKind {}

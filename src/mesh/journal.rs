@@ -29,6 +29,16 @@ impl Mesh {
         Bookmark(self.journal.notes.len())
     }
 
+    /// Gives the journals that are opened from now on a name, which copies of the mesh share.
+    pub(crate) fn sign_journal(&mut self, name: u64) {
+        self.journal.name = name;
+    }
+
+    /// Whether a journal is open, and has this name: not on a mesh that has taken the place of it.
+    pub(crate) fn is_journal_of(&self, name: u64) -> bool {
+        self.journal.may_roll_back() && self.journal.name == name
+    }
+
     /// Ends the journal and keeps what was written since.
     pub fn keep(&mut self, _mark: Bookmark) {
         self.journal.open = self.journal.open.saturating_sub(1);

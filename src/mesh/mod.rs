@@ -87,7 +87,7 @@ pub use file::{
 };
 pub use geometry::direction;
 pub use history::History;
-pub use id::{EdgeId, Element, ElementKind, FaceId, HalfedgeId, VertexId};
+pub use id::{EdgeId, Element, ElementKind, FaceId, HalfedgeId, OtherKind, VertexId};
 pub use identical::{identical, identical_but_for_scratch};
 pub use invalid::Invalid;
 pub use level::{BelowLevel, Level, highest_level, validate_level};

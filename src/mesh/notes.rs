@@ -114,6 +114,8 @@ impl Note {
 pub(super) struct Journal {
     pub(super) notes: Vec<Note>,
     pub(super) open: usize,
+    /// Given by who opened them.
+    pub(super) name: u64,
     pub(super) recorder: Option<Box<Recorder>>,
 }
 

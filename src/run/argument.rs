@@ -1,5 +1,7 @@
 //! Arguments: values that a caller passes for the parameters of a script.
 
+use std::num::TryFromIntError;
+
 use glam::{DMat3, DMat4, DVec2, DVec3, DVec4};
 
 use crate::compile::width;
@@ -13,7 +15,8 @@ pub enum Argument {
     Int(i64),
     /// A finite number, as is each component of a vector.
     Real(f64),
-    /// The components of a vector or matrix of this type; matrices column by column.
+    /// The components of a vector or matrix of this type, as many as it has; matrices column by
+    /// column.
     Reals(Type, Vec<f64>),
     Text(String),
     /// An element of the mesh that the script runs on.
@@ -63,6 +66,18 @@ impl Argument {
         }
     }
 
+    /// The number of its components, unless a vector or matrix of its type has as many.
+    pub(super) fn wrong_count(&self) -> Option<usize> {
+        match self {
+            Self::Reals(ty, parts) => {
+                let is_wide = ty.is_vector() || ty.is_matrix();
+                let fits = is_wide && parts.len() == usize::from(width(*ty));
+                (!fits).then_some(parts.len())
+            }
+            _ => None,
+        }
+    }
+
     /// Whether its numbers are finite.
     pub(super) fn is_finite(&self) -> bool {
         match self {
@@ -78,10 +93,7 @@ impl Argument {
             Self::Bool(value) => slots.push(u64::from(*value)),
             Self::Int(value) => slots.push(*value as u64),
             Self::Real(value) => slots.push(value.to_bits()),
-            Self::Reals(ty, parts) => {
-                let parts = parts.iter().copied().chain(std::iter::repeat(0.0));
-                slots.extend(parts.take(usize::from(width(*ty))).map(f64::to_bits));
-            }
+            Self::Reals(_, parts) => slots.extend(parts.iter().map(|part| part.to_bits())),
             Self::Text(text) => {
                 // Equal texts have equal numbers.
                 let known = texts.iter().position(|known| known == text);
@@ -114,6 +126,7 @@ from! {
     i32: |value| Self::Int(value.into());
     u32: |value| Self::Int(value.into());
     f64: Self::Real;
+    f32: |value| Self::Real(value.into());
     String: Self::Text;
     &str: |value| Self::Text(value.to_owned());
     [f64; 2]: |value| Self::Reals(Type::Vec2, value.into());
@@ -130,6 +143,21 @@ from! {
     EdgeId: |value| Element::from(value).into();
     FaceId: |value| Element::from(value).into();
 }
+
+/// Conversions of whole numbers that may be too large.
+macro_rules! try_from {
+    ($($type:ty)*) => {
+        $(impl TryFrom<$type> for Argument {
+            type Error = TryFromIntError;
+
+            fn try_from(value: $type) -> Result<Self, TryFromIntError> {
+                value.try_into().map(Self::Int)
+            }
+        })*
+    };
+}
+
+try_from! { u64 usize isize }
 
 /// An example of the text of a value of a type, if there is a short one.
 pub(super) fn sample(ty: Type) -> Option<&'static str> {

@@ -338,6 +338,12 @@ impl Prepared {
                     if param.ty != value.ty() {
                         return Err(wrong_type(param, value.ty()));
                     }
+                    if let Some(given) = value.wrong_count() {
+                        let message =
+                            format!("the number of reals given for `{}` is {given}", param.name);
+                        return Err(Diagnostic::error("wrong-argument", message, param.span)
+                            .note(format!("it wants {}", wanted(param.ty))));
+                    }
                     if !value.is_finite() {
                         let message = format!("`{}` is not finite", param.name);
                         return Err(Diagnostic::error("wrong-argument", message, param.span));

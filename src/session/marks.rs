@@ -1,7 +1,7 @@
 //! Undoing changes back to a mark.
 
 use super::level::Known;
-use super::{Error, Session};
+use super::{Error, Session, new_name};
 use crate::mesh::{Bookmark, Level};
 
 /// A state of the mesh that can be restored.
@@ -12,7 +12,6 @@ pub struct Mark(u64);
 #[derive(Debug, Default)]
 pub(super) struct Marks {
     open: Vec<(Mark, Bookmark, Known)>,
-    made: u64,
     /// The level that was found behind a mark and forgotten when the mark was undone: the next mark
     /// looks for it first, so that it stays known.
     forgotten: Option<Level>,
@@ -25,8 +24,11 @@ impl Session {
         if let Some(level) = self.marks.forgotten.take() {
             self.known.seek(level, &self.mesh);
         }
-        self.marks.made += 1;
-        let mark = Mark(self.marks.made);
+        self.end_lost_marks();
+        let mark = Mark(new_name());
+        if self.marks.open.is_empty() {
+            self.mesh.sign_journal(mark.0);
+        }
         self.marks.open.push((mark, self.mesh.open_journal(), self.known));
         mark
     }
@@ -35,7 +37,8 @@ impl Session {
     /// ones. The cost is proportional to what was written.
     ///
     /// # Errors
-    /// The mark has ended, or belongs to another session (`unknown-mark`).
+    /// The mark has ended, also by another mesh in the place of the marked one, or belongs to
+    /// another session (`unknown-mark`).
     pub fn undo(&mut self, mark: Mark) -> Result<(), Error> {
         self.end(mark, |session, bookmark, known| {
             session.masks.note(&session.mesh, &bookmark);
@@ -46,6 +49,7 @@ impl Session {
                 session.marks.forgotten = Some(found);
             }
             session.known = known;
+            session.release_others();
             // Columns may have been added since.
             session.engine.unbind();
         })
@@ -64,8 +68,10 @@ impl Session {
         mark: Mark,
         mut with: impl FnMut(&mut Self, Bookmark, Known),
     ) -> Result<(), Error> {
+        self.end_lost_marks();
         let Some(at) = self.marks.open.iter().position(|(open, ..)| *open == mark) else {
-            let message = "this mark has ended, or belongs to another session";
+            let message = "this mark has ended, belongs to another session, or was of a mesh \
+                           that another one has replaced";
             return Err(self.wrong("unknown-mark", message));
         };
         while self.marks.open.len() > at {
@@ -76,8 +82,17 @@ impl Session {
         Ok(())
     }
 
+    /// Ends all marks if the mesh is not the one that they were set on.
+    fn end_lost_marks(&mut self) {
+        let first = self.marks.open.first();
+        if first.is_some_and(|(first, ..)| !self.mesh.is_journal_of(first.0)) {
+            self.marks.open.clear();
+        }
+    }
+
     /// Does several things, all or nothing: if they end in an error or a panic, the mesh is
-    /// restored to its state before.
+    /// restored to its state before. If `act` puts another mesh in its place, through
+    /// [`mesh_mut`](Self::mesh_mut), that one stays.
     ///
     /// ```
     /// # use hedgerow::{Program, Session, mesh::shape};

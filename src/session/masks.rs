@@ -1,7 +1,7 @@
 //! Masks that are kept up to date while operations change the mesh.
 
 use super::questions::Free;
-use super::{Arguments, Error, Op, Session, Verdict};
+use super::{Arguments, Error, Op, Session, Verdict, new_name};
 use crate::mesh::{Bookmark, ElementKind, Level, Mesh};
 use crate::rewrite::Asked;
 use crate::run::Argument;
@@ -14,7 +14,6 @@ pub struct KeptMask(u64);
 #[derive(Debug, Default)]
 pub(super) struct Masks {
     all: Vec<Kept>,
-    made: u64,
 }
 
 #[derive(Debug)]
@@ -84,8 +83,7 @@ impl Session {
         let Free { application, at, kind, slot } = self.free_parameter(op, arguments)?;
         let names = application.columns().names();
         let asked = Asked::new(kind, application.question(at), names);
-        self.masks.made += 1;
-        let name = KeptMask(self.masks.made);
+        let name = KeptMask(new_name());
         self.masks.all.push(Kept {
             name,
             op: op.clone(),

@@ -26,6 +26,8 @@ mod questions;
 #[allow(clippy::module_inception)]
 mod session;
 
+use std::sync::atomic::{AtomicU64, Ordering};
+
 pub use arguments::{Arguments, Given};
 pub use error::Error;
 pub use item::{Function, Op, Parameter, Script};
@@ -36,3 +38,9 @@ pub use program::Program;
 pub use questions::Match;
 pub use session::Session;
 pub use values::Values;
+
+/// A number that no other call returns, in any session: a name for what a session makes.
+fn new_name() -> u64 {
+    static MADE: AtomicU64 = AtomicU64::new(1);
+    MADE.fetch_add(1, Ordering::Relaxed)
+}

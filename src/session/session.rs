@@ -1,5 +1,7 @@
 //! A mesh with everything that calls of operations and scripts need.
 
+use std::borrow::Cow;
+
 use super::engine::Engine;
 use super::level::Known;
 use super::marks::Marks;
@@ -7,7 +9,7 @@ use super::masks::Masks;
 use super::{Arguments, Error, Given, Op, Outcome, Program, Script};
 use crate::diagnostic::Diagnostic;
 use crate::mesh::{Element, ElementKind, Mesh};
-use crate::rewrite::{self, Machine, Trap, Unwatched, Watch};
+use crate::rewrite::{self, Code, Machine, Trap, Unwatched, Watch};
 use crate::run::{self, Application, Argument, Columns, Failure, Prepared, Report};
 
 /// A mesh on which operations and scripts of one program are called.
@@ -92,6 +94,11 @@ impl Session {
         self.others.push(std::mem::replace(&mut self.engine, next));
     }
 
+    /// Removes the scratch attributes of the other programs, which may have come back.
+    pub(super) fn release_others(&mut self) {
+        self.others.iter().for_each(|other| other.release(&mut self.mesh));
+    }
+
     /// An engine with the settings of the session.
     fn new_engine(&self, program: &Program) -> Engine {
         let mut engine = Engine::new(program);
@@ -113,7 +120,8 @@ impl Session {
         &self.mesh
     }
 
-    /// The mesh, to be changed by hand. Its level must be determined anew afterwards.
+    /// The mesh, to be changed by hand. Its level must be determined anew afterwards. To put another
+    /// mesh in its place ends all marks.
     pub fn mesh_mut(&mut self) -> &mut Mesh {
         self.engine.unbind();
         self.known = Known::NOTHING;
@@ -273,7 +281,8 @@ impl Session {
         if !std::mem::replace(&mut self.engine.bound_scripts[script.index], true) {
             self.bind(prepared.columns())?;
         }
-        self.go(prepared, watch)
+        let code = self.filled(prepared)?;
+        self.go((prepared, &code), watch)
     }
 
     /// As [`run_watched`](Self::run_watched), with a history of the last operations that it
@@ -291,29 +300,31 @@ impl Session {
         (outcome, self.mesh.take_history().unwrap_or_default())
     }
 
-    /// Runs prepared code with the given values; its columns are on the mesh.
-    pub(super) fn go(
-        &mut self,
-        prepared: &Prepared,
-        watch: &mut dyn Watch,
-    ) -> Result<Report, Error> {
-        let mut texts = prepared.code().texts.clone();
-        let known = texts.len();
+    /// Fills the slots with the given values. Returns the code to run, whose texts include theirs.
+    pub(super) fn filled<'p>(&mut self, prepared: &'p Prepared) -> Result<Cow<'p, Code>, Error> {
+        let code = prepared.code();
+        let mut texts = code.texts.clone();
         let filled = prepared.fill(&self.mesh, &self.values, &mut texts, &mut self.slots);
         filled.map_err(|error| self.error(error))?;
+        Ok(match texts.len() == code.texts.len() {
+            true => Cow::Borrowed(code),
+            false => Cow::Owned(Code { texts, ..code.clone() }),
+        })
+    }
+
+    /// Runs prepared code, as it has been [filled](Self::filled); its columns are on the mesh.
+    pub(super) fn go(
+        &mut self,
+        (prepared, code): (&Prepared, &Code),
+        watch: &mut dyn Watch,
+    ) -> Result<Report, Error> {
         if self.masks.are_kept() && prepared.changes() {
             self.masks.forget();
         }
         self.engine.machine.forget_created();
         self.engine.machine.clear_counts();
         self.engine.machine.trust_level(self.known.level());
-        let outcome = match texts.len() == known {
-            true => self.engine.machine.run(&mut self.mesh, prepared.code(), &self.slots, watch),
-            false => {
-                let code = rewrite::Code { texts, ..prepared.code().clone() };
-                self.engine.machine.run(&mut self.mesh, &code, &self.slots, watch)
-            }
-        };
+        let outcome = self.engine.machine.run(&mut self.mesh, code, &self.slots, watch);
         self.known.leave(self.engine.machine.level());
         prepared.columns().clear(&mut self.mesh);
         let report = run::report(prepared, self.engine.machine.counts());

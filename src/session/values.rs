@@ -4,8 +4,8 @@ use super::questions::free_parameter;
 use super::{Arguments, Error, Function, Session};
 use crate::diagram::Type;
 use crate::mesh::ElementKind;
-use crate::rewrite::{Message, Trap, Unwatched, Watch};
-use crate::run::{self, Argument};
+use crate::rewrite::{Code, Message, Trap, Unwatched, Watch};
+use crate::run::{self, Argument, Prepared};
 
 /// The watcher is called at ids that are multiples of this.
 const IDS_PER_LOOK: u32 = 1024;
@@ -105,13 +105,14 @@ impl Session {
     ) -> Result<Option<Argument>, Error> {
         self.enter_function(function, arguments)?;
         let prepared = function.prepared()?;
+        let code = self.filled(prepared)?;
         match prepared.changes() {
-            true => self.go(prepared, watch).map(drop)?,
-            false => self.look(function, watch)?,
+            true => self.go((prepared, &code), watch).map(drop)?,
+            false => self.look((prepared, &code), watch)?,
         }
         Ok(function.result_type().and_then(|ty| {
             let mut value = Values::new(ty, 1);
-            self.take_value(function, &mut value, 0);
+            self.take_value((prepared, &code), &mut value, 0);
             value.get(0, ty)
         }))
     }
@@ -148,27 +149,27 @@ impl Session {
         };
         // The first call checks the arguments, and determines the level of the mesh.
         self.values[at] = Some(Argument::Element(kind, first));
-        self.look(function, watch)?;
-        self.take_value(function, &mut values, first as usize);
+        let code = self.filled(prepared)?;
+        let runs = (prepared, &*code);
+        self.look(runs, watch)?;
+        self.take_value(runs, &mut values, first as usize);
         let known = self.known;
         let mark = self.mesh.open_journal();
-        let done = self.look_everywhere((function, slot), living, &mut values, watch);
+        let done = self.look_everywhere((runs, slot), living, &mut values, watch);
         self.mesh.keep(mark);
         self.known = known;
         done.map(|()| values)
     }
 
-    /// Calls a function that does not change the mesh at some elements, whose ids are written to
+    /// Runs a function that does not change the mesh at some elements, whose ids are written to
     /// `slot`; the other slots are filled.
     fn look_everywhere(
         &mut self,
-        (function, slot): (&Function, usize),
+        ((prepared, code), slot): ((&Prepared, &Code), usize),
         elements: impl Iterator<Item = u32>,
         values: &mut Values,
         watch: &mut dyn Watch,
     ) -> Result<(), Error> {
-        let prepared = function.prepared()?;
-        let code = prepared.code();
         let drains = code.drains();
         for id in elements {
             self.slots[slot] = u64::from(id);
@@ -186,7 +187,7 @@ impl Session {
                 let diagnostic = run::diagnostic(prepared, trap, Some(machine));
                 return Err(self.error(diagnostic));
             }
-            self.take_value(function, values, id as usize);
+            self.take_value((prepared, code), values, id as usize);
         }
         Ok(())
     }
@@ -207,26 +208,23 @@ impl Session {
         Ok(())
     }
 
-    /// Runs a function that does not change the mesh with the given values. The known level stays,
-    /// and the open journal keeps ids from being reused.
-    fn look(&mut self, function: &Function, watch: &mut dyn Watch) -> Result<(), Error> {
+    /// Runs a function that does not change the mesh. The known level stays, and the open journal
+    /// keeps ids from being reused.
+    fn look(&mut self, runs: (&Prepared, &Code), watch: &mut dyn Watch) -> Result<(), Error> {
         let known = self.known;
         let mark = self.mesh.open_journal();
-        let done = self.go(function.prepared()?, watch);
+        let done = self.go(runs, watch);
         self.mesh.keep(mark);
         self.known = known;
         done.map(drop)
     }
 
     /// Stores at `at` the value of the function that has just run.
-    fn take_value(&self, function: &Function, values: &mut Values, at: usize) {
-        let Ok(prepared) = function.prepared() else { return };
+    fn take_value(&self, (prepared, code): (&Prepared, &Code), values: &mut Values, at: usize) {
         let machine = &self.engine.machine;
         let window = machine.window().get(prepared.value()..).unwrap_or_default();
         let text = match values {
-            Values::Text(_) => {
-                window.first().and_then(|&number| machine.text(prepared.code(), number))
-            }
+            Values::Text(_) => window.first().and_then(|&number| machine.text(code, number)),
             _ => None,
         };
         values.put(at, window, text);

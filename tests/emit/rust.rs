@@ -21,7 +21,7 @@ fn text(emissions: &[Emission]) -> String {
     }
     text.push_str(
         "use support::emission::{hold_rust, places::Argument::{self, *}};\n\
-         use support::glam::DVec3;\n\
+         use support::hedgerow::mesh::glam::DVec3;\n\
          use support::hedgerow::mesh::{EdgeId, FaceId, HalfedgeId, Mesh, VertexId};\n\
          fn call(name: &str, mesh: &mut Mesh, a: &[Argument]) -> (bool, Option<u32>) {\n    \
          match (name, a) {\n",
@@ -63,7 +63,6 @@ fn arm(module: &str, subject: &Subject) -> String {
 
 /// Emitted code that knows its crates by way of the tests' own, of which there is one build.
 pub fn through_support(code: &str) -> String {
-    let code = code.replace("use glam::", "use support::glam::");
     code.replace("use hedgerow::", "use support::hedgerow::")
 }
 

@@ -8,6 +8,7 @@ mod lessons;
 mod live;
 mod local_ops;
 mod machine;
+mod marks;
 mod masks;
 mod planar_actions;
 mod programs;

@@ -236,6 +236,11 @@ fn masks_have_arguments_and_end() {
     assert_eq!(session.kept_mask(mask).unwrap().iter().filter(|&&can| !can).count(), 1);
     session.set_attribute(ElementKind::Vertex, "heat", heat(vec![9.0; 12])).unwrap();
     assert_eq!(session.kept_mask(mask).unwrap(), vec![false; 12]);
+    // Another session has another first mask.
+    let mut other = Session::new(&program, shape::icosphere(0));
+    other.keep_mask(&warm, [("by", Argument::Real(2.0))]).unwrap();
+    assert_eq!(other.kept_mask(mask).unwrap_err().code(), "unknown-mask");
+    assert_eq!(other.kept_verdicts(mask).unwrap_err().code(), "unknown-mask");
     session.drop_mask(mask);
     assert_eq!(session.kept_mask(mask).unwrap_err().code(), "unknown-mask");
     assert_eq!(session.keep_mask(&warm, VertexId(1)).unwrap_err().code(), "wrong-argument");

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use hedgerow::mesh::{EdgeId, ElementKind, VertexId, identical, shape};
+use hedgerow::mesh::{EdgeId, ElementKind, FaceId, VertexId, identical, shape};
 use hedgerow::{Argument, Outcome, Program, Session, Unwatched, Values};
 
 const FUNCTIONS: &str = "
@@ -22,6 +22,7 @@ fn split_all(most: int) -> int {
   for e in edges { if done < most { if split(e) { done = done + 1 } } }
   return done
 }
+fn same(f: face, a: text) -> text { if a == \"triangle\" { name(f) } else { a } }
 fn greet() { print \"hello\" }
 fn bad(e: edge) -> int { 1 div 0 }
 script spend() { for v in vertices { v.seen = 4 } }
@@ -76,10 +77,7 @@ fn functions_are_called_at_one_place() {
     };
     assert!((total - 60.0 * length).abs() < 1e-9);
     assert_eq!(session.call(&function("greet"), ()).unwrap(), None);
-    assert_eq!(
-        session.call(&function("name"), hedgerow::mesh::FaceId(3)).unwrap(),
-        Some("triangle".into())
-    );
+    assert_eq!(session.call(&function("name"), FaceId(3)).unwrap(), Some("triangle".into()));
     assert!(!function("excess").changes().unwrap() && function("split_all").changes().unwrap());
     let flip = program.op("flip").unwrap();
     let mask = session.keep_mask(&flip, ()).unwrap();
@@ -93,6 +91,19 @@ fn functions_are_called_at_one_place() {
         (error.code(), error.message()),
         ("unknown-function", "the program has no function `exces`; did you mean `excess`?")
     );
+}
+
+#[test]
+fn texts_that_are_given_come_back() {
+    let program = Program::parse("functions.hedge", FUNCTIONS).unwrap();
+    let mut session = Session::new(&program, shape::tetrahedron());
+    let same = program.function("same").unwrap();
+    for text in ["hello", "", "triangle"] {
+        let value = session.call(&same, (FaceId(1), text)).unwrap();
+        assert_eq!(value, Some(Argument::from(text)));
+        let all = session.values(&same, [("a", text)], &mut Unwatched).unwrap();
+        assert_eq!(all, Values::Text(vec![text.into(); 4]));
+    }
 }
 
 #[test]

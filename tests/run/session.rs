@@ -6,7 +6,9 @@ use hedgerow::mesh::{
     Dump, EdgeId, ElementKind, FaceId, HalfedgeId, Level, Mesh, Value, VertexId, identical, shape,
     validate, validate_level, write_dump,
 };
-use hedgerow::{Argument, Error, Op, Outcome, Program, Script, Session, Unwatched, Verdict, Watch};
+use hedgerow::{
+    Argument, Error, Op, Outcome, Program, Script, Session, Type, Unwatched, Verdict, Watch,
+};
 
 const OPS: &str = "
 attr hits: edge int = 0
@@ -268,6 +270,21 @@ fn numbers_that_are_none_are_not_taken() {
         let error = session.apply(&split, (EdgeId(0), t)).unwrap_err();
         assert_eq!(error.code(), "wrong-argument");
     }
+    // Nor are vectors of another length than their type has, or of a type that is none.
+    let move_by =
+        "script move(by: vec3) { print by } script at(e: edge) { print degree(e.halfedge.vertex) }";
+    let move_by = Program::parse("move.hedge", move_by).unwrap();
+    let mut moved = Session::new(&move_by, shape::octahedron());
+    let script = |name: &str| move_by.script(name).unwrap();
+    for count in [0, 1, 5] {
+        let by = Argument::Reals(Type::Vec3, vec![1.0; count]);
+        let error = moved.run(&script("move"), by).unwrap_err();
+        let told = format!("the number of reals given for `by` is {count}");
+        assert_eq!((error.code(), error.message()), ("wrong-argument", told.as_str()));
+    }
+    let edge = Argument::Reals(Type::Edge, vec![1e300]);
+    assert_eq!(code(moved.run(&script("at"), edge).unwrap_err()), "wrong-argument");
+    moved.run(&script("move"), [1.0; 3]).unwrap();
     // An int is a real, and what is not given has its default.
     assert!(session.apply(&split, EdgeId(0)).unwrap().is_applied());
     let halves = session.mesh().position(VertexId(6));
@@ -275,6 +292,19 @@ fn numbers_that_are_none_are_not_taken() {
     other.apply(&split, [("t", Argument::from(0.5)), ("e", EdgeId(0).into())]).unwrap();
     assert_eq!(other.mesh().position(VertexId(6)), halves);
     other.apply(&split, (EdgeId(1), 1)).unwrap();
+    other.apply(&split, (EdgeId(2), 0.25_f32)).unwrap();
+    assert_eq!(Argument::try_from(7_usize), Ok(Argument::Int(7)));
+    assert!(Argument::try_from(u64::MAX).is_err());
+}
+
+#[test]
+fn a_result_is_an_id_of_its_kind() {
+    let program = Program::load("std/triangle.hedge").unwrap();
+    let mut session = Session::new(&program, shape::octahedron());
+    let new = session.apply(&program.op("split").unwrap(), EdgeId(0)).unwrap().result().unwrap();
+    assert_eq!(VertexId::try_from(new), Ok(VertexId(6)));
+    let error = FaceId::try_from(new).unwrap_err();
+    assert_eq!(error.to_string(), "vertex 6 is not of kind face");
 }
 
 #[test]

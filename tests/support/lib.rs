@@ -9,4 +9,4 @@ pub mod meshes;
 pub mod pages;
 pub mod reference;
 
-pub use {glam, hedgerow};
+pub use hedgerow;

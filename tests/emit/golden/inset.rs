@@ -1,4 +1,4 @@
-use glam::DVec3;
+use hedgerow::mesh::glam::DVec3;
 use hedgerow::mesh::{FaceId, Mesh, VertexId};
 
 /// Shrinks a face inside its own boundary, and fills the gap with quads.

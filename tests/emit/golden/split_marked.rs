@@ -1,4 +1,4 @@
-use glam::DVec3;
+use hedgerow::mesh::glam::DVec3;
 use hedgerow::mesh::{Attribute, ColumnId, EdgeId, ElementKind, Mesh, VertexId};
 
 /// Splits an edge between two triangles, and marks what is new, as remeshers do.
