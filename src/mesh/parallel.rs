@@ -234,9 +234,10 @@ mod pool {
         }
     }
 
-    /// What work that was started sends, if it ends. A thread of a pool works meanwhile.
+    /// What work that was started sends, unless it panics. A thread of a pool does what it has
+    /// started itself meanwhile, since others may be busy.
     pub(super) fn received<T>(receiver: Receiver<T>) -> Option<T> {
-        while rayon::yield_now() == Some(Yield::Executed) {
+        while rayon::yield_local() == Some(Yield::Executed) {
             if let Ok(result) = receiver.try_recv() {
                 return Some(result);
             }

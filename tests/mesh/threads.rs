@@ -245,3 +245,14 @@ fn polygons_are_refused_for_the_same_fault() {
     kinds.dedup();
     assert!(kinds.len() >= 3, "{} kinds of faults", kinds.len());
 }
+
+#[test]
+fn the_threads_of_a_caller_each_read_files_in_parts() {
+    use rayon::prelude::*;
+    let bytes = written(&MeshFile::from_mesh(shape::icosphere(5)), FileFormat::Obj);
+    let alone = read(&bytes, FileFormat::Obj, None);
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(2).build().unwrap();
+    let all: Vec<_> = pool
+        .install(|| (0..16).into_par_iter().map(|_| read(&bytes, FileFormat::Obj, None)).collect());
+    assert!(all.iter().all(|one| same(&alone, one)));
+}

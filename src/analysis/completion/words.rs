@@ -1,6 +1,7 @@
 //! The words of the language that begin something, each with a snippet.
 
 use super::choice::{Choice, Completion};
+use crate::diagram::Type;
 
 /// The beginnings of items.
 pub(super) const TOP: &[(&str, &str)] = &[
@@ -64,9 +65,7 @@ pub(super) fn keywords(words: &[(&str, &str)]) -> Vec<Completion> {
 
 /// The types of values and elements.
 pub(super) fn types() -> Vec<Completion> {
-    let words = ["bool", "int", "real", "vec2", "vec3", "mat3", "mat4", "text"];
-    let values = words.map(|word| Completion::new(word, Choice::Type, 0));
-    kinds().into_iter().chain(values).collect()
+    Type::ALL.map(|ty| Completion::new(ty.word(), Choice::Type, 0)).to_vec()
 }
 
 /// The types of elements.
