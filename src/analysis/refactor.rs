@@ -6,7 +6,7 @@ use super::cursor_context::{op_near, rule_near};
 use super::edits::{append, indentation, slice, statement_span};
 use super::hover::op_named;
 use super::invert::inverse;
-use super::side::{draws_erased, subject};
+use super::side::{left_open, subject};
 use super::snapshot::Snapshot;
 use super::soundness::stays_sound;
 use crate::diagnostic::Edit;
@@ -60,28 +60,8 @@ fn is_empty(side: Option<&Side>) -> bool {
 /// The edit that restates the statements of `before` that `after` does not mention.
 fn skeleton(snapshot: &Snapshot, rule: &Rule) -> Option<Vec<Edit>> {
     let before = rule.before.as_ref()?;
-    let kept = rule.after.iter().flat_map(|side| &side.statements);
-    let kept = kept.filter_map(|statement| match statement {
-        Statement::Keep(names, _) => Some(names),
-        _ => None,
-    });
-    let kept: Vec<&str> = kept.flatten().map(|name| name.ident.text.as_str()).collect();
-    let erases = |statement| rule.after.as_ref().is_some_and(|side| draws_erased(statement, side));
-    let stated = rule.after.iter().flat_map(|side| &side.statements);
-    let stated: Vec<&str> =
-        stated.filter_map(subject).map(|name| name.ident.text.as_str()).collect();
-    let missing: Vec<String> = before
-        .statements
-        .iter()
-        .filter(|statement| {
-            subject(statement).is_some_and(|name| {
-                let word = name.ident.text.as_str();
-                !kept.contains(&word) && !stated.contains(&word)
-            })
-        })
-        .filter(|statement| !erases(statement))
-        .map(|statement| slice(snapshot, statement).to_owned())
-        .collect();
+    let missing: Vec<String> =
+        left_open(rule).map(|statement| slice(snapshot, statement).to_owned()).collect();
     if missing.is_empty() {
         return None;
     }

@@ -302,3 +302,14 @@ pub(super) fn draws_erased(statement: &Statement, side: &Side) -> bool {
             || corners.iter().any(|corner| corner.from.ident.text == *erased)
     })
 }
+
+/// The statements of `before` that `after` neither states nor keeps, and that draw nothing that it
+/// erases.
+pub(super) fn left_open(rule: &Rule) -> impl Iterator<Item = &Statement> {
+    let [_, sketch] = Sketch::of(rule);
+    let statements = rule.before.iter().flat_map(|side| &side.statements);
+    statements.filter(move |statement| {
+        let is_open = subject(statement).is_some_and(|name| !sketch.is_subject(&name.ident.text));
+        is_open && !rule.after.as_ref().is_some_and(|after| draws_erased(statement, after))
+    })
+}

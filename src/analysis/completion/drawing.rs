@@ -6,7 +6,7 @@ use crate::analysis::cursor_context::{Wanted, op_near, rule_near};
 use crate::analysis::edits::statement_span;
 use crate::analysis::element::{Fate, element_of};
 use crate::analysis::names::{SideName, Symbol, SymbolId, SymbolKind};
-use crate::analysis::side::{Sketch, draws_erased, subject};
+use crate::analysis::side::{Sketch, left_open};
 use crate::analysis::snapshot::Snapshot;
 use crate::diagram::Kind;
 use crate::syntax::tree::Rule;
@@ -66,7 +66,7 @@ pub(super) fn of_side(
     };
     let sides = Sketch::of(rule);
     if wanted == Wanted::Statement && side == SideName::After {
-        found.extend(open_statements(snapshot, rule, &sides[1]));
+        found.extend(open_statements(snapshot, rule));
     }
     for (id, symbol) in snapshot.names().of_rule(item, at) {
         let SymbolKind::Element(Some(kind)) = symbol.kind else {
@@ -88,14 +88,8 @@ pub(super) fn of_side(
 }
 
 /// Completions that restate the statements of `before` that `after` does not mention yet.
-fn open_statements(snapshot: &Snapshot, rule: &Rule, after: &Sketch) -> Vec<Completion> {
-    let erases = |statement| rule.after.as_ref().is_some_and(|side| draws_erased(statement, side));
-    let statements = rule.before.iter().flat_map(|side| &side.statements);
-    let open = statements.filter_map(|statement| {
-        let name = &subject(statement)?.ident.text;
-        if after.is_subject(name) || erases(statement) {
-            return None;
-        }
+fn open_statements(snapshot: &Snapshot, rule: &Rule) -> Vec<Completion> {
+    let open = left_open(rule).filter_map(|statement| {
         let text = snapshot.sources().slice(statement_span(statement));
         let (head, _) = text.split_once(':')?;
         Some(Completion {
