@@ -173,22 +173,28 @@ impl<'p> Builder<'p> {
     fn find_twins(&mut self) -> Result<(), BuildError> {
         let inner = self.inner();
         self.twins = parallel::collect(inner, LEAST, |_| AtomicU32::new(NONE));
-        // Each task scans all sides for those of its range of vertices.
-        let parts = Sides::parts(self.vertices.len(), inner);
-        let mut vertices = std::mem::take(&mut self.vertices);
-        let firsts = parallel::split(&mut vertices, parts.iter().map(Range::len));
-        let found = parallel::map(parts.iter().zip(firsts).collect(), |(part, firsts)| {
-            let sides = Sides::gather(&self.loops, part.clone());
-            sides.edges().try_for_each(|edge| self.join(edge))?;
+        let sides = Sides::gather(&self.loops, self.vertices.len());
+        let found = parallel::map(parallel::parts(self.vertices.len(), LEAST), |part| {
+            sides.edges_of(part).try_for_each(|edge| self.join(edge))
+        });
+        found.into_iter().collect::<Result<(), _>>()?;
+        self.find_first();
+        Ok(())
+    }
+
+    /// Finds the first halfedge of each vertex.
+    fn find_first(&mut self) {
+        // Each thread scans all corners for those of its range of vertices.
+        let threads = if self.inner() < LEAST { 1 } else { parallel::threads() };
+        let parts = parallel::cut(self.vertices.len(), threads);
+        let firsts = parallel::split(&mut self.vertices, parts.iter().map(Range::len));
+        parallel::map(parts.iter().zip(firsts).collect(), |(part, firsts)| {
             for (h, &v) in self.loops.corners().iter().enumerate().rev() {
                 if let Some(first) = firsts.get_mut((v as usize).wrapping_sub(part.start)) {
                     *first = HalfedgeId(h as u32);
                 }
             }
-            Ok(())
         });
-        self.vertices = vertices;
-        found.into_iter().collect()
     }
 
     /// Makes twins of two halfedges that run between the same two vertices; a single one stays
@@ -426,7 +432,8 @@ impl EdgeNumbers {
 
     /// The first halfedges of all edges.
     fn first(&self) -> Vec<HalfedgeId> {
-        let mut all = vec![HalfedgeId::NONE; self.before[self.bits.len()] as usize];
+        let count = self.before[self.bits.len()] as usize;
+        let mut all = parallel::collect(count, LEAST, |_| HalfedgeId::NONE);
         let parts = parallel::parts(self.bits.len(), LEAST / 64);
         let count = |part: &Range<usize>| self.before[part.end] - self.before[part.start];
         let firsts = parallel::split(&mut all, parts.iter().map(|part| count(part) as usize));

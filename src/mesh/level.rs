@@ -5,6 +5,7 @@
 //! An isolated vertex is not part of the surface and is allowed at every level.
 
 use std::fmt;
+use std::ops::Range;
 
 use super::connectivity::Mesh;
 use super::id::{EdgeId, ElementKind, FaceId, HalfedgeId, VertexId};
@@ -161,9 +162,9 @@ pub(super) fn is_surface_of_single_edges(mesh: &Mesh) -> bool {
     if in_holes.any(|v| std::mem::replace(&mut is_in_hole[v.index()], true)) {
         return false;
     }
-    let sides = mesh.capacity(ElementKind::Halfedge);
-    let are_single = parallel::map(Sides::parts(is_in_hole.len(), sides), |part| {
-        Sides::gather(&Edges(mesh), part).edges().all(|edge| edge.len() == 1)
+    let sides = Sides::gather(&Edges(mesh), is_in_hole.len());
+    let are_single = parallel::map(parallel::parts(is_in_hole.len(), LEAST), |part| {
+        sides.edges_of(part).all(|edge| edge.len() == 1)
     });
     !are_single.contains(&false)
 }
@@ -172,9 +173,13 @@ pub(super) fn is_surface_of_single_edges(mesh: &Mesh) -> bool {
 struct Edges<'m>(&'m Mesh);
 
 impl EachSide for Edges<'_> {
+    fn groups(&self) -> usize {
+        self.0.halfedges.len()
+    }
+
     #[inline]
-    fn each_side(&self, mut see: impl FnMut(u32, u32, u32)) {
-        for (h, record) in (0..).zip(&self.0.halfedges) {
+    fn each_side(&self, halfedges: Range<usize>, mut see: impl FnMut(u32, u32, u32)) {
+        for (h, record) in (halfedges.start as u32..).zip(&self.0.halfedges[halfedges]) {
             if record.lives() && HalfedgeId(h) < record.twin {
                 // The target: the next halfedge is usually adjacent in memory.
                 see(h, record.vertex.0, self.0.vertex(record.next).0);

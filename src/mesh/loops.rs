@@ -1,5 +1,7 @@
 //! The loops of a list of polygons: the next and the previous corner of each corner.
 
+use std::ops::Range;
+
 use super::polygon_sides::EachSide;
 
 /// Polygons that give the neighbours of each of their corners.
@@ -115,19 +117,24 @@ impl<'p> Loops<'p> {
 }
 
 impl EachSide for Loops<'_> {
+    fn groups(&self) -> usize {
+        self.ends.len()
+    }
+
     #[inline]
-    fn each_side(&self, mut see: impl FnMut(u32, u32, u32)) {
+    fn each_side(&self, polygons: Range<usize>, mut see: impl FnMut(u32, u32, u32)) {
         if let Shape::Triangles = self.shape {
             let (triangles, _) = self.corners.as_chunks::<3>();
-            for (h, &[a, b, c]) in (0..).step_by(3).zip(triangles) {
+            let first = 3 * polygons.start as u32;
+            for (h, &[a, b, c]) in (first..).step_by(3).zip(&triangles[polygons]) {
                 see(h, a, b);
                 see(h + 1, b, c);
                 see(h + 2, c, a);
             }
             return;
         }
-        let mut start = 0;
-        for &end in self.ends {
+        let mut start = self.first(polygons.start) as usize;
+        for &end in &self.ends[polygons] {
             let corners = &self.corners[start..end];
             for (h, pair) in (start as u32..).zip(corners.windows(2)) {
                 see(h, pair[0], pair[1]);

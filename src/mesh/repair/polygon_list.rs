@@ -133,7 +133,7 @@ impl PolygonList {
 
     /// The sides of the polygons, grouped by edge; side `i` begins at corner `i`.
     pub(in crate::mesh) fn sides(&self) -> Sides {
-        Sides::gather(&Loops::new(&self.corners, &self.ends), 0..self.positions.len())
+        Sides::gather(&Loops::new(&self.corners, &self.ends), self.positions.len())
     }
 }
 
