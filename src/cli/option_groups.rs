@@ -10,7 +10,7 @@ use crate::mesh::set_threads;
 use crate::mesh::{Encoding, Level, MshVersion};
 use crate::rewrite::Engine;
 
-/// What runs a program, and with how many threads.
+/// The engine that runs a program, and the number of threads.
 #[derive(Debug, Args)]
 pub(super) struct EngineArguments {
     /// What runs the program: native code where it pays if

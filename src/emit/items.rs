@@ -69,7 +69,7 @@ fn called(
     (ops, functions.map(|function| free(&function.name)).collect())
 }
 
-/// What is emitted: a selection in a language, with the names of everything in code.
+/// A selection that is emitted in a language, with the names of everything in code.
 pub(in crate::emit) struct Source<'s> {
     pub selection: &'s Selection<'s>,
     pub language: Language<'s>,

@@ -95,7 +95,7 @@ pub(super) struct Names<'s> {
     pub used: BTreeSet<u32>,
     /// The names of the functions that have a value, by number.
     functions: &'s [Option<String>],
-    /// What is called.
+    /// The functions and operations that are called.
     pub needs: BTreeSet<Need>,
     /// The names of the variables of steps in the program.
     variables: Vec<String>,

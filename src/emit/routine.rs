@@ -63,7 +63,7 @@ pub(super) enum Form {
     Attempt,
 }
 
-/// What is set of an element.
+/// A value of an element that is set.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Field {
     Pointer(Pointer),

@@ -176,7 +176,7 @@ impl Turn<'_> {
         })
     }
 
-    /// What a claim becomes; `None` if that is not known.
+    /// The image of a claim; `None` if it is not known.
     fn image_of_claim(&self, claim: &Claim) -> Option<Claim> {
         let is_known = claim.names().iter().all(|&name| self.image(name).is_some());
         let image = |name: NameId| self.image(name).unwrap_or(name);

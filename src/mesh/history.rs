@@ -15,7 +15,7 @@ use super::notes::{Note, Recorder};
 pub struct History {
     mesh: Mesh,
     notes: Vec<Note>,
-    /// Where the notes of each step end.
+    /// The end of the notes of each step.
     ends: Vec<usize>,
     /// The number of steps before the oldest state.
     first: u64,

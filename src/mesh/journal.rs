@@ -64,7 +64,7 @@ impl Mesh {
         self.journal = Journal::default();
     }
 
-    /// What has changed since the journal was opened, as far as levels depend on it.
+    /// The changes since the journal was opened, as far as levels depend on them.
     pub fn written_since(&self, mark: &Bookmark) -> Footprint {
         let mut changes = Footprint::default();
         let notes = self.journal.notes.get(mark.0..).unwrap_or_default();

@@ -122,7 +122,7 @@ pub(super) struct Journal {
 /// The state of the recording of a history.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Recorder {
-    /// Where the notes of each step end.
+    /// The end of the notes of each step.
     pub(super) ends: Vec<usize>,
     /// The number of steps before the oldest state.
     pub(super) first: u64,

@@ -10,7 +10,7 @@ use super::script::{Loop, Scripting};
 use super::typed::typed;
 use super::typing::Typing;
 
-/// What a range is for.
+/// A hint at the use of ranges.
 pub(super) const TAKES_INTS: &str = "`for i in 0..n { … }` takes the ints from 0 to n - 1";
 
 impl Scripting<'_> {

@@ -54,7 +54,7 @@ fn parameters<'p>(program: &'p Program, params: &'p [Param]) -> Vec<Parameter<'p
     params.iter().map(parameter).collect()
 }
 
-/// What operations, scripts and functions have in common.
+/// The methods that operations, scripts and functions have in common.
 macro_rules! item {
     ($item:ident, $resolved:ty, $list:ident) => {
         impl $item {

@@ -327,7 +327,7 @@ fn checked(language: Language<'_>, is_finite: bool, value: &str) -> String {
     }
 }
 
-/// What a statement is that is not emitted.
+/// A statement that is not emitted, in words.
 fn not_emitted(kind: &StatementKind) -> &'static str {
     match kind {
         StatementKind::For { visit: Visit::Shuffled, .. } => "a random order",

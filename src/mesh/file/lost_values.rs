@@ -14,11 +14,11 @@ pub struct LostValues<'f> {
     pub name: &'f str,
     /// The number of values.
     pub count: usize,
-    /// What becomes of them.
+    /// The reason why the file does not hold them.
     pub loss: Loss,
 }
 
-/// What becomes of values.
+/// The reason why a file does not hold values as they are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Loss {
     /// They belong to holes or to halfedges of holes, which the file does not have.

@@ -1,4 +1,4 @@
-//! Where a value in a foreign text ends.
+//! The end of a value in a foreign text.
 
 use super::pattern::paired;
 use super::place::Item;

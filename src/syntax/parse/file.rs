@@ -200,8 +200,8 @@ fn whole(tokens: &[Token]) -> Span {
     }
 }
 
-/// What could not be read as it is written: all tokens or, if nothing is `wrong` in the item that
-/// they begin with, those behind it.
+/// The text that could not be read as it is written: all tokens or, if nothing is `wrong` in the
+/// item that they begin with, those behind it.
 fn misread(tokens: &[Token], item: Option<&Item>, mut wrong: impl Iterator<Item = Span>) -> Span {
     let end = item.map_or(0, |item| item.span().end);
     let (read, behind) = tokens.split_at(tokens.partition_point(|token| token.span.start < end));

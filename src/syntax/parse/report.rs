@@ -391,8 +391,8 @@ fn end_of(around: &Around) -> String {
     }
 }
 
-/// What was expected, in words and in order; continuations of a name or value only if nothing else
-/// was.
+/// The expected words, in order; continuations of a name or value only if nothing else was
+/// expected.
 fn wanted(failure: &Failure) -> Vec<String> {
     let all = failure.wanted;
     let weak = |phrase: &Phrase| matches!(phrase, Phrase::Operator | Phrase::Subscript);
