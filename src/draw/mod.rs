@@ -40,6 +40,7 @@ mod strands;
 mod sheet;
 
 // A mesh.
+mod colours;
 pub mod raster;
 mod view;
 pub mod viridis;
@@ -53,6 +54,8 @@ mod svg;
 mod text;
 mod words;
 
+#[cfg(feature = "play")]
+pub(crate) use colours::{Colours, Key};
 pub use page::{Section, page};
 pub use png::TooLarge;
 pub use shape::{Picture, TextBox};

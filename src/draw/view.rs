@@ -5,15 +5,13 @@
 //! edges, so that what hides the face hides them too. Faces with a corner at no finite position are
 //! not drawn.
 
-use std::collections::BTreeSet;
-
 use glam::{DVec2, DVec3};
 
+use super::colours::{Colours, LEGEND, LINE, PALE};
 use super::curve::{area, distance};
 use super::raster::{Raster, sides, weigh};
-use super::shape::{Group, Picture};
-use super::viridis::{Range, SWATCH, number, swatches};
-use crate::mesh::{ColumnId, ElementKind, FaceId, HalfedgeId, Mesh, Value};
+use super::shape::Picture;
+use crate::mesh::{ColumnId, ElementKind, FaceId, HalfedgeId, Mesh};
 
 /// The view of a mesh.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -42,27 +40,8 @@ const EDGE: f64 = 1.1;
 const BOUNDARY: f64 = 2.0;
 /// Pictures up to this size have two pixels per unit.
 const FINE: f64 = 2048.0;
-/// The width of a legend.
-const LEGEND: f64 = 110.0;
 
 const FACE: [u8; 3] = [178, 205, 236];
-/// The colour of faces, and of values that are not finite, where an attribute is shown.
-const PALE: [u8; 3] = [226, 230, 236];
-/// The colour of a truth value that holds.
-const HOLDS: [u8; 3] = [0x00, 0x65, 0xb3];
-/// The colours of a few labels, which colour-blind viewers tell apart (M. Okabe and K. Ito, "Color
-/// Universal Design", 2008), with grey for their black.
-const LABELS: [[u8; 3]; 8] = [
-    [0x56, 0xb4, 0xe9],
-    [0xe6, 0x9f, 0x00],
-    [0x00, 0x9e, 0x73],
-    [0xf0, 0xe4, 0x42],
-    [0x00, 0x72, 0xb2],
-    [0xd5, 0x5e, 0x00],
-    [0xcc, 0x79, 0xa7],
-    [0x99, 0x99, 0x99],
-];
-const LINE: [u8; 3] = [22, 30, 40];
 const ON_BOUNDARY: [u8; 3] = [0xc2, 0x41, 0x0c];
 
 impl View {
@@ -72,7 +51,7 @@ impl View {
         let own = |(column, _)| {
             let colours = Colours::new(mesh, column)?;
             let is_area = matches!(colours.kind, ElementKind::Face | ElementKind::Vertex);
-            (is_area && matches!(colours.scale, Scale::Own)).then_some(column)
+            (is_area && colours.are_own()).then_some(column)
         };
         let mut columns: Vec<_> = mesh.sayable_columns().filter_map(own).collect();
         columns.sort_by_key(|column| column.kind != ElementKind::Face);
@@ -119,127 +98,6 @@ pub fn draw_mesh(mesh: &Mesh, view: &View) -> Picture {
         picture.groups.extend(colours.legend(at));
     }
     picture
-}
-
-/// An attribute, and the colours of its values.
-struct Colours {
-    column: ColumnId,
-    kind: ElementKind,
-    title: String,
-    scale: Scale,
-}
-
-/// The way values are shown as colours.
-enum Scale {
-    /// They are colours themselves.
-    Own,
-    /// Numbers of a range.
-    Numbers(Range),
-    /// A few whole numbers, in order.
-    Labels(Vec<i64>),
-    /// Truth values.
-    Truth,
-}
-
-impl Colours {
-    fn new(mesh: &Mesh, column: ColumnId) -> Option<Self> {
-        let kind = column.kind;
-        let values = || {
-            let slots = 0..mesh.capacity(kind) as u32;
-            slots.filter_map(|slot| mesh.value(column, slot))
-        };
-        let title = mesh.column(column)?.name().to_string();
-        let is_named_so = ["color", "colour"].contains(&title.as_str());
-        let is_truth = |value| matches!(value, Value::Bool(_));
-        let scale = match values().next()? {
-            _ if is_named_so && values().all(|value| rgb(value).is_some()) => Scale::Own,
-            first if is_truth(first) => Scale::Truth,
-            _ if let Some(labels) = labels(mesh, column) => Scale::Labels(labels),
-            _ => Scale::Numbers(Range::of(values().map(Value::magnitude))?),
-        };
-        Some(Self { column, kind, title, scale })
-    }
-
-    /// The height of a picture that has room for the legend; zero without one.
-    fn height(&self) -> f64 {
-        match &self.scale {
-            Scale::Own => 0.0,
-            Scale::Labels(labels) => 2.0 * LEGEND + labels.len() as f64 * SWATCH,
-            Scale::Numbers(_) | Scale::Truth => 3.0 * LEGEND,
-        }
-    }
-
-    fn legend(&self, center: DVec2) -> Option<Group> {
-        let is_line = matches!(self.kind, ElementKind::Edge | ElementKind::Halfedge);
-        let missing = if is_line { LINE } else { PALE };
-        match &self.scale {
-            Scale::Own => None,
-            Scale::Numbers(range) => Some(range.legend(&self.title, center)),
-            Scale::Labels(labels) => {
-                let values = labels.iter().map(|label| number(*label as f64)).zip(LABELS);
-                Some(swatches(&self.title, &values.collect::<Vec<_>>(), center))
-            }
-            Scale::Truth => {
-                let values = [("true".to_owned(), HOLDS), ("false".to_owned(), missing)];
-                Some(swatches(&self.title, &values, center))
-            }
-        }
-    }
-
-    /// The value of an element: its colour, or three times the number; NaN if it has none.
-    fn value(&self, mesh: &Mesh, index: u32) -> DVec3 {
-        let value = mesh.value(self.column, index);
-        let seen = value.and_then(|value| match self.scale {
-            Scale::Own => rgb(value),
-            _ => Some(DVec3::splat(value.magnitude())),
-        });
-        seen.unwrap_or(DVec3::NAN)
-    }
-
-    fn colour(&self, value: DVec3) -> [u8; 3] {
-        match &self.scale {
-            _ if !value.is_finite() => PALE,
-            Scale::Own => value.to_array().map(|part| (part * 255.0).round() as u8),
-            Scale::Numbers(range) => range.colour(value.x),
-            Scale::Labels(labels) => {
-                let at = labels.iter().position(|label| *label as f64 == value.x);
-                at.map_or(PALE, |at| LABELS[at])
-            }
-            Scale::Truth => {
-                let part = |at: usize| {
-                    f64::from(PALE[at]) + (f64::from(HOLDS[at]) - f64::from(PALE[at])) * value.x
-                };
-                [0, 1, 2].map(|at| part(at).round() as u8)
-            }
-        }
-    }
-}
-
-/// The values of an attribute, if they are whole numbers and few. Numbers at vertices are not
-/// labels: faces show what lies between them.
-fn labels(mesh: &Mesh, column: ColumnId) -> Option<Vec<i64>> {
-    let mut labels = BTreeSet::new();
-    let is_hole = |id: &u32| column.kind == ElementKind::Face && mesh.is_hole(FaceId(*id));
-    for id in mesh.elements(column.kind).filter(|id| !is_hole(id)) {
-        match mesh.value(column, id)? {
-            Value::Int(label) => labels.insert(label),
-            _ => return None,
-        };
-        if column.kind == ElementKind::Vertex || labels.len() > LABELS.len() {
-            return None;
-        }
-    }
-    (labels.len() > 1).then(|| labels.into_iter().collect())
-}
-
-/// Red, green and blue of a vector with components from 0 to 1; a fourth is ignored.
-fn rgb(value: Value) -> Option<DVec3> {
-    let colour = match value {
-        Value::Vec3(colour) => colour,
-        Value::Vec4(colour) => colour.truncate(),
-        _ => return None,
-    };
-    (colour.cmpge(DVec3::ZERO) & colour.cmple(DVec3::ONE)).all().then_some(colour)
 }
 
 /// Half the widths of lines, in pixels.
@@ -396,9 +254,7 @@ impl Seen {
             _ => None,
         });
         let value = index.map(|(colours, index)| (colours, colours.value(mesh, index)));
-        // A truth value that does not hold leaves the line as it is.
-        let shown = value
-            .filter(|(colours, value)| !matches!(colours.scale, Scale::Truth) || value.x == 1.0);
+        let shown = value.filter(|(colours, value)| !colours.leaves(*value));
         if let Some((colours, value)) = shown {
             let colour = colours.colour(value);
             let sides = if is_on_boundary { 2.0 } else { 1.0 };

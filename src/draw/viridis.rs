@@ -50,19 +50,19 @@ impl Range {
         })
     }
 
+    /// The least and the greatest number.
+    pub fn ends(self) -> [f64; 2] {
+        [self.low, self.high]
+    }
+
     /// The colour of a number.
     pub fn colour(self, number: f64) -> [u8; 3] {
         let wide = self.high - self.low;
         viridis(if wide > 0.0 { (number - self.low) / wide } else { 0.5 })
     }
 
-    /// A colour bar around a place, with a title above and the numbers at its ends; for a single
-    /// number only a square.
+    /// A colour bar around a place, with a title above and the numbers at its ends.
     pub(super) fn legend(self, title: &str, center: DVec2) -> Group {
-        if self.low == self.high {
-            let only = (number(self.low), self.colour(self.low));
-            return swatches(title, &[only], center);
-        }
         let mut group = Group::default();
         let top = center - BAR / 2.0;
         let high = BAR.y / STRIPES as f64;

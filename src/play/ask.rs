@@ -28,7 +28,7 @@ pub(super) enum Ask {
         #[serde(default)]
         of_host: bool,
     },
-    /// The mesh as arrays; with the values of an attribute, `vertex.height`.
+    /// The mesh as arrays; with the colours of the values of an attribute, `vertex.height`.
     View {
         #[serde(default)]
         attribute: Option<String>,

@@ -5,6 +5,7 @@ use std::collections::HashMap;
 use serde_json::{Value, json};
 
 use super::Message;
+use crate::draw::{Colours, Key};
 use crate::mesh::{ColumnId, EdgeId, ElementKind, FaceId, HalfedgeId, Mesh};
 
 /// The mesh as arrays, which the answer lists by name, type and length, in their order:
@@ -15,7 +16,9 @@ use crate::mesh::{ColumnId, EdgeId, ElementKind, FaceId, HalfedgeId, Mesh};
 ///   of which the first starts at the first end; `edgeFaces`: their faces; `edgeIsBoundary`: 1 or
 ///   0;
 /// - `loose`: the vertices without an edge;
-/// - `values`: the values of the attribute, one for each slot of its kind; NaN where there is none.
+/// - `colours`: red, green and blue (sRGB, from 0 to 255) of the value of the attribute, for each
+///   slot of its kind, which is `coloured`. `legend` tells their meaning, unless the values are
+///   colours themselves: the least and the greatest number, or the values and their colours.
 pub(super) fn view(mesh: &Mesh, attribute: Option<&str>) -> Message {
     let mut arrays = Arrays::default();
     let at = mesh.positions().iter().flat_map(|at| at.to_array());
@@ -47,11 +50,10 @@ pub(super) fn view(mesh: &Mesh, attribute: Option<&str>) -> Message {
     let loose = mesh.vertices().filter(|&vertex| mesh.vertex_halfedge(vertex).is_none());
     arrays.ints("loose", &loose.map(|vertex| vertex.0).collect::<Vec<_>>());
     let column = attribute.and_then(|name| find(mesh, name));
-    let kind = column.map(|column| column.kind.name());
-    if let Some(column) = column {
-        let slots = 0..mesh.capacity(column.kind) as u32;
-        let value = |slot| mesh.value(column, slot).map_or(f64::NAN, |value| value.magnitude());
-        arrays.reals("values", slots.map(|slot| value(slot) as f32));
+    let colours = column.and_then(|column| Some((column.kind, Colours::new(mesh, column)?)));
+    if let Some((kind, colours)) = &colours {
+        let slots = 0..mesh.capacity(*kind) as u32;
+        arrays.octets("colours", slots.flat_map(|slot| colours.of_element(mesh, slot)));
     }
     let attributes = mesh.sayable_columns();
     let attributes = attributes.map(|(id, column)| format!("{}.{}", id.kind.name(), column.name()));
@@ -59,10 +61,19 @@ pub(super) fn view(mesh: &Mesh, attribute: Option<&str>) -> Message {
         "counts": counts(mesh),
         "slots": ElementKind::ALL.map(|kind| mesh.capacity(kind)),
         "attributes": attributes.collect::<Vec<_>>(),
-        "valuesOf": kind,
+        "coloured": colours.as_ref().map(|(kind, _)| kind.name()),
+        "legend": colours.as_ref().and_then(|(_, colours)| colours.key()).map(legend),
         "arrays": arrays.list,
     });
     Message { json, bytes: arrays.bytes }
+}
+
+/// The meaning of colours.
+fn legend(key: Key) -> Value {
+    match key {
+        Key::Range(range) => json!({ "range": range.ends() }),
+        Key::Swatches(values) => json!({ "swatches": values }),
+    }
 }
 
 /// The numbers of elements.
@@ -129,6 +140,12 @@ impl Arrays {
         let start = self.bytes.len();
         self.bytes.extend(numbers.flat_map(f32::to_le_bytes));
         self.add(name, "f32", (self.bytes.len() - start) / 4);
+    }
+
+    fn octets(&mut self, name: &str, numbers: impl Iterator<Item = u8>) {
+        let start = self.bytes.len();
+        self.bytes.extend(numbers);
+        self.add(name, "u8", self.bytes.len() - start);
     }
 
     fn ints(&mut self, name: &str, numbers: &[u32]) {

@@ -148,7 +148,8 @@ fn a_script_runs_and_is_stepped_through() {
     assert_eq!(ran["ops"][0]["applied"], ran["total"]);
     let view = json!({ "ask": "view", "attribute": "vertex.height" });
     let end = ask_with(&mut workbench, view.clone(), &[]);
-    assert_eq!(end.json["valuesOf"], "vertex");
+    assert_eq!(end.json["coloured"], "vertex");
+    assert!(end.json["legend"]["range"].is_array(), "{}", end.json);
     // Each step differs from the one before, and the last is the end of the script.
     let mut seen = vec![start.bytes.clone()];
     for to in 1..=5 {

@@ -141,14 +141,24 @@ export class Bench {
     find('attribute').replaceChildren(new Option('none', ''),
       ...json.attributes.map(name => new Option(name)))
     if (json.attributes.includes(before)) find('attribute').value = before
-    const { range } = this.scene
-    find('legend').hidden = !range
-    if (range) {
-      find('legend-name').textContent = attribute
-      find('least').textContent = number(range[0])
-      find('most').textContent = number(range[1])
-    }
+    this.#tellColours(attribute, json.legend)
     await this.#showPlaces()
+  }
+
+  #tellColours(attribute, meaning) {
+    find('legend').hidden = !meaning
+    if (!meaning) return
+    const swatch = ([text, colour]) => {
+      const square = make('i', { className: 'swatch' })
+      square.style.background = `rgb(${colour})`
+      return make('span', {}, square, text)
+    }
+    const [least, most] = meaning.range?.map(number) ?? []
+    const parts = meaning.swatches?.map(swatch) ?? [
+      make('span', { id: 'least' }, least), make('i', { className: 'scale' }),
+      make('span', { id: 'most' }, most),
+    ]
+    find('legend').replaceChildren(make('b', {}, attribute), ...parts)
   }
 
   #tellCounts(counts) {

@@ -6,7 +6,7 @@ import { CSS2DRenderer } from 'three/examples/jsm/renderers/CSS2DRenderer.js'
 import { drawNames, drawPointers } from './names.js'
 import { FAT, Pen } from './pen.js'
 import { pick } from './pick.js'
-import { clustered, typicalLength, viridis } from './shapes.js'
+import { clustered, typicalLength } from './shapes.js'
 
 /** Meshes with more triangles than this are not looked at under a moving pointer. */
 const QUICK = 60_000
@@ -16,14 +16,16 @@ const SHORTEST = 3
 const SLOW = 45
 /** The triangles of a mesh that stands for a larger one while that is turned. */
 const COARSE = 12_000
+/** The types of arrays in an answer. */
+const ARRAYS = { f32: Float32Array, u32: Uint32Array, u8: Uint8Array }
 
 /** The arrays of an answer, by name. */
 export function arraysOf(json, bytes) {
   const arrays = {}
   let at = bytes.byteOffset
   for (const { name, type, length } of json.arrays) {
-    arrays[name] = new (type === 'f32' ? Float32Array : Uint32Array)(bytes.buffer, at, length)
-    at += 4 * length
+    arrays[name] = new ARRAYS[type](bytes.buffer, at, length)
+    at += arrays[name].byteLength
   }
   return arrays
 }
@@ -34,8 +36,6 @@ export class Scene {
   onPoint = () => {}
   /** The kind of the elements that are pointed at. */
   kind = 'edge'
-  /** The values that colours stand for, from the least to the greatest. */
-  range = null
   #turning = false
   #isDrawn = false
   #last = 0
@@ -174,7 +174,6 @@ export class Scene {
     clear(this.base)
     this.coarse = null
     this.#level = 0
-    this.range = null
     const { arrays, json } = mesh
     const dark = this.#isDark
     const positions = new THREE.BufferAttribute(arrays.positions, 3)
@@ -185,8 +184,8 @@ export class Scene {
     edges.setAttribute('position', positions)
     edges.setIndex(new THREE.BufferAttribute(arrays.edges, 1))
     mesh.length = typicalLength(arrays)
-    const coloured = this.#colour(surface, edges, arrays, json.valuesOf)
-    const isOnEdges = coloured && ['edge', 'halfedge'].includes(json.valuesOf)
+    const coloured = this.#colour(surface, edges, arrays, json.coloured)
+    const isOnEdges = coloured && ['edge', 'halfedge'].includes(json.coloured)
     this.faces = new THREE.Mesh(isOnEdges ? surface : coloured ?? surface, new THREE.MeshLambertMaterial({
       color: isOnEdges ? (dark ? 0x39424f : 0xffffff) : coloured ? 0xffffff : this.#plain(),
       vertexColors: !!coloured && !isOnEdges, flatShading: true, side: THREE.DoubleSide,
@@ -252,10 +251,10 @@ export class Scene {
     if (grown > 1.25 || radius < 0.6 * size) this.frame()
   }
 
-  /** Colours for values: a geometry with them, of faces or of edges; or nothing. */
+  /** The colours of elements of a kind: a geometry with them, of faces or of edges; or nothing. */
   #colour(surface, edges, arrays, kind) {
-    const { values, faces, edgeIds, halfedges } = arrays
-    if (!values) return null
+    const { colours: given, faces, edgeIds, halfedges } = arrays
+    if (!given) return null
     // The slot of each point of the geometry. The side of an edge at which a halfedge starts has the
     // colour of that halfedge.
     const [geometry, slot] = {
@@ -264,17 +263,13 @@ export class Scene {
       edge: () => [edges.toNonIndexed(), at => edgeIds[at >> 1]],
       halfedge: () => [edges.toNonIndexed(), at => halfedges[at]],
     }[kind]()
-    let [low, high] = [Infinity, -Infinity]
-    for (const value of values) {
-      if (Number.isFinite(value)) [low, high] = [Math.min(low, value), Math.max(high, value)]
-    }
-    if (low > high) return null
-    this.range = [low, high]
     const number = geometry.attributes.position.count
     const colours = new Float32Array(3 * number)
+    const colour = new THREE.Color()
     for (let at = 0; at < number; at++) {
-      const part = (values[slot(at)] - low) / (high - low || 1)
-      viridis(part).toArray(colours, 3 * at)
+      const from = 3 * slot(at)
+      const [red, green, blue] = [0, 1, 2].map(part => given[from + part] / 255)
+      colour.setRGB(red, green, blue, THREE.SRGBColorSpace).toArray(colours, 3 * at)
     }
     geometry.setAttribute('color', new THREE.BufferAttribute(colours, 3))
     return geometry

@@ -1,11 +1,6 @@
-// What is computed of a mesh to show it: colours for values, lengths, a coarser surface.
+// What is computed of a mesh to show it: lengths, a coarser surface.
 
 import * as THREE from 'three'
-
-/** The colours of S. van der Walt and N. Smith, "A better default colormap for Matplotlib", 2015. */
-const VIRIDIS = [
-  0x440154, 0x472d7b, 0x3b528b, 0x2c728e, 0x21918c, 0x28ae80, 0x5ec962, 0xaddc30, 0xfde725,
-].map(colour => new THREE.Color(colour))
 
 /** A round point. */
 export function disc() {
@@ -66,12 +61,4 @@ export function clustered(positions, triangles, most) {
   geometry.setAttribute('position', new THREE.Float32BufferAttribute(places, 3))
   geometry.setIndex(index)
   return geometry
-}
-
-/** The colour of a part between 0 and 1; grey for what is not a number. */
-export function viridis(part) {
-  if (!Number.isFinite(part)) return new THREE.Color(0xcbd5e1)
-  const along = Math.min(1, Math.max(0, part)) * (VIRIDIS.length - 1)
-  const at = Math.min(Math.floor(along), VIRIDIS.length - 2)
-  return VIRIDIS[at].clone().lerp(VIRIDIS[at + 1], along - at)
 }

@@ -382,6 +382,23 @@ test('attributes of all kinds of elements are shown in colour', async () => {
     counted = most
     await picture(`colour-${kind}`, own)
   }
+  // Few whole numbers and truth values have a colour each.
+  await own.locator('.cm-content').click()
+  await own.keyboard.press('Control+a')
+  await own.keyboard.insertText('attr part: face int = 0\nattr cut: edge bool = false\n'
+    + 'script mark() {\n  var n = 0\n'
+    + '  for f in faces { n = n + 1 f.part = n - n // 3 * 3 }\n'
+    + '  for e in edges { e.cut = e.halfedge.face.part != e.halfedge.twin.face.part }\n}\n')
+  await own.waitForFunction(() => document.getElementById('script').value === 'mark')
+  await own.locator('#run').click()
+  for (const [attribute, values] of [['face.part', '0 1 2'], ['edge.cut', 'true false']]) {
+    await own.selectOption('#attribute', attribute)
+    await own.waitForFunction(([name, values]) => {
+      const words = document.getElementById('legend').innerText.split(/\s+/).filter(word => word)
+      return words.join(' ') === `${name} ${values}`
+    }, [attribute, values])
+    await picture(`colour-${attribute}`, own)
+  }
   await own.context().close()
 })
 
