@@ -77,15 +77,16 @@ pub fn validate_level_near(
 }
 
 /// Living vertices, edges and faces, each listed once.
-struct Orbits {
-    vertices: Vec<VertexId>,
-    edges: Vec<EdgeId>,
-    faces: Vec<FaceId>,
+pub(crate) struct Orbits {
+    pub(crate) vertices: Vec<VertexId>,
+    pub(crate) edges: Vec<EdgeId>,
+    pub(crate) faces: Vec<FaceId>,
 }
 
 impl Orbits {
-    /// The orbits in which something has changed.
-    fn near(mesh: &Mesh, changes: &Footprint) -> Self {
+    /// The orbits in which something has changed: those that [`validate_level_near`] checks. It also
+    /// looks at the faces around a corner of each face.
+    pub(crate) fn near(mesh: &Mesh, changes: &Footprint) -> Self {
         // A face that becomes a hole affects all elements along it. It may be large and listed many
         // times, and is walked once.
         let mut halfedges = changes.halfedges.clone();

@@ -92,6 +92,7 @@ pub use identical::{identical, identical_but_for_scratch};
 pub use invalid::Invalid;
 pub use level::{BelowLevel, Level, highest_level, validate_level};
 pub(crate) use level::{level_of_polygons, validate_level_of_valid};
+pub(crate) use level_near::Orbits;
 pub use level_near::{Footprint, validate_level_near};
 pub use notes::{Bookmark, Written};
 pub use orbit_condition::OrbitCondition;

@@ -16,7 +16,8 @@ use super::readers::Place;
 use super::window::Window;
 use super::{ElementField, HalfedgeField, Inst, List, Question, Walk};
 use crate::mesh::{
-    ColumnId, EdgeId, ElementKind, FaceId, HalfedgeId, HalfedgeRecord, Mesh, VertexId,
+    ColumnId, EdgeId, ElementKind, FaceId, Footprint, HalfedgeId, HalfedgeRecord, Mesh, Orbits,
+    VertexId,
 };
 
 /// The state on which an instruction is about to operate.
@@ -340,6 +341,23 @@ impl Drains {
                 Looked::Halfedge(id) => self.read_halfedge(mesh, id),
                 Looked::HalfedgeOf(of, id) => self.read(of.place(id)),
                 Looked::Hole(face) => self.read(Place::Face(face)),
+            }
+        }
+    }
+
+    /// Notes the reads of the check that a mesh still has its level after these changes.
+    pub(super) fn read_level(&mut self, mesh: &Mesh, changes: &Footprint) {
+        let Orbits { vertices, edges, faces } = Orbits::near(mesh, changes);
+        for vertex in vertices {
+            self.read_star(mesh, vertex.0);
+        }
+        for edge in edges {
+            self.read_edge(mesh, edge.0);
+        }
+        for face in faces {
+            self.read_loop(mesh, face.0);
+            if let Some(corner) = mesh.face_vertices(face).min() {
+                self.read_loops_around(mesh, corner.0);
             }
         }
     }

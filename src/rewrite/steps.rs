@@ -5,7 +5,7 @@
 //! did.
 
 use super::{Call, Machine, Message, Outcome, Plan, Trap, Watch};
-use crate::mesh::{BelowLevel, Mesh, validate_level_near};
+use crate::mesh::{BelowLevel, Level, Mesh, validate_level_near};
 
 /// The data that the plan of an operation in steps has in addition.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -95,10 +95,16 @@ impl Machine {
             None => self.execute::<false>(mesh, call, watch),
         };
         if let Ok(Outcome::Applied { .. }) = outcome
-            && let Err(below) = validate_level_near(mesh, plan.level, &mesh.written_since(&mark))
+            && plan.level > Level::Map
         {
-            let reason = Some(steps.below.saturating_add(place(&below)));
-            outcome = Ok(Outcome::Refused { reason });
+            let written = mesh.written_since(&mark);
+            if self.drains.is_reading() {
+                self.drains.read_level(mesh, &written);
+            }
+            if let Err(below) = validate_level_near(mesh, plan.level, &written) {
+                let reason = Some(steps.below.saturating_add(place(&below)));
+                outcome = Ok(Outcome::Refused { reason });
+            }
         }
         // The steps may have left drains and calls open.
         self.holding = holding;

@@ -9,7 +9,7 @@ use super::*;
 use hedgerow::mesh::{ElementKind, identical, shape};
 use support::dice::Dice;
 
-const PROGRAMS: u64 = 100;
+const PROGRAMS: u64 = 150;
 
 const FUNCTIONS: &str = "
 attr visits: edge int = 0
@@ -18,6 +18,31 @@ attr way: vertex vec3 = vec3(0, 0, 0)
 attr form: vertex mat3 = mat3(1)
 attr tint: face vec2 = vec2(0, 1)
 attr mark: halfedge bool = false
+
+op open(f: face) {
+  before { face f: v =P=> v }
+  after  { hole f: v =P=> v }
+}
+op open_apart(f: face) {
+  guard surface
+  steps { must open(f) }
+}
+op turn(e: edge) {
+  before {
+    face f0: v0 -a-> v1 -b-> v2 -c-> v0
+    face f1: v1 -d-> v0 -g-> v3 -h-> v1
+    edge e: a | d
+  }
+  after {
+    face f0: v3 -a-> v2 -c-> v0 -g-> v3
+    face f1: v2 -d-> v3 -h-> v1 -b-> v2
+    edge e: a | d
+  }
+}
+op turn_simply(e: edge) {
+  guard simple
+  steps { must turn(e) }
+}
 
 fn around(v: vertex) -> real { sum(w.heat + 0.25 * degree(w) for w in v.neighbors) }
 fn behind(h: halfedge) -> halfedge {
@@ -170,9 +195,11 @@ impl Writer {
         let mut key = self.value(("x", kind), depth);
         match self.0.below(12) {
             0 => key = format!("{key} + pinned.heat + 0.5 * degree(pinned)"),
-            1 => {
-                let e = self.element(("x", kind), Edge);
-                key = format!("{key} + (if can flip({e}) {{ 1 }} else {{ 0 }})");
+            1 | 3 => {
+                let ops = [("flip", Edge), ("turn_simply", Edge), ("open_apart", Face)];
+                let (op, of) = self.one(&ops);
+                let at = self.element(("x", kind), of);
+                key = format!("{key} + (if can {op}({at}) {{ 1 }} else {{ 0 }})");
             }
             2 => key = format!("{key} + 0.01 * count(edges)"),
             _ => {}
@@ -212,6 +239,8 @@ impl Writer {
             "if turns mod 3 == 0 { collapse(e, 100.0) } else { if turns mod 3 == 1 { split(e) } else { flip(e) } }",
             "if turns mod 2 == 0 { flip(e) } else { collapse(e, 100.0) }",
             "if let m = split(e) { m.heat = 2 }",
+            "open_apart(e.halfedge.face)",
+            "if turns mod 2 == 0 { open_apart(e.halfedge.face) } else { turn_simply(e) }",
             "",
         ]);
         format!("{body} let e = {e}\n{ops}")
