@@ -24,7 +24,7 @@ mod registers;
 mod run;
 
 pub use expression::{
-    Scope, arguments, attribute, copy, each, element_kind, elements, function_number, lower,
+    Orbit, Scope, arguments, attribute, copy, each, element_kind, elements, function_number, lower,
     lower_into, width,
 };
 pub use operation::compile;

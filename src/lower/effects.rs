@@ -128,6 +128,13 @@ impl Effects {
         effects
     }
 
+    /// Whether statements with these effects may call an operation; `functions` tells, by number,
+    /// whether each function may.
+    pub fn calls_ops(&self, functions: &[bool]) -> bool {
+        let is_calling = |&function: &u32| functions.get(function as usize).is_none_or(|one| *one);
+        !self.calls.is_empty() || self.functions.iter().any(is_calling)
+    }
+
     fn note(&mut self, statement: &Statement) {
         match &statement.kind {
             StatementKind::Write { attribute, .. } => {

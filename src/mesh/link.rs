@@ -52,6 +52,7 @@ impl Mesh {
         let twin = self.get_twin(h)?;
         let (a, b) = (self.get_vertex(h)?, self.get_vertex(twin)?);
         let sides = [self.side(h)?, self.side(twin)?];
+        let faces = [self.get_face(h)?, self.get_face(twin)?];
         let tips = sides.map(|side| match side {
             Side::Triangle(tip) => Some(tip),
             _ => None,
@@ -80,27 +81,26 @@ impl Mesh {
         if hole.is_some_and(|(hole, _)| self.loop_from(hole).take(4).count() < 4) {
             return Some(false);
         }
-        // Each common neighbor of the ends is a tip, so a triangle at an end that has the corners
-        // of another face, apart from the ends, has a tip among its own.
-        let is_tip = |v: VertexId| tips.contains(&Some(v));
-        let concerns = |spoke: HalfedgeId| match self.is_triangle(spoke) {
-            true => {
-                self.get_target(spoke).is_some_and(is_tip)
-                    || self.last_of(spoke).is_some_and(is_tip)
-            }
-            false => true,
+        // Each common neighbor of the ends is a tip. So a triangle at an end that has the corners of
+        // a face at the other end, apart from the ends, has both tips among its own; if it has those
+        // of a polygon at the edge, one of them.
+        let is_tip = |v: &VertexId| tips.contains(&Some(*v));
+        let least = if polygons == [None; 2] { 2 } else { 1 };
+        let concerns = |spoke: HalfedgeId| {
+            let far = [self.get_target(spoke), self.last_of(spoke)];
+            !self.is_triangle(spoke) || far.iter().flatten().filter(|v| is_tip(v)).count() >= least
         };
         for (end, other) in [(a, b), (b, a)] {
             for spoke in self.spokes(end) {
                 let face = self.get_face(spoke)?;
-                if self.get_is_hole(face)? || self.is_at(e, face) || !concerns(spoke) {
+                if faces.contains(&face) || self.get_is_hole(face)? || !concerns(spoke) {
                     continue;
                 }
                 if !self.is_triangle(spoke) && self.face_vertices(face).any(|v| v == other) {
                     return Some(false);
                 }
                 let around_other = self.spokes(other).filter_map(|spoke| self.get_face(spoke));
-                let others = around_other.filter(|&g| !self.is_at(e, g) && end == a);
+                let others = around_other.filter(|g| !faces.contains(g) && end == a);
                 let mut others = others.chain(polygons.into_iter().flatten());
                 if others.any(|other| self.same_corners(face, other, [a, b])) {
                     return Some(false);
@@ -129,13 +129,6 @@ impl Mesh {
     /// The corner before `h` in its loop.
     fn last_of(&self, h: HalfedgeId) -> Option<VertexId> {
         self.get_vertex(self.get_prev(h)?)
-    }
-
-    /// True if a face lies at an edge.
-    fn is_at(&self, e: EdgeId, face: FaceId) -> bool {
-        let half = self.get_edge_halfedge(e);
-        let halves = [half, half.and_then(|h| self.get_twin(h))];
-        halves.into_iter().flatten().any(|h| self.get_face(h) == Some(face))
     }
 
     /// True if two faces have the same corners, apart from `but`; false if `g` is a hole.

@@ -11,6 +11,7 @@ use super::lower::{Lowering, Routine};
 use crate::compile::width;
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Expr, ExprKind, Type};
+use crate::lower::Effects;
 use crate::resolve::{self, Program, Script, Statement, StatementKind, Variable};
 use crate::rewrite::{self, Code};
 use crate::source::Span;
@@ -28,6 +29,16 @@ pub struct Functions {
     pub(super) assertions: Vec<Vec<u32>>,
     /// By number, whether the code is missing.
     missing: Vec<bool>,
+    calls_ops: Arc<[bool]>,
+}
+
+/// What is known of the functions of a program while code that may call them is lowered.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Known<'k> {
+    /// The texts that the code shares.
+    pub(super) texts: &'k [String],
+    /// By number, whether each function may call an operation.
+    pub(super) calls_ops: &'k Arc<[bool]>,
 }
 
 impl Functions {
@@ -36,7 +47,7 @@ impl Functions {
     /// # Errors
     /// One diagnostic for each function that is too large; it has no code.
     pub fn of(program: &Program) -> (Self, Vec<Diagnostic>) {
-        let mut all = Self::default();
+        let mut all = Self { calls_ops: calls_ops(program), ..Self::default() };
         let mut code: Vec<rewrite::Function> = Vec::new();
         let mut diagnostics = Vec::new();
         let mut texts = Vec::new();
@@ -50,7 +61,7 @@ impl Functions {
             let (mut applies, mut calls) = (Vec::new(), Vec::new());
             let (mut assertions, mut missing) = (Vec::new(), true);
             if let Some(lower) = lower {
-                let lowering = lower(&texts);
+                let lowering = lower(Known { texts: &texts, calls_ops: &all.calls_ops });
                 (applies, calls) = (lowering.called, lowering.functions);
                 assertions = lowering.assertions;
                 lowered.places = lowering.names.places;
@@ -77,10 +88,11 @@ impl Functions {
         (all, diagnostics)
     }
 
-    /// The texts that all functions share.
-    pub(super) fn texts(&self) -> &[String] {
-        let last = self.code.last();
-        last.map_or(&[], |last| last.code.texts.as_slice())
+    /// What is known of the functions, for code that may call them.
+    pub(super) fn known(&self) -> Known<'_> {
+        // All functions share the texts.
+        let texts = self.code.last().map_or(&[][..], |last| last.code.texts.as_slice());
+        Known { texts, calls_ops: &self.calls_ops }
     }
 
     /// The given functions and those that they call, directly or indirectly; in order.
@@ -119,6 +131,28 @@ impl Functions {
     }
 }
 
+/// By number, whether each function, or script that is called like one, may call an operation,
+/// itself or through others.
+fn calls_ops(program: &Program) -> Arc<[bool]> {
+    let functions = program.functions.iter();
+    let effects = functions.map(|function| function.body.as_ref().map(|body| &body.block[..]));
+    let scripts = program.called_scripts.iter();
+    let scripts = scripts.map(|(_, _, at)| Some(&program.scripts.get((*at)?)?.body[..]));
+    let effects = effects.chain(scripts);
+    let effects: Vec<_> = effects.map(|block| block.map(Effects::of_block)).collect();
+    let calls = |effects: &Option<Effects>, known: &[bool]| {
+        effects.as_ref().is_none_or(|effects| effects.calls_ops(known))
+    };
+    let mut known = vec![false; effects.len()];
+    loop {
+        let now: Vec<bool> = effects.iter().map(|effects| calls(effects, &known)).collect();
+        if now == known {
+            return now.into();
+        }
+        known = now;
+    }
+}
+
 /// A script that has the parameters of a function, calls the function with them, and keeps its
 /// value in the variable after them.
 pub(super) fn calling(function: &resolve::Function, number: usize) -> Script {
@@ -150,8 +184,8 @@ pub(super) fn calling(function: &resolve::Function, number: usize) -> Script {
     }
 }
 
-/// Lowers a function, given the texts known so far.
-type Lower<'p> = Box<dyn Fn(&[String]) -> Lowering<'p> + 'p>;
+/// Lowers a function.
+type Lower<'p> = Box<dyn Fn(Known<'_>) -> Lowering<'p> + 'p>;
 
 /// A function that is to be lowered, or a script that is called like one.
 #[derive(Default)]
@@ -175,8 +209,8 @@ fn lowered_function<'p>(function: &'p resolve::Function) -> Beginning<'p> {
                 variables: &body.variables,
                 block: &body.block,
             };
-            let lower: Lower<'p> = Box::new(move |texts: &[String]| {
-                let mut lowering = Lowering::of_function(routine, texts);
+            let lower: Lower<'p> = Box::new(move |known: Known<'_>| {
+                let mut lowering = Lowering::of_function(routine, known);
                 lowering.block(&body.block, Some(&Exits::default()));
                 lowering.end();
                 lowering
@@ -193,8 +227,8 @@ fn called_script(script: &Script) -> Beginning<'_> {
         name: script.name.clone(),
         span: script.span,
         params: params.fold(0, u16::saturating_add),
-        lower: Some(Box::new(|texts| {
-            let mut lowering = Lowering::of_called_script(routine(script), texts);
+        lower: Some(Box::new(|known| {
+            let mut lowering = Lowering::of_called_script(routine(script), known);
             lowering.body(routine(script));
             lowering.end();
             lowering

@@ -1,6 +1,9 @@
 //! Lowering of the statements of a script to register code.
 
+use std::sync::Arc;
+
 use super::call::FunctionCall;
+use super::function::Known;
 use super::live::{Exits, Liveness, calls};
 use crate::compile::{Scope, attribute, copy, lower, lower_into, width};
 use crate::diagram::{Access, Expr, ExprKind, NameId, Param, Type, Unary};
@@ -29,6 +32,8 @@ pub(super) struct Lowering<'p> {
     pub(super) called: Vec<(usize, Span)>,
     /// The functions that are called.
     pub(super) functions: Vec<usize>,
+    /// By number, whether each function of the program may call an operation.
+    pub(super) calls_ops: Arc<[bool]>,
     /// The numbers of the places of assertions, in order.
     pub(super) assertions: Vec<u32>,
     /// The reasons for which an operation in steps may itself refuse.
@@ -102,11 +107,11 @@ impl Scope for Names {
 impl<'p> Lowering<'p> {
     /// Begins the code of a script: the registers are the parameters, then for each of them whether
     /// it is given, then the other variables.
-    pub(super) fn of_script(routine: Routine<'p>, texts: &[String]) -> Self {
+    pub(super) fn of_script(routine: Routine<'p>, known: Known<'_>) -> Self {
         let mut effects = Effects::of_block(routine.block);
         let defaults = routine.params.iter().filter_map(|param| param.default.as_ref());
         defaults.for_each(|default| effects.see(default));
-        let mut lowering = Self::with_parameters(routine, effects, texts);
+        let mut lowering = Self::with_parameters(routine, effects, known);
         let given = routine.params.iter().map(|_| lowering.asm.reg());
         let given: Vec<Reg> = given.collect();
         lowering.other_variables(routine);
@@ -123,14 +128,14 @@ impl<'p> Lowering<'p> {
 
     /// Begins the code of a script that is called like a function: whether a parameter is given is
     /// itself a parameter.
-    pub(super) fn of_called_script(routine: Routine<'p>, texts: &[String]) -> Self {
-        Self { ending: Ending::Function, ..Self::of_script(routine, texts) }
+    pub(super) fn of_called_script(routine: Routine<'p>, known: Known<'_>) -> Self {
+        Self { ending: Ending::Function, ..Self::of_script(routine, known) }
     }
 
     /// Begins the code of a function: the registers are the parameters, then the other variables.
-    pub(super) fn of_function(routine: Routine<'p>, texts: &[String]) -> Self {
+    pub(super) fn of_function(routine: Routine<'p>, known: Known<'_>) -> Self {
         let effects = Effects::of_block(routine.block);
-        let mut lowering = Self::with_parameters(routine, effects, texts);
+        let mut lowering = Self::with_parameters(routine, effects, known);
         lowering.other_variables(routine);
         lowering.ending = Ending::Function;
         lowering
@@ -138,8 +143,8 @@ impl<'p> Lowering<'p> {
 
     /// Begins the code of an operation in steps: the registers are the parameters, then the other
     /// variables.
-    pub(super) fn of_steps(routine: Routine<'p>, effects: Effects, texts: &[String]) -> Self {
-        let mut lowering = Self::with_parameters(routine, effects, texts);
+    pub(super) fn of_steps(routine: Routine<'p>, effects: Effects, known: Known<'_>) -> Self {
+        let mut lowering = Self::with_parameters(routine, effects, known);
         lowering.other_variables(routine);
         lowering.ending = Ending::Steps;
         lowering
@@ -162,8 +167,8 @@ impl<'p> Lowering<'p> {
         self.asm.emit(Inst::Refuse);
     }
 
-    fn with_parameters(routine: Routine<'p>, effects: Effects, texts: &[String]) -> Self {
-        let mut asm = Assembler::knowing(texts);
+    fn with_parameters(routine: Routine<'p>, effects: Effects, known: Known<'_>) -> Self {
+        let mut asm = Assembler::knowing(known.texts);
         let mut lowering = Self {
             params: routine.params.len(),
             variables: Variables::of(routine.block),
@@ -176,6 +181,7 @@ impl<'p> Lowering<'p> {
             drains: 0,
             held: None,
             called: effects.ops.into_iter().collect(),
+            calls_ops: Arc::clone(known.calls_ops),
             functions: effects.functions.into_iter().map(|number| number as usize).collect(),
             assertions: Vec::new(),
             visited: Vec::new(),

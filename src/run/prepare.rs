@@ -92,7 +92,7 @@ pub(super) fn prepare_script(
     plans: &Plans,
     functions: Functions,
 ) -> Result<Prepared, Vec<Diagnostic>> {
-    let mut lowering = Lowering::of_script(routine(script), functions.texts());
+    let mut lowering = Lowering::of_script(routine(script), functions.known());
     lowering.body(routine(script));
     let reached = functions.reached(&lowering.functions);
     if let Some(missing) = functions.first_missing(&reached) {

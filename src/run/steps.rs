@@ -208,7 +208,7 @@ fn plan(
     }
     let routine =
         Routine { params: &op.params, variables: &steps.body.variables, block: &steps.body.block };
-    let mut lowering = Lowering::of_steps(routine, effects, functions.texts());
+    let mut lowering = Lowering::of_steps(routine, effects, functions.known());
     for require in &steps.requires {
         let mark = lowering.asm.mark();
         let condition = lowering.value(&require.condition);

@@ -2,8 +2,9 @@
 
 use super::live::Exits;
 use super::lower::{Loop, Lowering};
-use crate::compile::{Scope, each, elements, lower};
+use crate::compile::{Orbit, Scope, each, elements, lower};
 use crate::diagram::{Collection, Expr, Type};
+use crate::lower::Effects;
 use crate::resolve::{Statement, StatementKind, Visit};
 use crate::rewrite::{Assembler, Elements, Inst, Label, Reg, Task, Turns};
 use crate::source::Span;
@@ -59,7 +60,8 @@ impl Lowering<'_> {
         self.asm.bind(end);
     }
 
-    /// `for x in xs where c { … }`, `update`; the writes of an `update` are kept back.
+    /// `for x in xs where c { … }`, `update`; the writes of an `update` are kept back. Elements are
+    /// listed before the first turn, unless they are in one orbit and no operation is called.
     pub(super) fn visit(&mut self, statement: &Statement) {
         let StatementKind::For { variable, collection, filter, body, visit, parallel } =
             &statement.kind
@@ -67,6 +69,22 @@ impl Lowering<'_> {
             return;
         };
         let span = statement.span;
+        if *visit == Visit::InOrder
+            && !parallel
+            && let (Some(orbit), Some(base)) = (Orbit::of(collection), collection.base())
+            && !Effects::of_block(std::slice::from_ref(statement)).calls_ops(&self.calls_ops)
+        {
+            let mark = self.asm.mark();
+            let (base, place) = (self.value(base), self.names.place(span));
+            let (walk, from) = orbit.walk(&mut self.asm, base, place);
+            let to = self.names.local(*variable);
+            self.asm.emit(Inst::Copy { to, from });
+            self.trap_at(span, Inst::Tick);
+            self.unless(filter.as_ref(), walk.next);
+            self.turns(Loop { again: walk.next, end: walk.done }, body, None);
+            walk.end(&mut self.asm, place);
+            return self.asm.release(mark);
+        }
         if *visit == Visit::Update {
             let buffer = self.asm.buffer();
             self.asm.emit(Inst::BufferClear { buffer });
@@ -102,17 +120,22 @@ impl Lowering<'_> {
         self.turn(span, index, total);
         self.asm.bind(first);
         self.asm.emit(Inst::JumpUnlessLiving { of: kind(collection), element, to: again });
-        if let Some(filter) = filter {
-            let mark = self.asm.mark();
-            let condition = self.value(filter);
-            self.asm.emit(Inst::JumpUnless { condition, to: again });
-            self.asm.release(mark);
-        }
+        self.unless(filter.as_ref(), again);
         self.turns(Loop { again, end }, body, None);
         self.asm.emit(Inst::Jump { to: again });
         self.asm.bind(end);
         if let Some(buffer) = self.held.take() {
             self.asm.emit(Inst::ReleaseHeld { buffer });
+        }
+    }
+
+    /// Jumps if there is a filter that the element does not pass.
+    fn unless(&mut self, filter: Option<&Expr>, to: Label) {
+        if let Some(filter) = filter {
+            let mark = self.asm.mark();
+            let condition = self.value(filter);
+            self.asm.emit(Inst::JumpUnless { condition, to });
+            self.asm.release(mark);
         }
     }
 

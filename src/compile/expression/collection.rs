@@ -85,39 +85,86 @@ fn each_around(
     place: u32,
     turn: &mut LoopBody,
 ) {
-    use ElementField::{Face, Vertex};
-    let (of, wanted) = match collection {
-        Collection::VertexHalfedges(_) => (Vertex, Wanted::Itself),
-        Collection::VertexEdges(_) => (Vertex, Wanted::Pointer(HalfedgeField::Edge)),
-        Collection::VertexFaces(_) => (Vertex, Wanted::Face),
-        Collection::VertexNeighbors(_) => (Vertex, Wanted::Target),
-        Collection::FaceHalfedges(_) => (Face, Wanted::Itself),
-        Collection::FaceVertices(_) => (Face, Wanted::Pointer(HalfedgeField::Vertex)),
-        Collection::FaceEdges(_) => (Face, Wanted::Pointer(HalfedgeField::Edge)),
-        _ => return each_of_list(asm, scope, (collection, base), place, turn),
+    let Some(orbit) = Orbit::of(collection) else {
+        return each_of_list(asm, scope, (collection, base), place, turn);
     };
-    let (from, at, turns) = (asm.reg(), asm.reg(), asm.reg());
-    first(asm, place, of, [from, base]);
-    let (head, next, done) = (asm.label(), asm.label(), asm.label());
-    let walk = match of {
-        Vertex => Walk::Star,
-        _ => Walk::Loop,
-    };
-    // An isolated vertex has nothing around it.
-    asm.emit(Inst::WalkBegin { walk, from, at, turns, otherwise: done });
-    asm.bind(head);
-    let element = match wanted {
-        Wanted::Itself => at,
-        _ => {
-            let to = asm.reg();
-            asm.emit(Inst::Copy { to, from: at });
-            make(asm, place, wanted, to, next)
-        }
-    };
-    turn(asm, scope, element, next);
-    asm.bind(next);
-    asm.trap_at(place, Inst::WalkNext { walk, from, at, turns, again: head });
-    asm.bind(done);
+    let (walk, element) = orbit.walk(asm, base, place);
+    turn(asm, scope, element, walk.next);
+    walk.end(asm, place);
+}
+
+/// The orbit that has the elements of a collection.
+#[derive(Clone, Copy)]
+pub struct Orbit {
+    of: ElementField,
+    wanted: Wanted,
+}
+
+/// A loop that walks an orbit, while its body is lowered. The body does not change pointers.
+#[derive(Clone, Copy)]
+pub struct OrbitWalk {
+    walk: Walk,
+    from: Reg,
+    at: Reg,
+    turns: Reg,
+    head: Label,
+    /// The start of the next turn.
+    pub next: Label,
+    /// The end of the loop.
+    pub done: Label,
+}
+
+impl Orbit {
+    /// The orbit around the element that a collection is around, if it is a single one.
+    pub fn of(collection: &Collection) -> Option<Self> {
+        use ElementField::{Face, Vertex};
+        let (of, wanted) = match collection {
+            Collection::VertexHalfedges(_) => (Vertex, Wanted::Itself),
+            Collection::VertexEdges(_) => (Vertex, Wanted::Pointer(HalfedgeField::Edge)),
+            Collection::VertexFaces(_) => (Vertex, Wanted::Face),
+            Collection::VertexNeighbors(_) => (Vertex, Wanted::Target),
+            Collection::FaceHalfedges(_) => (Face, Wanted::Itself),
+            Collection::FaceVertices(_) => (Face, Wanted::Pointer(HalfedgeField::Vertex)),
+            Collection::FaceEdges(_) => (Face, Wanted::Pointer(HalfedgeField::Edge)),
+            _ => return None,
+        };
+        Some(Self { of, wanted })
+    }
+
+    /// Begins a loop over the orbit around the element in the register; returns the register of the
+    /// element that is visited.
+    pub fn walk(self, asm: &mut Assembler, base: Reg, place: u32) -> (OrbitWalk, Reg) {
+        let Self { of, wanted } = self;
+        let (from, at, turns) = (asm.reg(), asm.reg(), asm.reg());
+        first(asm, place, of, [from, base]);
+        let (head, next, done) = (asm.label(), asm.label(), asm.label());
+        let walk = match of {
+            ElementField::Vertex => Walk::Star,
+            _ => Walk::Loop,
+        };
+        // An isolated vertex has nothing around it.
+        asm.emit(Inst::WalkBegin { walk, from, at, turns, otherwise: done });
+        asm.bind(head);
+        let element = match wanted {
+            Wanted::Itself => at,
+            _ => {
+                let to = asm.reg();
+                asm.emit(Inst::Copy { to, from: at });
+                make(asm, place, wanted, to, next)
+            }
+        };
+        (OrbitWalk { walk, from, at, turns, head, next, done }, element)
+    }
+}
+
+impl OrbitWalk {
+    /// Ends the loop.
+    pub fn end(self, asm: &mut Assembler, place: u32) {
+        let Self { walk, from, at, turns, head, next, done } = self;
+        asm.bind(next);
+        asm.trap_at(place, Inst::WalkNext { walk, from, at, turns, again: head });
+        asm.bind(done);
+    }
 }
 
 /// Appends the loop for elements that are first put into a buffer.

@@ -16,7 +16,7 @@ mod pointer;
 mod scope;
 mod value;
 
-pub use collection::{each, elements};
+pub use collection::{Orbit, each, elements};
 pub use scope::{Scope, copy, element_kind, width};
 pub(super) use value::halfedge_field;
 pub use value::{arguments, attribute, function_number, lower, lower_into};

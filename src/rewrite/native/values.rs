@@ -196,19 +196,14 @@ impl Translator<'_, '_> {
                 let value = self.b.ins().sqrt(square);
                 self.set_real(to, value);
             }
-            Inst::Normalize { to, from } | Inst::Balance { to, from } => {
-                let (vector, place) = (self.vector(from), self.place_of_vector());
-                let flags = MemFlagsData::trusted();
-                for (at, part) in (0..).zip(vector) {
-                    self.b.ins().store(flags, part, place, at * 8);
-                }
-                let stub = match inst {
-                    Inst::Balance { .. } => stubs::balance as *const () as usize,
-                    _ => stubs::normalize as *const () as usize,
-                };
-                let signature = self.signature(&[I64], &[]);
-                self.call(stub, signature, &[place]);
-                let values = [0, 8, 16].map(|at| self.b.ins().load(F64, flags, place, at));
+            Inst::Normalize { to, from } => {
+                let vector = self.vector(from);
+                let values = self.by_stub(stubs::normalize as *const () as usize, vector);
+                self.set_vector(to, values);
+            }
+            Inst::Balance { to, from } => {
+                let vector = self.vector(from);
+                let values = self.balanced(vector);
                 self.set_vector(to, values);
             }
             Inst::Wide { operation, width, to, left, right } => {
@@ -264,6 +259,60 @@ impl Translator<'_, '_> {
             _ => return false,
         }
         true
+    }
+
+    /// What a stub makes of a vector.
+    fn by_stub(&mut self, stub: usize, vector: [Value; 3]) -> [Value; 3] {
+        let (place, flags) = (self.place_of_vector(), MemFlagsData::trusted());
+        for (at, part) in (0..).zip(vector) {
+            self.b.ins().store(flags, part, place, at * 8);
+        }
+        let signature = self.signature(&[I64], &[]);
+        self.call(stub, signature, &[place]);
+        [0, 8, 16].map(|at| self.b.ins().load(F64, flags, place, at))
+    }
+
+    /// The vector times a power of two, as [`balance`](crate::rewrite::arithmetic::balance) does: its
+    /// largest component tells the power by its exponent. A stub takes over if the power or its
+    /// inverse is no normal number.
+    fn balanced(&mut self, vector: [Value; 3]) -> [Value; 3] {
+        const SIGN: i64 = i64::MIN;
+        const EXPONENT: i64 = f64::INFINITY.to_bits() as i64;
+        const LEAST: i64 = f64::MIN_POSITIVE.to_bits() as i64;
+        let parts = [(); 3].map(|()| self.b.declare_var(F64));
+        let bits = vector.map(|part| self.b.ins().bitcast(I64, MemFlagsData::new(), part));
+        let [x, y, z] = bits.map(|bits| self.b.ins().band_imm_s(bits, !SIGN));
+        let largest = [y, z].into_iter().fold(x, |most, other| {
+            let is_more = self.b.ins().icmp(IntCC::UnsignedGreaterThan, other, most);
+            self.b.ins().select(is_more, other, most)
+        });
+        let power = self.b.ins().band_imm_s(largest, EXPONENT);
+        let [usual, other, on] = [(); 3].map(|()| self.b.create_block());
+        self.b.set_cold_block(other);
+        let above = self.b.ins().iadd_imm_s(power, -LEAST);
+        let most = EXPONENT - 2 * LEAST;
+        let is_usual = self.b.ins().icmp_imm_u(IntCC::UnsignedLessThan, above, most);
+        self.b.ins().brif(is_usual, usual, &[], other, &[]);
+
+        self.b.switch_to_block(usual);
+        // The exponents of a power and its inverse add up to that of 1, twice.
+        let one = self.b.ins().iconst(I64, 2 * 1.0f64.to_bits() as i64);
+        let inverse = self.b.ins().isub(one, power);
+        let inverse = self.b.ins().bitcast(F64, MemFlagsData::new(), inverse);
+        for (var, part) in parts.into_iter().zip(vector) {
+            let value = self.b.ins().fmul(part, inverse);
+            self.b.def_var(var, value);
+        }
+        self.b.ins().jump(on, &[]);
+
+        self.b.switch_to_block(other);
+        let values = self.by_stub(stubs::balance as *const () as usize, vector);
+        for (var, value) in parts.into_iter().zip(values) {
+            self.b.def_var(var, value);
+        }
+        self.b.ins().jump(on, &[]);
+        self.go_on(on);
+        parts.map(|part| self.b.use_var(part))
     }
 
     pub(super) fn reals(&mut self, from: Reg, count: u16) -> Vec<Value> {
