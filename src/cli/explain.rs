@@ -97,6 +97,7 @@ fn usual(asked: &str) -> &str {
         "valence" => "degree",
         "decimate" => "simplify",
         "delete" | "remove" => "erase",
+        "sort" | "queue" | "priority" | "heap" => "drain",
         "array" | "lists" => "list",
         "oriented" | "orient" => "orientation",
         _ => asked,

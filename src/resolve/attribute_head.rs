@@ -74,7 +74,14 @@ pub(super) fn head(
             "an attribute holds a bool, a number, a vector or a matrix, not {}",
             a_type(ty)
         );
-        report.add(Diagnostic::error("attribute-type", message, attr.ty.span));
+        let mut error = Diagnostic::error("attribute-type", message, attr.ty.span);
+        if ty.is_element() {
+            error = error.note(
+                "an element can be marked instead, `attr is_parent: halfedge bool = false` at the \
+                 halfedge that leads to it, or carry a number of its own, `attr id: vertex int = 0`",
+            );
+        }
+        report.add(error);
     }
     let failed = report.failed();
     diagnostics.extend(report.into_diagnostics());

@@ -79,7 +79,8 @@ pub(super) fn field(ty: Type, word: &str) -> Option<Here> {
         (Type::Vertex, "incident_edges" | "adjacent_edges") => "edges",
         (Type::Face, "neighbors" | "neighbours" | "faces" | "adjacent_faces" | "adjacent") => {
             return Some(Said(
-                "the faces beside a face are those of its edges: `for e in f.edges { for g in e.faces { … } }`",
+                "the faces beside a face lie across its halfedges: `for h in f.halfedges where not \
+                 boundary(h.twin) { … h.twin.face … }`",
             ));
         }
         (Type::Vec3 | Type::Vec4, "r") => "x",

@@ -202,7 +202,14 @@ impl Scripting<'_> {
             _ => {
                 let message = "`if let` wants the call of an op";
                 let error = Diagnostic::error("not-an-op", message, condition.span);
-                self.typing.report.add(error);
+                let note = "`argmin` and `argmax` want an element: whether there is one is asked \
+                            before, `if any(… for e in edges) { … }`";
+                let is_least = |name: &str| matches!(name, "argmin" | "argmax");
+                let asks = matches!(
+                    &condition.kind,
+                    tree::ExprKind::Aggregate { function, .. } if is_least(&function.text)
+                );
+                self.typing.report.add(if asks { error.note(note) } else { error });
                 None
             }
         };

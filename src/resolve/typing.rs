@@ -305,18 +305,20 @@ fn is_zero(expr: &tree::Expr) -> bool {
     }
 }
 
-/// The error with the fix that ints are divided by `div`, if they are divided by `/`.
+/// The error with the fix that ints are divided by `div`, if they are divided by `/`, or with the
+/// way to an int.
 fn with_div(error: Diagnostic, expr: &tree::Expr, value: &Expr) -> Diagnostic {
+    let rounds = "`round(x)` is the nearest int, `round(floor(x))` the one below";
     let (
         tree::ExprKind::Binary(tree::BinaryOp::Divide, left, right),
         ExprKind::Binary(_, first, second),
     ) = (&expr.kind, &value.kind)
     else {
-        return error;
+        return error.note(rounds);
     };
     let was_int = |operand: &Expr| matches!(operand.kind, ExprKind::Unary(Unary::ToReal, _));
     if !was_int(first) || !was_int(second) {
-        return error;
+        return error.note(rounds);
     }
     let error = error.note("`/` gives a real, `div` an int");
     // If more stands between them than a sign and its spaces, it is a comment.

@@ -72,14 +72,18 @@ impl Lowering<'_> {
         if *visit == Visit::InOrder
             && !parallel
             && let (Some(orbit), Some(base)) = (Orbit::of(collection), collection.base())
-            && !Effects::of_block(std::slice::from_ref(statement)).calls_ops(&self.calls_ops)
+            && let effects = Effects::of_block(std::slice::from_ref(statement))
+            && !effects.calls_ops(&self.calls_ops)
         {
             let mark = self.asm.mark();
             let (base, place) = (self.value(base), self.names.place(span));
             let (walk, from) = orbit.walk(&mut self.asm, base, place);
             let to = self.names.local(*variable);
             self.asm.emit(Inst::Copy { to, from });
-            self.trap_at(span, Inst::Tick);
+            if !effects.functions.is_empty() || body.iter().any(has_loop) {
+                // A walk alone is short.
+                self.trap_at(span, Inst::Tick);
+            }
             self.unless(filter.as_ref(), walk.next);
             self.turns(Loop { again: walk.next, end: walk.done }, body, None);
             walk.end(&mut self.asm, place);
@@ -229,6 +233,16 @@ impl Lowering<'_> {
         self.block(body, exits);
         self.loops.pop();
     }
+}
+
+/// Whether a statement has a loop in it.
+fn has_loop(statement: &Statement) -> bool {
+    use StatementKind::{Drain, For, Repeat, While};
+    let mut found = false;
+    statement.each(&mut |inner| {
+        found |= matches!(inner.kind, For { .. } | Repeat { .. } | While { .. } | Drain { .. });
+    });
+    found
 }
 
 /// What the elements of a collection must still be when their turn comes.

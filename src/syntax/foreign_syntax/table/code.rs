@@ -67,7 +67,13 @@ pub(super) const LINES: &[Line] = &[
         "`$k $f` is declared beside what calls it, not in it",
     ),
     told(CODE, "^erase/keep/new $n:part $:end", "", CHANGED),
-    told(CODE, "^delete/remove $n $:end", "", CHANGED),
+    told(
+        CODE,
+        "^delete/remove $n $:end",
+        "",
+        "a script changes a mesh by calling operations: `dissolve_edge(e)`, `open_face(f)`; many faces \
+         are deleted by `std/delete.hedge`",
+    ),
     told(CODE, "= new vertex/edge/face/halfedge $l:line", "= true", CHANGED),
     sure(
         CODE,
