@@ -59,8 +59,11 @@ fn text_rule(rule: &Rule) -> String {
     let rows = (WIDTH / size.x * SLIM.y).clamp(UNIT[0] * SLIM.y, UNIT[1] * SLIM.y);
     let scale = SLIM * (rows.floor() / SLIM.y);
     let scale = scale.min(MOST / size);
-    let grid = Grid { scale: scale / RADIUS, by: DVec2::new(3.0, 2.0) - low * scale };
-    let size = (size * scale + DVec2::new(8.0, 5.0)).min(MOST + 8.0);
+    // Half of the longest name has room beside the vertices.
+    let longest = rule.names.iter().filter(|name| name.named).map(|name| name.text.chars().count());
+    let margin = (longest.max().unwrap_or(0) / 2 + 1).max(3) as f64;
+    let grid = Grid { scale: scale / RADIUS, by: DVec2::new(margin, 2.0) - low * scale };
+    let size = (size * scale).min(MOST) + DVec2::new(2.0 * margin + 2.0, 5.0);
     let places = unit.map(|unit| unit.iter().map(|&at| at * RADIUS).collect::<Vec<_>>());
     let before = Panel::new(&figure, None, &places[0], "");
     let after = Panel::new(&figure, Some(&before), &places[1], "");

@@ -123,6 +123,66 @@ fn elements_around_one_are_listed_first() {
     assert_eq!(lines.len(), 4);
 }
 
+/// Without an op in its body a loop around an element walks its orbit; with one, the elements are
+/// listed first. If the op does nothing, both visit the same.
+#[test]
+fn a_walk_visits_what_a_list_would() {
+    let around = [
+        ("vertices", "halfedges"),
+        ("vertices", "edges"),
+        ("vertices", "faces"),
+        ("vertices", "neighbors"),
+        ("faces", "halfedges"),
+        ("faces", "vertices"),
+        ("faces", "edges"),
+        ("edges", "vertices"),
+        ("edges", "faces"),
+    ];
+    // Two faces are open, so that holes lie around elements.
+    let meshes = [shape::grid(3, 2), shape::pillow(3), shape::octahedron()];
+    let (mut compared, mut printed) = (0, 0);
+    for mesh in meshes {
+        for (all, inner) in around {
+            let script = |op: &str| {
+                format!(
+                    "op open(f: face) {{ before {{ face f: v =P=> v }} after {{ hole f: v =P=> v }} }}
+                     attr seen: vertex int = 0
+                     fn twice(n: int) -> int {{ n * 2 }}
+                     script main() {{
+                       var opened = 0
+                       for f in faces where opened < 2 {{ must open(f)  opened = opened + 1 }}
+                       var turns = 0
+                       for x in {all} {{
+                         for y in x.{inner} where turns mod 7 != 3 {{
+                           turns = turns + 1
+                           {op}
+                           if turns mod 5 == 0 {{ continue }}
+                           for z in x.{inner} {{
+                             turns = turns + twice(1)
+                             for v in vertices {{ v.seen = v.seen + 1  break }}
+                             if turns mod 11 == 0 {{ break }}
+                             print x, y, z, turns
+                           }}
+                           print x, y
+                           if turns mod 13 == 0 {{ break }}
+                         }}
+                         turns = turns + 1
+                       }}
+                       print turns, sum(v.seen for v in vertices)
+                     }}"
+                )
+            };
+            let walked = run_alone(&mut mesh.clone(), &script(""), &[]).unwrap().1;
+            let idle = "if turns < 0 { for f in faces { open(f) } }";
+            let listed = run_alone(&mut mesh.clone(), &script(idle), &[]).unwrap().1;
+            assert_eq!(walked, listed, "{all}.{inner}");
+            compared += 1;
+            printed += walked.len();
+        }
+    }
+    assert!(compared == 27 && printed > 1000, "{compared}, {printed}");
+}
+
 #[test]
 fn update_reads_old_values_everywhere() {
     let mut mesh = shape::triangle_grid(3, 3);
