@@ -26,7 +26,7 @@ pub(super) fn is_tables(path: &Path) -> bool {
 }
 
 /// Reads a mesh, repairing it if that is asked for, or makes the shape that is named in place of a
-/// file: `torus(12, 8)`. A file without a vertex is an error.
+/// file: `torus(12, 8)`.
 pub(super) fn read(path: &Path, arguments: &RepairArguments) -> Result<MeshFile, Failure> {
     if let Some(shape) = shape(path) {
         return match arguments.merge {
@@ -108,13 +108,6 @@ fn expect_read(path: &Path, read: Result<MeshFile, FileError>) -> Result<MeshFil
         false => unreadable(path, error),
     })?;
     let shown = path.display();
-    if file.mesh.vertex_count() == 0 {
-        let message = match FileFormat::of(path) {
-            Ok(FileFormat::Obj) => "there is no vertex in it: is it an OBJ file?",
-            _ => "there is no vertex in it",
-        };
-        return Err(Failure::usage(format!("{shown}: {message}")));
-    }
     if let Some(report) = file.repaired.filter(|report| report.is_changed()) {
         let mut steps = report.steps();
         if let (Some(first), Some((line, words))) = (steps.first_mut(), &file.damage) {

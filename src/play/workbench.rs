@@ -241,9 +241,6 @@ impl Workbench {
                 return Ok(Message::of(json));
             }
         };
-        if file.mesh.vertex_count() == 0 {
-            return Err(format!("{name}: there is no vertex in it"));
-        }
         file.bring_all();
         let steps = file.repaired.map(|report| report.steps());
         self.replace(file.mesh);

@@ -59,6 +59,19 @@ fn no_mesh() {
     nothing.fails(2, &["info", "."], "`.` is a folder; a mesh is wanted here");
 }
 
+/// Tables say that they are empty; a list of no polygons is probably something else.
+#[test]
+fn no_vertex() {
+    let bench = Bench::new();
+    bench.write("none.halfedges", "mesh mesh\n");
+    bench.succeeds(&["info", "none.halfedges"]);
+    for ending in ["off", "ply", "stl", "msh", "obj"] {
+        let name = format!("none.{ending}");
+        bench.succeeds(&["convert", "none.halfedges", &name]);
+        bench.fails(2, &["info", &name], "there is no vertex in it");
+    }
+}
+
 #[test]
 fn a_file_cut_anywhere_is_a_smaller_mesh_or_a_message() {
     let bench = Bench::new();

@@ -106,7 +106,8 @@ fn signs_and_comments_are_no_reason_to_refuse_a_file() {
         let error = read(FileFormat::Obj, obj.replace("+1/+1", corner).as_bytes()).unwrap_err();
         assert_eq!(error, format!("t:5: `{corner}` is not a corner of a face"));
     }
-    let msh = "$Comments\nx\n$EndComments\n$MeshFormat\n2.2 0 8\n$EndMeshFormat\n";
+    let msh = "$Comments\nx\n$EndComments\n$MeshFormat\n2.2 0 8\n$EndMeshFormat\n\
+        $Nodes\n1\n1 0 0 0\n$EndNodes\n";
     let told = told(FileFormat::Msh, msh.as_bytes());
     assert_eq!(told, ["1 section `$Comments`, first in line 1"]);
 }

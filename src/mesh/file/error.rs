@@ -32,6 +32,8 @@ pub enum FileReason {
     MergedTables,
     /// The file violates its format, in words.
     Malformed(String),
+    /// There is no vertex in the file, which so is probably of no format of meshes.
+    NoVertex(FileFormat),
     /// The file is truncated, or parts of it cannot be read, in words. A repair skips them.
     Damaged(String),
     /// The polygons of the file are not a mesh. A repair helps.
@@ -342,6 +344,10 @@ impl fmt::Display for FileReason {
             Self::Malformed(words) | Self::Damaged(words) | Self::Unheld(words) => {
                 f.write_str(words)
             }
+            Self::NoVertex(FileFormat::Obj) => {
+                f.write_str("there is no vertex in it: is it an OBJ file?")
+            }
+            Self::NoVertex(_) => f.write_str("there is no vertex in it"),
             Self::NotPolygons(why) => write!(f, "no list of polygons holds this mesh{why}"),
             Self::Faults(faults) => write!(f, "{faults}"),
             Self::TooLarge { kind } => {

@@ -14,7 +14,8 @@ use crate::mesh::repair::Repair;
 use crate::mesh::validate::validate;
 
 /// Reads the file at `path`, in the format given by its ending. Polygons that are not a mesh are an
-/// error, or are repaired if that is requested.
+/// error, or are repaired if that is requested. A list of polygons without a vertex is no mesh; tables
+/// may be empty.
 ///
 /// # Errors
 /// The file cannot be read, violates its format, or is not a mesh.
@@ -60,7 +61,7 @@ fn read_source(
         source.by_ref().take(2).read_to_end(&mut text)?;
         if is_big_endian(format, &text).is_none() {
             let contents = obj::read(text.as_slice().chain(source), bytes)?;
-            return Ok(build(name, Ok(contents), repair, reorder));
+            return Ok(build((name, format), Ok(contents), repair, reorder));
         }
     }
     source.read_to_end(&mut text)?;
@@ -68,12 +69,16 @@ fn read_source(
 }
 
 fn build(
-    name: &str,
+    (name, format): (&str, FileFormat),
     contents: Result<Contents, Failure>,
     repair: Option<Repair>,
     reorder: bool,
 ) -> Result<MeshFile, FileError> {
     let built = contents.and_then(|contents| contents.build(repair, reorder));
+    let built = built.and_then(|file| match file.mesh.vertex_count() {
+        0 => Err((None, FileReason::NoVertex(format))),
+        _ => Ok(file),
+    });
     built.map_err(|failure| error(name, failure))
 }
 
@@ -111,7 +116,7 @@ fn read_text(
         }
         FileFormat::Halfedges => return read_tables(text).map_err(|reason| error(name, reason)),
     };
-    build(name, contents, repair, reorder)
+    build((name, format), contents, repair, reorder)
 }
 
 /// The UTF-8 text of a file in UTF-16, which some programs write; `None` for other files.
