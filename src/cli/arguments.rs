@@ -10,6 +10,7 @@ use super::option_groups::{
     EncodingArguments, EngineArguments, LevelName, RepairArguments, ThreadArguments,
 };
 use super::output::is_standard;
+use crate::draw::View;
 
 /// A language in which operations on halfedge meshes are drawn, before and after.
 #[derive(Debug, Parser)]
@@ -349,7 +350,7 @@ pub(super) struct ViewArguments {
     pub output: PathBuf,
     /// Width and height of the picture in pixels:
     /// one number for both [default: 800]
-    #[arg(long, value_name = "PIXELS", value_parser = within(16_u32, 16384), verbatim_doc_comment)]
+    #[arg(long, value_name = "PIXELS", value_parser = within(View::SIZES[0], View::SIZES[1]), verbatim_doc_comment)]
     pub size: Option<u32>,
     /// Direction to look from [default: 0.5,0.4,1]
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]

@@ -3,7 +3,7 @@
 use std::fmt::{self, Display};
 
 use tiny_skia::{
-    Color, FillRule, FilterQuality, IntSize, LineCap, LineJoin, PathBuilder, Pixmap, PixmapPaint,
+    Color, FillRule, FilterQuality, LineCap, LineJoin, PathBuilder, Pixmap, PixmapPaint, PixmapRef,
     StrokeDash, Transform,
 };
 
@@ -11,7 +11,7 @@ use super::raster::Image;
 use super::shape::{FADED, Ink, Paint, Path, Picture, Step};
 
 /// The maximum width and height of an image.
-const MOST_PIXELS: f64 = 16_384.0;
+pub(super) const MOST_PIXELS: u32 = 16_384;
 
 /// The reason why a picture cannot be an image.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -45,10 +45,10 @@ impl Picture {
     }
 
     fn pixmap(&self, scale: f64) -> Result<Pixmap, TooLarge> {
-        let [width, height] =
-            self.size().map(|side| (side * scale).ceil().clamp(1.0, MOST_PIXELS + 1.0));
+        let most = f64::from(MOST_PIXELS);
+        let [width, height] = self.size().map(|side| (side * scale).ceil().clamp(1.0, most + 1.0));
         let too_large = TooLarge { width: width as u32, height: height as u32 };
-        if width > MOST_PIXELS || height > MOST_PIXELS {
+        if width > most || height > most {
             return Err(too_large);
         }
         let pixmap = Pixmap::new(width as u32, height as u32);
@@ -60,7 +60,7 @@ impl Picture {
             let part = (image.size * scale) as f32 / image.side as f32;
             let smooth = PixmapPaint { quality: FilterQuality::Bilinear, ..PixmapPaint::default() };
             let place = Transform::from_scale(part, part);
-            pixmap.draw_pixmap(0, 0, pixels.as_ref(), &smooth, place, None);
+            pixmap.draw_pixmap(0, 0, pixels, &smooth, place, None);
         }
         let shapes = self.groups.iter().flat_map(|group| {
             let opacity = if group.is_faded { FADED } else { 1.0 };
@@ -95,9 +95,8 @@ impl Picture {
 
 impl Image {
     /// The image as a pixmap of `tiny_skia`; `None` if it is too large.
-    fn pixmap(&self) -> Option<Pixmap> {
-        let bytes = self.pixels.iter().flatten().copied().collect();
-        Pixmap::from_vec(bytes, IntSize::from_wh(self.side, self.side)?)
+    fn pixmap(&self) -> Option<PixmapRef<'_>> {
+        PixmapRef::from_bytes(self.pixels.as_flattened(), self.side, self.side)
     }
 
     /// The image as a PNG file.

@@ -4,7 +4,7 @@
 //! algorithm for computer display of curved surfaces", 1974), so that faces hide each other in any
 //! order, and also where they intersect. Finally four pixels become one, which smooths lines.
 
-use std::mem;
+use std::ops::Range;
 
 use glam::{DVec2, DVec3};
 
@@ -17,23 +17,49 @@ pub struct Image {
     pub pixels: Vec<[u8; 4]>,
 }
 
-/// A square of pixels to draw on.
+/// The most pixels of a raster that are held at a time.
+const MOST_HELD: usize = 1 << 26;
+
+impl Image {
+    /// An image of so many pixels in a row, to be `size` wide in a picture. `draw` draws on a raster of
+    /// twice the side; it is called for each part of a large one, from above.
+    pub fn new(side: u32, size: f64, mut draw: impl FnMut(&mut Raster)) -> Self {
+        let width = 2 * side as usize;
+        // Two rows become one.
+        let most = (MOST_HELD / width.max(1)).max(2) / 2 * 2;
+        let mut pixels = Vec::with_capacity(side as usize * side as usize);
+        for first in (0..width).step_by(most) {
+            let mut raster = Raster::new(width, first..(first + most).min(width));
+            draw(&mut raster);
+            raster.shrink(&mut pixels);
+        }
+        Self { side, size, pixels }
+    }
+}
+
+/// Some rows of a square of pixels to draw on.
 pub struct Raster {
     side: usize,
+    rows: Range<usize>,
     near: Vec<f32>,
     pixels: Vec<[u8; 4]>,
 }
 
 impl Raster {
-    /// An empty raster, for an image with half its side.
-    pub fn new(image: u32) -> Self {
-        let side = 2 * image as usize;
-        Self { side, near: vec![f32::NEG_INFINITY; side * side], pixels: vec![[0; 4]; side * side] }
+    fn new(side: usize, rows: Range<usize>) -> Self {
+        let count = side * rows.len();
+        Self { side, rows, near: vec![f32::NEG_INFINITY; count], pixels: vec![[0; 4]; count] }
     }
 
-    /// The width in pixels.
-    pub fn side(&self) -> f64 {
-        self.side as f64
+    /// Whether a polygon with these corners may be seen in it.
+    pub fn meets(&self, corners: &[DVec3]) -> bool {
+        !self.rows_of(corners).is_empty()
+    }
+
+    /// The rows of the polygon with these corners.
+    fn rows_of(&self, corners: &[DVec3]) -> Range<usize> {
+        let rows = span(corners.iter().map(|at| at.y), self.side);
+        rows.start.max(self.rows.start)..rows.end.min(self.rows.end)
     }
 
     /// Draws a polygon; its corners are in pixels, with z towards the viewer. The colour is that of
@@ -42,8 +68,7 @@ impl Raster {
         let flat: Vec<_> = corners.iter().map(|corner| corner.truncate()).collect();
         let mut weights = vec![0.0; corners.len()];
         let plane = plane(corners);
-        let rows = span(flat.iter().map(|at| at.y), self.side);
-        for row in rows {
+        for row in self.rows_of(corners) {
             let y = row as f64 + 0.5;
             let mut cuts: Vec<f64> = sides(&flat)
                 .filter(|[a, b]| (a.y <= y) != (b.y <= y))
@@ -60,7 +85,7 @@ impl Raster {
                             corners.iter().zip(&weights).map(|(c, w)| c.z * w).sum()
                         }
                     } as f32;
-                    let place = row * self.side + column;
+                    let place = (row - self.rows.start) * self.side + column;
                     if near > self.near[place] {
                         self.near[place] = near;
                         let [red, green, blue] = colour(at);
@@ -71,20 +96,19 @@ impl Raster {
         }
     }
 
-    /// The drawn image, to be `size` wide in a picture; each pixel is the mean of four.
-    pub fn image(mut self, size: f64) -> Image {
+    /// Adds the pixels of an image; each is the mean of four.
+    fn shrink(&self, image: &mut Vec<[u8; 4]>) {
         let side = self.side / 2;
-        let pixels = mem::take(&mut self.pixels);
         let mean = |place: usize| {
             let first = 2 * (place / side) * self.side + 2 * (place % side);
             let four = [first, first + 1, first + self.side, first + self.side + 1];
-            let part = |part: usize| four.iter().map(|&at| u16::from(pixels[at][part])).sum();
+            let part = |part: usize| four.iter().map(|&at| u16::from(self.pixels[at][part])).sum();
             std::array::from_fn(|at| {
                 let sum: u16 = part(at);
                 (sum / 4) as u8
             })
         };
-        Image { side: side as u32, size, pixels: (0..side * side).map(mean).collect() }
+        image.extend((0..self.pixels.len() / 4).map(mean));
     }
 }
 

@@ -9,7 +9,8 @@ use glam::{DVec2, DVec3};
 
 use super::colours::{Colours, LEGEND, LINE, PALE};
 use super::curve::{area, distance};
-use super::raster::{Raster, sides, weigh};
+use super::png::MOST_PIXELS;
+use super::raster::{Image, Raster, sides, weigh};
 use super::shape::Picture;
 use crate::mesh::{ColumnId, ElementKind, FaceId, HalfedgeId, Mesh};
 
@@ -45,6 +46,9 @@ const FACE: [u8; 3] = [178, 205, 236];
 const ON_BOUNDARY: [u8; 3] = [0xc2, 0x41, 0x0c];
 
 impl View {
+    /// The least and the greatest size.
+    pub const SIZES: [u32; 2] = [16, MOST_PIXELS];
+
     /// The same view, which shows the colours that the faces or vertices of the mesh have, unless it
     /// shows another attribute.
     pub fn with_own_colours(self, mesh: &Mesh) -> Self {
@@ -59,10 +63,11 @@ impl View {
     }
 }
 
-/// Draws a mesh.
+/// Draws a mesh. A size beyond [`View::SIZES`] becomes the nearest one within.
 pub fn draw_mesh(mesh: &Mesh, view: &View) -> Picture {
+    let [least, most] = View::SIZES.map(f64::from);
     let size =
-        if view.size.is_finite() { view.size.clamp(16.0, 16_384.0) } else { View::default().size };
+        if view.size.is_finite() { view.size.clamp(least, most) } else { View::default().size };
     let colours = view.attribute.and_then(|column| Colours::new(mesh, column));
     let height = colours.as_ref().map_or(0.0, Colours::height);
     let legend = if height > 0.0 { LEGEND } else { 0.0 };
@@ -81,17 +86,21 @@ pub fn draw_mesh(mesh: &Mesh, view: &View) -> Picture {
     let extent = (high - low).truncate().max_element();
     if extent > 0.0 && extent.is_finite() {
         let fine = if size <= FINE { 2.0 } else { 1.0 };
-        let mut raster = Raster::new((size * fine).ceil() as u32);
-        let scale = raster.side() * (1.0 - 2.0 * FREE) / extent;
+        let side = (size * fine).ceil();
+        let width = 2.0 * side;
+        let scale = width * (1.0 - 2.0 * FREE) / extent;
         let middle = low + (high - low) / 2.0;
-        let center = DVec3::new(raster.side() / 2.0, raster.side() / 2.0, 0.0);
+        let center = DVec3::new(width / 2.0, width / 2.0, 0.0);
         let corners = faces.iter_mut().flat_map(|face| &mut face.corners);
         corners.for_each(|at| *at = (*at - middle) * scale + center);
-        let pen = Pen::new(&faces, raster.side() / size);
-        for face in &faces {
-            face.draw(mesh, colours.as_ref(), &pen, &mut raster);
-        }
-        picture.image = Some(raster.image(size));
+        let pen = Pen::new(&faces, width / size);
+        picture.image = Some(Image::new(side as u32, size, |raster| {
+            for face in &faces {
+                if raster.meets(&face.corners) {
+                    face.draw(mesh, colours.as_ref(), &pen, raster);
+                }
+            }
+        }));
     }
     if let Some(colours) = colours {
         let at = DVec2::new(size + LEGEND / 2.0, picture.size.y / 2.0);

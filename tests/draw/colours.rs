@@ -1,7 +1,7 @@
 //! Colours of values, and pixels of faces.
 
 use glam::{DVec2, DVec3};
-use hedgerow::draw::raster::{Raster, weigh};
+use hedgerow::draw::raster::{Image, weigh};
 use hedgerow::draw::viridis::{Range, number, viridis};
 
 #[test]
@@ -32,13 +32,33 @@ fn the_nearest_is_seen_in_any_order() {
     };
     let [rising, falling] = [square([0.0, 1.0], 10), square([1.0, 0.0], 20)];
     for order in [[rising, falling], [falling, rising]] {
-        let mut raster = Raster::new(8);
-        for (corners, red) in order {
-            raster.polygon(&corners, &|_| [red, 0, 0]);
-        }
-        let image = raster.image(8.0);
+        let image = Image::new(8, 8.0, |raster| {
+            for (corners, red) in order {
+                raster.polygon(&corners, &|_| [red, 0, 0]);
+            }
+        });
         let row: Vec<_> = image.pixels[32..40].iter().map(|pixel| pixel[0]).collect();
         assert_eq!(row, [20, 20, 20, 20, 10, 10, 10, 10]);
+    }
+}
+
+/// A large image is drawn in parts, each of which shows its own rows.
+#[test]
+fn parts_of_an_image_meet() {
+    const SIDE: u32 = 4500;
+    let far = 2.0 * f64::from(SIDE);
+    let corners = [(0.0, 0.0), (far, 0.0), (far, far), (0.0, far)];
+    let corners = corners.map(|(x, y)| DVec3::new(x, y, 0.0));
+    let mut parts = 0;
+    let image = Image::new(SIDE, 8.0, |raster| {
+        parts += 1;
+        raster.polygon(&corners, |at| [(at.y / 64.0) as u8, 0, 0]);
+    });
+    assert_eq!(parts, 2);
+    let rows: Vec<_> = image.pixels.chunks(SIDE as usize).collect();
+    assert_eq!(rows.len(), SIDE as usize);
+    for (row, pixels) in rows.iter().enumerate() {
+        assert!(pixels.iter().all(|pixel| *pixel == [(row / 32) as u8, 0, 0, 255]), "{row}");
     }
 }
 
