@@ -9,7 +9,7 @@ import numpy as np
 from . import _arrays
 from ._elements import PLURALS
 from ._hedgerow import mesh_measure, mesh_normals, mesh_png, mesh_summary
-from ._pictures import Picture
+from ._pictures import Picture, expect_size
 from .errors import ArgumentError
 
 
@@ -74,9 +74,10 @@ class Measured:
         """The picture of the mesh, which a notebook shows; written to a ``.png`` file, if one is
         given.
 
-        ``view`` points from the mesh to the viewer. ``attribute`` is shown in colour: ``"heat"``, or
+        ``view`` points from the mesh to the viewer, ``size`` is from 16 to 16384 pixels. ``attribute`` is shown in colour: ``"heat"``, or
         ``"face.label"`` if elements of several kinds have one of the name.
         """
+        expect_size("size", size)
         shown = None if attribute is None else self._shown(attribute)
         x, y, z = map(float, view)
         picture = Picture(mesh_png(self, float(size), (x, y, z), shown))

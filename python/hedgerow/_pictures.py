@@ -2,7 +2,28 @@
 
 from __future__ import annotations
 
+import numbers
 import os
+
+from ._hedgerow import picture_sizes, write_file
+from .errors import ArgumentError
+
+
+def expect_size(name, size):
+    """Raises an exception unless something is the size of a picture of a mesh."""
+    least, most = picture_sizes()
+    if not (isinstance(size, numbers.Real) and least <= size <= most):
+        message = f"`{name}` is a number of pixels from {least} to {most}, not {size!r}"
+        raise ArgumentError(message, "wrong-argument")
+
+
+def _save(path, what, ending, content):
+    """Writes a picture to a file of its kind: whole, or not at all."""
+    path = os.fspath(path)
+    if not str(path).lower().endswith(ending):
+        message = f"the picture of {what} is a {ending} file, not `{path}`"
+        raise ArgumentError(message, "wrong-argument")
+    write_file(path, content)
 
 
 class Diagram:
@@ -16,9 +37,8 @@ class Diagram:
         self.text = text
 
     def save(self, path):
-        """Writes the SVG to a file."""
-        with open(os.fspath(path), "w", encoding="utf-8") as file:
-            file.write(self.svg)
+        """Writes the SVG to an ``.svg`` file: whole, or not at all."""
+        _save(path, "an operation", ".svg", self.svg.encode())
 
     def _repr_svg_(self):
         return self.svg
@@ -38,12 +58,8 @@ class Picture:
         self.png = png
 
     def save(self, path):
-        """Writes the PNG to a file."""
-        path = os.fspath(path)
-        if not str(path).lower().endswith(".png"):
-            raise ValueError(f"the picture of a mesh is a .png file, not `{path}`")
-        with open(path, "wb") as file:
-            file.write(self.png)
+        """Writes the PNG to a ``.png`` file: whole, or not at all."""
+        _save(path, "a mesh", ".png", self.png)
 
     def _repr_png_(self):
         return self.png

@@ -46,7 +46,7 @@ mod _hedgerow {
     #[pymodule_export]
     use super::parameters::Parameter;
     #[pymodule_export]
-    use super::picture::{mesh_pixels, mesh_png};
+    use super::picture::{mesh_pixels, mesh_png, picture_sizes, write_file};
     #[pymodule_export]
     use super::program::{Program, check_text};
     #[pymodule_export]

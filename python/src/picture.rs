@@ -1,13 +1,18 @@
 //! Pictures of meshes.
 
+use std::io::Write;
+use std::path::PathBuf;
+
 use hedgerow::draw::{Picture, TooLarge, View, draw_mesh};
 use hedgerow::mesh::glam::DVec3;
+use hedgerow::mesh::{FileReason, replace_file};
 use numpy::PyArray1;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
 use super::element::kind;
+use super::error::{Kind, saying};
 use super::mesh::{MeshTables, column_of};
 
 /// The pixels of a picture of a mesh, seen from a direction, with an attribute of its vertices in
@@ -36,6 +41,22 @@ pub fn mesh_png<'py>(
 ) -> PyResult<Bound<'py, PyBytes>> {
     let png = draw(mesh, size, from, attribute, |picture| picture.png(1.0))?;
     Ok(PyBytes::new(py, &png))
+}
+
+/// The least and the greatest size of a picture of a mesh.
+#[pyfunction]
+pub fn picture_sizes() -> (u32, u32) {
+    View::SIZES.into()
+}
+
+/// Writes a file completely or not at all.
+#[pyfunction]
+pub fn write_file(py: Python<'_>, path: PathBuf, bytes: &[u8]) -> PyResult<()> {
+    let written =
+        py.detach(|| replace_file(&path, |output| output.write_all(bytes).map_err(FileReason::Io)));
+    written.map_err(|reason| {
+        saying(py, Kind::File, "bad-file", format!("{}: {reason}", path.display()))
+    })
 }
 
 /// Draws a mesh with an attribute, given by the kind of its elements and its name.

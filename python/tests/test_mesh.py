@@ -335,6 +335,22 @@ def test_files_that_fail(tmp_path, sphere):
         sphere.save(tmp_path / "no" / "folder.obj")
 
 
+def test_files_without_a_vertex(tmp_path):
+    noise = np.random.default_rng(0).integers(128, 256, 2000).astype(np.uint8).tobytes()
+    for text in (b"", b"once upon a time\n", noise):
+        (tmp_path / "a.obj").write_bytes(text)
+        for repair in (False, True):
+            with pytest.raises(hedgerow.FileError, match=r"a\.obj: .*is it an OBJ file\?"):
+                Mesh.load(tmp_path / "a.obj", repair=repair)
+    # A list of no polygons is probably an accident; tables and bytes say that they are empty.
+    for ending in ("obj", "ply", "off", "msh", "stl"):
+        Mesh().save(tmp_path / f"none.{ending}")
+        with pytest.raises(hedgerow.FileError, match="there is no vertex in it"):
+            Mesh.load(tmp_path / f"none.{ending}")
+    Mesh().save(tmp_path / "none.halfedges")
+    assert Mesh.load(tmp_path / "none.halfedges") == Mesh() == Mesh.from_bytes(Mesh().to_bytes())
+
+
 NOT_MESHES = [
     (V, [[0, 1, 4]], "vertex 4"),
     (V, [[0, 1, -1]], "there is no vertex -1"),
@@ -429,24 +445,6 @@ def test_measures_agree_with_trimesh(sphere):
     other = sphere.to_trimesh()
     for name in ("area", "volume", "bounds", "euler_number", "is_watertight", "face_normals"):
         assert np.allclose(getattr(sphere, name), getattr(other, name)), name
-
-
-def test_pictures_of_meshes(tmp_path, sphere):
-    sphere["heat"], sphere.faces["heat"], sphere.edges["crease"] = 0.5, 2, True
-    plain = sphere.picture(tmp_path / "x.png")
-    assert (tmp_path / "x.png").read_bytes() == plain.png == sphere._repr_png_() == plain._repr_png_()
-    assert plain.png.startswith(b"\x89PNG")
-    pictures = {sphere.picture(attribute=name, size=60, view=(0, 0, 1)).png for name in ("vertex.heat", "face.heat", "crease")}
-    assert len(pictures | {plain.png}) == 4
-    assert Mesh()._repr_png_() is None and Mesh().picture().png
-    with pytest.raises(hedgerow.ArgumentError, match="may be several attributes: `vertex.heat`, `face.heat`"):
-        sphere.picture(attribute="heat")
-    with pytest.raises(KeyError, match="no attribute `none`"):
-        sphere.picture(attribute="none")
-    with pytest.raises(KeyError, match="no face has an attribute `none`"):
-        sphere.picture(attribute="face.none")
-    with pytest.raises(ValueError, match="is a .png file"):
-        sphere.picture(tmp_path / "x.svg")
 
 
 def test_other_libraries(sphere):
