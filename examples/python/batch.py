@@ -132,6 +132,9 @@ class Local:
 
 def runner(name, function, workers=None, address=None):
     """The workers of a name: `ray`, `processes`, `threads` or `auto`."""
+    if workers is not None and workers < 1:
+        advice = "leave it out for as many as there are processors"
+        raise ValueError(f"`workers` is a whole number from 1, not {workers}: {advice}")
     if name == "auto":
         name = "ray" if importlib.util.find_spec("ray") else "processes"
     if name == "ray":
@@ -152,8 +155,10 @@ def run_folder(
     source, target = pathlib.Path(source), pathlib.Path(target)
     if not source.is_dir():
         raise NotADirectoryError(f"there is no folder `{source}`")
+    if target.exists() and target.samefile(source):
+        message = f"the results would replace the meshes in `{source}`: name another folder for them"
+        raise FileExistsError(message)
     names = sorted(path.name for path in source.iterdir() if path.suffix.lower() in SUFFIXES)
-    target.mkdir(parents=True, exist_ok=True)
     pool = runner(run, function, workers, address)
     running = {}
 
@@ -169,6 +174,7 @@ def run_folder(
             yield outcome
 
     try:
+        target.mkdir(parents=True, exist_ok=True)
         for name in names:
             try:
                 mesh = hedgerow.Mesh.load(source / name)
@@ -208,7 +214,7 @@ def main(arguments=None):
     parser.add_argument("--script", default="remesh", help="which of its scripts")
     parser.add_argument("--set", action="append", type=value, default=[], metavar="NAME=VALUE")
     parser.add_argument("--runner", default="auto", choices=["auto", "ray", "processes", "threads"])
-    parser.add_argument("--workers", type=int, help="how many; else as there are processors")
+    parser.add_argument("--workers", type=int, help="how many, from 1; else as there are processors")
     parser.add_argument("--address", help="of a Ray cluster that runs")
     given = parser.parse_args(arguments)
     begun, failed, count = time.perf_counter(), 0, 0
@@ -223,7 +229,7 @@ def main(arguments=None):
             failed += outcome.error is not None
             applied = "" if outcome.report is None else f"{outcome.report.applied} applied"
             print(f"{outcome.name}: {outcome.error or applied} ({outcome.seconds:.2f} s)", flush=True)
-    except (hedgerow.Error, OSError, KeyError, ImportError) as error:
+    except (hedgerow.Error, OSError, KeyError, ImportError, ValueError) as error:
         parser.exit(2, f"{told(error)}\n")
     print(f"{count} meshes, {failed} failed, in {time.perf_counter() - begun:.2f} s")
     return 1 if failed else 0

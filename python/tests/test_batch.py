@@ -98,3 +98,32 @@ def test_the_command(folder, capsys):
     with pytest.raises(SystemExit):
         batch.main(["nowhere", str(target), "--runner", "threads"])
     assert "there is no folder `nowhere`" in capsys.readouterr().err
+
+
+def test_meshes_are_not_replaced(folder, capsys):
+    before = {path.name: path.read_bytes() for path in folder.iterdir()}
+    for same in (folder, folder.parent / "out" / ".." / "in"):
+        (folder.parent / "out").mkdir(exist_ok=True)
+        with pytest.raises(SystemExit) as stopped:
+            batch.main([str(folder), str(same), "--runner", "threads"])
+        assert stopped.value.code == 2 and "name another folder" in capsys.readouterr().err
+    assert before == {path.name: path.read_bytes() for path in folder.iterdir()}
+
+
+@pytest.mark.parametrize("workers", ["-1", "0"])
+@pytest.mark.parametrize("run", ["threads", "processes", "auto"])
+def test_there_is_a_worker(folder, capsys, run, workers):
+    target = folder.parent / "out"
+    with pytest.raises(SystemExit) as stopped:
+        batch.main([str(folder), str(target), "--runner", run, "--workers", workers])
+    assert stopped.value.code == 2 and not target.exists()
+    assert f"from 1, not {workers}: leave it out" in capsys.readouterr().err
+
+
+def test_a_file_that_is_no_mesh_is_told_as_such(folder):
+    (folder / "noise.obj").write_bytes(bytes(range(256)) * 4)
+    (folder / "empty.obj").write_text("")
+    script = hedgerow.std.remesh.remesh
+    outcomes = batch.run_folder(folder, folder.parent / "out", script, run="threads", workers=1)
+    errors = {outcome.name: outcome.error for outcome in outcomes}
+    assert "is it an OBJ file?" in errors["empty.obj"] and "noise.obj: " in errors["noise.obj"]
