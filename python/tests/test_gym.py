@@ -1,5 +1,6 @@
 """The environment: what it shows, pays and refuses, and that gymnasium takes it for one."""
 
+import copy
 import pickle
 
 import numpy as np
@@ -230,6 +231,8 @@ def test_pictures():
         ({"mesh": hedgerow.Mesh.icosphere(1)}, "not planar"),
         ({"mesh": hedgerow.Mesh([[0, 0], [0, 1], [1, 0]], [[0, 1, 2]])}, "clockwise"),
         ({"mesh": hedgerow.Mesh()}, "no faces"),
+        ({"render_size": -1}, "`render_size` is a number of pixels from 16 to 16384, not -1"),
+        ({"render_size": 10**7}, "`render_size`"),
     ],
 )
 def test_wrong_arguments_are_told(arguments, message):
@@ -239,9 +242,22 @@ def test_wrong_arguments_are_told(arguments, message):
 
 def test_wrong_use_is_told():
     env = gym.PlanarMeshEnv()
-    with pytest.raises(gymnasium.error.ResetNeeded):
-        env.step(0)
+    for use in (lambda: env.step(0), env.render, lambda: env.mesh):
+        with pytest.raises(gymnasium.error.ResetNeeded):
+            use()
     env.reset(seed=0)
+    before, state = env.mesh.copy(), env.np_random.bit_generator.state
+    for action in (1.7, "3", None, [0, 1], np.array([3]), np.float64(2)):
+        with pytest.raises(hedgerow.ArgumentError, match="an action is a whole number, not"):
+            env.step(action)
+    with pytest.raises(TypeError, match="`mesh` is a mesh, or a function that makes one, not int"):
+        env.reset(seed=3, options={"mesh": 3})
+    assert env.mesh == before and env.np_random.bit_generator.state == state
+    pairs = gym.PlanarMeshEnv(pairs=True)
+    pairs.reset(seed=0)
+    for action in ([0, 1, 2], [0], [0, 1.5], "ab", [[0, 1]]):
+        with pytest.raises(hedgerow.ArgumentError, match="or a pair of them"):
+            pairs.step(action)
     with pytest.raises(ValueError, match="there is no action"):
         env.step(10_000)
     with pytest.raises(TypeError, match=r"hedgerow\.Mesh"):
@@ -299,6 +315,109 @@ def test_in_processes():
         env.close()
 
 
-def test_an_environment_that_was_not_begun_can_be_pickled():
-    env = pickle.loads(pickle.dumps(gym.PlanarMeshEnv("quad", points=3)))
-    assert env.reset(seed=1)[0].shape == (20, 24)
+COPIES = [copy.deepcopy, lambda env: pickle.loads(pickle.dumps(env))]
+
+
+@pytest.mark.parametrize("copied", COPIES)
+def test_an_environment_that_was_not_begun_is_copied(copied):
+    env = gym.PlanarMeshEnv("quad", points=3)
+    other = copied(env)
+    assert (env.reset()[0] == other.reset()[0]).all()
+    assert env.action_space.sample() == other.action_space.sample()
+
+
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("copied", COPIES)
+@pytest.mark.parametrize("given", [{}, {"pairs": True}, {"strict": True, "family": "shuffled"}])
+def test_a_copy_goes_on_as_the_original(kind, copied, given):
+    env = gymnasium.make(IDS[kind], points=6, max_steps=6, **given)
+    env.reset(seed=2)
+    rng = np.random.default_rng(0)
+    for _ in range(2):
+        env.step(gym.random_action(env, rng))
+    before = env.unwrapped.mesh.copy()
+    other = copied(env)
+    rngs = [np.random.default_rng(5), np.random.default_rng(5)]
+    told = [list(_going_on(one, rng)) for one, rng in zip((other, env), rngs)]
+    assert told[0] == told[1]
+    # The one copied from has not been touched by what the copy did.
+    again = copied(env)
+    env.reset()
+    for one in (other, again):
+        one.reset()
+        assert one.unwrapped.mesh == env.unwrapped.mesh != before
+    mesh = env.unwrapped.mesh.copy()
+    other.step(gym.random_action(other, rng))
+    assert env.unwrapped.mesh == mesh != other.unwrapped.mesh
+    assert (asked_anew(other.unwrapped) == other.unwrapped.board.valid()).all()
+
+
+def _going_on(env, rng):
+    """What is told until the episode after this one is at its third step."""
+    for _ in range(2):
+        over, steps = False, 0
+        while not over and steps < 3:
+            observation, reward, terminated, truncated, info = env.step(gym.random_action(env, rng))
+            over, steps = terminated or truncated, steps + 1
+            mask = info.pop("action_mask").tolist()
+            yield observation.tolist(), reward, over, mask, info, env.unwrapped.mesh.to_bytes()
+        env.reset()
+
+
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("copied", COPIES)
+def test_many_are_copied(kind, copied):
+    env = gymnasium.make_vec(IDS[kind], num_envs=3, points=4, max_steps=3)
+    env.reset()
+    other = copied(env)
+    for _ in range(8):
+        actions = env.action_space.sample()
+        assert (actions == other.action_space.sample()).all()
+        _same(env.step(actions), other.step(actions))
+
+
+@pytest.mark.parametrize("name", ["next_step", "same_step", "disabled"])
+def test_modes_go_by_their_names(name):
+    mode = gymnasium.vector.AutoresetMode[name.upper()]
+    for given in (name, mode, mode.value):
+        env = gymnasium.make_vec(IDS["quad"], num_envs=2, autoreset_mode=given)
+        assert env.autoreset_mode is mode and env.metadata["autoreset_mode"] is mode
+    for wrong in ("never", 3, None):
+        with pytest.raises(hedgerow.ArgumentError, match="is one of next_step, same_step, disabled"):
+            gym.PlanarMeshVectorEnv(2, autoreset_mode=wrong)
+
+
+@pytest.mark.parametrize("pairs", [False, True])
+def test_wrong_actions_of_many_do_nothing(pairs):
+    env = gym.PlanarMeshVectorEnv(3, pairs=pairs, points=4)
+    with pytest.raises(gymnasium.error.ResetNeeded):
+        env.step([0, 0, 0])
+    env.reset(seed=1)
+    before = [one.mesh.copy() for one in env.envs]
+    good = env.action_space.sample()
+    for actions, words in (
+        (good[:1], "there are 3 environments, not 1"),
+        ([*good, good[0]], "there are 3 environments, not 4"),
+        (3, "one for each environment"),
+        ([*good[:2], 1.5], "an action is a whole number"),
+        ([*good[:2], 10_000], "there is no action"),
+    ):
+        with pytest.raises(hedgerow.ArgumentError, match=words):
+            env.step(actions)
+    with pytest.raises(hedgerow.ArgumentError, match="`reset_mask`"):
+        env.reset(options={"reset_mask": np.ones(4, dtype=bool)})
+    assert [one.mesh for one in env.envs] == before and all(one._steps == 0 for one in env.envs)
+
+
+def test_masks_are_sampled_from_as_it_says():
+    many = gym.PlanarMeshVectorEnv(3, points=4)
+    _, info = many.reset(seed=1)
+    assert many.step(many.action_space.sample(tuple(info["action_mask"])))[-1]["is_applied"].all()
+    env = gymnasium.make(IDS["quad"], pairs=True)
+    _, info = env.reset(seed=1)
+    mask = info["action_mask"]
+    number = gymnasium.spaces.Discrete(len(mask), seed=1).sample(mask)
+    actions = len(env.unwrapped.actions)
+    pair = np.array([number % actions, number // actions])
+    assert env.action_space.contains(pair) and env.unwrapped.decode(pair) == env.unwrapped.decode(number)
+    assert env.step(pair)[-1]["is_applied"]

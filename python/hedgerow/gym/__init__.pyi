@@ -22,6 +22,7 @@ class _Rules(NamedTuple):
     ops: tuple[Op, ...]
     at_edges: tuple[bool, ...]
     measure: Script
+    strict: bool
 
 class Board:
     rules: _Rules

@@ -30,6 +30,11 @@ class Rules(NamedTuple):
     at_edges: tuple
     #: The script that fixes the ideal degrees.
     measure: object
+    #: Whether they keep a simple mesh simple.
+    strict: bool
+
+    def __reduce__(self):
+        return rules, (self.kind, self.strict)
 
 
 def rules(kind, strict=False):
@@ -43,7 +48,7 @@ def rules(kind, strict=False):
         program[f"strict_{name}" if strict and name != "cleanup" else name] for name in actions
     )
     at_edges = tuple(op.parameters[0].type == "edge" for op in ops)
-    return Rules(kind, _SIDES[kind], actions, ops, at_edges, program.measure)
+    return Rules(kind, _SIDES[kind], actions, ops, at_edges, program.measure, bool(strict))
 
 
 class Board:
@@ -62,12 +67,23 @@ class Board:
         _require_planar(mesh, self.rules)
         self.mesh = mesh
         self.rules.measure(mesh)
-        self._masks = {
-            column: op.live(mesh)
+        self._masks = self._live()
+        self.irregularity, self.least_irregularity = self._sums()
+
+    def _live(self):
+        """The masks of the operations by their columns, kept current; but for cleanups."""
+        return {
+            column: op.live(self.mesh)
             for column, op in enumerate(self.rules.ops)
             if self.rules.actions[column] != "cleanup"
         }
-        self.irregularity, self.least_irregularity = self._sums()
+
+    def __getstate__(self):
+        return {name: value for name, value in self.__dict__.items() if name != "_masks"}
+
+    def __setstate__(self, state):
+        self.__dict__.update(state)
+        self._masks = self._live()
 
     def _sums(self):
         scores = self.mesh["score"][self.mesh.vertex_ids]

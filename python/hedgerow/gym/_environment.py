@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import operator
 from collections.abc import Callable
 
 import gymnasium
@@ -9,6 +10,7 @@ import numpy as np
 from gymnasium import spaces
 
 from .. import _mesh
+from .._pictures import expect_size
 from ..errors import ArgumentError
 from ._board import Board, rules
 from ._meshes import random_mesh
@@ -17,6 +19,13 @@ from ._template import observe
 
 #: Scores and degrees beyond are seen as this.
 BOUND = 15
+
+
+def _expect_source(mesh):
+    """Raises an exception unless an episode can begin with something."""
+    if mesh is not None and not isinstance(mesh, (_mesh.Mesh, Callable)):
+        message = f"`mesh` is a mesh, or a function that makes one, not {type(mesh).__name__}"
+        raise TypeError(message)
 
 
 class PlanarMeshEnv(gymnasium.Env):
@@ -28,13 +37,17 @@ class PlanarMeshEnv(gymnasium.Env):
     degrees; zeros where there is no vertex. The score is the ideal degree minus the degree.
 
     **Action**: a number, ``row * len(actions) + action``: what is done, and at the halfedge of which
-    row. With ``pairs=True`` it is ``[action, row]``, as TUNE has it. The actions are those of
+    row. With ``pairs=True`` it is ``[action, row]``, as TUNE has it, and a number is taken as well. The
+    actions are those of
     ``std/planar_triangle.hedge`` (flip, split, collapse) or of ``std/planar_quad.hedge`` and
     ``std/planar_cleanup.hedge`` (flip_cw, flip_ccw, split, collapse, cleanup).
 
     **Mask**: ``info["action_mask"]`` tells for each number whether the action applies, as
     ``action_space.sample`` takes it; :meth:`action_masks` is the same as bools, as the maskable agents
-    of sb3-contrib ask for it.
+    of sb3-contrib ask for it. With ``pairs=True`` it is for numbers as well, since a ``MultiDiscrete``
+    only takes a mask for each of the two parts, which cannot tell which pairs apply: sample a number by
+    ``spaces.Discrete(len(mask)).sample(mask)`` or :func:`random_action`, and give ``step`` the number, or
+    the pair ``[number % len(actions), number // len(actions)]``.
 
     **Reward**: by how much the irregularity fell, the sum of the absolute scores, times
     ``reward_scale`` (TUNE has 10); ``invalid_reward`` for an action that does not apply, which leaves
@@ -50,7 +63,11 @@ class PlanarMeshEnv(gymnasium.Env):
     function that makes one of a ``numpy.random.Generator``, or ``None`` for :func:`random_mesh` with
     ``points`` and ``family``. ``reset(options={"mesh": mesh})`` is for one episode. ``only_valid`` leaves
     halfedges out at which no action applies. ``strict`` plays by the rules that keep a simple mesh
-    simple.
+    simple. ``render_size`` is the width of a picture in pixels, from 16 to 16384.
+
+    **Copies**: ``copy.deepcopy(env)`` and ``pickle`` work at any time. The copy goes on exactly as the
+    original would, and neither shows what is done to the other. To be pickled, a function ``mesh`` must
+    be one that ``pickle`` takes, which a ``lambda`` is not.
     """
 
     metadata = {"render_modes": ["rgb_array", "ansi"], "render_fps": 4}
@@ -80,9 +97,8 @@ class PlanarMeshEnv(gymnasium.Env):
             if not isinstance(number, (int, np.integer)) or isinstance(number, bool) or number < 1:
                 message = f"`{name}` is a whole number from 1, not {number!r}"
                 raise ArgumentError(message, "wrong-argument")
-        if mesh is not None and not isinstance(mesh, (_mesh.Mesh, Callable)):
-            message = f"`mesh` is a mesh, or a function that makes one, not {type(mesh).__name__}"
-            raise TypeError(message)
+        expect_size("render_size", render_size)
+        _expect_source(mesh)
         self.rules = rules(kind, strict)
         self.render_mode = render_mode
         self._made_of = {"kind": kind, "strict": strict}
@@ -112,6 +128,7 @@ class PlanarMeshEnv(gymnasium.Env):
     @property
     def mesh(self):
         """The mesh as it is now. It must not be changed: an agent's moves do that."""
+        self._expect_begun()
         return self.board.mesh
 
     @property
@@ -121,10 +138,14 @@ class PlanarMeshEnv(gymnasium.Env):
 
     def decode(self, action):
         """What an action is: the number of what is done, and the halfedge; -1 if its row has none."""
-        if self._pairs and np.ndim(action) == 1:
-            does, row = (int(part) for part in action)
-        else:
-            row, does = divmod(int(action), len(self.actions))
+        try:
+            if self._pairs and np.shape(action) == (2,):
+                does, row = map(operator.index, action)
+            else:
+                row, does = divmod(operator.index(action), len(self.actions))
+        except (TypeError, ValueError):
+            wanted = "a whole number or a pair of them" if self._pairs else "a whole number"
+            raise ArgumentError(f"an action is {wanted}, not {action!r}", "wrong-argument") from None
         if not (0 <= row < len(self.darts) and 0 <= does < len(self.actions)):
             raise ArgumentError(f"there is no action {action}", "wrong-argument")
         return does, int(self.darts[row])
@@ -146,8 +167,9 @@ class PlanarMeshEnv(gymnasium.Env):
 
     def begin(self, seed, options):
         """Begins an episode, without an observation."""
-        super().reset(seed=seed)
         mesh = (options or {}).get("mesh", self._mesh)
+        _expect_source(mesh)
+        super().reset(seed=seed)
         for _ in range(100):
             if mesh is None:
                 made = random_mesh(self.rules.kind, self.np_random, **self._random)
@@ -155,16 +177,18 @@ class PlanarMeshEnv(gymnasium.Env):
                 made = mesh.copy()
             else:
                 made = mesh(self.np_random)
-            self.board = Board(made, **self._made_of)
-            if isinstance(mesh, _mesh.Mesh) or not self.board.is_ideal:
+            board = Board(made, **self._made_of)
+            if isinstance(mesh, _mesh.Mesh) or not board.is_ideal:
                 break
-        self._steps = 0
+        self.board, self._steps = board, 0
 
     def act(self, action):
         """Does an action, without an observation: the reward, and why it did not apply."""
-        if self.board is None:
-            raise gymnasium.error.ResetNeeded("reset the environment first")
-        does, dart = self.decode(action)
+        self._expect_begun()
+        return self._do(*self.decode(action))
+
+    def _do(self, does, dart):
+        """Does what an action says at a halfedge; -1 is none."""
         before = self.board.irregularity
         self._steps += 1
         reason = "there is no halfedge"
@@ -202,9 +226,17 @@ class PlanarMeshEnv(gymnasium.Env):
             "reason": reason,
         }
 
-    def render(self):
+    def _expect_begun(self):
         if self.board is None:
             raise gymnasium.error.ResetNeeded("reset the environment first")
+
+    def __getstate__(self):
+        # They are made when they are asked for first, by chance: copies have the same.
+        _ = self.np_random, self.action_space.np_random
+        return self.__dict__
+
+    def render(self):
+        self._expect_begun()
         if self.render_mode == "rgb_array":
             return pixels(self.mesh, self._render_size)
         if self.render_mode == "ansi":

@@ -4,26 +4,36 @@ from __future__ import annotations
 
 import numpy as np
 from gymnasium.vector import AutoresetMode, VectorEnv
-from gymnasium.vector.utils import batch_space, iterate
+from gymnasium.vector.utils import batch_space
 
 from ..errors import ArgumentError
 from ._environment import PlanarMeshEnv
+
+
+def _mode(given):
+    """The mode of a name, of a value of gymnasium, or itself."""
+    for mode in AutoresetMode:
+        if given in (mode, mode.value, mode.name.lower()):
+            return mode
+    known = ", ".join(mode.name.lower() for mode in AutoresetMode)
+    raise ArgumentError(f"`autoreset_mode` is one of {known}, not {given!r}", "wrong-argument")
 
 
 class PlanarMeshVectorEnv(VectorEnv):
     """Many :class:`PlanarMeshEnv` at once, in one process: they share the compiled program, and are
     looked at together, which takes most of the time of a single one.
 
-    Takes what a single one takes, and the mode in which environments that have ended begin again
-    (``next_step``, ``same_step`` or ``disabled``, see gymnasium's ``AutoresetMode``).
+    Takes what a single one takes, and the mode in which environments that have ended begin again:
+    ``"next_step"``, ``"same_step"`` or ``"disabled"``, or one of gymnasium's ``AutoresetMode``.
+    ``action_space.sample(tuple(info["action_mask"]))`` samples actions that apply; with
+    ``pairs=True`` see there. It is copied and pickled as a single one is.
     """
 
     def __init__(self, num_envs=1, *, autoreset_mode=AutoresetMode.NEXT_STEP, **kwargs):
         super().__init__()
         if not isinstance(num_envs, (int, np.integer)) or num_envs < 1:
             raise ArgumentError(f"`num_envs` is a whole number from 1, not {num_envs!r}", "wrong-argument")
-        mode = autoreset_mode
-        self.autoreset_mode = mode if isinstance(mode, AutoresetMode) else AutoresetMode(mode)
+        self.autoreset_mode = _mode(autoreset_mode)
         self.envs = [PlanarMeshEnv(**kwargs) for _ in range(num_envs)]
         self.num_envs = int(num_envs)
         first = self.envs[0]
@@ -47,7 +57,11 @@ class PlanarMeshVectorEnv(VectorEnv):
 
     def reset(self, *, seed=None, options=None):
         options = dict(options or {})
-        which = np.flatnonzero(options.pop("reset_mask", np.ones(self.num_envs, dtype=bool)))
+        mask = np.asarray(options.pop("reset_mask", np.ones(self.num_envs, dtype=bool)))
+        if mask.shape != (self.num_envs,):
+            message = f"`reset_mask` has a bool for each of {self.num_envs} environments"
+            raise ArgumentError(message, "wrong-argument")
+        which = np.flatnonzero(mask)
         if seed is None or isinstance(seed, (int, np.integer)):
             seeds = [None if seed is None else int(seed) + i for i in range(self.num_envs)]
         else:
@@ -71,11 +85,11 @@ class PlanarMeshVectorEnv(VectorEnv):
         again = self._over.copy()
         if again.any() and self.autoreset_mode == AutoresetMode.DISABLED:
             raise ArgumentError("an environment has ended: reset it first", "wrong-argument")
-        for i, action in enumerate(iterate(self.action_space, actions)):
-            if again[i]:
+        for i, move in enumerate(self._moves(actions, again)):
+            if move is None:
                 self.envs[i].begin(None, None)
             else:
-                rewards[i], reasons[i] = self.envs[i].act(action)
+                rewards[i], reasons[i] = self.envs[i]._do(*move)
         self._look(range(self.num_envs))
         for i in np.flatnonzero(~again):
             ended[:, i] = self.envs[i].is_over()
@@ -94,6 +108,25 @@ class PlanarMeshVectorEnv(VectorEnv):
         for i, env in enumerate(self.envs):
             infos = self._add_info(infos, env._info(reasons[i]), i)
         return self._observations.copy(), rewards, ended[0], ended[1], infos
+
+    def _moves(self, actions, again):
+        """What each environment is to do, ``None`` where it begins again; nothing is done yet."""
+        try:
+            actions = list(actions)
+        except TypeError:
+            message = f"actions are a row, one for each environment, not {actions!r}"
+            raise ArgumentError(message, "wrong-argument") from None
+        if len(actions) != self.num_envs:
+            message = f"there are {self.num_envs} environments, not {len(actions)} as there are actions"
+            raise ArgumentError(message, "wrong-argument")
+        for env in self.envs:
+            env._expect_begun()
+        return [None if over else env.decode(a) for env, a, over in zip(self.envs, actions, again)]
+
+    def __getstate__(self):
+        # As for a single one.
+        _ = self.np_random, self.action_space.np_random
+        return self.__dict__
 
     def render(self):
         return tuple(env.render() for env in self.envs)
