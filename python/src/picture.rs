@@ -1,6 +1,5 @@
 //! Pictures of meshes.
 
-use std::io::Write;
 use std::path::PathBuf;
 
 use hedgerow::draw::{Picture, TooLarge, View, draw_mesh};
