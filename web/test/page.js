@@ -387,7 +387,7 @@ test('attributes of all kinds of elements are shown in colour', async () => {
   await own.keyboard.press('Control+a')
   await own.keyboard.insertText('attr part: face int = 0\nattr cut: edge bool = false\n'
     + 'script mark() {\n  var n = 0\n'
-    + '  for f in faces { n = n + 1 f.part = n - n // 3 * 3 }\n'
+    + '  for f in faces { n = n + 1 f.part = n mod 3 }\n'
     + '  for e in edges { e.cut = e.halfedge.face.part != e.halfedge.twin.face.part }\n}\n')
   await own.waitForFunction(() => document.getElementById('script').value === 'mark')
   await own.locator('#run').click()
