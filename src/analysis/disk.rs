@@ -70,8 +70,9 @@ impl Reader for Disk {
     }
 }
 
-fn is_program(path: &Path) -> bool {
-    path.extension().is_some_and(|end| end == "hedge")
+/// True if a name is that of a program.
+pub fn is_program(path: &Path) -> bool {
+    path.extension().is_some_and(|end| end.eq_ignore_ascii_case("hedge"))
 }
 
 /// Checks that a path leads to a regular file of at most `most` bytes.

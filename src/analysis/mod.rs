@@ -61,7 +61,7 @@ pub use actions::actions;
 pub use aliases::{NamesAsOne, RuleAliases, aliases};
 pub use argument::{RuleArgument, why_proved};
 pub use completion::{Choice, Completion, completions};
-pub use disk::{Disk, expect_regular, program_text, read_program};
+pub use disk::{Disk, expect_regular, is_program, program_text, read_program};
 pub use examined::Examined;
 pub use example::{NoExample, example};
 pub use files::{Nowhere, Reader, meant};

@@ -8,6 +8,7 @@ use std::path::Path;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 
 use super::program::{self, is_mesh};
+use crate::analysis::is_program;
 use crate::library::{self, LibraryFile};
 use crate::source::FileId;
 use crate::syntax::parse;
@@ -47,7 +48,7 @@ fn no_command(word: &str) -> Option<String> {
              FILE.hedge {word}` runs a script on it"
         ));
     }
-    if path.extension().is_some_and(|end| end == "hedge") || word.contains("::") {
+    if is_program(path) || word.contains("::") {
         return Some(format!(
             "`{word}` is a program, and no command: `hedgerow check {word}` proves it, `hedgerow \
              run {word} MESH` runs a script of it"

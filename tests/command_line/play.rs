@@ -93,6 +93,9 @@ fn the_page_is_served_to_its_owner_only() {
     assert_eq!(status, 200);
     assert!(String::from_utf8_lossy(&body).contains("hedgerow-local"));
     assert_eq!(served.ask(&format!("GET /{token}/main.js"), &[], b"").0, 200);
+    for page in ["", "index.html", "main.js"] {
+        assert_eq!(served.ask(&format!("HEAD /{token}/{page}"), &[], b""), (200, Vec::new()));
+    }
     assert_eq!(served.ask(&format!("GET /{token}/../Cargo.toml"), &[], b"").0, 404);
     for (request, headers) in [
         ("GET /".to_owned(), vec![]),
@@ -218,10 +221,45 @@ fn programs_of_the_folder_are_listed_opened_and_saved_and_no_others() {
     assert!(save("part.hedge", "null", "// again").contains("is there already"));
     assert!(save("new.hedge", "null", "// new").contains("saved"));
     assert_eq!(bench.read("inside/new.hedge"), "// new");
+    // What cannot be read as a program has been changed as well; what is gone is written again.
+    bench.write("inside/part.hedge", b"// na\xefve");
+    assert!(save("part.hedge", "\"// mine\"", "// no").contains("changed elsewhere"));
+    assert_eq!(std::fs::read(bench.path("inside/part.hedge")).unwrap(), b"// na\xefve");
+    std::fs::remove_file(bench.path("inside/part.hedge")).unwrap();
+    assert!(save("part.hedge", "\"// old\"", "// mine").contains("saved"));
+    // Editors show all line ends as one.
+    bench.write("inside/new.hedge", "// a\r\n// b\r\n");
+    assert!(save("new.hedge", "\"// a\\n// b\\n\"", "// c\\n").contains("saved"));
+    assert_eq!(bench.read("inside/new.hedge"), "// c\r\n");
     for name in ["../new.hedge", "new.txt", ".hedge", "", "sub/new.hedge"] {
         assert!(save(name, "null", "// no").contains("\"error\""), "{name}");
     }
     assert_eq!(bench.read("inside/part.hedge"), "// mine");
+}
+
+#[test]
+fn who_is_refused_keeps_nobody_waiting() {
+    let bench = Bench::with_square();
+    let Some(served) = Served::start(&bench, &[]) else {
+        return;
+    };
+    let sizes = ["100000", "100000000000000000", "9999999999999999999", "nonsense"];
+    let open = |(at, expects): (usize, &str)| {
+        let mut stream = TcpStream::connect(format!("127.0.0.1:{}", served.port)).unwrap();
+        let size = sizes[at % sizes.len()];
+        let text =
+            format!("POST / HTTP/1.1\r\nHost: evil\r\n{expects}Content-Length: {size}\r\n\r\nx");
+        stream.write_all(text.as_bytes()).unwrap();
+        let mut status = [0; 12];
+        stream.read_exact(&mut status).unwrap();
+        assert_eq!(&status, b"HTTP/1.1 403");
+        stream
+    };
+    let expects = ["", "Expect: 100-continue\r\n"].into_iter().cycle();
+    let open: Vec<_> = (0..40).zip(expects).map(open).collect();
+    assert!(served.post(&format!("{}start", served.open()), b"").contains("folder"));
+    drop(open);
+    assert!(served.post(&format!("{}files", served.open()), b"").contains("square.obj"));
 }
 
 #[test]

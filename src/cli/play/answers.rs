@@ -56,6 +56,11 @@ impl Answers {
                 response.add_header(header);
             }
         }
+        if request.body_length().is_some_and(|bytes| bytes as u64 > MOST) {
+            // Where a request is dropped, tiny_http makes room for all of the body that is left.
+            std::mem::forget(request.upgrade("none", response));
+            return;
+        }
         // A page that has disconnected needs no answer.
         let _ = request.respond(response);
     }
@@ -84,14 +89,20 @@ impl Answers {
                 "the address is not complete: open the one that `hedgerow play` prints",
             );
         };
+        if request.body_length().is_some_and(|bytes| bytes as u64 > MOST) {
+            return Err((413, "the question is too large".to_owned()));
+        }
         let mut body = Vec::new();
         let read = request.as_reader().take(MOST).read_to_end(&mut body);
         read.map_err(|error| (400, error.to_string()))?;
         let nothing = || (404, "nothing here".to_owned());
-        if *request.method() == Method::Get {
+        if matches!(request.method(), Method::Get | Method::Head) {
             return match asked.as_str() {
                 "" | "index.html" => {
-                    page::index(&format!("/{}/{}/", self.token, self.pages.open()))
+                    // Who asks for the head alone opens no page.
+                    let opens = *request.method() == Method::Get;
+                    let number = if opens { self.pages.open() } else { 0 };
+                    page::index(&format!("/{}/{number}/", self.token))
                 }
                 name => page::file(name),
             }

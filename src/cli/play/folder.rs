@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use crate::analysis::{expect_regular, read_program};
+use crate::analysis::{expect_regular, is_program, read_program};
 use crate::mesh::{FileFormat, FileReason, replace_file};
 
 /// The most files that are listed.
@@ -89,39 +89,41 @@ impl Folder {
         fs::read(&path).map_err(|error| told(error.to_string()))
     }
 
-    /// Writes a program: a listed one that still has the text `was`, or a new one in the folder.
+    /// Writes a program: a listed one that still has the text `was`, or one in the folder that is
+    /// new, or not there any more.
     ///
     /// # Errors
     /// The reason, in words.
     pub fn save(&self, name: &str, was: Option<&str>, text: &str) -> Result<(), String> {
-        let path = match was {
-            Some(was) => {
-                let path = self.listed(name)?;
-                if read_program(&path).is_ok_and(|now| now != was) {
-                    return Err(format!(
-                        "`{name}` has been changed elsewhere since it was opened: download this \
-                         text, and open the file again"
-                    ));
-                }
-                path
+        let path = self.listed(name).or_else(|_| self.new_program(name))?;
+        let mut text = text.to_owned();
+        // A file that somebody has deleted is written again: nothing is lost by that.
+        if path.try_exists().unwrap_or(true) {
+            let was = was.ok_or_else(|| format!("`{name}` is there already: give another name"))?;
+            let now = path.is_file().then(|| read_program(&path).ok()).flatten();
+            let now = now.filter(|now| is_alike(now, was)).ok_or_else(|| {
+                format!(
+                    "`{name}` has been changed elsewhere since it was opened: download this text, \
+                     and open the file again"
+                )
+            })?;
+            if now.contains("\r\n") {
+                text = text.replace("\r\n", "\n").replace('\n', "\r\n");
             }
-            None => {
-                let path = self.path.join(name);
-                let is_plain = Path::new(name).file_name().is_some_and(|last| last == name);
-                if !is_plain || !is_program(&path) {
-                    return Err(
-                        "the name of a program ends in `.hedge`, and names no folder".into()
-                    );
-                }
-                if path.exists() {
-                    return Err(format!("`{name}` is there already: give another name"));
-                }
-                path
-            }
-        };
+        }
         let written =
             replace_file(&path, |file| file.write_all(text.as_bytes()).map_err(FileReason::Io));
         written.map_err(|reason| format!("`{name}` cannot be written: {reason}"))
+    }
+
+    /// The path of a program that may be made in the folder.
+    fn new_program(&self, name: &str) -> Result<PathBuf, String> {
+        let path = self.path.join(name);
+        let is_plain = Path::new(name).file_name().is_some_and(|last| last == name);
+        match is_plain && is_program(&path) {
+            true => Ok(path),
+            false => Err("the name of a program ends in `.hedge`, and names no folder".into()),
+        }
     }
 
     /// The path of a listed name; all others are refused.
@@ -133,8 +135,9 @@ impl Folder {
     }
 }
 
-fn is_program(path: &Path) -> bool {
-    path.extension().is_some_and(|ending| ending == "hedge")
+/// True if two texts have the same lines: editors show all line ends as one.
+fn is_alike(one: &str, other: &str) -> bool {
+    one.lines().eq(other.lines()) && one.ends_with('\n') == other.ends_with('\n')
 }
 
 fn is_mesh(path: &Path) -> bool {

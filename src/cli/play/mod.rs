@@ -23,11 +23,7 @@ use super::failure::Failure;
 use super::output::complain;
 use answers::Answers;
 use folder::Folder;
-use pages::{MOST_PAGES, Pages};
-
-/// The number of requests that are answered at the same time: for each page one that runs, and
-/// another one that asks for its progress.
-const THREADS: usize = 2 * MOST_PAGES;
+use pages::Pages;
 
 /// Serves the page until Ctrl-C.
 pub(super) fn play(arguments: &PlayArguments) -> Result<(), Failure> {
@@ -47,22 +43,19 @@ pub(super) fn play(arguments: &PlayArguments) -> Result<(), Failure> {
     let address = format!("http://127.0.0.1:{port}/{token}/");
     let pages = Pages::new(Arc::clone(&folder));
     let answers = Answers { port, token, folder, pages };
-    let (server, answers) = (Arc::new(server), Arc::new(answers));
-    let threads = (0..THREADS).map(|_| {
-        let (server, answers) = (Arc::clone(&server), Arc::clone(&answers));
-        thread::spawn(move || server.incoming_requests().for_each(|it| answers.answer(it)))
-    });
-    let threads: Vec<_> = threads.collect();
+    let answers = Arc::new(answers);
     // For programs that have started this one; people read it as well.
     let _ = writeln!(stdout(), "{address}").and_then(|()| stdout().flush());
     if !arguments.no_browser && open::that_detached(&address).is_err() {
         complain("no browser could be opened: open the address above");
     }
     complain("Ctrl-C ends it");
-    for thread in threads {
-        let _ = thread.join();
+    loop {
+        let request = server.recv().map_err(|error| failed(&error))?;
+        // Each connection has a thread already, and may keep this one waiting for its body as well.
+        let answers = Arc::clone(&answers);
+        thread::spawn(move || answers.answer(request));
     }
-    Ok(())
 }
 
 /// 128 random bits in hexadecimal, which cannot be guessed.

@@ -7,7 +7,7 @@ use super::engine::Engine;
 use super::folder::Folder;
 
 /// The most pages that have an engine: the least recently used page loses its own.
-pub(super) const MOST_PAGES: usize = 8;
+const MOST_PAGES: usize = 8;
 
 /// The engines of pages, by the numbers of the pages.
 pub(super) struct Pages {
