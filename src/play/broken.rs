@@ -3,17 +3,19 @@
 use serde_json::{Value, json};
 
 use super::element::shown;
+use super::frame::Frame;
 use crate::mesh::{Element, ElementKind, Invalid, Mesh};
 
 /// The reason why a mesh is invalid, as pointers `{ from, pointer, to }` between elements of the
 /// mesh before: only those have known positions.
-pub(super) fn broken(invalid: &Invalid, before: &Mesh) -> Vec<Value> {
+pub(super) fn broken(invalid: &Invalid, before: &Mesh, frame: &Frame) -> Vec<Value> {
+    let shown = |element| shown(before, frame, element);
     let is_there = |of: &Element| before.is_alive(of.kind, of.index);
     pointers(invalid)
         .into_iter()
         .filter(|(from, _, to)| is_there(from) && is_there(to))
         .map(|(from, pointer, to)| {
-            json!({ "from": shown(before, from), "pointer": pointer, "to": shown(before, to) })
+            json!({ "from": shown(from), "pointer": pointer, "to": shown(to) })
         })
         .collect()
 }

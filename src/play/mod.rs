@@ -13,6 +13,7 @@ mod ask;
 mod broken;
 mod code;
 mod element;
+mod frame;
 mod layout;
 mod message;
 mod past;

@@ -2,15 +2,18 @@
 
 use std::collections::HashMap;
 
+use glam::DVec3;
 use serde_json::{Value, json};
 
 use super::Message;
+use super::frame::Frame;
 use crate::draw::{Colours, Key};
 use crate::mesh::{ColumnId, EdgeId, ElementKind, FaceId, HalfedgeId, Mesh};
 
 /// The mesh as arrays, which the answer lists by name, type and length, in their order:
 ///
-/// - `positions`: three reals for each slot of a vertex;
+/// - `positions`: three reals for each slot of a vertex, in the `frame`, of which the answer gives
+///   the middle and the size;
 /// - `triangles`: three vertices each; `faces`: the face that each is part of;
 /// - `edges`: the ends of each living edge; `edgeIds`: its number; `halfedges`: its two halfedges,
 ///   of which the first starts at the first end; `edgeFaces`: their faces; `edgeIsBoundary`: 1 or
@@ -19,10 +22,14 @@ use crate::mesh::{ColumnId, EdgeId, ElementKind, FaceId, HalfedgeId, Mesh};
 /// - `colours`: red, green and blue (sRGB, from 0 to 255) of the value of the attribute, for each
 ///   slot of its kind, which is `coloured`. `legend` tells their meaning, unless the values are
 ///   colours themselves: the least and the greatest number, or the values and their colours.
-pub(super) fn view(mesh: &Mesh, attribute: Option<&str>) -> Message {
+pub(super) fn view(mesh: &Mesh, frame: &Frame, attribute: Option<&str>) -> Message {
     let mut arrays = Arrays::default();
-    let at = mesh.positions().iter().flat_map(|at| at.to_array());
-    arrays.reals("positions", at.map(|part| if part.is_finite() { part as f32 } else { 0.0 }));
+    let places = mesh.positions().iter().zip(0..).map(|(&at, vertex)| {
+        let is_alive = mesh.is_alive(ElementKind::Vertex, vertex);
+        if is_alive { frame.place(at) } else { DVec3::ZERO }
+    });
+    let parts = places.flat_map(|at| at.to_array());
+    arrays.reals("positions", parts.map(|part| part as f32));
     let (mut triangles, mut faces) = (Vec::new(), Vec::new());
     for face in mesh.faces().filter(|&face| !mesh.is_hole(face)) {
         triangulate(mesh, face, &mut triangles);
@@ -59,6 +66,7 @@ pub(super) fn view(mesh: &Mesh, attribute: Option<&str>) -> Message {
     let attributes = attributes.map(|(id, column)| format!("{}.{}", id.kind.name(), column.name()));
     let json = json!({
         "counts": counts(mesh),
+        "frame": [frame.middle.x, frame.middle.y, frame.middle.z, frame.size],
         "slots": ElementKind::ALL.map(|kind| mesh.capacity(kind)),
         "attributes": attributes.collect::<Vec<_>>(),
         "coloured": colours.as_ref().map(|(kind, _)| kind.name()),

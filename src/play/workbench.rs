@@ -10,6 +10,7 @@ use super::ask::{Ask, Given};
 use super::broken::broken;
 use super::code::code;
 use super::element::shown;
+use super::frame::Frame;
 use super::layout::laid_out;
 use super::message::Message;
 use super::past::Past;
@@ -56,6 +57,8 @@ pub struct Workbench {
     pub(super) program: Program,
     pub(super) session: Session,
     pub(super) past: Past,
+    /// The frame in which the mesh was shown last.
+    frame: Frame,
     /// True if the mesh is not the default one, but was set by a question.
     is_chosen: bool,
     /// The script that was run last, if nothing was done since.
@@ -73,6 +76,7 @@ impl Default for Workbench {
             session: Session::new(&program, shape::icosphere(2)),
             program,
             past: Past::default(),
+            frame: Frame::default(),
             is_chosen: false,
             last_run: None,
             most_history: MOST_HISTORY,
@@ -118,7 +122,11 @@ impl Workbench {
             Ask::Mesh { name, repair, of_host: true } => {
                 self.open(&name, &host.mesh(&name)?, repair)
             }
-            Ask::View { attribute } => Ok(view(self.session.mesh(), attribute.as_deref())),
+            Ask::View { attribute } => {
+                let mesh = self.session.mesh();
+                self.frame = self.frame.fitting(mesh);
+                Ok(view(mesh, &self.frame, attribute.as_deref()))
+            }
             Ask::Places { op, given } => self.places(&op, &given),
             Ask::Names { op, element, given } => self.names(&op, element, &given),
             Ask::Apply { op, element, given } => self.apply(&op, element, &given),
@@ -317,14 +325,15 @@ impl Workbench {
         let arguments = Self::arguments(&op.parameters(), given, Some(element))?;
         let matched = self.session.matched(&op, arguments).map_err(|error| error.to_string())?;
         let mesh = self.session.mesh();
+        let shown = |element| shown(mesh, &self.frame, element);
         Ok(Message::of(match matched {
-            Err(reason) => json!({ "refused": &*reason.text, "at": shown(mesh, element) }),
+            Err(reason) => json!({ "refused": &*reason.text, "at": shown(element) }),
             Ok(found) => {
                 let rule = self.drawn_rule(op.name(), found.rule);
                 let fates = rule.map(fates).unwrap_or_default();
                 let names = found.names.iter().flat_map(|(name, elements)| {
                     let fate = fates.get(name.as_str()).copied().unwrap_or("kept");
-                    elements.iter().map(move |&element| json!([name, shown(mesh, element), fate]))
+                    elements.iter().map(move |&element| json!([name, shown(element), fate]))
                 });
                 let label = rule.and_then(|rule| rule.label.as_deref());
                 json!({ "rule": label, "names": names.collect::<Vec<_>>() })
@@ -349,9 +358,10 @@ impl Workbench {
                 self.past.keep(before);
                 self.last_run = None;
                 let mesh = self.session.mesh();
-                let result = result.map(|result| shown(mesh, result));
+                let shown = |element| shown(mesh, &self.frame, element);
+                let result = result.map(shown);
                 let created: Vec<_> =
-                    self.session.created().iter().map(|&element| shown(mesh, element)).collect();
+                    self.session.created().iter().map(|&element| shown(element)).collect();
                 Ok(self.state(json!({ "result": result, "created": created })))
             }
         }
@@ -361,11 +371,12 @@ impl Workbench {
         let mut bytes = Vec::new();
         let examples = self.counterexamples.iter().map(|example| {
             let mesh = laid_out(&example.before);
-            let before = view(&mesh, None);
+            let frame = Frame::default().fitting(&mesh);
+            let before = view(&mesh, &frame, None);
             let range = [bytes.len(), before.bytes.len()];
             bytes.extend(before.bytes);
             let names = example.names.iter().flat_map(|(name, elements)| {
-                let shown = |&element| json!([name, shown(&mesh, element)]);
+                let shown = |&element| json!([name, shown(&mesh, &frame, element)]);
                 elements.iter().map(shown).collect::<Vec<_>>()
             });
             json!({
@@ -373,7 +384,7 @@ impl Workbench {
                 "rule": example.rule,
                 "code": example.code,
                 "verdict": example.verdict,
-                "broken": broken(&example.invalid, &mesh),
+                "broken": broken(&example.invalid, &mesh, &frame),
                 "svg": draw_op(&example.drawn()).svg(),
                 "names": names.collect::<Vec<_>>(),
                 "view": before.json,

@@ -245,6 +245,68 @@ fn arrays_say_what_the_mesh_is() {
     }
 }
 
+/// The positions of a view, and its frame.
+fn seen(workbench: &mut Workbench) -> (Vec<f32>, Value) {
+    let view = ask_with(workbench, json!({ "ask": "view" }), &[]);
+    let first = &view.json["arrays"][0];
+    assert_eq!(first["name"], "positions");
+    let length = first["length"].as_u64().unwrap() as usize;
+    let (numbers, _) = view.bytes.as_chunks::<4>();
+    let numbers = numbers.iter().take(length).map(|&bytes| f32::from_le_bytes(bytes));
+    (numbers.collect(), view.json["frame"].clone())
+}
+
+#[test]
+fn meshes_of_any_size_are_seen_alike() {
+    let mut workbench = with_program();
+    let names = |workbench: &mut Workbench| {
+        let at = json!({ "kind": "edge", "index": 0 });
+        ask(workbench, json!({ "ask": "names", "op": "flip", "element": at }))
+    };
+    let mut looks = Vec::new();
+    for (size, away) in
+        [("1", 0.0), ("1e308", 0.0), ("1e160", 0.0), ("1e-30", 0.0), ("1e-320", 0.0), ("1", 1e6)]
+    {
+        let size: f64 = size.parse().unwrap();
+        let corner = |at: [f64; 3]| {
+            let [x, y, z] = at.map(|part| part * size + away);
+            format!("v {x:e} {y:e} {z:e}\n")
+        };
+        let corners = [[-1.0, -1.0, 0.0], [1.0, -1.0, 0.0], [1.0, 1.0, 0.0], [-1.0, 1.0, 0.0]];
+        let text = corners.map(corner).concat() + "f 1 2 3\nf 1 3 4\n";
+        let mesh = json!({ "ask": "mesh", "name": "m.obj" });
+        assert_eq!(ask_with(&mut workbench, mesh, text.as_bytes()).json["counts"]["faces"], 2);
+        let (positions, _) = seen(&mut workbench);
+        looks.push((positions, names(&mut workbench)));
+    }
+    let near = |one: f32, other: f32| (one - other).abs() < 1e-3;
+    for (positions, names) in &looks {
+        assert!(
+            positions.iter().zip(&looks[0].0).all(|(&one, &other)| near(one, other)),
+            "{looks:?}"
+        );
+        let at = names.pointer("/at/at/0").unwrap_or(&names["names"][0][1]["at"][0]);
+        assert!(at.as_f64().is_some_and(|at| at.abs() <= 2.0), "{names}");
+    }
+}
+
+#[test]
+fn a_mesh_that_changes_is_seen_to_grow_as_long_as_it_can_be_shown() {
+    let mut workbench = Workbench::default();
+    let text = "script grow(by: real) { update v in vertices { v.position = by * v.position } }";
+    let program = json!({ "ask": "program", "name": "p.hedge", "text": text });
+    assert_eq!(ask(&mut workbench, program)["sound"], true);
+    let (small, frame) = seen(&mut workbench);
+    let grow = |by: f64| json!({ "ask": "run", "script": "grow", "given": { "by": by } });
+    assert!(ask(&mut workbench, grow(2.0))["failed"].is_null());
+    let (large, same) = seen(&mut workbench);
+    assert_eq!((large[0], &same), (2.0 * small[0], &frame));
+    ask(&mut workbench, grow(1e9));
+    let (huge, other) = seen(&mut workbench);
+    assert_ne!(other, frame);
+    assert!(huge.iter().all(|part| part.abs() < 2.0));
+}
+
 #[test]
 fn code_counterexamples_and_files() {
     let mut workbench = with_program();
