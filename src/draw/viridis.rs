@@ -41,12 +41,17 @@ pub struct Range {
 }
 
 impl Range {
-    /// The range of some numbers; those that are not finite do not count.
+    /// The range of some numbers; those that are not finite do not count. Numbers that would be
+    /// written alike, such as lengths up to rounding, count as one.
     pub fn of(numbers: impl Iterator<Item = f64>) -> Option<Self> {
         let finite = numbers.filter(|number| number.is_finite());
-        finite.fold(None, |range, number| {
+        let range = finite.fold(None, |range, number| {
             let Self { low, high } = range.unwrap_or(Self { low: number, high: number });
             Some(Self { low: low.min(number), high: high.max(number) })
+        });
+        range.map(|Self { low, high }| Self {
+            low,
+            high: if number(low) == number(high) { low } else { high },
         })
     }
 

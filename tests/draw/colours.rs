@@ -74,3 +74,13 @@ fn weights_give_back_the_place() {
         assert!((back - at).length() < 1e-9, "{at}: {back}");
     }
 }
+
+#[test]
+fn numbers_that_are_written_alike_are_one() {
+    let alike = Range::of([1.0, 1.0 - 1e-16, 1.0 + 3e-16].into_iter()).unwrap();
+    let [least, most] = alike.ends();
+    assert_eq!(least, most);
+    assert_eq!(alike.colour(1.0 - 1e-16), alike.colour(1.0 + 3e-16));
+    let apart = Range::of([1.0, 1.01].into_iter()).unwrap();
+    assert_ne!(apart.colour(1.0), apart.colour(1.01));
+}
