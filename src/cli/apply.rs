@@ -32,7 +32,8 @@ pub(super) fn apply(arguments: &ApplyArguments) -> Result<(), Failure> {
         return Err(failure);
     };
     let output = arguments.output.as_deref();
-    output.map_or(Ok(()), meshes::expect_mesh)?;
+    output.map_or(Ok(()), |output| meshes::expect_mesh(output, &arguments.encoding))?;
+    program.expect_apart(&arguments.output)?;
     let mut obj = meshes::read(&arguments.mesh, &arguments.repair)?;
     let values = values(&program, op, arguments, &mut obj)?;
     let attributes = run::attributes(&program.analysis.program, op, &program.analysis.plans);

@@ -223,8 +223,9 @@ pub(super) struct ApplyArguments {
 
 #[derive(Debug, Args)]
 pub(super) struct PlanArguments {
-    /// A program, and an operation in it; without one, all of them,
-    /// of a file that only uses others those that its scripts call
+    /// A program, and an operation in it; without one, as data or code
+    /// all of them, of a file that only uses others those that its
+    /// scripts call
     #[arg(value_name = "FILE[::OP]", verbatim_doc_comment)]
     pub op: String,
     /// Form in which to show it

@@ -36,6 +36,7 @@ fn has_own_ops(program: &Program) -> bool {
 pub(super) fn draw(arguments: &DrawArguments) -> Result<(), Failure> {
     let (path, name) = program::part(&arguments.op);
     let program = program::read(path)?;
+    program.expect_apart(&arguments.output)?;
     if arguments.html {
         let output = arguments.output.as_deref();
         if let Some(picture) = output.filter(|output| is_picture(output)) {

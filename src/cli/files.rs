@@ -21,8 +21,21 @@ pub(super) fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
 
 /// True if two paths lead to the same file.
 pub(super) fn is_same(one: &Path, other: &Path) -> bool {
-    let [one, other] = [one, other].map(|path| path.canonicalize().ok());
+    let [one, other] = [one, other].map(identity);
     one.is_some() && one == other
+}
+
+/// The device and the number of a file, which all its names share.
+#[cfg(unix)]
+fn identity(path: &Path) -> Option<[u64; 2]> {
+    use std::os::unix::fs::MetadataExt;
+    let file = path.metadata().ok()?;
+    Some([file.dev(), file.ino()])
+}
+
+#[cfg(not(unix))]
+fn identity(path: &Path) -> Option<std::path::PathBuf> {
+    path.canonicalize().ok()
 }
 
 /// Lets Ctrl-C end the process at once if a path, such as a pipe, may block until it is read.

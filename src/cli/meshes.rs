@@ -11,10 +11,10 @@ use super::interrupt;
 use super::option_groups::{EncodingArguments, RepairArguments};
 use super::output::{complain, is_standard, pour};
 use super::program::{Program, is_mesh};
-use crate::analysis::Analysis;
+use crate::analysis::{Analysis, is_program};
 use crate::mesh::{
     Dump, FileError, FileFormat, FileReason, Loss, LostValues, Mesh, MeshFile, Places, Repair,
-    Unset, WrittenNumbers, expect_writable, read_dump, read_mesh, read_mesh_from,
+    Unset, WrittenNumbers, expect_writable, open_file, read_dump, read_mesh, read_mesh_from,
     read_mesh_reordered, write_mesh_to, write_mesh_unless,
 };
 use crate::resolve::{TestMesh, is_shape};
@@ -122,16 +122,17 @@ fn expect_read(path: &Path, read: Result<MeshFile, FileError>) -> Result<MeshFil
 /// The failure to read a file, with what was probably meant.
 fn unreadable(path: &Path, error: FileError) -> Failure {
     let shown = path.display();
-    let ends_as_program = path.extension().is_some_and(|end| end == "hedge");
     match &error.reason {
-        FileReason::UnknownEnding(_) if ends_as_program => {
+        FileReason::UnknownEnding(_) if is_program(path) => {
             Failure::usage(format!("`{shown}` is a program; a mesh is wanted here"))
         }
         FileReason::Io(_) if path.is_dir() => {
             Failure::usage(format!("`{shown}` is a folder; a mesh is wanted here"))
         }
         FileReason::Io(reason) if reason.kind() == ErrorKind::NotFound => {
-            let advice = if shown.to_string().contains('=') {
+            let advice = if let Ok(target) = path.read_link() {
+                format!("; it is a link to `{}`", target.display())
+            } else if shown.to_string().contains('=') {
                 format!("; the value of a parameter is given by `--set {shown}`")
             } else if path.to_str().is_some_and(is_shape) {
                 format!("; a shape has parentheses: `{shown}(…)`")
@@ -176,7 +177,8 @@ pub(super) fn read_tables(path: &Path, arguments: &RepairArguments) -> Result<Du
     if arguments.merge.is_some() {
         return Err(Failure::usage(format!("{shown}: {}", FileReason::MergedTables)));
     }
-    let text = std::fs::read_to_string(path)
+    let text = open_file(path)
+        .and_then(std::io::read_to_string)
         .map_err(|error| Failure::usage(format!("cannot read `{shown}`: {error}")))?;
     read_dump(&text).map_err(|error| Failure::usage(format!("{shown}: {error}")))
 }
@@ -387,13 +389,13 @@ pub(super) fn numbers(path: &Path, file: &MeshFile) -> WrittenNumbers {
     }
 }
 
-/// Checks that a mesh can be written to a path, whose extension tells the format.
-pub(super) fn expect_mesh(path: &Path) -> Result<(), Failure> {
-    if is_standard(path) {
-        return Ok(());
+/// Checks that a mesh can be written to a path, whose extension tells the format, in an encoding.
+pub(super) fn expect_mesh(path: &Path, encoding: &EncodingArguments) -> Result<(), Failure> {
+    encoding.expect(format(path)?)?;
+    match is_standard(path) {
+        true => Ok(()),
+        false => expect_place(path),
     }
-    format(path)?;
-    expect_place(path)
 }
 
 /// Checks that a file can be written to a path, as far as that can be told in advance: called

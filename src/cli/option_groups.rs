@@ -5,9 +5,10 @@ use std::num::NonZeroUsize;
 
 use clap::{Args, ValueEnum};
 
+use super::failure::Failure;
 #[cfg(feature = "threads")]
 use crate::mesh::set_threads;
-use crate::mesh::{Encoding, Level, MshVersion};
+use crate::mesh::{Encoding, FileFormat, Level, MshVersion};
 use crate::rewrite::Engine;
 
 /// The engine that runs a program, and the number of threads.
@@ -94,6 +95,18 @@ pub(super) struct EncodingArguments {
     /// The version of .msh, if not that which was read
     #[arg(long, value_enum, value_name = "VERSION")]
     pub msh: Option<MshName>,
+}
+
+impl EncodingArguments {
+    /// Fails if files of a format do not have the encoding.
+    pub fn expect(&self, format: FileFormat) -> Result<(), Failure> {
+        match self.encoding {
+            Some(EncodingName::BigEndian) if format != FileFormat::Ply => {
+                Err(Failure::usage("`--encoding big-endian` is for .ply alone"))
+            }
+            _ => Ok(()),
+        }
+    }
 }
 
 /// An encoding, as it is said on the command line.

@@ -24,6 +24,7 @@ pub(super) fn plan(arguments: &PlanArguments) -> Result<(), Failure> {
     let style = style(arguments)?;
     let (path, name) = program::part(&arguments.op);
     let program = program::read(path)?;
+    program.expect_apart(&arguments.output)?;
     let mut ops: Vec<_> = match name {
         Some(_) => vec![program::find_op(&program, name)?],
         // A table of everything would be too long to read.

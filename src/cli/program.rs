@@ -1,8 +1,9 @@
 //! Programs from files.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use super::failure::Failure;
+use super::files::is_same;
 use super::output::complain;
 use crate::analysis::{Analysis, Disk, meant, read_program};
 use crate::library;
@@ -38,8 +39,10 @@ pub(super) fn read(path: &Path) -> Result<Program, Failure> {
         None => read_program(path),
     };
     let text = text.map_err(|why| {
-        let advice = match meant(&shown, &shown, &mut Disk) {
-            Some(near) if !path.exists() => format!("; did you mean `{near}`?"),
+        let advice = match (path.read_link(), meant(&shown, &shown, &mut Disk)) {
+            _ if path.exists() => String::new(),
+            (Ok(target), _) => format!("; it is a link to `{}`", target.display()),
+            (_, Some(near)) => format!("; did you mean `{near}`?"),
             _ => String::new(),
         };
         Failure::usage(format!("cannot read `{shown}`: {why}{advice}"))
@@ -55,6 +58,22 @@ impl Program {
         let file = sources.add(name, text);
         let analysis = Analysis::with(&mut sources, file, &mut Disk);
         Self { sources, analysis }
+    }
+
+    /// Fails if an output would replace the program or a file that it uses.
+    pub fn expect_apart<'o>(
+        &self,
+        outputs: impl IntoIterator<Item = &'o PathBuf>,
+    ) -> Result<(), Failure> {
+        let names = || self.sources.ids().map(|file| self.sources.get(file).name());
+        let mut outputs = outputs.into_iter();
+        let source = outputs.find(|output| names().any(|name| is_same(output, Path::new(name))));
+        source.map_or(Ok(()), |source| {
+            let shown = source.display();
+            Err(Failure::usage(format!(
+                "{shown}: this is a source of the program: write -o with the name of another file"
+            )))
+        })
     }
 }
 

@@ -44,8 +44,9 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
     read(&texts.iter().cloned().chain(elements).collect::<Vec<_>>())?;
     let compile = started.elapsed().as_secs_f64();
     if let Some(output) = &arguments.output {
-        meshes::expect_mesh(output)?;
+        meshes::expect_mesh(output, &arguments.encoding)?;
     }
+    program.expect_apart(arguments.output.iter().chain(&arguments.picture))?;
     if let Some(picture) = &arguments.picture {
         expect_picture(picture)?;
         if is_standard(picture) && arguments.output.as_deref().is_some_and(is_standard) {

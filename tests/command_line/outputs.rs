@@ -173,3 +173,43 @@ fn a_dash_is_standard_output() {
     assert!(drawn.out.starts_with("<svg"), "{drawn:?}");
     assert_eq!(bench.files(), ["square.obj"], "no file has this name");
 }
+
+#[cfg(unix)]
+#[test]
+fn no_source_of_the_program_is_replaced() {
+    let bench = Bench::with_square();
+    let part = fs::read_to_string(example("flip.hedge")).unwrap();
+    let program = "use \"part.hedge\"\nscript none() { }\n";
+    bench.write("part.hedge", &part);
+    bench.write("main.hedge", program);
+    std::os::unix::fs::symlink("main.hedge", bench.path("link.obj")).unwrap();
+    std::os::unix::fs::symlink("main.hedge", bench.path("link.svg")).unwrap();
+    fs::hard_link(bench.path("part.hedge"), bench.path("hard.svg")).unwrap();
+    for words in [
+        "plan main.hedge::flip -o main.hedge",
+        "plan main.hedge::flip --as cpp -o ./part.hedge",
+        "draw main.hedge::flip --as text -o main.hedge",
+        "draw main.hedge::flip --as svg -o part.hedge",
+        "draw main.hedge --html -o main.hedge",
+        "draw main.hedge::flip -o hard.svg",
+        "run main.hedge square.obj -o link.obj",
+        "run main.hedge square.obj --picture link.svg",
+        "apply main.hedge::flip square.obj --at edge:1-3 -o link.obj",
+    ] {
+        let arguments: Vec<_> = words.split(' ').collect();
+        bench.fails(2, &arguments, "this is a source of the program");
+    }
+    assert_eq!((bench.read("main.hedge").as_str(), bench.read("part.hedge")), (program, part));
+    bench.succeeds(&["plan", "main.hedge::flip", "--as", "cpp", "-o", "flip.hpp"]);
+}
+
+#[test]
+fn an_encoding_that_a_format_does_not_have() {
+    let bench = Bench::with_square();
+    for output in ["out.stl", "out.obj", "-"] {
+        let arguments = ["convert", "square.obj", output, "--encoding", "big-endian"];
+        bench.fails(2, &arguments, "`--encoding big-endian` is for .ply alone");
+    }
+    bench.succeeds(&["convert", "square.obj", "out.ply", "--encoding", "big-endian"]);
+    assert_eq!(bench.files(), ["out.ply", "square.obj"]);
+}

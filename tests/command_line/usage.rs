@@ -188,3 +188,30 @@ fn what_was_applied_is_told_where_the_result_cannot_be_written() {
     let said = bench.fails(2, &["run", "s.hedge", "square.obj", "-o", "n.obj"], "n.halfedges");
     assert!(said.err.contains("slit        1        4"), "{said:?}");
 }
+
+#[cfg(unix)]
+#[test]
+fn links_that_lead_nowhere_or_to_a_device() {
+    use std::os::unix::fs::symlink;
+    let bench = Bench::with_square();
+    for name in ["gone.obj", "gone.hedge"] {
+        symlink("nowhere", bench.path(name)).unwrap();
+    }
+    let words = "there is no such file; it is a link to `nowhere`";
+    bench.fails(2, &["info", "gone.obj"], words);
+    bench.fails(2, &["check", "gone.hedge"], words);
+    for name in ["zero.obj", "zero.ply", "zero.halfedges"] {
+        symlink("/dev/zero", bench.path(name)).unwrap();
+        bench.fails(2, &["info", name], "it is a device");
+    }
+}
+
+#[test]
+fn a_table_is_of_one_operation() {
+    let bench = Bench::with_square();
+    bench.write("two.hedge", "op one(e: edge) { }\nop two(e: edge) { }\n");
+    bench.fails(2, &["plan", "two.hedge"], "which operation?");
+    let help = bench.succeeds(&["plan", "--help"]);
+    assert!(help.contains("without one, as data or code"), "{help}");
+    bench.fails(2, &["info", "own.HEDGE"], "`own.HEDGE` is a program; a mesh is wanted here");
+}

@@ -45,6 +45,6 @@ pub use format::{Encoding, FileFormat, MshVersion};
 pub use lost_values::{Loss, LostValues};
 pub use materials::Material;
 pub use mesh_file::{MeshFile, WrittenNumbers};
-pub use read::{read_mesh, read_mesh_from, read_mesh_reordered};
+pub use read::{open_file, read_mesh, read_mesh_from, read_mesh_reordered};
 pub use replace::{expect_writable, replace_file};
 pub use write::{write_mesh, write_mesh_to, write_mesh_unless};

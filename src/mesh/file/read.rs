@@ -45,6 +45,23 @@ fn read_path(path: &Path, repair: Option<Repair>, reorder: bool) -> Result<MeshF
     Ok(file)
 }
 
+/// Opens a file or a pipe to read it, but no device: one may never end.
+///
+/// # Errors
+/// It cannot be opened, or is a device.
+pub fn open_file(path: &Path) -> io::Result<File> {
+    let file = File::open(path)?;
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::FileTypeExt;
+        let kind = file.metadata()?.file_type();
+        if kind.is_char_device() || kind.is_block_device() {
+            return Err(io::Error::other("it is a device"));
+        }
+    }
+    Ok(file)
+}
+
 /// Reads a file. The text of an OBJ file is not held in memory as a whole, unless it is UTF-16.
 fn read_source(
     name: &str,
@@ -52,7 +69,7 @@ fn read_source(
     repair: Option<Repair>,
     reorder: bool,
 ) -> io::Result<Result<MeshFile, FileError>> {
-    let mut source = File::open(path)?;
+    let mut source = open_file(path)?;
     let mut text = Vec::new();
     if format == FileFormat::Obj {
         let bytes = source.metadata()?.len() as usize;
