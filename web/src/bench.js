@@ -1,6 +1,7 @@
 // The bench: a mesh in 3D, and the operations and scripts of a program that are done to it.
 
 import { count, find, inline, make } from './dom.js'
+import { fields, given } from './fields.js'
 import { Scene, arraysOf } from './scene.js'
 import markup from './bench.html'
 
@@ -9,6 +10,8 @@ export const SHAPES = [
   'triangle grid', 'tube',
 ]
 const KINDS = ['vertex', 'halfedge', 'edge', 'face']
+/** The greatest number that an element may have. */
+const LAST = 2 ** 32 - 1
 /** The number of refusals whose reasons are told. */
 const REASONS = 3
 
@@ -27,6 +30,8 @@ export class Bench {
   #source = { name: 'icosphere' }
   /** True while a counterexample is shown instead of the mesh. */
   #isExample = false
+  /** The frame in which the mesh was shown last. */
+  #frame = null
   #seeking = false
   #wanted = null
   #named = { ops: [], scripts: [] }
@@ -134,7 +139,10 @@ export class Bench {
     const { json, bytes } = await this.#ask({ ask: 'view', attribute })
     this.#isExample = false
     this.scene.show({ json, arrays: arraysOf(json, bytes) })
-    if (frame) this.scene.frame()
+    // Where a mesh has become so large, so small or so far away that it has another frame, all is new.
+    const isElsewhere = String(json.frame) !== String(this.#frame)
+    this.#frame = json.frame
+    if (frame || isElsewhere) this.scene.frame()
     this.#tellCounts(json.counts)
     const before = find('attribute').value
     find('colour').hidden = !json.attributes.length
@@ -276,7 +284,7 @@ export class Bench {
   /** The files that are chosen or dropped: meshes here, programs where they belong. */
   async openFiles(files) {
     const [programs, meshes] = [true, false].map(
-      wanted => files.filter(file => file.name.endsWith('.hedge') === wanted))
+      wanted => files.filter(file => /\.hedge$/i.test(file.name) === wanted))
     if (programs.length) await this.onPrograms(programs)
     const mesh = meshes.at(-1)
     if (mesh) await this.openFile(mesh.name, new Uint8Array(await mesh.arrayBuffer()))
@@ -418,7 +426,14 @@ export class Bench {
       const { value } = find('shape')
       return value.startsWith('folder:') ? this.openFile(value.slice(7)) : this.openShape(value)
     })
-    const typed = () => ({ kind: this.scene.kind, index: Number(find('element').value) })
+    const typed = () => {
+      const [{ kind }, { value }] = [this.scene, find('element')]
+      const index = Number(value)
+      if (!Number.isInteger(index) || index < 0 || index > LAST) {
+        throw new Error(`${value} is not the number of any ${kind}: whole numbers from 0 on are`)
+      }
+      return { kind, index }
+    }
     on('apply', 'click', () => {
       if (find('element').value === '') throw new Error(`which ${this.scene.kind}? Click one, or give its number`)
       return this.apply(typed())
@@ -460,37 +475,3 @@ export class Bench {
 }
 
 const number = value => Number.isFinite(value) ? String(Number(value.toPrecision(4))) : 'none'
-
-/** A field for each parameter but one. */
-function fields(id, item, without) {
-  const parameters = item?.parameters.filter(([name]) => name !== without) ?? []
-  const known = Object.fromEntries(
-    [...find(id).querySelectorAll('input')].map(input => [input.name, input.value]))
-  find(id).replaceChildren(...parameters.map(([name, type, standard]) => make('label', {},
-    `${name} `, make('input', {
-      name, value: known[name] ?? '', placeholder: standard ?? type, size: 7,
-      title: `${name}: ${type}`,
-    }))))
-}
-
-/** The values of the fields that are filled. */
-function given(id, item) {
-  const values = {}
-  for (const input of find(id).querySelectorAll('input')) {
-    const text = input.value.trim()
-    if (!text) continue
-    const type = item.parameters.find(([name]) => name === input.name)?.[1]
-    values[input.name] = value(text, type)
-  }
-  return values
-}
-
-function value(text, type) {
-  if (type === 'bool') return text === 'true'
-  if (type === 'text') return text
-  const numbers = text.split(/[\s,]+/).map(part => {
-    const [over, under] = part.split('/').map(Number)
-    return under === undefined ? over : over / under
-  })
-  return type?.startsWith('vec') ? numbers : numbers[0]
-}

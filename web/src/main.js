@@ -263,12 +263,19 @@ async function begin() {
   await lessons.load()
   wire()
   await listPrograms()
-  const given = await shared(location.hash) ?? (local ? null : kept())
+  let [given, damage] = [null, '']
+  try {
+    given = await shared(location.hash)
+  } catch (error) {
+    damage = error.message
+  }
+  given ??= local ? null : kept()
   if (started?.program) await chooseProgram(`folder:${started.program}`)
   else if (given) given.files.toReversed().forEach(([name, text]) => editor.open(name, text))
   else await chooseProgram('example:flip.hedge')
   if (started?.mesh) await bench.openFile(started.mesh)
   else await bench.openShape([...SHAPES, 'bunny'].includes(given?.mesh) ? given.mesh : 'icosphere')
+  if (damage) bench.say(damage, 'rejected')
   document.body.dataset.ready = 'true'
 }
 

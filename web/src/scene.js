@@ -187,7 +187,7 @@ export class Scene {
     const coloured = this.#colour(surface, edges, arrays, json.coloured)
     const isOnEdges = coloured && ['edge', 'halfedge'].includes(json.coloured)
     this.faces = new THREE.Mesh(isOnEdges ? surface : coloured ?? surface, new THREE.MeshLambertMaterial({
-      color: isOnEdges ? (dark ? 0x39424f : 0xffffff) : coloured ? 0xffffff : this.#plain(),
+      color: isOnEdges ? (dark ? 0x7d8896 : 0xffffff) : coloured ? 0xffffff : this.#plain(),
       vertexColors: !!coloured && !isOnEdges, flatShading: true, side: THREE.DoubleSide,
       polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1,
     }))

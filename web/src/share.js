@@ -18,18 +18,18 @@ export async function fragment(work) {
   return `#p=${code}`
 }
 
-/** What a fragment shares; nothing if it is none, or damaged. */
+/** What a fragment shares; null if it shares nothing. A damaged one is an error. */
 export async function shared(fragment) {
-  const code = /^#p=([\w-]+)$/.exec(fragment)?.[1]
-  if (!code) return null
+  if (!fragment.startsWith('#p=')) return null
+  const code = fragment.slice(3)
   try {
     const binary = atob(code.replaceAll('-', '+').replaceAll('_', '/'))
     const bytes = Uint8Array.from(binary, letter => letter.charCodeAt(0))
     const text = await through(bytes, new DecompressionStream('deflate-raw'))
-    return sound(JSON.parse(new TextDecoder().decode(text)))
-  } catch {
-    return null
-  }
+    const work = sound(JSON.parse(new TextDecoder().decode(text)))
+    if (work) return work
+  } catch { /* The error below says what can be said. */ }
+  throw new Error('The link is damaged, or cut off: the program that it shares cannot be read.')
 }
 
 /** Keeps what is open in this browser, where it can be. */

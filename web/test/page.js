@@ -2,52 +2,22 @@
 // lesson. `node --test test/page.js`; `SCREENSHOTS=folder` keeps pictures, `CHROMIUM` names the browser.
 
 import assert from 'node:assert/strict'
-import { existsSync, mkdirSync, readFileSync, readdirSync } from 'node:fs'
-import { dirname, join } from 'node:path'
+import { readFileSync, readdirSync } from 'node:fs'
+import { join } from 'node:path'
 import { createRequire } from 'node:module'
 import { after, before, test } from 'node:test'
-import { fileURLToPath } from 'node:url'
-import { chromium } from 'playwright-core'
-import { serve } from './serve.js'
+import { end, faults, here, keep, open, server, start } from './browser.js'
 
-const here = dirname(fileURLToPath(import.meta.url))
-const pictures = process.env.SCREENSHOTS
-const known = ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome']
-const executablePath = process.env.CHROMIUM || known.find(existsSync)
-
-let server, browser, page
-const faults = []
+let page
 
 before(async () => {
-  server = await serve(join(here, '../dist'))
-  browser = await chromium.launch({
-    executablePath, args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'],
-  })
+  await start()
   page = await open('')
 }, { timeout: 120_000 })
 
-after(async () => {
-  await browser?.close()
-  await server?.end()
-})
+after(end)
 
-/** The page, ready. */
-async function open(fragment, options = {}) {
-  const context = await browser.newContext({ viewport: { width: 1440, height: 900 }, ...options })
-  const opened = await context.newPage()
-  opened.on('pageerror', error => faults.push(String(error)))
-  opened.on('console', message => message.type() === 'error' && faults.push(message.text()))
-  await opened.goto(server.address + fragment)
-  await opened.waitForSelector('body[data-ready]', { timeout: 60_000 })
-  return opened
-}
-
-async function picture(name, of = page) {
-  if (!pictures) return
-  mkdirSync(pictures, { recursive: true })
-  await of.waitForTimeout(300)
-  await of.screenshot({ path: join(pictures, `${name}.png`) })
-}
+const picture = (name, of = page) => keep(name, of)
 
 const text = id => page.locator(`#${id}`).innerText()
 
@@ -226,6 +196,7 @@ test('a program is shared by its address and opened again', async () => {
   await other.context().close()
   const damaged = await open('#p=AAAA')
   assert.match(await damaged.locator('.cm-content').innerText(), /op flip/)
+  assert.match(await damaged.locator('#said').innerText(), /link is damaged/)
   await damaged.context().close()
 })
 
@@ -344,7 +315,7 @@ test('once loaded, the page opens without a network, with all that it can do', a
     }
   })
   await own.context().setOffline(true)
-  await server.pause()
+  await server().pause()
   await own.reload()
   await own.waitForSelector('body[data-ready]')
   await own.selectOption('#shape', 'bunny')
@@ -353,7 +324,7 @@ test('once loaded, the page opens without a network, with all that it can do', a
   await own.waitForFunction(() => document.getElementById('script').value === 'remesh')
   await own.locator('#run').click()
   await own.waitForFunction(() => /1619 vertices/.test(document.getElementById('counts').textContent))
-  await server.resume()
+  await server().resume()
   await own.context().close()
 })
 
@@ -398,6 +369,9 @@ test('attributes of all kinds of elements are shown in colour', async () => {
       return words.join(' ') === `${name} ${values}`
     }, [attribute, values])
     await picture(`colour-${attribute}`, own)
+    await own.emulateMedia({ colorScheme: 'dark' })
+    await picture(`colour-${attribute}-dark`, own)
+    await own.emulateMedia({ colorScheme: 'light' })
   }
   await own.context().close()
 })
