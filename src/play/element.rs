@@ -12,8 +12,8 @@ const INSIDE: f64 = 0.14;
 /// The fraction of the way from there to the middle of the face at which its name is.
 const FURTHER: f64 = 0.13;
 
-/// An element with a place for its name and a line to draw, in a frame: the corners of a face, the ends of an
-/// edge, a halfedge a little inside its face, with its name further inside.
+/// An element with a place for its name and a line to draw, in a frame: the corners of a face, the
+/// ends of an edge, a halfedge a little inside its face, with its name further inside.
 pub(super) fn shown(mesh: &Mesh, frame: &Frame, Element { kind, index }: Element) -> Value {
     let place = |vertex| frame.place(mesh.position(vertex));
     let corners = |face| mesh.face_vertices(face).map(place).collect::<Vec<_>>();

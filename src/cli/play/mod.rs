@@ -54,7 +54,8 @@ pub(super) fn play(arguments: &PlayArguments) -> Result<(), Failure> {
         let request = server.recv().map_err(|error| failed(&error))?;
         // Each connection has a thread already, and may keep this one waiting for its body as well.
         let answers = Arc::clone(&answers);
-        thread::spawn(move || answers.answer(request));
+        // If no thread can be had, the request is dropped, which answers it as well.
+        let _ = thread::Builder::new().spawn(move || answers.answer(request));
     }
 }
 
