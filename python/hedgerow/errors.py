@@ -56,8 +56,8 @@ class ProgramError(Error):
 
 class ArgumentError(Error, ValueError):
     """An argument does not fit: one too many or missing, a number that is none of an element of this mesh
-    or of one that has been erased, a value that is not finite, an array of another shape or length, a size of a
-    picture that is out of range."""
+    or of one that has been erased, a value that is not finite, an array of another shape or length, a size
+    of a picture that is out of range."""
 
 
 class MeshError(Error, ValueError):

@@ -38,9 +38,9 @@ class PlanarMeshEnv(gymnasium.Env):
 
     **Action**: a number, ``row * len(actions) + action``: what is done, and at the halfedge of which
     row. With ``pairs=True`` it is ``[action, row]``, as TUNE has it, and a number is taken as well. The
-    actions are those of
-    ``std/planar_triangle.hedge`` (flip, split, collapse) or of ``std/planar_quad.hedge`` and
-    ``std/planar_cleanup.hedge`` (flip_cw, flip_ccw, split, collapse, cleanup).
+    actions are those of ``std/planar_triangle.hedge`` (flip, split, collapse) or of
+    ``std/planar_quad.hedge`` and ``std/planar_cleanup.hedge`` (flip_cw, flip_ccw, split, collapse,
+    cleanup).
 
     **Mask**: ``info["action_mask"]`` tells for each number whether the action applies, as
     ``action_space.sample`` takes it; :meth:`action_masks` is the same as bools, as the maskable agents
