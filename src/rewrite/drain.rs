@@ -48,6 +48,10 @@ enum Changes {
 /// The number of keys that are computed between two checks of the memory that they take.
 const KEYS_PER_LOOK: u32 = 1024;
 
+/// The number of turns without a changed key after which a drain looks no further ahead, until a key
+/// changes.
+const MOST_IDLE: u32 = 16;
+
 #[derive(Debug)]
 struct Drain {
     of: Elements,
@@ -58,6 +62,8 @@ struct Drain {
     stale: Stale,
     changes: Changes,
     lookahead: Lookahead,
+    /// The number of turns since a key was computed.
+    idle: u32,
     /// The element whose key is being computed.
     reading: Option<u32>,
 }
@@ -91,6 +97,7 @@ impl Drain {
             },
             reading: None,
             lookahead,
+            idle: 0,
         }
     }
 
@@ -352,6 +359,7 @@ impl Drains {
         }
         self.computed = self.computed.wrapping_add(1);
         drain.queue.set(id, key);
+        drain.idle = 0;
         Ok(())
     }
 
@@ -363,8 +371,12 @@ impl Drains {
 
     /// The element of the innermost drain with the least key.
     pub(super) fn least(&mut self, mesh: &Mesh) -> Option<u32> {
-        let Drain { of, queue, stale, lookahead, .. } = self.all.last_mut()?;
-        lookahead.look(mesh, *of, queue, stale);
+        let Drain { of, queue, stale, lookahead, idle, .. } = self.all.last_mut()?;
+        // Where no key changes, the surroundings of elements are hardly used.
+        if *idle < MOST_IDLE {
+            *idle += 1;
+            lookahead.look(mesh, *of, queue, stale);
+        }
         queue.least()
     }
 
