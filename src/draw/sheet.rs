@@ -15,7 +15,7 @@ use super::letters::{Label, Style, name, words};
 use super::panel::{LETTERS, Panel};
 use super::shape::{Group, Ink, Path, Picture, Step, Stroke, TextBox};
 use super::status::Status;
-use crate::diagram::{Drawing, NameId, Op, Rule};
+use crate::diagram::{Drawing, Kind, NameId, Op, Rule};
 
 /// The margin around everything, and the minimum and maximum gap between the two sides.
 const MARGIN: f64 = 26.0;
@@ -235,11 +235,25 @@ fn vertex_labels(figure: &Figure, panels: &[Panel; 2]) -> Vec<(usize, Label, [DV
     labels
 }
 
+/// The room that a name needs beyond that of a short one; a subscript does not count.
+fn excess(rule: &Rule, name: NameId) -> f64 {
+    const SHORT: usize = 3;
+    const LONG: usize = 20;
+    const LETTER: f64 = 8.5;
+    let name = rule.name(name);
+    let letters = name.text.chars().take_while(|&letter| letter != '[').count().min(LONG);
+    if name.named { letters.saturating_sub(SHORT) as f64 * LETTER } else { 0.0 }
+}
+
 /// The scale in picture units per radius of the figure: edges become long enough, and faces wide
 /// enough, for arrows and names.
 fn scale(figure: &Figure, places: &[Vec<DVec2>; 2]) -> f64 {
+    let rule = figure.drawing.rule;
     let mut scale: f64 = 128.0;
-    let is_named = |name: NameId| figure.drawing.rule.name(name).named;
+    let is_named = |name: NameId| rule.name(name).named;
+    let longest = |names: &mut dyn Iterator<Item = NameId>| {
+        names.map(|name| excess(rule, name)).fold(0.0, f64::max)
+    };
     let mut want = |wanted: f64, length: f64| {
         if length > 0.05 {
             scale = scale.max(wanted / length);
@@ -249,9 +263,9 @@ fn scale(figure: &Figure, places: &[Vec<DVec2>; 2]) -> f64 {
         for strand in &side.strands {
             let pairs = strand.nodes.windows(2);
             let lengths = pairs.map(|pair| (places[pair[0]] - places[pair[1]]).length());
-            let mut items = strand.items.iter().flatten().copied();
-            let named = items.any(is_named) || strand.edge.is_some_and(is_named);
-            want(if named { 122.0 } else { 76.0 }, lengths.sum());
+            let names = || strand.items.iter().flatten().copied().chain(strand.edge);
+            let named = names().any(is_named);
+            want(if named { 122.0 } else { 76.0 } + longest(&mut names()), lengths.sum());
         }
         for orbit in &side.loops {
             let outline = orbit.darts.iter().flat_map(|dart| {
@@ -262,20 +276,25 @@ fn scale(figure: &Figure, places: &[Vec<DVec2>; 2]) -> f64 {
                 let step = (points.len() / 6).max(1);
                 points[..points.len() - 1].iter().copied().step_by(step).collect::<Vec<_>>()
             });
-            let mut strands = orbit.darts.iter().map(|dart| &side.strands[dart.strand]);
-            let wide = match strands.any(|strand| strand.is_path) {
+            let strands = || orbit.darts.iter().map(|dart| &side.strands[dart.strand]);
+            let wide = match strands().any(|strand| strand.is_path) {
                 _ if !is_named(orbit.face) => 30.0,
                 true => 43.0,
                 false => 52.0,
             };
+            let items = strands().flat_map(|strand| strand.items.iter().flatten().copied());
+            let wide = wide + longest(&mut items.chain([orbit.face])) / 2.0;
             want(wide, widest_circle(&outline.collect::<Vec<_>>()));
         }
     }
     // Only one sector of a family has names; the others may be narrow.
-    match figure.drawing.rule.size() {
-        Some(_) => scale.min(250.0),
-        None => scale.min(320.0),
-    }
+    let most = match rule.size() {
+        Some(_) => 250.0,
+        None => 320.0,
+    };
+    // Vertices have their names outside.
+    let names = (0..rule.names.len() as u32).map(NameId);
+    scale.min(most + 2.0 * longest(&mut names.filter(|&name| rule.kind(name) != Kind::Vertex)))
 }
 
 /// The corners of the box around everything that is drawn.
