@@ -6,7 +6,7 @@ use std::path::Path;
 
 use hedgerow::draw::{draw_op, draw_sheet, text_op};
 
-use super::{example_ops, folder, overlap, shipped_ops, steps};
+use super::{example_ops, folder, ops_of, overlap, shipped_ops, steps};
 
 #[test]
 fn pictures_are_as_committed() {
@@ -171,6 +171,37 @@ fn pictures_of_the_library_can_be_read() {
     }
     assert!(seen > 30, "only {seen} operations");
     assert_eq!(wrong, Vec::<String>::new());
+}
+
+/// Words as names have room beside their own arrows.
+#[test]
+fn long_names_stand_at_their_arrows() {
+    let flip = "op turn(e: edge) {
+      before {
+        face left_face: start -along-> end -upper_right-> top -upper_left-> start
+        face right_face: end -back-> start -lower_left-> bottom -lower_right-> end
+        edge e: along | back
+      }
+      after {
+        face left_face: bottom -along-> top -upper_left-> start -lower_left-> bottom
+        face right_face: top -back-> bottom -lower_right-> end -upper_right-> top
+        edge e: along | back
+      }
+    }";
+    let ops = ops_of(flip);
+    let picture = draw_op(&ops[0]);
+    let texts = picture.texts();
+    for half in ["upper", "lower"] {
+        let [left, right] = ["left", "right"].map(|side| {
+            let name = format!("{half}_{side}");
+            texts.iter().filter(move |text| text.text == name)
+        });
+        let pairs: Vec<_> = left.zip(right).collect();
+        assert_eq!(pairs.len(), 2, "before and after");
+        for (left, right) in pairs {
+            assert!(left.to[0] < right.from[0], "{half}: {left:?}, {right:?}");
+        }
+    }
 }
 
 #[test]
