@@ -204,12 +204,14 @@ impl Scripting<'_> {
                 let error = Diagnostic::error("not-an-op", message, condition.span);
                 let note = "`argmin` and `argmax` want an element: whether there is one is asked \
                             before, `if any(… for e in edges) { … }`";
-                let is_least = |name: &str| matches!(name, "argmin" | "argmax");
-                let asks = matches!(
-                    &condition.kind,
-                    tree::ExprKind::Aggregate { function, .. } if is_least(&function.text)
-                );
-                self.typing.report.add(if asks { error.note(note) } else { error });
+                self.typing.report.add(match &condition.kind {
+                    tree::ExprKind::Aggregate { function, .. }
+                        if matches!(function.text.as_str(), "argmin" | "argmax") =>
+                    {
+                        error.note(note)
+                    }
+                    _ => error,
+                });
                 None
             }
         };

@@ -32,7 +32,7 @@ pub struct Functions {
     calls_ops: Arc<[bool]>,
 }
 
-/// What is known of the functions of a program while code that may call them is lowered.
+/// The facts about the functions of a program that are used where code that calls them is lowered.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Known<'k> {
     /// The texts that the code shares.
@@ -88,7 +88,7 @@ impl Functions {
         (all, diagnostics)
     }
 
-    /// What is known of the functions, for code that may call them.
+    /// The facts about the functions, for code that calls them.
     pub(super) fn known(&self) -> Known<'_> {
         // All functions share the texts.
         let texts = self.code.last().map_or(&[][..], |last| last.code.texts.as_slice());

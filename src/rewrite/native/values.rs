@@ -261,7 +261,7 @@ impl Translator<'_, '_> {
         true
     }
 
-    /// What a stub makes of a vector.
+    /// The vector that a stub makes of another.
     fn by_stub(&mut self, stub: usize, vector: [Value; 3]) -> [Value; 3] {
         let (place, flags) = (self.place_of_vector(), MemFlagsData::trusted());
         for (at, part) in (0..).zip(vector) {
