@@ -134,7 +134,8 @@
 //! server; `play`, the back end of a web page; `draw`, pictures; `native`, native code for
 //! operations; `threads`, files, checks and loops over all elements on all cores, with results that
 //! do not depend on the number of threads, which [`set_threads`] or the environment variable
-//! `HEDGEROW_THREADS` sets.
+//! `HEDGEROW_THREADS` sets; `huge-pages`, an allocator for large meshes on Linux, which a program
+//! makes its own: `#[global_allocator] static A: HugePages = HugePages;`.
 //! A program that calls hedgerow needs none of them:
 //! `hedgerow = { version = "0.1", default-features = false }`.
 //!
@@ -188,6 +189,8 @@ pub mod emit;
 #[cfg(feature = "lsp")]
 #[doc(hidden)]
 pub mod format;
+#[cfg(all(target_os = "linux", feature = "huge-pages"))]
+pub mod huge_pages;
 #[doc(hidden)]
 pub mod lessons;
 #[doc(hidden)]

@@ -1,11 +1,8 @@
 //! The program `hedgerow`.
 
 #[cfg(target_os = "linux")]
-mod huge_pages;
-
-#[cfg(target_os = "linux")]
 #[global_allocator]
-static ALLOCATOR: huge_pages::HugePages = huge_pages::HugePages;
+static ALLOCATOR: hedgerow::huge_pages::HugePages = hedgerow::huge_pages::HugePages;
 
 fn main() -> std::process::ExitCode {
     hedgerow::cli::main()

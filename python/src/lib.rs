@@ -26,6 +26,10 @@ mod watch;
 
 use pyo3::prelude::*;
 
+#[cfg(target_os = "linux")]
+#[global_allocator]
+static ALLOCATOR: hedgerow::huge_pages::HugePages = hedgerow::huge_pages::HugePages;
+
 /// The compiled part of the package.
 #[pymodule]
 mod _hedgerow {

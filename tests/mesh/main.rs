@@ -8,6 +8,8 @@ mod displaced;
 mod dump;
 mod ears;
 mod files;
+#[cfg(target_os = "linux")]
+mod huge_pages;
 mod journal;
 mod laws;
 mod link;
@@ -20,3 +22,7 @@ mod repair;
 mod shapes;
 mod threads;
 mod walk;
+
+#[cfg(target_os = "linux")]
+#[global_allocator]
+static ALLOCATOR: hedgerow::huge_pages::HugePages = hedgerow::huge_pages::HugePages;
