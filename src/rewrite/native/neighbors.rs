@@ -1,8 +1,10 @@
 //! Loops over the neighbors of a vertex that read these from lists.
 //!
-//! When a loop over all vertices is run in parts, and no operation has been applied since another
-//! such loop, the neighbors are listed once ([`Adjacency`]), and the loops around a vertex read the
-//! lists until an operation is applied. Where there are no lists, the same code walks.
+//! When a loop over all vertices is run in parts, the neighbors are listed ([`Adjacency`]), and the
+//! loops around a vertex read the lists until an operation is applied. To list them takes about as
+//! long as to walk around all vertices: it is done where no operation has been applied since another
+//! such loop, or where the loop visits most vertices and reads no pointers besides. Where there are
+//! no lists, the same code walks.
 
 use std::mem::offset_of;
 use std::sync::Arc;
@@ -50,6 +52,19 @@ impl NeighborLoop {
     /// Whether there is such a loop in a code.
     pub(super) fn is_in(code: &Code, surroundings: &Surroundings) -> bool {
         Self::all(code, surroundings).next().is_some()
+    }
+
+    /// Whether a code reads no pointers but those of such loops.
+    pub(super) fn reads_all_in(code: &Code, surroundings: &Surroundings) -> bool {
+        let loops: Vec<_> = Self::all(code, surroundings).collect();
+        code.insts.iter().enumerate().all(|(at, inst)| match inst {
+            Inst::LoadHalfedge { .. } | Inst::Load { .. } | Inst::WalkBegin { .. } => {
+                loops.iter().any(|one| (one.begin - 1..=one.begin + CHAIN).contains(&at))
+            }
+            Inst::Ask { .. } | Inst::Collect { .. } | Inst::CollectEars { .. } => false,
+            Inst::Meets { .. } | Inst::MeetsAll { .. } | Inst::Try { .. } => false,
+            _ => true,
+        })
     }
 
     fn all(code: &Code, surroundings: &Surroundings) -> impl Iterator<Item = Self> {
@@ -118,9 +133,16 @@ pub(crate) struct Neighbors {
 }
 
 impl Neighbors {
-    /// The lists of a mesh, if a loop wants them a second time without an operation applied in
-    /// between (as the counts of the run tell), and if they take no more than half of `room` bytes.
-    pub(super) fn wanted(&mut self, mesh: &Mesh, counts: &[Count], room: usize) -> Self {
+    /// The lists of a mesh, if there are any, or if they are made now: `at_once`, or if a loop wants
+    /// them a second time without an operation applied in between (as the counts of the run tell).
+    /// They take no more than half of `room` bytes.
+    pub(super) fn wanted(
+        &mut self,
+        mesh: &Mesh,
+        counts: &[Count],
+        room: usize,
+        at_once: bool,
+    ) -> Self {
         let applied = Some(counts.iter().map(|count| count.applied).sum());
         let is_of_mesh =
             |lists: &Arc<Adjacency>| lists.vertices() == mesh.capacity(ElementKind::Vertex);
@@ -128,13 +150,17 @@ impl Neighbors {
         if are_new {
             *self = Self { applied, ..Self::default() };
         }
-        // In debug builds the first loop gets them, so that tests use them.
-        if (!are_new || cfg!(debug_assertions)) && !self.are_made {
+        if (at_once || !are_new) && !self.are_made {
             self.are_made = true;
             let has_room = Adjacency::bytes(mesh) <= room / 2;
             self.lists = has_room.then(|| Adjacency::of(mesh)).flatten().map(Arc::new);
         }
         self.clone()
+    }
+
+    /// Whether the lists could be made.
+    pub(super) fn may_be_made(&self) -> bool {
+        self.applied.is_some() && !self.are_made
     }
 
     /// The starts of the lists, and the neighbors in them.

@@ -30,6 +30,9 @@ fn least(task: Task) -> usize {
     }
 }
 
+/// The greatest number of slots of a first range that shows how many elements a loop visits.
+const SAMPLE: usize = 4096;
+
 /// The time between two calls of the watcher.
 const LOOK: Duration = Duration::from_millis(20);
 
@@ -55,15 +58,20 @@ impl Machine {
         if threads == 1 && part.task != Task::Update {
             return None;
         }
-        let neighbors = self.neighbors_for(mesh, part, call);
-        let ranges = parallel::cut(slots, (4 * threads).min(slots / (least(part.task) / 8)));
+        let mut neighbors = self.neighbors_for(mesh, part, call, false);
+        let mut ranges = parallel::cut(slots, (4 * threads).min(slots / (least(part.task) / 8)));
+        let is_sampled = neighbors.may_be_made() && self.reads_neighbors_only(part, call);
+        if is_sampled {
+            let Range { start, end } = ranges[0];
+            let middle = start + SAMPLE.min(ranges[0].len() / 4);
+            ranges.splice(..1, [start..middle, middle..end]);
+        }
         let next = AtomicUsize::new(0);
         // The first range that has trapped: no range after it is started.
         let trapped = AtomicUsize::new(ranges.len());
         let (stop, turns) = (AtomicBool::new(false), AtomicUsize::new(0));
         let done: Mutex<Vec<Done>> = Mutex::default();
         let mut crew = self.crew_of(mesh, call, (threads, frames));
-        crew.iter_mut().for_each(|machine| machine.neighbors = neighbors.clone());
         let shared: &Mesh = mesh;
         // A part has no function number.
         let inner = Call {
@@ -75,23 +83,34 @@ impl Machine {
             depth: 0,
             ..*call
         };
-        let take_all = |machine: &mut Machine, watch: &mut dyn Watch| {
-            // SAFETY: only the code of a part, and of functions that only read, runs on it.
-            let mut mesh = unsafe { head(shared) };
-            loop {
-                let range = next.fetch_add(1, Relaxed);
-                if range >= ranges.len() || range > trapped.load(Relaxed) {
-                    return;
-                }
-                let (held, trap) =
-                    machine.take_range(&mut mesh, (part, inner), &ranges[range], watch);
-                if trap.is_some() {
-                    trapped.fetch_min(range, Relaxed);
-                }
-                done.lock().unwrap_or_else(PoisonError::into_inner).push((range, held, trap));
+        // Takes the next range; returns how many elements it visited, if there was one.
+        let take = |machine: &mut Machine, mesh: &mut Mesh, watch: &mut dyn Watch| {
+            let range = next.fetch_add(1, Relaxed);
+            if range >= ranges.len() || range > trapped.load(Relaxed) {
+                return None;
             }
+            let (held, trap) = machine.take_range(mesh, (part, inner), &ranges[range], watch);
+            if trap.is_some() {
+                trapped.fetch_min(range, Relaxed);
+            }
+            let visits = held.len() / part.keeps().max(1);
+            done.lock().unwrap_or_else(PoisonError::into_inner).push((range, held, trap));
+            Some(visits)
+        };
+        // SAFETY: only the code of a part, and of functions that only read, runs on it.
+        let head = || unsafe { head(shared) };
+        let take_all = |machine: &mut Machine, watch: &mut dyn Watch| {
+            let mut mesh = head();
+            while take(machine, &mut mesh, watch).is_some() {}
         };
         let bystander = || Bystander { stop: &stop, turns: &turns };
+        if is_sampled {
+            let visits = take(&mut crew[0], &mut head(), &mut bystander());
+            if visits.is_some_and(|visits| 2 * visits >= ranges[0].len()) {
+                neighbors = self.neighbors_for(shared, part, call, true);
+            }
+        }
+        crew.iter_mut().for_each(|machine| machine.neighbors = neighbors.clone());
         let progress = &mut self.progress;
         let mut look = |watch: &mut dyn Watch| match part.task {
             Task::Update => progress.show(watch, part.depth, [turns.load(Relaxed), slots]),
@@ -100,14 +119,14 @@ impl Machine {
         if let [machine] = crew.as_mut_slice() {
             take_all(machine, &mut Alone { bystander: bystander(), look: &mut || look(watch) });
         } else {
-            let take = |machine: &mut Machine| take_all(machine, &mut bystander());
+            let take_all = |machine: &mut Machine| take_all(machine, &mut bystander());
             // A watcher that has interrupted is not called again.
             let meanwhile = || {
                 if !stop.load(Relaxed) && look(watch).is_break() {
                     stop.store(true, Relaxed);
                 }
             };
-            parallel::each_at_work(&mut crew, take, LOOK, meanwhile);
+            parallel::each_at_work(&mut crew, take_all, LOOK, meanwhile);
         }
         for machine in &mut crew {
             machine.neighbors = Neighbors::default();
@@ -182,18 +201,36 @@ impl Machine {
         }
     }
 
-    /// The lists of neighbors for a loop, if it reads them and they are worth it.
-    fn neighbors_for(&mut self, mesh: &Mesh, part: &Part, call: &Call<'_>) -> Neighbors {
-        let Call { plans, functions, .. } = *call;
-        let surroundings = Surroundings { plans, functions, types: &self.types };
-        let codes = part.code.with_called_of(functions);
+    /// The lists of neighbors for a loop, if it reads them and they are worth it, or made `at_once`.
+    fn neighbors_for(
+        &mut self,
+        mesh: &Mesh,
+        part: &Part,
+        call: &Call<'_>,
+        at_once: bool,
+    ) -> Neighbors {
+        let surroundings = self.surroundings(call);
+        let codes = part.code.with_called_of(call.functions);
         let reads = codes.into_iter().any(|code| NeighborLoop::is_in(code, &surroundings));
         if self.engine == Engine::Machine || !reads {
             return Neighbors::default();
         }
         let taken = mesh.bytes().saturating_add(self.budget().taken());
         let room = self.memory.saturating_sub(taken);
-        self.neighbors.wanted(mesh, &self.counts, room)
+        self.neighbors.wanted(mesh, &self.counts, room, at_once)
+    }
+
+    /// Whether a loop reads no pointers but those to neighbors. In debug builds, so that tests use
+    /// lists, others count as well.
+    fn reads_neighbors_only(&self, part: &Part, call: &Call<'_>) -> bool {
+        let surroundings = self.surroundings(call);
+        let mut codes = part.code.with_called_of(call.functions).into_iter();
+        cfg!(debug_assertions) || codes.all(|code| NeighborLoop::reads_all_in(code, &surroundings))
+    }
+
+    fn surroundings<'s>(&'s self, call: &Call<'s>) -> Surroundings<'s> {
+        let Call { plans, functions, .. } = *call;
+        Surroundings { plans, functions, types: &self.types }
     }
 
     fn budget(&self) -> Budget<'_> {
