@@ -58,9 +58,11 @@ impl Seen {
     pub fn are_distinct(&mut self, numbers: &[u32]) -> bool {
         let mut remainders = Remainders::default();
         numbers.iter().for_each(|&number| remainders.add(number));
-        if remainders.differ {
-            return true;
-        }
+        remainders.differ || self.are_all_new(numbers)
+    }
+
+    /// Whether no two numbers are equal, where some remainders are.
+    pub(super) fn are_all_new(&mut self, numbers: &[u32]) -> bool {
         self.clear();
         numbers.iter().all(|&number| self.is_new(number))
     }

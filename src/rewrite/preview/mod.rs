@@ -12,6 +12,8 @@ mod questions;
 
 use std::cell::{Cell, RefCell};
 
+pub use questions::Fan;
+
 use super::access::{self, gone};
 use super::distinct::Seen;
 use super::{ElementField, Fault, HalfedgeField};

@@ -9,6 +9,17 @@ use crate::rewrite::{ElementField, Fault};
 /// The most spokes of a vertex that are walked without being stored.
 const FEW_SPOKES: usize = 64;
 
+/// What a walk around a vertex tells of the conditions about its star.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Fan {
+    /// All hold: it is a fan of three or more triangles, and at most one hole, and its neighbors
+    /// differ.
+    Simple,
+    /// Such a fan, but two edges lead to the same neighbor: no loop lies around the vertex twice.
+    Meeting,
+    Other,
+}
+
 impl Preview {
     /// Whether a condition would hold for an element; `at` is the second element of a condition
     /// about two.
@@ -49,33 +60,51 @@ impl Preview {
         Ok(true)
     }
 
-    /// Whether all conditions about the star of a vertex are certain to hold: it is a fan of three or
-    /// more triangles, and at most one hole, and all its ends differ. `next` must have its new value,
-    /// as where [`OrbitCondition::CornersDiffer`] is asked.
-    pub fn is_simple_fan(&self, mesh: &Mesh, vertex: u32) -> bool {
-        self.is_plain() && self.has_simple_fan(mesh, vertex).unwrap_or(false)
+    /// What a single walk around a vertex tells. `next` must have its new value, as where
+    /// [`OrbitCondition::CornersDiffer`] is asked.
+    pub fn fan(&mut self, mesh: &Mesh, vertex: u32) -> Fan {
+        let mut targets = [0; FEW_SPOKES];
+        let walked = self.is_plain().then(|| Self::walk_fan(mesh, vertex, &mut targets)).flatten();
+        match walked {
+            None => Fan::Other,
+            Some((degree, differ)) if differ || self.seen.are_all_new(&targets[..degree]) => {
+                if degree >= 3 {
+                    Fan::Simple
+                } else {
+                    Fan::Other
+                }
+            }
+            Some(_) => Fan::Meeting,
+        }
     }
 
-    fn has_simple_fan(&self, mesh: &Mesh, vertex: u32) -> Option<bool> {
+    /// The degree of a vertex, and whether all its neighbors are certain to differ, if it is a fan of
+    /// triangles and at most one hole, and not its own neighbor.
+    fn walk_fan(
+        mesh: &Mesh,
+        vertex: u32,
+        targets: &mut [u32; FEW_SPOKES],
+    ) -> Option<(usize, bool)> {
         let is_closed = mesh.hole_count() == 0;
         let start = mesh.get_vertex_halfedge(VertexId(vertex))?;
-        let (mut at, mut holes, mut targets) = (start, 0, Remainders::default());
-        for degree in 1..=FEW_SPOKES {
+        let (mut at, mut holes, mut remainders) = (start, 0, Remainders::default());
+        for (before_it, target) in targets.iter_mut().enumerate() {
             let spoke = mesh.get_halfedge(at)?;
             let before = mesh.get_halfedge(spoke.prev)?;
-            targets.add(before.vertex.0);
+            *target = before.vertex.0;
+            remainders.add(before.vertex.0);
             let is_hole = !is_closed && mesh.get_is_hole(spoke.face)?;
             holes += u32::from(is_hole);
             let fits = is_hole || is_in_triangle(spoke, before);
-            if !(fits && targets.differ && before.vertex.0 != vertex) {
-                return Some(false);
+            if !fits || before.vertex.0 == vertex || holes > 1 {
+                return None;
             }
             at = before.twin;
             if at == start {
-                return Some(degree >= 3 && holes <= 1);
+                return Some((before_it + 1, remainders.differ));
             }
         }
-        Some(false)
+        None
     }
 
     fn three_sides(&mut self, mesh: &Mesh, face: u32) -> Result<bool, Fault> {

@@ -4,6 +4,7 @@
 use super::{LEAVE, failed, within, within_guarded};
 use crate::mesh::OrbitCondition;
 use crate::rewrite::native::context::{Context, Run};
+use crate::rewrite::preview::Fan;
 use crate::rewrite::window::Window;
 use crate::rewrite::{Fault, Inst, Machine, Message};
 
@@ -115,10 +116,15 @@ pub(in super::super) unsafe extern "C" fn foresee_star(
     let foresee = |context: &mut Context, run: &mut Run<'_>| {
         let all = (0..MOST_ASKED).map(|place| conditions >> (place * BITS) & 0xff);
         let all = all.map_while(|number| usize::try_from(number - 1).ok());
-        let asks_corners =
-            all.clone().any(|number| number == OrbitCondition::CornersDiffer as usize);
-        if asks_corners && run.machine.preview.is_simple_fan(run.mesh, vertex as u32) {
-            return Ok(MOST_ASKED as i64);
+        let place_of =
+            |asked: OrbitCondition| all.clone().position(|number| number == asked as usize);
+        if let Some(corners) = place_of(OrbitCondition::CornersDiffer) {
+            let fan = run.machine.preview.fan(run.mesh, vertex as u32);
+            match (fan, place_of(OrbitCondition::NeighborsDiffer)) {
+                (Fan::Simple, _) => return Ok(MOST_ASKED as i64),
+                (Fan::Meeting, Some(place)) if place < corners => return Ok(place as i64),
+                _ => {}
+            }
         }
         for (count, number) in (0..).zip(all) {
             let Some(&condition) = OrbitCondition::ALL.get(number) else {
