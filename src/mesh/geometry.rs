@@ -29,26 +29,24 @@ impl Mesh {
     /// problem", 1972).
     #[inline]
     pub fn vector_area(&self, f: FaceId) -> DVec3 {
-        match self.triangle(f) {
-            // The sum for other polygons begins with zero too, so both give the same bits.
-            Some([a, b, c]) => (DVec3::ZERO + (b - a).cross(c - a)) / 2.0,
-            None => self.vector_area_of_any(f),
-        }
+        let triangle = self.get_face_halfedge(f).and_then(|first| self.triangle_area(first));
+        triangle.unwrap_or_else(|| self.vector_area_of_any(f))
     }
 
-    /// The corners of a face with three sides.
+    /// The [`vector_area`](Self::vector_area) of the face of a halfedge, if it has three sides,
+    /// computed from the origin of the halfedge.
     #[inline]
-    fn triangle(&self, f: FaceId) -> Option<[DVec3; 3]> {
-        let first = self.get_face_halfedge(f)?;
+    fn triangle_area(&self, first: HalfedgeId) -> Option<DVec3> {
         let a = self.get_halfedge(first)?;
         let b = self.get_halfedge(a.next)?;
         let c = self.get_halfedge(b.next)?;
         if c.next != first || a.next == first || b.next == first {
             return None;
         }
-        // One by one: an array of options would go through memory.
-        let (a, b) = (self.get_position(a.vertex)?, self.get_position(b.vertex)?);
-        Some([a, b, self.get_position(c.vertex)?])
+        let position = |v: VertexId| self.positions.get(v.index()).copied();
+        let (a, b, c) = (position(a.vertex)?, position(b.vertex)?, position(c.vertex)?);
+        // The sum for other polygons begins with zero too, so both give the same bits.
+        Some((DVec3::ZERO + (b - a).cross(c - a)) / 2.0)
     }
 
     fn vector_area_of_any(&self, f: FaceId) -> DVec3 {
@@ -81,9 +79,13 @@ impl Mesh {
     /// The unit normal at a vertex: the faces around it, each weighted by its area.
     /// Holes do not count.
     pub fn vertex_normal(&self, v: VertexId) -> DVec3 {
-        let faces = self.spokes(v).filter_map(|h| self.get_face(h));
-        let real = faces.filter(|&f| self.get_is_hole(f) == Some(false));
-        direction(real.map(|f| self.vector_area(f)).sum())
+        let is_closed = self.hole_count() == 0;
+        let real = |h: &HalfedgeId| {
+            is_closed || self.get_face(*h).and_then(|f| self.get_is_hole(f)) == Some(false)
+        };
+        let any = |h| self.get_face(h).map_or(DVec3::ZERO, |f| self.vector_area_of_any(f));
+        let area = |h| self.triangle_area(h).unwrap_or_else(|| any(h));
+        direction(self.spokes(v).filter(real).map(area).sum())
     }
 
     /// The mean of the corners.
