@@ -6,9 +6,6 @@ use crate::rewrite::access::gone;
 use crate::rewrite::distinct::Remainders;
 use crate::rewrite::{ElementField, Fault};
 
-/// The most spokes of a vertex that are walked without being stored.
-const FEW_SPOKES: usize = 64;
-
 /// What a walk around a vertex tells of the conditions about its star.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Fan {
@@ -63,35 +60,26 @@ impl Preview {
     /// What a single walk around a vertex tells. `next` must have its new value, as where
     /// [`OrbitCondition::CornersDiffer`] is asked.
     pub fn fan(&mut self, mesh: &Mesh, vertex: u32) -> Fan {
-        let mut targets = [0; FEW_SPOKES];
-        let walked = self.is_plain().then(|| Self::walk_fan(mesh, vertex, &mut targets)).flatten();
-        match walked {
-            None => Fan::Other,
-            Some((degree, differ)) if differ || self.seen.are_all_new(&targets[..degree]) => {
-                if degree >= 3 {
-                    Fan::Simple
-                } else {
-                    Fan::Other
-                }
-            }
-            Some(_) => Fan::Meeting,
-        }
+        let mut targets = std::mem::take(&mut self.corners);
+        let fan = self.walk_fan(mesh, vertex, &mut targets);
+        self.corners = targets;
+        fan.unwrap_or(Fan::Other)
     }
 
-    /// The degree of a vertex, and whether all its neighbors are certain to differ, if it is a fan of
-    /// triangles and at most one hole, and not its own neighbor.
-    fn walk_fan(
-        mesh: &Mesh,
-        vertex: u32,
-        targets: &mut [u32; FEW_SPOKES],
-    ) -> Option<(usize, bool)> {
+    /// [`fan`](Self::fan), if it is one of triangles and at most one hole, and the vertex is not its
+    /// own neighbor; the ends of its spokes replace `targets`.
+    fn walk_fan(&mut self, mesh: &Mesh, vertex: u32, targets: &mut Vec<u32>) -> Option<Fan> {
+        if !self.is_plain() {
+            return None;
+        }
         let is_closed = mesh.hole_count() == 0;
         let start = mesh.get_vertex_halfedge(VertexId(vertex))?;
         let (mut at, mut holes, mut remainders) = (start, 0, Remainders::default());
-        for (before_it, target) in targets.iter_mut().enumerate() {
+        targets.clear();
+        for _ in 0..self.longest(mesh) {
             let spoke = mesh.get_halfedge(at)?;
             let before = mesh.get_halfedge(spoke.prev)?;
-            *target = before.vertex.0;
+            targets.push(before.vertex.0);
             remainders.add(before.vertex.0);
             let is_hole = !is_closed && mesh.get_is_hole(spoke.face)?;
             holes += u32::from(is_hole);
@@ -101,7 +89,12 @@ impl Preview {
             }
             at = before.twin;
             if at == start {
-                return Some((before_it + 1, remainders.differ));
+                let differ = remainders.differ || self.seen.are_all_new(targets);
+                return match (differ, targets.len()) {
+                    (true, 0..3) => None,
+                    (true, _) => Some(Fan::Simple),
+                    (false, _) => Some(Fan::Meeting),
+                };
             }
         }
         None
