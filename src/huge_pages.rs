@@ -151,14 +151,19 @@ unsafe fn resize(block: *mut u8, before: usize, after: usize) -> *mut u8 {
     let flags = libc::MREMAP_MAYMOVE | libc::MREMAP_FIXED;
     // SAFETY: the new place was made here, and nobody has it: the pages of the block replace its own.
     let moved = unsafe { libc::mremap(block.cast(), before, after, flags, place) };
-    if moved == libc::MAP_FAILED {
+    if moved != libc::MAP_FAILED {
+        return place;
+    }
+    // Whether the place is still mapped is not known, so it is not used again.
+    let copy = map(after);
+    if !copy.is_null() {
         // SAFETY: both are mappings, of which nobody has the new one.
         unsafe {
-            ptr::copy_nonoverlapping(block, place, before.min(after));
+            ptr::copy_nonoverlapping(block, copy, before.min(after));
             unmap(block, before);
         }
     }
-    place
+    copy
 }
 
 /// Gives pages back.
