@@ -8,11 +8,12 @@
 
 Three rounds (235,136 triangles) are the default; four make 940,544. Each job runs on every contender
 in turn, three times; the least processor time counts, without reading the program and the mesh, but
-with what `--reorder` takes for that. Operations are tried at every edge that is still there, in the order of
-the mesh and in a random one. Of remeshed surfaces the spread of the edge lengths is told (standard
-deviation over mean), of simplified ones the root mean square distance to the original in millionths of
-the diagonal of the box, ours first. Smoothing is held against products with a sparse matrix by scipy,
-which is built from the faces first; of it the greatest difference of a coordinate is told.
+with what `--reorder` takes for that. Operations are tried at every edge that is still there, in the
+order of the mesh and in a random one. Of remeshed surfaces the spread of the edge lengths is told
+(standard deviation over mean), of simplified ones the root mean square distance to the original in
+millionths of the diagonal of the box, ours first. Smoothing is held against products with a sparse
+matrix by scipy, which is built from the faces first; of it the greatest difference of a coordinate is
+told.
 """
 
 import os
