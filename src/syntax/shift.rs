@@ -106,201 +106,85 @@ shift! {
     Expr: kind span;
 }
 
-impl Shift for Item {
-    fn shift(&mut self, by: i32) {
-        match self {
-            Item::Use(item) => item.shift(by),
-            Item::Attr(item) => item.shift(by),
-            Item::Fn(item) => item.shift(by),
-            Item::Op(item) => item.shift(by),
-            Item::Script(item) => item.shift(by),
-            Item::Test(item) => item.shift(by),
-            Item::Broken(span) => span.shift(by),
-        }
-    }
+/// Implements `Shift` for enums by shifting these bindings of each variant.
+macro_rules! shift_variants {
+    ($($node:ident { $($($pattern:pat_param)|+ => $($field:ident)*;)* })*) => {
+        $(impl Shift for $node {
+            fn shift(&mut self, by: i32) {
+                use $node::*;
+                match self {
+                    $($($pattern)|+ => { $($field.shift(by);)* })*
+                }
+            }
+        })*
+    };
 }
 
-impl Shift for Condition {
-    fn shift(&mut self, by: i32) {
-        match self {
-            Condition::Require { condition, reason, span } => {
-                condition.shift(by);
-                reason.shift(by);
-                span.shift(by);
-            }
-            Condition::Guard { level, span } => {
-                level.shift(by);
-                span.shift(by);
-            }
-            Condition::Alias { names, span } => {
-                names.shift(by);
-                span.shift(by);
-            }
-        }
+shift_variants! {
+    Item {
+        Use(item) => item;
+        Attr(item) => item;
+        Fn(item) => item;
+        Op(item) => item;
+        Script(item) => item;
+        Test(item) => item;
+        Broken(span) => span;
     }
-}
-
-impl Shift for Statement {
-    fn shift(&mut self, by: i32) {
-        match self {
-            Statement::Loop(orbit) => orbit.shift(by),
-            Statement::Vertex(star) => star.shift(by),
-            Statement::Edge { name, halfedges, span } => {
-                name.shift(by);
-                halfedges.shift(by);
-                span.shift(by);
-            }
-            Statement::New(names, span)
-            | Statement::Erase(names, span)
-            | Statement::Keep(names, span) => {
-                names.shift(by);
-                span.shift(by);
-            }
-            Statement::Assign { target, attribute, value, span } => {
-                target.shift(by);
-                attribute.shift(by);
-                value.shift(by);
-                span.shift(by);
-            }
-            Statement::Broken(span) => span.shift(by),
-        }
+    Condition {
+        Require { condition, reason, span } => condition reason span;
+        Guard { level, span } => level span;
+        Alias { names, span } => names span;
     }
-}
-
-impl Shift for Arrow {
-    fn shift(&mut self, by: i32) {
-        match self {
-            Arrow::Halfedge(name) => name.shift(by),
-            Arrow::Path(name) => name.shift(by),
-        }
+    Statement {
+        Loop(orbit) => orbit;
+        Vertex(star) => star;
+        Edge { name, halfedges, span } => name halfedges span;
+        New(names, span) | Erase(names, span) | Keep(names, span) => names span;
+        Assign { target, attribute, value, span } => target attribute value span;
+        Broken(span) => span;
     }
-}
-
-impl Shift for Spoke {
-    fn shift(&mut self, by: i32) {
-        match self {
-            Spoke::Halfedge(name) => name.shift(by),
-            Spoke::Fan(name, span) => {
-                name.shift(by);
-                span.shift(by);
-            }
-        }
+    Arrow {
+        Halfedge(name) => name;
+        Path(name) => name;
     }
-}
-
-impl Shift for ActionKind {
-    fn shift(&mut self, by: i32) {
-        match self {
-            ActionKind::Let { name, ty, value, .. } => {
-                name.shift(by);
-                ty.shift(by);
-                value.shift(by);
-            }
-            ActionKind::Assign { target, value } => {
-                target.shift(by);
-                value.shift(by);
-            }
-            ActionKind::Repeat { count: head, body }
-            | ActionKind::While { condition: head, body } => {
-                head.shift(by);
-                body.shift(by);
-            }
-            ActionKind::For { parallel, variable, sequence, filter, body } => {
-                parallel.shift(by);
-                variable.shift(by);
-                sequence.shift(by);
-                filter.shift(by);
-                body.shift(by);
-            }
-            ActionKind::Update { variable, sequence, filter, body } => {
-                variable.shift(by);
-                sequence.shift(by);
-                filter.shift(by);
-                body.shift(by);
-            }
-            ActionKind::Drain { variable, sequence, key, condition, body } => {
-                variable.shift(by);
-                sequence.shift(by);
-                key.shift(by);
-                condition.shift(by);
-                body.shift(by);
-            }
-            ActionKind::If { binding, condition, then, otherwise } => {
-                binding.shift(by);
-                condition.shift(by);
-                then.shift(by);
-                otherwise.shift(by);
-            }
-            ActionKind::Print(values) => values.shift(by),
-            ActionKind::Assert { condition, reason }
-            | ActionKind::Require { condition, reason } => {
-                condition.shift(by);
-                reason.shift(by);
-            }
-            ActionKind::Return(value) => value.shift(by),
-            ActionKind::Block(block) => block.shift(by),
-            ActionKind::Expr(value) => value.shift(by),
-            ActionKind::Break | ActionKind::Continue | ActionKind::Broken => {}
-        }
+    Spoke {
+        Halfedge(name) => name;
+        Fan(name, span) => name span;
     }
-}
-
-impl Shift for ExprKind {
-    fn shift(&mut self, by: i32) {
-        match self {
-            ExprKind::Name(name) => name.shift(by),
-            ExprKind::Field(base, field) => {
-                base.shift(by);
-                field.shift(by);
-            }
-            ExprKind::Call { function, args } => {
-                function.shift(by);
-                args.shift(by);
-            }
-            ExprKind::Must(inner) | ExprKind::Asked(_, inner) | ExprKind::Unary(_, inner) => {
-                inner.shift(by);
-            }
-            ExprKind::Binary(_, left, right) | ExprKind::Range(left, right) => {
-                left.shift(by);
-                right.shift(by);
-            }
-            ExprKind::If { condition, then, otherwise } => {
-                condition.shift(by);
-                then.shift(by);
-                otherwise.shift(by);
-            }
-            ExprKind::Aggregate { function, body, variable, sequence, filter } => {
-                function.shift(by);
-                body.shift(by);
-                variable.shift(by);
-                sequence.shift(by);
-                filter.shift(by);
-            }
-            ExprKind::Bool(_)
-            | ExprKind::Int(_)
-            | ExprKind::Real(_)
-            | ExprKind::Text(_)
-            | ExprKind::Broken => {}
-        }
+    ActionKind {
+        Let { name, ty, value, .. } => name ty value;
+        Assign { target, value } => target value;
+        Repeat { count: head, body } | While { condition: head, body } => head body;
+        For { parallel, variable, sequence, filter, body } =>
+            parallel variable sequence filter body;
+        Update { variable, sequence, filter, body } => variable sequence filter body;
+        Drain { variable, sequence, key, condition, body } =>
+            variable sequence key condition body;
+        If { binding, condition, then, otherwise } => binding condition then otherwise;
+        Print(values) => values;
+        Assert { condition, reason } | Require { condition, reason } => condition reason;
+        Return(value) => value;
+        Block(block) => block;
+        Expr(value) => value;
+        Break | Continue | Broken =>;
     }
-}
-
-impl Shift for Shown {
-    fn shift(&mut self, by: i32) {
-        match self {
-            Shown::Value(value) => value.shift(by),
-            Shown::Text(pieces, span) => {
-                pieces.shift(by);
-                span.shift(by);
-            }
-        }
+    ExprKind {
+        Name(name) => name;
+        Field(base, field) => base field;
+        Call { function, args } => function args;
+        Must(inner) | Asked(_, inner) | Unary(_, inner) => inner;
+        Binary(_, left, right) | Range(left, right) => left right;
+        If { condition, then, otherwise } => condition then otherwise;
+        Aggregate { function, body, variable, sequence, filter } =>
+            function body variable sequence filter;
+        Bool(_) | Int(_) | Real(_) | Text(_) | Broken =>;
     }
-}
-
-impl Shift for Piece {
-    fn shift(&mut self, by: i32) {
-        if let Piece::Value(value, _) = self {
-            value.shift(by);
-        }
+    Shown {
+        Value(value) => value;
+        Text(pieces, span) => pieces span;
+    }
+    Piece {
+        Value(value, _) => value;
+        Text(_) =>;
     }
 }
