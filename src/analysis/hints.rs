@@ -46,7 +46,7 @@ fn op_hints(snapshot: &Snapshot, op: &Op, hints: &mut Vec<Hint>) {
             after: result.span,
             label: format!(": {}", ty.word()),
             is_type: true,
-            meaning: format!("the op returns {}", super::a_type(ty)),
+            meaning: format!("the op returns {}", ty.a_word()),
         });
     }
     let verdict = snapshot.verdict(op);
@@ -116,7 +116,7 @@ fn variables(snapshot: &Snapshot, hints: &mut Vec<Hint>) {
                 after: variable.span,
                 label: format!(": {}", variable.ty.word()),
                 is_type: true,
-                meaning: format!("`{}` is {}", variable.name, super::a_type(variable.ty)),
+                meaning: format!("`{}` is {}", variable.name, variable.ty.a_word()),
             });
         }
     }

@@ -84,4 +84,4 @@ pub use unused::{Unused, unused};
 pub use verdict::{
     GuardVerdict, KeepsOnly, ProvedStatement, RuleVerdict, StepsVerdict, Verdict, verdict, verdicts,
 };
-pub use words::{MEANINGS, Word, a_type, functions, meaning, word};
+pub use words::{MEANINGS, Word, functions, meaning, word};

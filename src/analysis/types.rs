@@ -5,19 +5,14 @@ use super::snapshot::Snapshot;
 use crate::diagram::Type;
 use crate::syntax::{Token, TokenKind};
 
-/// The type of this name.
-pub(super) fn type_named(word: &str) -> Option<Type> {
-    Type::ALL.into_iter().find(|ty| ty.word() == word)
-}
-
 /// The type of what a name stands for, as far as it is known.
 pub fn type_of(snapshot: &Snapshot, id: SymbolId) -> Option<Type> {
     let symbol = snapshot.names().symbol(id);
     if let Some(ty) = &symbol.ty {
-        return type_named(ty);
+        return Type::named(ty);
     }
     if let SymbolKind::Element(Some(kind)) = symbol.kind {
-        return type_named(kind.word());
+        return kind.element_type();
     }
     let place = symbol.definition?;
     if let Some(known) = snapshot.type_at(place) {

@@ -1,7 +1,7 @@
 //! The words of the language, each explained in a sentence.
 
 use crate::diagram;
-use crate::resolve::{function_words, signatures, type_with_article};
+use crate::resolve::{function_words, signatures};
 
 /// A word of the language.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -268,9 +268,4 @@ fn forms(text: &str) -> Vec<String> {
         }
     });
     ways.collect()
-}
-
-/// The name of a type, with its article.
-pub fn a_type(ty: diagram::Type) -> &'static str {
-    type_with_article(ty)
 }

@@ -3,7 +3,9 @@
 //! An int is used as a real only through an explicit [`Unary::ToReal`], so that lowering an
 //! expression never guesses.
 
+use super::op::without_article;
 use super::{Builtin, NameId};
+use crate::mesh::ElementKind;
 use crate::source::Span;
 
 /// The type of a value.
@@ -42,22 +44,43 @@ impl Type {
         Type::Face,
     ];
 
+    /// The type of this name.
+    pub fn named(word: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|ty| ty.word() == word)
+    }
+
     /// The word for it.
     pub fn word(self) -> &'static str {
+        without_article(self.a_word())
+    }
+
+    /// The word with its article.
+    pub fn a_word(self) -> &'static str {
         match self {
-            Type::Bool => "bool",
-            Type::Int => "int",
-            Type::Real => "real",
-            Type::Vec2 => "vec2",
-            Type::Vec3 => "vec3",
-            Type::Vec4 => "vec4",
-            Type::Mat3 => "mat3",
-            Type::Mat4 => "mat4",
-            Type::Text => "text",
-            Type::Vertex => "vertex",
-            Type::Halfedge => "halfedge",
-            Type::Edge => "edge",
-            Type::Face => "face",
+            Type::Bool => "a bool",
+            Type::Int => "an int",
+            Type::Real => "a real",
+            Type::Vec2 => "a vec2",
+            Type::Vec3 => "a vec3",
+            Type::Vec4 => "a vec4",
+            Type::Mat3 => "a mat3",
+            Type::Mat4 => "a mat4",
+            Type::Text => "a text",
+            Type::Vertex => "a vertex",
+            Type::Halfedge => "a halfedge",
+            Type::Edge => "an edge",
+            Type::Face => "a face",
+        }
+    }
+
+    /// The kind of element that values of this type are.
+    pub fn element_kind(self) -> Option<ElementKind> {
+        match self {
+            Type::Vertex => Some(ElementKind::Vertex),
+            Type::Halfedge => Some(ElementKind::Halfedge),
+            Type::Edge => Some(ElementKind::Edge),
+            Type::Face => Some(ElementKind::Face),
+            _ => None,
         }
     }
 
@@ -93,7 +116,18 @@ impl Type {
 
     /// True if values of this type are elements of the mesh.
     pub fn is_element(self) -> bool {
-        matches!(self, Type::Vertex | Type::Halfedge | Type::Edge | Type::Face)
+        self.element_kind().is_some()
+    }
+}
+
+impl From<ElementKind> for Type {
+    fn from(kind: ElementKind) -> Self {
+        match kind {
+            ElementKind::Vertex => Type::Vertex,
+            ElementKind::Halfedge => Type::Halfedge,
+            ElementKind::Edge => Type::Edge,
+            ElementKind::Face => Type::Face,
+        }
     }
 }
 

@@ -26,14 +26,7 @@ pub enum Kind {
 impl Kind {
     /// The word for it.
     pub fn word(self) -> &'static str {
-        match self {
-            Kind::Vertex => "vertex",
-            Kind::Halfedge => "halfedge",
-            Kind::Edge => "edge",
-            Kind::Face => "face",
-            Kind::Path => "path",
-            Kind::Fan => "fan",
-        }
+        without_article(self.a_word())
     }
 
     /// The word with its article.
@@ -58,15 +51,20 @@ impl Kind {
         }
     }
 
-    /// The type of an element of the kind; `None` for a run.
-    pub fn element_type(self) -> Option<Type> {
+    /// The kind of element; `None` for a run.
+    pub fn element_kind(self) -> Option<ElementKind> {
         match self {
-            Kind::Vertex => Some(Type::Vertex),
-            Kind::Halfedge => Some(Type::Halfedge),
-            Kind::Edge => Some(Type::Edge),
-            Kind::Face => Some(Type::Face),
+            Kind::Vertex => Some(ElementKind::Vertex),
+            Kind::Halfedge => Some(ElementKind::Halfedge),
+            Kind::Edge => Some(ElementKind::Edge),
+            Kind::Face => Some(ElementKind::Face),
             Kind::Path | Kind::Fan => None,
         }
+    }
+
+    /// The type of an element of the kind; `None` for a run.
+    pub fn element_type(self) -> Option<Type> {
+        self.element_kind().map(Type::from)
     }
 }
 
@@ -105,6 +103,11 @@ pub struct Name {
     pub role: Role,
     /// The place where it is first mentioned.
     pub span: Span,
+}
+
+/// A word without its article.
+pub(super) fn without_article(a_word: &'static str) -> &'static str {
+    a_word.split_once(' ').map_or(a_word, |(_, word)| word)
 }
 
 /// The number of elements or runs that a name stands for.

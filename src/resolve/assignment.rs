@@ -16,7 +16,7 @@ use super::script::Scripting;
 use super::suggestion::suggest;
 use super::typed::typed;
 use super::typing::converted;
-use super::words::{a_type, short};
+use super::words::short;
 
 impl Scripting<'_> {
     /// `x = …`, `v.position = …`
@@ -96,7 +96,7 @@ impl Scripting<'_> {
                     Ok(value) => value,
                     Err(error) => {
                         let error =
-                            error.label(local.span, format!("`{word}` is {} here", a_type(ty)));
+                            error.label(local.span, format!("`{word}` is {} here", ty.a_word()));
                         self.typing.report.add(match local.binding {
                             Binding::Var { typed: false } if is_wider => error.fix(
                                 format!("declare `{word}: real`"),
@@ -149,7 +149,7 @@ impl Scripting<'_> {
     ) -> Option<StatementKind> {
         let (ty, span) = (whole.ty, base.span.to(field.span));
         if !(ty.is_vector() || ty.is_matrix()) {
-            let message = format!("{} has no attributes", a_type(ty));
+            let message = format!("{} has no attributes", ty.a_word());
             self.typing.report.add(Diagnostic::error("not-assignable", message, span));
             return None;
         }
@@ -216,7 +216,7 @@ impl Scripting<'_> {
         field: &Ident,
         value: &tree::Expr,
     ) -> Diagnostic {
-        let message = format!("in an `update`, {} is assigned whole", a_type(ty));
+        let message = format!("in an `update`, {} is assigned whole", ty.a_word());
         let mut error = Diagnostic::error("not-assignable", message, base.span.to(field.span))
             .note("all that an `update` reads is as it was before");
         // Of several assignments the last would count.

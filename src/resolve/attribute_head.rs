@@ -8,7 +8,6 @@ use crate::syntax::tree;
 use super::fields::is_taken;
 use super::report::Report;
 use super::type_name::type_among;
-use super::words::a_type;
 
 /// The declaration of an attribute without its default.
 #[derive(Clone, Debug)]
@@ -57,13 +56,13 @@ pub(super) fn head(
         if !element.is_element() {
             let message = format!(
                 "an attribute belongs to vertices, halfedges, edges or faces, not to {}",
-                a_type(element)
+                element.a_word()
             );
             report.add(Diagnostic::error("attribute-type", message, attr.kind.span));
         } else if is_taken(element, &attr.name.text) {
             let message = format!(
                 "{} has a field `{}` already; the attribute needs another name",
-                a_type(element),
+                element.a_word(),
                 attr.name.text
             );
             report.add(Diagnostic::error("duplicate-name", message, attr.name.span));
@@ -72,7 +71,7 @@ pub(super) fn head(
     if let Some(ty) = ty.filter(|ty| ty.zero().is_none()) {
         let message = format!(
             "an attribute holds a bool, a number, a vector or a matrix, not {}",
-            a_type(ty)
+            ty.a_word()
         );
         let mut error = Diagnostic::error("attribute-type", message, attr.ty.span);
         if ty.is_element() {

@@ -14,14 +14,13 @@ use super::declared::private;
 use super::fields::{attribute, attributes_of, is_taken};
 use super::foreign_words::{self, Here};
 use super::lists::mention;
-use super::lookup::element_type;
 use super::names::Names;
 use super::report::Report;
 use super::signature::Parameter;
 use super::suggestion::suggest;
 use super::typing::{Place, Typing};
 use super::words::not_held;
-use super::words::{a_type, quoted};
+use super::words::quoted;
 
 /// The requirements of a rule of `op`.
 pub(super) fn requires(conditions: &[Condition], op: &str, typing: &mut Typing) -> Vec<Require> {
@@ -258,7 +257,7 @@ fn assigned(
     };
     typing.subscript(names, id, target)?;
     let kind = names.get(id).kind;
-    let Some(ty) = element_type(kind) else {
+    let Some(ty) = kind.element_type() else {
         let message = format!("`{word}` is {}, which has no attributes", kind.a_word());
         let error = Diagnostic::error("unknown-attribute", message, attribute_name.span);
         typing.report.add(error);
@@ -328,7 +327,7 @@ impl Typing<'_> {
             self.report.add(Diagnostic::error("unknown-attribute", message, name.span).note(how));
             return None;
         }
-        let element = a_type(ty);
+        let element = ty.a_word();
         let message = format!("{element} has no attribute `{}`", name.text);
         let error = Diagnostic::error("unknown-attribute", message, name.span);
         let known = attributes_of(ty).into_iter();

@@ -9,7 +9,6 @@ use super::builtin::CONSTRUCTORS;
 use super::typed::{to_real, typed};
 use super::typing::Typing;
 use super::vocabulary::called;
-use super::words::a_type;
 
 /// The type that a constructor of this name makes.
 pub(super) fn constructed(word: &str) -> Option<Type> {
@@ -76,12 +75,12 @@ impl Typing<'_> {
             let _ = self.right_count(function, usize::from(ty.size()), args.len(), span);
             return;
         }
-        let given: Vec<&str> = types.iter().map(|ty| a_type(*ty)).collect();
+        let given: Vec<&str> = types.iter().map(|ty| ty.a_word()).collect();
         let given = match given.as_slice() {
             [] => "nothing".to_owned(),
             given => given.join(" and "),
         };
-        let message = format!("{} cannot be made of {given}", a_type(ty));
+        let message = format!("{} cannot be made of {given}", ty.a_word());
         let error = Diagnostic::error("type-mismatch", message, span)
             .note(format!("it is made by {}", called(ty.word())));
         self.report.add(error);

@@ -27,7 +27,7 @@ use super::signature::FunctionSignature;
 use super::suggestion::{suggest, suggest_function};
 use super::testing::mesh_maker;
 use super::unit::Unit;
-use super::words::{a_type, plural, short};
+use super::words::{plural, short};
 
 /// The meaning of a name of an item.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -446,7 +446,7 @@ fn is_of_the_language(name: &str) -> bool {
 
 /// The error for an attribute whose name is taken by another.
 fn clash(head: &Head, other: &Head) -> Diagnostic {
-    let what = format!("{} attribute", a_type(head.element));
+    let what = format!("{} attribute", head.element.a_word());
     let name = Ident { text: head.name.clone(), span: head.span };
     let error = duplicate(&what, &name, other.span);
     match head.span.file == other.span.file {

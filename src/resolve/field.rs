@@ -14,7 +14,7 @@ use super::sequence_names::sequences_of;
 use super::suggestion::closest;
 use super::typed::typed;
 use super::typing::Typing;
-use super::words::{a_type, quoted, short};
+use super::words::{quoted, short};
 
 /// A field of a type, for completion lists.
 pub(super) struct Entry {
@@ -91,7 +91,7 @@ impl Typing<'_> {
             if sequences_of(base.ty).contains(&word) {
                 let message = format!(
                     "`{word}` of {} is a sequence; it can stand after `in` or in `count(…)`",
-                    a_type(base.ty)
+                    base.ty.a_word()
                 );
                 self.report.add(Diagnostic::error("not-a-value", message, span));
             } else {
@@ -131,9 +131,9 @@ impl Typing<'_> {
             .chain(self.declared.attributes_of(ty))
             .chain(sequences_of(ty).iter().copied())
             .collect();
-        let message = format!("{} has no field `{}`", a_type(ty), field.text);
+        let message = format!("{} has no field `{}`", ty.a_word(), field.text);
         let error = Diagnostic::error("unknown-field", message, field.span);
-        let this = format!("this is {}", a_type(ty));
+        let this = format!("this is {}", ty.a_word());
         if !of_sequences && let Some(function) = function_of(ty, &field.text) {
             let error = error.label(written.span, this);
             self.report.add(written_as_call(error, function, written, field.span));
@@ -166,7 +166,7 @@ impl Typing<'_> {
                 error.note(format!("a halfedge has it: read `.halfedge.{0}`", field.text))
             }
             known => {
-                let error = error.note(format!("{} has {}", a_type(ty), quoted(known)));
+                let error = error.note(format!("{} has {}", ty.a_word(), quoted(known)));
                 match ty.is_element() && !is_meant {
                     true => error.note(declaration(&field.text, ty, None)),
                     false => error,

@@ -15,7 +15,7 @@ use super::signature::Parameter;
 use super::signature::{FunctionSignature, Value};
 use super::typed::typed;
 use super::typing::{Place, Typing};
-use super::words::{a_type, arguments};
+use super::words::arguments;
 
 /// A call of a function.
 struct Invocation {
@@ -229,7 +229,7 @@ impl Scripting<'_> {
     pub(super) fn unused(&mut self, ty: Type, span: Span) {
         let message = "this value is not used";
         let error = Diagnostic::error("unused-value", message, span)
-            .saying(format!("this is {}", a_type(ty)));
+            .saying(format!("this is {}", ty.a_word()));
         self.typing.report.add(error);
     }
 }

@@ -7,7 +7,6 @@ use crate::diagram::{Edge, Kind, Loop, LoopItem, NameId, Ref, Side, Spoke, Star}
 use crate::source::Span;
 use crate::syntax::tree::{self, Statement};
 
-use super::lookup::element_type;
 use super::mention::mentions;
 use super::names::Names;
 use super::report::Report;
@@ -127,7 +126,7 @@ impl<'a> Reader<'a> {
             self.unused.push(name);
             return None;
         }
-        if element_type(known.kind).is_none() {
+        if known.kind.element_type().is_none() {
             let message = format!(
                 "`{word}` is {}; `new` names vertices, halfedges, edges and faces",
                 known.kind.a_word()

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use crate::diagnostic::Diagnostic;
-use crate::diagram::{Expr, ExprKind, Kind, NameId, Role, Type};
+use crate::diagram::{Expr, ExprKind, NameId, Role, Type};
 use crate::source::Span;
 use crate::syntax::tree;
 
@@ -16,17 +16,6 @@ use super::typing::{Place, Typing};
 
 /// The constants of the language.
 pub(super) const CONSTANTS: [(&str, f64); 2] = [("pi", PI), ("infinity", f64::INFINITY)];
-
-/// The type of element that a name of this kind stands for.
-pub(super) fn element_type(kind: Kind) -> Option<Type> {
-    match kind {
-        Kind::Vertex => Some(Type::Vertex),
-        Kind::Halfedge => Some(Type::Halfedge),
-        Kind::Edge => Some(Type::Edge),
-        Kind::Face => Some(Type::Face),
-        Kind::Path | Kind::Fan => None,
-    }
-}
 
 impl Typing<'_> {
     /// A name: a variable, a drawn element, a parameter or a constant, the innermost first.
@@ -125,7 +114,7 @@ impl Typing<'_> {
                  before the rewrite"
             );
             Diagnostic::error("reads-new", message, span).label(name.span, "it stands only here")
-        } else if let Some(ty) = element_type(name.kind) {
+        } else if let Some(ty) = name.kind.element_type() {
             return Some(typed(ty, meant, span));
         } else {
             let message = format!(

@@ -82,5 +82,5 @@ pub use testing::is_shape;
 pub use unit::{Unit, qualifier};
 pub use vocabulary::{
     FieldWord, Signature, constants, fields, function_words, is_constant, is_function,
-    mesh_and_constant_words, mesh_words, sequence_words, signatures, type_with_article,
+    mesh_and_constant_words, mesh_words, sequence_words, signatures,
 };

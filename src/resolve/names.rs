@@ -10,7 +10,6 @@ use crate::syntax::tree::{Rule, Side, Statement};
 use super::mention::{Mention, mentions};
 use super::report::Report;
 use super::signature::Parameter;
-use super::words::a_type;
 
 /// The names of one rule.
 #[derive(Debug)]
@@ -182,7 +181,7 @@ fn kinds<'a>(
     let mut kinds: HashMap<String, Origin> = HashMap::new();
     for param in params {
         if let Some(ty) = param.ty {
-            let kind = kind_of(ty).ok_or(ty);
+            let kind = ty.element_kind().map(Kind::from).ok_or(ty);
             let origin = Origin { kind, span: param.span, told: false };
             kinds.entry(param.name.clone()).or_insert(origin);
         }
@@ -215,7 +214,7 @@ fn two_kinds(mention: &Mention, kind: Kind, first: &Origin) -> Diagnostic {
             (format!("`{word}` is {was}, but here it is {used}"), was)
         }
         Err(ty) => {
-            let ty = a_type(ty);
+            let ty = ty.a_word();
             let message = format!(
                 "the parameter `{word}` is {ty}, but here `{word}` is {used}; rename one of them"
             );
@@ -236,15 +235,4 @@ fn two_kinds(mention: &Mention, kind: Kind, first: &Origin) -> Diagnostic {
         _ => error,
     };
     error.saying(format!("used as {used}")).label(first.span, format!("here it is {first_is}"))
-}
-
-/// The kind of the elements of a type.
-pub(super) fn kind_of(ty: Type) -> Option<Kind> {
-    match ty {
-        Type::Vertex => Some(Kind::Vertex),
-        Type::Halfedge => Some(Kind::Halfedge),
-        Type::Edge => Some(Kind::Edge),
-        Type::Face => Some(Kind::Face),
-        _ => None,
-    }
 }

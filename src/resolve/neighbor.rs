@@ -3,7 +3,7 @@
 use crate::diagram::Type;
 use crate::syntax::tree;
 
-use super::words::{a_type, short};
+use super::words::short;
 
 /// The fields from a value of type `ty` to one of type `wanted`, if that is near.
 pub(super) fn path(ty: Type, wanted: Type) -> Option<&'static str> {
@@ -21,7 +21,7 @@ pub(super) fn path(ty: Type, wanted: Type) -> Option<&'static str> {
 /// The note on what of type `wanted` belongs to a value of type `ty`.
 pub(super) fn near(written: &tree::Expr, ty: Type, wanted: Type) -> Option<String> {
     let text = short(written, 3)?;
-    let of = a_type(ty);
+    let of = ty.a_word();
     Some(match (ty, wanted) {
         (Type::Edge, Type::Vec3) => format!("the middle of {of} is `midpoint({text})`"),
         (Type::Face, Type::Vec3) => format!("the middle of {of} is `centroid({text})`"),

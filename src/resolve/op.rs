@@ -9,7 +9,6 @@ use crate::syntax::tree::{self, Arrow, Ident, Statement};
 
 use super::declared::{Declared, duplicate};
 use super::family::{is_family, read_index};
-use super::lookup::element_type;
 use super::names::Names;
 use super::parameter::{Owner, parameters};
 use super::program;
@@ -17,7 +16,7 @@ use super::property::properties;
 use super::report::Report;
 use super::rule::{Context, resolve_rule};
 use super::signature::Parameter;
-use super::signature::{Returned, Signature};
+use super::signature::{Signature, Value};
 use super::steps::steps_signature;
 use super::suggestion::suggest;
 
@@ -52,7 +51,7 @@ pub(super) fn resolve_op(
         report.add(Diagnostic::error("missing-side", message, op.name.span));
     }
     if has_too_many_rules(op, report) || op.rules.iter().any(|rule| draws_too_much(rule, report)) {
-        let result = Returned::Unknown;
+        let result = Value::Unknown;
         let signature = Signature { name: op.name.text.clone(), params, result };
         let resolved = signature.op(op.name.span, None);
         return (signature, resolved);
@@ -63,10 +62,8 @@ pub(super) fn resolve_op(
     });
     let names: Vec<Names> = names.collect();
     let result = match &op.result {
-        None => Returned::Nothing,
-        Some(name) => {
-            result_type(name, &names, report).map_or(Returned::Unknown, Returned::Element)
-        }
+        None => Value::Nothing,
+        Some(name) => result_type(name, &names, report).map_or(Value::Unknown, Value::Of),
     };
     if let Some(name) = &op.result {
         one_result(name, op, report);
@@ -82,7 +79,7 @@ pub(super) fn resolve_op(
         name_span: op.name.span,
         docs: op.docs.clone(),
         params: params.iter().map(Parameter::param).collect(),
-        result: result.element(),
+        result: result.ty(),
         keeps,
         rules,
         span: op.span,
@@ -231,8 +228,7 @@ fn result_type(name: &Ident, rules: &[Names], report: &mut Report) -> Option<Typ
         let message = format!("`{word}` is returned, but it is drawn nowhere");
         let error = Diagnostic::error("unknown-result", message, name.span);
         let drawn = rules.iter().flat_map(Names::words);
-        let error = match Type::ALL.iter().any(|ty| ty.word() == word) || type_word(word).is_some()
-        {
+        let error = match Type::named(word).is_some() || type_word(word).is_some() {
             true => error.note(
                 "an op names the element that it returns, `-> m`; whether it applied is asked by \
                  `if flip(e) { … }`",
@@ -251,7 +247,7 @@ fn result_type(name: &Ident, rules: &[Names], report: &mut Report) -> Option<Typ
         report.add(Diagnostic::error("result-kind", message, name.span));
         return None;
     }
-    let ty = element_type(first);
+    let ty = first.element_type();
     if ty.is_none() {
         let message = format!(
             "`{word}` is {}; an op returns a vertex, a halfedge, an edge or a face",

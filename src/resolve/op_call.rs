@@ -9,9 +9,8 @@ use super::foreign_words::constant_called;
 use super::program::{Block, Statement, StatementKind};
 use super::script::Scripting;
 use super::sequence::is_sequence;
-use super::signature::Returned;
+use super::signature::Value;
 use super::typing::Typing;
-use super::words::a_type;
 
 /// `must split(e)` as a value.
 pub(super) struct Applied {
@@ -89,7 +88,7 @@ impl Scripting<'_> {
                     None => "stops the script".to_owned(),
                 };
                 let called = self.typing.declared.op(word).and_then(|op| self.ops.get(op));
-                let gives = called.filter(|op| op.result != Returned::Nothing);
+                let gives = called.filter(|op| op.result != Value::Nothing);
                 self.typing.report.add(match gives {
                     Some(_) => error
                         .note(format!(
@@ -116,12 +115,12 @@ impl Scripting<'_> {
     fn result(&mut self, op: usize, span: Span) -> Option<Type> {
         let signature = &self.ops[op];
         match signature.result {
-            Returned::Element(ty) => Some(ty),
-            Returned::Unknown => {
+            Value::Of(ty) => Some(ty),
+            Value::Open | Value::Unknown => {
                 self.typing.report.fail();
                 None
             }
-            Returned::Nothing => {
+            Value::Nothing => {
                 let message = format!("`{}` returns nothing", signature.name);
                 let error = Diagnostic::error("returns-nothing", message, span).note(
                     "an op returns an element that is there afterwards where its head names it, as \
@@ -147,9 +146,9 @@ impl Scripting<'_> {
         let message = format!(
             "`{}` wants {}, but `{}` returns {}",
             variable.text,
-            a_type(wanted),
+            wanted.a_word(),
             applied.name,
-            a_type(applied.result)
+            applied.result.a_word()
         );
         self.typing.report.add(Diagnostic::error("type-mismatch", message, span));
         false

@@ -7,7 +7,7 @@ use crate::syntax::tree::{self, BinaryOp, UnaryOp};
 
 use super::typed::{to_real, typed};
 use super::typing::Typing;
-use super::words::{a_type, operator, subject};
+use super::words::{operator, subject};
 
 /// An operand as written, and its value.
 type Operand<'a> = (&'a tree::Expr, Expr);
@@ -28,7 +28,7 @@ impl Typing<'_> {
                 let message = format!(
                     "`-` wants a number, a vector or a matrix, but {} is {}",
                     subject(written),
-                    a_type(ty)
+                    ty.a_word()
                 );
                 let error = Diagnostic::error("type-mismatch", message, written.span);
                 self.report.add(place_note(error, &[(written, &value)]));
@@ -57,12 +57,12 @@ impl Typing<'_> {
                 "`{}` wants {}, not {} and {}",
                 operator(op),
                 wants(op),
-                a_type(left.ty),
-                a_type(right.ty)
+                left.ty.a_word(),
+                right.ty.a_word()
             );
             let error = Diagnostic::error("type-mismatch", message, span)
-                .label(left_written.span, format!("this is {}", a_type(left.ty)))
-                .label(right_written.span, format!("this is {}", a_type(right.ty)));
+                .label(left_written.span, format!("this is {}", left.ty.a_word()))
+                .label(right_written.span, format!("this is {}", right.ty.a_word()));
             let written = [(left_written, &left), (right_written, &right)];
             self.report.add(match op {
                 BinaryOp::Equal | BinaryOp::NotEqual => error,

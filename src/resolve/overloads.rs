@@ -15,7 +15,7 @@ use super::testing::mesh_maker;
 use super::typed::{to_real, typed};
 use super::typing::{Place, Typing};
 use super::vocabulary::called;
-use super::words::{a_type, arguments, short, subject};
+use super::words::{arguments, short, subject};
 
 /// How well a type fits a parameter.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -65,7 +65,7 @@ fn combined(function: &Ident, written: &tree::Expr, ty: Type) -> Option<String> 
         ));
     }
     let alone = overloads(word).iter().any(|way| way.wanted == [Wanted::Is(ty)]);
-    alone.then(|| format!("of {} alone it is `{word}({text})`", a_type(ty)))
+    alone.then(|| format!("of {} alone it is `{word}({text})`", ty.a_word()))
 }
 
 impl Typing<'_> {
@@ -210,7 +210,7 @@ impl Typing<'_> {
                 let mut words = Vec::new();
                 for way in &left {
                     let word = match way.wanted[place] {
-                        Wanted::Is(ty) => a_type(ty),
+                        Wanted::Is(ty) => ty.a_word(),
                         Wanted::Point => "a vertex or a vector",
                     };
                     if !words.contains(&word) {
@@ -222,10 +222,10 @@ impl Typing<'_> {
                     function.text,
                     one_of(&words),
                     subject(written),
-                    a_type(value.ty)
+                    value.ty.a_word()
                 );
                 let error = Diagnostic::error("type-mismatch", message, written.span)
-                    .saying(format!("this is {}", a_type(value.ty)));
+                    .saying(format!("this is {}", value.ty.a_word()));
                 let mut types: Vec<Type> = left
                     .iter()
                     .flat_map(|way| match way.wanted[place] {

@@ -10,7 +10,6 @@ use super::scopes::{Binding, Local, Scopes};
 use super::signature::Parameter;
 use super::type_name::type_named;
 use super::typing::{Place, Typing};
-use super::words::a_type;
 
 /// The maximum number of parameters of an item.
 const MOST_PARAMETERS: usize = 255;
@@ -77,7 +76,7 @@ fn allowed(ty: Type, owner: Owner, param: &tree::Param, report: &mut Report) -> 
             matches!(ty, Type::Bool | Type::Int | Type::Real) || ty.is_vector() || ty.is_element(),
             format!(
                 "a parameter of a script is an element, a bool, a number or a vector, not {}",
-                a_type(ty)
+                ty.a_word()
             ),
         ),
     };
@@ -96,7 +95,7 @@ fn default_value(
     report: &mut Report,
 ) -> Option<Expr> {
     if ty.is_element() {
-        let message = format!("`{}` is {}, and an element has no default", name.text, a_type(ty));
+        let message = format!("`{}` is {}, and an element has no default", name.text, ty.a_word());
         report.add(Diagnostic::error("parameter-type", message, default.span));
         return None;
     }

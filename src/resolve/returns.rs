@@ -11,7 +11,6 @@ use super::scopes::{Binding, Local};
 use super::script::Scripting;
 use super::signature::Value;
 use super::typed::to_real;
-use super::words::a_type;
 
 impl Scripting<'_> {
     /// The body of a function: a value at its end is its result.
@@ -137,7 +136,7 @@ impl Scripting<'_> {
     fn exit_without(&mut self, name: &str, span: Span) -> Option<StatementKind> {
         match self.returns.value {
             Value::Of(ty) => {
-                let message = format!("`{name}` gives {}, so `return` wants a value", a_type(ty));
+                let message = format!("`{name}` gives {}, so `return` wants a value", ty.a_word());
                 let error = Diagnostic::error("missing-return", message, span);
                 let error = match self.returns.first {
                     Some(first) => error.label(first, "it gives a value here"),
@@ -162,7 +161,7 @@ impl Scripting<'_> {
             Value::Of(ty) if ty == value.ty => Some(value),
             Value::Of(ty) => {
                 let message =
-                    format!("`{name}` gives {}, but this is {}", a_type(ty), a_type(value.ty));
+                    format!("`{name}` gives {}, but this is {}", ty.a_word(), value.ty.a_word());
                 let error = Diagnostic::error("type-mismatch", message, written.span);
                 let error = match (ty, value.ty, self.returns.head) {
                     (Type::Int, Type::Real, Some(head)) => error
@@ -176,7 +175,7 @@ impl Scripting<'_> {
                 };
                 self.typing.report.add(match first == written.span {
                     true => error,
-                    false => error.label(first, format!("this is {}", a_type(ty))),
+                    false => error.label(first, format!("this is {}", ty.a_word())),
                 });
                 None
             }

@@ -98,10 +98,7 @@ pub(super) fn resolve_function(
         span: signature.span,
         docs: function.docs.clone(),
         params: signature.params.iter().map(Parameter::param).collect(),
-        result: match value {
-            Value::Of(ty) => Some(ty),
-            Value::Nothing | Value::Open | Value::Unknown => None,
-        },
+        result: value.ty(),
         body,
     };
     (value, resolved)

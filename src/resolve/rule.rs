@@ -15,14 +15,14 @@ use super::parameter::local;
 use super::report::Report;
 use super::scopes::Scopes;
 use super::signature::Parameter;
-use super::signature::Returned;
+use super::signature::Value;
 use super::typing::{Place, Typing};
 
 /// The context of a rule, from its op.
 pub(super) struct Context<'a> {
     pub(super) op: &'a tree::Op,
     pub(super) params: &'a [Parameter],
-    pub(super) result: Returned,
+    pub(super) result: Value,
     pub(super) declared: &'a Declared,
     pub(super) attributes: &'a Arc<[Attribute]>,
 }
@@ -60,7 +60,7 @@ pub(super) fn resolve_rule(
     let assignments = assignments(after, &names, &lists.erased, &mut typing);
 
     let result = match (&context.op.result, context.result) {
-        (Some(name), Returned::Element(_)) => returned(name, rule, &names, &lists.erased, report),
+        (Some(name), Value::Of(_)) => returned(name, rule, &names, &lists.erased, report),
         // The op has reported a result that is not an element.
         _ => None,
     };

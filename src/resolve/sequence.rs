@@ -12,7 +12,7 @@ use super::sequence_names::{FOLDS, WHOLE_MESH, fold_names, sequences_of};
 use super::typed::{to_real, typed};
 use super::typing::{Place, Typing, with_field};
 use super::vocabulary::{fields, is_function};
-use super::words::{a_type, quoted, short, subject};
+use super::words::{quoted, short, subject};
 
 const COUNTED: &str = "`count(edges)` counts them all, `count(boundary(e) for e in edges)` those \
                        for which a condition holds";
@@ -115,7 +115,7 @@ impl Typing<'_> {
     /// Reports an expression of type `ty` that is not a sequence, with the sequences of the type
     /// `of`, otherwise those of the mesh.
     fn not_a_sequence(&mut self, expr: &tree::Expr, ty: Type, of: Type) -> Option<Collection> {
-        let message = format!("{} is {}, not a sequence", subject(expr), a_type(ty));
+        let message = format!("{} is {}, not a sequence", subject(expr), ty.a_word());
         let error = Diagnostic::error("not-a-sequence", message, expr.span);
         self.report.add(match sequences_of(of) {
             [] if of == Type::Int => error.note(TAKES_INTS),
@@ -123,7 +123,7 @@ impl Typing<'_> {
                 let words = WHOLE_MESH.map(|(known, _)| known);
                 error.note(format!("the sequences of the mesh are {}", quoted(&words)))
             }
-            words => error.note(format!("the sequences of {} are {}", a_type(of), quoted(words))),
+            words => error.note(format!("the sequences of {} are {}", of.a_word(), quoted(words))),
         });
         None
     }
@@ -248,7 +248,7 @@ impl Typing<'_> {
         let message = format!(
             "`count` wants a bool for each element, but {} is {}",
             subject(body),
-            a_type(ty)
+            ty.a_word()
         );
         let mut error = Diagnostic::error("type-mismatch", message, body.span).note(COUNTED);
         let Some(all) = short(sequence, 3) else {
@@ -304,7 +304,7 @@ impl Typing<'_> {
                 let message = format!(
                     "`count` wants a bool for each element, but {} is {}",
                     subject(written),
-                    a_type(ty)
+                    ty.a_word()
                 );
                 let error = Diagnostic::error("type-mismatch", message, written.span);
                 self.report.add(error.note(COUNTED));
@@ -323,7 +323,7 @@ impl Typing<'_> {
             (FoldFunction::ArgMin | FoldFunction::ArgMax, _) => "numbers",
         };
         let message =
-            format!("{whose} wants {wants}, but {} is {}", subject(written), a_type(value.ty));
+            format!("{whose} wants {wants}, but {} is {}", subject(written), value.ty.a_word());
         let error = Diagnostic::error("type-mismatch", message, written.span);
         self.report.add(match (fold, value.ty) {
             (FoldFunction::Mean | FoldFunction::Sum, Type::Vertex) => {

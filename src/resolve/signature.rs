@@ -41,7 +41,7 @@ pub(super) struct Signature {
     /// Its parameters.
     pub(super) params: Vec<Parameter>,
     /// Its result.
-    pub(super) result: Returned,
+    pub(super) result: Value,
 }
 
 impl Signature {
@@ -52,32 +52,11 @@ impl Signature {
             name: self.name.clone(),
             span: name,
             params: self.params.iter().map(Parameter::param).collect(),
-            result: self.result.element(),
+            result: self.result.ty(),
             diagram,
             still: None,
             open: None,
             steps: None,
-        }
-    }
-}
-
-/// The result of an op.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Returned {
-    /// Nothing.
-    Nothing,
-    /// An element.
-    Element(Type),
-    /// An element of unknown type.
-    Unknown,
-}
-
-impl Returned {
-    /// The type of the element.
-    pub(super) fn element(self) -> Option<Type> {
-        match self {
-            Returned::Element(ty) => Some(ty),
-            Returned::Nothing | Returned::Unknown => None,
         }
     }
 }
@@ -97,17 +76,27 @@ pub(super) struct FunctionSignature {
     pub(super) effects: Effects,
 }
 
-/// The result type of a function.
+/// The result type of a function or an op.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Value {
     /// Nothing.
     Nothing,
     /// A value.
     Of(Type),
-    /// To be determined by its body.
+    /// To be determined by the body of the function.
     Open,
     /// It could not be determined.
     Unknown,
+}
+
+impl Value {
+    /// The type, if there is a value and it is known.
+    pub(super) fn ty(self) -> Option<Type> {
+        match self {
+            Value::Of(ty) => Some(ty),
+            Value::Nothing | Value::Open | Value::Unknown => None,
+        }
+    }
 }
 
 /// The side effects of a function, each with the place of one occurrence.

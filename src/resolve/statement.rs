@@ -12,7 +12,7 @@ use super::program::{Print, Statement, StatementKind};
 use super::scopes::{Binding, Local};
 use super::script::Scripting;
 use super::type_name::type_named;
-use super::words::{a_type, short, subject};
+use super::words::{short, subject};
 
 /// The maximum number of statements after one on its line that are taken for foreign syntax.
 const MOST_BESIDE: usize = 100;
@@ -235,7 +235,7 @@ impl Scripting<'_> {
                 let message = format!(
                     "digits are of numbers, vectors and matrices, but {} is {}",
                     subject(written),
-                    a_type(value.ty)
+                    value.ty.a_word()
                 );
                 let error = Diagnostic::error("type-mismatch", message, written.span);
                 self.typing.report.add(error);

@@ -18,9 +18,8 @@ use super::routine::resolve_body;
 use super::signature::Effects;
 use super::signature::Parameter;
 use super::signature::{FunctionSignature, Value};
-use super::signature::{Returned, Signature};
+use super::signature::Signature;
 use super::type_name::type_named;
-use super::words::a_type;
 
 /// The signature of an op in steps, for its calls, and the op without its steps.
 pub(super) fn steps_signature(
@@ -29,7 +28,7 @@ pub(super) fn steps_signature(
     report: &mut Report,
 ) -> (Signature, program::Op) {
     let result = match &op.result {
-        None => Returned::Nothing,
+        None => Value::Nothing,
         Some(word) if op.params.iter().any(|param| param.name.ident.text == word.text) => {
             let param = op.params.iter().find(|param| param.name.ident.text == word.text);
             let kind = param.map_or("edge", |param| param.ty.text.as_str());
@@ -37,20 +36,20 @@ pub(super) fn steps_signature(
             let error = Diagnostic::error("unknown-type", message, word.span)
                 .note(format!("which one it is says `return {}`", word.text));
             report.add(error.fix(format!("write `{kind}`"), word.span, kind));
-            Returned::Unknown
+            Value::Unknown
         }
         Some(word) => match type_named(word, report) {
-            Some(ty) if ty.is_element() => Returned::Element(ty),
+            Some(ty) if ty.is_element() => Value::Of(ty),
             Some(ty) => {
                 let message = format!(
                     "`{}` is {}; an op returns a vertex, a halfedge, an edge or a face",
                     word.text,
-                    a_type(ty)
+                    ty.a_word()
                 );
                 report.add(Diagnostic::error("not-an-element", message, word.span));
-                Returned::Unknown
+                Value::Unknown
             }
-            None => Returned::Unknown,
+            None => Value::Unknown,
         },
     };
     let signature = Signature { name: op.name.text.clone(), params, result };
@@ -80,11 +79,7 @@ pub(super) fn resolve_steps(
         name: signature.name.clone(),
         span: op.name.span,
         params: signature.params.clone(),
-        result: match signature.result {
-            Returned::Nothing => Value::Nothing,
-            Returned::Element(ty) => Value::Of(ty),
-            Returned::Unknown => Value::Unknown,
-        },
+        result: signature.result,
         effects: Effects::default(),
     });
     let written = (Some(&steps.conditions[..]), &steps.body);

@@ -20,7 +20,7 @@ pub(super) fn type_among(
     fit: impl Fn(&Type) -> bool,
     report: &mut Report,
 ) -> Option<Type> {
-    let found = Type::ALL.into_iter().find(|ty| ty.word() == word.text);
+    let found = Type::named(&word.text);
     if found.is_some() {
         return found;
     }

@@ -17,7 +17,7 @@ use super::scopes::{Binding, Local, Scopes};
 use super::signature::Signature;
 use super::type_name::type_named;
 use super::typed::{to_real, typed};
-use super::words::{a_type, subject};
+use super::words::subject;
 
 /// The place of an expression, which determines what it may refer to.
 #[derive(Clone, Copy)]
@@ -175,12 +175,12 @@ impl Typing<'_> {
         if then.ty != otherwise.ty {
             let message = format!(
                 "the two sides of `if` are {} and {}",
-                a_type(then.ty),
-                a_type(otherwise.ty)
+                then.ty.a_word(),
+                otherwise.ty.a_word()
             );
             let error = Diagnostic::error("type-mismatch", message, span)
-                .label(then.span, format!("this is {}", a_type(then.ty)))
-                .label(otherwise.span, format!("this is {}", a_type(otherwise.ty)));
+                .label(then.span, format!("this is {}", then.ty.a_word()))
+                .label(otherwise.span, format!("this is {}", otherwise.ty.a_word()));
             self.report.add(error);
             return None;
         }
@@ -278,7 +278,7 @@ pub(super) fn converted(
         (Type::Real, Type::Int) => return Ok(to_real(value)),
         (_, ty) => ty,
     };
-    let (wants, what, is) = (a_type(wanted), subject(expr), a_type(ty));
+    let (wants, what, is) = (wanted.a_word(), subject(expr), ty.a_word());
     let message = format!("{whose} wants {wants}, but {what} is {is}");
     let error = Diagnostic::error("type-mismatch", message, expr.span);
     let error = error.saying(format!("this is {is}"));

@@ -9,7 +9,6 @@ use super::field::{Entry, entries_of};
 use super::lookup::CONSTANTS;
 use super::sequence_names::{WHOLE_MESH, fold_names, sequences_of};
 use super::testing::CONSTRUCTORS;
-use super::words::a_type;
 
 /// A signature of a built-in function.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -118,9 +117,4 @@ pub fn constants() -> impl Iterator<Item = &'static str> {
 /// True if a word is a constant or `mesh`, unless something else has the name.
 pub fn is_constant(word: &str) -> bool {
     word == "mesh" || CONSTANTS.iter().any(|(known, _)| *known == word)
-}
-
-/// A type with its article.
-pub fn type_with_article(ty: Type) -> &'static str {
-    a_type(ty)
 }

@@ -3,25 +3,6 @@
 use crate::diagram::Type;
 use crate::syntax::tree::{BinaryOp, Expr, ExprKind};
 
-/// A type with its article.
-pub(super) fn a_type(ty: Type) -> &'static str {
-    match ty {
-        Type::Bool => "a bool",
-        Type::Int => "an int",
-        Type::Real => "a real",
-        Type::Vec2 => "a vec2",
-        Type::Vec3 => "a vec3",
-        Type::Vec4 => "a vec4",
-        Type::Mat3 => "a mat3",
-        Type::Mat4 => "a mat4",
-        Type::Text => "a text",
-        Type::Vertex => "a vertex",
-        Type::Halfedge => "a halfedge",
-        Type::Edge => "an edge",
-        Type::Face => "a face",
-    }
-}
-
 /// The elements of a type, in the plural.
 pub(super) fn plural(ty: Type) -> String {
     match ty {

@@ -7,7 +7,7 @@ use crate::analysis::cursor_context::{Start, item_near, rule_near};
 use crate::analysis::loop_heads::bound_near;
 use crate::analysis::names::{Names, Symbol, SymbolKind};
 use crate::analysis::snapshot::Snapshot;
-use crate::analysis::types::{type_named, type_of};
+use crate::analysis::types::type_of;
 use crate::diagram::{Kind, Type};
 use crate::resolve::{fields, function_words, mesh_words, sequence_words, signatures};
 use crate::syntax::tree::{Attr, Item};
@@ -145,7 +145,7 @@ fn chain_type(snapshot: &Snapshot, offset: usize, chain: &[String]) -> Option<Ty
         let declared = || attributes(snapshot, ty).find(|attr| attr.name.text == *word);
         ty = match fields(ty).into_iter().find(|field| field.name == word) {
             Some(known) => known.ty?,
-            None => type_named(&declared()?.ty.text)?,
+            None => Type::named(&declared()?.ty.text)?,
         };
     }
     Some(ty)
