@@ -21,7 +21,7 @@ pub struct Label {
 }
 
 /// One replacement in a file.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Edit {
     /// The span that is replaced; empty to insert.
     pub span: Span,

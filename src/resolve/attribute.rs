@@ -8,7 +8,6 @@ use crate::syntax::tree::{self, Item};
 
 use super::declared::Declared;
 use super::report::Report;
-use super::scopes::Scopes;
 use super::typing::{Place, Typing};
 use super::unit::Unit;
 
@@ -45,16 +44,7 @@ fn attribute(
     let mut report = Report::default();
     let (default, inherits) = default(attr, head.map(|head| head.element), &mut report);
     let default = default.and_then(|default| {
-        let mut scopes = Scopes::default();
-        scopes.enter();
-        let mut typing = Typing {
-            place: Place::Default,
-            declared,
-            scopes,
-            report: &mut report,
-            ops: &[],
-            may_change: false,
-        };
+        let mut typing = Typing::new(Place::Default, declared, &[], &mut report);
         match ty {
             Some(ty) => typing.whole_as(default, ty, &format!("`{}`", attr.name.text)),
             None => typing.whole(default),

@@ -87,7 +87,7 @@ impl Scripting<'_> {
                     Some(op) => format!("refuses `{op}`"),
                     None => "stops the script".to_owned(),
                 };
-                let called = self.typing.declared.op(word).and_then(|op| self.ops.get(op));
+                let called = self.typing.declared.op(word).and_then(|op| self.typing.ops.get(op));
                 let gives = called.filter(|op| op.result != Value::Nothing);
                 self.typing.report.add(match gives {
                     Some(_) => error
@@ -106,14 +106,14 @@ impl Scripting<'_> {
     }
 
     fn applied(&mut self, function: &Ident, args: &[tree::Expr], span: Span) -> Option<Applied> {
-        let (op, args) = self.application(function, args, span)?;
+        let (op, args) = self.typing.application(function, args, span)?;
         let result = self.result(op, span)?;
         Some(Applied { op, args, name: function.text.clone(), result, span })
     }
 
     /// The result type of an op where a value is required.
     fn result(&mut self, op: usize, span: Span) -> Option<Type> {
-        let signature = &self.ops[op];
+        let signature = &self.typing.ops[op];
         match signature.result {
             Value::Of(ty) => Some(ty),
             Value::Open | Value::Unknown => {
@@ -186,7 +186,7 @@ impl Scripting<'_> {
     fn asked(&mut self, binding: Option<&Ident>, condition: &tree::Expr) -> Option<Asked> {
         let applied = match &condition.kind {
             tree::ExprKind::Call { function, args } => {
-                self.application(function, args, condition.span)
+                self.typing.application(function, args, condition.span)
             }
             tree::ExprKind::Must(_) => {
                 let message = "`if let` asks whether the op is refused, so `must` has no place";
@@ -222,16 +222,6 @@ impl Scripting<'_> {
         });
         let (op, args) = applied?;
         Some(Asked { op, args, variable })
-    }
-
-    /// An op and its arguments, with defaults for those left out.
-    pub(super) fn application(
-        &mut self,
-        function: &Ident,
-        args: &[tree::Expr],
-        span: Span,
-    ) -> Option<(usize, Vec<Expr>)> {
-        self.typing.application(function, args, span)
     }
 }
 

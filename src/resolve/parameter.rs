@@ -6,7 +6,7 @@ use crate::syntax::tree::{self, Ident};
 
 use super::declared::{Declared, duplicate};
 use super::report::Report;
-use super::scopes::{Binding, Local, Scopes};
+use super::scopes::{Binding, Local};
 use super::signature::Parameter;
 use super::type_name::type_named;
 use super::typing::{Place, Typing};
@@ -99,13 +99,7 @@ fn default_value(
         report.add(Diagnostic::error("parameter-type", message, default.span));
         return None;
     }
-    let mut scopes = Scopes::default();
-    scopes.enter();
-    for parameter in earlier {
-        scopes.declare(local(parameter));
-    }
-    let place = Place::Default;
-    let mut typing = Typing { place, declared, scopes, report, ops: &[], may_change: false };
+    let mut typing = Typing::new(Place::Default, declared, earlier, report);
     typing.whole_as(default, ty, &format!("`{}`", name.text))
 }
 

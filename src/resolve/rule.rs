@@ -11,11 +11,8 @@ use super::declared::Declared;
 use super::drawing::{draw_after, draw_before};
 use super::lists::read_lists;
 use super::names::Names;
-use super::parameter::local;
 use super::report::Report;
-use super::scopes::Scopes;
-use super::signature::Parameter;
-use super::signature::Value;
+use super::signature::{Parameter, Value};
 use super::typing::{Place, Typing};
 
 /// The context of a rule, from its op.
@@ -42,19 +39,8 @@ pub(super) fn resolve_rule(
     let guard = guard(&rule.conditions, context.params, report);
     let aliases = aliases(&rule.conditions, &names, report);
 
-    let mut scopes = Scopes::default();
-    scopes.enter();
-    for param in context.params {
-        scopes.declare(local(param));
-    }
-    let mut typing = Typing {
-        place: Place::Rule(&names),
-        declared: context.declared,
-        scopes,
-        report,
-        ops: &[],
-        may_change: false,
-    };
+    let place = Place::Rule(&names);
+    let mut typing = Typing::new(place, context.declared, context.params, report);
     let op = &context.op.name.text;
     let requires = requires(&rule.conditions, op, &mut typing);
     let assignments = assignments(after, &names, &lists.erased, &mut typing);

@@ -12,11 +12,10 @@ use super::builtin::SHUFFLE;
 use super::declared::Declared;
 use super::depth::shallow_block;
 use super::effects::effects_of;
-use super::parameter::{Owner, local, parameters};
+use super::parameter::{Owner, parameters};
 use super::program::{Block, Script, Statement, StatementKind, Visit};
 use super::report::Report;
 use super::return_value::Returns;
-use super::scopes::Scopes;
 use super::signature::{Effects, Parameter, Signature};
 use super::test_meshes::Meshes;
 use super::typing::{Place, Typing};
@@ -25,8 +24,6 @@ use super::words::not_held;
 /// The state while the statements of a script, function, test or op in steps are resolved.
 pub(super) struct Scripting<'a> {
     pub(super) typing: Typing<'a>,
-    /// The ops of the program, by number.
-    pub(super) ops: &'a [Signature],
     /// The number of enclosing loops.
     pub(super) loops: u32,
     /// True inside an `update`.
@@ -90,21 +87,8 @@ impl<'a> Scripting<'a> {
         declared: &'a Declared,
         report: &'a mut Report,
     ) -> Self {
-        let mut scopes = Scopes::default();
-        scopes.enter();
-        for param in params {
-            scopes.declare(local(param));
-        }
         Self {
-            typing: Typing {
-                place: Place::Script,
-                declared,
-                scopes,
-                report,
-                ops,
-                may_change: false,
-            },
-            ops,
+            typing: Typing { ops, ..Typing::new(Place::Script, declared, params, report) },
             loops: 0,
             updating: false,
             set_often: BTreeSet::new(),

@@ -271,7 +271,7 @@ impl Scripting<'_> {
                 if !self.typing.declared.is_called(&function.text)
                     || self.typing.declared.op(&function.text).is_some() =>
             {
-                let asked = self.application(function, args, expr.span)?;
+                let asked = self.typing.application(function, args, expr.span)?;
                 Some(Asked::from(asked).choosing([Vec::new(), Vec::new()]))
             }
             tree::ExprKind::Must(inner) => {
@@ -279,7 +279,7 @@ impl Scripting<'_> {
                     self.typing.misplaced_must(inner, expr.span);
                     return None;
                 };
-                let asked = self.application(function, args, inner.span)?;
+                let asked = self.typing.application(function, args, inner.span)?;
                 let refused = StatementKind::Refused { op: asked.0 };
                 let otherwise = vec![Statement { kind: refused, span: expr.span }];
                 Some(Asked::from(asked).choosing([Vec::new(), otherwise]))

@@ -17,8 +17,8 @@ use super::report::Report;
 use super::routine::resolve_body;
 use super::signature::Effects;
 use super::signature::Parameter;
-use super::signature::{FunctionSignature, Value};
 use super::signature::Signature;
+use super::signature::{FunctionSignature, Value};
 use super::type_name::type_named;
 
 /// The signature of an op in steps, for its calls, and the op without its steps.

@@ -209,7 +209,7 @@ impl Scripting<'_> {
             self.wrong_refuses(call.span);
             return None;
         };
-        let (op, args) = self.application(function, args, call.span)?;
+        let (op, args) = self.typing.application(function, args, call.span)?;
         let reason = reason.map(str::to_owned);
         Some(StatementKind::AssertRefuses { op, args, why, reason })
     }

@@ -12,9 +12,10 @@ use super::declared::Declared;
 use super::depth::{left_side, shallow_expr};
 use super::names::Names;
 use super::neighbor::near;
+use super::parameter::local;
 use super::report::Report;
 use super::scopes::{Binding, Local, Scopes};
-use super::signature::Signature;
+use super::signature::{Parameter, Signature};
 use super::type_name::type_named;
 use super::typed::{to_real, typed};
 use super::words::subject;
@@ -41,6 +42,23 @@ pub(super) struct Typing<'a> {
     pub(super) ops: &'a [Signature],
     /// True if the next function call may change the mesh, because it is a whole value.
     pub(super) may_change: bool,
+}
+
+impl<'a> Typing<'a> {
+    /// The initial state, with the parameters declared, where no op can be asked.
+    pub(super) fn new(
+        place: Place<'a>,
+        declared: &'a Declared,
+        params: &[Parameter],
+        report: &'a mut Report,
+    ) -> Self {
+        let mut scopes = Scopes::default();
+        scopes.enter();
+        for param in params {
+            scopes.declare(local(param));
+        }
+        Self { place, declared, scopes, report, ops: &[], may_change: false }
+    }
 }
 
 impl Typing<'_> {

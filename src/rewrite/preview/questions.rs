@@ -1,7 +1,7 @@
 //! Questions about the result of an operation.
 
 use super::{Preview, is_in_triangle};
-use crate::mesh::{ElementKind, FaceId, Mesh, OrbitCondition, VertexId};
+use crate::mesh::{ElementKind, FaceId, HalfedgeRecord, Mesh, OrbitCondition, VertexId};
 use crate::rewrite::access::gone;
 use crate::rewrite::distinct::Remainders;
 use crate::rewrite::{ElementField, Fault};
@@ -68,36 +68,53 @@ impl Preview {
 
     /// [`fan`](Self::fan), if it is one of triangles and at most one hole, and the vertex is not its
     /// own neighbor; the ends of its spokes replace `targets`.
+    ///
+    /// Walks in both directions until they meet: so two reads at a time wait for memory.
     fn walk_fan(&mut self, mesh: &Mesh, vertex: u32, targets: &mut Vec<u32>) -> Option<Fan> {
         if !self.is_plain() {
             return None;
         }
         let is_closed = mesh.hole_count() == 0;
         let start = mesh.get_vertex_halfedge(VertexId(vertex))?;
-        let (mut at, mut holes, mut remainders) = (start, 0, Remainders::default());
+        let (mut holes, mut remainders) = (0, Remainders::default());
         targets.clear();
-        for _ in 0..self.longest(mesh) {
-            let spoke = mesh.get_halfedge(at)?;
-            let before = mesh.get_halfedge(spoke.prev)?;
-            targets.push(before.vertex.0);
-            remainders.add(before.vertex.0);
+        // The sector between a spoke and the next one, which ends where `before` starts.
+        let mut sector = |spoke: &HalfedgeRecord, before: &HalfedgeRecord| {
+            let target = before.vertex.0;
+            targets.push(target);
+            remainders.add(target);
             let is_hole = !is_closed && mesh.get_is_hole(spoke.face)?;
             holes += u32::from(is_hole);
             let fits = is_hole || is_in_triangle(spoke, before);
-            if !fits || before.vertex.0 == vertex || holes > 1 {
-                return None;
+            (fits && target != vertex && holes <= 1).then_some(())
+        };
+        let (mut ahead, mut behind) = (start, mesh.get_halfedge(start)?);
+        let mut last = start;
+        for _ in 0..self.longest(mesh) {
+            let spoke = mesh.get_halfedge(ahead)?;
+            let before = mesh.get_halfedge(spoke.prev)?;
+            sector(spoke, before)?;
+            ahead = before.twin;
+            if ahead == last {
+                break;
             }
-            at = before.twin;
-            if at == start {
-                let differ = remainders.differ || self.seen.are_all_new(targets);
-                return match (differ, targets.len()) {
-                    (true, 0..3) => None,
-                    (true, _) => Some(Fan::Simple),
-                    (false, _) => Some(Fan::Meeting),
-                };
+            let before = mesh.get_halfedge(behind.twin)?;
+            last = before.next;
+            behind = mesh.get_halfedge(last)?;
+            sector(behind, before)?;
+            if ahead == last {
+                break;
             }
         }
-        None
+        if ahead != last {
+            return None;
+        }
+        let differ = remainders.differ || self.seen.are_all_new(targets);
+        match (differ, targets.len()) {
+            (true, 0..3) => None,
+            (true, _) => Some(Fan::Simple),
+            (false, _) => Some(Fan::Meeting),
+        }
     }
 
     fn three_sides(&mut self, mesh: &Mesh, face: u32) -> Result<bool, Fault> {

@@ -35,45 +35,29 @@ pub(super) enum Phrase {
 }
 
 impl Phrase {
-    const ALL: [Self; 16] = [
-        Self::Item,
-        Self::Part,
-        Self::Name,
-        Self::Type,
-        Self::Parameter,
-        Self::Arrow,
-        Self::Spoke,
-        Self::Halfedge,
-        Self::Vertex,
-        Self::Index,
-        Self::Value,
-        Self::DrawingStatement,
-        Self::Statement,
-        Self::Text,
-        Self::Operator,
-        Self::Subscript,
+    /// All, each with its words, one entry for each way to write it.
+    const ALL: [(Self, &[&str]); 16] = [
+        (Self::Item, &["`op`", "`script`", "`fn`", "`attr`", "`use`", "`test`"]),
+        (Self::Part, &["`before`", "`require`", "`guard`", "`alias`", "`after`"]),
+        (Self::Name, &["a name"]),
+        (Self::Type, &["a type"]),
+        (Self::Parameter, &["a parameter like `e: edge`"]),
+        (Self::Arrow, &["`-h->`", "`=P=>`"]),
+        (Self::Spoke, &["a spoke"]),
+        (Self::Halfedge, &["a halfedge"]),
+        (Self::Vertex, &["a vertex"]),
+        (Self::Index, &["an index like `i+1`"]),
+        (Self::Value, &["a value"]),
+        (Self::DrawingStatement, &["a statement"]),
+        (Self::Statement, &["a statement"]),
+        (Self::Text, &["a text in quotes"]),
+        (Self::Operator, &["an operator"]),
+        (Self::Subscript, &["a subscript"]),
     ];
 
     /// Its words, one entry for each way to write it.
     pub(super) fn words(self) -> &'static [&'static str] {
-        match self {
-            Self::Item => &["`op`", "`script`", "`fn`", "`attr`", "`use`", "`test`"],
-            Self::Part => &["`before`", "`require`", "`guard`", "`alias`", "`after`"],
-            Self::Name => &["a name"],
-            Self::Type => &["a type"],
-            Self::Parameter => &["a parameter like `e: edge`"],
-            Self::Arrow => &["`-h->`", "`=P=>`"],
-            Self::Spoke => &["a spoke"],
-            Self::Halfedge => &["a halfedge"],
-            Self::Vertex => &["a vertex"],
-            Self::Index => &["an index like `i+1`"],
-            Self::Value => &["a value"],
-            Self::DrawingStatement => &["a statement"],
-            Self::Statement => &["a statement"],
-            Self::Text => &["a text in quotes"],
-            Self::Operator => &["an operator"],
-            Self::Subscript => &["a subscript"],
-        }
+        Self::ALL[self as usize].1
     }
 }
 
@@ -102,7 +86,7 @@ impl Wanted {
 
     /// The phrases, in order.
     pub(super) fn phrases(self) -> impl Iterator<Item = Phrase> {
-        let all = Phrase::ALL.into_iter();
+        let all = Phrase::ALL.into_iter().map(|(phrase, _)| phrase);
         all.filter(move |&phrase| self.phrases >> phrase as u32 & 1 == 1)
     }
 

@@ -3,7 +3,7 @@
 use super::failure::{Failure, Mistake, Phrase};
 use super::foreign_syntax::{IN_BRACES, path_meant, told_here};
 use super::unclosed::Braces;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, one_of};
 use crate::source::Span;
 use crate::syntax::token::{Token, TokenKind as T};
 use crate::syntax::tree::split_qualified;
@@ -190,7 +190,7 @@ fn unexpected(failure: Failure, around: &Around) -> Diagnostic {
         Some(_) => shown(failure.span, around.text),
         None => end_of(around),
     };
-    let wanted = listed(&wanted(&failure));
+    let wanted = one_of(wanted(&failure));
     let anew = starts_anew(&failure);
     let closes = failure.wanted.has(T::RightBrace);
     if let Some(open) = around.braces.open_at(around.at(failure.span)).filter(|_| closes) {
@@ -404,14 +404,6 @@ fn wanted(failure: &Failure) -> Vec<String> {
         words = all.phrases().flat_map(Phrase::words).map(owned).collect();
     }
     words
-}
-
-fn listed(words: &[String]) -> String {
-    match words {
-        [] => String::new(),
-        [only] => only.clone(),
-        [first @ .., last] => format!("{} or {last}", first.join(", ")),
-    }
 }
 
 /// "in the face statement `f0`", from the tokens at the start of the context.
