@@ -53,20 +53,9 @@ fn push_mentions<'a>(statement: &'a Statement, mentions: &mut Vec<Mention<'a>>) 
             span: name.span,
         });
     };
+    drawn_names(statement).for_each(|(name, kind)| push(name, Some(kind)));
     match statement {
         Statement::Loop(l) => {
-            push(&l.name, Some(Kind::Face));
-            for item in &l.items {
-                push(&item.from, Some(Kind::Vertex));
-                match &item.arrow {
-                    Arrow::Halfedge(name) => push(name, Some(Kind::Halfedge)),
-                    Arrow::Path(Some(name)) => push(name, Some(Kind::Path)),
-                    Arrow::Path(None) => {}
-                }
-            }
-            if let Some(end) = &l.end {
-                push(end, Some(Kind::Vertex));
-            }
             let unnamed = l.items.iter().filter(|i| i.arrow == Arrow::Path(None));
             mentions.extend(unnamed.map(|item| Mention {
                 text: Cow::Owned(path_of(&l.name.ident.text)),
@@ -75,28 +64,44 @@ fn push_mentions<'a>(statement: &'a Statement, mentions: &mut Vec<Mention<'a>>) 
                 span: item.span,
             }));
         }
-        Statement::Edge { name, halfedges, .. } => {
-            push(name, Some(Kind::Edge));
-            for halfedge in halfedges {
-                push(halfedge, Some(Kind::Halfedge));
+        Statement::New(names, _) | Statement::Erase(names, _) | Statement::Keep(names, _) => {
+            names.iter().for_each(|name| push(name, None));
+        }
+        // An assignment reads and writes what is drawn; it draws nothing.
+        _ => {}
+    }
+}
+
+/// The names that a statement draws, in the order of the text, with the kinds that their places
+/// give them.
+pub fn drawn_names(statement: &Statement) -> impl Iterator<Item = (&Name, Kind)> {
+    let mut names = Vec::new();
+    match statement {
+        Statement::Loop(orbit) => {
+            names.push((&orbit.name, Kind::Face));
+            for item in &orbit.items {
+                names.push((&item.from, Kind::Vertex));
+                match &item.arrow {
+                    Arrow::Halfedge(name) => names.push((name, Kind::Halfedge)),
+                    Arrow::Path(name) => names.extend(name.iter().map(|name| (name, Kind::Path))),
+                }
             }
+            names.extend(orbit.end.iter().map(|name| (name, Kind::Vertex)));
+        }
+        Statement::Edge { name, halfedges, .. } => {
+            names.push((name, Kind::Edge));
+            names.extend(halfedges.iter().map(|name| (name, Kind::Halfedge)));
         }
         Statement::Vertex(star) => {
-            push(&star.name, Some(Kind::Vertex));
+            names.push((&star.name, Kind::Vertex));
             for spoke in &star.spokes {
                 match spoke {
-                    Spoke::Halfedge(name) => push(name, Some(Kind::Halfedge)),
-                    Spoke::Fan(Some(name), _) => push(name, Some(Kind::Fan)),
-                    Spoke::Fan(None, _) => {}
+                    Spoke::Halfedge(name) => names.push((name, Kind::Halfedge)),
+                    Spoke::Fan(name, _) => names.extend(name.iter().map(|name| (name, Kind::Fan))),
                 }
             }
         }
-        Statement::New(names, _) | Statement::Erase(names, _) | Statement::Keep(names, _) => {
-            for name in names {
-                push(name, None);
-            }
-        }
-        // An assignment reads and writes what is drawn; it draws nothing.
-        Statement::Assign { .. } | Statement::Broken(_) => {}
+        _ => {}
     }
+    names.into_iter()
 }

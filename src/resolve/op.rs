@@ -220,9 +220,8 @@ fn result_type(name: &Ident, rules: &[Names], report: &mut Report) -> Option<Typ
         kinds.extend(kind);
     }
     let Some(first) = kinds.first().copied() else {
-        let elements = [Kind::Vertex, Kind::Halfedge, Kind::Edge, Kind::Face];
-        if let Some(kind) = elements.into_iter().find(|kind| kind.word() == word) {
-            report.add(kind_returned(kind, name, rules));
+        if let Some(kind) = Type::named(word).and_then(Type::element_kind) {
+            report.add(kind_returned(kind.into(), name, rules));
             return None;
         }
         let message = format!("`{word}` is returned, but it is drawn nowhere");

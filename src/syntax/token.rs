@@ -173,6 +173,24 @@ impl TokenKind {
     pub fn is_name(self) -> bool {
         self == Self::Word || self.is_soft()
     }
+
+    /// True if it is an operator that compares two values.
+    pub fn is_comparison(self) -> bool {
+        use TokenKind::*;
+        matches!(self, Equal | NotEqual | Less | LessEqual | Greater | GreaterEqual)
+    }
+
+    /// True if it is an operator between two values.
+    pub fn is_binary(self) -> bool {
+        use TokenKind::*;
+        self.is_comparison() || matches!(self, Plus | Minus | Star | Slash | Div | Mod | And | Or)
+    }
+
+    /// True if a statement of a drawing begins with it.
+    pub fn begins_drawing_statement(self) -> bool {
+        use TokenKind::*;
+        matches!(self, Face | Hole | Loop | Edge | Vertex | New | Keep | Erase)
+    }
 }
 
 impl fmt::Display for TokenKind {

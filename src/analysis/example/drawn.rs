@@ -78,12 +78,7 @@ fn stands(side: &Side, name: NameId) -> bool {
 
 /// The name that the steps give to what they return, or a letter for it.
 fn word_of_result(op: &ResolvedOp) -> Option<String> {
-    let letter = match op.result? {
-        Type::Vertex => "v",
-        Type::Halfedge => "h",
-        Type::Edge => "e",
-        _ => "f",
-    };
+    let letter = &op.result?.word()[..1];
     let steps = op.steps.as_ref();
     let word = steps.and_then(|steps| returned(steps, &steps.body.block));
     Some(word.unwrap_or_else(|| letter.to_owned()))
@@ -148,13 +143,8 @@ impl Writer<'_> {
         let known = self.known.iter().position(|known| *known == thing);
         let at = known.unwrap_or_else(|| {
             let (kind, letter, number) = match thing {
-                Thing::Path(first) => (Kind::Path, 'P', first.0),
-                Thing::Element { of, .. } => match of.kind {
-                    ElementKind::Vertex => (Kind::Vertex, 'v', of.index),
-                    ElementKind::Halfedge => (Kind::Halfedge, 'h', of.index),
-                    ElementKind::Edge => (Kind::Edge, 'e', of.index),
-                    ElementKind::Face => (Kind::Face, 'f', of.index),
-                },
+                Thing::Path(first) => (Kind::Path, "P", first.0),
+                Thing::Element { of, .. } => (of.kind.into(), &of.kind.name()[..1], of.index),
             };
             self.names.push(Name {
                 text: format!("{letter}{number}"),

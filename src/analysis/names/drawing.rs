@@ -2,14 +2,9 @@
 
 use super::symbol::{List, Role, SideName, SymbolKind};
 use super::walk::SymbolCollector;
-use crate::diagram::Kind;
-use crate::syntax::tree::{Arrow, Condition, Name, Op, Param, Rule, Side, Spoke, Statement};
-
-/// The kind of element that the name of a type stands for.
-fn element_kind(ty: &str) -> Option<Kind> {
-    let kinds = [Kind::Vertex, Kind::Halfedge, Kind::Edge, Kind::Face];
-    kinds.into_iter().find(|kind| kind.word() == ty)
-}
+use crate::diagram::{Kind, Type};
+use crate::resolve::drawn_names;
+use crate::syntax::tree::{Condition, Name, Op, Param, Rule, Side, Statement};
 
 impl SymbolCollector<'_> {
     pub(super) fn op(&mut self, op: &Op) {
@@ -47,8 +42,8 @@ impl SymbolCollector<'_> {
         if let Some(default) = &param.default {
             self.value(default);
         }
-        let kind = match element_kind(&param.ty.text) {
-            Some(kind) => SymbolKind::Element(Some(kind)),
+        let kind = match Type::named(&param.ty.text).and_then(Type::element_kind) {
+            Some(kind) => SymbolKind::Element(Some(kind.into())),
             None => SymbolKind::Parameter,
         };
         self.declare(&param.name.ident, kind, Some(&param.ty));
@@ -90,43 +85,14 @@ impl SymbolCollector<'_> {
     fn statement(&mut self, statement: &Statement, side: SideName) {
         let drawn = Role::Drawn(side);
         match statement {
-            Statement::Loop(orbit) => {
-                self.each(orbit.each.as_ref());
-                self.name(&orbit.name, Some(Kind::Face), drawn);
-                for item in &orbit.items {
-                    self.name(&item.from, Some(Kind::Vertex), drawn);
-                    match &item.arrow {
-                        Arrow::Halfedge(name) => self.name(name, Some(Kind::Halfedge), drawn),
-                        Arrow::Path(Some(name)) => self.name(name, Some(Kind::Path), drawn),
-                        Arrow::Path(None) => {}
-                    }
-                }
-                if let Some(end) = &orbit.end {
-                    self.name(end, Some(Kind::Vertex), drawn);
-                }
-            }
-            Statement::Edge { name, halfedges, .. } => {
-                self.name(name, Some(Kind::Edge), drawn);
-                for halfedge in halfedges {
-                    self.name(halfedge, Some(Kind::Halfedge), drawn);
-                }
-            }
-            Statement::Vertex(star) => {
-                self.each(star.each.as_ref());
-                self.name(&star.name, Some(Kind::Vertex), drawn);
-                for spoke in &star.spokes {
-                    match spoke {
-                        Spoke::Halfedge(name) => self.name(name, Some(Kind::Halfedge), drawn),
-                        Spoke::Fan(Some(name), _) => self.name(name, Some(Kind::Fan), drawn),
-                        Spoke::Fan(None, _) => {}
-                    }
-                }
-            }
+            Statement::Loop(orbit) => self.each(orbit.each.as_ref()),
+            Statement::Vertex(star) => self.each(star.each.as_ref()),
             Statement::New(names, _) => self.list(names, List::New),
             Statement::Erase(names, _) => self.list(names, List::Erase),
             Statement::Keep(names, _) => self.list(names, List::Keep),
-            Statement::Assign { .. } | Statement::Broken(_) => {}
+            Statement::Edge { .. } | Statement::Assign { .. } | Statement::Broken(_) => {}
         }
+        drawn_names(statement).for_each(|(name, kind)| self.name(name, Some(kind), drawn));
     }
 
     fn list(&mut self, names: &[Name], list: List) {

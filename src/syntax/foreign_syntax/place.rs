@@ -174,30 +174,11 @@ fn loop_beginnings(tokens: &[Token]) -> impl Iterator<Item = &Token> {
 
 /// True if a statement certainly continues after a token.
 pub(super) fn goes_on(kind: T) -> bool {
-    matches!(
-        kind,
-        T::Comma
-            | T::Plus
-            | T::Minus
-            | T::Slash
-            | T::Equals
-            | T::Equal
-            | T::NotEqual
-            | T::Less
-            | T::LessEqual
-            | T::Greater
-            | T::GreaterEqual
-            | T::And
-            | T::Or
-            | T::Not
-            | T::Div
-            | T::Mod
-            | T::Bar
-            | T::Colon
-            | T::DoubleColon
-            | T::Dot
-            | T::LeftParen
-    )
+    use T::{Bar, Colon, Comma, Dot, DoubleColon, Equals, LeftParen, Not, Star};
+    // A star ends the spokes of a vertex.
+    let is_operator = kind.is_binary() && kind != Star;
+    is_operator
+        || matches!(kind, Comma | Equals | Not | Bar | Colon | DoubleColon | Dot | LeftParen)
 }
 
 /// The brackets that are open at a token.

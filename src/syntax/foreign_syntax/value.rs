@@ -60,8 +60,9 @@ fn joined_end(item: &Item, at: usize) -> Option<usize> {
             end += 1;
         }
         end = part_end(item, end)?;
-        let is_joined =
-            item.kind(end).is_some_and(joins) && !item.begins_comment(end) && !item.is_step(end);
+        let is_joined = item.kind(end).is_some_and(T::is_binary)
+            && !item.begins_comment(end)
+            && !item.is_step(end);
         if !is_joined && !matches!(item.word(end), "&&" | "||" | "%") {
             return Some(end);
         }
@@ -80,16 +81,6 @@ fn part_end(item: &Item, at: usize) -> Option<usize> {
         T::True | T::False | T::Text => Some(at + 1),
         _ => operand_end(item, at),
     }
-}
-
-/// True if a token stands between two values.
-fn joins(kind: T) -> bool {
-    use T::{And, Div, Minus, Mod, Or, Plus, Slash, Star};
-    let compares = matches!(
-        kind,
-        T::Equal | T::NotEqual | T::Less | T::LessEqual | T::Greater | T::GreaterEqual
-    );
-    compares || matches!(kind, Plus | Minus | Star | Slash | Div | Mod | And | Or)
 }
 
 /// True if a token stands in a statement, but not in a value outside parentheses.

@@ -71,28 +71,7 @@ fn closes(closing: T, bracket: T) -> bool {
 
 /// True if a token makes the enclosing value deeper.
 fn chains(kind: T) -> bool {
-    matches!(
-        kind,
-        T::Plus
-            | T::Minus
-            | T::Star
-            | T::Slash
-            | T::Div
-            | T::Mod
-            | T::Equal
-            | T::NotEqual
-            | T::Less
-            | T::LessEqual
-            | T::Greater
-            | T::GreaterEqual
-            | T::And
-            | T::Or
-            | T::Not
-            | T::Must
-            | T::Dot
-            | T::If
-            | T::Else
-    )
+    kind.is_binary() || matches!(kind, T::Not | T::Must | T::Dot | T::If | T::Else)
 }
 
 /// True if a chain ends before a token: at a mark that is not part of a value, and where one value

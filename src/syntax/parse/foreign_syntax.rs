@@ -47,7 +47,10 @@ pub(super) fn told_here(told: Diagnostic, failure: &Failure, around: &Around) ->
         T::LeftParen if last == Some(T::For) => {
             told.note("a loop has no parentheses: `for v in vertices where … { … }`")
         }
-        T::Equals if in_condition(before) && !after.first().is_some_and(compares) => {
+        T::Equals
+            if in_condition(before)
+                && !after.first().is_some_and(|token| token.kind.is_comparison()) =>
+        {
             written(told, here.span, "==")
         }
         T::Bar => match after.first().filter(|next| next.kind == T::Bar) {
@@ -189,12 +192,6 @@ fn written(told: Diagnostic, span: Span, word: &str) -> Diagnostic {
 fn is_sign(token: &Token, equals: &Token) -> bool {
     let signs = [T::Plus, T::Minus, T::Star, T::Slash];
     signs.contains(&token.kind) && token.span.end == equals.span.start
-}
-
-/// True if a token compares what stands before it.
-fn compares(token: &Token) -> bool {
-    let signs = [T::Equal, T::NotEqual, T::Less, T::LessEqual, T::Greater, T::GreaterEqual];
-    signs.contains(&token.kind)
 }
 
 /// True if the token after these belongs to a condition.

@@ -18,10 +18,6 @@ pub(super) fn begins_part(kind: T) -> bool {
     matches!(kind, T::Before | T::Require | T::Guard | T::Alias | T::After | T::Rule)
 }
 
-fn begins_drawing_statement(kind: T) -> bool {
-    matches!(kind, T::Face | T::Hole | T::Loop | T::Edge | T::Vertex | T::New | T::Keep | T::Erase)
-}
-
 fn begins_action(kind: T) -> bool {
     matches!(
         kind,
@@ -51,7 +47,7 @@ pub(super) fn drawing_value<'t>() -> Rule<'t, Span> {
 }
 
 fn follows_drawing_statement(input: &mut Input, kind: T, level: usize) -> bool {
-    begins_drawing_statement(kind)
+    kind.begins_drawing_statement()
         || begins_part(kind)
         || kind == T::RightBrace && level == 0
         || kind.is_name() && begins_assignment(input)
@@ -126,7 +122,7 @@ pub(super) fn right_paren<'t>() -> Rule<'t, ()> {
 fn ends_parentheses(kind: T) -> bool {
     matches!(kind, T::LeftBrace | T::RightBrace)
         || begins_action(kind)
-        || begins_drawing_statement(kind)
+        || kind.begins_drawing_statement()
         || begins_part(kind)
 }
 

@@ -336,11 +336,8 @@ fn form(told: Diagnostic, context: Span, around: &Around) -> Diagnostic {
 
 /// True if a statement of a drawing is among the parts of an op.
 fn is_of_a_drawing(failure: &Failure) -> bool {
-    let begins_one = matches!(
-        failure.found,
-        Some(T::Face | T::Hole | T::Loop | T::Edge | T::Vertex | T::Keep | T::New | T::Erase)
-    );
-    begins_one && failure.wanted.phrases().any(|phrase| phrase == Phrase::Part)
+    failure.found.is_some_and(T::begins_drawing_statement)
+        && failure.wanted.phrases().any(|phrase| phrase == Phrase::Part)
 }
 
 /// True if an item, part or statement could begin here, so that nothing is missing before.
