@@ -53,8 +53,8 @@ pub(super) fn read_lists(
         }
     }
     let Reader { unused, report, .. } = reader;
-    let unused =
-        Unused { listed: unused, created: &lists.created, written: after, drawn: drawn_after };
+    let drawn = [drawn_before, drawn_after];
+    let unused = Unused { listed: unused, created: &lists.created, written: after, drawn };
     unused.report(names, report);
     let created: HashMap<NameId, Span> = lists.created.iter().map(|r| (r.name, r.span)).collect();
     for erased in &lists.erased {

@@ -20,25 +20,30 @@ pub(super) struct Unused<'a> {
     pub(super) created: &'a [Ref],
     /// The side as written.
     pub(super) written: &'a tree::Side,
-    /// The elements it draws.
-    pub(super) drawn: &'a Side,
+    /// The elements that `before` and `after` draw.
+    pub(super) drawn: [&'a Side; 2],
 }
 
 impl Unused<'_> {
     /// Reports each name, with the missing edge statement if it is unambiguous.
     pub(super) fn report(&self, names: &Names, report: &mut Report) {
-        let open = Open::find(self.created, self.drawn, names);
+        let is_new = |half: NameId| self.created.iter().any(|created| created.name == half);
+        let open = self.open(names, &is_new);
         let twice = twice(&open);
-        let pairs = match twice {
-            Some(_) => Vec::new(),
-            None => pairs(&open, names),
-        };
         let is_family = |pair: &Pair| names.get(pair.halfedges[0].name).role == Role::Family;
-        let all_fit = pairs.len() == self.listed.len()
-            && pairs
-                .iter()
-                .zip(&self.listed)
-                .all(|(pair, name)| is_family(pair) == name.index.is_some());
+        let fit = |pairs: &Vec<Pair>| {
+            let mut both = pairs.iter().zip(&self.listed);
+            pairs.len() == self.listed.len()
+                && both.all(|(pair, name)| is_family(pair) == name.index.is_some())
+        };
+        let of_new = || pairs(&open, names);
+        // A new edge may have one of the halfedges of an old one.
+        let of_all =
+            || pairs(&self.open(names, &|half| is_new(half) || self.is_freed(half, names)), names);
+        let pairs = match twice {
+            Some(_) => None,
+            None => Some(of_new()).filter(fit).or_else(|| Some(of_all()).filter(fit)),
+        };
         for (at, name) in self.listed.iter().enumerate() {
             let word = &name.ident.text;
             let message = format!("`{word}` is listed in `new` but stands nowhere in `after`");
@@ -51,11 +56,56 @@ impl Unused<'_> {
                 error = error.note("`new` lists names alone: what is drawn tells their kinds");
             } else if let Some([first, second]) = twice {
                 error = drawn_twice(error, first, second, names);
-            } else if let Some(pair) = pairs.get(at).filter(|_| all_fit) {
+            } else if let Some(pair) = pairs.as_ref().and_then(|pairs| pairs.get(at)) {
                 error = self.missing_edge(error, name, pair, names);
             }
             report.add(error);
         }
+    }
+
+    /// The halfedges in loops of `after`, but in no edge statement, that are new or freed.
+    fn open(&self, names: &Names, is_free: &dyn Fn(NameId) -> bool) -> Vec<Open> {
+        let after = self.drawn[1];
+        let mut found = Vec::new();
+        for orbit in &after.loops {
+            for (at, item) in orbit.items.iter().enumerate() {
+                let half = item.item;
+                if !is_free(half.name) || names.get(half.name).kind != Kind::Halfedge {
+                    continue;
+                }
+                let mut edges = after.edges.iter().flat_map(|edge| edge.halfedges);
+                if edges.any(|paired| paired.name == half.name) {
+                    continue;
+                }
+                let to = match orbit.items.get(at + 1) {
+                    Some(next) => next.from,
+                    // After a period the next one begins.
+                    None if orbit.each => shifted(orbit.end, 1),
+                    None => orbit.end,
+                };
+                found.push(Open {
+                    half: Ref { shift: 0, ..half },
+                    from: shifted(item.from, -half.shift),
+                    to: shifted(to, -half.shift),
+                });
+            }
+        }
+        found
+    }
+
+    /// True if an edge of `before` that `after` does not keep has a halfedge.
+    fn is_freed(&self, half: NameId, names: &Names) -> bool {
+        let mut edges = self.drawn[0].edges.iter();
+        let edge = edges.find(|edge| edge.halfedges.iter().any(|paired| paired.name == half));
+        let is_kept = |edge: NameId| {
+            self.written.statements.iter().any(|statement| match statement {
+                Statement::Keep(listed, _) => {
+                    listed.iter().any(|name| names.find(&name.ident.text) == Some(edge))
+                }
+                _ => false,
+            })
+        };
+        edge.is_some_and(|edge| !is_kept(edge.edge.name))
     }
 
     /// True if a name is given a position.
@@ -81,14 +131,14 @@ impl Unused<'_> {
             .label(pair.halfedges[1].span, "nor this");
         let statement = format!("edge {name}: {one} | {two}");
         let title = format!("insert `{statement}`");
-        match end_of_orbits(self.drawn) {
+        match end_of_orbits(self.drawn[1]) {
             Some(place) => error.fix(title, place, format!("\n    {statement}")),
             None => error,
         }
     }
 }
 
-/// A new halfedge in a loop of `after` and in no edge statement. The shifts of its ends are
+/// A halfedge in a loop of `after` and in no edge statement. The shifts of its ends are
 /// relative to its own.
 struct Open {
     half: Ref,
@@ -99,37 +149,6 @@ struct Open {
 /// Two halfedges that are probably twins.
 struct Pair {
     halfedges: [Ref; 2],
-}
-
-impl Open {
-    fn find(created: &[Ref], after: &Side, names: &Names) -> Vec<Self> {
-        let mut found = Vec::new();
-        for orbit in &after.loops {
-            for (at, item) in orbit.items.iter().enumerate() {
-                let half = item.item;
-                let is_new = created.iter().any(|created| created.name == half.name);
-                if !is_new || names.get(half.name).kind != Kind::Halfedge {
-                    continue;
-                }
-                let mut edges = after.edges.iter().flat_map(|edge| edge.halfedges);
-                if edges.any(|paired| paired.name == half.name) {
-                    continue;
-                }
-                let to = match orbit.items.get(at + 1) {
-                    Some(next) => next.from,
-                    // After a period the next one begins.
-                    None if orbit.each => shifted(orbit.end, 1),
-                    None => orbit.end,
-                };
-                found.push(Self {
-                    half: Ref { shift: 0, ..half },
-                    from: shifted(item.from, -half.shift),
-                    to: shifted(to, -half.shift),
-                });
-            }
-        }
-        found
-    }
 }
 
 /// Two places of one halfedge.
