@@ -98,11 +98,7 @@ impl<'a> Orders<'a> {
     fn new(drawing: &'a Drawing<'a>, corner: &'a Corner, settled: &[usize]) -> Self {
         let star = drawing.before.star(corner.vertex);
         let stated: Vec<NameId> = star.map_or_else(Vec::new, |star| {
-            let halfedges = star.spokes.iter().rev().filter_map(|spoke| match spoke {
-                Spoke::Halfedge(half) => Some(half.name),
-                Spoke::Fan(_) | Spoke::Rest(_) => None,
-            });
-            halfedges.collect()
+            star.spokes.iter().rev().filter_map(Spoke::halfedge).collect()
         });
         let places = |ports: &[Port]| -> Vec<usize> {
             let spokes = ports.iter().filter_map(|port| match port {

@@ -215,10 +215,8 @@ impl Reach<'_> {
             }
             Kind::Vertex => {
                 let listed = view.star(element).and_then(|star| {
-                    star.spokes.iter().find_map(|spoke| match spoke {
-                        Spoke::Halfedge(half) if rule.is_first(half.name) => Some(half.name),
-                        _ => None,
-                    })
+                    let mut spokes = star.spokes.iter().filter_map(Spoke::halfedge);
+                    spokes.find(|&half| rule.is_first(half))
                 });
                 let starts = || {
                     let starts = |half: &NameId| {

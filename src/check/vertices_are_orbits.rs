@@ -208,10 +208,7 @@ fn in_order(drawing: &Drawing, corner: &Corner, star: &Star) -> Option<String> {
     });
     // Ports run clockwise, statements counterclockwise.
     let drawn: Vec<_> = outs.rev().collect();
-    let is_listed = |half: &NameId| {
-        let mut spokes = star.spokes.iter();
-        spokes.any(|spoke| matches!(spoke, Spoke::Halfedge(listed) if listed.name == *half))
-    };
+    let is_listed = |half: &NameId| star.spokes.iter().any(|spoke| spoke.halfedge() == Some(*half));
     if !drawn.iter().all(is_listed) {
         return None;
     }

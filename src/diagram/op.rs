@@ -442,6 +442,16 @@ pub enum Spoke {
     Rest(Span),
 }
 
+impl Spoke {
+    /// The halfedge, if it is one.
+    pub fn halfedge(&self) -> Option<NameId> {
+        match self {
+            Spoke::Halfedge(half) => Some(half.name),
+            Spoke::Fan(_) | Spoke::Rest(_) => None,
+        }
+    }
+}
+
 /// `require … else "…"`
 #[derive(Clone, Debug, PartialEq)]
 pub struct Require {

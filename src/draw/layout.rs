@@ -214,10 +214,7 @@ fn bearing(
         let starts = darts.filter(|&&dart| side.nodes(dart)[0] == joint);
         let item = |dart: &Dart| side.strands[dart.strand].items[usize::from(!dart.forward)];
         let items: Vec<_> = starts.filter_map(item).collect();
-        let is_here = |spoke: &Spoke| match spoke {
-            Spoke::Halfedge(name) => items.contains(&name.name),
-            _ => false,
-        };
+        let is_here = |spoke: &Spoke| spoke.halfedge().is_some_and(|half| items.contains(&half));
         star.and_then(|star| star.spokes.iter().position(is_here))
     };
     let is_here = |(_, (_, nodes)): &(usize, &(Side, Vec<usize>))| nodes.contains(&joint);

@@ -34,10 +34,7 @@ pub(super) fn fan_walk(drawing: &Drawing, names: &mut Names, fan: NameId) -> Opt
     let spokes = &drawing.before.star(vertex)?.spokes;
     let is_fan = |spoke: &Spoke| matches!(spoke, Spoke::Fan(name) if name.name == fan);
     let at = spokes.iter().position(is_fan)?;
-    let half = |at: usize| match &spokes[at % spokes.len()] {
-        Spoke::Halfedge(half) => Some(half.name),
-        Spoke::Fan(_) | Spoke::Rest(_) => None,
-    };
+    let half = |at: usize| spokes[at % spokes.len()].halfedge();
     let (sets, language) = ((Pointer::Vertex, after), names.language);
     let (Some(previous), Some(following)) = (half(at + spokes.len() - 1), half(at + 1)) else {
         // The fan is the whole star.

@@ -218,11 +218,8 @@ fn of_origins(quotient: &Quotient) -> Option<Consequence> {
         }
     }
     for star in &rule.before.stars {
-        for spoke in &star.spokes {
-            if let Spoke::Halfedge(half) = spoke {
-                says.push((half.name, star.vertex.name));
-            }
-        }
+        let listed = star.spokes.iter().filter_map(Spoke::halfedge);
+        says.extend(listed.map(|half| (half, star.vertex.name)));
     }
     for (half, vertex) in says {
         match origins[half.index()] {
@@ -240,11 +237,7 @@ fn of_stars(quotient: &Quotient) -> Option<Consequence> {
     let stars = &rule.before.stars;
     for (at, star) in stars.iter().enumerate() {
         let text = rule.quoted(star.vertex.name);
-        let halfedge = |spoke: &Spoke| match spoke {
-            Spoke::Halfedge(half) => Some(half.name),
-            Spoke::Fan(_) | Spoke::Rest(_) => None,
-        };
-        let listed: Vec<NameId> = star.spokes.iter().filter_map(halfedge).collect();
+        let listed: Vec<NameId> = star.spokes.iter().filter_map(Spoke::halfedge).collect();
         for (place, half) in listed.iter().enumerate() {
             if listed[..place].contains(half) {
                 let half = rule.quoted(*half);
@@ -269,8 +262,8 @@ fn of_stars(quotient: &Quotient) -> Option<Consequence> {
         // Counterclockwise the spoke after `a` is `a.prev.twin`.
         let count = star.spokes.len();
         for place in 0..count {
-            let next = halfedge(&star.spokes[(place + 1) % count]);
-            let (Some(spoke), Some(next)) = (halfedge(&star.spokes[place]), next) else {
+            let next = star.spokes[(place + 1) % count].halfedge();
+            let (Some(spoke), Some(next)) = (star.spokes[place].halfedge(), next) else {
                 continue;
             };
             let named =

@@ -225,10 +225,7 @@ impl Place {
     fn fans(&mut self, drawing: &Drawing, late: bool) -> Option<()> {
         for star in &drawing.rule.before.stars {
             let vertex = self.elements[star.vertex.name.index()].map(VertexId)?;
-            let listed = |spoke: &Spoke| match spoke {
-                Spoke::Halfedge(half) => self.halfedge(half.name),
-                Spoke::Fan(_) | Spoke::Rest(_) => None,
-            };
+            let listed = |spoke: &Spoke| spoke.halfedge().and_then(|half| self.halfedge(half));
             let begin = star.spokes.iter().position(|spoke| listed(spoke).is_some());
             let first = begin.and_then(|at| listed(&star.spokes[at]));
             let ring: Vec<_> = match first {

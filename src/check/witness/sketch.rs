@@ -321,10 +321,7 @@ impl Sketch {
     /// Pairs halfedges by the order of spokes: the spoke behind another, counterclockwise, is the
     /// twin of the halfedge before that one.
     fn follow_each_other(&mut self, star: &Star) -> Option<()> {
-        let half = |sketch: &Self, spoke: &Spoke| match spoke {
-            Spoke::Halfedge(half) => sketch.half_of[half.name.index()],
-            Spoke::Fan(_) | Spoke::Rest(_) => None,
-        };
+        let half = |sketch: &Self, spoke: &Spoke| sketch.half_of[spoke.halfedge()?.index()];
         for (at, spoke) in star.spokes.iter().enumerate() {
             let next = &star.spokes[(at + 1) % star.spokes.len()];
             let (Some(spoke), Some(next)) = (half(self, spoke), half(self, next)) else {
