@@ -79,8 +79,7 @@ fn sizes_are_known(drawing: &Drawing, matching: &[Step]) -> Vec<Problem> {
         return Vec::new();
     }
     let rule = drawing.rule;
-    let mut names = (0..rule.names.len() as u32).map(crate::diagram::NameId);
-    let Some(family) = names.find(|&name| rule.is_member(name)) else {
+    let Some(family) = rule.ids().find(|&name| rule.is_member(name)) else {
         return Vec::new();
     };
     let text = rule.quoted(family);

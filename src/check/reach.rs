@@ -262,7 +262,7 @@ impl Reach<'_> {
         if !lost.is_empty() {
             return Err(vec![self.unreachable(op, &lost)]);
         }
-        for element in (0..rule.names.len() as u32).map(NameId) {
+        for element in rule.ids() {
             if view.mention(element).is_none() || self.is_bound(element) || !rule.is_first(element)
             {
                 continue;
@@ -293,8 +293,8 @@ impl Reach<'_> {
                 self.bind(vertex, source);
             }
         }
-        let lost: Vec<_> = (0..rule.names.len() as u32)
-            .map(NameId)
+        let lost: Vec<_> = rule
+            .ids()
             .filter(|&name| matches!(rule.kind(name), Kind::Vertex | Kind::Edge | Kind::Face))
             .filter(|&name| view.mention(name).is_some() && !self.is_bound(name))
             .filter(|&name| rule.is_first(name))

@@ -318,9 +318,14 @@ impl Rule {
         aliases.any(|alias| lists(alias, left) && lists(alias, right))
     }
 
+    /// All names.
+    pub fn ids(&self) -> impl Iterator<Item = NameId> + use<> {
+        (0..self.names.len() as u32).map(NameId)
+    }
+
     /// All names of one kind.
     pub fn names_of(&self, kind: Kind) -> impl Iterator<Item = NameId> + '_ {
-        (0..self.names.len() as u32).map(NameId).filter(move |&id| self.kind(id) == kind)
+        self.ids().filter(move |&id| self.kind(id) == kind)
     }
 }
 

@@ -149,8 +149,7 @@ impl Row {
         let crossings = panels.iter().map(Panel::crossings).sum();
         let labels = vertex_labels(figure, &panels);
         let rule = figure.drawing.rule;
-        let mentioned = (0..rule.names.len() as u32).map(NameId);
-        let statuses = mentioned.map(|name| Status::of(&figure.drawing, name)).collect();
+        let statuses = rule.ids().map(|name| Status::of(&figure.drawing, name)).collect();
         let mut is_tidy = true;
         let sides = panels.map(|panel| {
             let loose = panel.loose();
@@ -293,8 +292,7 @@ fn scale(figure: &Figure, places: &[Vec<DVec2>; 2]) -> f64 {
         None => 320.0,
     };
     // Vertices have their names outside.
-    let names = (0..rule.names.len() as u32).map(NameId);
-    scale.min(most + 2.0 * longest(&mut names.filter(|&name| rule.kind(name) != Kind::Vertex)))
+    scale.min(most + 2.0 * longest(&mut rule.ids().filter(|&name| rule.kind(name) != Kind::Vertex)))
 }
 
 /// The corners of the box around everything that is drawn.

@@ -104,8 +104,7 @@ fn text_rule(rule: &Rule) -> String {
 /// The names with a status, of a family only the first; elements without a name are counted.
 fn told(figure: &Figure, status: Status) -> String {
     let rule = figure.drawing.rule;
-    let of = (0..rule.names.len() as u32).map(NameId);
-    let of = of.filter(|&name| rule.is_first(name));
+    let of = rule.ids().filter(|&name| rule.is_first(name));
     let of: Vec<_> = of.filter(|&name| Status::of(&figure.drawing, name) == status).collect();
     let named = of.iter().map(|&name| rule.name(name));
     let names: Vec<_> = named.filter(|name| name.named).map(|name| name.text.as_str()).collect();

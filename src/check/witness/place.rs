@@ -61,7 +61,7 @@ impl Place {
 
     /// The same place for the rule in which the names that are one here are separate.
     pub fn with_each_name(self, rule: &Rule, quotient: &Quotient) -> Self {
-        let names = || (0..rule.names.len() as u32).map(NameId);
+        let names = || rule.ids();
         let pieces = |run: &[LoopItem]| -> Vec<HalfedgeId> {
             let items = run.iter().map(|item| item.item.name);
             let halfedges = items.flat_map(|item| match self.halfedge(item) {
