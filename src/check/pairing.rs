@@ -46,7 +46,7 @@ impl<'a> Ends<'a> {
 
     fn drawn(&self, half: NameId) -> Option<(NameId, NameId)> {
         let Drawing { before, after, .. } = self.drawing;
-        if let (Some(from), Some(to)) = (after.loop_origin(half), after.loop_target(half)) {
+        if let Some([from, to]) = after.loop_ends(half) {
             return Some((from, to));
         }
         let is_alone = before.mention(half).is_some()

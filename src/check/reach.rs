@@ -306,11 +306,12 @@ impl Reach<'_> {
     /// starts where the other ends.
     fn twin_to_be(&self, half: NameId) -> Option<NameId> {
         let (rule, view) = (self.drawing.rule, &self.drawing.before);
-        let ends = |half| view.loop_origin(half).zip(view.loop_target(half));
-        let (from, to) = ends(half)?;
+        let [from, to] = view.loop_ends(half)?;
         let mut halves = rule.names_of(Kind::Halfedge);
         halves.find(|&other| {
-            self.is_bound(other) && view.pairing(other).is_none() && ends(other) == Some((to, from))
+            self.is_bound(other)
+                && view.pairing(other).is_none()
+                && view.loop_ends(other) == Some([to, from])
         })
     }
 
