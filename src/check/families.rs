@@ -12,6 +12,7 @@
 //! [`family_rings`](super::family_rings).
 
 use std::borrow::Cow;
+use std::collections::BTreeSet;
 
 use super::broken::{Broken, Rejected, stop_at};
 use super::facts::Facts;
@@ -125,12 +126,7 @@ fn reject(op: &Op, rule: &Rule, sizes: &Sizes, broken: Broken) -> Rejected {
         break;
     }
     let mut diagnostics = mend::add_fixes(&sizes.large.rule, problems, self::problems);
-    let mut seen = Vec::new();
-    diagnostics.retain(|diagnostic| {
-        let key = (diagnostic.code, diagnostic.span());
-        let first = !seen.contains(&key);
-        seen.push(key);
-        first
-    });
+    let mut seen = BTreeSet::new();
+    diagnostics.retain(|diagnostic| seen.insert((diagnostic.code, diagnostic.span())));
     Rejected { diagnostics, outcome }
 }
