@@ -8,7 +8,8 @@
 use super::overlap::{Overlap, overlaps};
 use super::quotient::Quotient;
 use crate::check::chain::corners;
-use crate::check::port::{Links, Port};
+use crate::check::port::Links;
+use crate::check::vertices_are_orbits::spokes_of;
 use crate::diagram::{Drawing, Edge, Kind, LoopKind, NameId, Spoke, Star};
 
 /// The reason why names cannot be one, or why that is not known.
@@ -291,14 +292,7 @@ fn of_rings(quotient: &Quotient) -> Option<Consequence> {
         let Some(ring) = corner.chains.iter().position(|chain| chain.closed) else {
             continue;
         };
-        let spokes = |at: usize| {
-            let ports = corner.chains[at].ports.iter();
-            let out = ports.filter_map(|port| match port {
-                Port::Out(item) if rule.kind(*item) == Kind::Halfedge => Some(*item),
-                _ => None,
-            });
-            out.collect::<Vec<_>>()
-        };
+        let spokes = |at: usize| spokes_of(&drawing, &corner.chains[at].ports);
         let mut others = (0..corner.chains.len()).filter(|&at| at != ring).flat_map(spokes);
         if let Some(other) = others.next() {
             let (name, text) = (rule.quoted(other), rule.quoted(corner.vertex));
