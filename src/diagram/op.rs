@@ -153,10 +153,15 @@ impl Ref {
     pub fn plain(name: NameId, span: Span) -> Self {
         Self { name, shift: 0, span }
     }
+
+    /// A mention that stands in no source.
+    pub fn unwritten(name: NameId) -> Self {
+        Self::plain(name, Span::default())
+    }
 }
 
 /// An operation: alternatives over the same parameters.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Op {
     /// Its name.
     pub name: String,
@@ -240,7 +245,7 @@ pub struct Param {
 }
 
 /// One alternative.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Rule {
     /// Its name, if it has one.
     pub label: Option<String>,
