@@ -92,10 +92,10 @@ impl Language<'_> {
         Term::of(text, Level::Choice, [list])
     }
 
-    /// The head of a branch.
-    pub fn branch(self, condition: &Term) -> Term {
+    /// The head of an `if` or a `while`.
+    pub fn head(self, word: &str, condition: &Term) -> Term {
         let test = &condition.text;
-        Term::of(say!(self, "if {test}", "if ({test})"), Level::Choice, [condition])
+        Term::of(say!(self, "{word} {test}", "{word} ({test})"), Level::Choice, [condition])
     }
 
     /// Branches for whether a condition holds.
@@ -105,7 +105,7 @@ impl Language<'_> {
         body: Vec<Statement>,
         otherwise: Vec<Statement>,
     ) -> Statement {
-        let (form, head) = (Form::Branch, self.branch(condition));
+        let (form, head) = (Form::Branch, self.head("if", condition));
         Statement::Block(Block { form, head, body, otherwise, ..Block::default() })
     }
 
@@ -139,17 +139,14 @@ impl Language<'_> {
 
     /// The same so that it can be undone; without an attribute, of a position.
     pub fn write(self, attribute: Option<&Attribute>, of: &Term, value: &str) -> String {
-        match (attribute, &of.text) {
-            (None, element) => say!(
-                self,
-                "mesh.set_position({element}, {value});",
-                "journal.set_position({element}, {value});"
-            ),
-            (Some(attribute), _) if self.is_rust() => self.set_attribute(attribute, of, value),
-            (Some(attribute), _) => {
-                let set = self.set_attribute(attribute, of, value);
-                format!("{}\n{set}", self.keep_attribute(attribute, of))
-            }
+        let Some(attribute) = attribute else {
+            let mesh = if self.is_rust() { "mesh" } else { "journal" };
+            return format!("{mesh}.set_position({}, {value});", of.text);
+        };
+        let set = self.set_attribute(attribute, of, value);
+        match self.is_rust() {
+            true => set,
+            false => format!("{}\n{set}", self.keep_attribute(attribute, of)),
         }
     }
 }

@@ -16,11 +16,7 @@ pub(super) fn path_walk(drawing: &Drawing, names: &mut Names, path: NameId) -> O
     let sets = (Pointer::Face, face);
     if next == path {
         let face = language.follow(Pointer::Face, &first);
-        let all = match language.is_rust() {
-            true => language.call("LoopFrom", [&first]),
-            false => language.call("FaceHalfedges", [&face]),
-        };
-        return Some(over(names, sets, &all));
+        return Some(over(names, sets, [("LoopFrom", first), ("FaceHalfedges", face)]));
     }
     let until = names.term(next);
     Some(up_to(names, sets, &[Pointer::Next], [first, until]))
@@ -40,11 +36,7 @@ pub(super) fn fan_walk(drawing: &Drawing, names: &mut Names, fan: NameId) -> Opt
         // The fan is the whole star.
         let vertex = names.term(vertex);
         let first = language.follow(Pointer::VertexHalfedge, &vertex);
-        let all = match language.is_rust() {
-            true => language.call("SpokesFrom", [&first]),
-            false => language.call("VertexHalfedges", [&vertex]),
-        };
-        return Some(over(names, sets, &all));
+        return Some(over(names, sets, [("SpokesFrom", first), ("VertexHalfedges", vertex)]));
     };
     let twin = match drawing.before.twin(following) {
         Some(twin) => names.term(twin),
@@ -63,10 +55,12 @@ fn setting(names: &mut Names, (pointer, value): (Pointer, NameId)) -> (String, V
     (halfedge, vec![set])
 }
 
-/// A walk over a list of halfedges.
-fn over(names: &mut Names, sets: (Pointer, NameId), all: &Term) -> Statement {
+/// A walk over all halfedges of an orbit, by a call in Rust and one in C++.
+fn over(names: &mut Names, sets: (Pointer, NameId), calls: [(&str, Term); 2]) -> Statement {
     let (h, body) = setting(names, sets);
-    Statement::block(names.language.over(Type::Halfedge, &h, all), body)
+    let (call, of) = &calls[usize::from(!names.language.is_rust())];
+    let all = names.language.call(call, [of]);
+    Statement::block(names.language.over(Type::Halfedge, &h, &all), body)
 }
 
 /// A walk from a halfedge up to another.

@@ -74,10 +74,7 @@ impl<'s> Writer<'s> {
             }
             StatementKind::While { condition, body } => {
                 let condition = self.names.value(condition)?;
-                let test = &condition.text;
-                let head = say!(language, "while {test}", "while ({test})");
-                let head = Term::of(head, Level::Choice, [&condition]);
-                Statement::block(head, self.block(body)?)
+                Statement::block(language.head("while", &condition), self.block(body)?)
             }
             StatementKind::For { variable, collection, filter, body, visit, parallel: false }
                 if *visit != Visit::Shuffled =>

@@ -107,11 +107,13 @@ impl<'s> Writer<'s> {
             None if then.is_empty() && otherwise.is_empty() => {
                 Statement::lines(format!("{text};"), [&call])
             }
-            None if then.is_empty() => Statement::block(language.branch(&with(refuses)), otherwise),
+            None if then.is_empty() => {
+                Statement::block(language.head("if", &with(refuses)), otherwise)
+            }
             None => language.choose(&with(applies), then, otherwise),
             Some((name, ty)) => {
                 let made = say!(language, "let Some({name}) = {text}", "auto made_{name} = {text}");
-                let head = language.branch(&with(made));
+                let head = language.head("if", &with(made));
                 if !language.is_rust() {
                     let given = Term::whole(format!("*made_{name}"));
                     then.insert(0, self.names.bound(ty, &name, &given, false));

@@ -140,7 +140,7 @@ fn symbol(operator: Binary) -> (&'static str, Level) {
         | Binary::ScaleVector
         | Binary::Transform
         | Binary::MultiplyMatrices => ("*", Level::Product),
-        Binary::DivideReal | Binary::DivideVector => ("/", Level::Product),
+        Binary::DivideReal | Binary::DivideVector | Binary::Div => ("/", Level::Product),
         Binary::EqualInt
         | Binary::EqualReal
         | Binary::EqualBool
@@ -151,7 +151,6 @@ fn symbol(operator: Binary) -> (&'static str, Level) {
         Binary::LessEqualInt | Binary::LessEqualReal => ("<=", Level::Compare),
         Binary::And => ("&&", Level::And),
         Binary::Or => ("||", Level::Or),
-        Binary::Div => ("/", Level::Product),
         Binary::Mod => ("%", Level::Product),
     }
 }
