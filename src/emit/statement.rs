@@ -6,7 +6,7 @@ use super::language::{Language, WIDTH};
 use super::names::{Attribute, IndexLoop, Names};
 use super::print::packed;
 use super::routine::{Block, Form, Statement};
-use super::value::{Level, Term};
+use super::value::{Precedence, Term};
 use crate::diagram::Type;
 
 impl Language<'_> {
@@ -71,7 +71,7 @@ impl Language<'_> {
             "for {index} in 0..{size}",
             "for (std::size_t {index} = 0; {index} < {size}; ++{index})"
         );
-        Term::of(text, Level::Choice, [&Term::name(size)])
+        Term::of(text, Precedence::Choice, [&Term::name(size)])
     }
 
     /// A loop over the indices.
@@ -82,20 +82,20 @@ impl Language<'_> {
     /// A list of elements: in Rust of an iterator.
     pub fn collected(self, all: &Term) -> Term {
         let text = &all.text;
-        Term::of(say!(self, "{text}.collect::<Vec<_>>()", "{text}"), Level::Whole, [all])
+        Term::of(say!(self, "{text}.collect::<Vec<_>>()", "{text}"), Precedence::Whole, [all])
     }
 
     /// The head of a loop over a list of elements of a type.
     pub fn over(self, ty: Type, name: &str, list: &Term) -> Term {
         let (ty, text) = (self.ty(ty), &list.text);
         let text = say!(self, "for {name} in {text}", "for ({ty} {name} : {text})");
-        Term::of(text, Level::Choice, [list])
+        Term::of(text, Precedence::Choice, [list])
     }
 
     /// The head of an `if` or a `while`.
     pub fn head(self, word: &str, condition: &Term) -> Term {
         let test = &condition.text;
-        Term::of(say!(self, "{word} {test}", "{word} ({test})"), Level::Choice, [condition])
+        Term::of(say!(self, "{word} {test}", "{word} ({test})"), Precedence::Choice, [condition])
     }
 
     /// Branches for whether a condition holds.
@@ -119,7 +119,7 @@ impl Language<'_> {
 
     /// Notes the value of an attribute that will be written to in the journal.
     pub fn keep_attribute(self, attribute: &Attribute, element: &Term) -> String {
-        let of = element.at(Level::Whole);
+        let of = element.at(Precedence::Whole);
         let was = self.attribute(attribute, element).text;
         let (capture, name) = match &element.root {
             Some(name) if *name == element.text => (name.clone(), name.as_str()),

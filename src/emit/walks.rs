@@ -4,7 +4,7 @@
 
 use super::names::Names;
 use super::routine::{Block, Statement};
-use super::value::{Level, Term};
+use super::value::{Precedence, Term};
 use crate::diagram::{Drawing, NameId, Pointer, Spoke, Type};
 
 /// The walk along a path, from its first halfedge up to the item after it in `before`, that sets
@@ -80,7 +80,7 @@ fn up_to(
         "while {h} != {end}",
         "for ({ty} {h} = {first}; {h} != {end}; {h} = {next})"
     );
-    let head = Term::of(head, Level::Choice, [&from, &until]);
+    let head = Term::of(head, Precedence::Choice, [&from, &until]);
     let (first, last) = match language.is_rust() {
         true => (format!("let mut {h} = {first};"), format!("{h} = {next};")),
         false => Default::default(),
