@@ -98,15 +98,15 @@ fn drawn(op: &Op, columns: usize) -> Picture {
     }
 }
 
-/// One side of a rule, and its bounds.
-struct Half {
+/// The drawn side of a rule, and its bounds.
+struct DrawnSide {
     groups: Vec<Group>,
     texts: Vec<TextBox>,
     low: DVec2,
     high: DVec2,
 }
 
-impl Half {
+impl DrawnSide {
     fn width(&self) -> f64 {
         self.high.x - self.low.x
     }
@@ -114,7 +114,7 @@ impl Half {
 
 /// The two sides of a rule, at the same heights.
 struct Row {
-    sides: [Half; 2],
+    sides: [DrawnSide; 2],
     low: f64,
     high: f64,
     statuses: BTreeSet<Status>,
@@ -163,7 +163,7 @@ impl Row {
             }
             is_tidy &= room.is_tidy();
             let (low, high) = bounds(&groups, &room).unwrap_or_default();
-            Half { groups, texts: room.texts, low, high }
+            DrawnSide { groups, texts: room.texts, low, high }
         });
         // An empty side has no height of its own.
         let seen = sides.iter().filter(|side| side.low != side.high);

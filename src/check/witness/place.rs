@@ -93,7 +93,7 @@ impl Place {
     }
 
     /// Prepares the mesh for display: its faces, holes and positions. Its pointers stay the same.
-    pub fn dress(&mut self) {
+    pub fn finish(&mut self) {
         self.outside_may_be_faces();
         lay_out(self);
     }

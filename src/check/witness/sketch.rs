@@ -81,8 +81,8 @@ pub(super) struct Sketch {
 }
 
 impl Sketch {
-    /// Lays down a drawing; `None` if it contradicts itself in this shape.
-    pub fn lay(drawing: &Drawing, shape: &Shape) -> Option<Self> {
+    /// Builds the sketch of a drawing; `None` if it contradicts itself in this shape.
+    pub fn build(drawing: &Drawing, shape: &Shape) -> Option<Self> {
         let mut sketch = Self::open(drawing, shape)?;
         for &[left, right] in &shape.glued {
             sketch.pair(left, right)?;
@@ -96,7 +96,7 @@ impl Sketch {
         Some(sketch)
     }
 
-    /// Lays down a drawing without adding the twins that are not drawn.
+    /// Builds that of a drawing without adding the twins that are not drawn.
     pub fn open(drawing: &Drawing, shape: &Shape) -> Option<Self> {
         let count = drawing.rule.names.len();
         let mut sketch = Self {
