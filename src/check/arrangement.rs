@@ -288,9 +288,9 @@ fn agree(drawing: &Drawing, star: &Star, pieces: &[Piece], way: &mut Arrangement
 
 /// The arrangements picked for all vertices, unless they contradict each other.
 ///
-/// Where an arc without a spoke leads from `x` to `y`, the two are twins; so another arc without a
-/// spoke must lead from `y` to `x`, at their other end. And where `after` has a loop of nothing but
-/// empty paths, the match is refused.
+/// The ends `x` and `y` of an arc without a spoke are twins; so another arc without a spoke must
+/// lead from `y` to `x`, at their other end. And where `after` has a loop of nothing but empty
+/// paths, the match is refused.
 pub(super) fn agreeing<'a>(
     rule: &Rule,
     picked: impl Iterator<Item = &'a Arrangement>,

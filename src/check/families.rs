@@ -67,7 +67,7 @@ fn laws_at_large(large: &Rule) -> Result<super::vertices_are_orbits::Rings, Brok
     family_rings::test(&drawing)
 }
 
-/// What is wrong with a rule that is unrolled far enough.
+/// The problems of a rule that is unrolled far enough.
 pub(super) fn problems(large: &Rule) -> Vec<Problem> {
     laws_at_large(large).err().map_or_else(Vec::new, |broken| broken.problems)
 }

@@ -1,8 +1,8 @@
 //! Remedies for everything that is wrong with a rule at once.
 //!
-//! What a person forgets is seldom one name: an `erase` line, or an edge and a name in `new`. And
-//! two names that are exchanged look like many other mistakes. So whole remedies are put together
-//! and tried, in tiers, the simplest first.
+//! A person seldom forgets one name, but an `erase` line, or an edge and a name in `new`. And two
+//! names that are exchanged look like many other mistakes. So whole remedies are put together and
+//! tried, in tiers, the simplest first.
 
 use super::pairing::{missing_loops, pairing, pairings};
 use super::problem::{Remedy, enumerate};

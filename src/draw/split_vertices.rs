@@ -1,10 +1,10 @@
 //! Vertices that are drawn twice, like those of a pillow that is cut open.
 //!
-//! Where loops that are connected along edges meet again at a vertex, and what lies between them is
-//! not drawn, the outside passes the vertex twice. With one dot for it the loops would have to be
-//! bent around each other; textbooks draw two dots of the same name. The same holds for loops that
-//! meet at several vertices without an edge between them. A vertex whose spokes are listed has one
-//! dot, since their order is drawn around it.
+//! The outside passes a vertex twice if loops that are connected along edges meet again there, and
+//! what lies between them is not drawn. With one dot for it the loops would have to be bent around
+//! each other; textbooks draw two dots of the same name. The same holds for loops that meet at
+//! several vertices without an edge between them. A vertex whose spokes are listed has one dot,
+//! since their order is drawn around it.
 
 use std::collections::BTreeMap;
 

@@ -14,8 +14,8 @@
 //!        v3                 v2
 //! ```
 //!
-//! What is drawn before is mapped to itself, and so are the tests of matching: if matching fails
-//! from one halfedge of the edge, it fails from the other. Of what is drawn after, the `next` and
+//! The drawing before is mapped to itself, and so are the tests of matching: if matching fails
+//! from one halfedge of the edge, it fails from the other. Of the drawing after, the `next` and
 //! `twin` of halfedges are mapped to themselves, and which loops are holes. So the results from both
 //! halfedges are one mesh, whose vertices, edges and faces may bear other names: a collapse keeps
 //! `v0` or `v1`. The tests of the guard are asked about the same orbits of it, so it refuses both.

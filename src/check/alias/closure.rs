@@ -283,7 +283,7 @@ fn of_stars(quotient: &Quotient) -> Option<Consequence> {
     None
 }
 
-/// Where spokes close into a ring, they are the whole star: any other spoke is one of them.
+/// Spokes that close into a ring are the whole star: any other spoke is one of them.
 fn of_rings(quotient: &Quotient) -> Option<Consequence> {
     let rule = &quotient.rule;
     let drawing = Drawing::new(rule);

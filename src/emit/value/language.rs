@@ -1,4 +1,4 @@
-//! What a language spells in its own way: pointers, numbers, and calls.
+//! Pointers, numbers and calls, which each language spells in its own way.
 
 use super::spellings::{spelling, with_arguments, with_types};
 use super::term::{Precedence, Term};
