@@ -54,9 +54,8 @@ impl Words<'_> {
     }
 
     fn names(&self, drawing: &Drawing) -> Vec<String> {
-        let all = || (0..self.rule.names.len() as u32).map(NameId);
-        let all = || all().filter(|&name| self.rule.is_first(name));
         let named = |name: &NameId| self.rule.name(*name).named;
+        let all = || self.rule.ids().filter(|&name| self.rule.is_first(name));
         let stay = all().filter(|&name| drawing.survives(name)).filter(named);
         let first = |name: &NameId| self.rule.is_first(*name);
         let refs = |refs: &[Ref]| {

@@ -98,11 +98,7 @@ impl<'a> Orders<'a> {
     fn new(drawing: &'a Drawing<'a>, corner: &'a Corner, settled: &[usize]) -> Self {
         let star = drawing.before.star(corner.vertex);
         let stated: Vec<NameId> = star.map_or_else(Vec::new, |star| {
-            let halfedges = star.spokes.iter().rev().filter_map(|spoke| match spoke {
-                Spoke::Halfedge(half) => Some(half.name),
-                Spoke::Fan(_) | Spoke::Rest(_) => None,
-            });
-            halfedges.collect()
+            star.spokes.iter().rev().filter_map(Spoke::halfedge).collect()
         });
         let places = |ports: &[Port]| -> Vec<usize> {
             let spokes = ports.iter().filter_map(|port| match port {
@@ -292,9 +288,9 @@ fn agree(drawing: &Drawing, star: &Star, pieces: &[Piece], way: &mut Arrangement
 
 /// The arrangements picked for all vertices, unless they contradict each other.
 ///
-/// Where an arc without a spoke leads from `x` to `y`, the two are twins; so another arc without a
-/// spoke must lead from `y` to `x`, at their other end. And where `after` has a loop of nothing but
-/// empty paths, the match is refused.
+/// The ends `x` and `y` of an arc without a spoke are twins; so another arc without a spoke must
+/// lead from `y` to `x`, at their other end. And where `after` has a loop of nothing but empty
+/// paths, the match is refused.
 pub(super) fn agreeing<'a>(
     rule: &Rule,
     picked: impl Iterator<Item = &'a Arrangement>,

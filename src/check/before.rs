@@ -4,6 +4,8 @@
 //! yet. The laws themselves find the contradictions: a rule that changes nothing breaks them only
 //! where its drawing is impossible.
 
+use std::collections::BTreeSet;
+
 use super::broken::Broken;
 use super::problem::{Problem, enumerate};
 use super::sizes::Sizes;
@@ -22,15 +24,10 @@ pub fn contradictions(op: &Op) -> Vec<Diagnostic> {
         false => in_before(rule),
     });
     let problems = found.flat_map(|broken| broken.problems);
-    let mut told: Vec<Diagnostic> = Vec::new();
-    for Problem { diagnostic, .. } in problems {
-        // The members of a family have the same problems.
-        let again =
-            |one: &Diagnostic| (one.code, one.span()) == (diagnostic.code, diagnostic.span());
-        if !told.iter().any(again) {
-            told.push(diagnostic);
-        }
-    }
+    let mut told: Vec<_> = problems.map(|problem| problem.diagnostic).collect();
+    // The members of a family have the same problems.
+    let mut seen = BTreeSet::new();
+    told.retain(|one| seen.insert((one.code, one.span())));
     told
 }
 
@@ -62,20 +59,16 @@ pub(super) fn in_before(rule: &Rule) -> Option<Broken> {
     if !problems.iter().any(|problem| IMPOSSIBLE.contains(&problem.diagnostic.code)) {
         return None;
     }
-    let mut told: Vec<Problem> = Vec::new();
-    for problem in problems {
-        // Problems of `before` are repeated for the copy of it that takes the place of `after`.
-        let (code, span) = (problem.diagnostic.code, problem.diagnostic.span());
-        let again = |one: &Problem| (one.diagnostic.code, one.diagnostic.span()) == (code, span);
-        if !problem.diagnostic.message.contains("`after`") && !told.iter().any(again) {
-            told.push(problem);
-        }
-    }
-    let first = &mut told.first_mut()?.diagnostic;
+    // Problems of `before` are repeated for the copy of it that takes the place of `after`.
+    let mut seen = BTreeSet::new();
+    problems.retain(|Problem { diagnostic: one, .. }| {
+        !one.message.contains("`after`") && seen.insert((one.code, one.span()))
+    });
+    let first = &mut problems.first_mut()?.diagnostic;
     if !first.message.starts_with("no mesh matches") {
         first.notes.push("no mesh matches `before`: it contradicts itself".into());
     }
-    Some(told.into())
+    Some(problems.into())
 }
 
 /// Reports names that an `alias` allows to be one element, but that the statements make one in

@@ -151,10 +151,8 @@ impl Reach<'_> {
         for star in rule.before.stars.iter().filter(first) {
             let count = star.spokes.len();
             let pieces: Vec<_> = (0..count)
-                .filter_map(|at| match (&star.spokes[(at + count - 1) % count], &star.spokes[at]) {
-                    (Spoke::Fan(_) | Spoke::Rest(_), Spoke::Halfedge(half)) => Some(half.name),
-                    _ => None,
-                })
+                .filter(|at| star.spokes[(at + count - 1) % count].halfedge().is_none())
+                .filter_map(|at| star.spokes[at].halfedge())
                 .collect();
             in_order(false, star.each, &pieces);
         }
@@ -188,11 +186,7 @@ impl Reach<'_> {
         let rule = self.drawing.rule;
         let mut claims = Vec::new();
         for star in &rule.before.stars {
-            let listed = star.spokes.iter().filter_map(|spoke| match spoke {
-                Spoke::Halfedge(half) => Some(half.name),
-                Spoke::Fan(_) | Spoke::Rest(_) => None,
-            });
-            let spokes: Vec<_> = listed.collect();
+            let spokes: Vec<_> = star.spokes.iter().filter_map(Spoke::halfedge).collect();
             let vertex = star.vertex.name;
             for halfedge in rule.names_of(Kind::Halfedge) {
                 let origin = self.drawing.origin_before(halfedge);

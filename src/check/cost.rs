@@ -5,6 +5,8 @@
 //! guard, and what the expressions of the rule compute from the mesh. A function of the program may
 //! do anything, so a call of one counts as a walk.
 
+use std::collections::BTreeSet;
+
 use super::guard::Obligation;
 use super::matching::{Claim, Step};
 use crate::diagram::{
@@ -36,13 +38,8 @@ pub(super) fn grows_with(
     for expr in asked.chain(assigned.map(|assignment| &assignment.value)) {
         expr.each(&mut |part| grows.extend(cost.of_expression(part)));
     }
-    let mut seen = Vec::new();
-    grows.retain(|item| {
-        !seen.contains(item) && {
-            seen.push(item.clone());
-            true
-        }
-    });
+    let mut seen = BTreeSet::new();
+    grows.retain(|item| seen.insert(item.clone()));
     grows
 }
 

@@ -32,7 +32,7 @@ pub(super) fn pairs(drawing: &Drawing) -> Vec<[NameId; 2]> {
 }
 
 /// All pairs of names of one kind that `before` draws.
-fn pairs_of(drawing: &Drawing, kind: Kind) -> impl Iterator<Item = [NameId; 2]> {
+pub(super) fn pairs_of(drawing: &Drawing, kind: Kind) -> impl Iterator<Item = [NameId; 2]> {
     let drawn = |name: &NameId| drawing.before.mention(*name).is_some();
     let names: Vec<_> = drawing.rule.names_of(kind).filter(drawn).collect();
     (0..names.len()).flat_map(move |at| {

@@ -356,9 +356,8 @@ impl Law<'_> {
 fn run_alike(drawing: &Drawing, view: &View, edge: &Edge) -> Option<String> {
     let rule = drawing.rule;
     let [left, right] = edge.halfedges.map(|half| half.name);
-    let ends = |half: NameId| Some([view.loop_origin(half)?, view.loop_target(half)?]);
     let [one, other] = [left, right].map(|half| view.loop_of_item(half).map(|orbit| orbit.span));
-    if ends(left)? != ends(right)? || one == other {
+    if view.loop_ends(left)? != view.loop_ends(right)? || one == other {
         return None;
     }
     let [left, right] = [left, right].map(|half| rule.quoted(half));
@@ -371,10 +370,9 @@ fn run_alike(drawing: &Drawing, view: &View, edge: &Edge) -> Option<String> {
 /// The only halfedge of a side that runs between the ends of another in reverse, in words.
 fn runs_back(drawing: &Drawing, view: &View, half: NameId) -> Option<String> {
     let rule = drawing.rule;
-    let ends = |half: NameId| Some([view.loop_origin(half)?, view.loop_target(half)?]);
-    let [from, to] = ends(half)?;
+    let [from, to] = view.loop_ends(half)?;
     let halves = rule.names_of(Kind::Halfedge);
-    let mut back = halves.filter(|&other| other != half && ends(other) == Some([to, from]));
+    let mut back = halves.filter(|&of| of != half && view.loop_ends(of) == Some([to, from]));
     let (Some(twin), None) = (back.next(), back.next()) else {
         return None;
     };

@@ -12,6 +12,7 @@
 //! [`family_rings`](super::family_rings).
 
 use std::borrow::Cow;
+use std::collections::BTreeSet;
 
 use super::broken::{Broken, Rejected, stop_at};
 use super::facts::Facts;
@@ -66,7 +67,7 @@ fn laws_at_large(large: &Rule) -> Result<super::vertices_are_orbits::Rings, Brok
     family_rings::test(&drawing)
 }
 
-/// What is wrong with a rule that is unrolled far enough.
+/// The problems of a rule that is unrolled far enough.
 pub(super) fn problems(large: &Rule) -> Vec<Problem> {
     laws_at_large(large).err().map_or_else(Vec::new, |broken| broken.problems)
 }
@@ -79,8 +80,7 @@ fn sizes_are_known(drawing: &Drawing, matching: &[Step]) -> Vec<Problem> {
         return Vec::new();
     }
     let rule = drawing.rule;
-    let mut names = (0..rule.names.len() as u32).map(crate::diagram::NameId);
-    let Some(family) = names.find(|&name| rule.is_member(name)) else {
+    let Some(family) = rule.ids().find(|&name| rule.is_member(name)) else {
         return Vec::new();
     };
     let text = rule.quoted(family);
@@ -126,12 +126,7 @@ fn reject(op: &Op, rule: &Rule, sizes: &Sizes, broken: Broken) -> Rejected {
         break;
     }
     let mut diagnostics = mend::add_fixes(&sizes.large.rule, problems, self::problems);
-    let mut seen = Vec::new();
-    diagnostics.retain(|diagnostic| {
-        let key = (diagnostic.code, diagnostic.span());
-        let first = !seen.contains(&key);
-        seen.push(key);
-        first
-    });
+    let mut seen = BTreeSet::new();
+    diagnostics.retain(|diagnostic| seen.insert((diagnostic.code, diagnostic.span())));
     Rejected { diagnostics, outcome }
 }

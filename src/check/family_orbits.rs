@@ -82,8 +82,8 @@ impl Reach<'_> {
             }
             Kind::Vertex => {
                 let spokes = &before.star(element)?.spokes;
-                let is_one = |spoke: &Spoke| matches!(spoke, Spoke::Halfedge(_));
-                spokes.iter().all(is_one).then_some(spokes.len())
+                let whole = spokes.iter().all(|spoke| spoke.halfedge().is_some());
+                whole.then_some(spokes.len())
             }
             _ => None,
         }
@@ -107,11 +107,7 @@ impl Reach<'_> {
             }
         }
         for star in rule.before.stars.iter().filter(|star| star.each) {
-            let halfedges = star.spokes.iter().filter_map(|spoke| match spoke {
-                Spoke::Halfedge(half) => Some(half.name),
-                Spoke::Fan(_) | Spoke::Rest(_) => None,
-            });
-            let halfedges: Vec<_> = halfedges.collect();
+            let halfedges: Vec<_> = star.spokes.iter().filter_map(Spoke::halfedge).collect();
             if halfedges.len() == star.spokes.len() {
                 orbits.push(Around {
                     orbit: star.vertex.name,

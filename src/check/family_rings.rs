@@ -32,7 +32,7 @@ use super::chain::{Chain, Corner, corners, vertex_after};
 use super::port::{Links, Port};
 use super::problem::Problem;
 use super::vertices_are_orbits::{
-    MOST_SHOWN, RingCase, Rings, gains, impossible, is_unstated, settled, too_many,
+    MOST_SHOWN, RingCase, Rings, gains, impossible, settled, too_many,
 };
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Drawing, NameId, Rule};
@@ -113,10 +113,7 @@ fn at_index_0(rule: &Rule, case: &Case) -> Vec<(Option<NameId>, Vec<Step>)> {
 /// The ways of one vertex.
 fn ways(drawing: &Drawing, corner: Corner, after: &Links) -> Result<Ways, Broken> {
     let rule = drawing.rule;
-    let still = match is_unstated(drawing, &corner) {
-        true => settled(drawing, &corner, after),
-        false => Vec::new(),
-    };
+    let still = settled(drawing, &corner, after);
     let unchanged = still.len() == corner.chains.len() && !gains(drawing, &corner, after);
     let has_members = corner
         .chains

@@ -9,7 +9,7 @@ use super::case::{Case, Step};
 use super::chain::{Chain, Corner, corners, vertex_after};
 use super::port::{Links, Port};
 use super::star_order::Token;
-use super::vertices_are_orbits::{is_unstated, settled};
+use super::vertices_are_orbits::settled;
 use super::{ends_agree, next_is_permutation, twin_is_involution};
 use crate::diagram::{Drawing, Kind, Name, NameId, Ref, Role, Rule, Spoke, Star};
 
@@ -33,10 +33,7 @@ impl Taken {
         let corners = corners(&drawing, &Links::of(rule, &rule.before));
         let after = Links::of(rule, &rule.after);
         let ways = corners.iter().map(|corner| {
-            let settled = match is_unstated(&drawing, corner) {
-                true => settled(&drawing, corner, &after),
-                false => Vec::new(),
-            };
+            let settled = settled(&drawing, corner, &after);
             let mut found = arrangements(&drawing, corner, &settled)?.into_iter();
             // Where there is a choice, nothing is certain.
             found.next().filter(|_| found.next().is_none())

@@ -43,10 +43,6 @@ fn drawn_as_neighbours(drawing: &Drawing, [left, right]: [Spoke; 2]) -> Option<[
         let next = view.item_after(view.twin(spoke)?)?;
         (drawing.rule.kind(next) == Kind::Halfedge).then_some(next)
     };
-    let named = |spoke: Spoke| match spoke {
-        Spoke::Halfedge(half) => Some(half.name),
-        Spoke::Fan(_) | Spoke::Rest(_) => None,
-    };
-    let behind = named(left).and_then(|left| Some([left, view.spoke_behind(left)?]));
-    behind.or_else(|| named(right).and_then(|right| Some([clockwise(right)?, right])))
+    let behind = left.halfedge().and_then(|left| Some([left, view.spoke_behind(left)?]));
+    behind.or_else(|| right.halfedge().and_then(|right| Some([clockwise(right)?, right])))
 }

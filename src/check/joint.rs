@@ -1,8 +1,8 @@
 //! Remedies for everything that is wrong with a rule at once.
 //!
-//! What a person forgets is seldom one name: an `erase` line, or an edge and a name in `new`. And
-//! two names that are exchanged look like many other mistakes. So whole remedies are put together
-//! and tried, in tiers, the simplest first.
+//! A person seldom forgets one name, but an `erase` line, or an edge and a name in `new`. And two
+//! names that are exchanged look like many other mistakes. So whole remedies are put together and
+//! tried, in tiers, the simplest first.
 
 use super::pairing::{missing_loops, pairing, pairings};
 use super::problem::{Remedy, enumerate};
@@ -233,13 +233,12 @@ fn other_corner(rule: &Rule) -> Vec<Remedy> {
 fn unmoved(rule: &Rule) -> Vec<Remedy> {
     let drawing = Drawing::new(rule);
     let moved = moved_alone(&drawing);
-    let place = |half: NameId| drawing.after.loop_origin(half).zip(drawing.after.loop_target(half));
-    let was = |half: NameId| drawing.before.loop_origin(half).zip(drawing.before.loop_target(half));
     let stays = |half: NameId| {
         if !moved.contains(&half) {
             return Some(half);
         }
-        let mut here = moved.iter().filter(|&&other| was(other) == place(half));
+        let place = drawing.after.loop_ends(half);
+        let mut here = moved.iter().filter(|&&of| drawing.before.loop_ends(of) == place);
         here.next().copied().filter(|_| here.next().is_none())
     };
     if moved.is_empty() || rule.cycle.is_some() || moved.iter().any(|&half| stays(half).is_none()) {
@@ -270,8 +269,7 @@ pub(super) fn moved_alone(drawing: &Drawing) -> Vec<NameId> {
     let moved = firsts.filter(|&half| {
         let is_alone =
             drawing.before.pairing(half).is_none() && drawing.after.pairing(half).is_none();
-        let [before, after] = [&drawing.before, &drawing.after]
-            .map(|view| view.loop_origin(half).zip(view.loop_target(half)));
+        let [before, after] = [&drawing.before, &drawing.after].map(|view| view.loop_ends(half));
         is_alone && before.is_some() && after.is_some() && before != after
     });
     moved.collect()

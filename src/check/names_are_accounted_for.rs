@@ -131,7 +131,7 @@ impl Law<'_> {
     }
 
     fn names(&self) -> impl Iterator<Item = NameId> + use<> {
-        (0..self.drawing.rule.names.len() as u32).map(NameId)
+        self.drawing.rule.ids()
     }
 
     fn is_open(&self, name: NameId) -> bool {

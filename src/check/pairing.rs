@@ -1,4 +1,4 @@
-//! What the ends of halfedges determine: which of them are twins after, and which loop is missing.
+//! The twins after, and the loop that is missing, as far as the ends of halfedges determine them.
 
 use super::problem::Remedy;
 use crate::diagram::{Drawing, Edge, Kind, LoopItem, NameId, Spoke};
@@ -35,8 +35,8 @@ impl<'a> Ends<'a> {
         Self { drawing, moved }
     }
 
-    /// Where a halfedge starts and ends after: by its loop, by that of its twin, or, if it is an
-    /// outer one, or its twin is drawn nowhere, where it did before.
+    /// The ends of a halfedge after: by its loop, by that of its twin, or, if it is an outer one, or
+    /// its twin is drawn nowhere, those before.
     pub fn of(&self, half: NameId) -> Option<(NameId, NameId)> {
         self.drawn(half).or_else(|| {
             let (from, to) = self.drawn(self.drawing.after.twin(half)?)?;
@@ -46,7 +46,7 @@ impl<'a> Ends<'a> {
 
     fn drawn(&self, half: NameId) -> Option<(NameId, NameId)> {
         let Drawing { before, after, .. } = self.drawing;
-        if let (Some(from), Some(to)) = (after.loop_origin(half), after.loop_target(half)) {
+        if let Some([from, to]) = after.loop_ends(half) {
             return Some((from, to));
         }
         let is_alone = before.mention(half).is_some()

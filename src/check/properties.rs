@@ -110,8 +110,7 @@ pub(super) fn evenly(
 
 /// The family that a member belongs to, by its word.
 fn family_of(rule: &Rule, word: &str) -> Option<NameId> {
-    let names = (0..rule.names.len() as u32).map(NameId);
-    let mut members = names.filter(|&name| rule.is_member(name));
+    let mut members = rule.ids().filter(|&name| rule.is_member(name));
     let member = members.find(|&name| rule.name(name).text == word)?;
     Some(rule.first_member(member))
 }

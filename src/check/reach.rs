@@ -215,10 +215,8 @@ impl Reach<'_> {
             }
             Kind::Vertex => {
                 let listed = view.star(element).and_then(|star| {
-                    star.spokes.iter().find_map(|spoke| match spoke {
-                        Spoke::Halfedge(half) if rule.is_first(half.name) => Some(half.name),
-                        _ => None,
-                    })
+                    let mut spokes = star.spokes.iter().filter_map(Spoke::halfedge);
+                    spokes.find(|&half| rule.is_first(half))
                 });
                 let starts = || {
                     let starts = |half: &NameId| {
@@ -264,7 +262,7 @@ impl Reach<'_> {
         if !lost.is_empty() {
             return Err(vec![self.unreachable(op, &lost)]);
         }
-        for element in (0..rule.names.len() as u32).map(NameId) {
+        for element in rule.ids() {
             if view.mention(element).is_none() || self.is_bound(element) || !rule.is_first(element)
             {
                 continue;
@@ -295,8 +293,8 @@ impl Reach<'_> {
                 self.bind(vertex, source);
             }
         }
-        let lost: Vec<_> = (0..rule.names.len() as u32)
-            .map(NameId)
+        let lost: Vec<_> = rule
+            .ids()
             .filter(|&name| matches!(rule.kind(name), Kind::Vertex | Kind::Edge | Kind::Face))
             .filter(|&name| view.mention(name).is_some() && !self.is_bound(name))
             .filter(|&name| rule.is_first(name))
@@ -308,11 +306,12 @@ impl Reach<'_> {
     /// starts where the other ends.
     fn twin_to_be(&self, half: NameId) -> Option<NameId> {
         let (rule, view) = (self.drawing.rule, &self.drawing.before);
-        let ends = |half| view.loop_origin(half).zip(view.loop_target(half));
-        let (from, to) = ends(half)?;
+        let [from, to] = view.loop_ends(half)?;
         let mut halves = rule.names_of(Kind::Halfedge);
         halves.find(|&other| {
-            self.is_bound(other) && view.pairing(other).is_none() && ends(other) == Some((to, from))
+            self.is_bound(other)
+                && view.pairing(other).is_none()
+                && view.loop_ends(other) == Some([to, from])
         })
     }
 

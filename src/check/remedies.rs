@@ -1,6 +1,8 @@
 //! Remedies that a drawing itself suggests: where a halfedge was left out of a loop, and which edge
 //! statement is missing.
 
+use std::collections::BTreeSet;
+
 use super::problem::Remedy;
 use crate::diagnostic::all_of;
 use crate::diagram::{Drawing, Kind, Loop, NameId};
@@ -47,12 +49,8 @@ pub(super) fn draw_edge_of(drawing: &Drawing, half: NameId) -> String {
 /// The same for several halfedges.
 pub(super) fn draw_edges_of(drawing: &Drawing, halves: &[NameId]) -> String {
     let mut statements: Vec<_> = halves.iter().map(|&half| missing_edge(drawing, half)).collect();
-    let mut told = Vec::new();
-    statements.retain(|statement| {
-        let is_new = !told.contains(statement);
-        told.extend(is_new.then(|| statement.clone()));
-        is_new
-    });
+    let mut told = BTreeSet::new();
+    statements.retain(|statement| told.insert(statement.clone()));
     let statements = statements.iter().map(|statement| format!("`{statement}`"));
     format!("the halfedges outside would still name them: draw their edges, {}", all_of(statements))
 }

@@ -355,10 +355,9 @@ impl Case<'_> {
 fn reversed_path(drawing: &Drawing) -> Option<String> {
     let rule = drawing.rule;
     let mut reversed = rule.names_of(Kind::Path).filter_map(|path| {
-        let [before, after] = [&drawing.before, &drawing.after]
-            .map(|view| view.loop_origin(path).zip(view.loop_target(path)));
-        let (from, to) = before?;
-        (from != to && after? == (to, from)).then_some((path, from, to))
+        let [before, after] = [&drawing.before, &drawing.after].map(|view| view.loop_ends(path));
+        let [from, to] = before?;
+        (from != to && after? == [to, from]).then_some((path, from, to))
     });
     let (path, from, to) = reversed.next()?;
     let [path, from, to] = [path, from, to].map(|name| rule.name(name).text.as_str());
@@ -374,12 +373,10 @@ fn ran_elsewhere(drawing: &Drawing) -> Option<String> {
     let moved = moved_alone(drawing);
     let &half = moved.first()?;
     let text = rule.quoted(half);
-    let way = |ends: Option<(NameId, NameId)>| {
-        let (from, to) = ends?;
-        Some(format!("from {} to {}", rule.quoted(from), rule.quoted(to)))
-    };
-    let ends = [&drawing.before, &drawing.after]
-        .map(|view| way(view.loop_origin(half).zip(view.loop_target(half))));
+    let ends = [&drawing.before, &drawing.after].map(|view| {
+        let [from, to] = view.loop_ends(half)?.map(|end| rule.quoted(end));
+        Some(format!("from {from} to {to}"))
+    });
     let [Some(before), Some(after)] = ends else {
         return None;
     };

@@ -90,12 +90,12 @@ fn opposite(drawing: &Drawing) -> Vec<[NameId; 2]> {
     let halves = drawing.rule.names_of(Kind::Halfedge);
     let open: Vec<_> = halves
         .filter(|&half| view.pairing(half).is_none())
-        .filter_map(|half| Some((half, view.loop_origin(half)?, view.loop_target(half)?)))
+        .filter_map(|half| Some((half, view.loop_ends(half)?)))
         .collect();
     let mut pairs = Vec::new();
     for (at, one) in open.iter().enumerate() {
         let others = open[at + 1..].iter();
-        let fitting = others.filter(|other| (other.1, other.2) == (one.2, one.1));
+        let fitting = others.filter(|other| other.1 == [one.1[1], one.1[0]]);
         pairs.extend(fitting.map(|other| [one.0, other.0]));
     }
     pairs

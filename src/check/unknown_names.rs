@@ -52,8 +52,7 @@ impl Unknown {
     /// True if some name has no meaning: where nothing is listed in `new`, the list is forgotten.
     fn has_others(&self, drawing: &Drawing) -> bool {
         let rule = drawing.rule;
-        let mut names = (0..rule.names.len() as u32).map(NameId);
-        names.any(|name| {
+        rule.ids().any(|name| {
             is_unknown(drawing, name)
                 && rule.name(name).named
                 && self.meaning(drawing, name).is_none()

@@ -47,11 +47,7 @@ pub(super) fn test(drawing: &Drawing) -> Result<Rings, Broken> {
     let mut ways = Vec::new();
     let mut counted = Vec::new();
     for corner in &corners {
-        let settled = if is_unstated(drawing, corner) {
-            settled(drawing, corner, &after)
-        } else {
-            Vec::new()
-        };
+        let settled = settled(drawing, corner, &after);
         let unchanged = settled.len() == corner.chains.len() && !gains(drawing, corner, &after);
         let found = arrangements(drawing, corner, &settled)
             .ok_or_else(|| vec![too_many(drawing, corner)])?;
@@ -100,14 +96,12 @@ pub(super) fn test(drawing: &Drawing) -> Result<Rings, Broken> {
     }
 }
 
-/// True if no statement says anything about the order of the spokes of a vertex.
-pub(super) fn is_unstated(drawing: &Drawing, corner: &Corner) -> bool {
-    drawing.before.star(corner.vertex).is_none() && drawing.after.star(corner.vertex).is_none()
-}
-
 /// The chains of a vertex that pass through the rewrite unchanged: each of their links and labels
-/// is the same before and after.
+/// is the same before and after, and no statement says anything about the order of its spokes.
 pub(super) fn settled(drawing: &Drawing, corner: &Corner, after: &Links) -> Vec<usize> {
+    if [&drawing.before, &drawing.after].iter().any(|view| view.star(corner.vertex).is_some()) {
+        return Vec::new();
+    }
     let is_settled = |chain: &Chain| {
         let links = (0..chain.ports.len()).all(|at| {
             let next = match chain.ports.get(at + 1) {
@@ -208,10 +202,7 @@ fn in_order(drawing: &Drawing, corner: &Corner, star: &Star) -> Option<String> {
     });
     // Ports run clockwise, statements counterclockwise.
     let drawn: Vec<_> = outs.rev().collect();
-    let is_listed = |half: &NameId| {
-        let mut spokes = star.spokes.iter();
-        spokes.any(|spoke| matches!(spoke, Spoke::Halfedge(listed) if listed.name == *half))
-    };
+    let is_listed = |half: &NameId| star.spokes.iter().any(|spoke| spoke.halfedge() == Some(*half));
     if !drawn.iter().all(is_listed) {
         return None;
     }
@@ -221,7 +212,8 @@ fn in_order(drawing: &Drawing, corner: &Corner, star: &Star) -> Option<String> {
     Some(format!("vertex {vertex}: {}", words.join(" ")))
 }
 
-fn spokes_of(drawing: &Drawing, ports: &[Port]) -> Vec<NameId> {
+/// The halfedges that leave by some ports.
+pub(super) fn spokes_of(drawing: &Drawing, ports: &[Port]) -> Vec<NameId> {
     let named = |port: &Port| match port {
         Port::Out(item) if drawing.rule.kind(*item) == Kind::Halfedge => Some(*item),
         _ => None,

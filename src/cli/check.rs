@@ -14,7 +14,7 @@ use crate::analysis::{
     Analysis, GuardVerdict, ProvedStatement, RuleAliases, RuleArgument, RuleVerdict, Verdict,
     aliases, verdicts, why_proved,
 };
-use crate::diagnostic::{Diagnostic, Severity};
+use crate::diagnostic::{Diagnostic, Severity, counted};
 use crate::source::{Sources, Span};
 
 /// Proves the operations of files, or says why they break a mesh.
@@ -109,14 +109,13 @@ fn without_ops(analysis: &Analysis) -> String {
     let tests = program.tests.iter().map(|test| ("test", test.script.span));
     let own: Vec<_> =
         scripts.chain(functions).chain(tests).filter(|it| it.1.file == *file).collect();
-    let counted = ["script", "function", "test"].map(|kind| {
+    let parts = ["script", "function", "test"].map(|kind| {
         match own.iter().filter(|(known, _)| *known == kind).count() {
             0 => String::new(),
-            1 => format!("1 {kind}, "),
-            count => format!("{count} {kind}s, "),
+            count => counted(count, kind, &format!("{kind}s")) + ", ",
         }
     });
-    format!("{}no operations", counted.concat())
+    parts.concat() + "no operations"
 }
 
 fn show(file: &str, verdicts: &[Verdict], verbose: bool) -> String {
@@ -194,7 +193,7 @@ fn guard(guard: &GuardVerdict) -> Vec<String> {
 
 /// The verdict on a rule, in three parts.
 pub(super) fn show_rule(rule: &RuleVerdict) -> [String; 3] {
-    [cases(rule), change(rule), cost(rule)]
+    [counted(rule.cases, "case", "cases"), change(rule), cost(rule)]
 }
 
 fn explained(argument: &RuleArgument) -> String {
@@ -205,10 +204,6 @@ fn explained(argument: &RuleArgument) -> String {
         lines.extend(law.lines.iter().map(|line| format!("    {line}")));
     }
     lines.join("\n")
-}
-
-fn cases(rule: &RuleVerdict) -> String {
-    if rule.cases == 1 { "1 case".into() } else { format!("{} cases", rule.cases) }
 }
 
 fn change(rule: &RuleVerdict) -> String {

@@ -12,7 +12,7 @@ use super::output::{complain, complain_of, is_standard, say};
 use super::plan::show as show_plan;
 use super::program::{self, Program};
 use crate::analysis::{Analysis, Verdict, example, verdicts};
-use crate::diagnostic::Severity;
+use crate::diagnostic::{Severity, quoted};
 use crate::diagram::Op;
 use crate::draw::{Picture, Section, draw_op, draw_sheet, page, text_op};
 use crate::run::{Functions, calls_of_steps};
@@ -198,10 +198,9 @@ fn unproved_steps(analysis: &Analysis, op: usize) -> Vec<String> {
 
 fn show_verdict(verdict: &Verdict) -> String {
     if let Some(steps) = &verdict.steps {
-        let calls: Vec<_> = steps.calls.iter().map(|op| format!("`{op}`")).collect();
-        return match calls.is_empty() {
-            true => "proved, in steps".to_owned(),
-            false => format!("proved, in steps: {}", calls.join(", ")),
+        return match quoted(&steps.calls).as_str() {
+            "" => "proved, in steps".to_owned(),
+            calls => format!("proved, in steps: {calls}"),
         };
     }
     let rules = verdict.rules.iter().map(|rule| {

@@ -8,6 +8,7 @@ use super::advice::of_library;
 use super::arguments::StdArguments;
 use super::failure::Failure;
 use super::output::{say, table};
+use crate::diagnostic::quoted;
 use crate::library::{self, LibraryFile};
 use crate::source::Sources;
 use crate::syntax::parse;
@@ -39,11 +40,7 @@ fn find(name: &str) -> Result<LibraryFile, Failure> {
         if let Some((file, _)) = of_library(name) {
             return Failure::usage(format!("`{name}` is declared in `{}`", file.name));
         }
-        let names: Vec<_> = library::files()
-            .chain(library::targets())
-            .map(|file| format!("`{}`", file.name))
-            .collect();
-        let names = names.join(", ");
+        let names = quoted(library::files().chain(library::targets()).map(|file| file.name));
         Failure::usage(format!("the library has no `{name}`; it has {names}"))
     })
 }

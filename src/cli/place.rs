@@ -7,6 +7,7 @@
 
 use super::failure::Failure;
 use super::output::complain;
+use crate::diagnostic::quoted;
 use crate::diagram::{Param, Type};
 use crate::mesh::{EdgeId, ElementKind, FaceId, HalfedgeId, MeshFile, VertexId};
 
@@ -151,10 +152,9 @@ fn places(params: &[Param], texts: &[String]) -> Result<Vec<Option<Place>>, Fail
         };
         let at = found.ok_or_else(|| {
             let names = params.iter().filter(|param| param.ty.is_element());
-            let names: Vec<String> = names.map(|param| format!("`{}`", param.name)).collect();
-            let known = match names.is_empty() {
-                true => "no parameter is an element".to_owned(),
-                false => format!("the elements are {}", names.join(", ")),
+            let known = match quoted(names.map(|param| &param.name)).as_str() {
+                "" => "no parameter is an element".to_owned(),
+                names => format!("the elements are {names}"),
             };
             Failure::usage(match name {
                 Some(name) => format!("`{name}` is not a parameter that is an element; {known}"),

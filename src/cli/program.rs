@@ -6,6 +6,7 @@ use super::failure::Failure;
 use super::files::is_same;
 use super::output::complain;
 use crate::analysis::{Analysis, Disk, meant, read_program};
+use crate::diagnostic::quoted;
 use crate::library;
 use crate::mesh::{FileFormat, Level};
 use crate::resolve::closest;
@@ -243,17 +244,13 @@ fn find(
         return Ok(found);
     }
     let own: Vec<_> = known.iter().filter(|candidate| candidate.own).collect();
-    let listed = |names: &mut dyn Iterator<Item = &str>| {
-        let names: Vec<_> = names.map(|name| format!("`{name}`")).collect();
-        names.join(", ")
-    };
     let Some(name) = name else {
         return match own.as_slice() {
             [] => Err(Failure::usage(format!("the file has no {what}"))),
             [only] => Ok(only.index),
             own => Err(Failure::usage(format!(
                 "which {what}? write FILE::NAME with one of {}",
-                listed(&mut own.iter().map(|candidate| candidate.name))
+                quoted(own.iter().map(|candidate| candidate.name))
             ))),
         };
     };
@@ -265,7 +262,7 @@ fn find(
     let near = near.or_else(|| names().find(|known| known.split('_').any(|word| word == name)));
     let advice = match near {
         Some(near) => format!("did you mean `{near}`?"),
-        None => format!("it has {}", listed(&mut names())),
+        None => format!("it has {}", quoted(names())),
     };
     Err(Failure::usage(format!("the file has no {what} `{name}`; {advice}")))
 }

@@ -7,6 +7,7 @@ use super::draw::write_picture;
 use super::failure::Failure;
 use super::meshes;
 use super::output::complain;
+use crate::diagnostic::quoted;
 use crate::draw::{Picture, View, draw_mesh};
 use crate::mesh::{ColumnId, Mesh};
 
@@ -51,27 +52,20 @@ pub(super) fn attribute(mesh: &Mesh, wanted: &str) -> Result<ColumnId, Failure> 
         .filter(|(id, column)| [column.name(), &full(*id, column.name())].contains(&wanted))
         .map(|(id, column)| (id, full(id, column.name())))
         .collect();
-    let listed = |names: Vec<String>| {
-        let names: Vec<_> = names.iter().map(|name| format!("`{name}`")).collect();
-        names.join(", ")
-    };
     match &found[..] {
         [(id, _)] => Ok(*id),
         [] => {
             let all = columns().map(|(id, column)| full(id, column.name()));
             let all = match all.collect::<Vec<_>>() {
                 all if all.is_empty() => "it has none".to_string(),
-                all => format!("it has {}", listed(all)),
+                all => format!("it has {}", quoted(all)),
             };
             Err(Failure::usage(format!("the mesh has no attribute `{wanted}`: {all}")))
         }
-        several => {
-            let names = several.iter().map(|(_, name)| name.clone()).collect();
-            Err(Failure::usage(format!(
-                "`{wanted}` may be several attributes: write one of {}",
-                listed(names)
-            )))
-        }
+        several => Err(Failure::usage(format!(
+            "`{wanted}` may be several attributes: write one of {}",
+            quoted(several.iter().map(|(_, name)| name))
+        ))),
     }
 }
 

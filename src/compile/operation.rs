@@ -9,7 +9,7 @@ use super::registers::{Home, Registers};
 use super::write_target::WriteTarget;
 use super::{element_kind, width};
 use crate::check::{Proof, Proved};
-use crate::diagram::{Drawing, NameId, Op, Property, Rule};
+use crate::diagram::{Drawing, Op, Property, Rule};
 use crate::lower::{Element, Operation};
 use crate::mesh::{ElementKind, Level};
 use crate::rewrite::{
@@ -115,8 +115,7 @@ fn alternative(
 /// The homes of the names of `before` after matching.
 fn matched(output: &Output, drawing: &Drawing, registers: &Registers) -> Matched {
     let rule = drawing.rule;
-    let names = (0..rule.names.len() as u32).map(NameId);
-    let bound = names.filter(|&name| drawing.before.mention(name).is_some());
+    let bound = rule.ids().filter(|&name| drawing.before.mention(name).is_some());
     let named = bound.filter(|&name| rule.name(name).named && rule.is_first(name));
     let names = named.filter_map(|name| {
         let holder = match registers.home(name) {

@@ -63,13 +63,9 @@ impl Collect<'_, '_, '_, '_> {
         let count = star.spokes.len();
         let is_fan = |spoke: &Spoke| matches!(spoke, Spoke::Fan(name) if name.name == fan);
         let at = star.spokes.iter().position(is_fan).expect("the statement lists the fan");
-        let half = |spoke: &Spoke| match spoke {
-            Spoke::Halfedge(half) => Some(half.name),
-            Spoke::Fan(_) | Spoke::Rest(_) => None,
-        };
         let from = self.output.asm.reg();
-        let before = half(&star.spokes[(at + count - 1) % count]);
-        let after = half(&star.spokes[(at + 1) % count]);
+        let before = star.spokes[(at + count - 1) % count].halfedge();
+        let after = star.spokes[(at + 1) % count].halfedge();
         let walk = Walk::Star;
         let inst = match (before, after) {
             (Some(before), Some(after)) => {

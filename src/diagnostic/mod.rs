@@ -15,4 +15,4 @@ pub use data::{Diagnostic, Edit, Fix, Label, Severity};
 pub use explain::{explain, explained};
 pub use render::{Rendering, render};
 pub use shown::shown;
-pub use words::{all_of, one_of, some_of};
+pub use words::{all_of, counted, one_of, quoted, some_of};

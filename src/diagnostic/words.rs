@@ -25,6 +25,17 @@ pub fn one_of<S: AsRef<str>>(words: impl IntoIterator<Item = S>) -> String {
     joined(words, "or")
 }
 
+/// Names in backticks: "`x`, `y`".
+pub fn quoted(names: impl IntoIterator<Item = impl std::fmt::Display>) -> String {
+    let names: Vec<_> = names.into_iter().map(|name| format!("`{name}`")).collect();
+    names.join(", ")
+}
+
+/// A number with its noun: "1 case", "2 cases".
+pub fn counted(count: usize, one: &str, many: &str) -> String {
+    format!("{count} {}", if count == 1 { one } else { many })
+}
+
 fn joined<S: AsRef<str>>(words: impl IntoIterator<Item = S>, conjunction: &str) -> String {
     let words: Vec<S> = words.into_iter().collect();
     let words: Vec<&str> = words.iter().map(AsRef::as_ref).collect();

@@ -282,6 +282,11 @@ impl<'a> View<'a> {
         Some(items[(position + 1) % items.len()].from.name)
     }
 
+    /// The vertices from which and to which a halfedge or path runs in its loop.
+    pub fn loop_ends(&self, item: NameId) -> Option<[NameId; 2]> {
+        Some([self.loop_origin(item)?, self.loop_target(item)?])
+    }
+
     /// The edge statement that lists a halfedge.
     pub fn pairing(&self, halfedge: NameId) -> Option<&'a Edge> {
         Some(&self.side.edges[self.pairing[halfedge.index()]?.0])

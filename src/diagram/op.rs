@@ -156,10 +156,15 @@ impl Ref {
     pub fn plain(name: NameId, span: Span) -> Self {
         Self { name, shift: 0, span }
     }
+
+    /// A mention that stands in no source.
+    pub fn unwritten(name: NameId) -> Self {
+        Self::plain(name, Span::default())
+    }
 }
 
 /// An operation: alternatives over the same parameters.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Op {
     /// Its name.
     pub name: String,
@@ -243,7 +248,7 @@ pub struct Param {
 }
 
 /// One alternative.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Rule {
     /// Its name, if it has one.
     pub label: Option<String>,
@@ -321,9 +326,14 @@ impl Rule {
         aliases.any(|alias| lists(alias, left) && lists(alias, right))
     }
 
+    /// All names.
+    pub fn ids(&self) -> impl Iterator<Item = NameId> + use<> {
+        (0..self.names.len() as u32).map(NameId)
+    }
+
     /// All names of one kind.
     pub fn names_of(&self, kind: Kind) -> impl Iterator<Item = NameId> + '_ {
-        (0..self.names.len() as u32).map(NameId).filter(move |&id| self.kind(id) == kind)
+        self.ids().filter(move |&id| self.kind(id) == kind)
     }
 }
 
@@ -443,6 +453,16 @@ pub enum Spoke {
     Fan(Ref),
     /// `*`, a fan without a name.
     Rest(Span),
+}
+
+impl Spoke {
+    /// The halfedge, if it is one.
+    pub fn halfedge(&self) -> Option<NameId> {
+        match self {
+            Spoke::Halfedge(half) => Some(half.name),
+            Spoke::Fan(_) | Spoke::Rest(_) => None,
+        }
+    }
 }
 
 /// `require … else "…"`

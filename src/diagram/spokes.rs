@@ -1,6 +1,6 @@
 //! The halfedges that start at a vertex, one of which is its `halfedge`.
 
-use super::{Drawing, Kind, Loop, NameId, Ref, Spoke};
+use super::{Drawing, Kind, Loop, NameId, Spoke};
 
 impl Drawing<'_> {
     /// True if everything that started at a vertex before still does after, so that its `halfedge`
@@ -23,12 +23,8 @@ impl Drawing<'_> {
     /// A halfedge that starts at a vertex after: the first of its statement, else the first
     /// that is drawn.
     pub fn spoke_after(&self, vertex: NameId) -> Option<NameId> {
-        let listed = self.after.star(vertex).and_then(|star| {
-            star.spokes.iter().find_map(|spoke| match spoke {
-                Spoke::Halfedge(Ref { name, .. }) => Some(*name),
-                Spoke::Fan(_) | Spoke::Rest(_) => None,
-            })
-        });
+        let listed =
+            self.after.star(vertex).and_then(|star| star.spokes.iter().find_map(Spoke::halfedge));
         let mut halfedges = self.rule.names_of(Kind::Halfedge);
         listed.or_else(|| halfedges.find(|&half| self.starts_after(half, vertex)))
     }

@@ -12,7 +12,7 @@ use glam::DVec2;
 
 use super::assigned::assigned;
 use super::components::parts;
-use super::curve::{Curve, area, cross, mean};
+use super::curve::{Curve, area, crossings, mean};
 use super::example::moved_on_mesh;
 use super::figure::{Figure, Node};
 use super::layout::{NEAR, parts_in_a_row, pulls, settle, stretch};
@@ -106,16 +106,9 @@ fn faults(figure: &Figure, places: &[Option<DVec2>]) -> usize {
     let at = |node: &usize| places[*node].unwrap_or_default();
     let curve = |nodes: &[usize]| Curve::smooth(&nodes.iter().map(at).collect::<Vec<_>>());
     let curves: Vec<_> = side.strands.iter().map(|of| curve(&of.nodes)).collect();
-    let mut faults = 0;
-    for (nth, one) in curves.iter().enumerate() {
-        for other in &curves[..nth] {
-            let crosses = |a| other.segments().any(|b| cross(a, b));
-            faults += usize::from(one.segments().any(crosses));
-        }
-    }
     let loops = side.loops.iter().map(|orbit| side.around(&orbit.darts));
     let outlines = loops.map(|nodes| nodes.iter().map(at).collect::<Vec<_>>());
-    faults + outlines.filter(|outline| area(outline) < FLAT).count()
+    crossings(&curves) + outlines.filter(|outline| area(outline) < FLAT).count()
 }
 
 /// Places the nodes that have no place yet.

@@ -72,6 +72,11 @@ impl Curve {
         self.points.windows(2).map(|pair| [pair[0], pair[1]])
     }
 
+    /// True if it crosses another.
+    pub fn crosses(&self, other: &Self) -> bool {
+        self.segments().any(|a| other.segments().any(|b| cross(a, b)))
+    }
+
     /// Its length.
     pub fn length(&self) -> f64 {
         self.segments().map(|[a, b]| (b - a).length()).sum()
@@ -166,17 +171,34 @@ pub(super) fn distance(point: DVec2, [a, b]: [DVec2; 2]) -> f64 {
 }
 
 /// True if two segments cross at a point inside both.
-pub(super) fn cross([a, b]: [DVec2; 2], [c, d]: [DVec2; 2]) -> bool {
+fn cross([a, b]: [DVec2; 2], [c, d]: [DVec2; 2]) -> bool {
     let side = |p: DVec2, q: DVec2, r: DVec2| (q - p).perp_dot(r - p);
     let slack = 1e-6;
     side(a, b, c) * side(a, b, d) < -slack && side(c, d, a) * side(c, d, b) < -slack
 }
 
+/// The number of pairs of curves that cross.
+pub(super) fn crossings(curves: &[Curve]) -> usize {
+    let earlier = |at: usize| curves[..at].iter().filter(|other| curves[at].crosses(other)).count();
+    (0..curves.len()).map(earlier).sum()
+}
+
+/// The sides of a polygon.
+pub(super) fn sides(corners: &[DVec2]) -> impl Iterator<Item = [DVec2; 2]> + '_ {
+    let next = corners.iter().cycle().skip(1);
+    corners.iter().zip(next).map(|(&a, &b)| [a, b])
+}
+
+/// The corners of the box around some points.
+pub(super) fn bounds(points: impl IntoIterator<Item = DVec2>) -> (DVec2, DVec2) {
+    let none = (DVec2::splat(f64::MAX), DVec2::splat(f64::MIN));
+    points.into_iter().fold(none, |(low, high), at| (low.min(at), high.max(at)))
+}
+
 /// True if a point lies inside a polygon.
 pub(super) fn inside(point: DVec2, polygon: &[DVec2]) -> bool {
     let mut inside = false;
-    for at in 0..polygon.len() {
-        let (a, b) = (polygon[at], polygon[(at + 1) % polygon.len()]);
+    for [a, b] in sides(polygon) {
         if (a.y > point.y) != (b.y > point.y)
             && point.x < a.x + (point.y - a.y) / (b.y - a.y) * (b.x - a.x)
         {
@@ -193,7 +215,5 @@ pub(super) fn mean(points: &[DVec2]) -> DVec2 {
 
 /// Twice the area of a polygon, positive if it runs counterclockwise.
 pub(super) fn area(outline: &[DVec2]) -> f64 {
-    let count = outline.len();
-    let pieces = (0..count).map(|at| outline[(at + 1) % count].perp_dot(outline[at]));
-    pieces.sum()
+    sides(outline).map(|[a, b]| b.perp_dot(a)).sum()
 }

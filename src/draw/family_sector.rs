@@ -10,8 +10,7 @@ pub(super) fn sector(rule: &Rule) -> Vec<bool> {
     let Some(size) = rule.size() else {
         return vec![true; rule.names.len()];
     };
-    let ids = (0..rule.names.len() as u32).map(NameId);
-    let mut strong: Vec<_> = ids.map(|name| rule.is_first(name)).collect();
+    let mut strong: Vec<_> = rule.ids().map(|name| rule.is_first(name)).collect();
     for side in [&rule.before, &rule.after] {
         mentions(rule, side, size as usize, &mut |name| {
             strong[name.index()] = true;

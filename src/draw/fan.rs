@@ -34,10 +34,7 @@ pub(super) fn fans(
     spoke: impl Fn(NameId) -> Option<f64>,
     wish: impl Fn(NameId) -> Option<f64>,
 ) -> Vec<(NameId, [f64; 2])> {
-    let known = |at: usize| match star.spokes[at] {
-        Spoke::Halfedge(name) => spoke(name.name),
-        _ => None,
-    };
+    let known = |at: usize| star.spokes[at].halfedge().and_then(&spoke);
     let count = star.spokes.len();
     let mut fans = Vec::new();
     let mut taken: Vec<f64> = Vec::new();

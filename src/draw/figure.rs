@@ -202,17 +202,17 @@ impl<'a> Figure<'a> {
             }
             let from = self.node(origin(along).or_else(|| target(back)));
             let to = self.node(origin(back).or_else(|| target(along)));
-            self.put(&mut side, Some(edge.edge.name), [Some(along), Some(back)], [from, to]);
+            self.add_strand(&mut side, Some(edge.edge.name), [Some(along), Some(back)], [from, to]);
         }
         for item in view.side().loops.iter().flat_map(|orbit| &orbit.items) {
             let item = item.item.name;
             if side.darts[item.index()].is_none() {
                 let from = self.node(view.loop_origin(item));
                 let to = self.node(view.loop_target(item));
-                self.put(&mut side, None, [Some(item), None], [from, to]);
+                self.add_strand(&mut side, None, [Some(item), None], [from, to]);
             }
         }
-        self.put_stubs(&mut side, view, earlier);
+        self.add_stubs(&mut side, view, earlier);
         for orbit in &view.side().loops {
             let darts = orbit.items.iter();
             side.loops.push(Orbit {
@@ -234,7 +234,7 @@ impl<'a> Figure<'a> {
     }
 
     /// Adds the halfedges that only a vertex statement lists.
-    fn put_stubs(&mut self, side: &mut Side, view: &View, earlier: Option<&Side>) {
+    fn add_stubs(&mut self, side: &mut Side, view: &View, earlier: Option<&Side>) {
         for star in &view.side().stars {
             for spoke in &star.spokes {
                 let crate::diagram::Spoke::Halfedge(spoke) = spoke else {
@@ -248,13 +248,13 @@ impl<'a> Figure<'a> {
                     });
                     let end = known.unwrap_or_else(|| self.add(Node::Loose));
                     let ends = [self.node(Some(star.vertex.name)), end];
-                    self.put(side, None, [Some(spoke.name), None], ends);
+                    self.add_strand(side, None, [Some(spoke.name), None], ends);
                 }
             }
         }
     }
 
-    fn put(
+    fn add_strand(
         &mut self,
         side: &mut Side,
         edge: Option<NameId>,

@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use super::curve::{Curve, distance, left};
+use super::curve::{Curve, distance, left, sides};
 
 /// The distance between two lines.
 const APART: f64 = 8.0;
@@ -21,11 +21,7 @@ pub(super) fn hatch(outline: &[DVec2], islands: &[Vec<DVec2>]) -> Vec<Curve> {
         return lines;
     }
     let outlines = islands.iter().map(Vec::as_slice).chain([outline]);
-    let sides = outlines.flat_map(|outline| {
-        let next = outline.iter().cycle().skip(1);
-        outline.iter().copied().zip(next.copied())
-    });
-    let sides: Vec<_> = sides.collect();
+    let sides: Vec<_> = outlines.flat_map(sides).collect();
     // Offset by half a distance, so that no line passes through a corner of a tidy picture.
     let first = (low / APART).floor() as i64;
     let last = (high / APART).ceil() as i64;
@@ -33,7 +29,7 @@ pub(super) fn hatch(outline: &[DVec2], islands: &[Vec<DVec2>]) -> Vec<Curve> {
         let height = (step as f64 + 0.5) * APART;
         let mut cuts: Vec<f64> = sides
             .iter()
-            .filter_map(|&(a, b)| {
+            .filter_map(|&[a, b]| {
                 let (from, to) = (a.dot(across) - height, b.dot(across) - height);
                 let crosses = (from < 0.0) != (to < 0.0);
                 crosses.then(|| a.lerp(b, from / (from - to)).dot(slant))

@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use glam::DVec2;
 
-use super::curve::{Curve, distance, inside, left, mean, turn};
+use super::curve::{Curve, bounds, distance, inside, left, mean, sides, turn};
 use super::label_boxes::{Spot, reach};
 use super::letters::Label;
 
@@ -37,17 +37,9 @@ pub(super) fn beside(arrow: &Curve, label: &Label) -> Vec<Spot> {
 
 /// Points inside a polygon but outside its islands, each with its distance from the sides.
 fn inner_points(outline: &[DVec2], islands: &[Vec<DVec2>]) -> Vec<(DVec2, f64)> {
-    let (low, high) = outline
-        .iter()
-        .fold((DVec2::splat(f64::MAX), DVec2::splat(f64::MIN)), |(low, high), &at| {
-            (low.min(at), high.max(at))
-        });
+    let (low, high) = bounds(outline.iter().copied());
     let outlines = islands.iter().map(Vec::as_slice).chain([outline]);
-    let sides = outlines.flat_map(|outline| {
-        let next = outline.iter().cycle().skip(1);
-        outline.iter().zip(next).map(|(&from, &to)| [from, to])
-    });
-    let sides: Vec<_> = sides.collect();
+    let sides: Vec<_> = outlines.flat_map(sides).collect();
     let in_sea = |at: DVec2| !islands.iter().any(|island| inside(at, island));
     let room = |at: DVec2| {
         let far = sides.iter().map(|side| distance(at, *side));

@@ -12,7 +12,7 @@ use glam::DVec2;
 
 use super::after_layout::places_after;
 use super::components::{blocks, parts};
-use super::curve::{direction, mean};
+use super::curve::{bounds, direction, mean};
 use super::example::flat;
 use super::family_sector::sector;
 use super::figure::{Dart, Figure, Node, Side};
@@ -49,12 +49,11 @@ pub(super) fn parts_in_a_row(figure: &Figure) -> Vec<Option<DVec2>> {
     for (at, part) in parts.iter().enumerate() {
         place_blocks(figure, part, &mut places);
         face_others(figure, &parts, at, &mut places);
-        let xs = part.iter().filter_map(|&node| places[node]).map(|at: DVec2| at.x);
-        let (low, high) = xs.fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(x), high.max(x)));
+        let (low, high) = bounds(part.iter().filter_map(|&node| places[node]));
         for &node in part {
-            places[node] = places[node].map(|at| at + DVec2::X * (x - low));
+            places[node] = places[node].map(|at| at + DVec2::X * (x - low.x));
         }
-        x += (high - low).max(0.0) + 0.9;
+        x += (high - low).x.max(0.0) + 0.9;
     }
     level_main(figure, &mut places);
     places
@@ -214,10 +213,7 @@ fn bearing(
         let starts = darts.filter(|&&dart| side.nodes(dart)[0] == joint);
         let item = |dart: &Dart| side.strands[dart.strand].items[usize::from(!dart.forward)];
         let items: Vec<_> = starts.filter_map(item).collect();
-        let is_here = |spoke: &Spoke| match spoke {
-            Spoke::Halfedge(name) => items.contains(&name.name),
-            _ => false,
-        };
+        let is_here = |spoke: &Spoke| spoke.halfedge().is_some_and(|half| items.contains(&half));
         star.and_then(|star| star.spokes.iter().position(is_here))
     };
     let is_here = |(_, (_, nodes)): &(usize, &(Side, Vec<usize>))| nodes.contains(&joint);
@@ -321,8 +317,7 @@ pub(super) fn stretch(side: &Side, places: &mut [Option<DVec2>], is_fixed: &dyn 
         if ends.iter().any(|&end| is_fixed(end)) {
             continue;
         }
-        let middle = known.iter().copied().sum::<DVec2>() / known.len() as f64;
-        let away = middle - root;
+        let away = mean(&known) - root;
         if away.length() < SPUR {
             let away = away.normalize_or(DVec2::X) * SPUR;
             // A loop that consists only of this strand lies inside; any other loop is outside of

@@ -5,7 +5,7 @@
 
 use glam::DVec2;
 
-use super::curve::{Curve, angle, cross, distance, inside};
+use super::curve::{Curve, angle, crossings, distance, inside, sides};
 use super::family_sector::sector;
 use super::figure::{Dart, Figure, Node, Side, Strand};
 use super::label_boxes::{Room, Spot};
@@ -53,10 +53,8 @@ pub(super) struct Hatched {
 impl Hatched {
     /// True if it may cover a place.
     fn reaches(&self, at: DVec2) -> bool {
-        let next = self.outline.iter().cycle().skip(1);
-        let mut sides = self.outline.iter().zip(next);
         match self.is_around {
-            true => sides.any(|(a, b)| distance(at, [*a, *b]) < TICKS),
+            true => sides(&self.outline).any(|side| distance(at, side) < TICKS),
             false => inside(at, &self.outline),
         }
     }
@@ -133,14 +131,7 @@ impl<'a> Panel<'a> {
 
     /// The number of pairs of strands that cross.
     pub fn crossings(&self) -> usize {
-        let mut count = 0;
-        for (at, curve) in self.curves.iter().enumerate() {
-            for other in &self.curves[..at] {
-                let crosses = |a| other.segments().any(|b| cross(a, b));
-                count += usize::from(curve.segments().any(crosses));
-            }
-        }
-        count
+        crossings(&self.curves)
     }
 
     /// The curves of the strands that end at a node, each starting there.

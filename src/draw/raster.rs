@@ -8,6 +8,8 @@ use std::ops::Range;
 
 use glam::{DVec2, DVec3};
 
+use super::curve::sides;
+
 /// A square image: rows of pixels as red, green, blue and opacity, with premultiplied colours.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Image {
@@ -130,11 +132,6 @@ fn span(values: impl Iterator<Item = f64>, side: usize) -> std::ops::Range<usize
     // NaN and negative numbers become zero.
     let pixel = |value: f64| ((value - 0.5).ceil() as usize).min(side);
     pixel(low)..pixel(high)
-}
-
-pub(super) fn sides(corners: &[DVec2]) -> impl Iterator<Item = [DVec2; 2]> + '_ {
-    let next = corners.iter().cycle().skip(1);
-    corners.iter().zip(next).map(|(&a, &b)| [a, b])
 }
 
 /// The mean value coordinates of a place (M. S. Floater, "Mean value coordinates", 2003): in a

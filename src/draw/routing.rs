@@ -8,15 +8,14 @@ use std::f64::consts::PI;
 
 use glam::DVec2;
 
-use super::curve::{Curve, angle, area, cross, inside, left, mean, turn};
+use super::curve::{Curve, angle, area, inside, left, mean, turn};
 use super::figure::{Figure, Node, Side, Strand};
+use super::layout::NEAR;
 
 /// The factor by which a path that keeps its shape is flattened.
 const FLATTER: f64 = 0.7;
 /// The heights of the arcs that are tried, relative to their widths.
 const HEIGHTS: [f64; 6] = [0.45, -0.45, 0.25, -0.25, 0.8, -0.8];
-/// Ends nearer to each other than this have no direction.
-const NEAR: f64 = 0.12;
 /// The length and the width of the petal of a path that closes.
 const PETAL: f64 = 1.35;
 const SPREAD: f64 = 1.05;
@@ -149,9 +148,7 @@ impl Scene<'_> {
         let mut faults = 0;
         for points in all.iter().enumerate().filter(|(at, _)| *at != path) {
             if let (_, Some(points)) = points {
-                let other = Curve::smooth(points);
-                let crosses = |a| other.segments().any(|b| cross(a, b));
-                faults += usize::from(curve.segments().any(crosses));
+                faults += usize::from(curve.crosses(&Curve::smooth(points)));
             }
         }
         for orbit in &self.side.loops {
@@ -174,8 +171,7 @@ impl Scene<'_> {
             for (at, points) in all.iter().enumerate() {
                 let is_part = orbit.darts.iter().any(|dart| dart.strand == at);
                 if let Some(points) = points.as_ref().filter(|_| !is_part) {
-                    let middle = points.iter().copied().sum::<DVec2>() / points.len() as f64;
-                    faults += usize::from(inside(middle, &outline));
+                    faults += usize::from(inside(mean(points), &outline));
                 }
             }
         }

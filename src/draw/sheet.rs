@@ -98,15 +98,15 @@ fn drawn(op: &Op, columns: usize) -> Picture {
     }
 }
 
-/// One side of a rule, and its bounds.
-struct Half {
+/// The drawn side of a rule, and its bounds.
+struct DrawnSide {
     groups: Vec<Group>,
     texts: Vec<TextBox>,
     low: DVec2,
     high: DVec2,
 }
 
-impl Half {
+impl DrawnSide {
     fn width(&self) -> f64 {
         self.high.x - self.low.x
     }
@@ -114,7 +114,7 @@ impl Half {
 
 /// The two sides of a rule, at the same heights.
 struct Row {
-    sides: [Half; 2],
+    sides: [DrawnSide; 2],
     low: f64,
     high: f64,
     statuses: BTreeSet<Status>,
@@ -149,8 +149,7 @@ impl Row {
         let crossings = panels.iter().map(Panel::crossings).sum();
         let labels = vertex_labels(figure, &panels);
         let rule = figure.drawing.rule;
-        let mentioned = (0..rule.names.len() as u32).map(NameId);
-        let statuses = mentioned.map(|name| Status::of(&figure.drawing, name)).collect();
+        let statuses = rule.ids().map(|name| Status::of(&figure.drawing, name)).collect();
         let mut is_tidy = true;
         let sides = panels.map(|panel| {
             let loose = panel.loose();
@@ -164,7 +163,7 @@ impl Row {
             }
             is_tidy &= room.is_tidy();
             let (low, high) = bounds(&groups, &room).unwrap_or_default();
-            Half { groups, texts: room.texts, low, high }
+            DrawnSide { groups, texts: room.texts, low, high }
         });
         // An empty side has no height of its own.
         let seen = sides.iter().filter(|side| side.low != side.high);
@@ -293,8 +292,7 @@ fn scale(figure: &Figure, places: &[Vec<DVec2>; 2]) -> f64 {
         None => 320.0,
     };
     // Vertices have their names outside.
-    let names = (0..rule.names.len() as u32).map(NameId);
-    scale.min(most + 2.0 * longest(&mut names.filter(|&name| rule.kind(name) != Kind::Vertex)))
+    scale.min(most + 2.0 * longest(&mut rule.ids().filter(|&name| rule.kind(name) != Kind::Vertex)))
 }
 
 /// The corners of the box around everything that is drawn.

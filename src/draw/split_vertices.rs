@@ -1,15 +1,15 @@
 //! Vertices that are drawn twice, like those of a pillow that is cut open.
 //!
-//! Where loops that are connected along edges meet again at a vertex, and what lies between them is
-//! not drawn, the outside passes the vertex twice. With one dot for it the loops would have to be
-//! bent around each other; textbooks draw two dots of the same name. The same holds for loops that
-//! meet at several vertices without an edge between them. A vertex whose spokes are listed has one
-//! dot, since their order is drawn around it.
+//! The outside passes a vertex twice if loops that are connected along edges meet again there, and
+//! what lies between them is not drawn. With one dot for it the loops would have to be bent around
+//! each other; textbooks draw two dots of the same name. The same holds for loops that meet at
+//! several vertices without an edge between them. A vertex whose spokes are listed has one dot,
+//! since their order is drawn around it.
 
 use std::collections::BTreeMap;
 
 use super::components::{join, strand_blocks};
-use super::figure::{Dart, Figure, Node, Side};
+use super::figure::{Figure, Node, Side};
 use crate::diagram::NameId;
 
 /// The node at the start (`true`) and at the end (`false`) of each item at such a vertex.
@@ -118,12 +118,11 @@ fn items(side: &Side, end: usize) -> impl Iterator<Item = (NameId, bool)> {
 /// sector.
 fn sectors(side: &Side) -> Vec<usize> {
     let mut sector: Vec<usize> = (0..2 * side.strands.len()).collect();
-    let start = |dart: Dart| 2 * dart.strand + usize::from(!dart.forward);
     for orbit in &side.loops {
         let next = orbit.darts.iter().cycle().skip(1);
         for (&dart, &next) in orbit.darts.iter().zip(next) {
             // The other end of a strand has the number that differs in the last bit.
-            join(&mut sector, start(dart) ^ 1, start(next));
+            join(&mut sector, dart.index() ^ 1, next.index());
         }
     }
     sector

@@ -6,7 +6,7 @@
 
 use glam::DVec2;
 
-use super::curve::{Curve, direction, left, mean};
+use super::curve::{Curve, bounds, direction, left, mean};
 use super::figure::Figure;
 use super::layout::places;
 use super::panel::Panel;
@@ -51,9 +51,7 @@ fn text_rule(rule: &Rule) -> String {
     let rule = rule.to_draw();
     let figure = Figure::new(Drawing::new(&rule));
     let unit = places(&figure);
-    let none = (DVec2::splat(f64::MAX), DVec2::splat(f64::MIN));
-    let (low, high) =
-        unit.iter().flatten().fold(none, |(low, high), at| (low.min(*at), high.max(*at)));
+    let (low, high) = bounds(unit.iter().flatten().copied());
     let size = (high - low).max(DVec2::splat(0.01));
     // A whole number of rows, so that slanted lines are even.
     let rows = (WIDTH / size.x * SLIM.y).clamp(UNIT[0] * SLIM.y, UNIT[1] * SLIM.y);
@@ -104,8 +102,7 @@ fn text_rule(rule: &Rule) -> String {
 /// The names with a status, of a family only the first; elements without a name are counted.
 fn told(figure: &Figure, status: Status) -> String {
     let rule = figure.drawing.rule;
-    let of = (0..rule.names.len() as u32).map(NameId);
-    let of = of.filter(|&name| rule.is_first(name));
+    let of = rule.ids().filter(|&name| rule.is_first(name));
     let of: Vec<_> = of.filter(|&name| Status::of(&figure.drawing, name) == status).collect();
     let named = of.iter().map(|&name| rule.name(name));
     let names: Vec<_> = named.filter(|name| name.named).map(|name| name.text.as_str()).collect();

@@ -8,9 +8,9 @@
 use glam::{DVec2, DVec3};
 
 use super::colours::{Colours, LEGEND, LINE, PALE};
-use super::curve::{area, distance};
+use super::curve::{area, distance, sides};
 use super::png::MOST_PIXELS;
-use super::raster::{Image, Raster, sides, weigh};
+use super::raster::{Image, Raster, weigh};
 use super::shape::Picture;
 use crate::mesh::{ColumnId, ElementKind, FaceId, HalfedgeId, Mesh};
 

@@ -6,7 +6,7 @@
 use super::build::{Writer, allocation};
 use super::reassign;
 use super::routine::{Block, Field, Statement, without_unread};
-use super::value::{Level, Term};
+use super::value::{Precedence, Term};
 use crate::diagram::Kind;
 use crate::lower::{GuardTest, Operation, PreviewReads, Question, StarWalk};
 
@@ -57,7 +57,7 @@ impl Writer<'_, '_> {
         let terms: Vec<_> = terms.collect();
         let args: Vec<_> = terms.iter().map(|term| term.text.as_str()).collect();
         let asked = format!("{preview}.{word}({})", args.join(", "));
-        let breaks = Term::of(asked, Level::Whole, &terms).not();
+        let breaks = Term::of(asked, Precedence::Whole, &terms).not();
         match question {
             // An empty path would look like a loop.
             Question::OneHoleAlong(path) if self.drawing.is_empty_somewhere(path) => {

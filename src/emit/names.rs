@@ -115,7 +115,7 @@ impl<'s> Names<'s> {
             let word = names.fresh(&wanted);
             names.params.push(word);
         }
-        for id in (0..rule.names.len() as u32).map(NameId) {
+        for id in rule.ids() {
             names.name(rule, id);
         }
         names.declare_attributes(&rule.attributes);

@@ -7,7 +7,7 @@
 use std::collections::BTreeSet;
 
 use super::names::{Attribute, IndexLoop};
-use super::value::{Level, Term};
+use super::value::{Precedence, Term};
 use crate::diagram::{Kind, Pointer};
 
 /// A statement.
@@ -76,7 +76,7 @@ pub(super) enum Field {
 impl Statement {
     /// Lines in which the names of some terms occur.
     pub fn lines<'t>(text: String, terms: impl IntoIterator<Item = &'t Term>) -> Self {
-        Self::Lines { text, names: Term::of("", Level::Whole, terms).names, bound: None }
+        Self::Lines { text, names: Term::of("", Precedence::Whole, terms).names, bound: None }
     }
 
     /// Lines that only bind a name.
@@ -85,7 +85,7 @@ impl Statement {
         text: String,
         terms: impl IntoIterator<Item = &'t Term>,
     ) -> Self {
-        let names = Term::of("", Level::Whole, terms).names;
+        let names = Term::of("", Precedence::Whole, terms).names;
         Self::Lines { text, names, bound: Some(name.to_string()) }
     }
 

@@ -6,7 +6,7 @@ use super::language::{Language, WIDTH};
 use super::names::{Attribute, IndexLoop, Names};
 use super::print::packed;
 use super::routine::{Block, Form, Statement};
-use super::value::{Level, Term};
+use super::value::{Precedence, Term};
 use crate::diagram::Type;
 
 impl Language<'_> {
@@ -71,7 +71,7 @@ impl Language<'_> {
             "for {index} in 0..{size}",
             "for (std::size_t {index} = 0; {index} < {size}; ++{index})"
         );
-        Term::of(text, Level::Choice, [&Term::name(size)])
+        Term::of(text, Precedence::Choice, [&Term::name(size)])
     }
 
     /// A loop over the indices.
@@ -82,20 +82,20 @@ impl Language<'_> {
     /// A list of elements: in Rust of an iterator.
     pub fn collected(self, all: &Term) -> Term {
         let text = &all.text;
-        Term::of(say!(self, "{text}.collect::<Vec<_>>()", "{text}"), Level::Whole, [all])
+        Term::of(say!(self, "{text}.collect::<Vec<_>>()", "{text}"), Precedence::Whole, [all])
     }
 
     /// The head of a loop over a list of elements of a type.
     pub fn over(self, ty: Type, name: &str, list: &Term) -> Term {
         let (ty, text) = (self.ty(ty), &list.text);
         let text = say!(self, "for {name} in {text}", "for ({ty} {name} : {text})");
-        Term::of(text, Level::Choice, [list])
+        Term::of(text, Precedence::Choice, [list])
     }
 
-    /// The head of a branch.
-    pub fn branch(self, condition: &Term) -> Term {
+    /// The head of an `if` or a `while`.
+    pub fn head(self, word: &str, condition: &Term) -> Term {
         let test = &condition.text;
-        Term::of(say!(self, "if {test}", "if ({test})"), Level::Choice, [condition])
+        Term::of(say!(self, "{word} {test}", "{word} ({test})"), Precedence::Choice, [condition])
     }
 
     /// Branches for whether a condition holds.
@@ -105,7 +105,7 @@ impl Language<'_> {
         body: Vec<Statement>,
         otherwise: Vec<Statement>,
     ) -> Statement {
-        let (form, head) = (Form::Branch, self.branch(condition));
+        let (form, head) = (Form::Branch, self.head("if", condition));
         Statement::Block(Block { form, head, body, otherwise, ..Block::default() })
     }
 
@@ -119,7 +119,7 @@ impl Language<'_> {
 
     /// Notes the value of an attribute that will be written to in the journal.
     pub fn keep_attribute(self, attribute: &Attribute, element: &Term) -> String {
-        let of = element.at(Level::Whole);
+        let of = element.at(Precedence::Whole);
         let was = self.attribute(attribute, element).text;
         let (capture, name) = match &element.root {
             Some(name) if *name == element.text => (name.clone(), name.as_str()),
@@ -139,17 +139,14 @@ impl Language<'_> {
 
     /// The same so that it can be undone; without an attribute, of a position.
     pub fn write(self, attribute: Option<&Attribute>, of: &Term, value: &str) -> String {
-        match (attribute, &of.text) {
-            (None, element) => say!(
-                self,
-                "mesh.set_position({element}, {value});",
-                "journal.set_position({element}, {value});"
-            ),
-            (Some(attribute), _) if self.is_rust() => self.set_attribute(attribute, of, value),
-            (Some(attribute), _) => {
-                let set = self.set_attribute(attribute, of, value);
-                format!("{}\n{set}", self.keep_attribute(attribute, of))
-            }
+        let Some(attribute) = attribute else {
+            let mesh = if self.is_rust() { "mesh" } else { "journal" };
+            return format!("{mesh}.set_position({}, {value});", of.text);
+        };
+        let set = self.set_attribute(attribute, of, value);
+        match self.is_rust() {
+            true => set,
+            false => format!("{}\n{set}", self.keep_attribute(attribute, of)),
         }
     }
 }

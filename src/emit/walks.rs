@@ -4,7 +4,7 @@
 
 use super::names::Names;
 use super::routine::{Block, Statement};
-use super::value::{Level, Term};
+use super::value::{Precedence, Term};
 use crate::diagram::{Drawing, NameId, Pointer, Spoke, Type};
 
 /// The walk along a path, from its first halfedge up to the item after it in `before`, that sets
@@ -16,11 +16,7 @@ pub(super) fn path_walk(drawing: &Drawing, names: &mut Names, path: NameId) -> O
     let sets = (Pointer::Face, face);
     if next == path {
         let face = language.follow(Pointer::Face, &first);
-        let all = match language.is_rust() {
-            true => language.call("LoopFrom", [&first]),
-            false => language.call("FaceHalfedges", [&face]),
-        };
-        return Some(over(names, sets, &all));
+        return Some(over(names, sets, [("LoopFrom", first), ("FaceHalfedges", face)]));
     }
     let until = names.term(next);
     Some(up_to(names, sets, &[Pointer::Next], [first, until]))
@@ -34,20 +30,13 @@ pub(super) fn fan_walk(drawing: &Drawing, names: &mut Names, fan: NameId) -> Opt
     let spokes = &drawing.before.star(vertex)?.spokes;
     let is_fan = |spoke: &Spoke| matches!(spoke, Spoke::Fan(name) if name.name == fan);
     let at = spokes.iter().position(is_fan)?;
-    let half = |at: usize| match &spokes[at % spokes.len()] {
-        Spoke::Halfedge(half) => Some(half.name),
-        Spoke::Fan(_) | Spoke::Rest(_) => None,
-    };
+    let half = |at: usize| spokes[at % spokes.len()].halfedge();
     let (sets, language) = ((Pointer::Vertex, after), names.language);
     let (Some(previous), Some(following)) = (half(at + spokes.len() - 1), half(at + 1)) else {
         // The fan is the whole star.
         let vertex = names.term(vertex);
         let first = language.follow(Pointer::VertexHalfedge, &vertex);
-        let all = match language.is_rust() {
-            true => language.call("SpokesFrom", [&first]),
-            false => language.call("VertexHalfedges", [&vertex]),
-        };
-        return Some(over(names, sets, &all));
+        return Some(over(names, sets, [("SpokesFrom", first), ("VertexHalfedges", vertex)]));
     };
     let twin = match drawing.before.twin(following) {
         Some(twin) => names.term(twin),
@@ -66,10 +55,12 @@ fn setting(names: &mut Names, (pointer, value): (Pointer, NameId)) -> (String, V
     (halfedge, vec![set])
 }
 
-/// A walk over a list of halfedges.
-fn over(names: &mut Names, sets: (Pointer, NameId), all: &Term) -> Statement {
+/// A walk over all halfedges of an orbit, by a call in Rust and one in C++.
+fn over(names: &mut Names, sets: (Pointer, NameId), calls: [(&str, Term); 2]) -> Statement {
     let (h, body) = setting(names, sets);
-    Statement::block(names.language.over(Type::Halfedge, &h, all), body)
+    let (call, of) = &calls[usize::from(!names.language.is_rust())];
+    let all = names.language.call(call, [of]);
+    Statement::block(names.language.over(Type::Halfedge, &h, &all), body)
 }
 
 /// A walk from a halfedge up to another.
@@ -89,7 +80,7 @@ fn up_to(
         "while {h} != {end}",
         "for ({ty} {h} = {first}; {h} != {end}; {h} = {next})"
     );
-    let head = Term::of(head, Level::Choice, [&from, &until]);
+    let head = Term::of(head, Precedence::Choice, [&from, &until]);
     let (first, last) = match language.is_rust() {
         true => (format!("let mut {h} = {first};"), format!("{h} = {next};")),
         false => Default::default(),

@@ -163,9 +163,8 @@ fn ends_without_edge(drawing: &Drawing, halfedge: NameId) -> Option<[NameId; 2]>
     let rule = drawing.rule;
     let ends = [drawing.origin_after(halfedge)?, drawing.target_after(halfedge)?];
     let are_drawn = ends.iter().all(|&end| drawing.before.mention(end).is_some());
-    let names = || (0..rule.names.len() as u32).map(NameId);
     let is_plain = rule.aliases.is_empty()
-        && names().all(|name| rule.kind(name) != Kind::Fan && !rule.is_member(name));
+        && rule.ids().all(|name| rule.kind(name) != Kind::Fan && !rule.is_member(name));
     if ends[0] == ends[1] || !are_drawn || !is_plain {
         return None;
     }

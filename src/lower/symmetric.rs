@@ -14,8 +14,8 @@
 //!        v3                 v2
 //! ```
 //!
-//! What is drawn before is mapped to itself, and so are the tests of matching: if matching fails
-//! from one halfedge of the edge, it fails from the other. Of what is drawn after, the `next` and
+//! The drawing before is mapped to itself, and so are the tests of matching: if matching fails
+//! from one halfedge of the edge, it fails from the other. Of the drawing after, the `next` and
 //! `twin` of halfedges are mapped to themselves, and which loops are holes. So the results from both
 //! halfedges are one mesh, whose vertices, edges and faces may bear other names: a collapse keeps
 //! `v0` or `v1`. The tests of the guard are asked about the same orbits of it, so it refuses both.
@@ -38,7 +38,7 @@ pub(super) fn refuses_alike(
         && rule.aliases.is_empty()
         && [&rule.before, &rule.after].iter().all(|side| side.kept.is_empty())
         && rule.params.iter().flatten().count() == 1
-        && names(drawing).all(|name| !rule.is_member(name));
+        && rule.ids().all(|name| !rule.is_member(name));
     let Some(twin) = drawing.before.twin(halfedge).filter(|_| is_plain) else {
         return false;
     };
@@ -46,13 +46,9 @@ pub(super) fn refuses_alike(
     turn.maps(Some(halfedge), Some(twin))
         && turn.maps(Some(twin), Some(halfedge))
         && turn.follow()
-        && names(drawing).all(|name| !is_item(drawing, name) || turn.image(name).is_some())
+        && rule.ids().all(|name| !is_item(drawing, name) || turn.image(name).is_some())
         && turn.keeps_tests(&matching.tests)
         && turn.keeps_guard(guard)
-}
-
-fn names<'d>(drawing: &'d Drawing) -> impl Iterator<Item = NameId> + use<'d> {
-    (0..drawing.rule.names.len() as u32).map(NameId)
 }
 
 fn is_item(drawing: &Drawing, name: NameId) -> bool {
@@ -228,7 +224,7 @@ impl Turn<'_> {
                     && (item == name || view.twin(item) == Some(name))
             }
         };
-        let mut items = names(drawing).filter(is_drawn).filter(|&item| lies_at(item, from));
+        let mut items = drawing.rule.ids().filter(is_drawn).filter(|&item| lies_at(item, from));
         items.any(|item| self.image(item).is_some_and(|image| lies_at(image, name)))
     }
 }

@@ -43,27 +43,17 @@ pub(super) fn rule(op: &ResolvedOp, trial: &Trial, patch: &Patch) -> Rule {
     let assignments = writer.positions(&before);
     let places = writer.places();
     Rule {
-        label: None,
         example: Some(Example { mesh: trial.on, places }),
         names: writer.names,
-        cycle: None,
         params,
-        result: result.map(mention),
+        result: result.map(Ref::unwritten),
         before,
-        requires: Vec::new(),
-        guard: None,
-        aliases: Vec::new(),
         after,
-        created: created.into_iter().map(mention).collect(),
-        erased: erased.into_iter().map(mention).collect(),
+        created: created.into_iter().map(Ref::unwritten).collect(),
+        erased: erased.into_iter().map(Ref::unwritten).collect(),
         assignments,
-        attributes: [].into(),
-        span: Span::default(),
+        ..Rule::default()
     }
-}
-
-fn mention(name: NameId) -> Ref {
-    Ref::plain(name, Span::default())
 }
 
 /// True if a side draws a name.
@@ -156,7 +146,7 @@ impl Writer<'_> {
             self.known.push(thing);
             self.known.len() - 1
         });
-        mention(NameId(at as u32))
+        Ref::unwritten(NameId(at as u32))
     }
 
     /// Gives a name a word if it has none, with primes if the word is taken.
@@ -263,7 +253,7 @@ impl Writer<'_> {
             let to = lives.then(|| after.position(v))?;
             let is_set = is_new || (was.vertex_alive(v) && was.position(v) != to);
             is_set.then(|| Assignment {
-                target: mention(NameId(at as u32)),
+                target: Ref::unwritten(NameId(at as u32)),
                 attribute: Access::Position,
                 value: self.position(before, to),
                 span: Span::default(),

@@ -2,7 +2,7 @@
 
 use super::closure::{Contradiction, united};
 use super::quotient::Quotient;
-use super::verdict::{Failed, laws};
+use super::verdict::{Failed, Sets, add, laws};
 use crate::check::broken::Broken;
 use crate::check::change::Change;
 use crate::check::ends_agree::neighbours_are_twins;
@@ -118,11 +118,8 @@ fn wanted(rule: &Rule) -> Vec<([NameId; 2], Span)> {
     wanted
 }
 
-type Sets = Vec<(Vec<Vec<NameId>>, Vec<Quotient>)>;
-
 /// The sets of names that can be one and no test keeps apart, from small to large.
 fn sets(rule: &Rule, wanted: &[([NameId; 2], Span)]) -> Result<Sets, Vec<Problem>> {
-    let count = rule.names.len();
     let is_allowed = |classes: &[Vec<NameId>]| {
         classes.iter().all(|class| {
             let mut pairs = pairs_of(class);
@@ -133,7 +130,6 @@ fn sets(rule: &Rule, wanted: &[([NameId; 2], Span)]) -> Result<Sets, Vec<Problem
     let mut at = 0;
     while at < sets.len() {
         for &(pair, span) in wanted {
-            let known = sets.len();
             let mut found = Vec::new();
             for quotient in &sets[at].1 {
                 match united(quotient, pair) {
@@ -142,15 +138,7 @@ fn sets(rule: &Rule, wanted: &[([NameId; 2], Span)]) -> Result<Sets, Vec<Problem
                     Err(Contradiction::Unclear(why)) => return Err(unclear(why, span)),
                 }
             }
-            for quotient in found {
-                let names = quotient.classes(count);
-                match sets.iter().position(|(other, _)| *other == names) {
-                    Some(at) if at < known => {}
-                    Some(at) => sets[at].1.push(quotient),
-                    None if is_allowed(&names) => sets.push((names, vec![quotient])),
-                    None => {}
-                }
-            }
+            add(&mut sets, found, rule.names.len(), is_allowed);
             if sets.len() > MOST {
                 return Err(unclear("there are too many ways to look at".into(), span));
             }

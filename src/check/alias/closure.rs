@@ -8,7 +8,8 @@
 use super::overlap::{Overlap, overlaps};
 use super::quotient::Quotient;
 use crate::check::chain::corners;
-use crate::check::port::{Links, Port};
+use crate::check::port::Links;
+use crate::check::vertices_are_orbits::spokes_of;
 use crate::diagram::{Drawing, Edge, Kind, LoopKind, NameId, Spoke, Star};
 
 /// The reason why names cannot be one, or why that is not known.
@@ -218,11 +219,8 @@ fn of_origins(quotient: &Quotient) -> Option<Consequence> {
         }
     }
     for star in &rule.before.stars {
-        for spoke in &star.spokes {
-            if let Spoke::Halfedge(half) = spoke {
-                says.push((half.name, star.vertex.name));
-            }
-        }
+        let listed = star.spokes.iter().filter_map(Spoke::halfedge);
+        says.extend(listed.map(|half| (half, star.vertex.name)));
     }
     for (half, vertex) in says {
         match origins[half.index()] {
@@ -240,11 +238,7 @@ fn of_stars(quotient: &Quotient) -> Option<Consequence> {
     let stars = &rule.before.stars;
     for (at, star) in stars.iter().enumerate() {
         let text = rule.quoted(star.vertex.name);
-        let halfedge = |spoke: &Spoke| match spoke {
-            Spoke::Halfedge(half) => Some(half.name),
-            Spoke::Fan(_) | Spoke::Rest(_) => None,
-        };
-        let listed: Vec<NameId> = star.spokes.iter().filter_map(halfedge).collect();
+        let listed: Vec<NameId> = star.spokes.iter().filter_map(Spoke::halfedge).collect();
         for (place, half) in listed.iter().enumerate() {
             if listed[..place].contains(half) {
                 let half = rule.quoted(*half);
@@ -269,8 +263,8 @@ fn of_stars(quotient: &Quotient) -> Option<Consequence> {
         // Counterclockwise the spoke after `a` is `a.prev.twin`.
         let count = star.spokes.len();
         for place in 0..count {
-            let next = halfedge(&star.spokes[(place + 1) % count]);
-            let (Some(spoke), Some(next)) = (halfedge(&star.spokes[place]), next) else {
+            let next = star.spokes[(place + 1) % count].halfedge();
+            let (Some(spoke), Some(next)) = (star.spokes[place].halfedge(), next) else {
                 continue;
             };
             let named =
@@ -289,7 +283,7 @@ fn of_stars(quotient: &Quotient) -> Option<Consequence> {
     None
 }
 
-/// Where spokes close into a ring, they are the whole star: any other spoke is one of them.
+/// Spokes that close into a ring are the whole star: any other spoke is one of them.
 fn of_rings(quotient: &Quotient) -> Option<Consequence> {
     let rule = &quotient.rule;
     let drawing = Drawing::new(rule);
@@ -298,14 +292,7 @@ fn of_rings(quotient: &Quotient) -> Option<Consequence> {
         let Some(ring) = corner.chains.iter().position(|chain| chain.closed) else {
             continue;
         };
-        let spokes = |at: usize| {
-            let ports = corner.chains[at].ports.iter();
-            let out = ports.filter_map(|port| match port {
-                Port::Out(item) if rule.kind(*item) == Kind::Halfedge => Some(*item),
-                _ => None,
-            });
-            out.collect::<Vec<_>>()
-        };
+        let spokes = |at: usize| spokes_of(&drawing, &corner.chains[at].ports);
         let mut others = (0..corner.chains.len()).filter(|&at| at != ring).flat_map(spokes);
         if let Some(other) = others.next() {
             let (name, text) = (rule.quoted(other), rule.quoted(corner.vertex));

@@ -8,6 +8,8 @@
 //!   d Q          with Q all but d       =>    P is s d t,  Q is t a s
 //! ```
 
+use std::collections::BTreeSet;
+
 use crate::diagram::{Kind, Loop, LoopItem, Name, NameId, Ref, Role, Rule};
 
 /// One way in which two statements can describe one loop.
@@ -70,7 +72,7 @@ pub(super) fn overlaps(rule: &Rule, one: &Loop, other: &Loop) -> Option<Vec<Over
             return None;
         }
     }
-    let mut seen: Vec<Vec<[u32; 2]>> = Vec::new();
+    let mut seen = BTreeSet::new();
     found.retain(|overlap| {
         let mut key: Vec<[u32; 2]> = Vec::new();
         for (path, items) in &overlap.runs {
@@ -78,9 +80,7 @@ pub(super) fn overlaps(rule: &Rule, one: &Loop, other: &Loop) -> Option<Vec<Over
             key.extend(items.iter().map(|item| [item.item.name.0, item.from.name.0]));
         }
         key.extend(overlap.same.iter().map(|pair| pair.map(|name| name.0)));
-        let first = !seen.contains(&key);
-        seen.push(key);
-        first
+        seen.insert(key)
     });
     Some(found)
 }

@@ -245,13 +245,9 @@ impl Quotient {
 /// The named spokes of a statement, each with the fan behind it; one entry without a name if there
 /// is only a fan. Two fans never follow each other in `before`.
 fn sectors(spokes: &[Spoke]) -> Vec<(Option<NameId>, Option<Spoke>)> {
-    let half = |spoke: &Spoke| match spoke {
-        Spoke::Halfedge(half) => Some(half.name),
-        Spoke::Fan(_) | Spoke::Rest(_) => None,
-    };
     let count = spokes.len();
-    let fan_at = |at: usize| Some(spokes[at % count]).filter(|spoke| half(spoke).is_none());
-    let named = (0..count).map(|at| (half(&spokes[at]), fan_at(at + 1)));
+    let fan_at = |at: usize| Some(spokes[at % count]).filter(|spoke| spoke.halfedge().is_none());
+    let named = (0..count).map(|at| (spokes[at].halfedge(), fan_at(at + 1)));
     let named: Vec<_> = named.filter(|(half, _)| half.is_some()).collect();
     if named.is_empty() { vec![(None, fan_at(0))] } else { named }
 }

@@ -4,6 +4,7 @@ use super::closure::{Contradiction, united};
 use super::quotient::Quotient;
 use crate::check::arrangement::Arc;
 use crate::check::broken::Broken;
+use crate::check::distinct_names::pairs_of;
 use crate::check::statements::statements;
 use crate::check::vertices_are_orbits::{self, Rings};
 use crate::check::witness::{self, Counterexample, Outcome};
@@ -37,6 +38,9 @@ pub enum Verdict {
     Unproved(String),
 }
 
+/// Sets of names that are one, with the ways in which they are.
+pub(super) type Sets = Vec<(Vec<Vec<NameId>>, Vec<Quotient>)>;
+
 /// The greatest number of sets of names that are examined, beyond what follows from each pair.
 const MOST_SETS: usize = 48;
 
@@ -48,16 +52,17 @@ pub fn identifications(op: &Op, rule: &Rule) -> Vec<Identification> {
         return Vec::new();
     }
     let count = rule.names.len();
-    let pairs = pairs(rule);
-    let mut sets: Vec<(Vec<Vec<NameId>>, Vec<Quotient>)> = Vec::new();
+    let drawing = Drawing::new(rule);
+    let kinds = [Kind::Vertex, Kind::Halfedge, Kind::Face];
+    let mut sets = Sets::new();
     let mut found = Vec::new();
     let mut possible = Vec::new();
     let whole = Quotient::of(rule);
-    for &pair in &pairs {
+    for pair in kinds.into_iter().flat_map(|kind| pairs_of(&drawing, kind)) {
         match united(&whole, pair) {
             Ok(quotients) => {
                 possible.push(pair);
-                add(&mut sets, quotients, count);
+                add(&mut sets, quotients, count, |_| true);
             }
             Err(why) => {
                 found.push(Identification { names: vec![pair.to_vec()], verdict: why.verdict() })
@@ -69,7 +74,7 @@ pub fn identifications(op: &Op, rule: &Rule) -> Vec<Identification> {
     while at < sets.len() && sets.len() < most {
         for &pair in &possible {
             let quotients: Vec<_> = sets[at].1.iter().map(|known| united(known, pair)).collect();
-            add(&mut sets, quotients.into_iter().flatten().flatten().collect(), count);
+            add(&mut sets, quotients.into_iter().flatten().flatten().collect(), count, |_| true);
         }
         at += 1;
     }
@@ -91,22 +96,13 @@ impl Contradiction {
     }
 }
 
-/// All pairs of names of one kind that `before` draws.
-fn pairs(rule: &Rule) -> Vec<[NameId; 2]> {
-    let view = Drawing::new(rule).before;
-    let mut pairs = Vec::new();
-    for kind in [Kind::Vertex, Kind::Halfedge, Kind::Face] {
-        let drawn = |name: &NameId| view.mention(*name).is_some();
-        let names: Vec<_> = rule.names_of(kind).filter(drawn).collect();
-        for (at, &left) in names.iter().enumerate() {
-            pairs.extend(names[at + 1..].iter().map(|&right| [left, right]));
-        }
-    }
-    pairs
-}
-
-/// Groups quotients by the names that are one in them.
-fn add(sets: &mut Vec<(Vec<Vec<NameId>>, Vec<Quotient>)>, quotients: Vec<Quotient>, count: usize) {
+/// Groups quotients by the names that are one in them, if these are allowed.
+pub(super) fn add(
+    sets: &mut Sets,
+    quotients: Vec<Quotient>,
+    count: usize,
+    is_allowed: impl Fn(&[Vec<NameId>]) -> bool,
+) {
     let known = sets.len();
     for quotient in quotients {
         let names = quotient.classes(count);
@@ -114,7 +110,8 @@ fn add(sets: &mut Vec<(Vec<Vec<NameId>>, Vec<Quotient>)>, quotients: Vec<Quotien
             // The same set found once more has the same quotients.
             Some(at) if at < known => {}
             Some(at) => sets[at].1.push(quotient),
-            None => sets.push((names, vec![quotient])),
+            None if is_allowed(&names) => sets.push((names, vec![quotient])),
+            None => {}
         }
     }
 }

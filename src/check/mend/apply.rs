@@ -98,8 +98,7 @@ impl Remedy {
 /// All members of the families of these names, and those that are in no family.
 fn members(rule: &Rule, names: &[NameId]) -> impl Iterator<Item = NameId> {
     let firsts: Vec<_> = names.iter().map(|&name| rule.first_member(name)).collect();
-    let all = (0..rule.names.len() as u32).map(NameId);
-    all.filter(move |&name| firsts.contains(&rule.first_member(name)))
+    rule.ids().filter(move |&name| firsts.contains(&rule.first_member(name)))
 }
 
 /// Pairs halfedges in an edge, which has others so far or no statement.

@@ -115,13 +115,12 @@ fn mending(rule: &Rule, remedies: Vec<Remedy>, laws: &impl Fn(&Rule) -> Vec<Prob
 fn changes_something(rule: &Rule) -> bool {
     let drawing = Drawing::new(rule);
     let Drawing { before, after, .. } = &drawing;
-    let mut names = (0..rule.names.len() as u32).map(NameId);
     let loops = rule.before.loops.iter().zip(&rule.after.loops);
     !rule.created.is_empty()
         || !rule.erased.is_empty()
         || !rule.assignments.is_empty()
         || loops.into_iter().any(|(one, other)| one.kind != other.kind)
-        || names.any(|name| {
+        || rule.ids().any(|name| {
             before.item_after(name) != after.item_after(name)
                 || before.loop_origin(name) != after.loop_origin(name)
                 || before.twin(name) != after.twin(name)

@@ -6,7 +6,7 @@
 
 use super::Counterexample;
 use crate::diagram::{Edge, Loop, LoopItem, LoopKind, Name, NameId, Op, Ref, Role, Rule, Side};
-use crate::mesh::{Element, ElementKind, HalfedgeId, Mesh};
+use crate::mesh::{Element, HalfedgeId, Mesh};
 use crate::source::Span;
 
 impl Counterexample {
@@ -15,57 +15,25 @@ impl Counterexample {
         let mut writer = Writer { example: self, names: Vec::new(), elements: Vec::new() };
         let before = writer.side(&self.before);
         let after = writer.side(&self.after);
-        let lives = |mesh: &Mesh, element: &Element| is_alive(mesh, *element);
+        let lives = |mesh: &Mesh, element: &Element| mesh.is_alive(element.kind, element.index);
         let listed = |of: &Mesh, not_of: &Mesh| {
             let elements = writer.elements.iter().enumerate();
             let only =
                 elements.filter(|(_, element)| lives(of, element) && !lives(not_of, element));
-            only.map(|(at, _)| mention(NameId(at as u32))).collect()
+            only.map(|(at, _)| Ref::unwritten(NameId(at as u32))).collect()
         };
         let created = listed(&self.after, &self.before);
         let erased = listed(&self.before, &self.after);
         let rule = Rule {
             label: self.rule.clone(),
-            example: None,
             names: writer.names,
-            cycle: None,
-            params: Vec::new(),
-            result: None,
             before,
-            requires: Vec::new(),
-            guard: None,
-            aliases: Vec::new(),
             after,
             created,
             erased,
-            assignments: Vec::new(),
-            attributes: [].into(),
-            span: Span::default(),
+            ..Rule::default()
         };
-        Op {
-            name: self.op.clone(),
-            name_span: Span::default(),
-            docs: Vec::new(),
-            params: Vec::new(),
-            result: None,
-            keeps: Vec::new(),
-            rules: vec![rule],
-            span: Span::default(),
-        }
-    }
-}
-
-fn mention(name: NameId) -> Ref {
-    Ref::plain(name, Span::default())
-}
-
-fn is_alive(mesh: &Mesh, element: Element) -> bool {
-    let index = element.index;
-    match element.kind {
-        ElementKind::Vertex => mesh.vertex_alive(crate::mesh::VertexId(index)),
-        ElementKind::Halfedge => mesh.halfedge_alive(HalfedgeId(index)),
-        ElementKind::Edge => mesh.edge_alive(crate::mesh::EdgeId(index)),
-        ElementKind::Face => mesh.face_alive(crate::mesh::FaceId(index)),
+        Op { name: self.op.clone(), rules: vec![rule], ..Op::default() }
     }
 }
 
@@ -81,7 +49,7 @@ impl Writer<'_> {
     fn name(&mut self, element: Element) -> Ref {
         let known = self.elements.iter().position(|known| *known == element);
         if let Some(at) = known {
-            return mention(NameId(at as u32));
+            return Ref::unwritten(NameId(at as u32));
         }
         let named = self.example.names.iter();
         let mut named = named.filter(|(_, elements)| elements.as_slice() == [element]);
@@ -94,7 +62,7 @@ impl Writer<'_> {
             span: Span::default(),
         });
         self.elements.push(element);
-        mention(NameId(self.names.len() as u32 - 1))
+        Ref::unwritten(NameId(self.names.len() as u32 - 1))
     }
 
     fn side(&mut self, mesh: &Mesh) -> Side {

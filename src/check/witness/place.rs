@@ -61,7 +61,7 @@ impl Place {
 
     /// The same place for the rule in which the names that are one here are separate.
     pub fn with_each_name(self, rule: &Rule, quotient: &Quotient) -> Self {
-        let names = || (0..rule.names.len() as u32).map(NameId);
+        let names = || rule.ids();
         let pieces = |run: &[LoopItem]| -> Vec<HalfedgeId> {
             let items = run.iter().map(|item| item.item.name);
             let halfedges = items.flat_map(|item| match self.halfedge(item) {
@@ -93,7 +93,7 @@ impl Place {
     }
 
     /// Prepares the mesh for display: its faces, holes and positions. Its pointers stay the same.
-    pub fn dress(&mut self) {
+    pub fn finish(&mut self) {
         self.outside_may_be_faces();
         lay_out(self);
     }
@@ -225,10 +225,7 @@ impl Place {
     fn fans(&mut self, drawing: &Drawing, late: bool) -> Option<()> {
         for star in &drawing.rule.before.stars {
             let vertex = self.elements[star.vertex.name.index()].map(VertexId)?;
-            let listed = |spoke: &Spoke| match spoke {
-                Spoke::Halfedge(half) => self.halfedge(half.name),
-                Spoke::Fan(_) | Spoke::Rest(_) => None,
-            };
+            let listed = |spoke: &Spoke| spoke.halfedge().and_then(|half| self.halfedge(half));
             let begin = star.spokes.iter().position(|spoke| listed(spoke).is_some());
             let first = begin.and_then(|at| listed(&star.spokes[at]));
             let ring: Vec<_> = match first {

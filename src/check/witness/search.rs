@@ -112,7 +112,7 @@ impl<'a> Search<'a> {
     fn found(self, drawing: &Drawing, shown: Option<Shown>) -> Found {
         let search = self;
         if let Some(shown) = shown {
-            return Found::Breaks(Box::new(shown.dressed(drawing)));
+            return Found::Breaks(Box::new(shown.finished(drawing)));
         }
         match search.valid {
             0 if search.built < MOST_BUILT && search.is_runnable() => Found::NoPlace,
@@ -123,8 +123,8 @@ impl<'a> Search<'a> {
 }
 
 impl Shown {
-    fn dressed(mut self, drawing: &Drawing) -> Self {
-        self.place.dress();
+    fn finished(mut self, drawing: &Drawing) -> Self {
+        self.place.finish();
         if let Some(carried) = carry_out(drawing, &self.place) {
             self.carried = carried;
         }
@@ -174,7 +174,7 @@ impl Search<'_> {
 
     /// Twins that follow from arcs without a spoke.
     fn glued_by(&self, arcs: &[Arc], shape: &Shape) -> Vec<[usize; 2]> {
-        let Some(sketch) = Sketch::lay(self.drawing, shape) else {
+        let Some(sketch) = Sketch::build(self.drawing, shape) else {
             return Vec::new();
         };
         let mut glued: Vec<[usize; 2]> = Vec::new();
@@ -256,7 +256,7 @@ impl Search<'_> {
     ) -> Option<Shown> {
         for size in 0..=MOST_ADDED {
             for (added, shape) in shapes.iter().filter(|(added, _)| *added <= size) {
-                let Some(sketch) = Sketch::lay(self.drawing, shape) else {
+                let Some(sketch) = Sketch::build(self.drawing, shape) else {
                     continue;
                 };
                 for joins in ways(&sketch) {

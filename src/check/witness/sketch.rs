@@ -81,8 +81,8 @@ pub(super) struct Sketch {
 }
 
 impl Sketch {
-    /// Lays down a drawing; `None` if it contradicts itself in this shape.
-    pub fn lay(drawing: &Drawing, shape: &Shape) -> Option<Self> {
+    /// Builds the sketch of a drawing; `None` if it contradicts itself in this shape.
+    pub fn build(drawing: &Drawing, shape: &Shape) -> Option<Self> {
         let mut sketch = Self::open(drawing, shape)?;
         for &[left, right] in &shape.glued {
             sketch.pair(left, right)?;
@@ -96,7 +96,7 @@ impl Sketch {
         Some(sketch)
     }
 
-    /// Lays down a drawing without adding the twins that are not drawn.
+    /// Builds that of a drawing without adding the twins that are not drawn.
     pub fn open(drawing: &Drawing, shape: &Shape) -> Option<Self> {
         let count = drawing.rule.names.len();
         let mut sketch = Self {
@@ -321,10 +321,7 @@ impl Sketch {
     /// Pairs halfedges by the order of spokes: the spoke behind another, counterclockwise, is the
     /// twin of the halfedge before that one.
     fn follow_each_other(&mut self, star: &Star) -> Option<()> {
-        let half = |sketch: &Self, spoke: &Spoke| match spoke {
-            Spoke::Halfedge(half) => sketch.half_of[half.name.index()],
-            Spoke::Fan(_) | Spoke::Rest(_) => None,
-        };
+        let half = |sketch: &Self, spoke: &Spoke| sketch.half_of[spoke.halfedge()?.index()];
         for (at, spoke) in star.spokes.iter().enumerate() {
             let next = &star.spokes[(at + 1) % star.spokes.len()];
             let (Some(spoke), Some(next)) = (half(self, spoke), half(self, next)) else {

@@ -3,6 +3,7 @@
 use super::literal::Carried;
 use super::place::Place;
 use super::sketch::{HalfedgeRole, VertexRole};
+use crate::diagnostic::counted;
 use crate::diagram::{Drawing, NameId};
 use crate::mesh::{Element, ElementKind, HalfedgeId, Invalid, Mesh};
 
@@ -151,17 +152,13 @@ impl Words<'_> {
 
 /// "4 vertices, 5 edges, 2 faces and a hole"
 pub(super) fn size(mesh: &Mesh) -> String {
-    let count = |count: usize, one: &str, more: &str| match count {
-        1 => format!("1 {one}"),
-        count => format!("{count} {more}"),
-    };
-    let vertices = count(mesh.vertex_count(), "vertex", "vertices");
-    let edges = count(mesh.edge_count(), "edge", "edges");
-    let faces = count(mesh.face_count(), "face", "faces");
+    let vertices = counted(mesh.vertex_count(), "vertex", "vertices");
+    let edges = counted(mesh.edge_count(), "edge", "edges");
+    let faces = counted(mesh.face_count(), "face", "faces");
     match mesh.hole_count() {
         0 => format!("{vertices}, {edges} and {faces}"),
         holes => {
-            let holes = count(holes, "hole", "holes");
+            let holes = counted(holes, "hole", "holes");
             format!("{vertices}, {edges}, {faces} and {holes}")
         }
     }

@@ -3,8 +3,9 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use super::super::program::is_mesh;
 use crate::analysis::{expect_regular, is_program, read_program};
-use crate::mesh::{FileFormat, FileReason, replace_file};
+use crate::mesh::{FileReason, replace_file};
 
 /// The most files that are listed.
 const MOST_FILES: usize = 2000;
@@ -138,8 +139,4 @@ impl Folder {
 /// True if two texts have the same lines: editors show all line ends as one.
 fn is_alike(one: &str, other: &str) -> bool {
     one.lines().eq(other.lines()) && one.ends_with('\n') == other.ends_with('\n')
-}
-
-fn is_mesh(path: &Path) -> bool {
-    path.extension().is_some() && FileFormat::of(path).is_ok()
 }

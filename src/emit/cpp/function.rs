@@ -97,11 +97,10 @@ fn file(
     let mut headers = BTreeSet::from(["optional"]);
     headers.extend(super::headers::headers(&functions));
     headers.extend(super::headers::headers(body));
-    let include = style.include();
-    let mut head = match include.is_empty() {
-        true => include,
-        false => include + "\n",
-    };
+    let mut head = style.include();
+    if !head.is_empty() {
+        head.push('\n');
+    }
     if !fields.is_empty() {
         head.push_str("// Elements have these attributes:\n");
         head.extend(fields.iter().map(String::as_str).chain(["\n"]));

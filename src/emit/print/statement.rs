@@ -5,7 +5,7 @@ use super::lines::comment;
 use crate::diagram::Kind;
 use crate::emit::language::{WIDTH, type_of};
 use crate::emit::routine::{Block, Field, Form, Statement};
-use crate::emit::value::{Level, Term, unique};
+use crate::emit::value::{Precedence, Term, unique};
 
 impl Printer<'_> {
     pub fn block(&mut self, body: &[Statement]) {
@@ -60,7 +60,7 @@ impl Printer<'_> {
             }
         };
         match (self.language.style, self.preview.as_deref()) {
-            (Some(style), None) => style.put(&of.at(Level::Whole), spelled, value) + ";",
+            (Some(style), None) => style.put(&of.at(Precedence::Whole), spelled, value) + ";",
             (_, preview) => {
                 let mesh = preview.unwrap_or("mesh");
                 format!("{mesh}.set_{told}({}, {value});", of.text)

@@ -7,7 +7,7 @@ use super::super::items::Source;
 use super::super::language::Language;
 use super::super::names::{Attribute, Names};
 use super::super::routine::Statement;
-use super::super::value::{Level, Term, around, bare, is_surely_finite};
+use super::super::value::{Precedence, Term, around, bare, is_surely_finite};
 use super::comments::comments;
 use crate::diagram::{Access, Collection, Expr, ExprKind, Type};
 use crate::lower::{Variables, may_stop};
@@ -68,16 +68,13 @@ impl<'s> Writer<'s> {
                         "for _ in 0..{number}",
                         "for (long long {i} = {number}; {i} > 0; --{i})"
                     );
-                    let head = Term::of(head, Level::Choice, [&count]);
+                    let head = Term::of(head, Precedence::Choice, [&count]);
                     Ok(Statement::block(head, this.block(body)?))
                 })?
             }
             StatementKind::While { condition, body } => {
                 let condition = self.names.value(condition)?;
-                let test = &condition.text;
-                let head = say!(language, "while {test}", "while ({test})");
-                let head = Term::of(head, Level::Choice, [&condition]);
-                Statement::block(head, self.block(body)?)
+                Statement::block(language.head("while", &condition), self.block(body)?)
             }
             StatementKind::For { variable, collection, filter, body, visit, parallel: false }
                 if *visit != Visit::Shuffled =>

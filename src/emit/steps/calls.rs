@@ -4,7 +4,7 @@ use super::super::NotEmitted;
 use super::super::item::Need;
 use super::super::names::invoked;
 use super::super::routine::{Block, Statement};
-use super::super::value::{Level, Term, is_plain};
+use super::super::value::{Precedence, Term, is_plain};
 use super::body::Writer;
 use crate::diagram::{Expr, ExprKind, Param};
 use crate::resolve::{self, Statement as Step, StatementKind};
@@ -44,7 +44,7 @@ impl<'s> Writer<'s> {
         let list: String = args.iter().map(|arg: &Term| format!(", {}", arg.text)).collect();
         let text =
             say!(self.names.language, "{name}(mesh{list})", "hedgerow::{name}(journal{list})");
-        Ok(Term::of(text, Level::Whole, &args))
+        Ok(Term::of(text, Precedence::Whole, &args))
     }
 
     /// The value of a call of a function.
@@ -55,7 +55,7 @@ impl<'s> Writer<'s> {
         let refuses = self.source.effects.function(function).is_some_and(|of| of.refuses);
         let call = self.called(&name, args, &called.params)?;
         Ok(match refuses && self.names.language.is_rust() {
-            true => Term::of(format!("{}?", call.text), Level::Whole, [&call]),
+            true => Term::of(format!("{}?", call.text), Precedence::Whole, [&call]),
             false => call,
         })
     }
@@ -80,7 +80,7 @@ impl<'s> Writer<'s> {
         let name = if language.is_rust() { name.clone() } else { invoked(name) };
         let call = self.called(&name, args, &called.params)?;
         let text = &call.text;
-        let with = |text: String| Term::of(text, Level::Whole, [&call]);
+        let with = |text: String| Term::of(text, Precedence::Whole, [&call]);
         let [applies, refuses] = match language.is_rust() && has_result {
             true => ["is_some", "is_none"].map(|is| format!("{text}.{is}()")),
             false => [text.clone(), format!("!{text}")],
@@ -107,11 +107,13 @@ impl<'s> Writer<'s> {
             None if then.is_empty() && otherwise.is_empty() => {
                 Statement::lines(format!("{text};"), [&call])
             }
-            None if then.is_empty() => Statement::block(language.branch(&with(refuses)), otherwise),
+            None if then.is_empty() => {
+                Statement::block(language.head("if", &with(refuses)), otherwise)
+            }
             None => language.choose(&with(applies), then, otherwise),
             Some((name, ty)) => {
                 let made = say!(language, "let Some({name}) = {text}", "auto made_{name} = {text}");
-                let head = language.branch(&with(made));
+                let head = language.head("if", &with(made));
                 if !language.is_rust() {
                     let given = Term::whole(format!("*made_{name}"));
                     then.insert(0, self.names.bound(ty, &name, &given, false));

@@ -2,7 +2,7 @@
 
 use super::language::is_wide;
 use super::spellings::spelling;
-use super::term::{Level, Term};
+use super::term::{Precedence, Term};
 use crate::diagram::{Expr, Fold, Type};
 use crate::emit::NotEmitted;
 use crate::emit::language::filled;
@@ -57,6 +57,6 @@ impl Names<'_> {
             })
         });
         let parts = [&elements].into_iter().chain(&filter).chain([&value]);
-        Ok(Term::of(text, Level::Whole, parts))
+        Ok(Term::of(text, Precedence::Whole, parts))
     }
 }

@@ -25,9 +25,8 @@ impl Names<'_> {
                 language.call("Position", &[self.value(base)?])
             }
             ExprKind::Read(Access::Declared(number), base) => {
-                let attribute = self.attribute(*number);
-                let attribute =
-                    attribute.ok_or_else(|| not_emitted("an attribute in a function"))?;
+                let missing = || not_emitted("an attribute in a function");
+                let attribute = self.attribute(*number).ok_or_else(missing)?;
                 language.attribute(&attribute, &self.value(base)?)
             }
             ExprKind::Component(part, whole) => self.component(*part, whole, expr.ty)?,
@@ -222,8 +221,7 @@ fn greatest(expr: &Expr, positions: f64) -> Option<f64> {
     let of = |expr: &Expr| greatest(expr, positions);
     let sides = |left, right| Some([of(left)?, of(right)?]);
     match &expr.kind {
-        ExprKind::Int(value) => Some(value.unsigned_abs() as f64),
-        ExprKind::Real(value) => Some(value.abs()),
+        ExprKind::Int(_) | ExprKind::Real(_) => literal(expr),
         ExprKind::Read(Access::Position, _) => Some(positions),
         ExprKind::Component(_, whole) => of(whole),
         ExprKind::Unary(_, operand) => of(operand),

@@ -1,7 +1,7 @@
-//! What a language spells in its own way: pointers, numbers, and calls.
+//! Pointers, numbers and calls, which each language spells in its own way.
 
 use super::spellings::{spelling, with_arguments, with_types};
-use super::term::{Level, Term};
+use super::term::{Precedence, Term};
 use crate::diagram::{Binary, Pointer, Type};
 use crate::emit::cpp::support::{qualified, with_pointers};
 use crate::emit::language::Language;
@@ -22,7 +22,7 @@ pub(in crate::emit) fn unique(pointer: Pointer) -> &'static str {
 
 impl Language<'_> {
     pub(super) fn int(self, value: i64) -> Term {
-        let negative = |text| Term::of(text, Level::Prefix, []);
+        let negative = |text| Term::of(text, Precedence::Prefix, []);
         match (value, self.is_rust()) {
             (i64::MIN, false) => Term::whole("(-9223372036854775807LL - 1)"),
             // Computations with larger ones could overflow an `int`.
@@ -60,7 +60,7 @@ impl Language<'_> {
 
     /// An attribute of an element; in C++ also where it is set.
     pub fn attribute(self, attribute: &Attribute, of: &Term) -> Term {
-        let element = of.at(Level::Whole);
+        let element = of.at(Precedence::Whole);
         let text = match self.style {
             None => {
                 let (ty, column) = (self.ty(attribute.ty), &attribute.column);
@@ -68,36 +68,37 @@ impl Language<'_> {
             }
             Some(style) => style.attribute(&element, &attribute.name),
         };
-        Term::of(text, Level::Whole, [of])
+        Term::of(text, Precedence::Whole, [of])
     }
 
     /// `condition ? then : otherwise`
     pub fn choice(self, condition: &Term, then: &Term, otherwise: &Term) -> Term {
-        let level = if self.is_rust() { Level::Choice } else { Level::Or };
-        let [test, chosen] = [condition, then].map(|part| part.at(level));
+        let precedence = if self.is_rust() { Precedence::Choice } else { Precedence::Or };
+        let [test, chosen] = [condition, then].map(|part| part.at(precedence));
         let other = &otherwise.text;
         let text = say!(
             self,
             "if {test} {{ {chosen} }} else {{ {other} }}",
             "{test} ? {chosen} : {other}"
         );
-        Term::of(text, Level::Choice, [condition, then, otherwise])
+        Term::of(text, Precedence::Choice, [condition, then, otherwise])
     }
 
     pub(super) fn to_real(self, of: &Term) -> Term {
-        match self.style {
+        let (text, precedence) = match self.style {
             // `as` binds more tightly than a comparison, but `x as f64 < y` reads as a type.
-            None => Term::of(format!("{} as f64", of.at(Level::Prefix)), Level::Compare, [of]),
+            None => (format!("{} as f64", of.at(Precedence::Prefix)), Precedence::Compare),
             Some(style) => {
                 let text = format!("static_cast<{}>({})", style.name("real"), of.text);
-                Term::of(text, Level::Whole, [of])
+                (text, Precedence::Whole)
             }
-        }
+        };
+        Term::of(text, precedence, [of])
     }
 
     pub(super) fn negative(self, of: &Term) -> Term {
         // In brackets if it has a sign itself: `--x` would mean something else.
-        Term::of(format!("-{}", of.at(Level::Whole)), Level::Prefix, [of])
+        Term::of(format!("-{}", of.at(Precedence::Whole)), Precedence::Prefix, [of])
     }
 
     /// An operator between two values, of which the left one has this type.
@@ -123,16 +124,16 @@ impl Language<'_> {
         args: impl IntoIterator<Item = &'t Term>,
     ) -> Term {
         let spelling = spelling(self, name, ty);
-        let (level, inner) = match (self.style, name) {
-            (None, "MixReal") => (Level::Sum, Level::Product),
-            (None, "of.Negate") => (Level::Prefix, Level::Choice),
-            (None, "Div" | "Mod") => (Level::Whole, Level::Whole),
-            (_, "Remainder") => (Level::Product, Level::Choice),
+        let (precedence, inner) = match (self.style, name) {
+            (None, "MixReal") => (Precedence::Sum, Precedence::Product),
+            (None, "of.Negate") => (Precedence::Prefix, Precedence::Choice),
+            (None, "Div" | "Mod") => (Precedence::Whole, Precedence::Whole),
+            (_, "Remainder") => (Precedence::Product, Precedence::Choice),
             // After a call that ends with a type, `<` would begin generic arguments.
-            (None, _) if spelling.ends_with("as i64") => (Level::Compare, Level::Choice),
+            (None, _) if spelling.ends_with("as i64") => (Precedence::Compare, Precedence::Choice),
             // Pointers are read of the arguments.
-            (Some(_), _) if spelling.contains('[') => (Level::Whole, Level::Whole),
-            _ => (Level::Whole, Level::Choice),
+            (Some(_), _) if spelling.contains('[') => (Precedence::Whole, Precedence::Whole),
+            _ => (Precedence::Whole, Precedence::Choice),
         };
         let call = with_types(self, spelling, (ty, part));
         let call = match self.style {
@@ -140,7 +141,7 @@ impl Language<'_> {
             Some(style) => with_pointers(&qualified("", &call), style),
         };
         let args: Vec<_> = args.into_iter().collect();
-        Term::of(with_arguments(&call, &args, inner), level, args)
+        Term::of(with_arguments(&call, &args, inner), precedence, args)
     }
 
     /// A call of a function of the program.
@@ -149,7 +150,7 @@ impl Language<'_> {
         let mesh = self.is_rust().then_some("mesh");
         let list = mesh.into_iter().chain(texts).collect::<Vec<_>>().join(", ");
         let name = invoked(name);
-        Term::of(say!(self, "{name}({list})", "hedgerow::{name}({list})"), Level::Whole, args)
+        Term::of(say!(self, "{name}({list})", "hedgerow::{name}({list})"), Precedence::Whole, args)
     }
 
     /// The condition that a condition holds for some index.
@@ -160,7 +161,7 @@ impl Language<'_> {
             "(0..{size}).any(|{index}| {text})",
             "hedgerow::some({size}, [&](std::size_t {index}) {{ return {text}; }})"
         );
-        Term::of(text, Level::Whole, [condition, &Term::name(size)])
+        Term::of(text, Precedence::Whole, [condition, &Term::name(size)])
     }
 }
 
@@ -178,7 +179,7 @@ fn number(value: f64, digits: String, [infinite, none]: [&str; 2]) -> Term {
         _ => digits,
     };
     match value.is_sign_negative() {
-        true => Term::of(format!("-{text}"), Level::Prefix, []),
+        true => Term::of(format!("-{text}"), Precedence::Prefix, []),
         false => Term::whole(text),
     }
 }

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
-use super::term::{Level, Term};
+use super::term::{Precedence, Term};
 use crate::diagram::Type;
 use crate::emit::language::{Language, filled};
 
@@ -51,16 +51,16 @@ pub(super) fn with_types(language: Language<'_>, call: &str, (ty, part): (Type, 
     })
 }
 
-/// A call with its arguments filled in. They bind as tightly as `level`, or as their place
+/// A call with its arguments filled in. They bind as tightly as `precedence`, or as their place
 /// requires.
-pub(super) fn with_arguments(call: &str, args: &[&Term], level: Level) -> String {
+pub(super) fn with_arguments(call: &str, args: &[&Term], precedence: Precedence) -> String {
     filled(call, |number, before, rest| {
-        let level = match () {
-            () if rest.starts_with(['.', '[']) || before.ends_with('-') => Level::Whole,
-            () if before.ends_with("- ") => Level::Product,
-            () if rest.starts_with(" -") => level.max(Level::Sum),
-            () => level,
+        let precedence = match () {
+            () if rest.starts_with(['.', '[']) || before.ends_with('-') => Precedence::Whole,
+            () if before.ends_with("- ") => Precedence::Product,
+            () if rest.starts_with(" -") => precedence.max(Precedence::Sum),
+            () => precedence,
         };
-        Some(args.get(number.parse::<usize>().ok()?)?.at(level))
+        Some(args.get(number.parse::<usize>().ok()?)?.at(precedence))
     })
 }

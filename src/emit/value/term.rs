@@ -2,11 +2,13 @@
 
 use std::collections::BTreeSet;
 
+use Precedence::*;
+
 use crate::diagram::Binary;
 
 /// The precedence of the outermost operator of a text.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
-pub(in crate::emit) enum Level {
+pub(in crate::emit) enum Precedence {
     #[default]
     Choice,
     Or,
@@ -23,29 +25,29 @@ pub(in crate::emit) enum Level {
 pub(in crate::emit) struct Term {
     pub text: String,
     /// How tightly it binds.
-    pub level: Level,
+    pub precedence: Precedence,
     /// The names in it.
     pub names: BTreeSet<String>,
     /// The name that it is, or of the list of which it is an entry; `None` for what is computed.
     pub root: Option<String>,
     /// Its negation, if that is not just a `not` in front of it.
-    negated: Option<(String, Level)>,
+    negated: Option<(String, Precedence)>,
 }
 
 impl Term {
     /// A text in which the names of some parts occur.
     pub fn of<'t>(
         text: impl Into<String>,
-        level: Level,
+        precedence: Precedence,
         parts: impl IntoIterator<Item = &'t Term>,
     ) -> Self {
         let names = parts.into_iter().flat_map(|part| &part.names).cloned().collect();
-        Self { text: text.into(), level, names, root: None, negated: None }
+        Self { text: text.into(), precedence, names, root: None, negated: None }
     }
 
     /// A text that needs no brackets anywhere, and has no names.
     pub fn whole(text: impl Into<String>) -> Self {
-        Self::of(text, Level::Whole, [])
+        Self::of(text, Whole, [])
     }
 
     pub fn name(name: impl Into<String>) -> Self {
@@ -55,7 +57,7 @@ impl Term {
     }
 
     pub fn bool(value: bool) -> Self {
-        let negated = Some(((!value).to_string(), Level::Whole));
+        let negated = Some(((!value).to_string(), Whole));
         Self { negated, ..Self::whole(value.to_string()) }
     }
 
@@ -69,20 +71,20 @@ impl Term {
 
     /// An operator between its sides.
     pub fn infix(operator: Binary, sides: [Self; 2]) -> Self {
-        let (symbol, level) = symbol(operator);
+        let (symbol, precedence) = symbol(operator);
         let [left, right] = &sides;
-        let (text, _) = joined(symbol, level, [left, right]);
+        let (text, _) = joined(symbol, precedence, [left, right]);
         let not = |side: &Self| side.clone().not();
         let negated = match operator {
             // Only of ints: reals may be incomparable.
-            Binary::LessInt => Some(joined("<=", level, [right, left])),
-            Binary::LessEqualInt => Some(joined("<", level, [right, left])),
-            Binary::And => Some(joined("||", Level::Or, [&not(left), &not(right)])),
-            Binary::Or => Some(joined("&&", Level::And, [&not(left), &not(right)])),
+            Binary::LessInt => Some(joined("<=", precedence, [right, left])),
+            Binary::LessEqualInt => Some(joined("<", precedence, [right, left])),
+            Binary::And => Some(joined("||", Or, [&not(left), &not(right)])),
+            Binary::Or => Some(joined("&&", And, [&not(left), &not(right)])),
             Binary::EqualVector => None,
-            _ => (symbol == "==").then(|| joined("!=", level, [left, right])),
+            _ => (symbol == "==").then(|| joined("!=", precedence, [left, right])),
         };
-        Self { negated, ..Self::of(text, level, [left, right]) }
+        Self { negated, ..Self::of(text, precedence, [left, right]) }
     }
 
     pub fn is(self, other: Self) -> Self {
@@ -99,15 +101,15 @@ impl Term {
 
     pub fn not(self) -> Self {
         // In brackets if it has a sign itself.
-        let not = || (format!("!{}", self.at(Level::Whole)), Level::Prefix);
-        let (text, level) = self.negated.clone().unwrap_or_else(not);
-        let negated = Some((self.text, self.level));
-        Self { text, level, negated, names: self.names, root: None }
+        let not = || (format!("!{}", self.at(Whole)), Prefix);
+        let (text, precedence) = self.negated.clone().unwrap_or_else(not);
+        let negated = Some((self.text, self.precedence));
+        Self { text, precedence, negated, names: self.names, root: None }
     }
 
-    /// The text, in brackets if it binds less tightly than `level`.
-    pub fn at(&self, level: Level) -> String {
-        match self.level >= level {
+    /// The text, in brackets if it binds less tightly than `precedence`.
+    pub fn at(&self, precedence: Precedence) -> String {
+        match self.precedence >= precedence {
             true => self.text.clone(),
             false => format!("({})", self.text),
         }
@@ -130,45 +132,42 @@ fn place(index: Option<&str>, shift: i64, size: &str) -> String {
     }
 }
 
-fn symbol(operator: Binary) -> (&'static str, Level) {
+fn symbol(operator: Binary) -> (&'static str, Precedence) {
     match operator {
-        Binary::AddInt | Binary::AddReal | Binary::AddVector => ("+", Level::Sum),
-        Binary::SubtractInt | Binary::SubtractReal | Binary::SubtractVector => ("-", Level::Sum),
+        Binary::AddInt | Binary::AddReal | Binary::AddVector => ("+", Sum),
+        Binary::SubtractInt | Binary::SubtractReal | Binary::SubtractVector => ("-", Sum),
         Binary::MultiplyInt
         | Binary::MultiplyReal
         | Binary::MultiplyVector
         | Binary::ScaleVector
         | Binary::Transform
-        | Binary::MultiplyMatrices => ("*", Level::Product),
-        Binary::DivideReal | Binary::DivideVector => ("/", Level::Product),
+        | Binary::MultiplyMatrices => ("*", Product),
+        Binary::DivideReal | Binary::DivideVector | Binary::Div => ("/", Product),
         Binary::EqualInt
         | Binary::EqualReal
         | Binary::EqualBool
         | Binary::EqualVector
         | Binary::EqualText
-        | Binary::EqualElement => ("==", Level::Compare),
-        Binary::LessInt | Binary::LessReal => ("<", Level::Compare),
-        Binary::LessEqualInt | Binary::LessEqualReal => ("<=", Level::Compare),
-        Binary::And => ("&&", Level::And),
-        Binary::Or => ("||", Level::Or),
-        Binary::Div => ("/", Level::Product),
-        Binary::Mod => ("%", Level::Product),
+        | Binary::EqualElement => ("==", Compare),
+        Binary::LessInt | Binary::LessReal => ("<", Compare),
+        Binary::LessEqualInt | Binary::LessEqualReal => ("<=", Compare),
+        Binary::And => ("&&", And),
+        Binary::Or => ("||", Or),
+        Binary::Mod => ("%", Product),
     }
 }
 
-/// An operator of a level between its sides.
-fn joined(symbol: &str, level: Level, [left, right]: [&Term; 2]) -> (String, Level) {
-    let (left_level, right_level) = match level {
-        Level::Compare => (Level::Sum, Level::Sum),
+/// An operator of a precedence between its sides.
+fn joined(symbol: &str, precedence: Precedence, [left, right]: [&Term; 2]) -> (String, Precedence) {
+    let (left_least, right_least) = match precedence {
+        Compare => (Sum, Sum),
         // Mixed `and` and `or` read better in brackets, and C++ warns without them.
-        Level::Or if left.level == Level::And || right.level == Level::And => {
-            (Level::Compare, Level::Compare)
-        }
-        Level::Or | Level::And => (level, level),
-        Level::Sum => (Level::Sum, Level::Product),
-        _ => (level, Level::Prefix),
+        Or if left.precedence == And || right.precedence == And => (Compare, Compare),
+        Or | And => (precedence, precedence),
+        Sum => (Sum, Product),
+        _ => (precedence, Prefix),
     };
-    (format!("{} {symbol} {}", left.at(left_level), right.at(right_level)), level)
+    (format!("{} {symbol} {}", left.at(left_least), right.at(right_least)), precedence)
 }
 
 /// A value that is used alone, without brackets around all of it.

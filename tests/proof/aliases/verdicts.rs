@@ -96,8 +96,8 @@ fn what_would_break_shows_its_mesh() {
                 let first = element(&class[0]);
                 assert!(first.is_some() && class.iter().all(|name| element(name) == first));
             }
-            let bound: Vec<_> = (0..rule.names.len() as u32)
-                .map(NameId)
+            let bound: Vec<_> = rule
+                .ids()
                 .filter(|&name| !matches!(rule.kind(name), Kind::Path | Kind::Fan))
                 .filter(|&name| rule.created.iter().all(|created| created.name != name))
                 .filter_map(|name| Some((name, element_of(rule, example, name)?)))

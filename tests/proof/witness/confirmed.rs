@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 
 use hedgerow::analysis::Analysis;
 use hedgerow::check::{Counterexample, Outcome, examine};
-use hedgerow::diagram::{Kind, NameId, Op, Rule};
+use hedgerow::diagram::{Kind, Op, Rule};
 use hedgerow::mesh::{Invalid, validate};
 use hedgerow::source::Sources;
 
@@ -106,7 +106,7 @@ const OTHERWISE: &str = "breaks in another reading";
 /// Whether the reference breaks the mesh of a counterexample at its match.
 fn broken(rule: &Rule, example: &Counterexample) -> &'static str {
     let before = &example.before;
-    let bound = (0..rule.names.len() as u32).map(NameId).filter_map(|name| {
+    let bound = rule.ids().filter_map(|name| {
         let run = matches!(rule.kind(name), Kind::Path | Kind::Fan);
         let new = rule.created.iter().any(|created| created.name == name);
         let text = &rule.name(name).text;
