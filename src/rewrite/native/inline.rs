@@ -114,8 +114,7 @@ impl<'a> Translator<'a, '_> {
 
         self.b.switch_to_block(slow);
         self.call_by_machine(inst);
-        self.b.ins().jump(on, &[]);
-        self.go_on(on);
+        self.join(on);
         true
     }
 

@@ -310,8 +310,7 @@ impl Translator<'_, '_> {
         for (var, value) in parts.into_iter().zip(values) {
             self.b.def_var(var, value);
         }
-        self.b.ins().jump(on, &[]);
-        self.go_on(on);
+        self.join(on);
         parts.map(|part| self.b.use_var(part))
     }
 
@@ -321,11 +320,7 @@ impl Translator<'_, '_> {
 
     /// Lets a stub compute with vectors and matrices in the window.
     fn compute(&mut self, inst: &Inst) {
-        self.spill_operands(inst);
-        let number = self.b.ins().iconst(I64, self.at as i64);
-        let done = self.call_stub(stubs::compute as *const () as usize, &[number]);
-        self.leave_if_negative(done);
-        self.reload_written(inst);
+        self.execute_by(stubs::compute as *const () as usize, inst);
     }
 
     pub(super) fn truth(&mut self, reg: Reg) -> Value {
@@ -374,8 +369,7 @@ impl Translator<'_, '_> {
 
         self.b.switch_to_block(other);
         self.step(inst);
-        self.b.ins().jump(on, &[]);
-        self.go_on(on);
+        self.join(on);
     }
 
     fn function(&mut self, stub: extern "C" fn(f64, f64) -> f64, to: Reg, left: Reg, right: Reg) {

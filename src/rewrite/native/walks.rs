@@ -51,8 +51,7 @@ impl Translator<'_, '_> {
         let answer = self.call_stub(stub, &[number, numbers[0], numbers[1]]);
         self.or_fault_if_negative(answer);
         self.set_whole(to, answer);
-        self.b.ins().jump(on, &[]);
-        self.go_on(on);
+        self.join(on);
     }
 
     /// The answer, if a walk can find it.
