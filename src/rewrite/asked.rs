@@ -213,18 +213,12 @@ fn fields_of(
 
 /// The pointers of a halfedge that have changed.
 fn changed(was: &HalfedgeRecord, now: &HalfedgeRecord) -> Fields {
-    use HalfedgeField::{Edge, Face, Next, Prev, Twin, Vertex};
-    let differ = [
-        (Next, was.next != now.next),
-        (Prev, was.prev != now.prev),
-        (Twin, was.twin != now.twin),
-        (Vertex, was.vertex != now.vertex),
-        (Edge, was.edge != now.edge),
-        (Face, was.face != now.face),
-    ];
     let mut fields = Fields::NONE;
-    for (field, _) in differ.into_iter().filter(|&(_, differs)| differs) {
-        fields.add(Fields::pointer(field));
+    let pointers = was.pointers().into_iter().zip(now.pointers());
+    for (field, (was, now)) in HalfedgeField::ALL.into_iter().zip(pointers) {
+        if was != now {
+            fields.add(Fields::pointer(field));
+        }
     }
     fields
 }

@@ -13,6 +13,11 @@ pub enum HalfedgeField {
     Face,
 }
 
+impl HalfedgeField {
+    pub(super) const ALL: [Self; 6] =
+        [Self::Next, Self::Prev, Self::Twin, Self::Vertex, Self::Edge, Self::Face];
+}
+
 /// The `halfedge` pointer of an element.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum ElementField {
