@@ -47,10 +47,7 @@ impl Inst {
     pub(super) fn writes(&self) -> bool {
         matches!(
             self,
-            Inst::NewVertex { .. }
-                | Inst::NewHalfedge { .. }
-                | Inst::NewEdge { .. }
-                | Inst::NewFace { .. }
+            Inst::New { .. }
                 | Inst::BufferNew { .. }
                 | Inst::Store { .. }
                 | Inst::StoreHalfedge { .. }

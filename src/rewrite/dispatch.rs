@@ -532,10 +532,7 @@ impl Machine {
                 }
 
                 // Writes.
-                NewVertex { to } => w.set_id(to, or_trap!(create!(ElementKind::Vertex))),
-                NewHalfedge { to } => w.set_id(to, or_trap!(create!(ElementKind::Halfedge))),
-                NewEdge { to } => w.set_id(to, or_trap!(create!(ElementKind::Edge))),
-                NewFace { to } => w.set_id(to, or_trap!(create!(ElementKind::Face))),
+                New { kind, to } => w.set_id(to, or_trap!(create!(kind))),
                 Store { field, halfedge, value } => {
                     or_trap!(access::store(mesh, field, w.id(halfedge), w.id(value)))
                 }

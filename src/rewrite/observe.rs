@@ -310,9 +310,8 @@ impl Drains {
             | Inst::PreviewStoreAll { .. } | Inst::Refuse | Inst::Return { .. }
             | Inst::BufferClear { .. } | Inst::BufferPush { .. } | Inst::BufferLength { .. }
             | Inst::BufferFree { .. } | Inst::Keep { .. }
-            | Inst::BufferGet { .. } | Inst::BufferNext { .. } | Inst::Prefetch { .. } | Inst::NewVertex { .. }
-            | Inst::NewHalfedge { .. } | Inst::NewEdge { .. } | Inst::NewFace { .. }
-            | Inst::BufferNew { .. }
+            | Inst::BufferGet { .. } | Inst::BufferNext { .. } | Inst::Prefetch { .. }
+            | Inst::New { .. } | Inst::BufferNew { .. }
             | Inst::Store { .. } | Inst::StoreHalfedge { .. } | Inst::StoreHole { .. }
             | Inst::StorePosition { .. } | Inst::HoldPosition { .. } | Inst::StoreAttribute { .. }
             | Inst::HoldAttribute { .. } | Inst::ReleaseHeld { .. } | Inst::StoreAll { .. }

@@ -155,10 +155,7 @@ impl Facts {
                     self.use_element(element, question.kind());
                 }
             }
-            Inst::NewVertex { to } => self.set(to, Fact::new(ElementKind::Vertex)),
-            Inst::NewHalfedge { to } => self.set(to, Fact::new(ElementKind::Halfedge)),
-            Inst::NewEdge { to } => self.set(to, Fact::new(ElementKind::Edge)),
-            Inst::NewFace { to } => self.set(to, Fact::new(ElementKind::Face)),
+            Inst::New { kind, to } => self.set(to, Fact::new(kind)),
             Inst::Erase { kind, .. } => {
                 for fact in self.0.iter_mut().filter(|fact| fact.kind == Some(kind)) {
                     fact.lives = false;

@@ -9,10 +9,7 @@ use crate::rewrite::{Code, Function, Inst, Plan, Question, Reg};
 fn adds(inst: &Inst) -> bool {
     matches!(
         inst,
-        Inst::NewVertex { .. }
-            | Inst::NewHalfedge { .. }
-            | Inst::NewEdge { .. }
-            | Inst::NewFace { .. }
+        Inst::New { .. }
             | Inst::BufferNew { .. }
             | Inst::ExpectRoom { .. }
             | Inst::ExpectRoomFor { .. }
@@ -321,10 +318,7 @@ impl Surroundings<'_> {
                 Read Whole from, 1; Read Whole goal, 1; Read Whole stop, 1; Write Whole to, 1;
             },
             Inst::PreviewNew { to }
-            | Inst::NewVertex { to }
-            | Inst::NewHalfedge { to }
-            | Inst::NewEdge { to }
-            | Inst::NewFace { to }
+            | Inst::New { to, .. }
             | Inst::MeetsAll { to, .. }
             | Inst::ForeseeAlong { to, .. }
             | Inst::BufferLength { to, .. }

@@ -100,10 +100,7 @@ impl Translator<'_, '_> {
                     self.b.ins().store(flags, bits, place, i32::from(part) * 8);
                 }
             }
-            Inst::NewVertex { .. }
-            | Inst::NewHalfedge { .. }
-            | Inst::NewEdge { .. }
-            | Inst::NewFace { .. } => self.add(),
+            Inst::New { .. } => self.add(),
             Inst::Erase { .. } => {
                 // All that are erased together by one call.
                 let (first, code) = (self.at, self.text.code);
@@ -352,10 +349,7 @@ impl Translator<'_, '_> {
 /// The kind of the element that an instruction adds, and the register of its number.
 fn added(inst: &Inst) -> Option<(ElementKind, Reg)> {
     match *inst {
-        Inst::NewVertex { to } => Some((ElementKind::Vertex, to)),
-        Inst::NewHalfedge { to } => Some((ElementKind::Halfedge, to)),
-        Inst::NewEdge { to } => Some((ElementKind::Edge, to)),
-        Inst::NewFace { to } => Some((ElementKind::Face, to)),
+        Inst::New { kind, to } => Some((kind, to)),
         _ => None,
     }
 }
