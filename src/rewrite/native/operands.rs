@@ -112,12 +112,7 @@ impl Surroundings<'_> {
     fn attribute(&self, attribute: u16) -> (u16, Class) {
         match self.type_of(attribute) {
             Some(AttributeType::Bool | AttributeType::Int) | None => (1, Class::Whole),
-            Some(AttributeType::Real) => (1, Class::Real),
-            Some(AttributeType::Vec2) => (2, Class::Real),
-            Some(AttributeType::Vec3) => (3, Class::Real),
-            Some(AttributeType::Vec4) => (4, Class::Real),
-            Some(AttributeType::Mat3) => (9, Class::Real),
-            Some(AttributeType::Mat4) => (16, Class::Real),
+            Some(ty) => (ty.width() as u16, Class::Real),
         }
     }
 
