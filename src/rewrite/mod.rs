@@ -76,7 +76,7 @@ pub use question::Question;
 pub use steps::{BELOW, Steps};
 pub use trap::{Fault, Message, Site, Trap};
 pub use vectors::{Lanes, Matrix};
-pub use watch::{Unwatched, Watch};
+pub use watch::{StopAfter, Unwatched, Watch};
 
 use call::Call;
 use list::List;
