@@ -227,30 +227,12 @@ fn changed(was: &HalfedgeRecord, now: &HalfedgeRecord) -> Fields {
 fn place_of(written: Written<'_>) -> Option<Place> {
     Some(match written {
         Written::Pointers(halfedge, _) => Place::Halfedge(halfedge.0),
-        Written::Halfedge(kind, id) => match kind {
-            ElementKind::Vertex => Place::VertexHalfedge(id),
-            ElementKind::Edge | ElementKind::Halfedge => Place::Edge(id),
-            ElementKind::Face => Place::FaceHalfedge(id),
-        },
-        Written::Value(kind, id) | Written::Life(kind, id) => place(kind, id),
-        Written::Attribute(column, id, _) => match column.kind {
-            ElementKind::Vertex => Place::VertexAttributes(id),
-            ElementKind::Halfedge => Place::Halfedge(id),
-            ElementKind::Edge => Place::EdgeAttributes(id),
-            ElementKind::Face => Place::FaceAttributes(id),
-        },
+        Written::Halfedge(kind, id) => Place::first_of(kind, id),
+        Written::Value(kind, id) | Written::Life(kind, id) => Place::of(kind, id),
+        Written::Attribute(column, id, _) => Place::attributes_of(column.kind, id),
         Written::Grown(_) => Place::Whole,
         Written::Column => return None,
     })
-}
-
-fn place(kind: ElementKind, id: u32) -> Place {
-    match kind {
-        ElementKind::Vertex => Place::Vertex(id),
-        ElementKind::Halfedge => Place::Halfedge(id),
-        ElementKind::Edge => Place::Edge(id),
-        ElementKind::Face => Place::Face(id),
-    }
 }
 
 impl Machine {

@@ -471,30 +471,18 @@ impl Drains {
 
 /// The place of some fields of an element.
 fn place_of(mesh: &Mesh, kind: ElementKind, id: u32, fields: Fields) -> Option<Place> {
-    match kind {
-        ElementKind::Vertex if fields == Fields::FIRST => Some(Place::VertexHalfedge(id)),
-        ElementKind::Face if fields == Fields::FIRST => Some(Place::FaceHalfedge(id)),
-        _ if fields.are_attributes() => attributes_place(mesh, kind, id),
-        _ => place(mesh, kind, id),
-    }
+    let place = match fields {
+        Fields::FIRST => Place::first_of(kind, id),
+        _ if fields.are_attributes() => Place::attributes_of(kind, id),
+        _ => Place::of(kind, id),
+    };
+    existing(mesh, place)
 }
 
-/// The place of the attributes of an element.
-pub(super) fn attributes_place(mesh: &Mesh, kind: ElementKind, id: u32) -> Option<Place> {
-    match kind {
-        ElementKind::Vertex => Some(Place::VertexAttributes(id)),
-        ElementKind::Edge => Some(Place::EdgeAttributes(id)),
-        ElementKind::Face => Some(Place::FaceAttributes(id)),
-        ElementKind::Halfedge => place(mesh, kind, id),
-    }
-}
-
-/// The place of an element; `None` for a halfedge that does not exist.
-pub(super) fn place(mesh: &Mesh, kind: ElementKind, id: u32) -> Option<Place> {
-    match kind {
-        ElementKind::Vertex => Some(Place::Vertex(id)),
-        ElementKind::Edge => Some(Place::Edge(id)),
-        ElementKind::Face => Some(Place::Face(id)),
-        ElementKind::Halfedge => mesh.halfedge_alive(HalfedgeId(id)).then_some(Place::Halfedge(id)),
+/// A place; `None` if it is a halfedge that does not exist.
+pub(super) fn existing(mesh: &Mesh, place: Place) -> Option<Place> {
+    match place {
+        Place::Halfedge(id) if !mesh.halfedge_alive(HalfedgeId(id)) => None,
+        _ => Some(place),
     }
 }
