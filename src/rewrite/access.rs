@@ -231,7 +231,7 @@ pub(super) fn create(
         created.push((kind, id));
     }
     if let Some(drains) = drains {
-        drains.born(mesh, kind, id);
+        drains.created(mesh, kind, id);
     }
     Ok(id)
 }

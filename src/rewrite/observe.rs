@@ -70,7 +70,7 @@ impl Drains {
             Inst::StoreHole { face, hole }
                 if mesh.get_is_hole(FaceId(w.id(face))) != Some(hole) =>
             {
-                self.turned(mesh, w.id(face));
+                self.flipped(mesh, w.id(face));
             }
             Inst::StorePosition { vertex, .. } => self.position_set(mesh, w.id(vertex)),
             Inst::StoreAttribute { attribute, element, .. } => {

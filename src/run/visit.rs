@@ -245,7 +245,7 @@ fn has_loop(statement: &Statement) -> bool {
     found
 }
 
-/// What the elements of a collection must still be when their turn comes.
+/// The elements among which those of a collection must still be when their turn comes.
 pub(super) fn kind(collection: &Collection) -> Elements {
     match (collection, collection.element()) {
         (Collection::Holes, _) => Elements::Holes,
