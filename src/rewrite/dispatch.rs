@@ -12,7 +12,7 @@ use super::families;
 use super::lookahead;
 use super::memory::{self, Budget};
 use super::observe::Scene;
-use super::print::{ElementText, RealText, VectorText, WideText, append};
+use super::print::{RealText, VectorText, WideText, append};
 use super::question::ask;
 use super::vectors;
 use super::watch::{LONG_FACE, LONG_LIST};
@@ -20,7 +20,7 @@ use super::window::{Window, reserve};
 use super::{
     Engine, Fault, Inst, List, Machine, Message, Outcome, Phase, Reg, Room, Trap, Triangles, Watch,
 };
-use crate::mesh::{ElementKind, Mesh, VertexId, difference, same_up_to_renumbering};
+use crate::mesh::{Element, ElementKind, Mesh, VertexId, difference, same_up_to_renumbering};
 
 /// The distance up to which coordinates of meshes count as equal.
 const NEAR: f64 = 1e-9;
@@ -757,7 +757,7 @@ impl Machine {
                     or_trap!(access::expect_alive(mesh, kind, w.id(from)))
                 }
                 PrintElement { kind, from } => {
-                    append(&mut self.line, ElementText(kind, w.id(from)));
+                    append(&mut self.line, Element { kind, index: w.id(from) });
                 }
                 PrintEnd => {
                     watch.print(&self.line);
@@ -800,7 +800,7 @@ impl Machine {
                     };
                     if let Some((kind, element)) = around {
                         append(&mut text, " around ");
-                        append(&mut text, ElementText(kind, w.id(element)));
+                        append(&mut text, Element { kind, index: w.id(element) });
                     }
                     break Message::Said(text);
                 }
