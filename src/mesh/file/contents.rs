@@ -251,7 +251,7 @@ impl Contents {
             let what = ["edge", "edges"]
                 .map(|word| format!("{word} that no face has, first in row {}", first + 1));
             let count = edges.iter().filter(|edge| edge.is_none()).count();
-            self.kept.note_count(what.each_ref().map(String::as_str), count);
+            self.kept.note_count(what, count);
         }
     }
 }

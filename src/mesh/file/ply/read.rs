@@ -238,7 +238,6 @@ impl Rows<'_> {
     fn pass_over(&mut self, which: &str) {
         let name = shown(self.element.name.as_bytes());
         let what = ["element", "elements"].map(|word| format!("{word} `{name}`{which}"));
-        let what = what.each_ref().map(String::as_str);
         self.contents.kept.note_count(what, self.element.count);
     }
 
