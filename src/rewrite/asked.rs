@@ -68,7 +68,7 @@ impl Asked {
                 stale: Stale::default(),
                 walk: WalkBack::default(),
             },
-            None => Changes::Noted(drains_of(kind)),
+            None => Changes::Noted(Drains::alone(Elements::of(kind))),
         };
         Self { kind, slots: 0, changes }
     }
@@ -78,7 +78,7 @@ impl Asked {
         self.slots = 0;
         match &mut self.changes {
             Changes::Walked { written, .. } => written.clear(),
-            Changes::Noted(drains) => *drains = drains_of(self.kind),
+            Changes::Noted(drains) => *drains = Drains::alone(Elements::of(self.kind)),
         }
     }
 
@@ -166,16 +166,6 @@ impl Asked {
             Changes::Noted(drains) => drains.make_stale(slot),
         }
     }
-}
-
-/// A drain that notes reads, for elements of a kind.
-fn drains_of(kind: ElementKind) -> Drains {
-    Drains::alone(match kind {
-        ElementKind::Vertex => Elements::Vertices,
-        ElementKind::Halfedge => Elements::Halfedges,
-        ElementKind::Edge => Elements::Edges,
-        ElementKind::Face => Elements::Faces,
-    })
 }
 
 /// The element in which something was written, and its fields.

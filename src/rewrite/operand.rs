@@ -67,6 +67,16 @@ pub enum Elements {
 }
 
 impl Elements {
+    /// All elements of a kind, except holes.
+    pub(crate) fn of(kind: ElementKind) -> Self {
+        match kind {
+            ElementKind::Vertex => Elements::Vertices,
+            ElementKind::Halfedge => Elements::Halfedges,
+            ElementKind::Edge => Elements::Edges,
+            ElementKind::Face => Elements::Faces,
+        }
+    }
+
     /// The kind of the elements.
     pub fn kind(self) -> ElementKind {
         match self {
