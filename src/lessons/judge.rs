@@ -106,9 +106,7 @@ fn same_op(
         let types = types(op).join(", ");
         return Err(format!("`{}` should take: {types}", op.name()));
     }
-    let kind =
-        types(op).first().and_then(|ty| ElementKind::ALL.into_iter().find(|it| it.name() == *ty));
-    let Some(kind) = kind else {
+    let Some(kind) = types(op).first().and_then(|ty| ElementKind::named(ty)) else {
         return Ok(());
     };
     for index in mesh.elements(kind) {
