@@ -55,9 +55,8 @@ pub(super) fn read(text: &str) -> Result<Place, String> {
         )
     };
     if let Some((kind, id)) = text.split_once(' ') {
-        let kind = ElementKind::ALL.into_iter().find(|known| known.name() == kind);
         let id = id.parse().map_err(|_| wrong())?;
-        return Ok(Place::Printed(kind.ok_or_else(wrong)?, id));
+        return Ok(Place::Printed(ElementKind::named(kind).ok_or_else(wrong)?, id));
     }
     let (kind, numbers) = text.split_once(':').ok_or_else(wrong)?;
     let number = |text: &str| text.parse::<u32>().map_err(|_| wrong());

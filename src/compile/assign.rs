@@ -1,9 +1,8 @@
 //! Phase 3, positions and attributes: what `after` sets them to.
 
-use super::attribute;
 use super::reassign::Reassign;
 use super::registers::Home;
-use super::width;
+use super::{narrow, width};
 use crate::diagram::Access;
 use crate::rewrite::{Cell, Inst, Reg, Row};
 
@@ -20,7 +19,7 @@ impl Reassign<'_, '_, '_, '_> {
                 let store = match set.attribute {
                     Access::Position => Inst::StorePosition { vertex: element, value },
                     Access::Declared(number) => {
-                        Inst::StoreAttribute { attribute: attribute(number), element, value }
+                        Inst::StoreAttribute { attribute: narrow(number), element, value }
                     }
                 };
                 this.output.asm.emit(store);

@@ -24,7 +24,6 @@ mod registers;
 mod run;
 
 pub use expression::{
-    Orbit, Scope, arguments, attribute, copy, each, element_kind, elements, function_number, lower,
-    lower_into, width,
+    Orbit, Scope, arguments, copy, each, element_kind, elements, lower, lower_into, narrow, width,
 };
 pub use operation::compile;

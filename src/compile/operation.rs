@@ -11,7 +11,7 @@ use super::{element_kind, width};
 use crate::check::{Proof, Proved};
 use crate::diagram::{Drawing, Op, Property, Rule};
 use crate::lower::{Element, Operation};
-use crate::mesh::{ElementKind, Level};
+use crate::mesh::Level;
 use crate::rewrite::{
     Cell, Code, Function, Holder, Inst, Label, Matched, Plan, Reg, Row, Stage, TooLarge,
 };
@@ -139,14 +139,11 @@ fn allocate(
         let Some(element) = kind_of_element(kind) else {
             continue;
         };
-        asm.emit(match (registers.home(name), element) {
-            (Home::Reg(to), ElementKind::Vertex) => Inst::NewVertex { to },
-            (Home::Reg(to), ElementKind::Halfedge) => Inst::NewHalfedge { to },
-            (Home::Reg(to), ElementKind::Edge) => Inst::NewEdge { to },
-            (Home::Reg(to), ElementKind::Face) => Inst::NewFace { to },
-            (Home::Member { buffer, .. }, kind) => {
+        asm.emit(match registers.home(name) {
+            Home::Reg(to) => Inst::New { kind: element, to },
+            Home::Member { buffer, .. } => {
                 let cycle = registers.cycle.unwrap_or_default();
-                Inst::BufferNew { kind, cycle, buffer }
+                Inst::BufferNew { kind: element, cycle, buffer }
             }
         });
         let target = rule.name(name).text.clone();

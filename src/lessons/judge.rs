@@ -1,16 +1,18 @@
 //! The check whether a text solves a lesson.
 
 use std::fmt;
-use std::ops::ControlFlow;
 
 use super::{Lesson, Mistake};
 use crate::analysis::Nowhere;
 use crate::mesh::{Element, ElementKind, Mesh, difference, same_up_to_renumbering, shape};
-use crate::rewrite::Watch;
+use crate::rewrite::StopAfter;
 use crate::session::{Error, Op, Outcome, Program, Script, Session};
 
 /// The largest distance between coordinates that count as the same.
 const NEAR: f64 = 1e-9;
+
+/// The most looks at a script: on small meshes a correct one needs few.
+const MOST_LOOKS: u32 = 20_000;
 
 /// The reason why a text does not solve a lesson.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -104,9 +106,7 @@ fn same_op(
         let types = types(op).join(", ");
         return Err(format!("`{}` should take: {types}", op.name()));
     }
-    let kind =
-        types(op).first().and_then(|ty| ElementKind::ALL.into_iter().find(|it| it.name() == *ty));
-    let Some(kind) = kind else {
+    let Some(kind) = types(op).first().and_then(|ty| ElementKind::named(ty)) else {
         return Ok(());
     };
     for index in mesh.elements(kind) {
@@ -151,7 +151,7 @@ fn same_script(
 ) -> Result<(), String> {
     let run = |program: &Program, script: &Script| -> Result<Mesh, Error> {
         let mut session = Session::new(program, mesh.clone());
-        session.run_watched(script, (), &mut Patience(0))?;
+        session.run_watched(script, (), &mut StopAfter(MOST_LOOKS + 1))?;
         Ok(session.into_mesh())
     };
     match (run(wanted, script), run(given, yours)) {
@@ -167,30 +167,4 @@ fn same_script(
 fn another(wanted: &Mesh, given: &Mesh) -> String {
     let difference = difference(given, wanted, NEAR);
     format!("the mesh should be another one afterwards. Compared with that one: {difference}")
-}
-
-/// Stops scripts that do not terminate.
-struct Patience(u32);
-
-impl Patience {
-    /// The most looks at a script: on small meshes a correct one needs few.
-    const MOST: u32 = 20_000;
-
-    fn look(&mut self) -> ControlFlow<()> {
-        self.0 += 1;
-        match self.0 > Self::MOST {
-            true => ControlFlow::Break(()),
-            false => ControlFlow::Continue(()),
-        }
-    }
-}
-
-impl Watch for Patience {
-    fn turn(&mut self, _depth: u16, _done: u64, _total: Option<u64>) -> ControlFlow<()> {
-        self.look()
-    }
-
-    fn tick(&mut self) -> ControlFlow<()> {
-        self.look()
-    }
 }

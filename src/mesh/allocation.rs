@@ -47,49 +47,42 @@ impl Mesh {
 
     /// Marks the vertex dead. Erasing it again has no effect.
     pub fn erase_vertex(&mut self, v: VertexId) {
-        if self.vertex_alive(v) {
-            if self.journal.is_open() {
-                self.note_erased(ElementKind::Vertex, v.0);
-                self.note_vertex(v);
-            }
+        if self.retire(ElementKind::Vertex, v.0) {
             self.vertices[v.index()] = HalfedgeId::DEAD;
-            self.slots[ElementKind::Vertex as usize].pending.push(v.0);
         }
     }
 
     /// Marks the halfedge dead; its other pointers can no longer be read.
     pub fn erase_halfedge(&mut self, h: HalfedgeId) {
-        if self.halfedge_alive(h) {
-            if self.journal.is_open() {
-                self.note_erased(ElementKind::Halfedge, h.0);
-                self.note_halfedge(h);
-            }
+        if self.retire(ElementKind::Halfedge, h.0) {
             self.halfedges[h.index()].next = HalfedgeId::DEAD;
-            self.slots[ElementKind::Halfedge as usize].pending.push(h.0);
         }
     }
 
     pub fn erase_edge(&mut self, e: EdgeId) {
-        if self.edge_alive(e) {
-            if self.journal.is_open() {
-                self.note_erased(ElementKind::Edge, e.0);
-                self.note_edge(e);
-            }
+        if self.retire(ElementKind::Edge, e.0) {
             self.edges[e.index()] = HalfedgeId::DEAD;
-            self.slots[ElementKind::Edge as usize].pending.push(e.0);
         }
     }
 
     pub fn erase_face(&mut self, f: FaceId) {
-        if self.face_alive(f) {
-            if self.journal.is_open() {
-                self.note_erased(ElementKind::Face, f.0);
-                self.note_face(f);
-            }
+        if self.retire(ElementKind::Face, f.0) {
             self.set_face_state(f, FaceState::Dead);
             self.faces[f.index()] = HalfedgeId::DEAD;
-            self.slots[ElementKind::Face as usize].pending.push(f.0);
         }
+    }
+
+    /// Notes that an element is erased, and leaves its slot pending; false if it is not alive.
+    #[inline]
+    fn retire(&mut self, kind: ElementKind, id: u32) -> bool {
+        let lives = self.is_alive(kind, id);
+        if lives {
+            if self.journal.is_open() {
+                self.note_erased(kind, id);
+            }
+            self.slots[kind as usize].pending.push(id);
+        }
+        lives
     }
 
     /// Frees the slots of everything erased so far. The caller must know that no one still holds an

@@ -71,6 +71,7 @@ macro_rules! attribute_types {
 
         impl ColumnData {
             /// The type of the values.
+            #[inline]
             pub fn attribute_type(&self) -> AttributeType {
                 match self { $(Self::$variant(_) => AttributeType::$variant),* }
             }
@@ -88,6 +89,20 @@ macro_rules! attribute_types {
             /// Calls `see` with each value, in order.
             pub fn each(&self, mut see: impl FnMut(Value)) {
                 match self { $(Self::$variant(xs) => xs.iter().for_each(|&x| see(Value::$variant(x)))),* }
+            }
+
+            /// The address of the values, and their number.
+            #[cfg(feature = "native")]
+            #[inline]
+            pub(super) fn memory(&self) -> (*const u8, usize) {
+                match self { $(Self::$variant(xs) => (xs.as_ptr().cast(), xs.len())),* }
+            }
+
+            /// As [`ColumnData::memory`], for writing.
+            #[cfg(feature = "native")]
+            #[inline]
+            pub(super) fn memory_mut(&mut self) -> (*mut u8, usize) {
+                match self { $(Self::$variant(xs) => (xs.as_mut_ptr().cast(), xs.len())),* }
             }
 
             /// Requests the memory of a value.
@@ -194,6 +209,7 @@ attribute_types! {
 
 impl AttributeType {
     /// The number of components of a value.
+    #[inline]
     pub fn width(self) -> usize {
         match self {
             Self::Bool | Self::Int | Self::Real => 1,
@@ -202,6 +218,20 @@ impl AttributeType {
             Self::Vec4 => 4,
             Self::Mat3 => 9,
             Self::Mat4 => 16,
+        }
+    }
+
+    /// The value whose components are all zero.
+    pub fn zero(self) -> Value {
+        match self {
+            Self::Bool => Value::Bool(false),
+            Self::Int => Value::Int(0),
+            Self::Real => Value::Real(0.0),
+            Self::Vec2 => Value::Vec2(DVec2::ZERO),
+            Self::Vec3 => Value::Vec3(DVec3::ZERO),
+            Self::Vec4 => Value::Vec4(DVec4::ZERO),
+            Self::Mat3 => Value::Mat3(DMat3::ZERO),
+            Self::Mat4 => Value::Mat4(DMat4::ZERO),
         }
     }
 }

@@ -91,10 +91,7 @@ pub fn write_bytes(mesh: &Mesh) -> Vec<u8> {
         put(&mut bytes, mesh.capacity(kind) as u32);
     }
     for record in &mesh.halfedges {
-        let HalfedgeRecord { next, prev, twin, vertex, edge, face } = record;
-        for number in [next.0, prev.0, twin.0, vertex.0, edge.0, face.0] {
-            put(&mut bytes, number);
-        }
+        record.pointers().into_iter().for_each(|number| put(&mut bytes, number));
     }
     mesh.vertices.iter().for_each(|halfedge| put(&mut bytes, halfedge.0));
     mesh.edges.iter().for_each(|halfedge| put(&mut bytes, halfedge.0));

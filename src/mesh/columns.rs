@@ -47,7 +47,7 @@ impl Mesh {
 
     /// Fills every slot with the default, without a note in the journal: for scratch columns.
     pub(crate) fn clear_column(&mut self, id: ColumnId) {
-        if let Some(column) = self.columns[id.kind as usize].0.get_mut(id.place as usize) {
+        if let Some(column) = self.column_mut(id) {
             column.data.fill(column.default);
         }
     }
@@ -88,6 +88,11 @@ impl Mesh {
         self.columns[id.kind as usize].0.get(id.place as usize)
     }
 
+    #[inline]
+    fn column_mut(&mut self, id: ColumnId) -> Option<&mut Column> {
+        self.columns[id.kind as usize].0.get_mut(id.place as usize)
+    }
+
     /// The value of a living element.
     pub fn value(&self, id: ColumnId, index: u32) -> Option<Value> {
         if !self.is_alive(id.kind, index) {
@@ -102,10 +107,7 @@ impl Mesh {
     pub fn set_value(&mut self, id: ColumnId, index: u32, value: Value) -> bool {
         self.note_value(id, index);
         self.is_alive(id.kind, index)
-            && match self.columns[id.kind as usize].0.get_mut(id.place as usize) {
-                Some(column) => column.data.set(index as usize, value),
-                None => false,
-            }
+            && self.column_mut(id).is_some_and(|column| column.data.set(index as usize, value))
     }
 
     /// The value in a slot, living or dead.
@@ -116,7 +118,7 @@ impl Mesh {
     /// Writes to a slot, living or dead; does nothing if there is none or the type is another. Not
     /// noted in the journal.
     pub(super) fn put_value(&mut self, id: ColumnId, index: u32, value: Value) {
-        if let Some(column) = self.columns[id.kind as usize].0.get_mut(id.place as usize) {
+        if let Some(column) = self.column_mut(id) {
             column.data.set(index as usize, value);
         }
     }
@@ -135,21 +137,21 @@ impl Mesh {
 
     /// Replaces all values of a column, without a note in the journal.
     pub(super) fn put_values(&mut self, id: ColumnId, data: ColumnData) {
-        if let Some(column) = self.columns[id.kind as usize].0.get_mut(id.place as usize) {
+        if let Some(column) = self.column_mut(id) {
             column.data = data;
         }
     }
 
     /// Exchanges all values of a column with `data`.
     pub(super) fn swap_values(&mut self, id: ColumnId, data: &mut ColumnData) {
-        if let Some(column) = self.columns[id.kind as usize].0.get_mut(id.place as usize) {
+        if let Some(column) = self.column_mut(id) {
             std::mem::swap(&mut column.data, data);
         }
     }
 
     /// Exchanges the default of a column with `default`.
     pub(super) fn swap_default(&mut self, id: ColumnId, default: &mut Value) {
-        if let Some(column) = self.columns[id.kind as usize].0.get_mut(id.place as usize) {
+        if let Some(column) = self.column_mut(id) {
             std::mem::swap(&mut column.default, default);
         }
     }
@@ -171,8 +173,7 @@ impl Mesh {
     #[doc(hidden)]
     #[inline]
     pub fn column_data_mut(&mut self, id: ColumnId) -> Option<&mut ColumnData> {
-        let columns = &mut self.columns[id.kind as usize].0;
-        Some(&mut columns.get_mut(id.place as usize)?.data)
+        Some(&mut self.column_mut(id)?.data)
     }
 
     /// The values of a column of this type, to be changed; `None` for another type. A journal that
@@ -180,7 +181,7 @@ impl Mesh {
     #[inline]
     pub fn values_mut<T: Attribute>(&mut self, id: ColumnId) -> Option<&mut [T]> {
         self.note_values(id);
-        let column = self.columns[id.kind as usize].0.get_mut(id.place as usize)?;
+        let column = self.column_mut(id)?;
         T::slice_mut(&mut column.data)
     }
 }

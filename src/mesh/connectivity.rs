@@ -72,6 +72,7 @@ impl Mesh {
 /// Which elements are alive.
 impl Mesh {
     /// True if `index` is the number of a living element. Holes count as faces here.
+    #[inline]
     pub fn is_alive(&self, kind: ElementKind, index: u32) -> bool {
         match kind {
             ElementKind::Vertex => self.vertex_alive(VertexId(index)),

@@ -23,6 +23,11 @@ impl ElementKind {
     /// All kinds, in the order in which tables over kinds are laid out.
     pub const ALL: [Self; 4] = [Self::Vertex, Self::Halfedge, Self::Edge, Self::Face];
 
+    /// The kind of this name.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|kind| kind.name() == name)
+    }
+
     pub fn name(self) -> &'static str {
         match self {
             Self::Vertex => "vertex",

@@ -242,7 +242,6 @@ impl Mesh {
 impl Mesh {
     /// Notes the record of an element before it is written by code other than the methods of the
     /// mesh. May be called at any time.
-    #[cfg(feature = "native")]
     #[inline]
     pub(crate) fn note_element(&mut self, kind: ElementKind, id: u32) {
         if self.journal.is_open() {
@@ -346,14 +345,9 @@ impl Mesh {
     #[cold]
     pub(super) fn note_taken(&mut self, kind: ElementKind, slot: u32) {
         self.journal.notes.push(Note::Taken(kind, slot));
-        match kind {
-            ElementKind::Vertex => {
-                self.note_vertex(VertexId(slot));
-                self.note_position(VertexId(slot));
-            }
-            ElementKind::Halfedge => self.note_halfedge(HalfedgeId(slot)),
-            ElementKind::Edge => self.note_edge(EdgeId(slot)),
-            ElementKind::Face => self.note_face(FaceId(slot)),
+        self.note_element(kind, slot);
+        if kind == ElementKind::Vertex {
+            self.note_position(VertexId(slot));
         }
         let columns: Vec<ColumnId> = self.columns(kind).map(|(id, _)| id).collect();
         for column in columns {
@@ -361,10 +355,11 @@ impl Mesh {
         }
     }
 
-    /// Notes that an element is erased; the caller notes its record.
+    /// Notes that an element is erased, and its record.
     #[cold]
     pub(super) fn note_erased(&mut self, kind: ElementKind, slot: u32) {
         self.journal.notes.push(Note::Erased(kind, slot));
+        self.note_element(kind, slot);
     }
 
     /// Notes that all pending slots of a kind are freed.

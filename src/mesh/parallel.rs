@@ -234,7 +234,7 @@ mod pool {
         }
     }
 
-    /// What work that was started sends, unless it panics. A thread of a pool does what it has
+    /// The value that work that was started sends; `None` if it panics. A thread of a pool does what it has
     /// started itself meanwhile, since others may be busy.
     pub(super) fn received<T>(receiver: Receiver<T>) -> Option<T> {
         while rayon::yield_local() == Some(Yield::Executed) {

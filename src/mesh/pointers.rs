@@ -260,16 +260,7 @@ impl Mesh {
         if !record.lives() || value == HalfedgeId::DEAD.0 {
             return None;
         }
-        let HalfedgeRecord { next, prev, twin, vertex, edge, face } = record;
-        let place = match pointer {
-            0 => &mut next.0,
-            1 => &mut prev.0,
-            2 => &mut twin.0,
-            3 => &mut vertex.0,
-            4 => &mut edge.0,
-            _ => &mut face.0,
-        };
-        Some(std::mem::replace(place, value))
+        Some(std::mem::replace(record.pointer_mut(pointer), value))
     }
 
     /// Sets the halfedge of a vertex, edge or face.

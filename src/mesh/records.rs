@@ -39,6 +39,19 @@ impl HalfedgeRecord {
         let Self { next, prev, twin, vertex, edge, face } = self;
         [next.0, prev.0, twin.0, vertex.0, edge.0, face.0]
     }
+
+    /// A pointer, by its index in [`pointers`](Self::pointers).
+    #[inline]
+    pub(crate) fn pointer_mut(&mut self, index: usize) -> &mut u32 {
+        match index {
+            0 => &mut self.next.0,
+            1 => &mut self.prev.0,
+            2 => &mut self.twin.0,
+            3 => &mut self.vertex.0,
+            4 => &mut self.edge.0,
+            _ => &mut self.face.0,
+        }
+    }
 }
 
 /// The state of a slot of the table of faces.

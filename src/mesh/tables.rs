@@ -59,33 +59,15 @@ impl Mesh {
     /// The address of the values of a column, and their number.
     #[inline]
     pub(crate) fn values_in_memory(&mut self, column: ColumnId) -> (*mut u8, usize) {
-        match self.column_data_mut(column) {
-            Some(ColumnData::Bool(all)) => (all.as_mut_ptr().cast(), all.len()),
-            Some(ColumnData::Int(all)) => (all.as_mut_ptr().cast(), all.len()),
-            Some(ColumnData::Real(all)) => (all.as_mut_ptr().cast(), all.len()),
-            Some(ColumnData::Vec2(all)) => (all.as_mut_ptr().cast(), all.len()),
-            Some(ColumnData::Vec3(all)) => (all.as_mut_ptr().cast(), all.len()),
-            Some(ColumnData::Vec4(all)) => (all.as_mut_ptr().cast(), all.len()),
-            Some(ColumnData::Mat3(all)) => (all.as_mut_ptr().cast(), all.len()),
-            Some(ColumnData::Mat4(all)) => (all.as_mut_ptr().cast(), all.len()),
-            None => (std::ptr::null_mut(), 0),
-        }
+        let data = self.column_data_mut(column);
+        data.map_or((std::ptr::null_mut(), 0), ColumnData::memory_mut)
     }
 
     /// As [`Mesh::values_in_memory`], for reading only.
     #[inline]
     pub(crate) fn values_to_read(&self, column: ColumnId) -> (*mut u8, usize) {
-        let (start, count) = match self.column(column).map(Column::data) {
-            Some(ColumnData::Bool(all)) => (all.as_ptr().cast(), all.len()),
-            Some(ColumnData::Int(all)) => (all.as_ptr().cast(), all.len()),
-            Some(ColumnData::Real(all)) => (all.as_ptr().cast(), all.len()),
-            Some(ColumnData::Vec2(all)) => (all.as_ptr().cast(), all.len()),
-            Some(ColumnData::Vec3(all)) => (all.as_ptr().cast(), all.len()),
-            Some(ColumnData::Vec4(all)) => (all.as_ptr().cast(), all.len()),
-            Some(ColumnData::Mat3(all)) => (all.as_ptr().cast(), all.len()),
-            Some(ColumnData::Mat4(all)) => (all.as_ptr().cast(), all.len()),
-            None => (std::ptr::null::<u8>(), 0),
-        };
+        let data = self.column(column).map(Column::data);
+        let (start, count) = data.map_or((std::ptr::null(), 0), ColumnData::memory);
         (start.cast_mut(), count)
     }
 

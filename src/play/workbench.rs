@@ -274,7 +274,7 @@ impl Workbench {
         let mut arguments = Vec::new();
         let mut element = element;
         for parameter in parameters {
-            let is_element = ElementKind::ALL.iter().any(|kind| kind.name() == parameter.ty);
+            let is_element = ElementKind::named(parameter.ty).is_some();
             let name = parameter.name.to_owned();
             let given = given.get(parameter.name);
             match (given, element.take_if(|_| is_element && given.is_none())) {
@@ -425,7 +425,7 @@ fn argument(value: &Value, ty: &str) -> Option<Argument> {
         "vec3" => Argument::from(<[f64; 3]>::try_from(reals()?).ok()?),
         "vec4" => Argument::from(<[f64; 4]>::try_from(reals()?).ok()?),
         _ => {
-            let kind = ElementKind::ALL.into_iter().find(|kind| kind.name() == ty)?;
+            let kind = ElementKind::named(ty)?;
             Argument::Element(kind, u32::try_from(value.as_u64()?).ok()?)
         }
     })

@@ -30,36 +30,24 @@ pub(super) fn expect_alive(mesh: &Mesh, kind: ElementKind, id: u32) -> Result<()
 /// The living vertex with this number.
 #[inline]
 pub(super) fn vertex(mesh: &Mesh, id: u32) -> Result<VertexId, Fault> {
-    match mesh.vertex_alive(VertexId(id)) {
-        true => Ok(VertexId(id)),
-        false => Err(gone(ElementKind::Vertex, id)),
-    }
+    expect_alive(mesh, ElementKind::Vertex, id).map(|()| VertexId(id))
 }
 
 #[inline]
 fn halfedge(mesh: &Mesh, id: u32) -> Result<HalfedgeId, Fault> {
-    match mesh.halfedge_alive(HalfedgeId(id)) {
-        true => Ok(HalfedgeId(id)),
-        false => Err(gone(ElementKind::Halfedge, id)),
-    }
+    expect_alive(mesh, ElementKind::Halfedge, id).map(|()| HalfedgeId(id))
 }
 
 /// The living edge with this number.
 #[inline]
 pub(super) fn edge(mesh: &Mesh, id: u32) -> Result<EdgeId, Fault> {
-    match mesh.edge_alive(EdgeId(id)) {
-        true => Ok(EdgeId(id)),
-        false => Err(gone(ElementKind::Edge, id)),
-    }
+    expect_alive(mesh, ElementKind::Edge, id).map(|()| EdgeId(id))
 }
 
 /// The living face with this number.
 #[inline]
 pub(super) fn face(mesh: &Mesh, id: u32) -> Result<FaceId, Fault> {
-    match mesh.face_alive(FaceId(id)) {
-        true => Ok(FaceId(id)),
-        false => Err(gone(ElementKind::Face, id)),
-    }
+    expect_alive(mesh, ElementKind::Face, id).map(|()| FaceId(id))
 }
 
 /// A pointer of a halfedge; a fault if the halfedge does not live.
@@ -231,7 +219,7 @@ pub(super) fn create(
         created.push((kind, id));
     }
     if let Some(drains) = drains {
-        drains.born(mesh, kind, id);
+        drains.created(mesh, kind, id);
     }
     Ok(id)
 }

@@ -68,7 +68,7 @@ impl Asked {
                 stale: Stale::default(),
                 walk: WalkBack::default(),
             },
-            None => Changes::Noted(drains_of(kind)),
+            None => Changes::Noted(Drains::alone(Elements::of(kind))),
         };
         Self { kind, slots: 0, changes }
     }
@@ -78,7 +78,7 @@ impl Asked {
         self.slots = 0;
         match &mut self.changes {
             Changes::Walked { written, .. } => written.clear(),
-            Changes::Noted(drains) => *drains = drains_of(self.kind),
+            Changes::Noted(drains) => *drains = Drains::alone(Elements::of(self.kind)),
         }
     }
 
@@ -168,16 +168,6 @@ impl Asked {
     }
 }
 
-/// A drain that notes reads, for elements of a kind.
-fn drains_of(kind: ElementKind) -> Drains {
-    Drains::alone(match kind {
-        ElementKind::Vertex => Elements::Vertices,
-        ElementKind::Halfedge => Elements::Halfedges,
-        ElementKind::Edge => Elements::Edges,
-        ElementKind::Face => Elements::Faces,
-    })
-}
-
 /// The element in which something was written, and its fields.
 fn fields_of(
     mesh: &Mesh,
@@ -213,18 +203,12 @@ fn fields_of(
 
 /// The pointers of a halfedge that have changed.
 fn changed(was: &HalfedgeRecord, now: &HalfedgeRecord) -> Fields {
-    use HalfedgeField::{Edge, Face, Next, Prev, Twin, Vertex};
-    let differ = [
-        (Next, was.next != now.next),
-        (Prev, was.prev != now.prev),
-        (Twin, was.twin != now.twin),
-        (Vertex, was.vertex != now.vertex),
-        (Edge, was.edge != now.edge),
-        (Face, was.face != now.face),
-    ];
     let mut fields = Fields::NONE;
-    for (field, _) in differ.into_iter().filter(|&(_, differs)| differs) {
-        fields.add(Fields::pointer(field));
+    let pointers = was.pointers().into_iter().zip(now.pointers());
+    for (field, (was, now)) in HalfedgeField::ALL.into_iter().zip(pointers) {
+        if was != now {
+            fields.add(Fields::pointer(field));
+        }
     }
     fields
 }
@@ -233,30 +217,12 @@ fn changed(was: &HalfedgeRecord, now: &HalfedgeRecord) -> Fields {
 fn place_of(written: Written<'_>) -> Option<Place> {
     Some(match written {
         Written::Pointers(halfedge, _) => Place::Halfedge(halfedge.0),
-        Written::Halfedge(kind, id) => match kind {
-            ElementKind::Vertex => Place::VertexHalfedge(id),
-            ElementKind::Edge | ElementKind::Halfedge => Place::Edge(id),
-            ElementKind::Face => Place::FaceHalfedge(id),
-        },
-        Written::Value(kind, id) | Written::Life(kind, id) => place(kind, id),
-        Written::Attribute(column, id, _) => match column.kind {
-            ElementKind::Vertex => Place::VertexAttributes(id),
-            ElementKind::Halfedge => Place::Halfedge(id),
-            ElementKind::Edge => Place::EdgeAttributes(id),
-            ElementKind::Face => Place::FaceAttributes(id),
-        },
+        Written::Halfedge(kind, id) => Place::first_of(kind, id),
+        Written::Value(kind, id) | Written::Life(kind, id) => Place::of(kind, id),
+        Written::Attribute(column, id, _) => Place::attributes_of(column.kind, id),
         Written::Grown(_) => Place::Whole,
         Written::Column => return None,
     })
-}
-
-fn place(kind: ElementKind, id: u32) -> Place {
-    match kind {
-        ElementKind::Vertex => Place::Vertex(id),
-        ElementKind::Halfedge => Place::Halfedge(id),
-        ElementKind::Edge => Place::Edge(id),
-        ElementKind::Face => Place::Face(id),
-    }
 }
 
 impl Machine {

@@ -47,10 +47,7 @@ impl Inst {
     pub(super) fn writes(&self) -> bool {
         matches!(
             self,
-            Inst::NewVertex { .. }
-                | Inst::NewHalfedge { .. }
-                | Inst::NewEdge { .. }
-                | Inst::NewFace { .. }
+            Inst::New { .. }
                 | Inst::BufferNew { .. }
                 | Inst::Store { .. }
                 | Inst::StoreHalfedge { .. }
@@ -102,12 +99,12 @@ impl Machine {
             self.is_dry = false;
             return outcome;
         };
-        let (random, quiet) = (self.random.clone(), self.drains.hush());
+        let (random, muted) = (self.random.clone(), self.drains.mute());
         let created = self.created.as_ref().map_or(0, Vec::len);
         let mark = mesh.open_journal();
         let outcome = self.take::<true>(mesh, (plan, steps), call, &mut Silent(watch));
         mesh.roll_back(mark);
-        self.drains.unhush(quiet);
+        self.drains.unmute(muted);
         self.random = random;
         if let Some(all) = &mut self.created {
             all.truncate(created);

@@ -34,14 +34,7 @@ pub(super) fn column(columns: &[Option<ColumnId>], attribute: u16) -> Result<Col
 /// The number of slots that a value takes.
 #[inline]
 fn width(data: &ColumnData) -> u16 {
-    match data {
-        ColumnData::Bool(_) | ColumnData::Int(_) | ColumnData::Real(_) => 1,
-        ColumnData::Vec2(_) => 2,
-        ColumnData::Vec3(_) => 3,
-        ColumnData::Vec4(_) => 4,
-        ColumnData::Mat3(_) => 9,
-        ColumnData::Mat4(_) => 16,
-    }
+    data.attribute_type().width() as u16
 }
 
 /// The index of a living element in its column.

@@ -12,7 +12,7 @@ use super::families;
 use super::lookahead;
 use super::memory::{self, Budget};
 use super::observe::Scene;
-use super::print::{ElementText, RealText, VectorText, WideText, append};
+use super::print::{RealText, VectorText, WideText, append};
 use super::question::ask;
 use super::vectors;
 use super::watch::{LONG_FACE, LONG_LIST};
@@ -20,7 +20,7 @@ use super::window::{Window, reserve};
 use super::{
     Engine, Fault, Inst, List, Machine, Message, Outcome, Phase, Reg, Room, Trap, Triangles, Watch,
 };
-use crate::mesh::{ElementKind, Mesh, VertexId, difference, same_up_to_renumbering};
+use crate::mesh::{Element, ElementKind, Mesh, VertexId, difference, same_up_to_renumbering};
 
 /// The distance up to which coordinates of meshes count as equal.
 const NEAR: f64 = 1e-9;
@@ -532,10 +532,7 @@ impl Machine {
                 }
 
                 // Writes.
-                NewVertex { to } => w.set_id(to, or_trap!(create!(ElementKind::Vertex))),
-                NewHalfedge { to } => w.set_id(to, or_trap!(create!(ElementKind::Halfedge))),
-                NewEdge { to } => w.set_id(to, or_trap!(create!(ElementKind::Edge))),
-                NewFace { to } => w.set_id(to, or_trap!(create!(ElementKind::Face))),
+                New { kind, to } => w.set_id(to, or_trap!(create!(kind))),
                 Store { field, halfedge, value } => {
                     or_trap!(access::store(mesh, field, w.id(halfedge), w.id(value)))
                 }
@@ -760,7 +757,7 @@ impl Machine {
                     or_trap!(access::expect_alive(mesh, kind, w.id(from)))
                 }
                 PrintElement { kind, from } => {
-                    append(&mut self.line, ElementText(kind, w.id(from)));
+                    append(&mut self.line, Element { kind, index: w.id(from) });
                 }
                 PrintEnd => {
                     watch.print(&self.line);
@@ -803,7 +800,7 @@ impl Machine {
                     };
                     if let Some((kind, element)) = around {
                         append(&mut text, " around ");
-                        append(&mut text, ElementText(kind, w.id(element)));
+                        append(&mut text, Element { kind, index: w.id(element) });
                     }
                     break Message::Said(text);
                 }

@@ -26,11 +26,11 @@ pub(super) struct Drains {
     all: Vec<Drain>,
     /// The number of drains, from the outermost on, that are not notified of writes, since these
     /// will be undone.
-    quiet: usize,
+    muted: usize,
     /// The number of keys that have been computed.
     computed: u32,
     /// The number of drains that are computing a key whose reads are noted.
-    noting: usize,
+    recording: usize,
     walk: WalkBack,
 }
 
@@ -189,31 +189,31 @@ impl Drains {
     /// Closes all drains.
     pub(super) fn clear(&mut self) {
         self.all.clear();
-        self.quiet = 0;
-        self.noting = 0;
+        self.muted = 0;
+        self.recording = 0;
     }
 
     /// Stops notifying the open drains of writes. Returns the number that were not notified before,
-    /// for [`unhush`](Self::unhush).
-    pub(super) fn hush(&mut self) -> usize {
-        std::mem::replace(&mut self.quiet, self.all.len())
+    /// for [`unmute`](Self::unmute).
+    pub(super) fn mute(&mut self) -> usize {
+        std::mem::replace(&mut self.muted, self.all.len())
     }
 
-    /// Ends what [`hush`](Self::hush) has begun, given the number that it returned.
-    pub(super) fn unhush(&mut self, quiet: usize) {
-        self.quiet = quiet;
+    /// Ends what [`mute`](Self::mute) has begun, given the number that it returned.
+    pub(super) fn unmute(&mut self, muted: usize) {
+        self.muted = muted;
     }
 
     /// The drains that are notified of writes.
-    fn told(&mut self) -> &mut [Drain] {
-        self.all.get_mut(self.quiet..).unwrap_or_default()
+    fn notified(&mut self) -> &mut [Drain] {
+        self.all.get_mut(self.muted..).unwrap_or_default()
     }
 
     /// By kind, the fields of whose writes the drains are to be notified.
     #[cfg(feature = "native")]
     pub(super) fn listens(&self) -> [Fields; 4] {
         let mut all = [Fields::NONE; 4];
-        for drain in self.all.get(self.quiet..).unwrap_or_default() {
+        for drain in self.all.get(self.muted..).unwrap_or_default() {
             let read = match &drain.changes {
                 Changes::Noted(_) => [Fields::ALL; 4],
                 Changes::Walked { paths, .. } => paths.all_read(),
@@ -231,12 +231,12 @@ impl Drains {
     /// Closes all but the outermost `open` drains.
     pub(super) fn leave(&mut self, open: usize) {
         self.all.truncate(open);
-        self.count_noting();
+        self.count_recording();
     }
 
-    fn count_noting(&mut self) {
-        let is_noting = |drain: &&Drain| drain.reading.is_some() && drain.is_noted();
-        self.noting = self.all.iter().filter(is_noting).count();
+    fn count_recording(&mut self) {
+        let is_recording = |drain: &&Drain| drain.reading.is_some() && drain.is_noted();
+        self.recording = self.all.iter().filter(is_recording).count();
     }
 
     /// A single drain that notes reads, for questions outside of any loop.
@@ -261,7 +261,7 @@ impl Drains {
         if let Some(drain) = self.all.last_mut() {
             drain.reading = id;
         }
-        self.count_noting();
+        self.count_recording();
     }
 
     /// Opens a drain of all elements of the mesh, or of some, with the paths of its key, if it has
@@ -291,7 +291,7 @@ impl Drains {
     /// Closes the innermost drain.
     pub(super) fn close(&mut self) {
         self.all.pop();
-        self.count_noting();
+        self.count_recording();
     }
 
     /// Makes all elements of the innermost drain stale.
@@ -310,7 +310,7 @@ impl Drains {
             drain.stale.soon().for_each(|next| drain.queue.prefetch_around(next));
             if drain.is_member(mesh, id) {
                 drain.reading = Some(id);
-                self.noting += usize::from(drain.is_noted());
+                self.recording += usize::from(drain.is_noted());
                 return Some(id);
             }
             drain.queue.forget(id);
@@ -352,7 +352,7 @@ impl Drains {
         let Some(id) = drain.reading.take() else {
             return Err(Message::Malformed);
         };
-        self.noting -= usize::from(drain.is_noted());
+        self.recording -= usize::from(drain.is_noted());
         if key.is_nan() {
             drain.reading = Some(id);
             return Err(Message::KeyNotANumber);
@@ -392,7 +392,7 @@ impl Drains {
     /// Whether a key is being computed whose reads are noted.
     #[inline]
     pub(super) fn is_reading(&self) -> bool {
-        self.noting > 0
+        self.recording > 0
     }
 
     #[inline]
@@ -411,22 +411,22 @@ impl Drains {
 
     /// Notifies the drains that a place is about to be written.
     pub(super) fn touch(&mut self, place: Place) {
-        for drain in self.told() {
+        for drain in self.notified() {
             drain.touch(place);
         }
     }
 
     /// Notifies the drains that fields of an element are about to be written.
     pub(super) fn write(&mut self, mesh: &Mesh, kind: ElementKind, id: u32, fields: Fields) {
-        for drain in self.told() {
+        for drain in self.notified() {
             drain.write(mesh, kind, id, fields);
         }
     }
 
     /// Notifies the drains of a new element. It has no key, whatever element had its number before,
     /// and belongs only to drains of all elements.
-    pub(super) fn born(&mut self, mesh: &Mesh, kind: ElementKind, id: u32) {
-        for drain in self.told() {
+    pub(super) fn created(&mut self, mesh: &Mesh, kind: ElementKind, id: u32) {
+        for drain in self.notified() {
             match drain.is_noted() {
                 true => drain.touch(Place::Whole),
                 false => drain.write(mesh, kind, id, Fields::ALL),
@@ -444,9 +444,9 @@ impl Drains {
     }
 
     /// Notifies the drains that a face is about to become a hole, or a hole a face.
-    pub(super) fn turned(&mut self, mesh: &Mesh, face: u32) {
+    pub(super) fn flipped(&mut self, mesh: &Mesh, face: u32) {
         self.write(mesh, ElementKind::Face, face, Fields::HOLE);
-        for drain in self.told() {
+        for drain in self.notified() {
             if drain.of.kind() == ElementKind::Face && drain.members.is_none() {
                 drain.stale.push(face);
             }
@@ -456,7 +456,7 @@ impl Drains {
     /// Notifies the drains that an element is about to be erased. Its key is kept until the next
     /// turn, since after a rollback the element exists again.
     pub(super) fn erased(&mut self, mesh: &Mesh, kind: ElementKind, id: u32) {
-        for drain in self.told() {
+        for drain in self.notified() {
             drain.write(mesh, kind, id, Fields::ALL);
             if drain.is_noted() {
                 drain.write(mesh, kind, id, Fields::FIRST);
@@ -471,30 +471,18 @@ impl Drains {
 
 /// The place of some fields of an element.
 fn place_of(mesh: &Mesh, kind: ElementKind, id: u32, fields: Fields) -> Option<Place> {
-    match kind {
-        ElementKind::Vertex if fields == Fields::FIRST => Some(Place::VertexHalfedge(id)),
-        ElementKind::Face if fields == Fields::FIRST => Some(Place::FaceHalfedge(id)),
-        _ if fields.are_attributes() => attributes_place(mesh, kind, id),
-        _ => place(mesh, kind, id),
-    }
+    let place = match fields {
+        Fields::FIRST => Place::first_of(kind, id),
+        _ if fields.are_attributes() => Place::attributes_of(kind, id),
+        _ => Place::of(kind, id),
+    };
+    existing(mesh, place)
 }
 
-/// The place of the attributes of an element.
-pub(super) fn attributes_place(mesh: &Mesh, kind: ElementKind, id: u32) -> Option<Place> {
-    match kind {
-        ElementKind::Vertex => Some(Place::VertexAttributes(id)),
-        ElementKind::Edge => Some(Place::EdgeAttributes(id)),
-        ElementKind::Face => Some(Place::FaceAttributes(id)),
-        ElementKind::Halfedge => place(mesh, kind, id),
-    }
-}
-
-/// The place of an element; `None` for a halfedge that does not exist.
-pub(super) fn place(mesh: &Mesh, kind: ElementKind, id: u32) -> Option<Place> {
-    match kind {
-        ElementKind::Vertex => Some(Place::Vertex(id)),
-        ElementKind::Edge => Some(Place::Edge(id)),
-        ElementKind::Face => Some(Place::Face(id)),
-        ElementKind::Halfedge => mesh.halfedge_alive(HalfedgeId(id)).then_some(Place::Halfedge(id)),
+/// A place; `None` if it is a halfedge that does not exist.
+pub(super) fn existing(mesh: &Mesh, place: Place) -> Option<Place> {
+    match place {
+        Place::Halfedge(id) if !mesh.halfedge_alive(HalfedgeId(id)) => None,
+        _ => Some(place),
     }
 }

@@ -1,7 +1,7 @@
 //! Families: buffers with one slot for each index of a cycle.
 
-use super::access::{self, load};
-use super::{Fault, HalfedgeField, Inst, List, Machine, Message, Span, Walk, memory};
+use super::access;
+use super::{Fault, Inst, List, Machine, Message, Span, Walk, memory};
 use crate::mesh::{ElementKind, Mesh};
 
 /// The index plus the shift, modulo `length`.
@@ -55,10 +55,7 @@ pub(super) fn meets_all(mesh: &Mesh, walk: Walk, halfedges: &[u64]) -> Result<bo
     let mut open = rest.iter().peekable();
     let mut at = first as u32;
     for _ in 0..mesh.capacity(ElementKind::Halfedge) {
-        at = match walk {
-            Walk::Loop => load(mesh, HalfedgeField::Next, at)?,
-            Walk::Star => load(mesh, HalfedgeField::Twin, load(mesh, HalfedgeField::Prev, at)?)?,
-        };
+        at = access::step(mesh, walk, at)?;
         if u64::from(at) == first {
             return Ok(open.next().is_none());
         }

@@ -203,10 +203,7 @@ pub enum Inst {
     BufferLiving { of: Elements, buffer: u16 },
 
     // Writes.
-    NewVertex { to: Reg },
-    NewHalfedge { to: Reg },
-    NewEdge { to: Reg },
-    NewFace { to: Reg },
+    New { kind: ElementKind, to: Reg },
     Store { field: HalfedgeField, halfedge: Reg, value: Reg },
     StoreHalfedge { of: ElementField, element: Reg, value: Reg },
     StoreHole { face: Reg, hole: bool },

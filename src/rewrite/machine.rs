@@ -89,7 +89,7 @@ pub struct Machine {
     pub(super) neighbors: Neighbors,
     /// The machines of other threads, kept for reuse.
     #[cfg_attr(not(feature = "native"), expect(dead_code))]
-    pub(super) crew: Vec<Machine>,
+    pub(super) workers: Vec<Machine>,
 }
 
 /// A name, the kind of the elements that it denotes, and their ids.
@@ -148,7 +148,7 @@ impl Machine {
             compiling: Duration::ZERO,
             is_beside_others: false,
             neighbors: Neighbors::default(),
-            crew: Vec::new(),
+            workers: Vec::new(),
         }
     }
 

@@ -71,12 +71,12 @@ pub use operand::{ElementField, Elements, HalfedgeField, Math, Room, Span, Trian
 pub use part::{Part, Task, Turns};
 pub use paths::Unbounded;
 pub use plan::{Cell, Holder, Matched, Phase, Plan, Plans, Refusal, Row, Stage};
-pub use print::{ElementText, RealDigits, RealText, VectorText, WideText};
+pub use print::{RealDigits, RealText, VectorText, WideText};
 pub use question::Question;
 pub use steps::{BELOW, Steps};
 pub use trap::{Fault, Message, Site, Trap};
 pub use vectors::{Lanes, Matrix};
-pub use watch::{Unwatched, Watch};
+pub use watch::{StopAfter, Unwatched, Watch};
 
 use call::Call;
 use list::List;

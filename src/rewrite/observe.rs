@@ -7,7 +7,7 @@
 
 use super::access::{load, load_halfedge};
 use super::attribute::{self, Held};
-use super::drain::{Drains, attributes_place, place};
+use super::drain::{Drains, existing};
 use super::families;
 use super::inst::computation;
 use super::paths::Fields;
@@ -36,15 +36,6 @@ impl ElementField {
             ElementField::Vertex => ElementKind::Vertex,
             ElementField::Edge => ElementKind::Edge,
             ElementField::Face => ElementKind::Face,
-        }
-    }
-
-    /// The place of the `halfedge` of an element.
-    fn place(self, id: u32) -> Place {
-        match self {
-            ElementField::Vertex => Place::VertexHalfedge(id),
-            ElementField::Edge => Place::Edge(id),
-            ElementField::Face => Place::FaceHalfedge(id),
         }
     }
 }
@@ -79,7 +70,7 @@ impl Drains {
             Inst::StoreHole { face, hole }
                 if mesh.get_is_hole(FaceId(w.id(face))) != Some(hole) =>
             {
-                self.turned(mesh, w.id(face));
+                self.flipped(mesh, w.id(face));
             }
             Inst::StorePosition { vertex, .. } => self.position_set(mesh, w.id(vertex)),
             Inst::StoreAttribute { attribute, element, .. } => {
@@ -140,7 +131,7 @@ impl Drains {
     }
 
     fn read_element(&mut self, mesh: &Mesh, kind: ElementKind, id: u32) {
-        if let Some(place) = place(mesh, kind, id) {
+        if let Some(place) = existing(mesh, Place::of(kind, id)) {
             self.read(place);
         }
     }
@@ -254,12 +245,15 @@ impl Drains {
         let (mesh, w) = (scene.mesh, scene.w);
         match *inst {
             Inst::Load { halfedge, .. } => self.read_halfedge(mesh, w.id(halfedge)),
-            Inst::LoadHalfedge { of, element, .. } => self.read(of.place(w.id(element))),
+            Inst::LoadHalfedge { of, element, .. } => {
+                self.read(Place::first_of(of.kind(), w.id(element)))
+            }
             Inst::LoadHole { face, .. } => self.read(Place::Face(w.id(face))),
             Inst::LoadPosition { vertex, .. } => self.read(Place::Vertex(w.id(vertex))),
             Inst::LoadAttribute { attribute, element, .. } => {
                 if let Ok(column) = attribute::column(scene.columns, attribute)
-                    && let Some(place) = attributes_place(mesh, column.kind, w.id(element))
+                    && let Some(place) =
+                        existing(mesh, Place::attributes_of(column.kind, w.id(element)))
                 {
                     self.read(place);
                 }
@@ -310,9 +304,8 @@ impl Drains {
             | Inst::PreviewStoreAll { .. } | Inst::Refuse | Inst::Return { .. }
             | Inst::BufferClear { .. } | Inst::BufferPush { .. } | Inst::BufferLength { .. }
             | Inst::BufferFree { .. } | Inst::Keep { .. }
-            | Inst::BufferGet { .. } | Inst::BufferNext { .. } | Inst::Prefetch { .. } | Inst::NewVertex { .. }
-            | Inst::NewHalfedge { .. } | Inst::NewEdge { .. } | Inst::NewFace { .. }
-            | Inst::BufferNew { .. }
+            | Inst::BufferGet { .. } | Inst::BufferNext { .. } | Inst::Prefetch { .. }
+            | Inst::New { .. } | Inst::BufferNew { .. }
             | Inst::Store { .. } | Inst::StoreHalfedge { .. } | Inst::StoreHole { .. }
             | Inst::StorePosition { .. } | Inst::HoldPosition { .. } | Inst::StoreAttribute { .. }
             | Inst::HoldAttribute { .. } | Inst::ReleaseHeld { .. } | Inst::StoreAll { .. }
@@ -339,7 +332,7 @@ impl Drains {
         for &looked in looked {
             match looked {
                 Looked::Halfedge(id) => self.read_halfedge(mesh, id),
-                Looked::HalfedgeOf(of, id) => self.read(of.place(id)),
+                Looked::HalfedgeOf(of, id) => self.read(Place::first_of(of.kind(), id)),
                 Looked::Hole(face) => self.read(Place::Face(face)),
             }
         }

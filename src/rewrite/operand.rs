@@ -13,6 +13,11 @@ pub enum HalfedgeField {
     Face,
 }
 
+impl HalfedgeField {
+    pub(super) const ALL: [Self; 6] =
+        [Self::Next, Self::Prev, Self::Twin, Self::Vertex, Self::Edge, Self::Face];
+}
+
 /// The `halfedge` pointer of an element.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum ElementField {
@@ -62,6 +67,16 @@ pub enum Elements {
 }
 
 impl Elements {
+    /// All elements of a kind, except holes.
+    pub(crate) fn of(kind: ElementKind) -> Self {
+        match kind {
+            ElementKind::Vertex => Elements::Vertices,
+            ElementKind::Halfedge => Elements::Halfedges,
+            ElementKind::Edge => Elements::Edges,
+            ElementKind::Face => Elements::Faces,
+        }
+    }
+
     /// The kind of the elements.
     pub fn kind(self) -> ElementKind {
         match self {

@@ -94,16 +94,7 @@ impl Fields {
 
     /// A pointer of a halfedge.
     pub(super) fn pointer(field: HalfedgeField) -> Self {
-        Self(
-            1 << match field {
-                HalfedgeField::Next => 0,
-                HalfedgeField::Prev => 1,
-                HalfedgeField::Twin => 2,
-                HalfedgeField::Vertex => 3,
-                HalfedgeField::Edge => 4,
-                HalfedgeField::Face => 5,
-            },
-        )
+        Self(1 << field as u32)
     }
 
     /// Whether the set is not empty and has attributes only.

@@ -4,8 +4,6 @@ use std::fmt::{self, Display, Write};
 
 use glam::DVec3;
 
-use crate::mesh::ElementKind;
-
 /// The number of digits of a real.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RealDigits {
@@ -88,19 +86,6 @@ impl Display for WideText {
                 let columns: Vec<_> = columns.iter().map(column).collect();
                 write!(f, "({})", columns.join(", "))
             }
-        }
-    }
-}
-
-/// An element: `vertex 12`, or `no vertex`.
-#[derive(Clone, Copy, Debug)]
-pub struct ElementText(pub ElementKind, pub u32);
-
-impl Display for ElementText {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match *self {
-            ElementText(kind, u32::MAX) => write!(f, "no {kind}"),
-            ElementText(kind, id) => write!(f, "{kind} {id}"),
         }
     }
 }

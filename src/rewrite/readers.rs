@@ -7,6 +7,8 @@
 //! readers are removed and their keys recomputed, which notes them again wherever they still read.
 //! A note may outlive its reason: then a key is recomputed in vain.
 
+use crate::mesh::ElementKind;
+
 /// A place that a reader can depend on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Place {
@@ -24,6 +26,38 @@ pub enum Place {
 }
 
 impl Place {
+    /// The place of an element.
+    #[inline]
+    pub(super) fn of(kind: ElementKind, id: u32) -> Self {
+        match kind {
+            ElementKind::Vertex => Place::Vertex(id),
+            ElementKind::Halfedge => Place::Halfedge(id),
+            ElementKind::Edge => Place::Edge(id),
+            ElementKind::Face => Place::Face(id),
+        }
+    }
+
+    /// The place of the `halfedge` of an element.
+    #[inline]
+    pub(super) fn first_of(kind: ElementKind, id: u32) -> Self {
+        match kind {
+            ElementKind::Vertex => Place::VertexHalfedge(id),
+            ElementKind::Face => Place::FaceHalfedge(id),
+            ElementKind::Halfedge | ElementKind::Edge => Place::of(kind, id),
+        }
+    }
+
+    /// The place of the attributes of an element.
+    #[inline]
+    pub(super) fn attributes_of(kind: ElementKind, id: u32) -> Self {
+        match kind {
+            ElementKind::Vertex => Place::VertexAttributes(id),
+            ElementKind::Halfedge => Place::Halfedge(id),
+            ElementKind::Edge => Place::EdgeAttributes(id),
+            ElementKind::Face => Place::FaceAttributes(id),
+        }
+    }
+
     fn split(self) -> (usize, usize) {
         match self {
             Place::Vertex(id) => (0, id as usize),

@@ -376,9 +376,8 @@ impl<'c> Reads<'c> {
             Inst::Recycle => {}
             // Instructions that occur neither in a key nor in an operation up to its first write.
             #[rustfmt::skip]
-            Inst::Refuse | Inst::Return { .. } | Inst::NewVertex { .. } | Inst::NewHalfedge { .. }
-            | Inst::NewEdge { .. } | Inst::NewFace { .. } | Inst::BufferNew { .. }
-            | Inst::Store { .. }
+            Inst::Refuse | Inst::Return { .. } | Inst::New { .. }
+            | Inst::BufferNew { .. } | Inst::Store { .. }
             | Inst::StoreHalfedge { .. } | Inst::StoreHole { .. }
             | Inst::StorePosition { .. } | Inst::HoldPosition { .. }
             | Inst::StoreAttribute { .. } | Inst::HoldAttribute { .. }

@@ -5,8 +5,7 @@
 
 use std::fmt;
 
-use super::print::ElementText;
-use crate::mesh::{ElementKind, Level};
+use crate::mesh::{Element, ElementKind, Level};
 
 /// The end of a run that could not continue.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -175,11 +174,11 @@ impl fmt::Display for Message {
 
 impl fmt::Display for Trap {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Some(element) = self.about.map(|(kind, id)| ElementText(kind, id)) else {
+        let Some(element) = self.about.map(|(kind, index)| Element { kind, index }) else {
             return self.message.fmt(f);
         };
         match &self.message {
-            Message::Gone(kind) if *kind == element.0 => write!(f, "{element} no longer exists"),
+            Message::Gone(kind) if *kind == element.kind => write!(f, "{element} no longer exists"),
             Message::NotFinite => write!(f, "the new position of {element} is not finite"),
             Message::KeyNotANumber => write!(f, "the key of {element} is not a number"),
             Message::Refused { op, reason } => write!(f, "`{op}` refused {element}: {reason}"),

@@ -56,6 +56,24 @@ pub struct Unwatched;
 
 impl Watch for Unwatched {}
 
+/// A watcher that interrupts the run once it has been called so many times.
+#[derive(Clone, Copy, Debug)]
+pub struct StopAfter(pub u32);
+
+impl Watch for StopAfter {
+    fn turn(&mut self, _depth: u16, _done: u64, _total: Option<u64>) -> ControlFlow<()> {
+        self.tick()
+    }
+
+    fn tick(&mut self) -> ControlFlow<()> {
+        self.0 = self.0.saturating_sub(1);
+        match self.0 {
+            0 => ControlFlow::Break(()),
+            _ => ControlFlow::Continue(()),
+        }
+    }
+}
+
 /// The progress of the running loops.
 #[derive(Debug, Default)]
 #[repr(C)]

@@ -87,9 +87,7 @@ impl<'a> Window<'a> {
 
     #[inline]
     pub(super) fn set_vector(&mut self, reg: Reg, value: DVec3) {
-        for (offset, part) in (0..).zip(value.to_array()) {
-            self.set_real(Reg(reg.0.wrapping_add(offset)), part);
-        }
+        self.set_reals(reg, &value.to_array());
     }
 }
 

@@ -1,7 +1,7 @@
 //! Lowering of calls of operations and functions.
 
 use super::lower::Lowering;
-use crate::compile::{arguments, function_number};
+use crate::compile::{arguments, narrow};
 use crate::diagram::Expr;
 use crate::rewrite::{Inst, Reg};
 use crate::source::Span;
@@ -21,7 +21,7 @@ impl Lowering<'_> {
         let (applied, result) = (self.asm.reg(), self.asm.reg());
         let mark = self.asm.mark();
         let slots = self.arguments(args);
-        let inst = Inst::Apply { op: number(op), args: slots, applied, result };
+        let inst = Inst::Apply { op: narrow(op), args: slots, applied, result };
         self.trap_at(span, inst);
         self.asm.release(mark);
         (applied, result)
@@ -36,24 +36,14 @@ impl Lowering<'_> {
     pub(super) fn call(&mut self, call: FunctionCall, span: Span) {
         let mark = self.asm.mark();
         let args = self.arguments(call.args);
-        let inst = Inst::Call {
-            function: function_number(call.function),
-            args,
-            to: call.to,
-            holds: call.holds,
-        };
+        let inst =
+            Inst::Call { function: narrow(call.function), args, to: call.to, holds: call.holds };
         self.trap_at(span, inst);
         self.asm.release(mark);
     }
 
     /// Stops the script: the operation just called has refused, though it must not.
     pub(super) fn stop_refused(&mut self, op: usize, span: Span) {
-        self.trap_at(span, Inst::Refused { op: number(op) });
+        self.trap_at(span, Inst::Refused { op: narrow(op) });
     }
-}
-
-/// The number by which code calls an operation. One that is too large is rejected before the code
-/// is used.
-fn number(op: usize) -> u16 {
-    u16::try_from(op).unwrap_or(u16::MAX)
 }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::call::FunctionCall;
 use super::function::Known;
 use super::live::{Exits, Liveness, calls};
-use crate::compile::{Scope, attribute, copy, lower, lower_into, width};
+use crate::compile::{Scope, copy, lower, lower_into, narrow, width};
 use crate::diagram::{Access, Expr, ExprKind, NameId, Param, Type, Unary};
 use crate::lower::{Effects, Variables};
 use crate::resolve::{Statement, StatementKind, Variable};
@@ -407,10 +407,10 @@ impl<'p> Lowering<'p> {
             (Access::Position, Some(buffer)) => Inst::HoldPosition { buffer, vertex, value },
             (Access::Position, None) => Inst::StorePosition { vertex, value },
             (Access::Declared(number), Some(buffer)) => {
-                Inst::HoldAttribute { buffer, attribute: attribute(number), element, value }
+                Inst::HoldAttribute { buffer, attribute: narrow(number), element, value }
             }
             (Access::Declared(number), None) => {
-                Inst::StoreAttribute { attribute: attribute(number), element, value }
+                Inst::StoreAttribute { attribute: narrow(number), element, value }
             }
         };
         self.trap_at(span, inst);

@@ -4,7 +4,7 @@ use super::function::Functions;
 use super::lower::Lowering;
 use super::prepare::{Prepared, prepare_script};
 use super::report::{Failure, Report, run_with};
-use crate::compile::Scope;
+use crate::compile::{Scope, narrow};
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Binary, Expr, ExprKind, Unary};
 use crate::mesh::{Mesh, MeshFile, shape};
@@ -165,7 +165,7 @@ impl Lowering<'_> {
         self.asm.bind(refused);
         if let Some(why) = why {
             let (to, text) = (self.asm.reg(), self.asm.text(why));
-            let op = u16::try_from(op).unwrap_or(u16::MAX);
+            let op = narrow(op);
             self.asm.emit(Inst::RefusedFor { op, text, to });
             self.asm.emit(Inst::JumpIf { condition: to, to: fine });
             self.print_text("the reason is: ");

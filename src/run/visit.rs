@@ -2,8 +2,8 @@
 
 use super::live::Exits;
 use super::lower::{Loop, Lowering};
-use crate::compile::{Orbit, Scope, each, elements, lower};
-use crate::diagram::{Collection, Expr, Type};
+use crate::compile::{Orbit, Scope, each, element_kind, elements, lower};
+use crate::diagram::{Collection, Expr};
 use crate::lower::Effects;
 use crate::resolve::{Statement, StatementKind, Visit};
 use crate::rewrite::{Assembler, Elements, Inst, Label, Reg, Task, Turns};
@@ -245,13 +245,10 @@ fn has_loop(statement: &Statement) -> bool {
     found
 }
 
-/// What the elements of a collection must still be when their turn comes.
+/// The elements among which those of a collection must still be when their turn comes.
 pub(super) fn kind(collection: &Collection) -> Elements {
-    match (collection, collection.element()) {
-        (Collection::Holes, _) => Elements::Holes,
-        (_, Type::Vertex) => Elements::Vertices,
-        (_, Type::Halfedge) => Elements::Halfedges,
-        (_, Type::Edge) => Elements::Edges,
-        (_, _) => Elements::Faces,
+    match collection {
+        Collection::Holes => Elements::Holes,
+        _ => element_kind(collection.element()).map_or(Elements::Faces, Elements::of),
     }
 }

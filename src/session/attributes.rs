@@ -3,7 +3,7 @@
 //! Neither changes pointers, so the level of the mesh stays known.
 
 use super::{Error, Session};
-use crate::mesh::{AttributeType, ColumnData, ElementKind, Value, glam::DVec3};
+use crate::mesh::{ColumnData, ElementKind, glam::DVec3};
 
 impl Session {
     /// Sets the values of an attribute, one for each slot of a kind, alive or dead. If there is no
@@ -24,7 +24,7 @@ impl Session {
             let what = format!("values for the attribute `{name}`");
             return Err(self.wrong_length(&what, values.len(), (kind, slots)));
         }
-        let zero = zero(values.attribute_type());
+        let zero = values.attribute_type().zero();
         let column = self.mesh.add_column(kind, name, zero).map_err(|conflict| {
             self.wrong("attribute-conflict", format!("{conflict} on this mesh"))
         })?;
@@ -75,14 +75,5 @@ impl Session {
             kind.plural()
         );
         self.wrong("wrong-argument", message)
-    }
-}
-
-/// The default for new elements of an attribute that no program declares.
-fn zero(ty: AttributeType) -> Value {
-    match ty {
-        AttributeType::Bool => Value::Bool(false),
-        AttributeType::Int => Value::Int(0),
-        _ => Value::from_reals(ty, &[0.0; 16][..ty.width()]).expect("so many reals make one"),
     }
 }

@@ -45,13 +45,13 @@ impl Program {
         let path = path.as_ref();
         let shown = path.display().to_string();
         if let Some(file) = library::file(&shown).filter(|_| !path.exists()) {
-            return Self::read(file.name, file.text, &mut Disk);
+            return Self::parse_with(file.name, file.text, &mut Disk);
         }
         let text = read_program(path).map_err(|why| {
             let message = format!("cannot read `{shown}`: {why}");
             Error::nowhere("missing-file", message, &Arc::default())
         })?;
-        Self::read(&shown, &text, &mut Disk)
+        Self::parse_with(&shown, &text, &mut Disk)
     }
 
     /// Reads a program from a text. The name is used in messages, and the files that the program
@@ -60,7 +60,7 @@ impl Program {
     /// # Errors
     /// The program has errors.
     pub fn parse(name: &str, text: &str) -> Result<Self, Error> {
-        Self::read(name, text, &mut Disk)
+        Self::parse_with(name, text, &mut Disk)
     }
 
     /// As [`parse`](Self::parse), with the files that the program uses read by `reader`.
@@ -68,7 +68,9 @@ impl Program {
     /// # Errors
     /// The program has errors.
     pub fn parse_with(name: &str, text: &str, reader: &mut dyn Reader) -> Result<Self, Error> {
-        Self::read(name, text, reader)
+        let mut sources = Sources::new();
+        let file = sources.add(name, text);
+        Self::analysed(sources, file, reader)
     }
 
     /// Reads a program from texts alone, each with its name, the program itself first; anything
@@ -99,12 +101,6 @@ impl Program {
             (source.name().to_owned(), source.text().to_owned())
         });
         texts.collect()
-    }
-
-    fn read(name: &str, text: &str, reader: &mut dyn Reader) -> Result<Self, Error> {
-        let mut sources = Sources::new();
-        let file = sources.add(name, text);
-        Self::analysed(sources, file, reader)
     }
 
     /// As [`parse_with`](Self::parse_with), with counterexamples: meshes that its operations break.

@@ -111,10 +111,7 @@ impl Session {
 
     /// The refusal, if the operation would refuse, with the number of its reason if that is known.
     fn ask(&mut self, op: &Op, arguments: impl Arguments) -> Result<Option<Option<u16>>, Error> {
-        self.expect_own(&op.program)?;
-        let application = op.application()?;
-        self.give(application.parameters(), arguments)?;
-        self.make_ready(op, application)?;
+        let application = self.enter(op, arguments)?;
         let plan = application.plan();
         let Self { engine, mesh, slots, watch, .. } = self;
         let asked = engine.machine.ask(mesh, plan, slots, &mut **watch);

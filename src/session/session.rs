@@ -338,7 +338,7 @@ impl Session {
     }
 
     /// Checks the arguments of an operation and prepares the call: its slots are filled.
-    fn enter<'o>(
+    pub(super) fn enter<'o>(
         &mut self,
         op: &'o Op,
         arguments: impl Arguments,

@@ -22,8 +22,8 @@ use support::dice::Dice;
 
 /// How many programs are tried when nobody says otherwise.
 const ROUNDS: usize = 200;
-/// How long a script may run.
-const PATIENCE: Duration = Duration::from_millis(100);
+/// The longest time that a script may run.
+const LONGEST_RUN: Duration = Duration::from_millis(100);
 /// What tests run under.
 const CONDITIONS: Conditions = Conditions { seed: 0, memory: 1 << 30, engine: Engine::Native };
 
@@ -127,7 +127,7 @@ impl Hasty {
     }
 
     fn look(&self) -> ControlFlow<()> {
-        match self.0.elapsed() > PATIENCE {
+        match self.0.elapsed() > LONGEST_RUN {
             true => ControlFlow::Break(()),
             false => ControlFlow::Continue(()),
         }

@@ -7,7 +7,7 @@ use hedgerow::analysis::{Analysis, Nowhere};
 use hedgerow::diagram::Type;
 use hedgerow::library;
 use hedgerow::mesh::{ElementKind, Mesh, identical, shape};
-use hedgerow::rewrite::{Engine, Unwatched, Watch};
+use hedgerow::rewrite::{Engine, StopAfter, Unwatched, Watch};
 use hedgerow::run::{Application, Argument, Conditions, Prepared, prepare, run, test};
 use hedgerow::source::Sources;
 use support::dice::Dice;
@@ -202,31 +202,6 @@ fn loops_in_random_order_do_the_same_on_a_large_mesh() {
     assert!(report.ops.iter().all(|op| op.applied > 3000), "{report:?}");
 }
 
-/// Says stop at one of its looks.
-struct Stop {
-    looks: u32,
-}
-
-impl Stop {
-    fn look(&mut self) -> ControlFlow<()> {
-        self.looks -= 1;
-        match self.looks {
-            0 => ControlFlow::Break(()),
-            _ => ControlFlow::Continue(()),
-        }
-    }
-}
-
-impl Watch for Stop {
-    fn turn(&mut self, _: u16, _: u64, _: Option<u64>) -> ControlFlow<()> {
-        self.look()
-    }
-
-    fn tick(&mut self) -> ControlFlow<()> {
-        self.look()
-    }
-}
-
 /// Scripts that would take for ever, or nearly.
 const ENDLESS: [&str; 8] = [
     "var n = 0\n while true { n = (n + 1) mod 7 }",
@@ -258,7 +233,7 @@ fn endless_scripts_are_stopped_on_all_engines() {
             prepared.use_engine(engine);
             for looks in [1, 2, 40] {
                 let mut mesh = shape::icosphere(2);
-                let stopped = run(&prepared, &mut mesh, &[], &mut Stop { looks });
+                let stopped = run(&prepared, &mut mesh, &[], &mut StopAfter(looks));
                 let failure = stopped.expect_err("it has no end");
                 assert_eq!(failure.diagnostic.code, "interrupted", "{body}");
             }

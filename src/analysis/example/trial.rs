@@ -12,14 +12,14 @@ use crate::diagnostic::Diagnostic;
 use crate::diagram::{Param, Type};
 use crate::mesh::{EdgeId, Element, ElementKind, FaceId, HalfedgeId, Mesh, VertexId, identical};
 use crate::resolve::Program;
-use crate::rewrite::{Plans, Watch};
+use crate::rewrite::{Plans, StopAfter};
 use crate::run::{Application, Applied, Argument};
 
 /// The number of times an op is tried on one mesh.
 const TRIES: usize = 48;
 /// The most looks of one try, and of all tries together.
-const PATIENCE: u32 = 64;
-const WHOLE_PATIENCE: u32 = 1024;
+const MOST_LOOKS: u32 = 64;
+const MOST_LOOKS_IN_ALL: u32 = 1024;
 /// The most nearby elements that are tried for a parameter after the first.
 const NEARBY: usize = 12;
 
@@ -52,7 +52,7 @@ impl<'p> Trials<'p> {
             application: Application::new(program, op, plans)?,
             params: &program.ops[op].params,
             tries: 0,
-            left: WHOLE_PATIENCE,
+            left: MOST_LOOKS_IN_ALL,
             hindrances: BTreeMap::new(),
         })
     }
@@ -102,10 +102,10 @@ impl<'p> Trials<'p> {
         });
         let arguments: Vec<_> = arguments.collect();
         let mut after = stage.mesh.clone();
-        let mut patience = Patience(PATIENCE.min(self.left));
-        let applied = self.application.apply(&mut after, &arguments, &mut patience);
-        let used = PATIENCE.min(self.left) - patience.0;
-        self.left -= used;
+        let most = MOST_LOOKS.min(self.left);
+        let mut looks = StopAfter(most);
+        let applied = self.application.apply(&mut after, &arguments, &mut looks);
+        self.left -= most - looks.0;
         let why = match applied {
             Ok(Applied::Done { result, created }) => {
                 drop_columns(&mut after);
@@ -123,7 +123,7 @@ impl<'p> Trials<'p> {
                 });
             }
             Ok(Applied::Refused(why)) => format!("it was refused ({why})"),
-            Err(_) if patience.0 == 0 => "it did not come to an end".to_owned(),
+            Err(_) if looks.0 == 0 => "it did not come to an end".to_owned(),
             Err(failure) => format!("it failed ({})", failure.diagnostic.message),
         };
         *self.hindrances.entry(why).or_default() += 1;
@@ -136,29 +136,6 @@ fn drop_columns(mesh: &mut Mesh) {
     for kind in ElementKind::ALL {
         let all: Vec<_> = mesh.columns(kind).map(|(id, _)| id).collect();
         all.into_iter().for_each(|id| mesh.remove_column(id));
-    }
-}
-
-/// Breaks after the given number of looks.
-struct Patience(u32);
-
-impl Patience {
-    fn look(&mut self) -> ControlFlow<()> {
-        self.0 = self.0.saturating_sub(1);
-        match self.0 {
-            0 => ControlFlow::Break(()),
-            _ => ControlFlow::Continue(()),
-        }
-    }
-}
-
-impl Watch for Patience {
-    fn turn(&mut self, _depth: u16, _done: u64, _total: Option<u64>) -> ControlFlow<()> {
-        self.look()
-    }
-
-    fn tick(&mut self) -> ControlFlow<()> {
-        self.look()
     }
 }
 

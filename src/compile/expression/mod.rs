@@ -19,4 +19,4 @@ mod value;
 pub use collection::{Orbit, each, elements};
 pub use scope::{Scope, copy, element_kind, width};
 pub(super) use value::halfedge_field;
-pub use value::{arguments, attribute, function_number, lower, lower_into};
+pub use value::{arguments, lower, lower_into, narrow};

@@ -60,7 +60,7 @@ pub fn lower_into(asm: &mut Assembler, scope: &mut dyn Scope, expr: &Expr, to: R
             let inst = match *access {
                 Access::Position => Inst::LoadPosition { to, vertex: element },
                 Access::Declared(number) => {
-                    Inst::LoadAttribute { attribute: attribute(number), to, element }
+                    Inst::LoadAttribute { attribute: narrow(number), to, element }
                 }
             };
             asm.trap_at(place, inst);
@@ -115,13 +115,13 @@ pub fn lower_into(asm: &mut Assembler, scope: &mut dyn Scope, expr: &Expr, to: R
             let place = scope.place(expr.span);
             let args = arguments(asm, scope, args);
             // Registers without a name may hold ids.
-            let inst = Inst::Call { function: function_number(*function), args, to, holds: true };
+            let inst = Inst::Call { function: narrow(*function), args, to, holds: true };
             asm.trap_at(place, inst);
         }
         ExprKind::Try(op, args) => {
             let place = scope.place(expr.span);
             let args = arguments(asm, scope, args);
-            let op = u16::try_from(*op).unwrap_or(u16::MAX);
+            let op = narrow(*op);
             asm.trap_at(place, Inst::Try { op, args, to, why: expr.ty == Type::Text });
         }
         ExprKind::Let(variable, value, body) => {
@@ -267,16 +267,10 @@ pub fn arguments(asm: &mut Assembler, scope: &mut dyn Scope, args: &[Expr]) -> R
     slots
 }
 
-/// The number by which code calls a function. One that is too large becomes that of no function,
-/// and traps.
-pub fn function_number(function: u32) -> u16 {
-    u16::try_from(function).unwrap_or(u16::MAX)
-}
-
-/// The number by which code names an attribute. One that is too large becomes that of no attribute,
-/// and traps.
-pub fn attribute(number: u32) -> u16 {
-    u16::try_from(number).unwrap_or(u16::MAX)
+/// The number by which code names a function, an attribute or an operation. One that is too large
+/// becomes that of none, and traps or is rejected.
+pub fn narrow(number: impl TryInto<u16>) -> u16 {
+    number.try_into().unwrap_or(u16::MAX)
 }
 
 /// `element.pointer`

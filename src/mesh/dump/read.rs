@@ -42,15 +42,10 @@ fn read_name(words: &[&str], ids: Ids) -> Result<(String, Vec<Element>), DumpRea
     let [name, kind, listed @ ..] = words else {
         return Err(DumpReason::NotOfForm(FORM));
     };
-    let kind = read_kind(kind).ok_or(DumpReason::NotOfForm(FORM))?;
+    let kind = ElementKind::named(kind).ok_or(DumpReason::NotOfForm(FORM))?;
     let element = |text: &&str| Ok(Element { kind, index: ids.read(text)? });
     let elements = listed.iter().map(element).collect::<Result<_, _>>()?;
     Ok(((*name).into(), elements))
-}
-
-pub(super) fn read_kind(text: &str) -> Option<ElementKind> {
-    let mut kinds = ElementKind::ALL.into_iter();
-    kinds.find(|kind| kind.name() == text)
 }
 
 pub(super) fn read_number(text: &str) -> Result<f64, DumpReason> {

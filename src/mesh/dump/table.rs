@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::DumpReason;
-use super::read::{Ids, read_kind, read_number};
+use super::read::{Ids, read_number};
 use crate::mesh::attribute::{AttributeType, Value};
 use crate::mesh::connectivity::Mesh;
 use crate::mesh::id::{EdgeId, Element, ElementKind, FaceId, HalfedgeId, VertexId};
@@ -84,7 +84,7 @@ impl Table {
         const FORM: &str = "attribute KIND WORD TYPE DEFAULT";
         let mut types = AttributeType::ALL.iter().copied();
         let ty = types.find(|known| known.name() == ty);
-        let (Some(kind), Some(ty)) = (read_kind(kind), ty) else {
+        let (Some(kind), Some(ty)) = (ElementKind::named(kind), ty) else {
             return Err(DumpReason::NotOfForm(FORM));
         };
         let mut known = self.columns.iter();

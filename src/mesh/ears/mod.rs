@@ -19,6 +19,7 @@ use robust::{Coord, orient2d};
 
 use super::connectivity::Mesh;
 use super::id::{FaceId, HalfedgeId, VertexId};
+use patch::smallest_sine;
 use tree::Tree;
 
 impl Mesh {
@@ -155,7 +156,9 @@ impl<'m> Polygon<'m> {
     fn quality(&mut self, corner: u32) -> f64 {
         let around = [self.before[corner as usize], corner, self.behind[corner as usize]];
         let [a, b, c] = around.map(|at| self.vertices[at as usize]);
-        let sine = smallest_sine(around.map(|at| self.places[at as usize]));
+        let [p, q, r] = around.map(|at| self.places[at as usize]);
+        let sides = [p.distance(r), p.distance(q), q.distance(r)];
+        let sine = smallest_sine((q - p).cross(r - q).length(), sides);
         let joined = if self.mesh.adjacent(a, c) { -4.0 } else { 0.0 };
         let triangle = around.map(|at| self.flat[at as usize]);
         if turn(triangle) < 0.0 {
@@ -170,17 +173,6 @@ impl<'m> Polygon<'m> {
             }
             None => joined + sine,
         }
-    }
-}
-
-/// The sine of the smallest angle of a triangle: it lies across the shortest side, between the
-/// other two.
-fn smallest_sine([p, q, r]: [DVec3; 3]) -> f64 {
-    let (a, b, c) = (p.distance(r), p.distance(q), q.distance(r));
-    let sides = (a * b).max((b * c).max(c * a));
-    match sides > 0.0 {
-        true => (q - p).cross(r - q).length() / sides,
-        false => 0.0,
     }
 }
 

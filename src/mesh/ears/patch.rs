@@ -190,8 +190,9 @@ fn bend(one: DVec3, other: DVec3) -> i64 {
     }
 }
 
-/// The sine of the smallest angle of a triangle with the given double area and sides.
-fn smallest_sine(double_area: f64, [a, b, c]: [f64; 3]) -> f64 {
+/// The sine of the smallest angle of a triangle with the given double area and sides: it lies
+/// across the shortest side, between the other two.
+pub(super) fn smallest_sine(double_area: f64, [a, b, c]: [f64; 3]) -> f64 {
     let sides = (a * b).max((b * c).max(c * a));
     if sides > 0.0 { double_area / sides } else { 0.0 }
 }

@@ -58,7 +58,7 @@ impl FileColumn {
 
     fn value(&self, at: u32) -> Option<Value> {
         let ty = self.default.attribute_type();
-        let width = width(ty);
+        let width = ty.width();
         let reals = self.reals.get(at as usize * width..(at as usize + 1) * width)?;
         match ty {
             AttributeType::Bool => Some(Value::Bool(reals[0] != 0.0)),
@@ -76,11 +76,6 @@ impl FileColumn {
             }
         }
     }
-}
-
-/// The number of reals of a value; a bool or an int is stored as one.
-pub(super) fn width(ty: AttributeType) -> usize {
-    ty.width()
 }
 
 impl Contents {
@@ -256,7 +251,7 @@ impl Contents {
             let what = ["edge", "edges"]
                 .map(|word| format!("{word} that no face has, first in row {}", first + 1));
             let count = edges.iter().filter(|edge| edge.is_none()).count();
-            self.kept.note_count(what.each_ref().map(String::as_str), count);
+            self.kept.note_count(what, count);
         }
     }
 }

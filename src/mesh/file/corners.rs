@@ -161,10 +161,8 @@ impl MeshFile {
 
     /// The row of the file at the start of a halfedge in its face.
     pub(super) fn kept_row(&self, what: OfCorner, h: HalfedgeId) -> Option<u32> {
-        match what {
-            OfCorner::Texture => self.texture_index(h),
-            OfCorner::Normal => self.normal_index(h),
-        }
+        let row = *self.kept_corners(what).get(self.corner(h)?)?;
+        (row != MISSING).then_some(row)
     }
 }
 

@@ -112,9 +112,9 @@ impl Kept {
     }
 
     /// Notes something that occurs `count` times in a file, in words, singular and plural.
-    pub(super) fn note_count(&mut self, what: [&str; 2], count: usize) {
+    pub(super) fn note_count(&mut self, what: [impl Into<String>; 2], count: usize) {
         if count > 0 {
-            self.notes.push(Note { what: what.map(str::to_owned), count, line: None });
+            self.notes.push(Note { what: what.map(Into::into), count, line: None });
         }
     }
 
@@ -131,7 +131,7 @@ impl Kept {
     pub(super) fn note_bytes_behind(&mut self, rest: &[u8], element: &str) {
         if !rest.trim_ascii().is_empty() {
             let what = ["byte", "bytes"].map(|word| format!("{word} behind the last {element}"));
-            self.note_count(what.each_ref().map(String::as_str), rest.len());
+            self.note_count(what, rest.len());
         }
     }
 

@@ -9,6 +9,7 @@
 use std::collections::BTreeSet;
 use std::path::PathBuf;
 
+use super::corners::OfCorner;
 use super::format::{Encoding, MshVersion};
 use super::kept::{Kept, MISSING};
 use crate::mesh::attribute::{AttributeType, ColumnId, Value};
@@ -258,14 +259,12 @@ impl MeshFile {
 
     /// The row of the file's texture coordinates at the start of `h` in its face, from 0.
     pub fn texture_index(&self, h: HalfedgeId) -> Option<u32> {
-        let row = *self.kept.corner_texture.get(self.corner(h)?)?;
-        (row != MISSING).then_some(row)
+        self.kept_row(OfCorner::Texture, h)
     }
 
     /// The row of the file's normals at the start of `h` in its face, from 0.
     pub fn normal_index(&self, h: HalfedgeId) -> Option<u32> {
-        let row = *self.kept.corner_normals.get(self.corner(h)?)?;
-        (row != MISSING).then_some(row)
+        self.kept_row(OfCorner::Normal, h)
     }
 
     /// The rows of `vt`; missing numbers are 0.

@@ -110,7 +110,7 @@ impl Colors {
             format!("{kind} without a colour, which is white now"),
             format!("{} without a colour, which are white now", kind.plural()),
         ];
-        contents.kept.note_count(what.each_ref().map(String::as_str), self.bare);
+        contents.kept.note_count(what, self.bare);
         let most = self.reals.iter().copied().fold(0.0, f64::max);
         let scale = if most > 1.0 { 255.0 } else { 1.0 };
         let channel = |value: f64| if value.is_nan() { 1.0 } else { value / scale };

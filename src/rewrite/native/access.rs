@@ -45,10 +45,7 @@ impl Translator<'_, '_> {
             Elements::Holes => return self.is_in_state(id, FaceState::Hole),
             Elements::Vertices | Elements::Halfedges | Elements::Edges => {}
         }
-        let (start, _, size) = table(of.kind());
-        let start = self.table_field(start);
-        let offset = self.scaled(id, size);
-        let record = self.b.ins().iadd(start, offset);
+        let record = self.place(of.kind(), id);
         self.is_not_dead(of.kind(), record)
     }
 
@@ -106,15 +103,10 @@ impl Translator<'_, '_> {
     pub(super) fn living(&mut self, kind: ElementKind, reg: Reg) -> Value {
         let fact = self.fact(reg);
         let id = self.id(reg);
-        let (table, count, size) = table(kind);
-        if !fact.is_in_range(kind) {
-            let count = self.table_field(count);
-            let is_in_range = self.b.ins().icmp(IntCC::UnsignedLessThan, id, count);
-            self.or_fault(is_in_range);
-        }
-        let table = self.table_field(table);
-        let offset = self.scaled(id, size);
-        let record = self.b.ins().iadd(table, offset);
+        let record = match fact.is_in_range(kind) {
+            true => self.place(kind, id),
+            false => self.record(kind, id),
+        };
         if !fact.lives(kind) {
             let lives = self.is_not_dead(kind, record);
             self.or_fault(lives);

@@ -96,10 +96,11 @@ impl Translator<'_, '_> {
         run.by_ref().last().map_or(first, |(at, _)| at + 1)
     }
 
-    pub(super) fn leave_if(&mut self, condition: Value) {
-        let (leave, on) = (self.leave, self.b.create_block());
-        self.b.ins().brif(condition, leave, &[], on, &[]);
-        self.go_on(on);
+    /// Lets a stub execute the current instruction.
+    pub(super) fn execute_by(&mut self, stub: usize, inst: &Inst) {
+        self.spill_operands(inst);
+        self.call_here(stub);
+        self.reload_written(inst);
     }
 }
 

@@ -129,17 +129,11 @@ impl Translator<'_, '_> {
 
         self.b.switch_to_block(slow);
         self.call_by_machine(inst);
-        self.b.ins().jump(on, &[]);
-        self.go_on(on);
+        self.join(on);
     }
 
     pub(super) fn call_by_machine(&mut self, inst: &Inst) {
-        self.spill_operands(inst);
-        let number = self.b.ins().iconst(I64, self.at as i64);
-        let done = self.call_stub(stubs::calls::call as *const () as usize, &[number]);
-        let failed = self.b.ins().icmp_imm_s(IntCC::SignedLessThan, done, 0);
-        self.leave_if(failed);
-        self.reload_written(inst);
+        self.execute_by(stubs::calls::call as *const () as usize, inst);
     }
 
     /// A function that may be called directly, if it was compiled for what this code expects.
@@ -214,16 +208,12 @@ impl Translator<'_, '_> {
 
         self.b.switch_to_block(slow);
         self.apply_by_machine(inst, [applied, result]);
-        self.b.ins().jump(on, &[]);
-        self.go_on(on);
+        self.join(on);
     }
 
     fn apply_by_machine(&mut self, inst: &Inst, [applied, result]: [Reg; 2]) {
         self.spill_read(inst);
-        let number = self.b.ins().iconst(I64, self.at as i64);
-        let done = self.call_stub(stubs::calls::apply as *const () as usize, &[number]);
-        let failed = self.b.ins().icmp_imm_s(IntCC::SignedLessThan, done, 0);
-        self.leave_if(failed);
+        let done = self.call_here(stubs::calls::apply as *const () as usize);
         let before = self.whole(result);
         let is_given = self.b.ins().band_imm_u(done, 2);
         let made = self.b.ins().ushr_imm_u(done, 32);
@@ -248,8 +238,7 @@ impl Translator<'_, '_> {
 
         self.b.switch_to_block(slow);
         self.step(inst);
-        self.b.ins().jump(on, &[]);
-        self.go_on(on);
+        self.join(on);
     }
 
     /// An operation that may be called directly, if it was compiled for what this code expects and

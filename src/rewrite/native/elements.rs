@@ -129,8 +129,7 @@ impl Translator<'_, '_> {
                 self.spill_operands(inst);
                 let number = self.b.ins().iconst(I64, self.at as i64);
                 let done = self.call_stub(stubs::answer as *const () as usize, &[number]);
-                let has = self.b.ins().icmp_imm_s(IntCC::SignedGreaterThanOrEqual, done, 0);
-                self.or_fault(has);
+                self.or_fault_if_negative(done);
                 self.reload_written(inst);
             }
             _ => return false,

@@ -5,6 +5,7 @@
 //! or written is in range. So native code tests each element once, and those reached by pointers
 //! only for their range.
 
+use super::access::pointer;
 use super::compile::entries;
 use super::operands::{Surroundings, Use};
 use crate::mesh::ElementKind;
@@ -129,14 +130,7 @@ impl Facts {
             Inst::Copy { to, .. } | Inst::WalkBegin { at: to, .. } => self.set(to, before),
             Inst::WalkNext { at, .. } => self.set(at, Fact::led_to(ElementKind::Halfedge)),
             Inst::Load { field, to, halfedge } => {
-                let kind = match field {
-                    HalfedgeField::Next | HalfedgeField::Prev | HalfedgeField::Twin => {
-                        ElementKind::Halfedge
-                    }
-                    HalfedgeField::Vertex => ElementKind::Vertex,
-                    HalfedgeField::Edge => ElementKind::Edge,
-                    HalfedgeField::Face => ElementKind::Face,
-                };
+                let (_, _, kind) = pointer(field);
                 self.use_element(halfedge, ElementKind::Halfedge);
                 let spoke = (field == HalfedgeField::Vertex && to != halfedge).then_some(halfedge);
                 self.set(to, Fact { spoke, ..Fact::led_to(kind) });
@@ -161,10 +155,7 @@ impl Facts {
                     self.use_element(element, question.kind());
                 }
             }
-            Inst::NewVertex { to } => self.set(to, Fact::new(ElementKind::Vertex)),
-            Inst::NewHalfedge { to } => self.set(to, Fact::new(ElementKind::Halfedge)),
-            Inst::NewEdge { to } => self.set(to, Fact::new(ElementKind::Edge)),
-            Inst::NewFace { to } => self.set(to, Fact::new(ElementKind::Face)),
+            Inst::New { kind, to } => self.set(to, Fact::new(kind)),
             Inst::Erase { kind, .. } => {
                 for fact in self.0.iter_mut().filter(|fact| fact.kind == Some(kind)) {
                     fact.lives = false;

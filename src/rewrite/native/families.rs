@@ -83,8 +83,7 @@ impl Translator<'_, '_> {
                 self.b.ins().jump(on, &[]);
             }
             _ => {
-                self.b.ins().jump(on, &[]);
-                self.go_on(on);
+                self.join(on);
                 return false;
             }
         }
@@ -160,8 +159,7 @@ impl Translator<'_, '_> {
         let answer = self.call_stub(lists::are_distinct as *const () as usize, &[number]);
         self.or_fault_if_negative(answer);
         self.b.def_var(result, answer);
-        self.b.ins().jump(on, &[]);
-        self.go_on(on);
+        self.join(on);
         self.b.use_var(result)
     }
 
@@ -174,9 +172,7 @@ impl Translator<'_, '_> {
     /// Lets a stub execute the current instruction in the block `slow`, and jumps to `on`.
     fn fill_by_stub(&mut self, slow: Block, on: Block) {
         self.b.switch_to_block(slow);
-        let number = self.b.ins().iconst(I64, self.at as i64);
-        let done = self.call_stub(lists::fill as *const () as usize, &[number]);
-        self.leave_if_negative(done);
+        self.call_here(lists::fill as *const () as usize);
         self.b.ins().jump(on, &[]);
     }
 

@@ -176,8 +176,7 @@ impl Translator<'_, '_> {
         self.b.switch_to_block(other);
         let holds = self.foresee(OrbitCondition::TwoSpokes, [vertex; 2]);
         self.set_whole(to, holds);
-        self.b.ins().jump(on, &[]);
-        self.go_on(on);
+        self.join(on);
     }
 
     /// The conditions of a vertex, answered by one walk around it, that this and the following
@@ -315,8 +314,7 @@ impl Translator<'_, '_> {
             let is_shared = this.b.ins().icmp(IntCC::Equal, own, shared);
             this.or_fault(is_shared);
         });
-        self.b.ins().jump(on, &[]);
-        self.go_on(on);
+        self.join(on);
         let before = self.b.use_var(before);
         self.store_along(field, slots, value);
         self.set.push(Set::Along { before, slots, field });

@@ -97,7 +97,7 @@ impl<'a> Translator<'a, '_> {
         let results = (0..gives).map(|part| Reg(to.0.wrapping_add(part)));
         let results =
             results.map(|reg| (self.variable(reg), self.is_real(reg))).collect::<Vec<_>>();
-        self.spell(number, called, &params, Back { exit, results }, trapped);
+        self.inline_body(number, called, &params, Back { exit, results }, trapped);
 
         self.b.switch_to_block(exit);
         self.return_to_caller(lists, left);
@@ -114,8 +114,7 @@ impl<'a> Translator<'a, '_> {
 
         self.b.switch_to_block(slow);
         self.call_by_machine(inst);
-        self.b.ins().jump(on, &[]);
-        self.go_on(on);
+        self.join(on);
         true
     }
 
@@ -130,7 +129,7 @@ impl<'a> Translator<'a, '_> {
     }
 
     /// Translates the code of an inlined function.
-    fn spell(
+    fn inline_body(
         &mut self,
         number: u16,
         called: &'a Function,

@@ -78,8 +78,7 @@ impl Translator<'_, '_> {
                 let which = i64::from(buffer) | (of.kind() as i64) << 16;
                 let which = self.b.ins().iconst(I64, which);
                 self.call_stub(lists::prefetch as *const () as usize, &[which, place]);
-                self.b.ins().jump(on, &[]);
-                self.go_on(on);
+                self.join(on);
             }
             Inst::NextIndex { buffer, index, otherwise } => {
                 let next = self.whole(index);
@@ -148,8 +147,7 @@ impl Translator<'_, '_> {
         self.b.switch_to_block(few);
         let begun = self.call_stub(lists::begin as *const () as usize, &[]);
         self.leave_if_negative(begun);
-        self.b.ins().jump(on, &[]);
-        self.go_on(on);
+        self.join(on);
     }
 
     /// Empties a buffer.
@@ -184,8 +182,7 @@ impl Translator<'_, '_> {
         let is_negative = self.b.ins().icmp_imm_s(IntCC::SignedLessThan, rest, 0);
         let rest = self.b.ins().select(is_negative, positive, rest);
         self.b.def_var(place, rest);
-        self.b.ins().jump(on, &[]);
-        self.go_on(on);
+        self.join(on);
         self.b.use_var(place)
     }
 
@@ -221,8 +218,7 @@ impl Translator<'_, '_> {
         let stub = lists::hold as *const () as usize;
         let done = self.call_stub(stub, &[which, header, element]);
         self.or_fault_if_negative(done);
-        self.b.ins().jump(on, &[]);
-        self.go_on(on);
+        self.join(on);
     }
 
     /// Appends a slot to a buffer, whose list this is.
@@ -240,8 +236,7 @@ impl Translator<'_, '_> {
         let number = self.b.ins().iconst(I64, i64::from(buffer));
         let done = self.call_stub(lists::push as *const () as usize, &[number, bits]);
         self.or_fault_if_negative(done);
-        self.b.ins().jump(on, &[]);
-        self.go_on(on);
+        self.join(on);
     }
 
     /// Appends the halfedges of a walk to a buffer, and jumps to `on`. A stub walks again if the
@@ -291,8 +286,7 @@ impl Translator<'_, '_> {
         let stub = lists::collect as *const () as usize;
         let walked = self.call_stub(stub, &[which, from, until]);
         self.or_fault_if_negative(walked);
-        self.b.ins().jump(on, &[]);
-        self.go_on(on);
+        self.join(on);
     }
 
     /// The address of the list of a buffer.

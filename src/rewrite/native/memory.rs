@@ -53,7 +53,17 @@ impl Translator<'_, '_> {
 
     pub(super) fn leave_if_negative(&mut self, answer: Value) {
         let failed = self.b.ins().icmp_imm_s(IntCC::SignedLessThan, answer, 0);
-        self.leave_if(failed);
+        let (leave, on) = (self.leave, self.b.create_block());
+        self.b.ins().brif(failed, leave, &[], on, &[]);
+        self.go_on(on);
+    }
+
+    /// Calls a stub with the place of the current instruction, and leaves if it traps.
+    pub(super) fn call_here(&mut self, stub: usize) -> Value {
+        let number = self.b.ins().iconst(I64, self.at as i64);
+        let answer = self.call_stub(stub, &[number]);
+        self.leave_if_negative(answer);
+        answer
     }
 
     /// Continues unless a stub has answered [`LEAVE`](super::stubs::LEAVE): then the machine

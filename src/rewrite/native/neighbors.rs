@@ -199,8 +199,7 @@ impl Translator<'_, '_> {
         }
         self.known.facts = before;
         self.skip = behind - at - 1;
-        self.b.ins().jump(on, &[]);
-        self.go_on(on);
+        self.join(on);
         true
     }
 

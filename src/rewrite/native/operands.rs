@@ -9,10 +9,7 @@ use crate::rewrite::{Code, Function, Inst, Plan, Question, Reg};
 fn adds(inst: &Inst) -> bool {
     matches!(
         inst,
-        Inst::NewVertex { .. }
-            | Inst::NewHalfedge { .. }
-            | Inst::NewEdge { .. }
-            | Inst::NewFace { .. }
+        Inst::New { .. }
             | Inst::BufferNew { .. }
             | Inst::ExpectRoom { .. }
             | Inst::ExpectRoomFor { .. }
@@ -115,12 +112,7 @@ impl Surroundings<'_> {
     fn attribute(&self, attribute: u16) -> (u16, Class) {
         match self.type_of(attribute) {
             Some(AttributeType::Bool | AttributeType::Int) | None => (1, Class::Whole),
-            Some(AttributeType::Real) => (1, Class::Real),
-            Some(AttributeType::Vec2) => (2, Class::Real),
-            Some(AttributeType::Vec3) => (3, Class::Real),
-            Some(AttributeType::Vec4) => (4, Class::Real),
-            Some(AttributeType::Mat3) => (9, Class::Real),
-            Some(AttributeType::Mat4) => (16, Class::Real),
+            Some(ty) => (ty.width() as u16, Class::Real),
         }
     }
 
@@ -321,10 +313,7 @@ impl Surroundings<'_> {
                 Read Whole from, 1; Read Whole goal, 1; Read Whole stop, 1; Write Whole to, 1;
             },
             Inst::PreviewNew { to }
-            | Inst::NewVertex { to }
-            | Inst::NewHalfedge { to }
-            | Inst::NewEdge { to }
-            | Inst::NewFace { to }
+            | Inst::New { to, .. }
             | Inst::MeetsAll { to, .. }
             | Inst::ForeseeAlong { to, .. }
             | Inst::BufferLength { to, .. }

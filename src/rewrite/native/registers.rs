@@ -9,40 +9,36 @@ use std::mem::offset_of;
 
 use super::context::Context;
 use super::facts::Fact;
-use super::operands::{Class, Operand, Surroundings, Use};
+use super::operands::{Class, Surroundings, Use};
 use super::translate::{Region, Translator};
 use crate::rewrite::{Inst, Reg};
 
 impl Translator<'_, '_> {
     pub(super) fn spill_operands(&mut self, inst: &Inst) {
-        let mut read: Vec<Operand> = Vec::new();
-        self.text.surroundings.each_operand(inst, &mut |operand| {
-            if operand.used != Use::Write {
-                read.push(operand);
-            }
-        });
-        read.into_iter().flat_map(Operand::registers).for_each(|reg| self.spill(reg));
+        let read = self.registers(inst, |used| used != Use::Write);
+        read.into_iter().for_each(|reg| self.spill(reg));
     }
 
     /// Writes the registers that an instruction only reads to the window.
     pub(super) fn spill_read(&mut self, inst: &Inst) {
-        let mut read: Vec<Operand> = Vec::new();
-        self.text.surroundings.each_operand(inst, &mut |operand| {
-            if operand.used == Use::Read {
-                read.push(operand);
-            }
-        });
-        read.into_iter().flat_map(Operand::registers).for_each(|reg| self.spill(reg));
+        let read = self.registers(inst, |used| used == Use::Read);
+        read.into_iter().for_each(|reg| self.spill(reg));
     }
 
     pub(super) fn reload_written(&mut self, inst: &Inst) {
-        let mut written = Vec::new();
+        let written = self.registers(inst, |used| used != Use::Read);
+        written.into_iter().for_each(|reg| self.reload(reg));
+    }
+
+    /// The registers that an instruction uses in some ways.
+    fn registers(&self, inst: &Inst, is_one: impl Fn(Use) -> bool) -> Vec<Reg> {
+        let mut all = Vec::new();
         self.text.surroundings.each_operand(inst, &mut |operand| {
-            if operand.used != Use::Read {
-                written.extend(operand.registers());
+            if is_one(operand.used) {
+                all.extend(operand.registers());
             }
         });
-        written.into_iter().for_each(|reg| self.reload(reg));
+        all
     }
 
     /// Writes a register to the window.

@@ -2,7 +2,7 @@
 //!
 //! Each thread has a machine of its own, and takes ranges of slots until none is left. The caller
 //! waits, reports the progress to the watcher, and stops the threads if the watcher interrupts.
-//! What they keep is put together when all are done. A single thread also runs an `update` in
+//! The slots that they keep are put together when all are done. A single thread also runs an `update` in
 //! parts, since native code keeps their writes without calling a stub.
 
 use std::mem::ManuallyDrop;
@@ -71,7 +71,7 @@ impl Machine {
         let trapped = AtomicUsize::new(ranges.len());
         let (stop, turns) = (AtomicBool::new(false), AtomicUsize::new(0));
         let done: Mutex<Vec<Done>> = Mutex::default();
-        let mut crew = self.crew_of(mesh, call, (threads, frames));
+        let mut workers = self.workers_of(mesh, call, (threads, frames));
         let shared: &Mesh = mesh;
         // A part has no function number.
         let inner = Call {
@@ -105,18 +105,18 @@ impl Machine {
         };
         let bystander = || Bystander { stop: &stop, turns: &turns };
         if is_sampled {
-            let visits = take(&mut crew[0], &mut head(), &mut bystander());
+            let visits = take(&mut workers[0], &mut head(), &mut bystander());
             if visits.is_some_and(|visits| 2 * visits >= ranges[0].len()) {
                 neighbors = self.neighbors_for(shared, part, call, true);
             }
         }
-        crew.iter_mut().for_each(|machine| machine.neighbors = neighbors.clone());
+        workers.iter_mut().for_each(|machine| machine.neighbors = neighbors.clone());
         let progress = &mut self.progress;
         let mut look = |watch: &mut dyn Watch| match part.task {
             Task::Update => progress.show(watch, part.depth, [turns.load(Relaxed), slots]),
             Task::Aggregate | Task::Filter | Task::Keys => watch.tick(),
         };
-        if let [machine] = crew.as_mut_slice() {
+        if let [machine] = workers.as_mut_slice() {
             take_all(machine, &mut Alone { bystander: bystander(), look: &mut || look(watch) });
         } else {
             let take_all = |machine: &mut Machine| take_all(machine, &mut bystander());
@@ -126,13 +126,13 @@ impl Machine {
                     stop.store(true, Relaxed);
                 }
             };
-            parallel::each_at_work(&mut crew, take_all, LOOK, meanwhile);
+            parallel::each_at_work(&mut workers, take_all, LOOK, meanwhile);
         }
-        for machine in &mut crew {
+        for machine in &mut workers {
             machine.neighbors = Neighbors::default();
             self.compiling += std::mem::take(&mut machine.compiling);
         }
-        self.crew = crew;
+        self.workers = workers;
         let mut done = done.into_inner().unwrap_or_else(PoisonError::into_inner);
         done.sort_unstable_by_key(|(range, ..)| *range);
         // Traps of values and keys do not count: the loop on one thread traps again.
@@ -244,17 +244,17 @@ impl Machine {
     }
 
     /// Machines for `threads` threads, with the current values of the registers.
-    fn crew_of(
+    fn workers_of(
         &mut self,
         mesh: &Mesh,
         call: &Call<'_>,
         (threads, frames): (usize, usize),
     ) -> Vec<Machine> {
-        let mut crew = std::mem::take(&mut self.crew);
-        crew.resize_with(threads, || Machine::new(&self.plans));
+        let mut workers = std::mem::take(&mut self.workers);
+        workers.resize_with(threads, || Machine::new(&self.plans));
         let registers = usize::from(call.code.registers);
         let window = self.stack.get(call.base..call.base + registers).unwrap_or_default();
-        for machine in &mut crew {
+        for machine in &mut workers {
             machine.plans = self.plans.clone();
             machine.columns.clone_from(&self.columns);
             machine.is_beside_others = true;
@@ -262,7 +262,7 @@ impl Machine {
             machine.start(mesh, window);
             machine.frames = frames;
         }
-        crew
+        workers
     }
 
     /// Runs the turns of a range.

@@ -378,6 +378,12 @@ impl<'a, 'f> Translator<'a, 'f> {
         self.b.switch_to_block(block);
     }
 
+    /// Jumps to a block that other jumps lead to, and goes on there.
+    pub(super) fn join(&mut self, on: Block) {
+        self.b.ins().jump(on, &[]);
+        self.go_on(on);
+    }
+
     pub(super) fn jump_if(&mut self, condition: Value, to: Label) {
         let (to, on) = (self.block(to), self.b.create_block());
         self.b.ins().brif(condition, to, &[], on, &[]);

@@ -55,19 +55,16 @@ impl Translator<'_, '_> {
                 let value = self.compare(IntCC::SignedLessThanOrEqual, left, right);
                 self.set_truth(to, value);
             }
-            Inst::AddInt { to, left, right } => {
+            Inst::AddInt { to, left, right }
+            | Inst::SubInt { to, left, right }
+            | Inst::MulInt { to, left, right } => {
                 let (left, right) = (self.whole(left), self.whole(right));
-                let (value, overflow) = self.b.ins().sadd_overflow(left, right);
-                self.set_unless(to, value, overflow);
-            }
-            Inst::SubInt { to, left, right } => {
-                let (left, right) = (self.whole(left), self.whole(right));
-                let (value, overflow) = self.b.ins().ssub_overflow(left, right);
-                self.set_unless(to, value, overflow);
-            }
-            Inst::MulInt { to, left, right } => {
-                let (left, right) = (self.whole(left), self.whole(right));
-                let (value, overflow) = self.b.ins().smul_overflow(left, right);
+                let ins = self.b.ins();
+                let (value, overflow) = match inst {
+                    Inst::AddInt { .. } => ins.sadd_overflow(left, right),
+                    Inst::SubInt { .. } => ins.ssub_overflow(left, right),
+                    _ => ins.smul_overflow(left, right),
+                };
                 self.set_unless(to, value, overflow);
             }
             Inst::DivInt { to, left, right } | Inst::ModInt { to, left, right } => {
@@ -86,14 +83,12 @@ impl Translator<'_, '_> {
                 let value = self.b.ins().iabs(from);
                 self.set_unless(to, value, overflow);
             }
-            Inst::MinInt { to, left, right } => {
+            Inst::MinInt { to, left, right } | Inst::MaxInt { to, left, right } => {
                 let (left, right) = (self.whole(left), self.whole(right));
-                let value = self.b.ins().smin(left, right);
-                self.set_whole(to, value);
-            }
-            Inst::MaxInt { to, left, right } => {
-                let (left, right) = (self.whole(left), self.whole(right));
-                let value = self.b.ins().smax(left, right);
+                let value = match inst {
+                    Inst::MinInt { .. } => self.b.ins().smin(left, right),
+                    _ => self.b.ins().smax(left, right),
+                };
                 self.set_whole(to, value);
             }
             Inst::IntToReal { to, from } => {
@@ -101,26 +96,10 @@ impl Translator<'_, '_> {
                 let value = self.b.ins().fcvt_from_sint(F64, from);
                 self.set_real(to, value);
             }
-            Inst::AddReal { to, left, right } => {
-                let (left, right) = (self.real(left), self.real(right));
-                let value = self.b.ins().fadd(left, right);
-                self.set_real(to, value);
-            }
-            Inst::SubReal { to, left, right } => {
-                let (left, right) = (self.real(left), self.real(right));
-                let value = self.b.ins().fsub(left, right);
-                self.set_real(to, value);
-            }
-            Inst::MulReal { to, left, right } => {
-                let (left, right) = (self.real(left), self.real(right));
-                let value = self.b.ins().fmul(left, right);
-                self.set_real(to, value);
-            }
-            Inst::DivReal { to, left, right } => {
-                let (left, right) = (self.real(left), self.real(right));
-                let value = self.b.ins().fdiv(left, right);
-                self.set_real(to, value);
-            }
+            Inst::AddReal { to, left, right } => self.each(to, left, right, Lanes::Add, 1),
+            Inst::SubReal { to, left, right } => self.each(to, left, right, Lanes::Subtract, 1),
+            Inst::MulReal { to, left, right } => self.each(to, left, right, Lanes::Multiply, 1),
+            Inst::DivReal { to, left, right } => self.by_real(to, left, right, Lanes::Divide, 1),
             Inst::MinReal { to, left, right } => self.function(stubs::min, to, left, right),
             Inst::MaxReal { to, left, right } => self.function(stubs::max, to, left, right),
             Inst::PowReal { to, left, right } => self.function(stubs::pow, to, left, right),
@@ -151,16 +130,8 @@ impl Translator<'_, '_> {
                 let values = self.vector(from).map(|part| self.b.ins().fneg(part));
                 self.set_vector(to, values);
             }
-            Inst::ScaleVec { to, left, right } => {
-                let (left, right) = (self.vector(left), self.real(right));
-                let values = left.map(|part| self.b.ins().fmul(part, right));
-                self.set_vector(to, values);
-            }
-            Inst::DivVec { to, left, right } => {
-                let (left, right) = (self.vector(left), self.real(right));
-                let values = left.map(|part| self.b.ins().fdiv(part, right));
-                self.set_vector(to, values);
-            }
+            Inst::ScaleVec { to, left, right } => self.by_real(to, left, right, Lanes::Scale, 3),
+            Inst::DivVec { to, left, right } => self.by_real(to, left, right, Lanes::Divide, 3),
             Inst::MixVec { to, left, right, t } => {
                 let (left, right, t) = (self.vector(left), self.vector(right), self.real(t));
                 let one = self.b.ins().f64const(1.0);
@@ -216,27 +187,11 @@ impl Translator<'_, '_> {
                     {
                         self.each(to, left, right, operation, width);
                     }
-                    Lanes::Scale
+                    Lanes::Scale | Lanes::Divide
                         if apart(left, width)
                             && !(to.0..to.0.saturating_add(width)).contains(&right.0) =>
                     {
-                        let right = self.real(right);
-                        for part in 0..width {
-                            let from = self.real(Reg(left.0.wrapping_add(part)));
-                            let value = self.b.ins().fmul(from, right);
-                            self.set_real(Reg(to.0.wrapping_add(part)), value);
-                        }
-                    }
-                    Lanes::Divide
-                        if apart(left, width)
-                            && !(to.0..to.0.saturating_add(width)).contains(&right.0) =>
-                    {
-                        let right = self.real(right);
-                        for part in 0..width {
-                            let from = self.real(Reg(left.0.wrapping_add(part)));
-                            let value = self.b.ins().fdiv(from, right);
-                            self.set_real(Reg(to.0.wrapping_add(part)), value);
-                        }
+                        self.by_real(to, left, right, operation, width);
                     }
                     Lanes::Dot => {
                         let (left, right) = (self.reals(left, width), self.reals(right, width));
@@ -310,8 +265,7 @@ impl Translator<'_, '_> {
         for (var, value) in parts.into_iter().zip(values) {
             self.b.def_var(var, value);
         }
-        self.b.ins().jump(on, &[]);
-        self.go_on(on);
+        self.join(on);
         parts.map(|part| self.b.use_var(part))
     }
 
@@ -321,11 +275,7 @@ impl Translator<'_, '_> {
 
     /// Lets a stub compute with vectors and matrices in the window.
     fn compute(&mut self, inst: &Inst) {
-        self.spill_operands(inst);
-        let number = self.b.ins().iconst(I64, self.at as i64);
-        let done = self.call_stub(stubs::compute as *const () as usize, &[number]);
-        self.leave_if_negative(done);
-        self.reload_written(inst);
+        self.execute_by(stubs::compute as *const () as usize, inst);
     }
 
     pub(super) fn truth(&mut self, reg: Reg) -> Value {
@@ -374,8 +324,7 @@ impl Translator<'_, '_> {
 
         self.b.switch_to_block(other);
         self.step(inst);
-        self.b.ins().jump(on, &[]);
-        self.go_on(on);
+        self.join(on);
     }
 
     fn function(&mut self, stub: extern "C" fn(f64, f64) -> f64, to: Reg, left: Reg, right: Reg) {
@@ -388,6 +337,17 @@ impl Translator<'_, '_> {
         let (left, right) = (self.real(left), self.real(right));
         let value = self.b.ins().fcmp(how, left, right);
         self.set_truth(to, value);
+    }
+
+    fn by_real(&mut self, to: Reg, left: Reg, right: Reg, operation: Lanes, width: u16) {
+        let (left, right) = (self.reals(left, width), self.real(right));
+        for (at, part) in (0..).zip(left) {
+            let value = match operation {
+                Lanes::Divide => self.b.ins().fdiv(part, right),
+                _ => self.b.ins().fmul(part, right),
+            };
+            self.set_real(Reg(to.0.wrapping_add(at)), value);
+        }
     }
 
     fn each(&mut self, to: Reg, left: Reg, right: Reg, operation: Lanes, width: u16) {

@@ -51,8 +51,7 @@ impl Translator<'_, '_> {
         let answer = self.call_stub(stub, &[number, numbers[0], numbers[1]]);
         self.or_fault_if_negative(answer);
         self.set_whole(to, answer);
-        self.b.ins().jump(on, &[]);
-        self.go_on(on);
+        self.join(on);
     }
 
     /// The answer, if a walk can find it.
@@ -111,11 +110,8 @@ impl Translator<'_, '_> {
         if let Some(spoke) = self.fact(element).spoke() {
             return self.id(spoke);
         }
-        let (kind, id) = (of.kind(), self.id(element));
-        let (start, _, size) = table(kind);
-        let start = self.table_field(start);
-        let offset = self.scaled(id, size);
-        let record = self.b.ins().iadd(start, offset);
+        let id = self.id(element);
+        let record = self.place(of.kind(), id);
         let (region, offset) = first(of);
         self.number(region, record, offset)
     }

@@ -100,10 +100,7 @@ impl Translator<'_, '_> {
                     self.b.ins().store(flags, bits, place, i32::from(part) * 8);
                 }
             }
-            Inst::NewVertex { .. }
-            | Inst::NewHalfedge { .. }
-            | Inst::NewEdge { .. }
-            | Inst::NewFace { .. } => self.add(),
+            Inst::New { .. } => self.add(),
             Inst::Erase { .. } => {
                 // All that are erased together by one call.
                 let (first, code) = (self.at, self.text.code);
@@ -191,8 +188,7 @@ impl Translator<'_, '_> {
         self.b.ins().jump(on, &[]);
         self.b.switch_to_block(full);
         self.step(inst);
-        self.b.ins().jump(on, &[]);
-        self.go_on(on);
+        self.join(on);
     }
 
     /// Sets a register to the element that a stub has returned; jumps if there is none.
@@ -214,14 +210,11 @@ impl Translator<'_, '_> {
         self.b.set_cold_block(look);
         self.b.ins().brif(rest, pass, &[], look, &[]);
         self.b.switch_to_block(look);
-        let number = self.b.ins().iconst(I64, self.at as i64);
-        let done = self.call_stub(stub, &[number]);
-        self.leave_if_negative(done);
+        self.call_here(stub);
         self.b.ins().jump(on, &[]);
         self.b.switch_to_block(pass);
         self.b.ins().store(flags, now, progress, turns);
-        self.b.ins().jump(on, &[]);
-        self.go_on(on);
+        self.join(on);
     }
 
     /// Calls a stub if writes to these fields of elements of this kind are to be notified.
@@ -245,8 +238,7 @@ impl Translator<'_, '_> {
         let args = args(self);
         let done = self.call_stub(stub, &args);
         self.leave_if_negative(done);
-        self.b.ins().jump(on, &[]);
-        self.go_on(on);
+        self.join(on);
     }
 
     /// Translates this instruction and those of its sort that follow it as one.
@@ -261,8 +253,7 @@ impl Translator<'_, '_> {
         let done = self.call_stub(stubs::add as *const () as usize, &[span]);
         self.leave_if_negative(done);
         all.iter().for_each(|inst| self.reload_written(inst));
-        self.b.ins().jump(on, &[]);
-        self.go_on(on);
+        self.join(on);
         self.skip = end - first - 1;
     }
 
@@ -358,10 +349,7 @@ impl Translator<'_, '_> {
 /// The kind of the element that an instruction adds, and the register of its number.
 fn added(inst: &Inst) -> Option<(ElementKind, Reg)> {
     match *inst {
-        Inst::NewVertex { to } => Some((ElementKind::Vertex, to)),
-        Inst::NewHalfedge { to } => Some((ElementKind::Halfedge, to)),
-        Inst::NewEdge { to } => Some((ElementKind::Edge, to)),
-        Inst::NewFace { to } => Some((ElementKind::Face, to)),
+        Inst::New { kind, to } => Some((kind, to)),
         _ => None,
     }
 }

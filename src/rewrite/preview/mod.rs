@@ -17,7 +17,7 @@ pub use questions::Fan;
 use super::access::{self, gone};
 use super::distinct::Seen;
 use super::{ElementField, Fault, HalfedgeField};
-use crate::mesh::{EdgeId, ElementKind, FaceId, HalfedgeId, HalfedgeRecord, Mesh, VertexId};
+use crate::mesh::{ElementKind, FaceId, HalfedgeId, HalfedgeRecord, Mesh};
 
 /// The number of the first new element; the next one has the number below. The two numbers above
 /// stand for no element and for an erased one.
@@ -139,15 +139,7 @@ impl Preview {
     ) -> Result<(), Fault> {
         self.star_of = None;
         if let Some(new) = self.place(id) {
-            let record = &mut self.new[new].record;
-            match field {
-                HalfedgeField::Next => record.next = HalfedgeId(value),
-                HalfedgeField::Prev => record.prev = HalfedgeId(value),
-                HalfedgeField::Twin => record.twin = HalfedgeId(value),
-                HalfedgeField::Vertex => record.vertex = VertexId(value),
-                HalfedgeField::Edge => record.edge = EdgeId(value),
-                HalfedgeField::Face => record.face = FaceId(value),
-            }
+            *self.new[new].record.pointer_mut(field as usize) = value;
             return Ok(());
         }
         let before = mesh.exchange_pointer(HalfedgeId(id), field as usize, value);

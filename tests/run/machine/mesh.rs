@@ -234,16 +234,16 @@ fn what_is_created_is_remembered_and_what_is_erased_recycled() {
     let code = code(0, |asm| {
         let to = asm.reg();
         let kind = ElementKind::Vertex;
-        asm.emit(Inst::NewFace { to });
+        asm.emit(Inst::New { kind: ElementKind::Face, to });
         asm.emit(Inst::StoreHole { face: to, hole: true });
-        asm.emit(Inst::NewEdge { to });
-        asm.emit(Inst::NewHalfedge { to });
-        asm.emit(Inst::NewVertex { to });
+        asm.emit(Inst::New { kind: ElementKind::Edge, to });
+        asm.emit(Inst::New { kind: ElementKind::Halfedge, to });
+        asm.emit(Inst::New { kind, to });
         asm.emit(Inst::Erase { kind, element: to });
-        asm.emit(Inst::NewVertex { to });
+        asm.emit(Inst::New { kind, to });
         asm.emit(Inst::Erase { kind, element: to });
         asm.emit(Inst::Recycle);
-        asm.emit(Inst::NewVertex { to });
+        asm.emit(Inst::New { kind, to });
     });
     let mut mesh = Mesh::default();
     let mut machine = Machine::default();

@@ -46,7 +46,7 @@ pub(super) fn read(text: &[u8]) -> Option<Contents> {
         } else {
             let what = ["row of `{}` that is no vertex's", "rows of `{}` that are no vertex's"];
             let what = what.map(|words| words.replace("{}", name));
-            contents.kept.note_count(what.each_ref().map(String::as_str), count);
+            contents.kept.note_count(what, count);
         }
     }
     let mut corners = Vec::with_capacity(rest.len() / 4);

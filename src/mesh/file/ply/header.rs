@@ -262,7 +262,7 @@ fn declared(text: &str) -> Option<Declared> {
         [default @ .., "as", property] => (default, property),
         default => (default, name),
     };
-    let kind = ElementKind::ALL.into_iter().find(|known| known.name() == *kind)?;
+    let kind = ElementKind::named(kind)?;
     let ty = AttributeType::ALL.iter().copied().find(|known| known.name() == *ty)?;
     let default = match (ty, default) {
         (AttributeType::Bool, [word]) => Value::Bool(word.parse().ok()?),

@@ -7,7 +7,7 @@ use glam::{DVec2, DVec3};
 use super::body::{Body, Table};
 use super::header::{Declared, Element, Header, Property, STATES, Scalar};
 use crate::mesh::attribute::{AttributeType, Value};
-use crate::mesh::file::contents::{Contents, FileColumn, width};
+use crate::mesh::file::contents::{Contents, FileColumn};
 use crate::mesh::file::error::{Failure, FileReason};
 use crate::mesh::file::kept::MISSING;
 use crate::mesh::file::scan::shown;
@@ -238,7 +238,6 @@ impl Rows<'_> {
     fn pass_over(&mut self, which: &str) {
         let name = shown(self.element.name.as_bytes());
         let what = ["element", "elements"].map(|word| format!("{word} `{name}`{which}"));
-        let what = what.each_ref().map(String::as_str);
         self.contents.kept.note_count(what, self.element.count);
     }
 
@@ -262,7 +261,7 @@ impl Rows<'_> {
             places.iter().for_each(|&place| self.tables[place] = Table::default());
             let declared = self.find_declared(kind, name).map(|declared| declared.default);
             if let Some(default) = declared.or(usual_default(name))
-                && width(default.attribute_type()) == places.len()
+                && default.attribute_type().width() == places.len()
             {
                 self.contents.columns.push(FileColumn::new(kind, name, default, reals));
             }
@@ -298,7 +297,7 @@ impl Rows<'_> {
             };
             Some((kind, declared(kind).unwrap_or(usual), 1))
         } else if let (Some(each), Some(default)) = (of_corners, declared(ElementKind::Halfedge))
-            && width(default.attribute_type()) == each
+            && default.attribute_type().width() == each
         {
             Some((ElementKind::Halfedge, default, each))
         } else if let (Some(length), Some(default)) = (common, declared(kind)) {
@@ -309,7 +308,7 @@ impl Rows<'_> {
             corner.or_else(|| common.and_then(|length| Some((kind, zero(length)?, length))))
         };
         match found {
-            Some((kind, default, each)) if width(default.attribute_type()) == each => {
+            Some((kind, default, each)) if default.attribute_type().width() == each => {
                 let name = said_so(kind).map_or(name, |declared| declared.name.clone());
                 self.contents.columns.push(FileColumn::new(kind, &name, default, table.numbers));
             }
@@ -351,14 +350,6 @@ fn index(number: f64) -> u32 {
 
 /// The default of a value of the given number of reals.
 fn zero(width: usize) -> Option<Value> {
-    let ty = match width {
-        1 => AttributeType::Real,
-        2 => AttributeType::Vec2,
-        3 => AttributeType::Vec3,
-        4 => AttributeType::Vec4,
-        9 => AttributeType::Mat3,
-        16 => AttributeType::Mat4,
-        _ => return None,
-    };
-    Value::from_reals(ty, &vec![0.0; width])
+    let mut all = AttributeType::ALL.iter().map(|ty| ty.zero());
+    all.find(|zero| width > 0 && zero.reals().len() == width)
 }

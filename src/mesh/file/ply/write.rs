@@ -6,7 +6,6 @@ use std::io::{self, Write};
 use super::header::{STATES, Scalar};
 use super::read::usual_default;
 use crate::mesh::attribute::{AttributeType, Column, ColumnId, Value};
-use crate::mesh::file::contents::width;
 use crate::mesh::file::format::Encoding;
 use crate::mesh::file::kept::MISSING;
 use crate::mesh::file::mesh_file::{MeshFile, WrittenNumbers};
@@ -189,7 +188,7 @@ impl Head {
                     AttributeType::Int => Scalar::F64,
                     _ => smallest(&numbers),
                 };
-                let width = width(ty);
+                let width = ty.width();
                 let rows = match (kind, width) {
                     (ElementKind::Halfedge, _) => Rows::Corners(width),
                     (_, 1) => Rows::One,

@@ -336,13 +336,7 @@ pub(super) unsafe extern "C" fn add(context: *mut Context, span: i64) -> i64 {
         let is_told = !machine.drains.is_empty();
         for (at, inst) in call.code.insts.iter().enumerate().take(end).skip(first) {
             let failed = |fault: Fault| Trap::new(fault.into()).through(&call, at);
-            let (kind, to) = match *inst {
-                Inst::NewVertex { to } => (ElementKind::Vertex, to),
-                Inst::NewHalfedge { to } => (ElementKind::Halfedge, to),
-                Inst::NewEdge { to } => (ElementKind::Edge, to),
-                Inst::NewFace { to } => (ElementKind::Face, to),
-                _ => continue,
-            };
+            let Inst::New { kind, to } = *inst else { continue };
             let drains = is_told.then_some(&mut machine.drains);
             let id = access::create(mesh, kind, &mut machine.created, drains).map_err(failed)?;
             let Some(mut window) = Window::at(&mut machine.stack, call.base) else {

@@ -5,15 +5,7 @@ use crate::mesh::{ElementKind, VertexId};
 use crate::rewrite::native::context::{Context, Run};
 use crate::rewrite::{ElementField, HalfedgeField, attribute};
 
-/// The pointers of a halfedge, and those to the halfedge of an element, by number.
-const POINTERS: [HalfedgeField; 6] = [
-    HalfedgeField::Next,
-    HalfedgeField::Prev,
-    HalfedgeField::Twin,
-    HalfedgeField::Vertex,
-    HalfedgeField::Edge,
-    HalfedgeField::Face,
-];
+/// The pointers to the halfedge of an element, by number.
 const FIRST: [ElementField; 3] = [ElementField::Vertex, ElementField::Edge, ElementField::Face];
 
 /// Reports that a pointer of a living halfedge is about to be set to `value`.
@@ -27,7 +19,7 @@ pub(in super::super) unsafe extern "C" fn pointer(
     value: i64,
 ) -> i64 {
     let tell = |_: &mut Context, run: &mut Run<'_>| {
-        if let Some(&field) = POINTERS.get(field as usize) {
+        if let Some(&field) = HalfedgeField::ALL.get(field as usize) {
             let Run { machine, mesh, .. } = run;
             machine.drains.pointer_set(mesh, field, halfedge as u32, value as u32);
             mesh.note_element(ElementKind::Halfedge, halfedge as u32);
