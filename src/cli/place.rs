@@ -184,12 +184,7 @@ impl Place {
             Place::Halfedge(_) | Place::HalfedgeOfId(_) => Type::Halfedge,
             Place::Vertex(_) => Type::Vertex,
             Place::Face(_) => Type::Face,
-            Place::Printed(kind, _) => match kind {
-                ElementKind::Vertex => Type::Vertex,
-                ElementKind::Halfedge => Type::Halfedge,
-                ElementKind::Edge => Type::Edge,
-                ElementKind::Face => Type::Face,
-            },
+            Place::Printed(kind, _) => kind.into(),
         }
     }
 

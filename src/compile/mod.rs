@@ -24,6 +24,6 @@ mod registers;
 mod run;
 
 pub use expression::{
-    Orbit, Scope, arguments, copy, each, element_kind, elements, lower, lower_into, narrow, width,
+    Orbit, Scope, arguments, copy, each, elements, lower, lower_into, narrow, width,
 };
 pub use operation::compile;

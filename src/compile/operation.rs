@@ -3,11 +3,11 @@
 use std::sync::Arc;
 
 use super::collect::Collect;
-use super::output::{Output, kind_of_element};
+use super::output::Output;
 use super::reassign::Reassign;
 use super::registers::{Home, Registers};
+use super::width;
 use super::write_target::WriteTarget;
-use super::{element_kind, width};
 use crate::check::{Proof, Proved};
 use crate::diagram::{Drawing, Op, Property, Rule};
 use crate::lower::{Element, Operation};
@@ -55,8 +55,8 @@ pub fn compile(
     Ok(Plan {
         name: op.name.clone(),
         params: widths,
-        of: op.params.first().and_then(|param| element_kind(param.ty)),
-        result: op.result.and_then(element_kind),
+        of: op.params.first().and_then(|param| param.ty.element_kind()),
+        result: op.result.and_then(|ty| ty.element_kind()),
         level: level(op),
         keeps: proved.keeps().into_iter().filter_map(Property::level).collect(),
         code: Code { functions: Arc::clone(functions), ..output.asm.finish()? },
@@ -122,7 +122,7 @@ fn matched(output: &Output, drawing: &Drawing, registers: &Registers) -> Matched
             Home::Reg(reg) => Holder::Reg(reg),
             Home::Member { buffer, .. } => Holder::Buffer(buffer),
         };
-        Some((rule.name(name).text.clone(), kind_of_element(rule.kind(name))?, holder))
+        Some((rule.name(name).text.clone(), rule.kind(name).element_kind()?, holder))
     });
     Matched { from: output.asm.next_inst(), names: names.collect() }
 }
@@ -136,7 +136,7 @@ fn allocate(
 ) {
     let asm = &mut output.asm;
     for &Element { name, kind, .. } in created {
-        let Some(element) = kind_of_element(kind) else {
+        let Some(element) = kind.element_kind() else {
             continue;
         };
         asm.emit(match registers.home(name) {
@@ -160,7 +160,7 @@ fn erase(
 ) {
     let asm = &mut output.asm;
     for &Element { name, kind, at_each_index } in erased {
-        let Some(kind) = kind_of_element(kind) else {
+        let Some(kind) = kind.element_kind() else {
             continue;
         };
         let indices = at_each_index.then(|| registers.begin_index_loop(asm));

@@ -2,21 +2,8 @@
 
 use std::collections::HashMap;
 
-use crate::diagram::Kind;
-use crate::mesh::ElementKind;
 use crate::rewrite::{Assembler, Cell, Phase, Refusal, Row};
 use crate::source::{Sources, Span};
-
-/// The kind of element a name stands for; none for paths and fans.
-pub(super) fn kind_of_element(kind: Kind) -> Option<ElementKind> {
-    match kind {
-        Kind::Vertex => Some(ElementKind::Vertex),
-        Kind::Halfedge => Some(ElementKind::Halfedge),
-        Kind::Edge => Some(ElementKind::Edge),
-        Kind::Face => Some(ElementKind::Face),
-        Kind::Path | Kind::Fan => None,
-    }
-}
 
 /// The output that all alternatives of an operation are written into.
 pub(super) struct Output<'a> {

@@ -2,7 +2,6 @@
 
 use super::collect::Collect;
 use super::collected::Around;
-use super::output::kind_of_element;
 use super::registers::Home;
 use crate::check::matching::Claim;
 use crate::diagram::{Kind, NameId};
@@ -120,7 +119,7 @@ impl Collect<'_, '_, '_, '_> {
 
     /// Tests for room for new elements of a kind: `once`, and `each` for every index.
     pub(super) fn room_around(&mut self, kind: Kind, [once, each]: [u16; 2], refusal: u16) {
-        let (Some(kind), Some(cycle)) = (kind_of_element(kind), self.registers.cycle) else {
+        let (Some(kind), Some(cycle)) = (kind.element_kind(), self.registers.cycle) else {
             return;
         };
         if once == 0 && each == 0 {

@@ -6,7 +6,7 @@ use super::columns::Columns;
 use super::report::{Failure, diagnostic, expect_level, highest_between, level_of_steps};
 use super::steps::with_steps;
 use super::{Argument, Prepared, Report, prepare};
-use crate::compile::{element_kind, width};
+use crate::compile::width;
 use crate::diagnostic::Diagnostic;
 use crate::mesh::{ElementKind, Level, Mesh, Value, validate_level};
 use crate::resolve::{Program, Script, Variable};
@@ -152,7 +152,7 @@ impl Application {
     pub(crate) fn question(&self, parameter: usize) -> Option<Arc<Bounded>> {
         let made = self.questions.get(parameter)?.get_or_init(|| {
             let params = self.parameters.params();
-            let kind = element_kind(params[parameter].ty)?;
+            let kind = params[parameter].ty.element_kind()?;
             let slot = params[..parameter].iter().map(|param| usize::from(width(param.ty))).sum();
             Bounded::new(self.plan(), kind, slot).ok().map(Arc::new)
         });

@@ -36,10 +36,9 @@ impl Argument {
                 reals(text, ty).map(|parts| Self::Reals(ty, parts))
             }
             Type::Text => Some(Self::Text(text.to_owned())),
-            Type::Vertex => element(ElementKind::Vertex, text),
-            Type::Halfedge => element(ElementKind::Halfedge, text),
-            Type::Edge => element(ElementKind::Edge, text),
-            Type::Face => element(ElementKind::Face, text),
+            Type::Vertex | Type::Halfedge | Type::Edge | Type::Face => {
+                element(ty.element_kind()?, text)
+            }
         }
     }
 
@@ -51,10 +50,7 @@ impl Argument {
             Self::Real(_) => Type::Real,
             Self::Reals(ty, _) => *ty,
             Self::Text(_) => Type::Text,
-            Self::Element(ElementKind::Vertex, _) => Type::Vertex,
-            Self::Element(ElementKind::Halfedge, _) => Type::Halfedge,
-            Self::Element(ElementKind::Edge, _) => Type::Edge,
-            Self::Element(ElementKind::Face, _) => Type::Face,
+            Self::Element(kind, _) => (*kind).into(),
         }
     }
 

@@ -5,7 +5,7 @@
 //! removed after the run.
 
 use super::lower::Names;
-use crate::compile::{element_kind, lower};
+use crate::compile::lower;
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Attribute, Type};
 use crate::mesh::{ColumnId, ElementKind, Mesh, Value, WantedAttribute};
@@ -56,7 +56,7 @@ impl Columns {
         }
         let needed = (0..).zip(attributes.iter().zip(used.into_iter().zip(written)));
         let needed = needed.map(|(number, (attribute, (used, written))): (u32, _)| {
-            let kind = element_kind(attribute.element).filter(|_| used);
+            let kind = attribute.element.element_kind().filter(|_| used);
             let needed = kind.map(|kind| {
                 let name = &attribute.name;
                 Ok(Needed {

@@ -1,7 +1,6 @@
 //! Lowering of `print`: pieces of text and values, then the end of the line.
 
 use super::lower::Lowering;
-use crate::compile::element_kind;
 use crate::diagram::Type;
 use crate::mesh::ElementKind::{Edge, Face, Halfedge, Vertex};
 use crate::resolve::{Digits, Print};
@@ -15,7 +14,7 @@ impl Lowering<'_> {
             Print::Text(_) => None,
             Print::Value(value, _) => {
                 let from = self.value(value);
-                if let Some(kind) = element_kind(value.ty) {
+                if let Some(kind) = value.ty.element_kind() {
                     self.trap_at(value.span, Inst::ExpectAlive { kind, from });
                 }
                 Some(from)

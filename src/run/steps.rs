@@ -9,7 +9,7 @@ use std::sync::Arc;
 use super::function::Functions;
 use super::live::Exits;
 use super::lower::{Lowering, Routine};
-use crate::compile::{element_kind, width};
+use crate::compile::width;
 use crate::diagnostic::Diagnostic;
 use crate::diagram::Property;
 use crate::lower::Effects;
@@ -241,8 +241,8 @@ fn plan(
         matched: Vec::new(),
         name: op.name.clone(),
         params: op.params.iter().map(|param| width(param.ty)).collect(),
-        of: op.params.first().and_then(|param| element_kind(param.ty)),
-        result: op.result.and_then(element_kind),
+        of: op.params.first().and_then(|param| param.ty.element_kind()),
+        result: op.result.and_then(|ty| ty.element_kind()),
         level: steps.level,
         keeps,
         code: Code { functions: Arc::clone(&functions.code), ..lowering.asm.finish()? },

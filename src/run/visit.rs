@@ -2,7 +2,7 @@
 
 use super::live::Exits;
 use super::lower::{Loop, Lowering};
-use crate::compile::{Orbit, Scope, each, element_kind, elements, lower};
+use crate::compile::{Orbit, Scope, each, elements, lower};
 use crate::diagram::{Collection, Expr};
 use crate::lower::Effects;
 use crate::resolve::{Statement, StatementKind, Visit};
@@ -249,6 +249,6 @@ fn has_loop(statement: &Statement) -> bool {
 pub(super) fn kind(collection: &Collection) -> Elements {
     match collection {
         Collection::Holes => Elements::Holes,
-        _ => element_kind(collection.element()).map_or(Elements::Faces, Elements::of),
+        _ => collection.element().element_kind().map_or(Elements::Faces, Elements::of),
     }
 }

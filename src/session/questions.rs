@@ -1,7 +1,7 @@
 //! Questions about whether operations would be applied; nothing is written.
 
 use super::{Arguments, Error, Op, Reason, Session, Verdict};
-use crate::compile::{element_kind, width};
+use crate::compile::width;
 use crate::mesh::{Element, ElementKind};
 use crate::rewrite::{Outcome, Trap};
 use crate::run::{Application, Argument, Prepared};
@@ -24,7 +24,7 @@ pub(super) fn free_parameter(
 ) -> Option<(usize, ElementKind, usize)> {
     let mut slot = 0;
     for (at, (param, value)) in parameters.params().iter().zip(values).enumerate() {
-        if let (None, Some(kind)) = (value, element_kind(param.ty)) {
+        if let (None, Some(kind)) = (value, param.ty.element_kind()) {
             return Some((at, kind, slot));
         }
         slot += usize::from(width(param.ty));

@@ -7,7 +7,7 @@ use std::ops::ControlFlow;
 use glam::DVec3;
 
 use super::stage::Stage;
-use crate::compile::{element_kind, width};
+use crate::compile::width;
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Param, Type};
 use crate::mesh::{EdgeId, Element, ElementKind, FaceId, HalfedgeId, Mesh, VertexId, identical};
@@ -167,7 +167,7 @@ fn plain(ty: Type, other: usize) -> Argument {
 fn places(mesh: &Mesh, params: &[Param]) -> Vec<Vec<Option<Element>>> {
     let mut places: Vec<Vec<Option<Element>>> = vec![Vec::new()];
     for param in params {
-        let kind = element_kind(param.ty);
+        let kind = param.ty.element_kind();
         let more = places.iter().flat_map(|place| {
             let known = place.iter().flatten().next().copied();
             let choices: Vec<Option<Element>> = match (kind, known) {

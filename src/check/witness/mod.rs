@@ -24,8 +24,8 @@ use super::alias::Quotient;
 use super::arrangement::Arc;
 use super::broken::Broken;
 use super::problem::Problem;
-use crate::diagram::{Drawing, Kind, NameId, Op, Rule};
-use crate::mesh::{EdgeId, Element, FaceId, HalfedgeId, Level, VertexId};
+use crate::diagram::{Drawing, NameId, Op, Rule};
+use crate::mesh::{Element, Level};
 pub use counterexample::{Counterexample, Outcome};
 use search::{Found, Shown, search, search_where_one};
 use words::Words;
@@ -140,15 +140,9 @@ fn counterexample(op: &str, drawing: &Drawing, shown: Shown, code: &'static str)
     for index in 0..rule.names.len() {
         let name = NameId(index as u32);
         let element = carried.elements[index];
-        let of = |element: u32| match rule.kind(name) {
-            Kind::Vertex => VertexId(element).into(),
-            Kind::Edge => EdgeId(element).into(),
-            Kind::Face => FaceId(element).into(),
-            Kind::Halfedge | Kind::Path | Kind::Fan => HalfedgeId(element).into(),
-        };
-        let elements: Vec<Element> = match rule.kind(name) {
-            Kind::Path | Kind::Fan => place.runs[index].iter().map(|&half| half.into()).collect(),
-            _ => element.into_iter().map(of).collect(),
+        let elements: Vec<Element> = match rule.kind(name).element_kind() {
+            Some(kind) => element.into_iter().map(|index| Element { kind, index }).collect(),
+            None => place.runs[index].iter().map(|&half| half.into()).collect(),
         };
         if rule.name(name).named {
             names.push((rule.name(name).text.clone(), elements));

@@ -17,6 +17,6 @@ mod scope;
 mod value;
 
 pub use collection::{Orbit, each, elements};
-pub use scope::{Scope, copy, element_kind, width};
+pub use scope::{Scope, copy, width};
 pub(super) use value::halfedge_field;
 pub use value::{arguments, lower, lower_into, narrow};

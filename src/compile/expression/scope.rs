@@ -1,7 +1,6 @@
 //! Scope: what the lowering of an expression needs to know of its surroundings.
 
 use crate::diagram::{NameId, Type};
-use crate::mesh::ElementKind;
 use crate::rewrite::{Assembler, Inst, Reg};
 use crate::source::Span;
 
@@ -31,17 +30,6 @@ pub fn width(ty: Type) -> u16 {
         Type::Mat3 => 9,
         Type::Mat4 => 16,
         _ => 1,
-    }
-}
-
-/// The kind of element that a type stands for.
-pub fn element_kind(ty: Type) -> Option<ElementKind> {
-    match ty {
-        Type::Vertex => Some(ElementKind::Vertex),
-        Type::Halfedge => Some(ElementKind::Halfedge),
-        Type::Edge => Some(ElementKind::Edge),
-        Type::Face => Some(ElementKind::Face),
-        _ => None,
     }
 }
 

@@ -5,7 +5,7 @@ use super::collection::{each, elements};
 use super::fold::{Sum, known_count, settle};
 use super::operator::{binary, unary};
 use super::pointer::{first, load};
-use super::{Scope, copy, element_kind, width};
+use super::{Scope, copy, width};
 use crate::diagram::{Access, Binary, Expr, ExprKind, Fold, FoldFunction, Pointer, Type};
 use crate::rewrite::{Assembler, ElementField, HalfedgeField, Inst, Label, Reg, Task, Turns};
 
@@ -184,7 +184,7 @@ fn fold(asm: &mut Assembler, scope: &mut dyn Scope, fold: &Fold, of: &Expr, to: 
     }
     asm.bind(done);
     let place = scope.place(of.span);
-    let kind = fold.collection.base().and_then(|base| element_kind(base.ty));
+    let kind = fold.collection.base().and_then(|base| base.ty.element_kind());
     sum.end(asm, place, fold.function, kind.zip(base));
     asm.release(mark);
 }
