@@ -294,11 +294,15 @@ impl Typing<'_> {
             (FoldFunction::Min | FoldFunction::Max, ty) if ty.is_vector() => {
                 return Some((value.ty, value));
             }
-            (FoldFunction::Sum | FoldFunction::Min | FoldFunction::Max, Type::Int | Type::Real) => {
+            (
+                FoldFunction::Sum
+                | FoldFunction::Min
+                | FoldFunction::Max
+                | FoldFunction::ArgMin
+                | FoldFunction::ArgMax,
+                Type::Int | Type::Real,
+            ) => {
                 return Some((value.ty, value));
-            }
-            (FoldFunction::ArgMin | FoldFunction::ArgMax, Type::Int | Type::Real) => {
-                return Some((value.ty, to_real(value)));
             }
             (FoldFunction::Count, ty) if ty.is_element() => {
                 let message = format!(

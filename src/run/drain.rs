@@ -15,11 +15,18 @@ use super::live::{Exits, calls};
 use super::lower::{Loop, Lowering};
 use super::visit::kind;
 use crate::compile::{Scope, elements, width};
-use crate::diagram::{Expr, ExprKind};
+use crate::diagram::{Expr, ExprKind, Unary};
 use crate::lower::Variables;
 use crate::resolve::{Statement, StatementKind};
 use crate::rewrite::{Elements, Inst, Reg, Task};
 use crate::source::Span;
+
+/// The largest int of which all lesser ones are reals exactly.
+const LARGEST: i64 = 1 << 53;
+
+/// The message about an int as a key that is beyond [`LARGEST`].
+pub(super) const KEY_TOO_LARGE: &str =
+    "an int as a key lies beyond 2^53, and its order among others is not certain";
 
 impl Lowering<'_> {
     /// `drain x in xs by key while c { … }`
@@ -63,7 +70,7 @@ impl Lowering<'_> {
         self.asm.emit(Inst::DrainStale { to: element, otherwise: first });
         self.trap_at(span, Inst::Tick);
         let mark = self.asm.mark();
-        let value = self.value(key);
+        let value = self.key(key);
         self.trap_at(key.span, Inst::DrainKey { key: value });
         self.asm.release(mark);
         self.asm.emit(Inst::Jump { to: stale });
@@ -93,13 +100,35 @@ impl Lowering<'_> {
         if let Some(turns) = self.asm.spread_values(of, element, Task::Keys) {
             self.trap_at(span, Inst::Jump { to: turns.end });
             self.asm.begin_values(turns);
-            let value = self.value(key);
+            let value = self.key(key);
             for from in [element, value] {
                 self.asm.emit(Inst::Keep { from });
             }
             self.asm.end_values(turns);
         }
         self.asm.release(mark);
+    }
+
+    /// The value of a key, a real; an int must be one exactly.
+    fn key(&mut self, key: &Expr) -> Reg {
+        let ExprKind::Unary(Unary::ToReal, int) = &key.kind else {
+            return self.value(key);
+        };
+        let from = self.value(int);
+        let [fits, fails] = [(); 2].map(|()| self.asm.label());
+        let (to, largest) = (self.asm.reg(), self.asm.constant_int(LARGEST));
+        let least = self.asm.constant_int(-LARGEST);
+        for (left, right) in [(from, least), (largest, from)] {
+            self.asm.emit(Inst::LessInt { to, left, right });
+            self.asm.emit(Inst::JumpIf { condition: to, to: fails });
+        }
+        self.asm.emit(Inst::Jump { to: fits });
+        self.asm.bind(fails);
+        let text = self.asm.text(KEY_TOO_LARGE);
+        self.trap_at(key.span, Inst::Fail { text, around: None });
+        self.asm.bind(fits);
+        self.asm.emit(Inst::IntToReal { to, from });
+        to
     }
 
     /// Closes all open drains, where the routine is left.

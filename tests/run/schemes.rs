@@ -14,6 +14,7 @@ use support::dice::Dice;
 
 const PROGRAM: &str = "
 use \"std/components.hedge\"
+use \"std/delete.hedge\"
 use \"std/dual.hedge\"
 use \"std/polygon.hedge\"
 use \"std/subdivide.hedge\"
@@ -21,6 +22,14 @@ script prepare() {
   for e in shuffle(edges) where not boundary(e) and random() < 0.3 {
     if all(degree(v) > 3 for v in e.vertices) { dissolve_edge(e) }
   }
+}
+script delete_two_corners() {
+  var i = 0
+  for f in faces {
+    f.marked = i == 0 or i == 3
+    i = i + 1
+  }
+  delete_marked()
 }
 script bisect_some() {
   for e in shuffle(edges) where random() < 0.3 { must polygon::bisect(e) }
@@ -498,8 +507,21 @@ fn a_ring_of_quads_is_cut_from_each_of_its_edges() {
 }
 
 #[test]
-fn two_faces_alone_have_no_dual() {
+fn meshes_without_a_dual_are_refused_before_they_change() {
     let program = Program::parse("schemes.hedge", PROGRAM).unwrap();
+    let pinched = after(&program, "delete_two_corners", &shape::grid(2, 2));
+    let cases = [
+        (pinched.clone(), "dual", "two holes meet at a vertex"),
+        (pinched.clone(), "doo_sabin", "two holes meet at a vertex"),
+        (pinched, "midedge", "two holes meet at a vertex"),
+    ];
+    for (mesh, script, message) in cases {
+        let mut session = Session::new(&program, mesh.clone());
+        let error = session.run(&program.script(script).unwrap(), ()).unwrap_err();
+        assert_eq!(error.code(), "assertion-failed");
+        assert!(error.message().contains(message), "{error}");
+        assert_eq!(lists(&mesh), lists(session.mesh()), "{script}");
+    }
     let mut session = Session::new(&program, shape::pillow(4));
     let error = session.run(&program.script("dual").unwrap(), ()).unwrap_err();
     assert_eq!(error.code(), "assertion-failed");

@@ -69,17 +69,19 @@ impl Sum {
         from
     }
 
-    /// Adds the value of an element to the aggregate, for the functions that need all values.
+    /// Adds the value of an element to the aggregate, for the functions that need all values; `ty`
+    /// is the type of the body.
     pub(super) fn take(
         self,
         asm: &mut Assembler,
         (function, place): (FoldFunction, u32),
+        ty: Type,
         [value, element]: [Reg; 2],
         next: Label,
     ) {
         match function {
             FoldFunction::ArgMin | FoldFunction::ArgMax => {
-                self.take_element(asm, function, (value, element), next);
+                self.take_element(asm, (function, ty), (value, element), next);
             }
             FoldFunction::Min | FoldFunction::Max => {
                 self.take_better(asm, function, value, next);
@@ -125,7 +127,7 @@ impl Sum {
     fn take_element(
         self,
         asm: &mut Assembler,
-        function: FoldFunction,
+        (function, ty): (FoldFunction, Type),
         (value, element): (Reg, Reg),
         next: Label,
     ) {
@@ -137,17 +139,21 @@ impl Sum {
             FoldFunction::ArgMin => (value, self.best),
             _ => (self.best, value),
         };
-        let to = better;
-        asm.emit(Inst::LessReal { to, left, right });
-        let condition = better;
-        asm.emit(Inst::JumpIf { condition, to: take });
-        // Only NaN differs from itself.
-        let (left, right) = (self.best, self.best);
-        asm.emit(Inst::EqualReal { to, left, right });
-        asm.emit(Inst::JumpIf { condition, to: next });
-        let (left, right) = (value, value);
-        asm.emit(Inst::EqualReal { to, left, right });
-        asm.emit(Inst::JumpUnless { condition, to: next });
+        let (to, condition) = (better, better);
+        if ty == Type::Int {
+            asm.emit(Inst::LessInt { to, left, right });
+            asm.emit(Inst::JumpUnless { condition, to: next });
+        } else {
+            asm.emit(Inst::LessReal { to, left, right });
+            asm.emit(Inst::JumpIf { condition, to: take });
+            // Only NaN differs from itself.
+            let (left, right) = (self.best, self.best);
+            asm.emit(Inst::EqualReal { to, left, right });
+            asm.emit(Inst::JumpIf { condition, to: next });
+            let (left, right) = (value, value);
+            asm.emit(Inst::EqualReal { to, left, right });
+            asm.emit(Inst::JumpUnless { condition, to: next });
+        }
         asm.bind(take);
         let (to, from) = (self.best, value);
         asm.emit(Inst::Copy { to, from });

@@ -170,7 +170,7 @@ fn fold(asm: &mut Assembler, scope: &mut dyn Scope, fold: &Fold, of: &Expr, to: 
                 let value = lower(asm, scope, &fold.body);
                 let value = sum.value(asm, fold.body.ty, value);
                 let place = scope.place(fold.body.span);
-                sum.take(asm, (function, place), [value, element], next);
+                sum.take(asm, (function, place), fold.body.ty, [value, element], next);
             }
         }
         asm.release(mark);
@@ -238,7 +238,7 @@ fn fold_of_threads(
     }
     asm.trap_at(place, Inst::Tick);
     let place = scope.place(fold.body.span);
-    sum.take(asm, (fold.function, place), [value, element], head);
+    sum.take(asm, (fold.function, place), fold.body.ty, [value, element], head);
     asm.emit(Inst::Jump { to: head });
     asm.bind(over);
     asm.emit(Inst::BufferFree { buffer });

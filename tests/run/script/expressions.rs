@@ -53,6 +53,15 @@ fn numbers() {
                 "9007199254740993 9007199254740993",
             ),
             ("\"{-3:.2} {3.0:.2}\"", "-3.00 3.00"),
+            // Equal as reals.
+            (
+                "argmin(9007199254740993 - (if v.position.x > 0 { 1 } else { 0 }) for v in vertices).position.x",
+                "1",
+            ),
+            (
+                "argmax(9007199254740992 + (if v.position.x > 0 { 1 } else { 0 }) for v in vertices).position.x",
+                "1",
+            ),
         ],
     );
 }

@@ -86,6 +86,14 @@ fn a_failure_points_at_its_place() {
             ["element-gone", "edge 0 no longer exists", "e"],
         ),
         (
+            "drain v in vertices by -9007199254740992 - count(v.edges) { print v }",
+            [
+                "int-overflow",
+                "an int as a key lies beyond 2^53, and its order among others is not certain",
+                "-9007199254740992 - count(v.edges)",
+            ],
+        ),
+        (
             "print round(sqrt(-1))",
             ["int-overflow", "what is rounded is not a number", "round(sqrt(-1))"],
         ),
