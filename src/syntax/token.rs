@@ -50,7 +50,7 @@ macro_rules! token_kinds {
             BadNumber,
             /// A sign, comment, text or number in foreign syntax; no rule of the grammar accepts
             /// it.
-            #[regex(r"[;!%^?&~`∧∨¬≤≥≠×·∗−–—─→⟶➔⇒…∈\u{A0}\u{2007}\u{202F}\u{3000}]|&&", priority = 1)]
+            #[regex(r"[;!%^?&~`∧∨¬≤≥≠×·⋅÷∗−–—─→⟶➔⇒…∈\u{A0}\u{2007}\u{202F}\u{3000}]|&&", priority = 1)]
             #[regex(r"#[^\n]*", allow_greedy = true)]
             #[regex(r"/\*([^*]|\*+[^*/])*\*+/")]
             #[regex(r"'[^'\r\n]*'")]

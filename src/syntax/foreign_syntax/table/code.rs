@@ -19,6 +19,9 @@ pub(super) const LINES: &[Line] = &[
     sure(CODE, "^cout/cerr < ~< $x:operand $:end", "print $x", PRINT),
     sure(CODE, "^cout/cerr < ~< $x:operand < ~< endl $:end", "print $x", PRINT),
     sure(CODE, "^cout/cerr < ~< $x:operand < ~< std :: endl $:end", "print $x", PRINT),
+    sure(CODE, "^console . log/info/debug/error ~( $x:inside )", "print $x", PRINTED),
+    sure(CODE, "^println/print/eprintln/printf ! ( $t:text , $x:inside )", "print $x", PRINTED),
+    sure(CODE, "^println/print/eprintln/printf ! ( $x:inside )", "print $x", PRINTED),
     told(CODE, "^cout/cerr < $l:line", "", PRINTED),
     sure(CODE, "^print : $l:line", "print $l", "no colon stands behind `print`"),
     told(

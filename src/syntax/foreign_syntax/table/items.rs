@@ -6,6 +6,7 @@ use crate::syntax::foreign_syntax::place::HEAD;
 const CONSTANT: &str = "values stand in items: a constant is a function, `fn k() { 3 }`, a setting a parameter with a default, `script go(k: real = 3)`";
 
 pub(super) const LINES: &[Line] = &[
+    sure(HEAD, "; $n : $t:word", ", $n: $t", "parameters are separated by commas"),
     sure(
         HEAD,
         "^def/function/func/fun/fn/void/auto/bool/define/sub/procedure/method/int/Mesh/EdgeRef/FaceRef/VertexRef/HalfedgeRef/optional $f ( $p:inside ) $r:part { $b=before/rule/after/steps",

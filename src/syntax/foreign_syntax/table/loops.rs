@@ -16,10 +16,13 @@ const STOPPED: &str = "a script is stopped by `assert c else \"…\"`, an op in 
 
 const COLON: &str = "no `:` stands before a brace";
 const ALONE: &str = "a single statement stands in braces, too: `$k … { $f … }`";
+const ALONE_THEN: &str = "a statement stands in braces, without `then`: `if … { $f … }`";
 const ALL: &str = "a single statement stands in braces, too: `for $n in … { $f … }`";
 
 pub(super) const LINES: &[Line] = &[
     // Without braces. Statements begin with a word.
+    sure(CODE, "^if ( $c:inside ) then $f:verb $r:part ;", "if $c { $f $r }", ALONE_THEN),
+    told(CODE, "^if $c:value then $f:verb $r:line", "if $c { $f $r }", ALONE_THEN),
     sure(CODE, "^$k=if/while ( $c:inside ) $f:verb $r:part ;", "$k $c { $f $r }", ALONE),
     sure(CODE, "^$k=if/while ( $c:inside ) $f=break/continue $:end", "$k $c { $f }", ALONE),
     sure(

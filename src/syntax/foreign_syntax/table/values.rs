@@ -148,6 +148,13 @@ pub(super) const LINES: &[Line] = &[
         "$b normalize($x)",
         CALLED,
     ),
+    sure(
+        CODE | PARTS,
+        "math/Math/np/numpy/std/glm/Mathf . $f:word ~( $x:inside )",
+        "$f($x)",
+        "functions and constants stand alone: `sqrt(x)`, `pi`",
+    ),
+    sure(CODE | PARTS, "random . random/rand/uniform ~( $x:inside )", "random($x)", CALLED),
     told(CODE | PARTS, ". $f:word ~( $x:inside )", "", CALLED),
     fixed(CODE | PARTS, ". $f=position ~[ 0 ]", ".$f", ".$f.x", COMPONENT),
     fixed(CODE | PARTS, ". $f=position ~[ 1 ]", ".$f", ".$f.y", COMPONENT),
@@ -202,6 +209,24 @@ pub(super) const LINES: &[Line] = &[
         "$f ~( $n =/: $v:inside )",
         "true",
         "arguments have no names: they stand in their order, `$f(x, y)`",
+    ),
+    told(
+        CODE,
+        "$f ~( $a:bound , $n =/: $v:inside )",
+        "true",
+        "arguments have no names: they stand in their order, `$f(x, y)`",
+    ),
+    told(
+        CODE | PARTS,
+        "$f=any/all/count/sum/mean/min/max/argmin/argmax ( $s:bound , $x => $b:inside )",
+        "true",
+        "an aggregate is `$f($b for $x in $s)`",
+    ),
+    told(
+        CODE | PARTS,
+        "$f=any/all/count/sum/mean/min/max/argmin/argmax ( $s:bound , lambda $x : $b:inside )",
+        "true",
+        "an aggregate is `$f($b for $x in $s)`",
     ),
     told(
         CODE,
