@@ -72,7 +72,8 @@ fn no_command(word: &str) -> Option<String> {
 pub(super) fn of_library(name: &str) -> Option<(LibraryFile, Item)> {
     library::files().find_map(|file| {
         let items = parse(FileId(0), file.text).tree.items;
-        let item = items.into_iter().find(|item| match item {
+        let mut public = items.into_iter().filter(|item| item.private_name().is_none());
+        let item = public.find(|item| match item {
             Item::Op(op) => op.name.text == name,
             Item::Script(script) => script.name.text == name,
             _ => false,

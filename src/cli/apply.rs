@@ -54,7 +54,7 @@ pub(super) fn apply(arguments: &ApplyArguments) -> Result<(), Failure> {
     match applied {
         Applied::Done { result, created } => {
             if let Some(output) = output {
-                let blame = || program::blame(&program, [plan.name.as_str()]);
+                let blame = |mesh: &Mesh| program::blame(&program, mesh, [plan.name.as_str()]);
                 meshes::write(output, &mut obj, &arguments.encoding, blame)?;
                 meshes::tell_displaced(output, &places, &obj.mesh);
             }

@@ -10,5 +10,5 @@ pub(super) fn convert(arguments: &ConvertArguments) -> Result<(), Failure> {
     let output = output.ok_or_else(|| Failure::usage("an output file is wanted"))?;
     meshes::expect_mesh(output, &arguments.encoding)?;
     let mut file = meshes::read(&arguments.mesh, &arguments.repair)?;
-    meshes::write(output, &mut file, &arguments.encoding, || None)
+    meshes::write(output, &mut file, &arguments.encoding, |_| None)
 }

@@ -202,7 +202,7 @@ pub(super) fn write(
     path: &Path,
     file: &mut MeshFile,
     encoding: &EncodingArguments,
-    blame: impl FnOnce() -> Option<String>,
+    blame: impl FnOnce(&Mesh) -> Option<String>,
 ) -> Result<(), Failure> {
     let shown = path.display();
     let format = format(path)?;
@@ -241,7 +241,7 @@ pub(super) fn write(
     let bytes = written.map_err(|error| match error.reason {
         FileReason::NotPolygons(_) => {
             let other = path.with_extension("halfedges");
-            let blame = blame().map(|blame| format!("; {blame}")).unwrap_or_default();
+            let blame = blame(&file.mesh).map(|blame| format!("; {blame}")).unwrap_or_default();
             Failure::usage(format!("{error}{blame}; write it to `{}`", other.display()))
         }
         _ => Failure::usage(error),

@@ -8,7 +8,7 @@ use super::output::complain;
 use crate::analysis::{Analysis, Disk, meant, read_program};
 use crate::diagnostic::quoted;
 use crate::library;
-use crate::mesh::{FileFormat, Level};
+use crate::mesh::{FileFormat, Level, Mesh, validate_level};
 use crate::resolve::closest;
 use crate::rewrite::Plan;
 use crate::run::prepare;
@@ -78,14 +78,19 @@ impl Program {
     }
 }
 
-/// A text that says which of the applied ops may have left a mesh that is not simple, and which
-/// guard would refuse that.
+/// A text that says which of the applied ops may have left a mesh that is no surface, or not simple,
+/// and which guard would refuse that.
 pub(super) fn blame<'n>(
     program: &Program,
+    mesh: &Mesh,
     applied: impl IntoIterator<Item = &'n str>,
 ) -> Option<String> {
+    let level = match validate_level(mesh, Level::Surface) {
+        Ok(()) => Level::Simple,
+        Err(_) => Level::Surface,
+    };
     let plans = || program.analysis.plans.iter().flatten();
-    let keeps = |plan: &Plan| plan.keeps.contains(&Level::Simple);
+    let keeps = |plan: &Plan| plan.keeps.contains(&level);
     let mut names: Vec<_> = applied
         .into_iter()
         .filter(|name| plans().any(|plan| plan.name == *name && !keeps(plan)))
@@ -95,9 +100,9 @@ pub(super) fn blame<'n>(
     names.dedup();
     let last = names.pop()?;
     Some(match names.as_slice() {
-        [] => format!("{last} may do that, and `guard simple` in it refuses where it would"),
+        [] => format!("{last} may do that, and `guard {level}` in it refuses where it would"),
         names => format!(
-            "{} and {last} may do that, and `guard simple` in them refuses where they would",
+            "{} and {last} may do that, and `guard {level}` in them refuses where they would",
             names.join(", ")
         ),
     })

@@ -18,7 +18,7 @@ use super::program::{self, Program, settings};
 use super::progress::Progress;
 use super::view::{attribute, tell_if_blank};
 use crate::draw::{View, draw_mesh};
-use crate::mesh::{MeshFile, Places, RepairReport};
+use crate::mesh::{Mesh, MeshFile, Places, RepairReport};
 use crate::rewrite::Unbounded;
 use crate::run::{self, OpReport, prepare};
 use crate::source::{Sources, Span};
@@ -150,9 +150,9 @@ fn save(
     let shown = arguments.attribute.as_ref();
     let shown = shown.map(|name| attribute(&obj.mesh, name)).transpose()?;
     if let Some(output) = &arguments.output {
-        let blame = || {
+        let blame = |mesh: &Mesh| {
             let applied = report.ops.iter().filter(|op| op.applied > 0);
-            program::blame(program, applied.map(|op| op.op.as_str()))
+            program::blame(program, mesh, applied.map(|op| op.op.as_str()))
         };
         meshes::write(output, obj, &arguments.encoding, blame)?;
         meshes::tell_displaced(output, places, &obj.mesh);
