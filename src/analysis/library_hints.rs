@@ -27,10 +27,13 @@ fn name_files(told: &mut Diagnostic, sources: &Sources) {
     let Some(word) = source.text().get(span.range()) else {
         return;
     };
+    let behind = source.text().get(span.end as usize..).unwrap_or_default();
+    let arguments = behind.trim_start().strip_prefix('(').map(str::trim_start);
+    let has_arguments = arguments.is_some_and(|arguments| !arguments.starts_with(')'));
     let (of, word) = split_qualified(word);
     let files = library::files().filter(|file| {
         let is_of = of.is_none_or(|of| qualifier(file.name) == of);
-        is_of && declares(file, word) && file.name != source.name()
+        is_of && declares(file, word, has_arguments) && file.name != source.name()
     });
     let names: Vec<_> = files.map(|file| format!("`{}`", file.name)).collect();
     let [first, others @ ..] = names.as_slice() else {
@@ -81,12 +84,15 @@ fn declared(text: &str) -> impl Iterator<Item = (&str, &str)> {
     })
 }
 
-/// True if a file of the library declares an op, a function or a script of this name.
-fn declares(file: &LibraryFile, word: &str) -> bool {
+/// True if a file of the library declares an op, a function or a script of this name, with
+/// parameters if it is called with arguments.
+fn declares(file: &LibraryFile, word: &str, has_arguments: bool) -> bool {
     file.text.lines().any(|line| {
         let named = ["op ", "fn ", "script "].iter().find_map(|word| line.strip_prefix(word));
         let behind = named.and_then(|named| named.strip_prefix(word));
-        behind.is_some_and(|behind| behind.starts_with('('))
+        behind.is_some_and(|behind| {
+            behind.starts_with('(') && !(has_arguments && behind.starts_with("()"))
+        })
     })
 }
 

@@ -154,7 +154,7 @@ pub(super) const LINES: &[Line] = &[
         "$f($x)",
         "functions and constants stand alone: `sqrt(x)`, `pi`",
     ),
-    sure(CODE | PARTS, "random . random/rand/uniform ~( $x:inside )", "random($x)", CALLED),
+    sure(CODE | PARTS, "$r=random . random/rand/uniform ~( $x:inside )", "$r($x)", CALLED),
     told(CODE | PARTS, ". $f:word ~( $x:inside )", "", CALLED),
     fixed(CODE | PARTS, ". $f=position ~[ 0 ]", ".$f", ".$f.x", COMPONENT),
     fixed(CODE | PARTS, ". $f=position ~[ 1 ]", ".$f", ".$f.y", COMPONENT),
