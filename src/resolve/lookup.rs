@@ -76,6 +76,10 @@ impl Typing<'_> {
                 Diagnostic::error("two-forms", message, span)
                     .label(drawn.span, "a family here")
                     .note(format!("write `{word}[i]`: what is said then holds for all of it"))
+                    .note(
+                        "one value of all of a family is that of an orbit: \
+                         `mean(v.position for v in f.vertices)`",
+                    )
             }
             (Some(_), false) => {
                 let message = format!("`{word}` has a subscript here, but not where it is drawn");
