@@ -37,6 +37,13 @@ fn name_files(told: &mut Diagnostic, sources: &Sources) {
     });
     let names: Vec<_> = files.map(|file| format!("`{}`", file.name)).collect();
     let [first, others @ ..] = names.as_slice() else {
+        if let Some(file) =
+            library::files().find(|file| of.is_none() && declares(file, word, false))
+        {
+            let note =
+                format!("`{word}` of `{}` takes no arguments: it is for a whole mesh", file.name);
+            *told = told.clone().note(note);
+        }
         return;
     };
     let line = format!("use \"{}\"", first.trim_matches('`'));

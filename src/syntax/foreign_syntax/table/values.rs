@@ -10,6 +10,7 @@ const AGGREGATE: &str =
     "what holds stands in front: `count(boundary(e) for e in edges)`, likewise `any` and `all`";
 const COMPONENT: &str = "a component of a vector is `p.x`, `p.y`, `p.z`";
 const CALLED: &str = "what is called stands in front: `degree(v)`, `flip(e)`";
+const ALONE: &str = "functions and constants stand alone: `sqrt(x)`, `pi`";
 const SIZE: &str = "the size is `abs(x)` of a number, `length(p)` of a vector";
 const POINTER: &str = "what is read behind a dot has no parentheses: `.$p`";
 
@@ -108,6 +109,18 @@ pub(super) const LINES: &[Line] = &[
     ),
     sure(
         CODE | PARTS | HEAD,
+        behind!("math/Math/np/numpy/std/glm/Mathf . $f:word ~( $x:inside )"),
+        "$b $f($x)",
+        ALONE,
+    ),
+    sure(
+        CODE | PARTS | HEAD,
+        "math/Math/np/numpy/std/glm/Mathf . $f:word ~( $x:inside )",
+        "$f($x)",
+        ALONE,
+    ),
+    sure(
+        CODE | PARTS | HEAD,
         behind!("$x:owner . $f=adjacent/distance/dot/cross/angle ~( $y:inside )"),
         "$b $f($x, $y)",
         CALLED,
@@ -147,12 +160,6 @@ pub(super) const LINES: &[Line] = &[
         "$b $x",
         "$b normalize($x)",
         CALLED,
-    ),
-    sure(
-        CODE | PARTS,
-        "math/Math/np/numpy/std/glm/Mathf . $f:word ~( $x:inside )",
-        "$f($x)",
-        "functions and constants stand alone: `sqrt(x)`, `pi`",
     ),
     sure(CODE | PARTS, "$r=random . random/rand/uniform ~( $x:inside )", "$r($x)", CALLED),
     told(CODE | PARTS, ". $f:word ~( $x:inside )", "", CALLED),
