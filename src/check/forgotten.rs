@@ -3,7 +3,7 @@
 use super::names_are_accounted_for::after_keyword;
 use super::problem::{Problem, Remedy, enumerate, is_or_are};
 use crate::diagnostic::Diagnostic;
-use crate::diagram::{Drawing, Kind, Loop, LoopItem, LoopKind, NameId};
+use crate::diagram::{Drawing, Kind, Loop, LoopItem, LoopKind, NameId, Rule};
 
 /// The advice for a face that is erased, if nothing of its loop is drawn elsewhere.
 pub(super) fn as_a_hole(drawing: &Drawing, orbit: &Loop) -> Option<String> {
@@ -14,6 +14,13 @@ pub(super) fn as_a_hole(drawing: &Drawing, orbit: &Loop) -> Option<String> {
         let face = &drawing.rule.name(face).text;
         format!("to delete a face alone, draw its loop as a hole in `after`: `hole {face}: …`")
     })
+}
+
+/// The same advice for an op that does nothing but erase, among others a face.
+pub(super) fn only_a_hole(drawing: &Drawing) -> Option<String> {
+    let Rule { before, after, created, .. } = drawing.rule;
+    let only_erases = after.loops.is_empty() && after.edges.is_empty() && created.is_empty();
+    before.loops.iter().filter(|_| only_erases).find_map(|orbit| as_a_hole(drawing, orbit))
 }
 
 /// Whether a face or edge that is drawn before may stay as it was: its halfedges are neither erased

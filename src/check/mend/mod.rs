@@ -5,6 +5,7 @@ mod apply;
 mod fix;
 mod statements;
 
+use super::forgotten::only_a_hole;
 use super::joint::{TIERS, Tier, closed};
 use super::new_is_placed::{self, placed};
 use super::problem::{Problem, Remedy};
@@ -19,7 +20,14 @@ pub(super) fn add_fixes(
     laws: impl Fn(&Rule) -> Vec<Problem>,
 ) -> Vec<Diagnostic> {
     // What value an attribute of a new element has, only the author knows.
-    let (unplaced, problems): (Vec<_>, Vec<_>) = problems.into_iter().partition(lacks_attribute);
+    let (unplaced, mut problems): (Vec<_>, Vec<_>) =
+        problems.into_iter().partition(lacks_attribute);
+    if let (Some(Problem { diagnostic: first, .. }), Some(advice)) =
+        (problems.first_mut(), only_a_hole(&Drawing::new(rule)))
+        && !first.notes.contains(&advice)
+    {
+        first.notes.push(advice);
+    }
     let told = mend(rule, problems, |mended| laws(&placed(mended)));
     told.into_iter().chain(unplaced.into_iter().map(|problem| problem.diagnostic)).collect()
 }
