@@ -16,11 +16,14 @@ pub(super) fn as_a_hole(drawing: &Drawing, orbit: &Loop) -> Option<String> {
     })
 }
 
-/// The same advice for an op that does nothing but erase, among others a face.
+/// The same advice for an op that draws a face and does nothing but erase.
 pub(super) fn only_a_hole(drawing: &Drawing) -> Option<String> {
     let Rule { before, after, created, .. } = drawing.rule;
     let only_erases = after.loops.is_empty() && after.edges.is_empty() && created.is_empty();
-    before.loops.iter().filter(|_| only_erases).find_map(|orbit| as_a_hole(drawing, orbit))
+    match before.loops.as_slice() {
+        [orbit] if only_erases => as_a_hole(drawing, orbit),
+        _ => None,
+    }
 }
 
 /// Whether a face or edge that is drawn before may stay as it was: its halfedges are neither erased
