@@ -3,7 +3,7 @@
 use super::names_are_accounted_for::after_keyword;
 use super::problem::{Problem, Remedy, enumerate, is_or_are};
 use crate::diagnostic::Diagnostic;
-use crate::diagram::{Drawing, Kind, Loop, LoopItem, LoopKind, NameId, Rule};
+use crate::diagram::{Drawing, Kind, Loop, LoopItem, LoopKind, NameId, Ref, Rule};
 
 /// The advice for a face that is erased, if nothing of its loop is drawn elsewhere.
 pub(super) fn as_a_hole(drawing: &Drawing, orbit: &Loop) -> Option<String> {
@@ -16,10 +16,12 @@ pub(super) fn as_a_hole(drawing: &Drawing, orbit: &Loop) -> Option<String> {
     })
 }
 
-/// The same advice for an op that draws a face and does nothing but erase.
+/// The same advice for an op that draws a face and does nothing but erase, and no vertex.
 pub(super) fn only_a_hole(drawing: &Drawing) -> Option<String> {
-    let Rule { before, after, created, .. } = drawing.rule;
+    let Rule { before, after, created, erased, .. } = drawing.rule;
+    let is_vertex = |name: &Ref| drawing.rule.kind(name.name) == Kind::Vertex;
     let only_erases = after.loops.is_empty() && after.edges.is_empty() && created.is_empty();
+    let only_erases = only_erases && !erased.iter().any(is_vertex);
     match before.loops.as_slice() {
         [orbit] if only_erases => as_a_hole(drawing, orbit),
         _ => None,
