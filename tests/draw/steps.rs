@@ -34,9 +34,14 @@ pub fn shipped() -> Vec<(String, Op)> {
 fn show_shipped() -> Vec<(String, Op)> {
     let text = fs::read_to_string(folder("src/library/std/polygon.hedge")).expect("a library");
     let shown = examples_of(&text).into_iter();
-    let shown = shown.map(|(name, shown)| {
-        let shown = shown.unwrap_or_else(|none| panic!("{name}: {none}"));
-        ("polygon".to_owned(), shown)
+    let shown = shown.filter_map(|(name, shown)| match shown {
+        Ok(shown) => Some(("polygon".to_owned(), shown)),
+        // No small mesh has two holes that lie in one picture.
+        Err(none) if name == "bridge" => {
+            assert!(none.to_string().contains("two holes are needed"), "{none}");
+            None
+        }
+        Err(none) => panic!("{name}: {none}"),
     });
     shown.collect()
 }
