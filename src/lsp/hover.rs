@@ -9,6 +9,7 @@ use super::requests::Answer;
 use super::server::Server;
 use crate::analysis::element::Element;
 use crate::analysis::{Card, OpCard, RuleVerdict, Word, hover};
+use crate::diagnostic::counted;
 use crate::draw::{draw_op, text_op};
 
 /// The largest image that clients draw, in bytes of its text in the Markdown.
@@ -97,13 +98,7 @@ fn rule_text(rule: &RuleVerdict) -> String {
         Some(name) => format!("**proved**, `{name}`"),
         None => "**proved**".to_owned(),
     };
-    text.push_str(
-        match rule.cases {
-            1 => ", 1 case".to_owned(),
-            cases => format!(", {cases} cases"),
-        }
-        .as_str(),
-    );
+    text += &format!(", {}", counted(rule.cases, "case", "cases"));
     let change = |(name, by, _)| match by {
         0 => format!("{name} ±0"),
         by => format!("{name} {by:+}"),

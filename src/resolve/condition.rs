@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, quoted};
 use crate::diagram::{
     Access, Alias, Assignment, Kind, Level, NameId, Ref, Require, Role, Type, Wanted, free_name,
     overloads,
@@ -20,7 +20,6 @@ use super::signature::Parameter;
 use super::suggestion::suggest;
 use super::typing::{Place, Typing};
 use super::words::not_held;
-use super::words::quoted;
 
 /// The requirements of a rule of `op`.
 pub(super) fn requires(conditions: &[Condition], op: &str, typing: &mut Typing) -> Vec<Require> {

@@ -7,13 +7,12 @@
 
 use std::collections::HashMap;
 
-use crate::diagnostic::{Diagnostic, Edit, Fix};
+use crate::diagnostic::{Diagnostic, Edit, Fix, quoted};
 use crate::source::Span;
 use crate::syntax::tree::{self, Arrow, Ident, Index, Name, Side, Spoke, Statement};
 
 use super::mention::{Mention, mentions};
 use super::report::Report;
-use super::words::quoted;
 
 /// The largest constant that a subscript can add to the index. The checker examines cycles that are
 /// longer than the range of one statement.

@@ -1,6 +1,6 @@
 //! Fields: the pointers and attributes of an element, the components of a vector.
 
-use crate::diagnostic::{Diagnostic, Edit, Fix};
+use crate::diagnostic::{Diagnostic, Edit, Fix, quoted};
 use crate::diagram::{Expr, ExprKind, Type, Wanted, overloads};
 use crate::source::Span;
 use crate::syntax::tree::{self, Ident};
@@ -14,7 +14,7 @@ use super::sequence_names::sequences_of;
 use super::suggestion::closest;
 use super::typed::typed;
 use super::typing::Typing;
-use super::words::{quoted, short};
+use super::words::short;
 
 /// A field of a type, for completion lists.
 pub(super) struct Entry {

@@ -1,13 +1,12 @@
 //! The properties that an op claims to keep.
 
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, quoted};
 use crate::diagram::Property;
 use crate::source::Span;
 use crate::syntax::tree::Ident;
 
 use super::report::Report;
 use super::suggestion::suggest;
-use super::words::quoted;
 
 /// The properties that `keeps` claims; `map` is what the checker always proves.
 pub(super) fn properties(keeps: &[Ident], report: &mut Report) -> Vec<(Property, Span)> {

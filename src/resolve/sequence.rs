@@ -1,6 +1,6 @@
 //! Sequences of elements, and the aggregates over them.
 
-use crate::diagnostic::{Diagnostic, Edit, Fix};
+use crate::diagnostic::{Diagnostic, Edit, Fix, quoted};
 use crate::diagram::{Collection, Expr, ExprKind, Fold, FoldFunction, Type};
 use crate::source::Span;
 use crate::syntax::tree::{self, Ident};
@@ -12,7 +12,7 @@ use super::sequence_names::{FOLDS, WHOLE_MESH, fold_names, sequences_of};
 use super::typed::{to_real, typed};
 use super::typing::{Place, Typing, with_field};
 use super::vocabulary::{fields, is_function};
-use super::words::{quoted, short, subject};
+use super::words::{short, subject};
 
 const COUNTED: &str = "`count(edges)` counts them all, `count(boundary(e) for e in edges)` those \
                        for which a condition holds";

@@ -9,7 +9,7 @@
 //! }
 //! ```
 
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, quoted};
 use crate::source::Span;
 use crate::syntax::tree::{self, Action, ActionKind, BinaryOp, ExprKind, Ident};
 
@@ -22,7 +22,7 @@ use super::script::Scripting;
 use super::signature::Signature;
 use super::suggestion::suggest;
 use super::test_meshes::Meshes;
-use super::words::{arguments, quoted};
+use super::words::arguments;
 
 /// The constructors of meshes: the name, and the minimum of each size.
 pub(super) const CONSTRUCTORS: [(&str, &[i64]); 13] = [

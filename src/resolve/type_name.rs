@@ -1,13 +1,12 @@
 //! Names of types.
 
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, quoted};
 use crate::diagram::Type;
 use crate::syntax::foreign_syntax::type_word;
 use crate::syntax::tree::Ident;
 
 use super::foreign_words::{self, Here};
 use super::report::Report;
-use super::words::quoted;
 
 /// The type of this name; reports an unknown one.
 pub(super) fn type_named(word: &Ident, report: &mut Report) -> Option<Type> {

@@ -1,5 +1,6 @@
 //! Types, operators and expressions in words, for messages.
 
+use crate::diagnostic::counted;
 use crate::diagram::Type;
 use crate::syntax::tree::{BinaryOp, Expr, ExprKind};
 
@@ -11,18 +12,11 @@ pub(super) fn plural(ty: Type) -> String {
     }
 }
 
-/// Each word in backticks, joined by commas.
-pub(super) fn quoted<S: AsRef<str>>(words: &[S]) -> String {
-    let words: Vec<String> = words.iter().map(|w| format!("`{}`", w.as_ref())).collect();
-    words.join(", ")
-}
-
 /// `1 argument`, `2 arguments`
 pub(super) fn arguments(count: usize) -> String {
     match count {
         0 => "no arguments".to_owned(),
-        1 => "1 argument".to_owned(),
-        _ => format!("{count} arguments"),
+        _ => counted(count, "argument", "arguments"),
     }
 }
 

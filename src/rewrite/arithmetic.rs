@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::{Fault, Math};
+use super::{Fault, Math, Message};
 pub use crate::mesh::direction;
 
 /// The int, or the fault if it has overflowed.
@@ -44,6 +44,18 @@ pub fn round(value: f64) -> Result<i64, Fault> {
         true => Ok(rounded as i64),
         false if rounded.is_nan() => Err(Fault::RoundsNaN),
         false => Err(Fault::IntOverflow),
+    }
+}
+
+/// The largest int up to which reals tell all ints apart.
+pub(super) const LARGEST_KEY: i64 = 1 << 53;
+
+/// The real by which an int is ordered.
+#[inline]
+pub(super) fn key(int: i64) -> Result<f64, Message> {
+    match (-LARGEST_KEY..=LARGEST_KEY).contains(&int) {
+        true => Ok(int as f64),
+        false => Err(Message::KeyTooLarge),
     }
 }
 

@@ -5,7 +5,7 @@
 //! code return, so the loop itself can fail only by a trap.
 
 use super::access::{self, gone};
-use super::arithmetic::{balance, direction, divide, fits, math, mix, modulo, round};
+use super::arithmetic::{balance, direction, divide, fits, key, math, mix, modulo, round};
 use super::attribute;
 use super::call::{Frame, MOST_CALLS};
 use super::families;
@@ -208,6 +208,7 @@ impl Machine {
                 LessInt { to, left, right } => w.set_truth(to, w.int(left) < w.int(right)),
                 LessEqualInt { to, left, right } => w.set_truth(to, w.int(left) <= w.int(right)),
                 IntToReal { to, from } => w.set_real(to, w.int(from) as f64),
+                IntToKey { to, from } => w.set_real(to, or_trap!(key(w.int(from)))),
                 RoundReal { to, from } => w.set_int(to, or_trap!(round(w.real(from)))),
                 AddReal { to, left, right } => w.set_real(to, w.real(left) + w.real(right)),
                 SubReal { to, left, right } => w.set_real(to, w.real(left) - w.real(right)),

@@ -37,6 +37,8 @@ pub enum Inst {
     LessInt { to: Reg, left: Reg, right: Reg },
     LessEqualInt { to: Reg, left: Reg, right: Reg },
     IntToReal { to: Reg, from: Reg },
+    /// The real by which an int is ordered as a key of a drain. Traps if others have the same.
+    IntToKey { to: Reg, from: Reg },
     /// Rounds to the nearest int, half to even. Traps if it does not fit.
     RoundReal { to: Reg, from: Reg },
     AddReal { to: Reg, left: Reg, right: Reg },
@@ -342,8 +344,8 @@ macro_rules! computation {
         | Inst::Or { .. } | Inst::Equal { .. } | Inst::AddInt { .. } | Inst::SubInt { .. }
         | Inst::MulInt { .. } | Inst::DivInt { .. } | Inst::ModInt { .. } | Inst::NegInt { .. }
         | Inst::AbsInt { .. } | Inst::MinInt { .. } | Inst::MaxInt { .. } | Inst::LessInt { .. }
-        | Inst::LessEqualInt { .. } | Inst::IntToReal { .. } | Inst::RoundReal { .. }
-        | Inst::AddReal { .. } | Inst::SubReal { .. } | Inst::MulReal { .. }
+        | Inst::LessEqualInt { .. } | Inst::IntToReal { .. } | Inst::IntToKey { .. }
+        | Inst::RoundReal { .. } | Inst::AddReal { .. } | Inst::SubReal { .. } | Inst::MulReal { .. }
         | Inst::DivReal { .. } | Inst::MinReal { .. } | Inst::MaxReal { .. }
         | Inst::PowReal { .. } | Inst::Atan2Real { .. } | Inst::LessReal { .. }
         | Inst::LessEqualReal { .. } | Inst::EqualReal { .. } | Inst::MathReal { .. }

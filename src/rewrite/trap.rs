@@ -48,6 +48,8 @@ pub enum Message {
     NotFinite,
     /// The key of an element of a drain is NaN.
     KeyNotANumber,
+    /// The key of an element of a drain is an int that reals do not tell apart from others.
+    KeyTooLarge,
     /// All ids of a kind are in use.
     NoRoom(ElementKind),
     /// The mesh and the lists would take more memory than this limit in bytes.
@@ -142,6 +144,9 @@ impl fmt::Display for Message {
             Message::RoundsNaN => f.write_str("what is rounded is not a number"),
             Message::NotFinite => f.write_str("the new position is not finite"),
             Message::KeyNotANumber => f.write_str("the key of an element is not a number"),
+            Message::KeyTooLarge => f.write_str(
+                "an int as a key lies beyond 2^53, and its order among others is not certain",
+            ),
             Message::NoRoom(kind) => write!(f, "there is no room for another {kind}"),
             Message::NoMemory(usize::MAX) => f.write_str("there is no memory for more"),
             Message::NoMemory(limit) => {

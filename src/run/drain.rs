@@ -21,13 +21,6 @@ use crate::resolve::{Statement, StatementKind};
 use crate::rewrite::{Elements, Inst, Reg, Task};
 use crate::source::Span;
 
-/// The largest int of which all lesser ones are reals exactly.
-const LARGEST: i64 = 1 << 53;
-
-/// The message about an int as a key that is beyond [`LARGEST`].
-pub(super) const KEY_TOO_LARGE: &str =
-    "an int as a key lies beyond 2^53, and its order among others is not certain";
-
 impl Lowering<'_> {
     /// `drain x in xs by key while c { … }`
     pub(super) fn drain(&mut self, statement: &Statement, exits: Option<&Exits>) {
@@ -109,25 +102,13 @@ impl Lowering<'_> {
         self.asm.release(mark);
     }
 
-    /// The value of a key, a real; an int must be one exactly.
+    /// The value of a key, a real.
     fn key(&mut self, key: &Expr) -> Reg {
         let ExprKind::Unary(Unary::ToReal, int) = &key.kind else {
             return self.value(key);
         };
-        let from = self.value(int);
-        let [fits, fails] = [(); 2].map(|()| self.asm.label());
-        let (to, largest) = (self.asm.reg(), self.asm.constant_int(LARGEST));
-        let least = self.asm.constant_int(-LARGEST);
-        for (left, right) in [(from, least), (largest, from)] {
-            self.asm.emit(Inst::LessInt { to, left, right });
-            self.asm.emit(Inst::JumpIf { condition: to, to: fails });
-        }
-        self.asm.emit(Inst::Jump { to: fits });
-        self.asm.bind(fails);
-        let text = self.asm.text(KEY_TOO_LARGE);
-        self.trap_at(key.span, Inst::Fail { text, around: None });
-        self.asm.bind(fits);
-        self.asm.emit(Inst::IntToReal { to, from });
+        let (from, to) = (self.value(int), self.asm.reg());
+        self.trap_at(key.span, Inst::IntToKey { to, from });
         to
     }
 

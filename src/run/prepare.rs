@@ -8,7 +8,7 @@ use super::lower::Lowering;
 use super::report::level_of_steps;
 use super::steps::with_steps;
 use crate::compile::width;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, quoted};
 use crate::diagram::{Param, Type};
 use crate::mesh::{Level, Mesh, WantedAttribute};
 use crate::resolve::{Program, Script};
@@ -403,12 +403,10 @@ impl Prepared {
     }
 
     fn no_such_parameter(&self, name: &str) -> Diagnostic {
-        let params = self.params.iter();
-        let known: Vec<_> = params.map(|param| format!("`{}`", param.name)).collect();
         let message = format!("`{}` has no parameter `{name}`", self.name);
-        let note = match known.is_empty() {
-            true => "it has no parameters".to_owned(),
-            false => format!("it has {}", known.join(", ")),
+        let note = match quoted(self.params.iter().map(|param| &param.name)).as_str() {
+            "" => "it has no parameters".to_owned(),
+            known => format!("it has {known}"),
         };
         Diagnostic::error("unknown-argument", message, self.span).note(note)
     }

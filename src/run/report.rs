@@ -1,6 +1,5 @@
 //! Running a prepared script, and the report on the run.
 
-use super::drain::KEY_TOO_LARGE;
 use super::{Argument, Prepared};
 use crate::diagnostic::{Diagnostic, all_of};
 use crate::mesh::{ElementKind, Level, Mesh, level_of_polygons, validate_level};
@@ -238,8 +237,7 @@ pub(super) fn code(prepared: &Prepared, trap: &Trap) -> &'static str {
         Message::Missing(_) => "no-element",
         Message::NothingToChoose => "nothing-to-choose",
         Message::DivisionByZero => "division-by-zero",
-        Message::IntOverflow | Message::RoundsNaN => "int-overflow",
-        Message::Said(text) if text == KEY_TOO_LARGE => "int-overflow",
+        Message::IntOverflow | Message::RoundsNaN | Message::KeyTooLarge => "int-overflow",
         Message::NotFinite => "not-finite",
         Message::KeyNotANumber => "key-not-a-number",
         Message::NoRoom(_) | Message::NoMemory(_) => "no-room",

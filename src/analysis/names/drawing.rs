@@ -2,7 +2,8 @@
 
 use super::symbol::{List, Role, SideName, SymbolKind};
 use super::walk::SymbolCollector;
-use crate::diagram::{Kind, Type};
+use crate::diagram::Kind;
+use crate::mesh::ElementKind;
 use crate::resolve::drawn_names;
 use crate::syntax::tree::{Condition, Name, Op, Param, Rule, Side, Statement};
 
@@ -42,7 +43,7 @@ impl SymbolCollector<'_> {
         if let Some(default) = &param.default {
             self.value(default);
         }
-        let kind = match Type::named(&param.ty.text).and_then(Type::element_kind) {
+        let kind = match ElementKind::named(&param.ty.text) {
             Some(kind) => SymbolKind::Element(Some(kind.into())),
             None => SymbolKind::Parameter,
         };

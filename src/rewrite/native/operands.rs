@@ -164,7 +164,9 @@ impl Surroundings<'_> {
             | Inst::LessEqualInt { to, left, right } => operands! {
                 Read Whole left, 1; Read Whole right, 1; Write Whole to, 1;
             },
-            Inst::IntToReal { to, from } => operands! { Read Whole from, 1; Write Real to, 1; },
+            Inst::IntToReal { to, from } | Inst::IntToKey { to, from } => {
+                operands! { Read Whole from, 1; Write Real to, 1; }
+            }
             Inst::RoundReal { to, from } => operands! { Read Real from, 1; Write Whole to, 1; },
             Inst::AddReal { to, left, right }
             | Inst::SubReal { to, left, right }

@@ -6,6 +6,7 @@ use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Value};
 
 use super::stubs;
 use super::translate::Translator;
+use crate::rewrite::arithmetic::LARGEST_KEY;
 use crate::rewrite::vectors::Lanes;
 use crate::rewrite::{Inst, Math, Reg};
 
@@ -91,8 +92,15 @@ impl Translator<'_, '_> {
                 };
                 self.set_whole(to, value);
             }
-            Inst::IntToReal { to, from } => {
+            Inst::IntToReal { to, from } | Inst::IntToKey { to, from } => {
                 let from = self.whole(from);
+                if matches!(inst, Inst::IntToKey { .. }) {
+                    let above_least = self.b.ins().iadd_imm_s(from, LARGEST_KEY);
+                    let most = 2 * LARGEST_KEY;
+                    let is_exact =
+                        self.b.ins().icmp_imm_u(IntCC::UnsignedLessThanOrEqual, above_least, most);
+                    self.or_fault(is_exact);
+                }
                 let value = self.b.ins().fcvt_from_sint(F64, from);
                 self.set_real(to, value);
             }

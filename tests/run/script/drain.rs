@@ -407,3 +407,24 @@ fn large_meshes_are_drained_in_order() {
     let (report, _) = try_run(&mut mesh, script, &[]).unwrap();
     assert!(applied(&report, "split") > 50 && applied(&report, "collapse") > 50, "{report:?}");
 }
+
+#[test]
+fn an_int_is_a_key_if_reals_tell_it_apart() {
+    for (key, is_one) in [
+        ("-9007199254740993", false),
+        ("-9007199254740992", true),
+        ("9007199254740992", true),
+        ("9007199254740993", false),
+        ("-9223372036854775807 - 1", false),
+        ("9223372036854775807", false),
+    ] {
+        let script = format!("script main() {{ drain v in vertices by {key} {{ print v }} }}");
+        match try_run(&mut shape::cube(), &script, &[]) {
+            Ok((_, lines)) => assert!(is_one && lines.len() == 8, "{key}"),
+            Err(failure) => {
+                assert!(!is_one, "{key}");
+                assert!(failure.diagnostic.message.contains("beyond 2^53"), "{key}");
+            }
+        }
+    }
+}
