@@ -72,7 +72,7 @@ pub(super) fn guard(
                 let message = format!("there is no level `{}`", word.text);
                 let error = Diagnostic::error("unknown-level", message, word.span);
                 let error = suggest(error, &word.text, word.span, names)
-                    .note(format!("the levels are {}", quoted(&names)));
+                    .note(format!("the levels are {}", quoted(names)));
                 let error = match is_condition(&word.text) {
                     true => asked(error, word, *span, params),
                     false => error,

@@ -121,7 +121,7 @@ impl Typing<'_> {
             [] if of == Type::Int => error.note(TAKES_INTS),
             [] => {
                 let words = WHOLE_MESH.map(|(known, _)| known);
-                error.note(format!("the sequences of the mesh are {}", quoted(&words)))
+                error.note(format!("the sequences of the mesh are {}", quoted(words)))
             }
             words => error.note(format!("the sequences of {} are {}", of.a_word(), quoted(words))),
         });
@@ -232,10 +232,9 @@ impl Typing<'_> {
         }
         let message = format!("there is no aggregate `{word}`");
         let error = Diagnostic::error("unknown-function", message, function.span);
-        let known: Vec<&str> = fold_names().collect();
         let here = foreign_words::function(word);
         let error = foreign_words::tell(error, (word, function.span), here, fold_names())
-            .note(format!("the aggregates are {}", quoted(&known)));
+            .note(format!("the aggregates are {}", quoted(fold_names())));
         self.report.add(error);
         None
     }

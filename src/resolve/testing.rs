@@ -246,7 +246,7 @@ impl Scripting<'_> {
             let error = Diagnostic::error("test-mesh", message, function.span);
             let known = CONSTRUCTORS.map(|(known, _)| known);
             let error = suggest(error, word, function.span, known);
-            let note = format!("there are {} and `load`", quoted(&known));
+            let note = format!("there are {} and `load`", quoted(known));
             self.typing.report.add(error.note(note));
             return None;
         };
