@@ -4,7 +4,6 @@ use std::sync::Arc;
 
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{self, Attribute, Kind, Type};
-use crate::mesh::ElementKind;
 use crate::syntax::foreign_syntax::type_word;
 use crate::syntax::tree::{self, Arrow, Ident, Statement};
 
@@ -221,7 +220,7 @@ fn result_type(name: &Ident, rules: &[Names], report: &mut Report) -> Option<Typ
         kinds.extend(kind);
     }
     let Some(first) = kinds.first().copied() else {
-        if let Some(kind) = ElementKind::named(word) {
+        if let Some(kind) = Type::named(word).and_then(Type::element_kind) {
             report.add(kind_returned(kind.into(), name, rules));
             return None;
         }
