@@ -64,6 +64,12 @@ impl Mesh {
         &self.positions
     }
 
+    /// As [`Mesh::positions`], for writing; no journal notes what is written.
+    #[cfg(feature = "native")]
+    pub(crate) fn positions_mut(&mut self) -> &mut [DVec3] {
+        &mut self.positions
+    }
+
     /// The records of all halfedge slots, living or dead, indexed by id. Those that are not alive
     /// ([`Mesh::halfedge_alive`]) have no meaning.
     pub fn halfedge_records(&self) -> &[HalfedgeRecord] {

@@ -39,6 +39,12 @@ impl Mesh {
         self.journal.may_roll_back() && self.journal.name == name
     }
 
+    /// Whether writes are noted.
+    #[cfg(feature = "native")]
+    pub(crate) fn keeps_journal(&self) -> bool {
+        self.journal.is_open()
+    }
+
     /// Ends the journal and keeps what was written since.
     pub fn keep(&mut self, _mark: Bookmark) {
         self.journal.open = self.journal.open.saturating_sub(1);

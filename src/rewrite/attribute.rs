@@ -3,11 +3,16 @@
 //! A column is a dense array of values of one type. A value in the window takes one slot for each
 //! component, matrices column by column, as the language lays them out.
 
+#[cfg(feature = "native")]
+use std::ops::Range;
+
 use glam::{DMat3, DMat4, DVec2, DVec3, DVec4};
 
 use super::access::gone;
 use super::window::Window;
 use super::{Fault, Reg};
+#[cfg(feature = "native")]
+use crate::mesh::parallel;
 use crate::mesh::{ColumnData, ColumnId, Mesh, VertexId};
 
 /// In place of an attribute's number: a position is kept back.
@@ -82,7 +87,69 @@ pub(super) fn store(
     value: Reg,
 ) -> Result<(), Fault> {
     let at = index(mesh, column, id)?;
-    put(mesh, column, at, |part| w.bits(Reg(value.0.wrapping_add(part))))
+    put(mesh, column, at, |part| w.bits(Reg(value.0.wrapping_add(part as u16))))
+}
+
+/// A value that can be made of its slots.
+trait OfSlots: Send {
+    fn of_slots(slot: impl Fn(usize) -> u64) -> Self;
+}
+
+impl OfSlots for bool {
+    #[inline]
+    fn of_slots(slot: impl Fn(usize) -> u64) -> Self {
+        slot(0) != 0
+    }
+}
+
+impl OfSlots for i64 {
+    #[inline]
+    fn of_slots(slot: impl Fn(usize) -> u64) -> Self {
+        slot(0) as Self
+    }
+}
+
+impl OfSlots for f64 {
+    #[inline]
+    fn of_slots(slot: impl Fn(usize) -> u64) -> Self {
+        Self::from_bits(slot(0))
+    }
+}
+
+macro_rules! made_of_reals {
+    ($($type:ident $from:ident $count:literal;)*) => {
+        $(impl OfSlots for $type {
+            #[inline]
+            fn of_slots(slot: impl Fn(usize) -> u64) -> Self {
+                let reals: [f64; $count] = std::array::from_fn(|part| f64::from_bits(slot(part)));
+                Self::$from(&reals)
+            }
+        })*
+    };
+}
+
+made_of_reals! {
+    DVec2 from_slice 2;
+    DVec3 from_slice 3;
+    DVec4 from_slice 4;
+    DMat3 from_cols_slice 9;
+    DMat4 from_cols_slice 16;
+}
+
+/// Evaluates an expression with the values of a column, whatever their type.
+macro_rules! with_values {
+    ($data:expr, $all:ident => $result:expr) => {
+        match $data {
+            ColumnData::Bool($all) => $result,
+            ColumnData::Int($all) => $result,
+            ColumnData::Real($all) => $result,
+            ColumnData::Vec2($all) => $result,
+            ColumnData::Vec3($all) => $result,
+            ColumnData::Vec4($all) => $result,
+            ColumnData::Mat3($all) => $result,
+            ColumnData::Mat4($all) => $result,
+        }
+    };
 }
 
 /// Writes a value; `slot` returns its slots.
@@ -91,34 +158,11 @@ fn put(
     mesh: &mut Mesh,
     column: ColumnId,
     at: usize,
-    slot: impl Fn(u16) -> u64,
+    slot: impl Fn(usize) -> u64,
 ) -> Result<(), Fault> {
     mesh.note_value(column, at as u32);
     let data = mesh.column_data_mut(column).ok_or(Fault::Malformed)?;
-    let real = |part: usize| f64::from_bits(slot(part as u16));
-    let beyond = Fault::Malformed;
-    match data {
-        ColumnData::Bool(all) => *all.get_mut(at).ok_or(beyond)? = slot(0) != 0,
-        ColumnData::Int(all) => *all.get_mut(at).ok_or(beyond)? = slot(0) as i64,
-        ColumnData::Real(all) => *all.get_mut(at).ok_or(beyond)? = real(0),
-        ColumnData::Vec2(all) => {
-            *all.get_mut(at).ok_or(beyond)? = DVec2::from_array(std::array::from_fn(real));
-        }
-        ColumnData::Vec3(all) => {
-            *all.get_mut(at).ok_or(beyond)? = DVec3::from_array(std::array::from_fn(real));
-        }
-        ColumnData::Vec4(all) => {
-            *all.get_mut(at).ok_or(beyond)? = DVec4::from_array(std::array::from_fn(real));
-        }
-        ColumnData::Mat3(all) => {
-            let parts = std::array::from_fn(real);
-            *all.get_mut(at).ok_or(beyond)? = DMat3::from_cols_array(&parts);
-        }
-        ColumnData::Mat4(all) => {
-            let parts = std::array::from_fn(real);
-            *all.get_mut(at).ok_or(beyond)? = DMat4::from_cols_array(&parts);
-        }
-    }
+    with_values!(data, all => *all.get_mut(at).ok_or(Fault::Malformed)? = OfSlots::of_slots(slot));
     Ok(())
 }
 
@@ -189,11 +233,53 @@ pub(super) fn release(
                 mesh.set_position(VertexId(id), DVec3::from_array(position));
             }
             (Some(column), slots) if mesh.is_alive(column.kind, id) => {
-                put(mesh, column, id as usize, |part| slots[usize::from(part)])?;
+                put(mesh, column, id as usize, |part| slots[part])?;
             }
             _ => {}
         }
     }
     held.clear();
     Ok(())
+}
+
+/// Writes the values that are kept back, a list for each of the ranges, which cover the slots of a
+/// kind in order; each list has values of the elements in its range alone, of these attributes
+/// (`None` for a position). Ranges are written on all cores: no journal may be open.
+#[cfg(feature = "native")]
+pub(super) fn release_ranges(
+    mesh: &mut Mesh,
+    columns: &[Option<ColumnId>],
+    attributes: &[Option<u16>],
+    lists: &[(Range<usize>, Vec<u64>)],
+) -> Result<(), Fault> {
+    for &attribute in attributes {
+        let target = attribute.map(|attribute| column(columns, attribute)).transpose()?;
+        let held = |list| Held::new(columns, list).filter(move |(of, ..)| *of == target);
+        match target {
+            None => write_ranges(mesh.positions_mut(), lists, held)?,
+            Some(column) => {
+                let data = mesh.column_data_mut(column).ok_or(Fault::Malformed)?;
+                with_values!(data, all => write_ranges(all, lists, held)?);
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Writes what is held for the elements in each range, on all cores.
+#[cfg(feature = "native")]
+fn write_ranges<'h, T: OfSlots, H: Iterator<Item = (Option<ColumnId>, u32, &'h [u64])>>(
+    all: &mut [T],
+    lists: &'h [(Range<usize>, Vec<u64>)],
+    held: impl Fn(&'h [u64]) -> H + Sync,
+) -> Result<(), Fault> {
+    let values = parallel::split(all, lists.iter().map(|(range, _)| range.len()));
+    let write = |(values, (range, list)): (&mut [T], &'h (Range<usize>, Vec<u64>))| {
+        for (_, id, slots) in held(list) {
+            let value = (id as usize).checked_sub(range.start).and_then(|at| values.get_mut(at));
+            *value.ok_or(Fault::Malformed)? = T::of_slots(|part| slots[part]);
+        }
+        Ok(())
+    };
+    parallel::map(values.zip(lists).collect(), write).into_iter().collect()
 }

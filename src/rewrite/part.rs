@@ -186,6 +186,27 @@ impl Part {
         slots.sum()
     }
 
+    /// The attributes of the loop's own element that an `update` writes, `None` for its position;
+    /// nothing if it writes to other elements.
+    #[cfg_attr(not(feature = "native"), expect(dead_code))]
+    pub(super) fn own_writes(&self) -> Option<Vec<Option<u16>>> {
+        let mut writes = Vec::new();
+        for inst in &self.code.insts {
+            let (element, attribute) = match *inst {
+                Inst::HoldPosition { vertex, .. } => (vertex, None),
+                Inst::HoldAttribute { attribute, element, .. } => (element, Some(attribute)),
+                _ => continue,
+            };
+            if element != self.bounds[0] {
+                return None;
+            }
+            if !writes.contains(&attribute) {
+                writes.push(attribute);
+            }
+        }
+        Some(writes)
+    }
+
     /// Whether a turn takes longer than combining its value with others.
     #[cfg_attr(not(feature = "native"), expect(dead_code))]
     pub(super) fn is_costly(&self) -> bool {

@@ -152,8 +152,8 @@ impl Machine {
         if done.iter().any(|(.., trap)| trap.is_some()) {
             return None;
         }
-        let kept = done.into_iter().map(|(_, held, _)| held);
-        self.put_together(mesh, (part, call), kept)
+        let kept = done.into_iter().map(|(range, held, _)| (ranges[range].clone(), held));
+        self.put_together(mesh, (part, call), kept.collect())
     }
 
     /// Whether running a loop in parts is worth it and possible: its turns only read, and there is
@@ -177,21 +177,31 @@ impl Machine {
         &mut self,
         mesh: &mut Mesh,
         (part, call): (&Part, &Call<'_>),
-        mut kept: impl Iterator<Item = Vec<u64>>,
+        kept: Vec<(Range<usize>, Vec<u64>)>,
     ) -> Option<Result<(), Trap>> {
+        let columns = &self.columns;
+        let all =
+            |kept: Vec<(_, _)>| parallel::joined(kept.into_iter().map(|(_, list)| list).collect());
         match part.task {
             Task::Update => {
-                let write = |mut held| attribute::release(mesh, &self.columns, &mut held);
-                Some(kept.try_for_each(write).map_err(|_| Trap::new(Message::Malformed)))
+                let written = match part.own_writes() {
+                    Some(writes) if !mesh.keeps_journal() => {
+                        attribute::release_ranges(mesh, columns, &writes, &kept)
+                    }
+                    _ => kept
+                        .into_iter()
+                        .try_for_each(|(_, mut held)| attribute::release(mesh, columns, &mut held)),
+                };
+                Some(written.map_err(|_| Trap::new(Message::Malformed)))
             }
             Task::Aggregate | Task::Filter => {
                 let list = self.buffers.get_mut(call.buffers + usize::from(part.held))?;
-                *list = parallel::joined(kept.collect()).into();
+                *list = all(kept).into();
                 Some(Ok(()))
             }
             // A key that is not a number, or too little memory, traps on one thread.
             Task::Keys => {
-                self.drains.set_keys(&parallel::joined(kept.collect())).ok()?;
+                self.drains.set_keys(&all(kept)).ok()?;
                 if self.budget().is_passed(mesh) {
                     return None;
                 }
