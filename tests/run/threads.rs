@@ -21,6 +21,8 @@ attr level: face int = 1
 attr sharp: edge bool = false
 attr rank: edge int = 0
 attr way: halfedge vec3 = vec3(0)
+attr frame: vertex mat4 = mat4(0)
+attr half: vertex vec2 = vec2(0, 0)
 
 fn warmth(v: vertex) -> real { mean(w.heat + length(w.position - v.position) for w in v.neighbors) }
 fn mean_edge() -> edge { argmin(abs(length(e) - 0.25) for e in edges) }
@@ -98,6 +100,10 @@ fn updates_do_what_one_thread_does() {
          update v in vertices { turns = turns + 1 v.heat = turns }",
         "for v in vertices where v.position.x > 0.9 {
            update w in vertices { w.heat = w.heat + dot(w.position, v.position) }
+         }",
+        "update v in vertices {
+           if v.position.x < 0 { v.half = vec2(v.position.x, v.heat) v.half = 2 * v.half }
+           v.frame = v.position.y * mat4(1) + v.frame v.heat = v.half.x
          }",
         "update v in vertices { v.heat = random() }",
         "warm(0.5) warm(0.25) cool(9)",
