@@ -12,6 +12,7 @@ use super::option_groups::{EncodingArguments, RepairArguments};
 use super::output::{complain, is_standard, pour};
 use super::program::{Program, is_mesh};
 use crate::analysis::{Analysis, is_program};
+use crate::diagnostic::all_of;
 use crate::mesh::{
     Dump, FileError, FileFormat, FileReason, Loss, LostValues, Mesh, MeshFile, Places, Repair,
     Unset, WrittenNumbers, expect_writable, open_file, read_dump, read_mesh, read_mesh_from,
@@ -258,10 +259,11 @@ pub(super) fn write(
     tell_lost_values(path, format, file);
     tell_lost_vertices(path, format, file);
     tell_bare(path, format, bare);
-    if file.loses_groups(format) {
+    let lost = file.lost_groups(format);
+    if !lost.is_empty() {
         complain(&format!(
-            "warning: {shown} cannot hold the groups and materials of the mesh; an .obj or .ply \
-             file can"
+            "warning: {shown} cannot hold the {} of the mesh; an .obj or .ply file can",
+            all_of(lost)
         ));
     }
     for loss in file.losses() {

@@ -98,14 +98,20 @@ pub(super) struct EncodingArguments {
 }
 
 impl EncodingArguments {
-    /// Fails if files of a format do not have the encoding.
+    /// Fails if files of a format do not have the encoding or the version.
     pub fn expect(&self, format: FileFormat) -> Result<(), Failure> {
-        match self.encoding {
+        let has_bytes = [FileFormat::Ply, FileFormat::Stl].contains(&format);
+        let problem = match self.encoding {
             Some(EncodingName::BigEndian) if format != FileFormat::Ply => {
-                Err(Failure::usage("`--encoding big-endian` is for .ply alone"))
+                "`--encoding big-endian` is for .ply alone"
             }
-            _ => Ok(()),
-        }
+            Some(EncodingName::Binary) if !has_bytes => {
+                "`--encoding binary` is for .ply and .stl; other files are text"
+            }
+            _ if self.msh.is_some() && format != FileFormat::Msh => "`--msh` is for .msh alone",
+            _ => return Ok(()),
+        };
+        Err(Failure::usage(problem))
     }
 }
 

@@ -87,7 +87,12 @@ fn what_a_file_cannot_hold_is_said_in_one_line() {
     assert_eq!(err, "");
     bench.write("g.obj", format!("g wing\n{SQUARE}"));
     let (_, err) = run(&bench, body, "g.obj", "n.halfedges");
-    assert!(err.contains("cannot hold the groups and materials"), "{err}");
+    assert!(err.contains("cannot hold the groups of the mesh"), "{err}");
+    bench.write("w.obj", format!("mtllib a.mtl\no body\ng wing\nusemtl red\ns 1\n{SQUARE}"));
+    let (_, err) = run(&bench, "", "w.obj", "w.msh");
+    assert!(err.contains("cannot hold the objects, materials and smoothing groups"), "{err}");
+    let (_, err) = run(&bench, "", "w.obj", "w.off");
+    assert!(err.contains("the objects, groups, materials and smoothing groups"), "{err}");
 }
 
 #[test]

@@ -210,6 +210,10 @@ fn an_encoding_that_a_format_does_not_have() {
         let arguments = ["convert", "square.obj", output, "--encoding", "big-endian"];
         bench.fails(2, &arguments, "`--encoding big-endian` is for .ply alone");
     }
+    let binary = ["convert", "square.obj", "out.off", "--encoding", "binary"];
+    bench.fails(2, &binary, "`--encoding binary` is for .ply and .stl");
+    let version = ["convert", "square.obj", "out.ply", "--msh", "2.2"];
+    bench.fails(2, &version, "`--msh` is for .msh alone");
     bench.succeeds(&["convert", "square.obj", "out.ply", "--encoding", "big-endian"]);
     assert_eq!(bench.files(), ["out.ply", "square.obj"]);
 }

@@ -118,7 +118,7 @@ fn zero_if(asm: &mut Assembler, condition: Reg, to: Reg) -> Label {
 }
 
 /// The angle between the normals on both sides, positive at a convex edge: the arc tangent of the
-/// sine along the edge over the cosine. It is zero on the boundary.
+/// sine, which has the sign of the turn along the edge, over the cosine. It is zero on the boundary.
 fn dihedral(asm: &mut Assembler, place: u32, edge: Reg, to: Reg) {
     let on_boundary = asm.reg();
     asm.trap_at(place, ask(Question::BoundaryEdge, on_boundary, edge));
@@ -136,14 +136,20 @@ fn dihedral(asm: &mut Assembler, place: u32, edge: Reg, to: Reg) {
     let left = position(asm, place, &[HalfedgeField::Next], halfedge);
     let along = asm.vec();
     asm.emit(Inst::SubVec { to: along, left, right });
-    let from = along;
-    asm.emit(Inst::Normalize { to: along, from });
     let (cross, sine, cosine) = (asm.vec(), asm.reg(), asm.reg());
+    let (turn, is_concave, concave) = (asm.reg(), asm.reg(), asm.reg());
     let (left, right) = (first, second);
     asm.emit(Inst::Cross { to: cross, left, right });
     asm.emit(Inst::Dot { to: cosine, left, right });
+    // Normals of faces that are not flat need not be perpendicular to the edge.
+    let zero = asm.constant_real(0.0);
+    asm.emit(Inst::LengthVec { to: sine, from: cross });
+    asm.emit(Inst::SubReal { to: concave, left: zero, right: sine });
     let (left, right) = (along, cross);
-    asm.emit(Inst::Dot { to: sine, left, right });
+    asm.emit(Inst::Dot { to: turn, left, right });
+    asm.emit(Inst::LessReal { to: is_concave, left: turn, right: zero });
+    let condition = is_concave;
+    asm.emit(Inst::Select { to: sine, condition, then: concave, otherwise: sine });
     let (left, right) = (sine, cosine);
     asm.emit(Inst::Atan2Real { to, left, right });
     asm.bind(end);

@@ -176,17 +176,22 @@ impl MeshFile {
         told
     }
 
-    /// True if the file that was read has groups, objects, materials or smoothing groups that a
-    /// file of a format cannot hold.
-    pub fn loses_groups(&self, format: FileFormat) -> bool {
-        let has_more = |place: usize| self.kept.states.iter().any(|(_, s)| s.0[place] != MISSING);
-        match format {
-            FileFormat::Obj | FileFormat::Ply => false,
-            FileFormat::Msh => {
-                [0, 2, 3].into_iter().any(has_more) || !self.kept.libraries.is_empty()
-            }
-            _ => !self.kept.states.is_empty() || !self.kept.libraries.is_empty(),
-        }
+    /// What a file of a format cannot hold of the objects, groups, materials and smoothing groups of
+    /// the file that was read, in the plural.
+    pub fn lost_groups(&self, format: FileFormat) -> Vec<&'static str> {
+        let has = |place: usize| match place {
+            2 if !self.kept.libraries.is_empty() => true,
+            _ => self.kept.states.iter().any(|(_, state)| state.0[place] != MISSING),
+        };
+        let is_held = |place: usize| match format {
+            FileFormat::Obj | FileFormat::Ply => true,
+            FileFormat::Msh => place == 1,
+            _ => false,
+        };
+        // As `State::KEYWORDS`.
+        let words = ["objects", "groups", "materials", "smoothing groups"];
+        let lost = words.into_iter().enumerate().filter(|(place, _)| !is_held(*place));
+        lost.filter(|(place, _)| has(*place)).map(|(_, word)| word).collect()
     }
 
     /// The number of vertices that a file of a format cannot distinguish from another one, since

@@ -221,6 +221,15 @@ fn angles() {
     let body = body.replace("edges_of_cube()", "argmin(length(e) for e in edges)");
     let printed_here = printed(&mut shape::cube(), &body);
     assert_eq!(printed_here, ["1.5708 12"]);
+    // Of faces that are not flat, it is the angle between their normals.
+    let body = "
+      for v in vertices { v.position = v.position + vec3(0, 0, sin(3 * v.position.x + 5 * v.position.y)) }
+      for e in edges where not boundary(e) {
+        let between = angle(normal(e.halfedge.face), normal(e.halfedge.twin.face))
+        assert abs(abs(dihedral_angle(e)) - between) < 1e-12
+      }
+      print count(abs(dihedral_angle(e)) > 0.1 for e in edges) > 10";
+    assert_eq!(printed(&mut shape::grid(4, 4), body), ["true"]);
     // Gauss and Bonnet: the angle defects add up; and triangles by their cotangents.
     let body = "
       let turn = atan2(0.0, -1.0)
