@@ -173,8 +173,8 @@ pub(super) struct RunArguments {
     /// Renumber elements so that neighbors stand near each other
     /// in memory: faster where the file of a large mesh has them
     /// far apart. Loops visit elements in the new order, so
-    /// results may differ; what is written keeps the order of
-    /// the file
+    /// results may differ; vertices and faces are written in the
+    /// order of the file
     #[arg(long, verbatim_doc_comment)]
     pub reorder: bool,
     /// Format of the answer
