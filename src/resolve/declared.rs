@@ -282,8 +282,7 @@ impl Declared {
                  are names of the language, too",
             );
         }
-        report.add(error);
-        None
+        report.reject(error)
     }
 
     /// Adds to the error about an unknown function or op what may have been meant, perhaps one of

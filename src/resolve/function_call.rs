@@ -49,19 +49,15 @@ impl Typing<'_> {
                 let error = Diagnostic::error("returns-nothing", message, span)
                     .label(invocation.signature.span, "it is declared here");
                 let Effects { changes, prints, .. } = invocation.signature.effects;
-                self.report.add(match changes.or(prints) {
+                self.report.reject(match changes.or(prints) {
                     Some(_) => error,
                     None => error.note(
                         "functions that call each other in a circle say what they give, behind \
                          the parameters",
                     ),
-                });
-                None
+                })
             }
-            Value::Open | Value::Unknown => {
-                self.report.fail();
-                None
-            }
+            Value::Open | Value::Unknown => self.report.give_up(),
         }
     }
 
@@ -151,8 +147,7 @@ impl Typing<'_> {
             .collect();
         let error = Diagnostic::error("wrong-count", message, span)
             .note(format!("it is `{name}({})`", params.join(", ")));
-        self.report.add(error);
-        None
+        self.report.reject(error)
     }
 
     /// Reports a function whose effects are not allowed in this place.
@@ -193,8 +188,7 @@ impl Typing<'_> {
                 }
             }
         };
-        self.report.add(error);
-        None
+        self.report.reject(error)
     }
 }
 
@@ -213,8 +207,7 @@ impl Scripting<'_> {
             Value::Of(ty) => Some(ty),
             Value::Nothing => None,
             Value::Open | Value::Unknown => {
-                self.typing.report.fail();
-                return None;
+                return self.typing.report.give_up();
             }
         };
         let effects = signature.effects;

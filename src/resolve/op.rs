@@ -221,8 +221,7 @@ fn result_type(name: &Ident, rules: &[Names], report: &mut Report) -> Option<Typ
     }
     let Some(first) = kinds.first().copied() else {
         if let Some(kind) = Type::named(word).and_then(Type::element_kind) {
-            report.add(kind_returned(kind.into(), name, rules));
-            return None;
+            return report.reject(kind_returned(kind.into(), name, rules));
         }
         let message = format!("`{word}` is returned, but it is drawn nowhere");
         let error = Diagnostic::error("unknown-result", message, name.span);
@@ -234,8 +233,7 @@ fn result_type(name: &Ident, rules: &[Names], report: &mut Report) -> Option<Typ
             ),
             false => suggest(error, word, name.span, drawn),
         };
-        report.add(error);
-        return None;
+        return report.reject(error);
     };
     if let Some(other) = kinds.iter().find(|kind| **kind != first) {
         let message = format!(
@@ -243,8 +241,7 @@ fn result_type(name: &Ident, rules: &[Names], report: &mut Report) -> Option<Typ
             first.a_word(),
             other.a_word()
         );
-        report.add(Diagnostic::error("result-kind", message, name.span));
-        return None;
+        return report.reject(Diagnostic::error("result-kind", message, name.span));
     }
     let ty = first.element_type();
     if ty.is_none() {

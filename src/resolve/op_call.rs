@@ -116,18 +116,14 @@ impl Scripting<'_> {
         let signature = &self.typing.ops[op];
         match signature.result {
             Value::Of(ty) => Some(ty),
-            Value::Open | Value::Unknown => {
-                self.typing.report.fail();
-                None
-            }
+            Value::Open | Value::Unknown => self.typing.report.give_up(),
             Value::Nothing => {
                 let message = format!("`{}` returns nothing", signature.name);
                 let error = Diagnostic::error("returns-nothing", message, span).note(
                     "an op returns an element that is there afterwards where its head names it, as \
                      in `op split(e: edge) -> m`",
                 );
-                self.typing.report.add(error);
-                None
+                self.typing.report.reject(error)
             }
         }
     }
@@ -191,27 +187,22 @@ impl Scripting<'_> {
             tree::ExprKind::Must(_) => {
                 let message = "`if let` asks whether the op is refused, so `must` has no place";
                 let error = Diagnostic::error("misplaced-must", message, condition.span);
-                self.typing.report.add(error);
-                None
+                self.typing.report.reject(error)
             }
-            tree::ExprKind::Broken => {
-                self.typing.report.fail();
-                None
-            }
+            tree::ExprKind::Broken => self.typing.report.give_up(),
             _ => {
                 let message = "`if let` wants the call of an op";
                 let error = Diagnostic::error("not-an-op", message, condition.span);
                 let note = "`argmin` and `argmax` want an element: whether there is one is asked \
                             before, `if any(… for e in edges) { … }`";
-                self.typing.report.add(match &condition.kind {
+                self.typing.report.reject(match &condition.kind {
                     tree::ExprKind::Aggregate { function, .. }
                         if matches!(function.text.as_str(), "argmin" | "argmax") =>
                     {
                         error.note(note)
                     }
                     _ => error,
-                });
-                None
+                })
             }
         };
         self.typing.scopes.enter();

@@ -31,8 +31,7 @@ impl Typing<'_> {
                     ty.a_word()
                 );
                 let error = Diagnostic::error("type-mismatch", message, written.span);
-                self.report.add(place_note(error, &[(written, &value)]));
-                return None;
+                return self.report.reject(place_note(error, &[(written, &value)]));
             }
             (UnaryOp::Not, _) => {
                 let value = self.convert(written, value, Type::Bool, "`not`")?;
@@ -64,14 +63,13 @@ impl Typing<'_> {
                 .label(left_written.span, format!("this is {}", left.ty.a_word()))
                 .label(right_written.span, format!("this is {}", right.ty.a_word()));
             let written = [(left_written, &left), (right_written, &right)];
-            self.report.add(match op {
+            return self.report.reject(match op {
                 BinaryOp::Equal | BinaryOp::NotEqual => error,
                 BinaryOp::Add if types.contains(&Type::Text) => error.note(
                     "texts are not joined; what is printed holds values: `print \"{x} of {y}\"`",
                 ),
                 _ => with_places(place_note(error, &written), op, written),
             });
-            return None;
         };
         let (mut left, mut right) = (left, right);
         if joined.swap {

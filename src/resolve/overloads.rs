@@ -89,15 +89,13 @@ impl Typing<'_> {
         if word == SHUFFLE {
             let message =
                 "`shuffle` gives an order to what `for` visits, and stands behind its `in`";
-            self.report.add(Diagnostic::error("not-a-value", message, span));
-            return None;
+            return self.report.reject(Diagnostic::error("not-a-value", message, span));
         }
         let known = overloads(word);
         if known.iter().any(|way| way.builtin.is_random()) && !matches!(self.place, Place::Script) {
             let message = "an op or a default does the same each time, so nothing is random here";
             let error = Diagnostic::error("misplaced-random", message, span);
-            self.report.add(error.note("give the number to it as an argument"));
-            return None;
+            return self.report.reject(error.note("give the number to it as an argument"));
         }
         if known.is_empty() {
             let is_meant = self.unknown_function(function, args, span);
@@ -160,11 +158,10 @@ impl Typing<'_> {
             ways => error.note(format!("it is {ways}")),
         };
         let is_distance = function.text == "length" && given == "2";
-        self.report.add(match is_distance {
+        self.report.reject(match is_distance {
             true => error.note("how far two points are apart is `distance(v, w)`"),
             false => error,
-        });
-        None
+        })
     }
 
     /// Reports `midpoint(v, w)`, which is `mix` of the two points.

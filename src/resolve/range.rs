@@ -68,8 +68,7 @@ impl Typing<'_> {
     pub(super) fn misplaced_range(&mut self, span: Span) -> Option<Expr> {
         let message = "a range is not a value: only `for` takes one";
         let error = Diagnostic::error("not-a-sequence", message, span);
-        self.report.add(error.note(TAKES_INTS));
-        None
+        self.report.reject(error.note(TAKES_INTS))
     }
 }
 

@@ -105,8 +105,7 @@ impl Scripting<'_> {
                     let message = "a script returns nothing";
                     let error = Diagnostic::error("script-returns", message, value.span)
                         .note("`return` alone ends it; a value is printed, or given by a `fn`");
-                    self.typing.report.add(error);
-                    None
+                    self.typing.report.reject(error)
                 }
             };
         };
@@ -142,8 +141,7 @@ impl Scripting<'_> {
                     Some(first) => error.label(first, "it gives a value here"),
                     None => error,
                 };
-                self.typing.report.add(error);
-                None
+                self.typing.report.reject(error)
             }
             _ => {
                 self.returns.value = Value::Nothing;
@@ -173,11 +171,10 @@ impl Scripting<'_> {
                         .note(format!("`round(x)` makes an int; or write `fn {name}(…) -> real`")),
                     _ => error,
                 };
-                self.typing.report.add(match first == written.span {
+                self.typing.report.reject(match first == written.span {
                     true => error,
                     false => error.label(first, format!("this is {}", ty.a_word())),
-                });
-                None
+                })
             }
             Value::Open => {
                 self.returns.value = Value::Of(value.ty);
@@ -191,13 +188,9 @@ impl Scripting<'_> {
                 let error = Diagnostic::error("needs-result-type", message, written.span);
                 let error = error
                     .note(format!("behind the parameters: `fn {name}(…) -> {}`", value.ty.word()));
-                self.typing.report.add(error);
-                None
+                self.typing.report.reject(error)
             }
-            Value::Unknown => {
-                self.typing.report.fail();
-                None
-            }
+            Value::Unknown => self.typing.report.give_up(),
         }
     }
 }

@@ -238,8 +238,7 @@ impl Scripting<'_> {
                     value.ty.a_word()
                 );
                 let error = Diagnostic::error("type-mismatch", message, written.span);
-                self.typing.report.add(error);
-                None
+                self.typing.report.reject(error)
             }
         }
     }
@@ -253,8 +252,7 @@ impl Scripting<'_> {
     ) -> Option<StatementKind> {
         if self.loops == 0 {
             let message = format!("`{word}` stands inside of a loop");
-            self.typing.report.add(Diagnostic::error("outside-loop", message, span));
-            return None;
+            return self.typing.report.reject(Diagnostic::error("outside-loop", message, span));
         }
         Some(kind)
     }

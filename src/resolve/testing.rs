@@ -147,8 +147,7 @@ impl Scripting<'_> {
         let meshes = self.testing.as_mut()?;
         if let Some((first, _)) = meshes.kept.iter().find(|(known, _)| known.text == name.text) {
             let error = duplicate("a mesh", name, first.span);
-            self.typing.report.add(error);
-            return None;
+            return self.typing.report.reject(error);
         }
         let mesh = meshes.add(TestMesh::Empty);
         meshes.kept.push((name.clone(), mesh));
@@ -224,8 +223,7 @@ impl Scripting<'_> {
         let ExprKind::Call { function, args } = &expr.kind else {
             let message = "a mesh is made here, as by `cube()`, or loaded: `load(\"cube.obj\")`";
             let error = Diagnostic::error("test-mesh", message, expr.span);
-            self.typing.report.add(error);
-            return None;
+            return self.typing.report.reject(error);
         };
         let word = function.text.as_str();
         if word == "load" {
@@ -236,8 +234,7 @@ impl Scripting<'_> {
                 _ => {
                     let message = "`load` wants the path of a mesh as a text";
                     let error = Diagnostic::error("test-mesh", message, expr.span);
-                    self.typing.report.add(error);
-                    None
+                    self.typing.report.reject(error)
                 }
             };
         }
@@ -247,13 +244,11 @@ impl Scripting<'_> {
             let known = CONSTRUCTORS.map(|(known, _)| known);
             let error = suggest(error, word, function.span, known);
             let note = format!("there are {} and `load`", quoted(known));
-            self.typing.report.add(error.note(note));
-            return None;
+            return self.typing.report.reject(error.note(note));
         };
         if least.len() != args.len() {
             let message = format!("`{word}` takes {}", arguments(least.len()));
-            self.typing.report.add(Diagnostic::error("wrong-count", message, expr.span));
-            return None;
+            return self.typing.report.reject(Diagnostic::error("wrong-count", message, expr.span));
         }
         let most = if word == "icosphere" { MOST_SPLIT } else { MOST };
         let mut sizes = Vec::new();
@@ -263,8 +258,7 @@ impl Scripting<'_> {
                 _ => {
                     let message = format!("`{word}` wants a number from {least} to {most} here");
                     let error = Diagnostic::error("test-mesh", message, arg.span);
-                    self.typing.report.add(error);
-                    return None;
+                    return self.typing.report.reject(error);
                 }
             }
         }

@@ -133,8 +133,7 @@ impl Typing<'_> {
             tree::ExprKind::Range(..) => self.misplaced_range(span),
             // Chains are handled before; the parser has reported what is broken.
             tree::ExprKind::Binary(..) | tree::ExprKind::Field(..) | tree::ExprKind::Broken => {
-                self.report.fail();
-                None
+                self.report.give_up()
             }
         }
     }
@@ -199,8 +198,7 @@ impl Typing<'_> {
             let error = Diagnostic::error("type-mismatch", message, span)
                 .label(then.span, format!("this is {}", then.ty.a_word()))
                 .label(otherwise.span, format!("this is {}", otherwise.ty.a_word()));
-            self.report.add(error);
-            return None;
+            return self.report.reject(error);
         }
         let ty = then.ty;
         let parts = [condition, then, otherwise].map(Box::new);
@@ -235,10 +233,7 @@ impl Typing<'_> {
             tree::ActionKind::If { binding: None, condition, then, otherwise: Some(otherwise) } => {
                 self.choice(condition, [then, otherwise], action.span)
             }
-            tree::ActionKind::Broken => {
-                self.report.fail();
-                None
-            }
+            tree::ActionKind::Broken => self.report.give_up(),
             _ => {
                 self.no_value_at(action.span);
                 None
@@ -251,13 +246,11 @@ impl Typing<'_> {
         let tree::ActionKind::Let { mutable: false, name, ty, value } = &action.kind else {
             let message = "before the value of a block there may be `let`, and nothing else";
             let error = Diagnostic::error("not-a-value", message, action.span);
-            self.report.add(error.note("a function (`fn`) can hold any statements"));
-            return None;
+            return self.report.reject(error.note("a function (`fn`) can hold any statements"));
         };
         if matches!(self.place, Place::Default) {
             let message = "in a default, a block holds one value";
-            self.report.add(Diagnostic::error("not-a-value", message, action.span));
-            return None;
+            return self.report.reject(Diagnostic::error("not-a-value", message, action.span));
         }
         let wanted = match ty {
             Some(word) => Some(type_named(word, self.report)?),
