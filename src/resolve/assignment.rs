@@ -153,8 +153,7 @@ impl Scripting<'_> {
             return None;
         };
         if self.updating && !is_variable(&whole) {
-            let error = self.whole_vector(base, whole.ty, field, value);
-            return self.typing.report.reject(error);
+            return self.typing.report.reject(self.whole_vector(base, whole.ty, field, value));
         }
         let part = self.typing.expression_as(value, ty, &format!("`{}`", field.text))?;
         self.replace(whole, from, part, base)

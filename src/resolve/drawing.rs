@@ -284,8 +284,7 @@ impl<'a> Drawing<'a> {
                 _ => format!("-{word}->"),
             };
             let rest = format!(" {arrow} {begins}");
-            let error = error.label(name.span, "in no loop of `after`");
-            self.report.add(error.fix(
+            self.report.add(error.label(name.span, "in no loop of `after`").fix(
                 format!("go on with `{}`", rest.trim()),
                 end.span.after(),
                 rest,

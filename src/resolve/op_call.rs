@@ -119,11 +119,10 @@ impl Scripting<'_> {
             Value::Open | Value::Unknown => self.typing.report.give_up(),
             Value::Nothing => {
                 let message = format!("`{}` returns nothing", signature.name);
-                let error = Diagnostic::error("returns-nothing", message, span).note(
+                self.typing.report.reject(Diagnostic::error("returns-nothing", message, span).note(
                     "an op returns an element that is there afterwards where its head names it, as \
                      in `op split(e: edge) -> m`",
-                );
-                self.typing.report.reject(error)
+                ))
             }
         }
     }
@@ -253,8 +252,7 @@ impl Typing<'_> {
                 true => format!("`{word}` is a script, not an op"),
                 false => format!("`{word}` is a function, not an op"),
             };
-            let error = Diagnostic::error("not-an-op", message, function.span);
-            self.report.add(error);
+            self.report.add(Diagnostic::error("not-an-op", message, function.span));
             return false;
         }
         let message = format!("there is no op `{word}`");

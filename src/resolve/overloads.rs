@@ -253,8 +253,7 @@ impl Typing<'_> {
         }
         if self.declared.called(word).is_some() {
             let message = format!("`{word}` cannot be called in the default of a function");
-            let error = Diagnostic::error("unknown-function", message, function.span);
-            self.report.add(error);
+            self.report.add(Diagnostic::error("unknown-function", message, function.span));
             return false;
         }
         if self.declared.lacks_files() {
@@ -294,12 +293,11 @@ impl Typing<'_> {
     /// Reports an op inside an expression: it rewrites the mesh.
     fn op_in_expression(&mut self, op: &str, span: Span) {
         let message = format!("`{op}` is an op; it cannot be called inside of an expression");
-        let error = Diagnostic::error("op-in-expression", message, span).note(format!(
+        self.report.add(Diagnostic::error("op-in-expression", message, span).note(format!(
             "an op stands as a statement `{op}(…)`, as the condition of `if` or `if let x =`, \
              or after `let x = must`; what is done where it is refused stands in `else {{ … }}`, and \
              whether it would apply is asked by `can {op}(…)`"
-        ));
-        self.report.add(error);
+        )));
     }
 
     /// Reports `must f(x)` where a value is required.

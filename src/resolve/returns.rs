@@ -57,10 +57,9 @@ impl Scripting<'_> {
         let returns = matches!(self.returns.value, Value::Of(_)) && self.is_value(value);
         if returns {
             let message = "an `if` without `else` gives no value";
-            let error = Diagnostic::error("unused-value", message, value.span).note(
+            self.typing.report.add(Diagnostic::error("unused-value", message, value.span).note(
                 "both branches give one, `if c { x } else { y }`, or `return` gives this one",
-            );
-            self.typing.report.add(error);
+            ));
         }
         returns
     }

@@ -132,12 +132,11 @@ pub(super) fn resolve_body(
     {
         let end = Span { start: written.span.end.saturating_sub(1), ..written.span };
         let message = format!("`{}` may come to its end without a value", signature.name);
-        let error = Diagnostic::error("missing-return", message, end).note(format!(
+        report.add(Diagnostic::error("missing-return", message, end).note(format!(
             "every way through it has to end with `return` and a value of type `{}`, or with \
              the value itself",
             ty.word()
-        ));
-        report.add(error);
+        )));
     }
     if report.failed() {
         // The part that failed may have determined the result.

@@ -24,8 +24,7 @@ impl Scripting<'_> {
             return None;
         };
         if let Some(first) = self.typing.scopes.find_here(&name.text) {
-            let error = duplicate("a variable", name, first.span);
-            self.typing.report.add(error);
+            self.typing.report.add(duplicate("a variable", name, first.span));
         }
         let annotated = ty.as_ref().map(|ty| type_named(ty, self.typing.report));
         let wanted = annotated.flatten();
@@ -237,8 +236,7 @@ impl Scripting<'_> {
                     subject(written),
                     value.ty.a_word()
                 );
-                let error = Diagnostic::error("type-mismatch", message, written.span);
-                self.typing.report.reject(error)
+                self.typing.report.reject(Diagnostic::error("type-mismatch", message, written.span))
             }
         }
     }
@@ -314,8 +312,7 @@ impl Scripting<'_> {
             }
             _ => "inside of `update` there may be `let`, `var`, assignments and `if`",
         };
-        let error = Diagnostic::error("not-in-update", message, span).note(way);
-        self.typing.report.add(error);
+        self.typing.report.add(Diagnostic::error("not-in-update", message, span).note(way));
         false
     }
 }

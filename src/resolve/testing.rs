@@ -118,8 +118,7 @@ impl Scripting<'_> {
         match &action.kind {
             ActionKind::Assign { target, .. } if is_mesh(target) => {
                 let message = "`mesh = …` stands once, at the beginning of the test";
-                let error = Diagnostic::error("test-mesh", message, action.span);
-                self.typing.report.add(error);
+                self.typing.report.add(Diagnostic::error("test-mesh", message, action.span));
                 Some(None)
             }
             ActionKind::Let { name, value, .. } if is_mesh(value) => Some(self.kept(name)),
@@ -146,8 +145,7 @@ impl Scripting<'_> {
     fn kept(&mut self, name: &Ident) -> Option<StatementKind> {
         let meshes = self.testing.as_mut()?;
         if let Some((first, _)) = meshes.kept.iter().find(|(known, _)| known.text == name.text) {
-            let error = duplicate("a mesh", name, first.span);
-            return self.typing.report.reject(error);
+            return self.typing.report.reject(duplicate("a mesh", name, first.span));
         }
         let mesh = meshes.add(TestMesh::Empty);
         meshes.kept.push((name.clone(), mesh));
@@ -222,8 +220,7 @@ impl Scripting<'_> {
     fn mesh(&mut self, expr: &tree::Expr) -> Option<TestMesh> {
         let ExprKind::Call { function, args } = &expr.kind else {
             let message = "a mesh is made here, as by `cube()`, or loaded: `load(\"cube.obj\")`";
-            let error = Diagnostic::error("test-mesh", message, expr.span);
-            return self.typing.report.reject(error);
+            return self.typing.report.reject(Diagnostic::error("test-mesh", message, expr.span));
         };
         let word = function.text.as_str();
         if word == "load" {
@@ -233,8 +230,7 @@ impl Scripting<'_> {
                 }
                 _ => {
                     let message = "`load` wants the path of a mesh as a text";
-                    let error = Diagnostic::error("test-mesh", message, expr.span);
-                    self.typing.report.reject(error)
+                    self.typing.report.reject(Diagnostic::error("test-mesh", message, expr.span))
                 }
             };
         }
