@@ -165,7 +165,7 @@ impl Reach<'_> {
         let rule = self.drawing.rule;
         let size = rule.size().unwrap_or(1) as usize;
         for orbit in &rule.after.loops {
-            let items: Vec<_> = orbit.items.iter().map(|item| item.item.name).collect();
+            let items: Vec<_> = orbit.item_names().collect();
             let may_be_empty = |&item: &NameId| {
                 rule.kind(item) == Kind::Path && self.drawing.is_empty_somewhere(item)
             };

@@ -120,14 +120,13 @@ fn faces_differ(drawing: &Drawing, left: NameId, right: NameId) -> bool {
         return false;
     };
     let halfedge = |item: NameId| drawing.rule.kind(item) == Kind::Halfedge;
-    let apart =
-        |full: &Loop, other: &Loop| {
-            let in_full: Vec<_> = full.items.iter().map(|item| item.item.name).collect();
-            in_full.iter().all(|&item| halfedge(item))
-                && other.items.iter().map(|item| item.item.name).any(|item| {
-                    halfedge(item) && in_full.iter().all(|&own| differ(drawing, own, item))
-                })
-        };
+    let apart = |full: &Loop, other: &Loop| {
+        let in_full: Vec<_> = full.item_names().collect();
+        in_full.iter().all(|&item| halfedge(item))
+            && other
+                .item_names()
+                .any(|item| halfedge(item) && in_full.iter().all(|&own| differ(drawing, own, item)))
+    };
     let kinds = (left.kind, right.kind);
     matches!(kinds, (LoopKind::Face, LoopKind::Hole) | (LoopKind::Hole, LoopKind::Face))
         || apart(left, right)

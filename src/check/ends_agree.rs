@@ -355,7 +355,7 @@ impl Law<'_> {
 /// A note for two halves of an edge that run from the same vertex to the same vertex in two loops.
 fn run_alike(drawing: &Drawing, view: &View, edge: &Edge) -> Option<String> {
     let rule = drawing.rule;
-    let [left, right] = edge.halfedges.map(|half| half.name);
+    let [left, right] = edge.halfedge_names();
     let [one, other] = [left, right].map(|half| view.loop_of_item(half).map(|orbit| orbit.span));
     if view.loop_ends(left)? != view.loop_ends(right)? || one == other {
         return None;

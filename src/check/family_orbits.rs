@@ -94,7 +94,7 @@ impl Reach<'_> {
         let size = rule.size().unwrap_or(1) as usize;
         let mut orbits = Vec::new();
         for orbit in rule.before.loops.iter().filter(|orbit| orbit.each) {
-            let items = orbit.items.iter().map(|item| item.item.name);
+            let items = orbit.item_names();
             let halfedges: Vec<_> =
                 items.filter(|&item| rule.kind(item) == Kind::Halfedge).collect();
             if halfedges.len() == orbit.items.len() {

@@ -35,7 +35,7 @@ fn may_be_kept(drawing: &Drawing, name: NameId) -> bool {
     let survives = |item: NameId| drawing.erased(item).is_none();
     match drawing.rule.kind(name) {
         Kind::Face => before.loop_of_face(name).is_none_or(|face| {
-            let mut items = face.items.iter().map(|item| item.item.name);
+            let mut items = face.item_names();
             items.all(|item| survives(item) && after.loop_of_item(item).is_none())
         }),
         Kind::Edge => before.edge_statement(name).is_none_or(|edge| {

@@ -206,7 +206,7 @@ pub(super) fn missing_loops(drawing: &Drawing) -> Option<Vec<Remedy>> {
     let mut draws = Vec::new();
     for orbit in &lost {
         let face = orbit.face.name;
-        let own = orbit.items.iter().map(|item| item.item.name).filter(is_open);
+        let own = orbit.item_names().filter(is_open);
         let own: Vec<_> = if lost.len() == 1 { all.clone() } else { own.collect() };
         draws.push(Remedy::Draw { face, items: around(drawing, &ends, &own, &new)? });
     }

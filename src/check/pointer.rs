@@ -59,7 +59,7 @@ pub(super) fn pointers(drawing: &Drawing) -> Vec<Pointer> {
         }
     }
     for edge in &rule.before.edges {
-        let [from, to] = edge.halfedges.map(|half| half.name);
+        let [from, to] = edge.halfedge_names();
         pointers.push(Pointer { from, to, leads: Leads::Twin, used: false });
     }
     for star in &rule.before.stars {

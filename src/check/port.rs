@@ -63,7 +63,7 @@ impl Links {
             }
         }
         for edge in &side.edges {
-            let [left, right] = edge.halfedges.map(|half| half.name);
+            let [left, right] = edge.halfedge_names();
             links.link(Port::Out(left), Port::In(right));
             links.link(Port::Out(right), Port::In(left));
         }

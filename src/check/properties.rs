@@ -182,8 +182,8 @@ fn keeps_boundary(drawing: &Drawing) -> bool {
     let rule = drawing.rule;
     let may_be_hole = |orbit: &&Loop| orbit.kind != LoopKind::Face;
     let content = |orbit: &Loop| {
-        let mut content: Vec<NameId> = orbit.items.iter().map(|item| item.from.name).collect();
-        let paths = orbit.items.iter().map(|item| item.item.name);
+        let mut content: Vec<NameId> = orbit.corners().collect();
+        let paths = orbit.item_names();
         content.extend(paths.filter(|&item| rule.kind(item) == Kind::Path));
         content.sort();
         content
@@ -245,8 +245,7 @@ pub(super) fn size_changes(drawing: &Drawing) -> Vec<SizeChange> {
             let before = drawing.before.loop_of_face(face)?;
             let after = drawing.after.loop_of_face(face)?;
             let is_path = |name: &NameId| rule.kind(*name) == Kind::Path;
-            let items =
-                |orbit: &Loop| orbit.items.iter().map(|item| item.item.name).collect::<Vec<_>>();
+            let items = |orbit: &Loop| orbit.item_names().collect::<Vec<_>>();
             let (before, after) = (items(before), items(after));
             let drawn =
                 |items: &[NameId]| items.iter().filter(|name| !is_path(name)).count() as i64;

@@ -411,6 +411,18 @@ pub struct Loop {
     pub span: Span,
 }
 
+impl Loop {
+    /// The vertices that its items leave, in order.
+    pub(crate) fn corners(&self) -> impl Iterator<Item = NameId> + Clone {
+        self.items.iter().map(|item| item.from.name)
+    }
+
+    /// The names of its halfedges and paths, in order.
+    pub(crate) fn item_names(&self) -> impl Iterator<Item = NameId> + Clone {
+        self.items.iter().map(|item| item.item.name)
+    }
+}
+
 /// A halfedge or path in a loop.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LoopItem {
@@ -429,6 +441,13 @@ pub struct Edge {
     pub halfedges: [Ref; 2],
     /// The whole statement.
     pub span: Span,
+}
+
+impl Edge {
+    /// The names of its halfedges.
+    pub(crate) fn halfedge_names(&self) -> [NameId; 2] {
+        self.halfedges.map(|half| half.name)
+    }
 }
 
 /// A cycle of spokes, counterclockwise.

@@ -178,7 +178,7 @@ fn of_edges(quotient: &Quotient) -> Option<Consequence> {
     let rule = &quotient.rule;
     let edges = &rule.before.edges;
     for (at, edge) in edges.iter().enumerate() {
-        let [left, right] = edge.halfedges.map(|half| half.name);
+        let [left, right] = edge.halfedge_names();
         if left == right {
             return never(format!("{} would be its own twin", rule.quoted(left)));
         }
@@ -199,7 +199,7 @@ fn of_edges(quotient: &Quotient) -> Option<Consequence> {
 }
 
 fn partner(edge: &Edge, half: NameId) -> NameId {
-    let [left, right] = edge.halfedges.map(|half| half.name);
+    let [left, right] = edge.halfedge_names();
     if left == half { right } else { left }
 }
 

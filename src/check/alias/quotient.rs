@@ -304,8 +304,8 @@ fn drop_repetitions(side: &mut Side) {
             && is_turned(&names(one), &names(other))
     });
     keep_first(&mut side.edges, |one, other| {
-        let [a, b] = one.halfedges.map(|half| half.name);
-        let [c, d] = other.halfedges.map(|half| half.name);
+        let [a, b] = one.halfedge_names();
+        let [c, d] = other.halfedge_names();
         one.edge.name == other.edge.name && ((a, b) == (c, d) || (a, b) == (d, c))
     });
     keep_first(&mut side.stars, |one, other| {

@@ -80,7 +80,7 @@ fn is_collapse(sketch: &Sketch, from: &[NameId]) -> bool {
         let Some(statement) = drawing.before.edge_statement(edge) else {
             return false;
         };
-        let halves = statement.halfedges.map(|half| half.name);
+        let halves = statement.halfedge_names();
         let ends = halves.map(|half| drawing.origin_before(half));
         (ends == [Some(*v), Some(*w)] || ends == [Some(*w), Some(*v)])
             && drawing.erased(edge).is_some()
@@ -91,7 +91,7 @@ fn is_collapse(sketch: &Sketch, from: &[NameId]) -> bool {
 
 /// True if the two other edges of a triangle become one.
 fn vanishes(drawing: &Drawing, triangle: &Loop, half: NameId) -> bool {
-    let items = triangle.items.iter().map(|item| item.item.name);
+    let items = triangle.item_names();
     let others: Vec<_> = items.filter(|&item| item != half).collect();
     let [b, c] = others.as_slice() else {
         return false;

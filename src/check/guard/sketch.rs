@@ -59,7 +59,7 @@ impl<'a> Sketch<'a> {
 
     /// The paths of a loop.
     pub fn paths<'l>(&'l self, orbit: &'l Loop) -> impl Iterator<Item = NameId> + 'l {
-        let items = orbit.items.iter().map(|item| item.item.name);
+        let items = orbit.item_names();
         items.filter(|&item| self.is_path(item))
     }
 
@@ -159,7 +159,7 @@ impl<'a> Sketch<'a> {
 
     /// The fewest halfedges that a loop of `after` can have.
     pub fn fewest(&self, orbit: &Loop) -> usize {
-        let items: Vec<_> = orbit.items.iter().map(|item| item.item.name).collect();
+        let items: Vec<_> = orbit.item_names().collect();
         let drawn = items.iter().filter(|&&item| !self.is_path(item)).count();
         let mut fewest = drawn;
         for before in &self.drawing.rule.before.loops {

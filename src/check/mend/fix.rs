@@ -39,7 +39,7 @@ impl Remedy {
             Remedy::Keep(names) => match names.as_slice() {
                 &[edge] if rule.kind(edge) == Kind::Edge => {
                     let statement = Drawing::new(rule).before.edge_statement(edge)?;
-                    edge_statement(rule, edge, statement.halfedges.map(|half| half.name))
+                    edge_statement(rule, edge, statement.halfedge_names())
                 }
                 names => format!("keep {}", words(names)),
             },
@@ -73,9 +73,9 @@ impl Remedy {
             Remedy::DrawTwins(halves) => {
                 let drawn = self.apply(now)?;
                 let edges = &drawn.before.edges[now.before.edges.len()..];
-                let edges = edges.iter().map(|one| {
-                    edge_statement(&drawn, one.edge.name, one.halfedges.map(|half| half.name))
-                });
+                let edges = edges
+                    .iter()
+                    .map(|one| edge_statement(&drawn, one.edge.name, one.halfedge_names()));
                 let text = edges.map(|edge| format!("\n    {edge}")).collect();
                 let span = Drawing::new(rule).before.end_of_statements()?;
                 let title = format!("draw the twins of {} in `before`", enumerate(rule, halves));

@@ -110,7 +110,7 @@ impl Rewrite<'_> {
     fn edges(&mut self) -> Option<()> {
         for statement in &self.drawing.rule.after.edges {
             let edge = self.elements[statement.edge.name.index()].map(EdgeId)?;
-            let [left, right] = statement.halfedges.map(|half| half.name);
+            let [left, right] = statement.halfedge_names();
             let (left, right) = (self.halfedge(left)?, self.halfedge(right)?);
             self.mesh.set_twin(left, right);
             self.mesh.set_twin(right, left);

@@ -208,7 +208,7 @@ impl Sketch {
             if edges[..at].iter().any(|other| other.edge.name == edge.edge.name) {
                 return None;
             }
-            let [left, right] = edge.halfedges.map(|half| half.name);
+            let [left, right] = edge.halfedge_names();
             let left = self.drawn_or_outer(drawing, left, right);
             let right = self.drawn_or_outer(drawing, right, edge.halfedges[0].name);
             self.pair(left, right)?;
