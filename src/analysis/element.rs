@@ -252,8 +252,7 @@ fn ends(side: &Sketch, sides: &[Sketch; 2], word: &str) -> String {
 /// The loop of a face, starting at the halfedge whose name sorts first, so that the same cycle
 /// always reads the same.
 fn around(side: &Sketch, word: &str) -> String {
-    let own = side.drawn.iter().filter(|drawn| drawn.face.word == word);
-    let mut items: Vec<_> = own.collect();
+    let mut items: Vec<_> = side.drawn.iter().filter(|drawn| drawn.face.word == word).collect();
     if items.is_empty() {
         return NOTHING.into();
     }

@@ -171,8 +171,8 @@ pub fn meant(path: &str, name: &str, reader: &mut dyn Reader) -> Option<String> 
         let stems = if is_near { stems } else { usize::MAX };
         apart(path).min(apart(&ended)).min(alone).min(stems)
     };
-    let near = known.into_iter().filter(|other| other != path);
-    let near = near.min_by_key(|other| distance(other))?;
+    let near =
+        known.into_iter().filter(|other| other != path).min_by_key(|other| distance(other))?;
     let most = (stem(path).chars().count() / 3).max(1);
     (distance(&near) <= most).then_some(near)
 }
@@ -231,8 +231,7 @@ pub(super) fn without_consequences(parts: &[Part], told: &mut Vec<Diagnostic>, s
 /// The declarations of attributes that have errors.
 pub(super) fn lost_attributes(parts: &[Part], told: &[Diagnostic]) -> Vec<Span> {
     let is_wrong = |item: Span| {
-        let mut others = told.iter().filter(|error| error.code != MISSING);
-        others.any(|error| touches(item, error.span()))
+        told.iter().filter(|error| error.code != MISSING).any(|error| touches(item, error.span()))
     };
     let lost = parts.iter().flat_map(|part| {
         let tree = &part.parsed.tree;

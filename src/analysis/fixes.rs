@@ -187,8 +187,7 @@ fn list_forgotten(
     names: &[(SymbolId, String)],
 ) -> Vec<Proposal> {
     let is_stated = |name: &str| {
-        let statements = rule.before.iter().flat_map(|side| &side.statements);
-        let mut subjects = statements.filter_map(subject);
+        let mut subjects = rule.before.iter().flat_map(|side| &side.statements).filter_map(subject);
         subjects.any(|subject| subject.ident.text == name)
     };
     let mut kept = Vec::new();

@@ -36,8 +36,7 @@ pub(super) fn tell_as_elsewhere(parts: &[Part], told: &mut Vec<Diagnostic>, sour
             let unknown =
                 told.iter().filter(|error| inside(error) && UNKNOWN.contains(&error.code));
             // An error with a fix is understood as it is.
-            let unknown = unknown.filter(|error| error.fixes.is_empty());
-            let places = unknown.map(Diagnostic::span);
+            let places = unknown.filter(|error| error.fixes.is_empty()).map(Diagnostic::span);
             let lines: Vec<_> =
                 places.map(|place| line_at(place.start)..=line_at(place.end)).collect();
             if lines.is_empty() {

@@ -105,8 +105,7 @@ fn follows_let(snapshot: &Snapshot, name: Span) -> bool {
 
 /// The types of variables that are declared without one.
 fn variables(snapshot: &Snapshot, hints: &mut Vec<Hint>) {
-    let variables = snapshot.program().variables();
-    for variable in variables.filter(|of| of.span.file == snapshot.file()) {
+    for variable in snapshot.program().variables().filter(|of| of.span.file == snapshot.file()) {
         let mention = snapshot.names().at(variable.span.start as usize);
         let symbol = mention.map(|mention| snapshot.names().symbol(mention.symbol));
         let is_bare = symbol

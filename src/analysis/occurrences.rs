@@ -77,8 +77,7 @@ pub fn occurrences(snapshot: &Snapshot, offset: usize) -> Vec<Mention> {
     let Some(mention) = snapshot.names().at(offset) else {
         return Vec::new();
     };
-    let names = snapshot.names();
-    names.mentions_of(mention.symbol).copied().collect()
+    snapshot.names().mentions_of(mention.symbol).copied().collect()
 }
 
 /// The kind of thing that a name stands for, with an article.

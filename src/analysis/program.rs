@@ -78,8 +78,7 @@ impl Analysis {
         diagnostics.extend(resolved.diagnostics);
         tell_where(&mut diagnostics, sources);
         let program = resolved.program;
-        let used = parts.first().map(|root| root.uses.as_slice());
-        let used = used.unwrap_or_default().iter();
+        let used = parts.first().map(|root| root.uses.as_slice()).unwrap_or_default().iter();
         let seen = std::iter::once(file).chain(used.map(|&used| parts[used].file));
         let seen: Vec<FileId> = seen.collect();
         let (functions, too_large) = Functions::of(&program);
@@ -131,8 +130,7 @@ impl Analysis {
 
     /// The index of the script that a name refers to in the file.
     pub fn script(&self, name: &str) -> Option<usize> {
-        let scripts = self.program.scripts.iter();
-        let scripts = scripts.map(|script| (script.name.as_str(), script.span));
+        let scripts = self.program.scripts.iter().map(|script| (script.name.as_str(), script.span));
         self.meant(name, scripts)
     }
 
@@ -164,7 +162,6 @@ impl Analysis {
         let named = items.enumerate();
         let named =
             named.filter(|(_, (known, span))| *known == name && is_of(*span) && self.sees(*span));
-        let visible = named.filter_map(|(at, (_, span))| Some((order(span)?, at)));
-        visible.min().map(|(_, at)| at)
+        named.filter_map(|(at, (_, span))| Some((order(span)?, at))).min().map(|(_, at)| at)
     }
 }

@@ -84,8 +84,7 @@ fn skeleton(snapshot: &Snapshot, rule: &Rule) -> Option<Vec<Edit>> {
 fn keep_what_stays(snapshot: &Snapshot, rule: &Rule) -> Option<Vec<Edit>> {
     let (before, after) = (rule.before.as_ref()?, rule.after.as_ref()?);
     let words = |statement: &Statement| -> Vec<String> {
-        let text = slice(snapshot, statement);
-        text.split_whitespace().map(str::to_owned).collect()
+        slice(snapshot, statement).split_whitespace().map(str::to_owned).collect()
     };
     let same: Vec<&Statement> = after
         .statements

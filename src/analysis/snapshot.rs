@@ -88,8 +88,7 @@ impl Snapshot {
 
     /// The diagrams of the ops of the text, by name.
     fn diagrams(&self) -> impl Iterator<Item = (&str, &diagram::Op)> {
-        let ops = self.program.ops.iter();
-        let own = ops.filter(|op| op.span.file == self.file);
+        let own = self.program.ops.iter().filter(|op| op.span.file == self.file);
         own.filter_map(|op| Some((op.name.as_str(), op.diagram.as_ref()?)))
     }
 
@@ -110,8 +109,7 @@ impl Snapshot {
         drop(units);
         told.extend(parts.iter().flat_map(|part| part.parsed.diagnostics.iter().cloned()));
         let lost = files::lost_attributes(&parts, &told);
-        let seen = parts[0].uses.iter().map(|&used| parts[used].file);
-        let seen = seen.collect();
+        let seen = parts[0].uses.iter().map(|&used| parts[used].file).collect();
         let ways = files::ways(&sources, &parts);
         let own = parts.remove(0);
         let used = parts.into_iter().map(|part| (part.file, part.parsed)).collect();
@@ -422,8 +420,7 @@ impl Snapshot {
 
     /// The item that covers a byte, and its index.
     pub fn item_at(&self, offset: usize) -> Option<(usize, &Item)> {
-        let mut items = self.items().iter().enumerate();
-        items.find(|(_, item)| item.span().touches(offset))
+        self.items().iter().enumerate().find(|(_, item)| item.span().touches(offset))
     }
 
     /// The op that covers a byte, and the index of its item.

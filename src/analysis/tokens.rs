@@ -225,6 +225,5 @@ fn property_spans(snapshot: &Snapshot) -> HashSet<Span> {
         Item::Op(op) => Some(op),
         _ => None,
     });
-    let keeps = ops.flat_map(|op| &op.keeps);
-    keeps.map(|property| property.span).collect()
+    ops.flat_map(|op| &op.keeps).map(|property| property.span).collect()
 }

@@ -107,8 +107,7 @@ impl<'a> Orders<'a> {
             });
             spokes.collect()
         };
-        let chains = corner.chains.iter();
-        let listed: Vec<_> = chains.map(|chain| places(&chain.ports)).collect();
+        let listed: Vec<_> = corner.chains.iter().map(|chain| places(&chain.ports)).collect();
         let mut order: Vec<_> = (0..listed.len()).filter(|at| !settled.contains(at)).collect();
         // A chain with a listed spoke determines where the others have to be.
         if let Some(first) = order.iter().position(|&at| !listed[at].is_empty()) {
@@ -149,8 +148,7 @@ impl<'a> Orders<'a> {
 
     /// True if the listed spokes of the first chains follow each other as stated.
     fn agrees_so_far(&self, fixed: usize) -> bool {
-        let chains = self.order.iter().take(fixed);
-        let mut spokes = chains.flat_map(|&chain| &self.listed[chain]);
+        let mut spokes = self.order.iter().take(fixed).flat_map(|&chain| &self.listed[chain]);
         let Some(&first) = spokes.next() else {
             return true;
         };
@@ -301,8 +299,7 @@ pub(super) fn agreeing<'a>(
     if loops.any(|orbit| orbit.items.iter().all(|item| is_empty(item.item.name))) {
         return None;
     }
-    let arcs = ways.iter().flat_map(|way| &way.arcs);
-    let empty = arcs.filter(|arc| arc.lies == Lies::Empty);
+    let empty = ways.iter().flat_map(|way| &way.arcs).filter(|arc| arc.lies == Lies::Empty);
     let twins: Vec<_> = empty
         .filter_map(|arc| match (arc.from, arc.to) {
             (Port::Out(x), Port::In(y)) => Some([x, y]),

@@ -97,8 +97,7 @@ const FURTHER: u32 = 3;
 /// Reports the problems of the members at index 0, and shows them on the shortest cycle that
 /// breaks.
 fn reject(op: &Op, rule: &Rule, sizes: &Sizes, broken: Broken) -> Rejected {
-    let broken = before::in_before(&sizes.large.rule).unwrap_or(broken);
-    let mut problems = broken.problems;
+    let mut problems = before::in_before(&sizes.large.rule).unwrap_or(broken).problems;
     let mut outcome = Outcome::NotTried;
     let tested = sizes.small.len() as u32;
     let further = (tested + 1..=tested + FURTHER)

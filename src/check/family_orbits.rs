@@ -59,8 +59,7 @@ impl Reach<'_> {
     /// with `each`, those of one period; without, as many as are drawn, if the whole orbit is
     /// drawn. If a family has a first member already, each turn of this orbit is another match.
     pub fn tries(&self, element: NameId) -> Option<u16> {
-        let mut orbits = self.orbits().into_iter();
-        let around = orbits.find(|around| around.orbit == element);
+        let around = self.orbits().into_iter().find(|around| around.orbit == element);
         let walked = self.steps.iter().any(|step| matches!(step, Step::Walk { .. }));
         let tries = match around {
             Some(_) if walked || !self.begun.is_empty() => return None,
@@ -77,13 +76,11 @@ impl Reach<'_> {
             Kind::Face => {
                 let items = &before.loop_of_face(element)?.items;
                 let mut kinds = items.iter().map(|item| rule.kind(item.item.name));
-                let whole = kinds.all(|kind| kind == Kind::Halfedge);
-                whole.then_some(items.len())
+                kinds.all(|kind| kind == Kind::Halfedge).then_some(items.len())
             }
             Kind::Vertex => {
                 let spokes = &before.star(element)?.spokes;
-                let whole = spokes.iter().all(|spoke| spoke.halfedge().is_some());
-                whole.then_some(spokes.len())
+                spokes.iter().all(|spoke| spoke.halfedge().is_some()).then_some(spokes.len())
             }
             _ => None,
         }

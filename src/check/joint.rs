@@ -147,8 +147,7 @@ fn forgotten(rule: &Rule) -> Vec<NameId> {
 /// The elements of a rule, kind by kind; of a family the first member.
 fn elements(rule: &Rule) -> impl Iterator<Item = NameId> {
     let order = [Kind::Vertex, Kind::Halfedge, Kind::Edge, Kind::Face];
-    let of_kind = order.into_iter().flat_map(|kind| rule.names_of(kind));
-    of_kind.filter(|&name| rule.is_first(name))
+    order.into_iter().flat_map(|kind| rule.names_of(kind)).filter(|&name| rule.is_first(name))
 }
 
 /// Exchanges two vertices in all loops.
@@ -202,8 +201,7 @@ fn exchanged(rule: &Rule, is_meant: impl Fn(Kind) -> bool) -> Vec<Remedy> {
 
 /// Writes another vertex at one corner of a loop.
 fn other_corner(rule: &Rule) -> Vec<Remedy> {
-    let vertices = rule.names_of(Kind::Vertex);
-    let vertices: Vec<_> = vertices.collect();
+    let vertices: Vec<_> = rule.names_of(Kind::Vertex).collect();
     if rule.cycle.is_some() || vertices.len() > MOST_EXCHANGED {
         return Vec::new();
     }

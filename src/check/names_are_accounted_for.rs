@@ -283,8 +283,7 @@ impl Law<'_> {
     fn edges(&mut self) {
         let drawing = self.drawing;
         let missing = |edge: &Edge| {
-            let halves = edge.halfedges.iter().copied();
-            let open = halves.filter(|half| self.is_open(half.name));
+            let open = edge.halfedges.iter().copied().filter(|half| self.is_open(half.name));
             open.filter(|half| drawing.after.pairing(half.name).is_none()).collect::<Vec<_>>()
         };
         let edges = drawing.rule.before.edges.iter();
@@ -365,8 +364,7 @@ impl Law<'_> {
         let drawing = self.drawing;
         let free: Vec<_> = free_edges(drawing).collect();
         let kept = whole.filter(|edge| free.contains(edge));
-        let kept_alone = kept.map(|edge| Remedy::Keep(vec![edge]));
-        let mut remedies: Vec<_> = kept_alone.into_iter().collect();
+        let mut remedies: Vec<_> = kept.map(|edge| Remedy::Keep(vec![edge])).into_iter().collect();
         if let [left, right] = unpaired(self.drawing)[..] {
             let own = [left, right].map(|half| drawing.before.edge(half));
             let is_own = |edge: &&NameId| own.contains(&Some(**edge));
@@ -398,8 +396,7 @@ impl Law<'_> {
                 _ if rule.cycle.is_some() => vec![name],
                 Kind::Vertex | Kind::Edge | Kind::Face if told.contains(&kind) => continue,
                 Kind::Vertex | Kind::Edge | Kind::Face => {
-                    let alike = forgotten.iter().copied();
-                    alike.filter(|&other| rule.kind(other) == kind).collect()
+                    forgotten.iter().copied().filter(|&other| rule.kind(other) == kind).collect()
                 }
                 Kind::Halfedge | Kind::Path | Kind::Fan => vec![name],
             };

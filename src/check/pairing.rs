@@ -62,8 +62,7 @@ impl<'a> Ends<'a> {
 
     /// The vertex that is where one was before.
     fn place(&self, vertex: NameId) -> NameId {
-        let taken = self.moved.iter().find(|(from, _)| *from == vertex);
-        taken.map_or(vertex, |(_, to)| *to)
+        self.moved.iter().find(|(from, _)| *from == vertex).map_or(vertex, |(_, to)| *to)
     }
 }
 
@@ -89,8 +88,7 @@ pub(super) fn pairings(drawing: &Drawing) -> Vec<Remedy> {
     let vertices = || rule.names_of(Kind::Vertex);
     let erased = vertices().filter(|&vertex| drawing.erased(vertex).is_some());
     let moves = erased.flat_map(|from| {
-        let takers = vertices().filter(|&vertex| drawing.survives(vertex));
-        takers.map(move |to| vec![(from, to)])
+        vertices().filter(|&vertex| drawing.survives(vertex)).map(move |to| vec![(from, to)])
     });
     let mut found: Vec<Remedy> = Vec::new();
     for moved in [Vec::new()].into_iter().chain(moves.filter(|_| rule.cycle.is_none())) {
@@ -144,8 +142,7 @@ fn in_edges(drawing: &Drawing, wrong: &[NameId], mut pairs: Vec<Pair>) -> Vec<Re
     let mut named = Vec::new();
     let own = |half: NameId| drawing.before.edge(half).or_else(|| drawing.after.edge(half));
     let outer = |pair: &Pair| {
-        let mut outer = pair.iter().filter(|&&half| drawing.is_outer(half));
-        outer.find_map(|&half| own(half))
+        pair.iter().filter(|&&half| drawing.is_outer(half)).find_map(|&half| own(half))
     };
     let both = |pair: &Pair| {
         let [one, other] = pair.map(own);

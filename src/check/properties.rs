@@ -94,8 +94,7 @@ pub(super) fn evenly(
         change.constant = less - change.per_index * shorter.0;
         // All members of a family are gained or lost together.
         for runs in [&mut change.gains, &mut change.loses] {
-            let families = runs.iter().map(|run| family_of(large, run));
-            let counts: Vec<_> = families.collect();
+            let counts: Vec<_> = runs.iter().map(|run| family_of(large, run)).collect();
             let mut at = 0;
             runs.retain(|_| {
                 let whole = counts.iter().filter(|family| **family == counts[at]).count() > 2;

@@ -215,8 +215,7 @@ impl Reach<'_> {
             }
             Kind::Vertex => {
                 let listed = view.star(element).and_then(|star| {
-                    let mut spokes = star.spokes.iter().filter_map(Spoke::halfedge);
-                    spokes.find(|&half| rule.is_first(half))
+                    star.spokes.iter().filter_map(Spoke::halfedge).find(|&half| rule.is_first(half))
                 });
                 let starts = || {
                     let starts = |half: &NameId| {

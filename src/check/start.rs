@@ -17,8 +17,7 @@ pub(super) fn test(op: &Op, drawing: &Drawing) -> Vec<Problem> {
     if is_empty || rule.params.iter().flatten().any(drawn) {
         return Vec::new();
     }
-    let elements = op.params.iter().filter(|param| param.ty.is_element());
-    let elements: Vec<_> = elements.collect();
+    let elements: Vec<_> = op.params.iter().filter(|param| param.ty.is_element()).collect();
     let [first, ..] = elements.as_slice() else {
         let message = format!("`{}` has no parameter from which matching starts", op.name);
         let problem = Diagnostic::error("unreachable-name", message, op.name_span)

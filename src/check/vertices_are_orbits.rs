@@ -120,13 +120,9 @@ pub(super) fn settled(drawing: &Drawing, corner: &Corner, after: &Links) -> Vec<
 
 /// True if `after` draws something at a vertex that was not drawn there before.
 pub(super) fn gains(drawing: &Drawing, corner: &Corner, after: &Links) -> bool {
-    let drawn = |port: &Port| {
-        let mut chains = corner.chains.iter();
-        chains.any(|chain| chain.ports.contains(port))
-    };
+    let drawn = |port: &Port| corner.chains.iter().any(|chain| chain.ports.contains(port));
     let at_vertex = |&port: &Port| vertex_after(drawing, port) == Some(corner.vertex);
-    let mut ports = after.ports.iter();
-    ports.any(|port| !drawn(port) && at_vertex(port))
+    after.ports.iter().any(|port| !drawn(port) && at_vertex(port))
 }
 
 pub(super) fn too_many(drawing: &Drawing, corner: &Corner) -> Problem {
@@ -206,8 +202,7 @@ fn in_order(drawing: &Drawing, corner: &Corner, star: &Star) -> Option<String> {
     if !drawn.iter().all(is_listed) {
         return None;
     }
-    let words = drawn.iter().map(|&half| rule.name(half).text.clone());
-    let words: Vec<_> = words.chain(fan).collect();
+    let words: Vec<_> = drawn.iter().map(|&half| rule.name(half).text.clone()).chain(fan).collect();
     let vertex = &rule.name(corner.vertex).text;
     Some(format!("vertex {vertex}: {}", words.join(" ")))
 }

@@ -291,8 +291,7 @@ impl Rule {
         match access {
             super::Access::Position => "position",
             super::Access::Declared(number) => {
-                let declared = self.attributes.get(number as usize);
-                declared.map_or("", |attribute| &attribute.name)
+                self.attributes.get(number as usize).map_or("", |attribute| &attribute.name)
             }
         }
     }
@@ -322,8 +321,7 @@ impl Rule {
     /// True if an `alias` lets two names stand for one element.
     pub fn may_be_one(&self, left: NameId, right: NameId) -> bool {
         let lists = |alias: &Alias, name: NameId| alias.names.iter().any(|of| of.name == name);
-        let mut aliases = self.aliases.iter();
-        aliases.any(|alias| lists(alias, left) && lists(alias, right))
+        self.aliases.iter().any(|alias| lists(alias, left) && lists(alias, right))
     }
 
     /// All names.

@@ -179,10 +179,10 @@ impl Writer<'_> {
     }
 
     fn side(&self, side: &Side) -> Side {
-        let loops = side.loops.iter().flat_map(|orbit| {
-            let indices = self.indices(orbit.face);
-            indices.map(move |index| self.orbit(orbit, index))
-        });
+        let loops = side
+            .loops
+            .iter()
+            .flat_map(|orbit| self.indices(orbit.face).map(move |index| self.orbit(orbit, index)));
         let edges = side.edges.iter().flat_map(|edge| {
             let indices = self.indices(edge.edge);
             indices.map(move |index| Edge {
@@ -191,10 +191,10 @@ impl Writer<'_> {
                 span: edge.span,
             })
         });
-        let stars = side.stars.iter().flat_map(|star| {
-            let indices = self.indices(star.vertex);
-            indices.map(move |index| self.star(star, index))
-        });
+        let stars = side
+            .stars
+            .iter()
+            .flat_map(|star| self.indices(star.vertex).map(move |index| self.star(star, index)));
         Side {
             loops: loops.collect(),
             edges: edges.collect(),

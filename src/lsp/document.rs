@@ -141,8 +141,7 @@ impl Document {
 
     /// The beginning of a file that the text uses.
     pub(super) fn used_file(&self, path: &str) -> Option<Location> {
-        let snapshot = self.snapshot();
-        let file = snapshot.used_file(path)?;
+        let file = self.snapshot().used_file(path)?;
         self.location(Span::new(file, 0, 0))
     }
 

@@ -28,8 +28,7 @@ pub(super) struct Workspace {
 impl Workspace {
     /// The workspace in the parameters of `initialize`: its folders, or else its root.
     pub(super) fn new(hello: &Value) -> Self {
-        let folders = hello.get("workspaceFolders").and_then(Value::as_array);
-        let folders = folders.into_iter().flatten();
+        let folders = hello.get("workspaceFolders").and_then(Value::as_array).into_iter().flatten();
         let mut named: Vec<_> = folders.filter_map(|folder| folder.get("uri")).collect();
         if named.is_empty() {
             named.extend(hello.get("rootUri"));

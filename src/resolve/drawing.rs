@@ -294,8 +294,7 @@ impl<'a> Drawing<'a> {
         // An end that is first mentioned here is a slip if the other end is known, and so is one
         // that the last item both leaves and leads to. Otherwise the loop may be meant to go on.
         let stands_alone = |name: &tree::Name| {
-            let known = self.names.find(&name.ident.text);
-            known.is_none_or(|id| self.names.get(id).span == name.span)
+            self.names.find(&name.ident.text).is_none_or(|id| self.names.get(id).span == name.span)
         };
         let alone = [&first.from, end].map(stands_alone);
         let last = l.items.last();

@@ -288,8 +288,7 @@ impl Letter {
         if let Statement::Loop(orbit) = statement
             && !free
         {
-            let corners = orbit.items.iter().map(|item| &item.from);
-            let mut corners = corners.chain(&orbit.end);
+            let mut corners = orbit.items.iter().map(|item| &item.from).chain(&orbit.end);
             if let Some(corner) = corners.find(|corner| corner.index.is_some()) {
                 report.add(mixed(corner, subject, free));
             }
@@ -326,8 +325,7 @@ fn unnamed_in_each(statement: &Statement) -> Option<Span> {
     match statement {
         Statement::Loop(orbit) => {
             orbit.each.as_ref()?;
-            let mut items = orbit.items.iter();
-            let unnamed = items.find(|item| item.arrow == Arrow::Path(None))?;
+            let unnamed = orbit.items.iter().find(|item| item.arrow == Arrow::Path(None))?;
             Some(unnamed.span)
         }
         Statement::Vertex(star) => {

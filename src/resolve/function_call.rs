@@ -123,8 +123,7 @@ impl Typing<'_> {
     ) -> Option<()> {
         let most = params.len();
         // A parameter before a required one cannot be left out either.
-        let required = params.iter().rposition(|param| !param.optional);
-        let least = required.map_or(0, |place| place + 1);
+        let least = params.iter().rposition(|param| !param.optional).map_or(0, |place| place + 1);
         if (least..=most).contains(&given) {
             return Some(());
         }

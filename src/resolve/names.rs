@@ -126,8 +126,7 @@ impl Names {
 
     /// The names that are written in the program, in order of first mention.
     pub(super) fn words(&self) -> impl Iterator<Item = &str> {
-        let named = self.list.iter().filter(|name| name.named);
-        named.map(|name| name.text.as_str())
+        self.list.iter().filter(|name| name.named).map(|name| name.text.as_str())
     }
 
     /// True if, by the drawing, it exists before the rewrite.

@@ -201,10 +201,8 @@ fn kind_returned(kind: Kind, word: &Ident, rules: &[Names]) -> Diagnostic {
         let id = names.find(name);
         id.is_some_and(|id| names.get(id).kind == kind)
     };
-    let mut drawn = rules.iter().flat_map(|names| {
-        let words = names.words();
-        words.filter(move |name| is_one(names, name))
-    });
+    let mut drawn =
+        rules.iter().flat_map(|names| names.words().filter(move |name| is_one(names, name)));
     match drawn.next() {
         Some(name) => error.note(format!("write the name, for example `-> {name}`")),
         None => error.note(format!("draw {} and write its name here", kind.a_word())),

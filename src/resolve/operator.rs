@@ -248,8 +248,7 @@ fn with_places(
     };
     let places: Vec<String> = named.iter().map(|(name, _)| format!("`{name}.position`")).collect();
     let text = || ".position".to_owned();
-    let edits = named.iter().map(|(_, span)| Edit { span: span.after(), text: text() });
-    let edits = edits.collect();
+    let edits = named.iter().map(|(_, span)| Edit { span: span.after(), text: text() }).collect();
     error.fixes.push(Fix { title: format!("write {}", places.join(" and ")), edits });
     error
 }

@@ -37,8 +37,7 @@ fn fit(wanted: Wanted, ty: Type) -> Fit {
 
 /// The worst fit among the arguments.
 fn fit_all(overload: &Overload, args: &[Expr]) -> Fit {
-    let each = overload.wanted.iter().zip(args);
-    let fits = each.map(|(wanted, arg)| fit(*wanted, arg.ty));
+    let fits = overload.wanted.iter().zip(args).map(|(wanted, arg)| fit(*wanted, arg.ty));
     fits.min().unwrap_or(Fit::Exact)
 }
 
@@ -108,8 +107,7 @@ impl Typing<'_> {
         }
         let values: Vec<Option<Expr>> = args.iter().map(|arg| self.expression(arg)).collect();
         let counts = known.iter().map(|way| way.wanted.len());
-        let given = counts.clone().find(|count| *count == args.len());
-        let count = given.or(counts.max()).unwrap_or(0);
+        let count = counts.clone().find(|count| *count == args.len()).or(counts.max()).unwrap_or(0);
         if word == "midpoint" && args.len() == 2 {
             self.middle_of_two(args, &values, span);
             return None;
@@ -122,8 +120,7 @@ impl Typing<'_> {
         let ranked = known.iter().rev().map(|way| (fit_all(way, &values), way));
         match ranked.max_by_key(|(fit, _)| *fit) {
             Some((fit, way)) if fit > Fit::No => {
-                let wanted = way.wanted.iter();
-                let values = wanted.zip(values).map(|(w, arg)| convert(*w, arg));
+                let values = way.wanted.iter().zip(values).map(|(w, arg)| convert(*w, arg));
                 let kind = ExprKind::Call(way.builtin, values.collect());
                 Some(typed(way.result, kind, span))
             }

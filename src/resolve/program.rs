@@ -52,8 +52,7 @@ impl Program {
         let steps = self.ops.iter().filter_map(|op| Some(&op.steps.as_ref()?.body));
         let bodies = functions.chain(steps).map(|body| &body.variables);
         let tests = self.tests.iter().map(|test| &test.script);
-        let scripts = self.scripts.iter().chain(tests);
-        let scripts = scripts.map(|script| &script.variables);
+        let scripts = self.scripts.iter().chain(tests).map(|script| &script.variables);
         bodies.chain(scripts).flatten()
     }
 

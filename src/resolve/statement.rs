@@ -32,8 +32,7 @@ impl Scripting<'_> {
         let (ty, value) = match applied {
             Some(applied) => {
                 let applied = applied.and_then(|applied| {
-                    let fits = self.result_fits(&applied, wanted, name, value.span);
-                    fits.then_some(applied)
+                    self.result_fits(&applied, wanted, name, value.span).then_some(applied)
                 });
                 (applied.as_ref().map(|a| a.result), Err(applied))
             }

@@ -162,8 +162,7 @@ impl Scripting<'_> {
         let known = match &other.kind {
             ExprKind::Name(name) => {
                 let kept = &self.testing.as_ref()?.kept;
-                let known = kept.iter().find(|(known, _)| known.text == name.ident.text);
-                known.map(|(_, mesh)| *mesh)
+                kept.iter().find(|(known, _)| known.text == name.ident.text).map(|(_, mesh)| *mesh)
             }
             _ => None,
         };

@@ -169,8 +169,7 @@ impl Typing<'_> {
         wanted: Type,
         whose: &str,
     ) -> Option<Expr> {
-        let value = converted(expr, value, wanted, whose);
-        value.map_err(|error| self.report.add(error)).ok()
+        converted(expr, value, wanted, whose).map_err(|error| self.report.add(error)).ok()
     }
 
     /// `if c { x } else { y }`

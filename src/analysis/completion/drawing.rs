@@ -23,8 +23,7 @@ fn drawn(snapshot: &Snapshot, offset: usize) -> Vec<Completion> {
     let Some((item, _)) = op_near(snapshot, offset) else {
         return Vec::new();
     };
-    let symbols = snapshot.names().symbols();
-    let own = symbols.filter(|(_, symbol)| symbol.item == Some(item));
+    let own = snapshot.names().symbols().filter(|(_, symbol)| symbol.item == Some(item));
     own.filter_map(|(_, symbol)| match symbol.kind {
         SymbolKind::Element(Some(kind)) if !matches!(kind, Kind::Path | Kind::Fan) => {
             Some(named(symbol, kind, 0))

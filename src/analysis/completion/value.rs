@@ -77,8 +77,7 @@ fn called(item: &Item) -> Option<Completion> {
 /// The variables and parameters of the item around a byte; in an op also the elements it draws.
 fn variables(snapshot: &Snapshot, offset: usize) -> Vec<Completion> {
     let names = snapshot.names();
-    let bound = bound_near(snapshot, offset).into_iter();
-    let bound = bound.map(|(name, ty)| variable(name, ty));
+    let bound = bound_near(snapshot, offset).into_iter().map(|(name, ty)| variable(name, ty));
     let Some((item, node)) = item_near(snapshot, offset) else {
         return bound.collect();
     };

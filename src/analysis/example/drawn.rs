@@ -34,8 +34,7 @@ pub(super) fn rule(op: &ResolvedOp, trial: &Trial, patch: &Patch) -> Rule {
     }
     let listed = |is_there: &dyn Fn(&Side, NameId) -> bool| {
         let all = (0..writer.names.len() as u32).map(NameId);
-        let all = all.filter(|&name| is_there(&before, name) != is_there(&after, name));
-        all.collect::<Vec<_>>()
+        all.filter(|&name| is_there(&before, name) != is_there(&after, name)).collect::<Vec<_>>()
     };
     let only = listed(&|side, name| stands(side, name));
     let (created, erased): (Vec<_>, Vec<_>) =
@@ -168,8 +167,7 @@ impl Writer<'_> {
         }
         let drawn =
             |h: HalfedgeId| !self.patch.hidden.contains(&h) && loops.contains(&mesh.face(h));
-        let pairs = loops.iter().flat_map(|&f| mesh.face_halfedges(f));
-        let pairs = pairs.map(|h| (h, mesh.twin(h)));
+        let pairs = loops.iter().flat_map(|&f| mesh.face_halfedges(f)).map(|h| (h, mesh.twin(h)));
         let pairs = pairs.filter(|&(h, twin)| h < twin && drawn(h) && drawn(twin));
         for (h, twin) in pairs.collect::<Vec<_>>() {
             let mut put = |of: Element| self.put(self.thing(of, when));

@@ -55,8 +55,7 @@ impl fmt::Display for NoExample {
 pub fn example(program: &Program, op: usize, plans: &Plans) -> Result<diagram::Op, NoExample> {
     let resolved = &program.ops[op];
     let none = |tries, because| NoExample { op: resolved.name.clone(), tries, because };
-    let trials = Trials::new(program, op, plans);
-    let mut trials = trials.map_err(|_| none(0, None))?;
+    let mut trials = Trials::new(program, op, plans).map_err(|_| none(0, None))?;
     let mut found = Found::default();
     for stage in stage::closed() {
         if !found.is_perfect {

@@ -121,10 +121,9 @@ fn wanted(rule: &Rule) -> Vec<([NameId; 2], Span)> {
 /// The sets of names that can be one and no test keeps apart, from small to large.
 fn sets(rule: &Rule, wanted: &[([NameId; 2], Span)]) -> Result<Sets, Vec<Problem>> {
     let is_allowed = |classes: &[Vec<NameId>]| {
-        classes.iter().all(|class| {
-            let mut pairs = pairs_of(class);
-            pairs.all(|pair| wanted.iter().any(|(known, _)| *known == pair))
-        })
+        classes
+            .iter()
+            .all(|class| pairs_of(class).all(|pair| wanted.iter().any(|(known, _)| *known == pair)))
     };
     let mut sets: Sets = vec![(Vec::new(), vec![Quotient::of(rule)])];
     let mut at = 0;
@@ -161,8 +160,7 @@ fn unclear(why: String, span: Span) -> Vec<Problem> {
 
 /// "`v2` and `v3`, and `a` and `b`"
 fn words(rule: &Rule, classes: &[Vec<NameId>]) -> String {
-    let classes = classes.iter().map(|class| enumerate(rule, class));
-    classes.collect::<Vec<_>>().join(", and ")
+    classes.iter().map(|class| enumerate(rule, class)).collect::<Vec<_>>().join(", and ")
 }
 
 fn breaks(

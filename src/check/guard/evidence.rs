@@ -29,8 +29,7 @@ fn requires(sketch: &Sketch, function: Builtin, of: &[NameId], holds: bool) -> b
             *called == function
                 && of.len() == arguments.len()
                 && of.iter().all(|&name| {
-                    let mut arguments = arguments.iter();
-                    arguments.any(|argument| argument.kind == ExprKind::Element(name))
+                    arguments.iter().any(|argument| argument.kind == ExprKind::Element(name))
                 })
         }
         _ => false,
@@ -91,8 +90,7 @@ fn is_collapse(sketch: &Sketch, from: &[NameId]) -> bool {
 
 /// True if the two other edges of a triangle become one.
 fn vanishes(drawing: &Drawing, triangle: &Loop, half: NameId) -> bool {
-    let items = triangle.item_names();
-    let others: Vec<_> = items.filter(|&item| item != half).collect();
+    let others: Vec<_> = triangle.item_names().filter(|&item| item != half).collect();
     let [b, c] = others.as_slice() else {
         return false;
     };

@@ -80,8 +80,7 @@ fn has_other_corners(sketch: &Sketch, orbit: &Loop) -> bool {
         return true;
     };
     let parts = |orbit: &Loop| {
-        let corners = orbit.corners();
-        let mut parts: Vec<_> = corners.chain(sketch.paths(orbit)).collect();
+        let mut parts: Vec<_> = orbit.corners().chain(sketch.paths(orbit)).collect();
         parts.sort_unstable();
         parts.dedup();
         parts

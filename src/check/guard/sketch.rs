@@ -59,8 +59,7 @@ impl<'a> Sketch<'a> {
 
     /// The paths of a loop.
     pub fn paths<'l>(&'l self, orbit: &'l Loop) -> impl Iterator<Item = NameId> + 'l {
-        let items = orbit.item_names();
-        items.filter(|&item| self.is_path(item))
+        orbit.item_names().filter(|&item| self.is_path(item))
     }
 
     /// The vertices of `before` whose undrawn spokes lie at a vertex of `after`, the vertex

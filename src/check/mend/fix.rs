@@ -155,8 +155,7 @@ fn kept_no_more(rule: &Rule, edges: &[(NameId, [NameId; 2])]) -> Vec<Edit> {
 /// The edits that write other names at the same places of the loops of `after`.
 fn redraw(rule: &Rule, loops: &[Loop]) -> Vec<Edit> {
     let mentions = |orbit: &Loop| -> Vec<Ref> {
-        let items = orbit.items.iter().flat_map(|item| [item.from, item.item]);
-        items.chain([orbit.end]).collect()
+        orbit.items.iter().flat_map(|item| [item.from, item.item]).chain([orbit.end]).collect()
     };
     let mut edits: Vec<Edit> = Vec::new();
     for (old, new) in rule.after.loops.iter().zip(loops) {

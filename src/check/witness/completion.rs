@@ -70,8 +70,7 @@ impl Completions<'_> {
         let Some((&path, others)) = paths.split_first() else {
             return self.on_paths(outer, shape, size);
         };
-        let least = usize::from(!self.drawing.may_be_empty(path));
-        for length in least..=room {
+        for length in usize::from(!self.drawing.may_be_empty(path))..=room {
             shape.lengths[path.index()] = length;
             self.lengths(others, outer, shape.clone(), room - length, size)?;
         }

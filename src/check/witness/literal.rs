@@ -78,8 +78,7 @@ impl Rewrite<'_> {
             for item in &orbit.items {
                 let name = item.item.name;
                 if self.drawing.rule.kind(name) == Kind::Path {
-                    let run = self.run(name)?.to_vec();
-                    for (at, half) in run.into_iter().enumerate() {
+                    for (at, half) in self.run(name)?.to_vec().into_iter().enumerate() {
                         self.mesh.set_face(half, face);
                         cycle.push((half, at > 0));
                     }
@@ -126,10 +125,8 @@ impl Rewrite<'_> {
             if after.mention(half).is_none() || after.loop_of_item(half).is_some() {
                 continue;
             }
-            let twin_ends = || {
-                let outer = drawing.is_outer(half);
-                outer.then(|| after.loop_target(after.twin(half)?))?
-            };
+            let twin_ends =
+                || drawing.is_outer(half).then(|| after.loop_target(after.twin(half)?))?;
             if let Some(origin) = after.star_of_spoke(half).or_else(twin_ends) {
                 let origin = self.vertex(origin)?;
                 self.mesh.set_vertex(self.halfedge(half)?, origin);

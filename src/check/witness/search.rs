@@ -211,8 +211,7 @@ impl Search<'_> {
                 (*added, Shape { late: true, ..shape })
             };
             let late: Vec<_> = shapes.iter().map(late).collect();
-            let ambiguous = self.has_fans_side_by_side();
-            ambiguous.then(|| self.sizes(&late, &combinations))?
+            self.has_fans_side_by_side().then(|| self.sizes(&late, &combinations))?
         })
     }
 

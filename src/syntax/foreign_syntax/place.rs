@@ -34,8 +34,7 @@ impl<'t> Item<'t> {
             tokens.windows(2).filter(|pair| matches!(pair[0].kind, T::Arrow | T::FatArrow));
         let targets = arrows.map(|pair| word(&pair[1]));
         let vertices = targets.chain(loop_beginnings(tokens).map(word)).collect();
-        let pairs = tokens.windows(2);
-        let rims = pairs.filter(|pair| matches!(pair[0].kind, T::Hole | T::Loop));
+        let rims = tokens.windows(2).filter(|pair| matches!(pair[0].kind, T::Hole | T::Loop));
         let rims = rims.map(|pair| word(&pair[1])).collect();
         Self { text, tokens: tokens.to_vec(), vertices, rims }
     }

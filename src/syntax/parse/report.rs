@@ -90,8 +90,7 @@ fn mistaken(mistake: Mistake, span: Span, text: &str) -> Diagnostic {
     match mistake {
         Mistake::ElseIf => {
             let message = format!("`{written}` is written `else if`");
-            let found = Diagnostic::error("syntax-error", message, span);
-            found.fix("write `else if`", span, "else if")
+            Diagnostic::error("syntax-error", message, span).fix("write `else if`", span, "else if")
         }
         Mistake::Untyped => {
             let message = format!("the parameter `{written}` has no type");

@@ -150,8 +150,7 @@ impl Form {
 
     /// The holes in the message.
     pub(super) fn holes_of_says(&self) -> impl Iterator<Item = &'static str> {
-        let pieces = pieces(self.says).into_iter();
-        pieces.filter_map(|piece| piece.hole)
+        pieces(self.says).into_iter().filter_map(|piece| piece.hole)
     }
 }
 
