@@ -1,7 +1,7 @@
 //! Reasons why an op without errors of its own is not proved: something that it depends on is
 //! broken.
 
-use super::files::Part;
+use super::files::{Part, touches};
 use crate::diagnostic::Diagnostic;
 use crate::resolve::Program;
 use crate::rewrite::Plan;
@@ -21,12 +21,8 @@ pub(super) fn tell_what_is_lacking(
     if plans.iter().all(Option::is_some) {
         return;
     }
-    let is_wrong = |span: Span| {
-        told.iter().any(|told| {
-            let place = told.span();
-            told.is_error() && place.file == span.file && span.touches(place.start as usize)
-        })
-    };
+    let is_wrong =
+        |span: Span| told.iter().any(|told| told.is_error() && touches(span, told.span()));
     let items =
         parts.iter().flat_map(|part| part.parsed.tree.items.iter().map(move |item| (part, item)));
     let items: Vec<(&Part, &Item)> = items.collect();

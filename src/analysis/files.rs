@@ -251,7 +251,8 @@ pub(super) fn is_about_lost(lost: &[Span], error: &Diagnostic) -> bool {
 /// The code of errors about attributes without a value in new elements.
 const MISSING: &str = "missing-attribute";
 
-fn touches(item: Span, place: Span) -> bool {
+/// True if a place lies in an item or at one of its ends.
+pub(super) fn touches(item: Span, place: Span) -> bool {
     item.file == place.file && item.touches(place.start as usize)
 }
 
