@@ -15,7 +15,7 @@ use super::signature::Parameter;
 use super::signature::{FunctionSignature, Value};
 use super::typed::typed;
 use super::typing::{Place, Typing};
-use super::words::arguments;
+use super::words::{are_given, arguments};
 
 /// A call of a function.
 struct Invocation {
@@ -93,15 +93,14 @@ impl Typing<'_> {
     ) -> Option<Vec<Expr>> {
         let mut values: Vec<Option<Expr>> = Vec::new();
         for (place, arg) in args.iter().enumerate() {
-            let value = match params.get(place).map(|param| (param, param.ty)) {
-                Some((param, Some(ty))) => {
+            values.push(match params.get(place) {
+                Some(param) => {
                     let whose = format!("`{}` of `{name}`", param.name);
-                    self.expression_as(arg, ty, &whose)
+                    self.expression_for(arg, param.ty, &whose)
                 }
-                // A parameter of unknown type, or one argument too many.
-                Some((_, None)) | None => self.expression(arg),
-            };
-            values.push(value);
+                // One argument too many.
+                None => self.expression(arg),
+            });
         }
         self.right_argument_count(name, params, args.len(), span)?;
         for param in &params[args.len()..] {
@@ -131,12 +130,7 @@ impl Typing<'_> {
             least if least == most => arguments(most),
             least => format!("{least} to {}", arguments(most)),
         };
-        let verb = if given == 1 { "is" } else { "are" };
-        let given = match given {
-            0 => "none".to_owned(),
-            given => given.to_string(),
-        };
-        let message = format!("`{name}` takes {wanted}, but {given} {verb} given");
+        let message = format!("`{name}` takes {wanted}, but {}", are_given(given));
         let params: Vec<String> = params
             .iter()
             .map(|param| match param.ty {
@@ -205,23 +199,20 @@ impl Scripting<'_> {
         let result = match signature.result {
             Value::Of(ty) => Some(ty),
             Value::Nothing => None,
-            Value::Open | Value::Unknown => {
-                return self.typing.report.give_up();
-            }
+            Value::Open | Value::Unknown => return self.typing.report.give_up(),
         };
         let effects = signature.effects;
         if let Some(ty) = result.filter(|_| effects.changes.or(effects.prints).is_none()) {
-            self.unused(ty, span);
-            return None;
+            return self.unused(ty, span);
         }
         Some(StatementKind::Call { function: number, args, result })
     }
 
     /// Reports a value that is not used.
-    pub(super) fn unused(&mut self, ty: Type, span: Span) {
+    pub(super) fn unused<T>(&mut self, ty: Type, span: Span) -> Option<T> {
         let message = "this value is not used";
         let error = Diagnostic::error("unused-value", message, span)
             .saying(format!("this is {}", ty.a_word()));
-        self.typing.report.add(error);
+        self.typing.report.reject(error)
     }
 }

@@ -149,31 +149,19 @@ impl Scripting<'_> {
         false
     }
 
-    /// `if let m = split(e) { … } else { … }`, `if split(e) { … }`
+    /// `if let m = split(e) { … } else { … }`, `if split(e) { … }`; its blocks are resolved by
+    /// `block`.
     pub(super) fn if_applied(
         &mut self,
         binding: Option<&Ident>,
         condition: &tree::Expr,
-        [then, otherwise]: [Option<&tree::Block>; 2],
+        (then, otherwise): (&tree::Block, Option<&tree::Block>),
+        block: fn(&mut Self, &tree::Block) -> Block,
     ) -> Option<StatementKind> {
         let asked = self.asked(binding, condition);
-        let then = then.map(|block| self.block(block)).unwrap_or_default();
+        let then = block(self, then);
         self.typing.scopes.leave();
-        let otherwise = otherwise.map(|block| self.block(block)).unwrap_or_default();
-        Some(asked?.choosing([then, otherwise]))
-    }
-
-    /// The same at the end of a function, where the blocks may end with its value.
-    pub(super) fn if_applied_at_end(
-        &mut self,
-        binding: Option<&Ident>,
-        condition: &tree::Expr,
-        [then, otherwise]: [&tree::Block; 2],
-    ) -> Option<StatementKind> {
-        let asked = self.asked(binding, condition);
-        let then = self.body(then);
-        self.typing.scopes.leave();
-        let otherwise = self.body(otherwise);
+        let otherwise = otherwise.map(|otherwise| block(self, otherwise)).unwrap_or_default();
         Some(asked?.choosing([then, otherwise]))
     }
 

@@ -15,7 +15,7 @@ use super::testing::mesh_maker;
 use super::typed::{to_real, typed};
 use super::typing::{Place, Typing};
 use super::vocabulary::called;
-use super::words::{arguments, short, subject};
+use super::words::{are_given, arguments, short, subject};
 
 /// How well a type fits a parameter.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -142,19 +142,14 @@ impl Typing<'_> {
         if wanted == given {
             return Some(());
         }
-        let verb = if given == 1 { "is" } else { "are" };
-        let given = match given {
-            0 => "none".to_owned(),
-            given => given.to_string(),
-        };
         let message =
-            format!("`{}` takes {}, but {given} {verb} given", function.text, arguments(wanted));
+            format!("`{}` takes {}, but {}", function.text, arguments(wanted), are_given(given));
         let error = Diagnostic::error("wrong-count", message, span);
         let error = match called(&function.text) {
             ways if ways.is_empty() => error,
             ways => error.note(format!("it is {ways}")),
         };
-        let is_distance = function.text == "length" && given == "2";
+        let is_distance = function.text == "length" && given == 2;
         self.report.reject(match is_distance {
             true => error.note("how far two points are apart is `distance(v, w)`"),
             false => error,
@@ -298,7 +293,7 @@ impl Typing<'_> {
     }
 
     /// Reports `must f(x)` where a value is required.
-    pub(super) fn misplaced_must(&mut self, inner: &tree::Expr, span: Span) -> Option<Expr> {
+    pub(super) fn misplaced_must<T>(&mut self, inner: &tree::Expr, span: Span) -> Option<T> {
         match &inner.kind {
             tree::ExprKind::Call { function, .. } if self.declared.op(&function.text).is_some() => {
                 self.op_in_expression(&function.text, span);

@@ -40,7 +40,8 @@ impl Scripting<'_> {
                 condition.map(|condition| StatementKind::If { condition, then, otherwise })
             }
             ActionKind::If { binding, condition, then, otherwise: Some(otherwise) } => {
-                self.if_applied_at_end(binding.as_ref(), condition, [then, otherwise])
+                let blocks = (then, Some(otherwise));
+                self.if_applied(binding.as_ref(), condition, blocks, Self::body)
             }
             ActionKind::If { then, otherwise: None, .. } if self.lacks_else(then) => None,
             ActionKind::Block(block) => return statements.extend(self.body(block)),

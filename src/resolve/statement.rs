@@ -38,13 +38,8 @@ impl Scripting<'_> {
             }
             None => {
                 self.typing.may_change = !self.updating;
-                let value = match wanted {
-                    Some(ty) => {
-                        let whose = format!("`{}`", name.text);
-                        self.typing.expression_as(value, ty, &whose)
-                    }
-                    None => self.typing.expression(value),
-                };
+                let whose = format!("`{}`", name.text);
+                let value = self.typing.expression_for(value, wanted, &whose);
                 (value.as_ref().map(|value| value.ty), Ok(value))
             }
         };
@@ -193,7 +188,7 @@ impl Scripting<'_> {
         otherwise: Option<&tree::Block>,
     ) -> Option<StatementKind> {
         if binding.is_some() || self.is_op_call(condition) {
-            return self.if_applied(binding, condition, [Some(then), otherwise]);
+            return self.if_applied(binding, condition, (then, otherwise), Self::block);
         }
         self.typing.may_change = !self.updating;
         let condition = self.typing.expression_as(condition, Type::Bool, "`if`");
@@ -271,8 +266,7 @@ impl Scripting<'_> {
             }
             tree::ExprKind::Must(inner) => {
                 let tree::ExprKind::Call { function, args } = &inner.kind else {
-                    self.typing.misplaced_must(inner, expr.span);
-                    return None;
+                    return self.typing.misplaced_must(inner, expr.span);
                 };
                 let asked = self.typing.application(function, args, inner.span)?;
                 let refused = StatementKind::Refused { op: asked.0 };
@@ -281,8 +275,7 @@ impl Scripting<'_> {
             }
             _ => {
                 let value: Expr = self.typing.expression(expr)?;
-                self.unused(value.ty, expr.span);
-                None
+                self.unused(value.ty, expr.span)
             }
         }
     }

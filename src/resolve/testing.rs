@@ -191,28 +191,21 @@ impl Scripting<'_> {
             [call] => (call, None),
             [call, why] => match &why.kind {
                 ExprKind::Text(text) => (call, Some(text.clone())),
-                _ => {
-                    self.wrong_refuses(why.span);
-                    return None;
-                }
+                _ => return self.wrong_refuses(why.span),
             },
-            _ => {
-                self.wrong_refuses(span);
-                return None;
-            }
+            _ => return self.wrong_refuses(span),
         };
         let ExprKind::Call { function, args } = &call.kind else {
-            self.wrong_refuses(call.span);
-            return None;
+            return self.wrong_refuses(call.span);
         };
         let (op, args) = self.typing.application(function, args, call.span)?;
         let reason = reason.map(str::to_owned);
         Some(StatementKind::AssertRefuses { op, args, why, reason })
     }
 
-    fn wrong_refuses(&mut self, span: Span) {
+    fn wrong_refuses<T>(&mut self, span: Span) -> Option<T> {
         let message = "`refuses` wants the call of an op, and perhaps the reason as a text";
-        self.typing.report.add(Diagnostic::error("not-an-op", message, span));
+        self.typing.report.reject(Diagnostic::error("not-an-op", message, span))
     }
 
     /// A mesh from a constructor: `cube()`, `load("cube.obj")`.

@@ -161,6 +161,19 @@ impl Typing<'_> {
         self.convert(expr, value, wanted, whose)
     }
 
+    /// An expression, converted to the type `wanted` by `whose` if that is known.
+    pub(super) fn expression_for(
+        &mut self,
+        expr: &tree::Expr,
+        wanted: Option<Type>,
+        whose: &str,
+    ) -> Option<Expr> {
+        match wanted {
+            Some(ty) => self.expression_as(expr, ty, whose),
+            None => self.expression(expr),
+        }
+    }
+
     /// Converts a value to the type `wanted` by `whose`.
     pub(super) fn convert(
         &mut self,
@@ -208,8 +221,7 @@ impl Typing<'_> {
     /// The value of a block in an expression.
     fn block_value(&mut self, block: &tree::Block) -> Option<Expr> {
         let Some((last, others)) = block.statements.split_last() else {
-            self.no_value_at(block.span);
-            return None;
+            return self.no_value_at(block.span);
         };
         self.scopes.enter();
         let named: Vec<_> = others.iter().map(|action| self.named(action)).collect();
@@ -233,10 +245,7 @@ impl Typing<'_> {
                 self.choice(condition, [then, otherwise], action.span)
             }
             tree::ActionKind::Broken => self.report.give_up(),
-            _ => {
-                self.no_value_at(action.span);
-                None
-            }
+            _ => self.no_value_at(action.span),
         }
     }
 
@@ -255,10 +264,7 @@ impl Typing<'_> {
             Some(word) => Some(type_named(word, self.report)?),
             None => None,
         };
-        let value = match wanted {
-            Some(ty) => self.expression_as(value, ty, &format!("`{}`", name.text)),
-            None => self.expression(value),
-        };
+        let value = self.expression_for(value, wanted, &format!("`{}`", name.text));
         let keyword =
             Span { end: action.span.start.saturating_add(3).min(name.span.start), ..action.span };
         let variable = self.scopes.declare(Local {
@@ -270,9 +276,9 @@ impl Typing<'_> {
         Some((variable, value?))
     }
 
-    fn no_value_at(&mut self, span: Span) {
+    fn no_value_at(&mut self, span: Span) -> Option<Expr> {
         let message = "this block is a value, so a value stands at its end";
-        self.report.add(Diagnostic::error("not-a-value", message, span));
+        self.report.reject(Diagnostic::error("not-a-value", message, span))
     }
 }
 
