@@ -50,9 +50,7 @@ pub(super) fn tell_what_is_lacking(
             continue;
         }
         let is_this = |item: &Item| matches!(item, Item::Op(tree) if tree.name.span == op.span);
-        let Some((part, item)) = items.iter().find(|(_, item)| is_this(item)) else {
-            continue;
-        };
+        let Some((part, item)) = items.iter().find(|(_, item)| is_this(item)) else { continue };
         let span = item.span();
         if is_wrong(span) {
             continue;

@@ -12,9 +12,7 @@ use crate::syntax::tree::{Rule, Side, Statement};
 /// Proposals of edge statements in `before` for halfedges that are reported to lack a twin there:
 /// for this one alone, and for all of the rule.
 pub(super) fn draw_twins(snapshot: &Snapshot, told: &Diagnostic, rule: &Rule) -> Vec<Proposal> {
-    let Some(before) = &rule.before else {
-        return Vec::new();
-    };
+    let Some(before) = &rule.before else { return Vec::new() };
     let lacking = |span: Span| -> Option<SymbolId> {
         let at = span.start as usize;
         let id = snapshot.names().at(at).filter(|_| rule.span.touches(at))?.symbol;
@@ -22,9 +20,7 @@ pub(super) fn draw_twins(snapshot: &Snapshot, told: &Diagnostic, rule: &Rule) ->
         let word = &snapshot.names().symbol(id).name;
         (is_half && !is_paired(before, word)).then_some(id)
     };
-    let Some(this) = lacking(told.span()) else {
-        return Vec::new();
-    };
+    let Some(this) = lacking(told.span()) else { return Vec::new() };
     let alike = snapshot.diagnostics_so_far();
     let alike = alike.iter().filter(|other| other.code == told.code);
     let mut all: Vec<SymbolId> = Vec::new();

@@ -67,9 +67,7 @@ fn proposals(snapshot: &Snapshot, told: &Diagnostic, part: &Range<usize>) -> Vec
     };
     let rule = &op.rules[at];
     let ends = |end: Option<&Side>| end.cloned();
-    let Some(after) = ends(rule.after.as_ref()) else {
-        return Vec::new();
-    };
+    let Some(after) = ends(rule.after.as_ref()) else { return Vec::new() };
     match told.code {
         "unaccounted-name" | "missing-reassignment" => {
             let names = pointed_at(snapshot, told, rule);
@@ -100,9 +98,7 @@ fn proposals(snapshot: &Snapshot, told: &Diagnostic, part: &Range<usize>) -> Vec
 
 /// Proposals that close a loop: by ending it where it begins, or by continuing it to there.
 fn close(snapshot: &Snapshot, told: &Diagnostic) -> Vec<Proposal> {
-    let [end, begin, ..] = told.labels.as_slice() else {
-        return Vec::new();
-    };
+    let [end, begin, ..] = told.labels.as_slice() else { return Vec::new() };
     let first = snapshot.sources().slice(begin.span);
     let edit = |span: Span, text: String| vec![Edit { span, text }];
     let go_on = |arrow: &str| {
@@ -162,9 +158,7 @@ fn account_for(
             let stated = after.statements.iter().filter_map(subject);
             stated.into_iter().any(|known| known.ident.text == name.ident.text)
         };
-        let Some(of) = subject(statement).filter(|of| !is_stated(of)) else {
-            continue;
-        };
+        let Some(of) = subject(statement).filter(|of| !is_stated(of)) else { continue };
         if names.iter().any(|(_, name)| draws(name)) {
             let text = snapshot.sources().slice(statement_span(statement)).to_owned();
             let title = format!("restate `{text}` in `after`");
@@ -279,9 +273,7 @@ fn unlist(snapshot: &Snapshot, place: Span, rule: &Rule) -> Vec<Proposal> {
         let name = names.iter().find(|name| name.span == place)?;
         Some((names.len(), *span, name))
     });
-    let Some((count, whole, name)) = found else {
-        return Vec::new();
-    };
+    let Some((count, whole, name)) = found else { return Vec::new() };
     let gone = if count == 1 { whole } else { name.span };
     let before = &snapshot.text()[..gone.start as usize];
     let start = before.trim_end_matches([' ', '\t']).len();

@@ -73,17 +73,13 @@ fn outer_ends(rule: &Rule, hints: &mut Vec<Hint>) {
     let [before, _] = Sketch::of(rule);
     let statements = rule.before.iter().flat_map(|side| &side.statements);
     for statement in statements {
-        let Statement::Edge { halfedges, .. } = statement else {
-            continue;
-        };
+        let Statement::Edge { halfedges, .. } = statement else { continue };
         for (outer, twin) in [(0, 1), (1, 0)] {
             let name = &halfedges[outer];
             if before.place(&name.ident.text).is_some() {
                 continue;
             }
-            let Some(twin) = before.place(&halfedges[twin].ident.text) else {
-                continue;
-            };
+            let Some(twin) = before.place(&halfedges[twin].ident.text) else { continue };
             let (from, to) = (twin.to.text(), twin.from.text());
             hints.push(Hint {
                 after: name.span,

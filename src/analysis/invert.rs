@@ -101,9 +101,7 @@ fn restored(snapshot: &Snapshot, assigned: &[&Statement], made: &[&Name]) -> Vec
     let is_made = |name: &Name| made.iter().any(|made| made.ident.text == name.ident.text);
     let mut lines = Vec::new();
     for statement in assigned {
-        let Statement::Assign { target, attribute, value, .. } = statement else {
-            continue;
-        };
+        let Statement::Assign { target, attribute, value, .. } = statement else { continue };
         if is_made(target) {
             continue;
         }
@@ -167,9 +165,7 @@ impl Target<'_> {
 
     /// True if an expression is the attribute itself.
     fn is(&self, value: &Expr) -> bool {
-        let ExprKind::Field(base, field) = &value.kind else {
-            return false;
-        };
+        let ExprKind::Field(base, field) = &value.kind else { return false };
         let slice = |span| self.snapshot.sources().slice(span);
         field.text == self.attribute && slice(base.span) == slice(self.target.span)
     }

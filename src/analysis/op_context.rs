@@ -76,9 +76,7 @@ impl<'p> Meanings<'p> {
                     Item::Fn(function) => (&function.name, false),
                     _ => continue,
                 };
-                let Some(&number) = numbers.get(&name.span) else {
-                    continue;
-                };
+                let Some(&number) = numbers.get(&name.span) else { continue };
                 let at = meanings.declarations.len();
                 meanings.declarations.push(Declaration { file, span: item.span(), number });
                 meanings.named.entry(&name.text).or_default().push(at);

@@ -150,9 +150,7 @@ impl Rules<'_> {
 
     fn element(&mut self, mention: Mention, kind: Option<Kind>, marks: &mut Marks) {
         let snapshot = self.snapshot;
-        let Some((rule, before)) = self.rule(mention.span) else {
-            return;
-        };
+        let Some((rule, before)) = self.rule(mention.span) else { return };
         let word = &snapshot.names().symbol(mention.symbol).name;
         marks.is_outer = kind == Some(Kind::Halfedge)
             && before.pair(word).is_some()

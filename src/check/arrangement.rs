@@ -149,9 +149,7 @@ impl<'a> Orders<'a> {
     /// True if the listed spokes of the first chains follow each other as stated.
     fn agrees_so_far(&self, fixed: usize) -> bool {
         let mut spokes = self.order.iter().take(fixed).flat_map(|&chain| &self.listed[chain]);
-        let Some(&first) = spokes.next() else {
-            return true;
-        };
+        let Some(&first) = spokes.next() else { return true };
         let mut at = first;
         spokes.all(|&spoke| {
             at = (at + 1) % self.stated.max(1);
@@ -242,16 +240,12 @@ fn agree(drawing: &Drawing, star: &Star, pieces: &[Piece], way: &mut Arrangement
         let lies = stated.first().map_or(Lies::Empty, |spoke| belongs(spoke));
         return pieces.iter().try_for_each(|&piece| place(lies, piece, way));
     };
-    let Spoke::Halfedge(first) = stated[anchor] else {
-        return None;
-    };
+    let Spoke::Halfedge(first) = stated[anchor] else { return None };
     let start = pieces.iter().position(|&piece| piece == Piece::Spoke(first.name))?;
     let mut at = 0; // how many pieces have been read, from the anchor on
     let mut step = 0;
     while step < stated.len() {
-        let Spoke::Halfedge(name) = stated[(anchor + step) % stated.len()] else {
-            return None;
-        };
+        let Spoke::Halfedge(name) = stated[(anchor + step) % stated.len()] else { return None };
         if at >= count || pieces[(start + at) % count] != Piece::Spoke(name.name) {
             return None;
         }
@@ -310,9 +304,7 @@ pub(super) fn agreeing<'a>(
     for [x, y] in twins {
         for way in &mut ways {
             let leaves = |arc: &Arc| arc.from == Port::Out(y);
-            let Some(found) = way.arcs.iter().position(leaves) else {
-                continue;
-            };
+            let Some(found) = way.arcs.iter().position(leaves) else { continue };
             if way.arcs[found].to == Port::In(x) {
                 way.to_mut().arcs[found].lies = Lies::Empty;
             } else if !way.stands_for_others {

@@ -52,9 +52,7 @@ impl Reach<'_> {
         }
         for corner in self.corners {
             for chain in &corner.chains {
-                let Some((_, source)) = self.vertex_source(&chain.ports) else {
-                    continue;
-                };
+                let Some((_, source)) = self.vertex_source(&chain.ports) else { continue };
                 let claim = Claim::Leads(source, Bound::Element(corner.vertex));
                 let by = -i64::from(rule.index(claim.names()[0]));
                 let claim = Claim::Leads(

@@ -106,9 +106,7 @@ fn lie_in_different_faces(drawing: &Drawing, left: NameId, right: NameId) -> boo
 
 /// True if both names are there, differ, and may not be one element.
 fn are_apart(drawing: &Drawing, pair: [Option<NameId>; 2]) -> bool {
-    let [Some(left), Some(right)] = pair else {
-        return false;
-    };
+    let [Some(left), Some(right)] = pair else { return false };
     left != right && !drawing.rule.may_be_one(left, right)
 }
 

@@ -80,9 +80,7 @@ fn sizes_are_known(drawing: &Drawing, matching: &[Step]) -> Vec<Problem> {
         return Vec::new();
     }
     let rule = drawing.rule;
-    let Some(family) = rule.ids().find(|&name| rule.is_member(name)) else {
-        return Vec::new();
-    };
+    let Some(family) = rule.ids().find(|&name| rule.is_member(name)) else { return Vec::new() };
     let text = rule.quoted(family);
     let message = format!("nothing says how many there are of {text}");
     let problem = Diagnostic::error("unreachable-name", message, rule.name(family).span)
@@ -103,9 +101,7 @@ fn reject(op: &Op, rule: &Rule, sizes: &Sizes, broken: Broken) -> Rejected {
     let further = (tested + 1..=tested + FURTHER)
         .map(|size| Cow::Owned(Unrolled::new(rule, size, Naming::Numbers)));
     for short in sizes.small.iter().map(Cow::Borrowed).chain(further) {
-        let Err(mut here) = prove_plain(op, &short.rule) else {
-            continue;
-        };
+        let Err(mut here) = prove_plain(op, &short.rule) else { continue };
         let found = witness::find(op, &short.rule, &mut here);
         if !matches!(found, Outcome::Breaks(_)) {
             continue;

@@ -75,9 +75,7 @@ pub(super) fn test(drawing: &Drawing) -> Result<Rings, Broken> {
             rest /= ways.found.len();
             uniform.extend(everywhere(rule, ways.corner.vertex, way));
         }
-        let Some(uniform) = agreeing_everywhere(rule, &uniform, &all) else {
-            continue;
-        };
+        let Some(uniform) = agreeing_everywhere(rule, &uniform, &all) else { continue };
         let case = Case::new(drawing, &after, &uniform);
         let problems = case.problems();
         if !problems.is_empty() {
@@ -262,9 +260,7 @@ impl RingWalk<'_> {
             let net = loop {
                 seen.push(spot.port);
                 self.note(spot, &mut met);
-                let Some(next) = self.step(spot, &mut met) else {
-                    break None;
-                };
+                let Some(next) = self.step(spot, &mut met) else { break None };
                 spot = next;
                 if spot.port == start {
                     break Some(spot.at);

@@ -102,9 +102,7 @@ impl Begun {
             true => Some(self.clone()),
             false => self.with(Remedy::Erase(gone)),
         };
-        let Some(erased) = erased else {
-            return Vec::new();
-        };
+        let Some(erased) = erased else { return Vec::new() };
         let gone = erased.rule.erased.iter().map(|erased| erased.name);
         let gone = gone.filter(|&name| self.rule.kind(name) == Kind::Vertex);
         let taken = gone.filter_map(|vertex| erased.with(Remedy::Take(vertex)));
@@ -333,9 +331,7 @@ pub(super) fn closed(rule: &Rule) -> Vec<Remedy> {
 /// The ways to close a loop, each with its words; the loop itself if it is closed.
 fn ways_to_close(rule: &Rule, orbit: &Loop) -> Vec<(Loop, Option<String>)> {
     let end = orbit.end.name;
-    let Some(begin) = orbit.items.first().map(|first| first.from.name) else {
-        return Vec::new();
-    };
+    let Some(begin) = orbit.items.first().map(|first| first.from.name) else { return Vec::new() };
     // A loop drawn with `each` is closed.
     if begin == end || orbit.each {
         return vec![(orbit.clone(), None)];

@@ -115,9 +115,7 @@ impl Law<'_> {
         }
         for name in self.names() {
             let run = matches!(self.drawing.rule.kind(name), Kind::Path | Kind::Fan);
-            let Some(erased) = self.drawing.erased(name).filter(|_| run) else {
-                continue;
-            };
+            let Some(erased) = self.drawing.erased(name).filter(|_| run) else { continue };
             let text = self.drawing.rule.quoted(name);
             let kind = self.drawing.rule.kind(name).word();
             let message = format!("the {kind} {text} cannot be erased: nobody knows what is in it");

@@ -21,12 +21,8 @@ impl<'a> Ends<'a> {
     pub fn new(drawing: &'a Drawing<'a>, mut moved: Vec<(NameId, NameId)>) -> Self {
         for star in &drawing.rule.after.stars {
             for spoke in &star.spokes {
-                let (Spoke::Halfedge(spoke) | Spoke::Fan(spoke)) = spoke else {
-                    continue;
-                };
-                let Some(from) = drawing.origin_before(spoke.name) else {
-                    continue;
-                };
+                let (Spoke::Halfedge(spoke) | Spoke::Fan(spoke)) = spoke else { continue };
+                let Some(from) = drawing.origin_before(spoke.name) else { continue };
                 if from != star.vertex.name && drawing.after.mention(from).is_none() {
                     moved.push((from, star.vertex.name));
                 }
@@ -115,9 +111,7 @@ fn pairing_with(drawing: &Drawing, moved: Vec<(NameId, NameId)>) -> Option<Remed
         let (from, to) = ends.drawn(half)?;
         let back = |other: &&NameId| **other != half && ends.drawn(**other) == Some((to, from));
         let mut others = open.iter().filter(back);
-        let (Some(&other), None) = (others.next(), others.next()) else {
-            return None;
-        };
+        let (Some(&other), None) = (others.next(), others.next()) else { return None };
         if pairs.iter().all(|pair| !pair.contains(&half)) {
             // The inner one comes first.
             let is_turned = drawing.is_outer(half) && !drawing.is_outer(other);
@@ -227,18 +221,14 @@ fn around(
     };
     let (known, unknown): (Vec<_>, Vec<_>) =
         own.iter().copied().partition(|&item| ends(item).is_some());
-    let (&first, true) = (known.first()?, unknown.len() < 2) else {
-        return None;
-    };
+    let (&first, true) = (known.first()?, unknown.len() < 2) else { return None };
     let (start, _) = ends(first)?;
     let usable: Vec<_> = known.iter().chain(others).copied().collect();
     let follow = |mut at: NameId, until: NameId, used: &mut Vec<(NameId, NameId)>| {
         while at != until {
             let fits = |item: &&NameId| ends(**item).is_some_and(|(from, _)| from == at);
             let mut next = usable.iter().filter(fits);
-            let Some(&item) = next.next() else {
-                break;
-            };
+            let Some(&item) = next.next() else { break };
             if next.next().is_some() || used.iter().any(|(_, known)| *known == item) {
                 return None;
             }

@@ -65,9 +65,7 @@ pub(super) fn pointers(drawing: &Drawing) -> Vec<Pointer> {
     for star in &rule.before.stars {
         for (at, spoke) in star.spokes.iter().enumerate() {
             let next = &star.spokes[(at + 1) % star.spokes.len()];
-            let (Spoke::Halfedge(from), Spoke::Halfedge(to)) = (spoke, next) else {
-                continue;
-            };
+            let (Spoke::Halfedge(from), Spoke::Halfedge(to)) = (spoke, next) else { continue };
             let (from, to) = (from.name, to.name);
             let implied = view
                 .item_before(from)

@@ -81,9 +81,7 @@ pub(super) fn evenly(
     changes: impl Fn(&Drawing) -> Vec<SizeChange>,
 ) -> Vec<SizeChange> {
     let large = &sizes.large.rule;
-    let Some([shorter, longer]) = sizes.small.last_chunk() else {
-        return Vec::new();
-    };
+    let Some([shorter, longer]) = sizes.small.last_chunk() else { return Vec::new() };
     let [shorter, longer] =
         [shorter, longer].map(|one| (i64::from(one.size()), changes(&Drawing::new(&one.rule))));
     let mut found = changes(&Drawing::new(large));

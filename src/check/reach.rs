@@ -272,9 +272,7 @@ impl Reach<'_> {
         }
         // The vertex and the ends of a loop that is one path.
         for orbit in &rule.before.loops {
-            let ([item], face) = (orbit.items.as_slice(), orbit.face.name) else {
-                continue;
-            };
+            let ([item], face) = (orbit.items.as_slice(), orbit.face.name) else { continue };
             if rule.kind(item.item.name) != Kind::Path || !rule.is_first(face) {
                 continue;
             }

@@ -177,18 +177,14 @@ pub(super) fn impossible(drawing: &Drawing, corner: &Corner) -> Problem {
 /// The statement with its spokes in the order that the loops and edges give, if they are one chain
 /// of listed halfedges and the statement has at most one fan.
 fn in_order(drawing: &Drawing, corner: &Corner, star: &Star) -> Option<String> {
-    let [chain] = corner.chains.as_slice() else {
-        return None;
-    };
+    let [chain] = corner.chains.as_slice() else { return None };
     let rule = drawing.rule;
     let mut fans = star.spokes.iter().filter_map(|spoke| match spoke {
         Spoke::Fan(fan) => Some(format!("*{}", rule.name(fan.name).text)),
         Spoke::Rest(_) => Some("*".to_owned()),
         Spoke::Halfedge(_) => None,
     });
-    let (fan, None) = (fans.next(), fans.next()) else {
-        return None;
-    };
+    let (fan, None) = (fans.next(), fans.next()) else { return None };
     if rule.cycle.is_some() || chain.closed != fan.is_none() {
         return None;
     }

@@ -136,9 +136,7 @@ impl Printer<'_> {
 
     /// `v.position = …`
     fn assignment(&mut self, statement: &Statement, width: usize) -> Doc {
-        let Statement::Assign { target, attribute, value, .. } = statement else {
-            return nil();
-        };
+        let Statement::Assign { target, attribute, value, .. } = statement else { return nil() };
         let target = self.tokens(target.span);
         let target = target.append(self.tokens(attribute.span));
         target.append(self.equals(value, width))
@@ -293,9 +291,7 @@ impl Outline {
 
     /// The same after `each i {`, given the span of the index and the start of the period.
     fn over(self, each: Option<(Span, u32)>) -> Self {
-        let Some((index, first)) = each else {
-            return self;
-        };
+        let Some((index, first)) = each else { return self };
         let mut ends = vec![index.start, index.end, first];
         ends.extend(self.ends);
         ends.push(self.span.end);

@@ -166,9 +166,7 @@ impl<'t> Printer<'t> {
 
     /// Takes the next token, which has no comment before it.
     pub fn word(&mut self) -> &'t str {
-        let Some(token) = self.tokens.get(self.at) else {
-            return "";
-        };
+        let Some(token) = self.tokens.get(self.at) else { return "" };
         self.at += 1;
         self.source.get(token.span.range()).unwrap_or("")
     }

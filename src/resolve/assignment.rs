@@ -285,9 +285,7 @@ pub(super) fn set_often(block: &tree::Block) -> BTreeSet<String> {
 /// The fields that follow each other in an expression, the last first.
 fn fields(mut expr: &tree::Expr) -> impl Iterator<Item = &str> {
     std::iter::from_fn(move || {
-        let tree::ExprKind::Field(base, field) = &expr.kind else {
-            return None;
-        };
+        let tree::ExprKind::Field(base, field) = &expr.kind else { return None };
         expr = base;
         Some(field.text.as_str())
     })

@@ -54,9 +54,7 @@ pub(super) fn guard(
     let mut first: Option<Span> = None;
     let mut guard = None;
     for condition in conditions {
-        let Condition::Guard { level: word, span } = condition else {
-            continue;
-        };
+        let Condition::Guard { level: word, span } = condition else { continue };
         if let Some(first) = first {
             let error = Diagnostic::error("guarded-twice", "the rule has two guards", *span)
                 .saying("guarded again")
@@ -107,9 +105,7 @@ fn asked(error: Diagnostic, word: &Ident, guard: Span, params: &[Parameter]) -> 
 pub(super) fn aliases(conditions: &[Condition], names: &Names, report: &mut Report) -> Vec<Alias> {
     let mut aliases = Vec::new();
     for condition in conditions {
-        let Condition::Alias { names: listed, span } = condition else {
-            continue;
-        };
+        let Condition::Alias { names: listed, span } = condition else { continue };
         if names.cycle().is_some() {
             let message = "a rule with families has no `alias`";
             let error = Diagnostic::error("cannot-alias", message, *span);
@@ -178,9 +174,7 @@ pub(super) fn assignments(
     let mut done: HashMap<(NameId, Access), Span> = HashMap::new();
     let mut assignments = Vec::new();
     for statement in &after.statements {
-        let Statement::Assign { target, attribute, value, span } = statement else {
-            continue;
-        };
+        let Statement::Assign { target, attribute, value, span } = statement else { continue };
         if names.find(&target.ident.text).is_none() && is_listed_new(after, target) {
             // The list reports that it is drawn nowhere.
             typing.report.fail();

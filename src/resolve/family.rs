@@ -113,9 +113,7 @@ fn bare_in_list(rule: &tree::Rule, list: &str, names: &[&Name], report: &mut Rep
         Some((word, name.span, index_of(word)?.variable.as_ref()?.text.as_str()))
     });
     let bare: Vec<(&str, Span, &str)> = bare.collect();
-    let Some((_, first, letter)) = bare.first().copied() else {
-        return;
-    };
+    let Some((_, first, letter)) = bare.first().copied() else { return };
     let words: Vec<&str> = bare.iter().map(|(word, ..)| *word).collect();
     let families: Vec<String> = words.iter().map(|word| format!("{word}[{letter}]")).collect();
     let (be, has) = if words.len() == 1 {
@@ -298,15 +296,11 @@ impl Letter {
 
 /// Adds a fix that repeats `v[i] -h[i]-> v[i+1]` with `each`, if the loop is such a period.
 fn repeated(error: Diagnostic, orbit: &tree::Loop) -> Diagnostic {
-    let ([first, ..], Some(end)) = (orbit.items.as_slice(), &orbit.end) else {
-        return error;
-    };
+    let ([first, ..], Some(end)) = (orbit.items.as_slice(), &orbit.end) else { return error };
     let index = |name: &Name| name.index.as_ref().map(|index| index.offset);
     let is_period = end.ident.text == first.from.ident.text && index(end) > index(&first.from);
     let letter = first.from.index.as_ref().and_then(|index| index.variable.as_ref());
-    let (Some(letter), true) = (letter, is_period) else {
-        return error;
-    };
+    let (Some(letter), true) = (letter, is_period) else { return error };
     let mut error = error;
     let title = format!("repeat it: `each {} {{ … }}`", letter.text);
     let (begin, end) = (first.from.span.before(), end.span);

@@ -157,9 +157,7 @@ impl Typing<'_> {
         };
         let error = match self.place {
             Place::Script => {
-                let Some(place) = effects.changes.filter(|_| !may_change) else {
-                    return Some(());
-                };
+                let Some(place) = effects.changes.filter(|_| !may_change) else { return Some(()) };
                 error("changes-mesh", "changes the mesh").label(place, "it is changed here").note(
                     "such a call stands as a statement, or is the whole value of a variable, \
                      of `if` or of `return`",

@@ -46,9 +46,7 @@ impl<'t> Functions<'t> {
         let mut items = Vec::new();
         for (home, unit) in units.iter().enumerate() {
             for item in &unit.tree.items {
-                let Item::Fn(tree) = item else {
-                    continue;
-                };
+                let Item::Fn(tree) = item else { continue };
                 let found = found.next().unwrap_or_default();
                 let mut report = Report::default();
                 let signature =

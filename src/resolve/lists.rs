@@ -150,9 +150,7 @@ impl<'a> Reader<'a> {
         if !self.first("keep", name) {
             return;
         }
-        let Some(id) = self.drawn("keep", name) else {
-            return;
-        };
+        let Some(id) = self.drawn("keep", name) else { return };
         let word = &name.ident.text;
         let kind = self.names.get(id).kind;
         let error = if !matches!(kind, Kind::Vertex | Kind::Edge | Kind::Face) {

@@ -33,9 +33,7 @@ impl Typing<'_> {
             return self.drawn(names, id, span, ExprKind::Element(id));
         }
         if let Some((number, ty)) = local {
-            let Some(ty) = ty else {
-                return self.report.give_up();
-            };
+            let Some(ty) = ty else { return self.report.give_up() };
             return Some(typed(ty, ExprKind::Local(number), span));
         }
         if let Some((_, value)) = CONSTANTS.iter().find(|(known, _)| *known == word) {

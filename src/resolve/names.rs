@@ -103,9 +103,7 @@ impl Names {
 
     fn read_created(&mut self, after: Option<&Side>) {
         for statement in after.iter().flat_map(|side| &side.statements) {
-            let Statement::New(listed, _) = statement else {
-                continue;
-            };
+            let Statement::New(listed, _) = statement else { continue };
             for name in listed {
                 if let Some(id) = self.find(&name.ident.text) {
                     self.created.entry(id).or_insert(name.span);

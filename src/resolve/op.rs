@@ -128,9 +128,7 @@ fn draws_too_much(rule: &tree::Rule, report: &mut Report) -> bool {
     let sides = [("before", &rule.before, MOST_BEFORE), ("after", &rule.after, MOST_AFTER)];
     let mut is_too_much = false;
     for (word, side, most) in sides {
-        let Some(side) = side else {
-            continue;
-        };
+        let Some(side) = side else { continue };
         let mut expect = |count: usize, most: usize, told: &str, note: &str| {
             if count > most {
                 let message = format!("`{word}` {told}, and there can be {most}");

@@ -135,9 +135,7 @@ impl Scripting<'_> {
         variable: &Ident,
         span: Span,
     ) -> bool {
-        let Some(wanted) = wanted.filter(|wanted| *wanted != applied.result) else {
-            return true;
-        };
+        let Some(wanted) = wanted.filter(|wanted| *wanted != applied.result) else { return true };
         let message = format!(
             "`{}` wants {}, but `{}` returns {}",
             variable.text,

@@ -243,9 +243,7 @@ fn with_places(
         vertices.map(|(written, value)| vertex_named(written, value)).collect();
     let point = |ty: Type| if ty == Type::Vertex { Type::Vec3 } else { ty };
     let fits = join(op, operands.map(|(_, value)| point(value.ty))).is_some();
-    let Some(named) = named.filter(|named| fits && !named.is_empty()) else {
-        return error;
-    };
+    let Some(named) = named.filter(|named| fits && !named.is_empty()) else { return error };
     let places: Vec<String> = named.iter().map(|(name, _)| format!("`{name}.position`")).collect();
     let text = || ".position".to_owned();
     let edits = named.iter().map(|(_, span)| Edit { span: span.after(), text: text() }).collect();

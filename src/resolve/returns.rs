@@ -109,9 +109,7 @@ impl Scripting<'_> {
                 }
             };
         };
-        let Some(value) = value else {
-            return self.exit_without(&name, span);
-        };
+        let Some(value) = value else { return self.exit_without(&name, span) };
         if let Some(applied) = self.applied_value(value) {
             let applied = applied?;
             let result = applied.result;

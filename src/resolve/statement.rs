@@ -20,9 +20,7 @@ const MOST_BESIDE: usize = 100;
 impl Scripting<'_> {
     /// `let x = …`, `var x = …`
     pub(super) fn declaration(&mut self, action: &Action) -> Option<StatementKind> {
-        let ActionKind::Let { mutable, name, ty, value } = &action.kind else {
-            return None;
-        };
+        let ActionKind::Let { mutable, name, ty, value } = &action.kind else { return None };
         if let Some(first) = self.typing.scopes.find_here(&name.text) {
             self.typing.report.add(duplicate("a variable", name, first.span));
         }
@@ -63,12 +61,8 @@ impl Scripting<'_> {
     /// True if a variable is declared as in other languages, `int x = 3`, which parses as two
     /// statements: the name of a type and an assignment. Reports it once.
     pub(super) fn declared_elsewhere(&mut self, action: &Action, next: Option<&Action>) -> bool {
-        let (ActionKind::Expr(word), Some(next)) = (&action.kind, next) else {
-            return false;
-        };
-        let ActionKind::Assign { target, .. } = &next.kind else {
-            return false;
-        };
+        let (ActionKind::Expr(word), Some(next)) = (&action.kind, next) else { return false };
+        let ActionKind::Assign { target, .. } = &next.kind else { return false };
         let (Some(word), Some(name)) = (word.plain_name(), target.plain_name()) else {
             return false;
         };
@@ -109,9 +103,7 @@ impl Scripting<'_> {
         if let ActionKind::Print(_) = &action.kind {
             return self.values_without_commas(action, &rest[..beside]);
         }
-        let ActionKind::Expr(first) = &action.kind else {
-            return None;
-        };
+        let ActionKind::Expr(first) = &action.kind else { return None };
         if let tree::ExprKind::Unary(tree::UnaryOp::Negate, inner) = &first.kind
             && let tree::ExprKind::Unary(tree::UnaryOp::Negate, counted) = &inner.kind
             && inner.span.start == first.span.start + 1
@@ -149,9 +141,7 @@ impl Scripting<'_> {
 
     /// `print n " of " m`
     fn values_without_commas(&mut self, print: &Action, beside: &[Action]) -> Option<usize> {
-        let ActionKind::Expr(next) = &beside.first()?.kind else {
-            return None;
-        };
+        let ActionKind::Expr(next) = &beside.first()?.kind else { return None };
         // A call may be a separate statement.
         if matches!(next.kind, tree::ExprKind::Call { .. } | tree::ExprKind::Must(_)) {
             return None;

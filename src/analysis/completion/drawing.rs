@@ -20,9 +20,7 @@ pub(super) fn results(snapshot: &Snapshot, offset: usize) -> Vec<Completion> {
 
 /// The names that an op may return.
 fn drawn(snapshot: &Snapshot, offset: usize) -> Vec<Completion> {
-    let Some((item, _)) = op_near(snapshot, offset) else {
-        return Vec::new();
-    };
+    let Some((item, _)) = op_near(snapshot, offset) else { return Vec::new() };
     let own = snapshot.names().symbols().filter(|(_, symbol)| symbol.item == Some(item));
     own.filter_map(|(_, symbol)| match symbol.kind {
         SymbolKind::Element(Some(kind)) if !matches!(kind, Kind::Path | Kind::Fan) => {
@@ -60,17 +58,13 @@ pub(super) fn of_side(
             found.extend(keywords(LISTS));
         }
     }
-    let Some((item, at, rule)) = rule_near(snapshot, offset) else {
-        return found;
-    };
+    let Some((item, at, rule)) = rule_near(snapshot, offset) else { return found };
     let sides = Sketch::of(rule);
     if wanted == Wanted::Statement && side == SideName::After {
         found.extend(open_statements(snapshot, rule));
     }
     for (id, symbol) in snapshot.names().of_rule(item, at) {
-        let SymbolKind::Element(Some(kind)) = symbol.kind else {
-            continue;
-        };
+        let SymbolKind::Element(Some(kind)) = symbol.kind else { continue };
         if wanted == Wanted::Statement {
             if side == SideName::After && kind == Kind::Vertex {
                 let snippet = format!("{}.position = $0", symbol.name);

@@ -243,9 +243,7 @@ impl Writer<'_> {
     fn positions(&self, before: &Side) -> Vec<Assignment> {
         let Trial { before: was, after, .. } = self.trial;
         let set = self.known.iter().enumerate().filter_map(|(at, thing)| {
-            let Thing::Element { of, is_new } = *thing else {
-                return None;
-            };
+            let Thing::Element { of, is_new } = *thing else { return None };
             let v = VertexId(of.index);
             let lives = of.kind == ElementKind::Vertex && after.vertex_alive(v);
             let to = lives.then(|| after.position(v))?;
@@ -284,9 +282,7 @@ impl Writer<'_> {
         });
         for (item, end) in items {
             let ends = [item.from.name, end.name];
-            let [Some(a), Some(b)] = ends.map(place) else {
-                continue;
-            };
+            let [Some(a), Some(b)] = ends.map(place) else { continue };
             let way = b - a;
             let share = (to - a).dot(way) / way.length_squared();
             if (0.0..=1.0).contains(&share) && (a + way * share - to).length() < SAME {

@@ -99,9 +99,7 @@ impl Found {
     /// Keeps a trial if it is better than the best so far; breaks if this mesh cannot give a better
     /// one.
     fn see(&mut self, trial: Trial) -> ControlFlow<()> {
-        let Some(patch) = Patch::of(&trial) else {
-            return ControlFlow::Continue(());
-        };
+        let Some(patch) = Patch::of(&trial) else { return ControlFlow::Continue(()) };
         let (worth, is_perfect) = (patch.worth(), patch.is_perfect());
         let best = match patch.has_hole() {
             true => &mut self.at_boundary,

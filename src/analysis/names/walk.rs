@@ -230,9 +230,7 @@ impl<'f> SymbolCollector<'f> {
 
     /// Records a word that is read or written, if it is declared; false if it is not.
     pub(super) fn read(&mut self, name: &Ident, role: Role) -> bool {
-        let Some(id) = self.find(&name.text) else {
-            return false;
-        };
+        let Some(id) = self.find(&name.text) else { return false };
         self.mention(name.span, id, role);
         true
     }

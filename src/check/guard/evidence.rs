@@ -76,9 +76,7 @@ fn is_collapse(sketch: &Sketch, from: &[NameId]) -> bool {
     };
     let mut edges = drawing.rule.names_of(Kind::Edge);
     edges.any(|edge| {
-        let Some(statement) = drawing.before.edge_statement(edge) else {
-            return false;
-        };
+        let Some(statement) = drawing.before.edge_statement(edge) else { return false };
         let halves = statement.halfedge_names();
         let ends = halves.map(|half| drawing.origin_before(half));
         (ends == [Some(*v), Some(*w)] || ends == [Some(*w), Some(*v)])
@@ -91,12 +89,8 @@ fn is_collapse(sketch: &Sketch, from: &[NameId]) -> bool {
 /// True if the two other edges of a triangle become one.
 fn vanishes(drawing: &Drawing, triangle: &Loop, half: NameId) -> bool {
     let others: Vec<_> = triangle.item_names().filter(|&item| item != half).collect();
-    let [b, c] = others.as_slice() else {
-        return false;
-    };
+    let [b, c] = others.as_slice() else { return false };
     let across = |half: NameId| drawing.before.twin(half);
-    let (Some(b), Some(c)) = (across(*b), across(*c)) else {
-        return false;
-    };
+    let (Some(b), Some(c)) = (across(*b), across(*c)) else { return false };
     triangle.kind == LoopKind::Face && drawing.after.twin(b) == Some(c)
 }

@@ -76,9 +76,7 @@ fn single_edge(sketch: &Sketch, halfedge: NameId, by_edges: &[NameId]) -> Option
 
 /// True if a loop is new or has other corners than before.
 fn has_other_corners(sketch: &Sketch, orbit: &Loop) -> bool {
-    let Some(before) = sketch.drawing.before.loop_of_face(orbit.face.name) else {
-        return true;
-    };
+    let Some(before) = sketch.drawing.before.loop_of_face(orbit.face.name) else { return true };
     let parts = |orbit: &Loop| {
         let mut parts: Vec<_> = orbit.corners().chain(sketch.paths(orbit)).collect();
         parts.sort_unstable();

@@ -52,9 +52,7 @@ impl Completions<'_> {
         let (outer, inner): (Vec<_>, Vec<_>) =
             drawn(Kind::Halfedge).into_iter().partition(|&half| drawing.is_outer(half));
         // All the outer ones may lie on paths.
-        let Some(room) = size.checked_sub(inner.len()) else {
-            return Flow::Continue(());
-        };
+        let Some(room) = size.checked_sub(inner.len()) else { return Flow::Continue(()) };
         let lengths = vec![0; drawing.rule.names.len()];
         self.lengths(&paths, &outer, Shape { lengths, ..Shape::default() }, room, size)
     }
@@ -82,9 +80,7 @@ impl Completions<'_> {
         let Some((&half, others)) = outer.split_first() else {
             for late in [false, true] {
                 let shape = Shape { late, ..shape.clone() };
-                let Some(sketch) = Sketch::open(self.drawing, &shape) else {
-                    break;
-                };
+                let Some(sketch) = Sketch::open(self.drawing, &shape) else { break };
                 if let Some(room) = size.checked_sub(sketch.halves.len()) {
                     self.twins(sketch, room)?;
                 }
@@ -185,9 +181,7 @@ impl Completions<'_> {
     }
 
     fn step(&mut self) -> Flow {
-        let Some(left) = self.steps.checked_sub(1) else {
-            return Flow::Break(End::TooMany);
-        };
+        let Some(left) = self.steps.checked_sub(1) else { return Flow::Break(End::TooMany) };
         self.steps = left;
         Flow::Continue(())
     }

@@ -173,9 +173,7 @@ impl Rewrite<'_> {
         let rule = self.drawing.rule;
         for index in 0..rule.names.len() {
             let name = NameId(index as u32);
-            let Some(element) = self.elements[index] else {
-                continue;
-            };
+            let Some(element) = self.elements[index] else { continue };
             if erased.contains(&name) || self.drawing.after.mention(name).is_none() {
                 continue;
             }

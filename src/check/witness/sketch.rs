@@ -299,9 +299,7 @@ impl Sketch {
         for star in &drawing.rule.before.stars {
             let vertex = self.vertex(star.vertex.name);
             for spoke in &star.spokes {
-                let Spoke::Halfedge(spoke) = spoke else {
-                    continue;
-                };
+                let Spoke::Halfedge(spoke) = spoke else { continue };
                 let half = match self.half_of[spoke.name.index()] {
                     Some(half) => half,
                     None => {
@@ -324,12 +322,8 @@ impl Sketch {
         let half = |sketch: &Self, spoke: &Spoke| sketch.half_of[spoke.halfedge()?.index()];
         for (at, spoke) in star.spokes.iter().enumerate() {
             let next = &star.spokes[(at + 1) % star.spokes.len()];
-            let (Some(spoke), Some(next)) = (half(self, spoke), half(self, next)) else {
-                continue;
-            };
-            let Some(prev) = self.halves[spoke].prev else {
-                continue;
-            };
+            let (Some(spoke), Some(next)) = (half(self, spoke), half(self, next)) else { continue };
+            let Some(prev) = self.halves[spoke].prev else { continue };
             let free = |half: usize| self.halves[half].twin.is_none();
             if prev != next && free(prev) && free(next) {
                 self.pair(prev, next)?;
@@ -361,12 +355,8 @@ fn implied_on_paths(drawing: &Drawing, shape: &Shape) -> Vec<(NameId, NameId, us
     for star in &drawing.rule.before.stars {
         for (at, spoke) in star.spokes.iter().enumerate() {
             let next = &star.spokes[(at + 1) % star.spokes.len()];
-            let (Spoke::Halfedge(spoke), Spoke::Halfedge(next)) = (spoke, next) else {
-                continue;
-            };
-            let Some(twin) = view.twin(next.name) else {
-                continue;
-            };
+            let (Spoke::Halfedge(spoke), Spoke::Halfedge(next)) = (spoke, next) else { continue };
+            let Some(twin) = view.twin(next.name) else { continue };
             let before = view.item_before(spoke.name).filter(|&path| length(path) > 0);
             let after = view.item_after(twin).filter(|&path| length(path) > 0);
             let last = before.map(|path| (twin, path, length(path) - 1));

@@ -211,9 +211,7 @@ fn rest_matches(
     found: &mut Vec<Range<usize>>,
 ) -> bool {
     let known = found.len();
-    let Some(element) = elements.get(known) else {
-        return true;
-    };
+    let Some(element) = elements.get(known) else { return true };
     if element.touches && !item.touches(at) {
         return false;
     }
@@ -375,9 +373,7 @@ pub(super) fn paired(item: &Item, at: usize, over: impl Fn(usize) -> bool) -> Ve
     let mut ends = vec![at];
     let mut depth = 0_usize;
     for end in at..at + LONGEST {
-        let Some(Token { kind, .. }) = item.token(end) else {
-            break;
-        };
+        let Some(Token { kind, .. }) = item.token(end) else { break };
         if depth == 0 && over(end) {
             break;
         }

@@ -26,9 +26,7 @@ pub(super) fn told_here(told: Diagnostic, failure: &Failure, around: &Around) ->
     let tokens = around.item;
     let at = tokens.partition_point(|token| token.span.start < failure.span.start);
     let (before, rest) = tokens.split_at(at);
-    let [here, after @ ..] = rest else {
-        return told;
-    };
+    let [here, after @ ..] = rest else { return told };
     let last = before.last().map(|token| token.kind);
     let touches = |one: &Token, other: &Token| one.span.end == other.span.start;
     match here.kind {

@@ -358,9 +358,7 @@ fn behind_the_last_line(span: Span, around: &Around) -> Span {
     let tokens = around.item;
     let at = tokens.partition_point(|token| token.span.start < span.start);
     let before = at.checked_sub(1).map(|at| tokens[at].span);
-    let Some(before) = before.filter(|before| before.end <= span.start) else {
-        return span;
-    };
+    let Some(before) = before.filter(|before| before.end <= span.start) else { return span };
     let between = before.end as usize..span.start as usize;
     match around.text.get(between) {
         Some(between) if between.contains('\n') => before.after(),

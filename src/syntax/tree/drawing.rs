@@ -29,9 +29,7 @@ pub struct Name {
 impl fmt::Display for Name {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.ident.text)?;
-        let Some(Index { variable, offset, .. }) = &self.index else {
-            return Ok(());
-        };
+        let Some(Index { variable, offset, .. }) = &self.index else { return Ok(()) };
         match variable {
             None => write!(f, "[{offset}]"),
             Some(Ident { text, .. }) if *offset == 0 => write!(f, "[{text}]"),
