@@ -101,11 +101,8 @@ impl<'a> Orders<'a> {
             star.spokes.iter().rev().filter_map(Spoke::halfedge).collect()
         });
         let places = |ports: &[Port]| -> Vec<usize> {
-            let spokes = ports.iter().filter_map(|port| match port {
-                Port::Out(item) => stated.iter().position(|half| half == item),
-                Port::In(_) => None,
-            });
-            spokes.collect()
+            let items = ports.iter().filter_map(|port| port.leaving());
+            items.filter_map(|item| stated.iter().position(|half| *half == item)).collect()
         };
         let listed: Vec<_> = corner.chains.iter().map(|chain| places(&chain.ports)).collect();
         let mut order: Vec<_> = (0..listed.len()).filter(|at| !settled.contains(at)).collect();

@@ -154,10 +154,7 @@ fn in_any_order(corner: &Corner) -> Arrangement {
         lies: Lies::Rest,
     };
     let firsts = |chain: &Chain| {
-        let paths = chain.ports.iter().filter_map(|port| match port {
-            Port::Out(item) => Some(*item),
-            Port::In(_) => None,
-        });
+        let paths = chain.ports.iter().filter_map(|port| port.leaving());
         paths.map(|path| (path, Lies::Rest)).collect::<Vec<_>>()
     };
     Arrangement {

@@ -38,7 +38,7 @@ fn may_be_kept(drawing: &Drawing, name: NameId) -> bool {
             face.item_names().all(|item| survives(item) && after.loop_of_item(item).is_none())
         }),
         Kind::Edge => before.edge_statement(name).is_none_or(|edge| {
-            let mut halves = edge.halfedges.iter().map(|half| half.name);
+            let mut halves = edge.halfedge_names().into_iter();
             halves.all(|half| survives(half) && after.pairing(half).is_none())
         }),
         _ => true,

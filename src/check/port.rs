@@ -30,6 +30,14 @@ impl Port {
         }
     }
 
+    /// The halfedge or path, if it leaves its origin here.
+    pub fn leaving(self) -> Option<NameId> {
+        match self {
+            Port::Out(item) => Some(item),
+            Port::In(_) => None,
+        }
+    }
+
     /// The halfedge or path.
     pub fn item(self) -> NameId {
         match self {

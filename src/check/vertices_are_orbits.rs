@@ -188,12 +188,8 @@ fn in_order(drawing: &Drawing, corner: &Corner, star: &Star) -> Option<String> {
     if rule.cycle.is_some() || chain.closed != fan.is_none() {
         return None;
     }
-    let outs = chain.ports.iter().filter_map(|port| match port {
-        Port::Out(item) => Some(*item),
-        Port::In(_) => None,
-    });
     // Ports run clockwise, statements counterclockwise.
-    let drawn: Vec<_> = outs.rev().collect();
+    let drawn: Vec<_> = chain.ports.iter().rev().filter_map(|port| port.leaving()).collect();
     let is_listed = |half: &NameId| star.spokes.iter().any(|spoke| spoke.halfedge() == Some(*half));
     if !drawn.iter().all(is_listed) {
         return None;
@@ -205,9 +201,6 @@ fn in_order(drawing: &Drawing, corner: &Corner, star: &Star) -> Option<String> {
 
 /// The halfedges that leave by some ports.
 pub(super) fn spokes_of(drawing: &Drawing, ports: &[Port]) -> Vec<NameId> {
-    let named = |port: &Port| match port {
-        Port::Out(item) if drawing.rule.kind(*item) == Kind::Halfedge => Some(*item),
-        _ => None,
-    };
-    ports.iter().filter_map(named).collect()
+    let is_halfedge = |item: &NameId| drawing.rule.kind(*item) == Kind::Halfedge;
+    ports.iter().filter_map(|port| port.leaving()).filter(is_halfedge).collect()
 }

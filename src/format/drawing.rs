@@ -124,8 +124,7 @@ impl Printer<'_> {
             head.push_str(self.word());
         }
         let place = |end: u32| Span { end, ..outline.span };
-        let ends = outline.ends.iter();
-        let cells: Vec<_> = ends.map(|&end| self.words(place(end))).collect();
+        let cells: Vec<_> = outline.ends.iter().map(|&end| self.words(place(end))).collect();
         let mut row = vec![head];
         match outline.class {
             Class::Star | Class::Family => row.push(cells.join(" ")),
@@ -137,8 +136,7 @@ impl Printer<'_> {
     /// `v.position = …`
     fn assignment(&mut self, statement: &Statement, width: usize) -> Doc {
         let Statement::Assign { target, attribute, value, .. } = statement else { return nil() };
-        let target = self.tokens(target.span);
-        let target = target.append(self.tokens(attribute.span));
+        let target = self.tokens(target.span).append(self.tokens(attribute.span));
         target.append(self.equals(value, width))
     }
 

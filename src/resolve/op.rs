@@ -15,8 +15,7 @@ use super::program;
 use super::property::properties;
 use super::report::Report;
 use super::rule::{Context, resolve_rule};
-use super::signature::Parameter;
-use super::signature::{Signature, Value};
+use super::signature::{Parameter, Signature, Value};
 use super::steps::steps_signature;
 use super::suggestion::suggest;
 

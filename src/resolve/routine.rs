@@ -16,10 +16,7 @@ use super::report::Report;
 use super::return_value::Returns;
 use super::returns::ends;
 use super::script::Scripting;
-use super::signature::Effects;
-use super::signature::Parameter;
-use super::signature::Signature;
-use super::signature::{FunctionSignature, Value};
+use super::signature::{Effects, FunctionSignature, Parameter, Signature, Value};
 use super::type_name::type_named;
 use super::typed::typed;
 
