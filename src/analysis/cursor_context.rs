@@ -364,10 +364,8 @@ pub fn rule_near(snapshot: &Snapshot, offset: usize) -> Option<(usize, usize, &R
 
 /// The op that a cursor is in or, as it may be unfinished, after; with the index of its item.
 pub fn op_near(snapshot: &Snapshot, offset: usize) -> Option<(usize, &tree::Op)> {
-    match item_near(snapshot, offset)? {
-        (at, Item::Op(op)) => Some((at, op)),
-        _ => None,
-    }
+    let (at, item) = item_near(snapshot, offset)?;
+    Some((at, item.op()?))
 }
 
 /// The item that a cursor is in or after, and its index.

@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use super::action::{Action, Purpose};
 use super::dangling_twins::draw_twins;
-use super::edits::{append, indentation, statement_span};
+use super::edits::{append, indentation};
 use super::element::{Fate, element_of};
 use super::missing_conditions::lacking;
 use super::names::SymbolId;
@@ -15,7 +15,7 @@ use super::snapshot::Snapshot;
 use crate::diagnostic::{Diagnostic, Edit};
 use crate::diagram::Kind;
 use crate::source::Span;
-use crate::syntax::tree::{Item, Name, Rule, Side, Statement};
+use crate::syntax::tree::{Item, Name, Rule, Side};
 
 /// The changes that fix the diagnostics of a part of the text.
 pub(super) fn mending(snapshot: &Snapshot, part: &Range<usize>) -> Vec<Action> {
@@ -160,7 +160,7 @@ fn account_for(
         };
         let Some(of) = subject(statement).filter(|of| !is_stated(of)) else { continue };
         if names.iter().any(|(_, name)| draws(name)) {
-            let text = snapshot.sources().slice(statement_span(statement)).to_owned();
+            let text = snapshot.sources().slice(statement.span()).to_owned();
             let title = format!("restate `{text}` in `after`");
             proposals.push((title, vec![append(snapshot, after, &[text])]));
             let keep = format!("keep {of}");
@@ -236,15 +236,10 @@ fn list_as_new(
 
 /// The edit that appends names to a list of a side, or begins one.
 fn add_to_list(snapshot: &Snapshot, after: &Side, list: &str, names: &str) -> Edit {
-    let last = after.statements.iter().rev().find_map(|statement| {
-        let (listed, is) = match statement {
-            Statement::New(listed, _) => (listed, "new"),
-            Statement::Erase(listed, _) => (listed, "erase"),
-            Statement::Keep(listed, _) => (listed, "keep"),
-            _ => return None,
-        };
-        (is == list).then(|| listed.last()).flatten()
-    });
+    let last =
+        after.statements.iter().rev().find_map(|statement| {
+            statement.listed().filter(|(keyword, _)| *keyword == list)?.1.last()
+        });
     if let Some(last) = last {
         return Edit { span: last.span.after(), text: format!(" {names}") };
     }
@@ -252,7 +247,7 @@ fn add_to_list(snapshot: &Snapshot, after: &Side, list: &str, names: &str) -> Ed
     match after.statements.first() {
         // `new` comes first.
         Some(first) if list == "new" => {
-            let place = statement_span(first);
+            let place = first.span();
             let indentation = indentation(snapshot, place);
             Edit { span: place.before(), text: format!("{statement}\n{indentation}") }
         }
@@ -264,14 +259,9 @@ fn add_to_list(snapshot: &Snapshot, after: &Side, list: &str, names: &str) -> Ed
 fn unlist(snapshot: &Snapshot, place: Span, rule: &Rule) -> Vec<Proposal> {
     let sides = rule.before.iter().chain(&rule.after);
     let found = sides.flat_map(|side| &side.statements).find_map(|statement| {
-        let (Statement::New(names, span)
-        | Statement::Erase(names, span)
-        | Statement::Keep(names, span)) = statement
-        else {
-            return None;
-        };
+        let (_, names) = statement.listed()?;
         let name = names.iter().find(|name| name.span == place)?;
-        Some((names.len(), *span, name))
+        Some((names.len(), statement.span(), name))
     });
     let Some((count, whole, name)) = found else { return Vec::new() };
     let gone = if count == 1 { whole } else { name.span };

@@ -411,10 +411,8 @@ impl Snapshot {
 
     /// The op that covers a byte, and the index of its item.
     pub fn op_at(&self, offset: usize) -> Option<(usize, &tree::Op)> {
-        match self.item_at(offset)? {
-            (at, Item::Op(op)) => Some((at, op)),
-            _ => None,
-        }
+        let (at, item) = self.item_at(offset)?;
+        Some((at, item.op()?))
     }
 
     /// The rule that covers a byte, with its op, and the indices of both.

@@ -219,9 +219,6 @@ fn within(part: Part, spans: &mut HashSet<Span>) {
 
 /// The places where `keeps` names a property.
 fn property_spans(snapshot: &Snapshot) -> HashSet<Span> {
-    let ops = snapshot.items().iter().filter_map(|item| match item {
-        Item::Op(op) => Some(op),
-        _ => None,
-    });
+    let ops = snapshot.items().iter().filter_map(Item::op);
     ops.flat_map(|op| &op.keeps).map(|property| property.span).collect()
 }

@@ -113,8 +113,7 @@ fn reject(op: &Op, rule: &Rule, sizes: &Sizes, broken: Broken) -> Rejected {
             if let Some(told) = told {
                 let notes = told.diagnostic.notes.into_iter();
                 let literal = notes.filter(|note| note.starts_with("carried out literally"));
-                let notes = literal.map(|note| format!("{around}, {note}"));
-                first.diagnostic.notes.extend(notes);
+                first.diagnostic.notes.extend(literal.map(|note| format!("{around}, {note}")));
             }
         }
         outcome = found;

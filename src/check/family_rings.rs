@@ -320,8 +320,7 @@ impl RingWalk<'_> {
     fn note(&self, spot: Spot, met: &mut Met) {
         let rule = self.rule();
         if let Some(vertex) = vertex_after(self.drawing, spot.port) {
-            let label = (rule.first_member(vertex), spot.at + rule.offset(vertex));
-            met.labels.push(label);
+            met.labels.push((rule.first_member(vertex), spot.at + rule.offset(vertex)));
         }
         // The fan of the first spoke of a path depends on the way of its vertex.
         if let Port::Out(item) = spot.port

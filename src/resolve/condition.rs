@@ -25,22 +25,18 @@ use super::words::not_held;
 pub(super) fn requires(conditions: &[Condition], op: &str, typing: &mut Typing) -> Vec<Require> {
     let mut requires = Vec::new();
     for condition in conditions {
-        match condition {
-            Condition::Require { condition, reason, span } => {
-                let typed = typing.whole_as(condition, Type::Bool, "`require`");
-                let reason = match reason {
-                    Some((text, _)) => text.clone(),
-                    None => not_held(op),
-                };
-                requires.extend(typed.map(|condition| Require {
-                    condition,
-                    reason,
-                    index: None,
-                    span: *span,
-                }));
-            }
-            Condition::Guard { .. } | Condition::Alias { .. } => {}
-        }
+        let Condition::Require { condition, reason, span } = condition else { continue };
+        let typed = typing.whole_as(condition, Type::Bool, "`require`");
+        let reason = match reason {
+            Some((text, _)) => text.clone(),
+            None => not_held(op),
+        };
+        requires.extend(typed.map(|condition| Require {
+            condition,
+            reason,
+            index: None,
+            span: *span,
+        }));
     }
     requires
 }

@@ -227,8 +227,7 @@ impl Declared {
             }
         }
         self.hidden_attributes.extend(used.attributes.iter().filter(|head| head.private).cloned());
-        let lost = used.lost_attributes.iter().cloned();
-        self.lost_attributes.extend(lost);
+        self.lost_attributes.extend(used.lost_attributes.iter().cloned());
     }
 
     /// The callable item of this name.

@@ -90,12 +90,7 @@ fn created(rule: &tree::Rule) -> HashMap<&str, (bool, Span)> {
 /// The lists of a rule, each behind its keyword.
 fn lists(rule: &tree::Rule) -> impl Iterator<Item = (&'static str, &[Name])> {
     let statements = rule.after.iter().flat_map(|side| &side.statements);
-    statements.filter_map(|statement| match statement {
-        Statement::New(listed, _) => Some(("new", listed.as_slice())),
-        Statement::Erase(listed, _) => Some(("erase", listed.as_slice())),
-        Statement::Keep(listed, _) => Some(("keep", listed.as_slice())),
-        _ => None,
-    })
+    statements.filter_map(Statement::listed)
 }
 
 /// Reports the names in a list that lack the subscript they have wherever they are drawn.

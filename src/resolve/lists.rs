@@ -41,12 +41,10 @@ pub(super) fn read_lists(
     for statement in &after.statements {
         match statement {
             Statement::New(listed, _) => {
-                let created = listed.iter().filter_map(|name| reader.new_name(name));
-                lists.created.extend(created);
+                lists.created.extend(listed.iter().filter_map(|name| reader.new_name(name)));
             }
             Statement::Erase(listed, _) => {
-                let erased = listed.iter().filter_map(|name| reader.erased(name));
-                lists.erased.extend(erased);
+                lists.erased.extend(listed.iter().filter_map(|name| reader.erased(name)));
             }
             Statement::Keep(listed, _) => listed.iter().for_each(|name| reader.kept(name)),
             _ => {}

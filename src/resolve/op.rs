@@ -211,8 +211,7 @@ fn result_type(name: &Ident, rules: &[Names], report: &mut Report) -> Option<Typ
     let word = &name.text;
     let mut kinds: Vec<Kind> = Vec::new();
     for names in rules {
-        let kind = names.find(word).map(|id| names.get(id).kind);
-        kinds.extend(kind);
+        kinds.extend(names.find(word).map(|id| names.get(id).kind));
     }
     let Some(first) = kinds.first().copied() else {
         if let Some(kind) = Type::named(word).and_then(Type::element_kind) {

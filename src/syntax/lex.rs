@@ -182,8 +182,7 @@ impl Lexed {
 
     fn too_large(&mut self, span: Span, what: &str, most: &str) {
         let found = Diagnostic::error("number-too-large", "this number is too large", span);
-        let found = found.note(format!("{what} is at most {most}"));
-        self.diagnostics.push(found);
+        self.diagnostics.push(found.note(format!("{what} is at most {most}")));
     }
 
     /// A text, or a part of one, with its delimiters.

@@ -3,7 +3,6 @@
 use super::choice::{Choice, Completion};
 use super::words::{DRAWINGS, LISTS, keywords, kinds};
 use crate::analysis::cursor_context::{Wanted, op_near, rule_near};
-use crate::analysis::edits::statement_span;
 use crate::analysis::element::{Fate, element_of};
 use crate::analysis::names::{SideName, Symbol, SymbolId, SymbolKind};
 use crate::analysis::side::{Sketch, left_open};
@@ -83,7 +82,7 @@ pub(super) fn of_side(
 /// Completions that restate the statements of `before` that `after` does not mention yet.
 fn open_statements(snapshot: &Snapshot, rule: &Rule) -> Vec<Completion> {
     let open = left_open(rule).filter_map(|statement| {
-        let text = snapshot.sources().slice(statement_span(statement));
+        let text = snapshot.sources().slice(statement.span());
         let (head, _) = text.split_once(':')?;
         Some(Completion {
             detail: format!("as in `before`: {text}"),

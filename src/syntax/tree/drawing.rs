@@ -97,6 +97,29 @@ pub enum Statement {
     Broken(Span),
 }
 
+impl Statement {
+    /// The keyword and the names of a list.
+    pub(crate) fn listed(&self) -> Option<(&'static str, &[Name])> {
+        match self {
+            Statement::New(names, _) => Some(("new", names)),
+            Statement::Erase(names, _) => Some(("erase", names)),
+            Statement::Keep(names, _) => Some(("keep", names)),
+            _ => None,
+        }
+    }
+
+    /// The span of the whole statement.
+    pub(crate) fn span(&self) -> Span {
+        match self {
+            Statement::Loop(orbit) => orbit.span,
+            Statement::Vertex(star) => star.span,
+            Statement::Edge { span, .. } | Statement::Assign { span, .. } => *span,
+            Statement::New(_, span) | Statement::Erase(_, span) => *span,
+            Statement::Keep(_, span) | Statement::Broken(span) => *span,
+        }
+    }
+}
+
 /// `face f0: v0 -a-> v1 =P=> v0` or `face f: each i { v[i] -h[i]-> }`
 #[derive(Clone, Debug, PartialEq)]
 pub struct Loop {
