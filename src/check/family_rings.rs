@@ -32,7 +32,7 @@ use super::chain::{Chain, Corner, corners, vertex_after};
 use super::port::{Links, Port};
 use super::problem::Problem;
 use super::vertices_are_orbits::{
-    MOST_SHOWN, RingCase, Rings, gains, impossible, settled, too_many,
+    MOST_SHOWN, RingCase, Rings, combinations, gains, impossible, settled, too_many,
 };
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Drawing, NameId, Rule};
@@ -60,21 +60,17 @@ pub(super) fn test(drawing: &Drawing) -> Result<Rings, Broken> {
             all.push(ways(drawing, corner, &after)?);
         }
     }
-    let cases = all.iter().try_fold(1_usize, |cases, ways| cases.checked_mul(ways.found.len()));
-    let Some(cases) = cases.filter(|&cases| cases <= MOST) else {
+    let found: Vec<&[Arrangement]> = all.iter().map(|ways| ways.found.as_slice()).collect();
+    let Some((cases, combinations)) = combinations(&found, MOST) else {
         let widest = all.iter().max_by_key(|ways| ways.found.len());
         let told = widest.map(|ways| too_many(drawing, &ways.corner));
         return Err(told.into_iter().collect::<Vec<_>>().into());
     };
     let mut shown = Vec::new();
-    for number in 0..cases {
-        let mut rest = number;
-        let mut uniform = Vec::new();
-        for ways in &all {
-            let way = &ways.found[rest % ways.found.len()];
-            rest /= ways.found.len();
-            uniform.extend(everywhere(rule, ways.corner.vertex, way));
-        }
+    for picked in combinations {
+        let picked = all.iter().zip(picked);
+        let uniform = picked.flat_map(|(ways, way)| everywhere(rule, ways.corner.vertex, way));
+        let uniform: Vec<_> = uniform.collect();
         let Some(uniform) = agreeing_everywhere(rule, &uniform, &all) else { continue };
         let case = Case::new(drawing, &after, &uniform);
         let problems = case.problems();

@@ -22,8 +22,14 @@ const MOST_OPEN: usize = 2;
 pub(super) type Tier = fn(&Rule) -> Vec<Remedy>;
 
 /// All tiers.
-pub(super) const TIERS: [Tier; 6] =
-    [accounted_for, exchanged_vertices, exchanged_items, unmoved, other_corner, outer_twins];
+pub(super) const TIERS: [Tier; 6] = [
+    accounted_for,
+    |rule| exchanged(rule, Kind::Vertex),
+    |rule| exchanged(rule, Kind::Halfedge),
+    unmoved,
+    other_corner,
+    outer_twins,
+];
 
 /// Accounts for all names: lists, draws and pairs whatever is missing.
 fn accounted_for(rule: &Rule) -> Vec<Remedy> {
@@ -148,21 +154,12 @@ fn elements(rule: &Rule) -> impl Iterator<Item = NameId> {
     order.into_iter().flat_map(|kind| rule.names_of(kind)).filter(|&name| rule.is_first(name))
 }
 
-/// Exchanges two vertices in all loops.
-fn exchanged_vertices(rule: &Rule) -> Vec<Remedy> {
-    exchanged(rule, |kind| kind == Kind::Vertex)
-}
-
-/// Exchanges two halfedges in all loops.
-fn exchanged_items(rule: &Rule) -> Vec<Remedy> {
-    exchanged(rule, |kind| kind == Kind::Halfedge)
-}
-
-fn exchanged(rule: &Rule, is_meant: impl Fn(Kind) -> bool) -> Vec<Remedy> {
+/// Exchanges two names of a kind in all loops, or in one.
+fn exchanged(rule: &Rule, kind: Kind) -> Vec<Remedy> {
     let mut drawn: Vec<NameId> = Vec::new();
     for mention in rule.after.loops.iter().flat_map(mentions) {
         let first = rule.first_member(mention);
-        if is_meant(rule.kind(first)) && !drawn.contains(&first) {
+        if rule.kind(first) == kind && !drawn.contains(&first) {
             drawn.push(first);
         }
     }

@@ -13,7 +13,7 @@ use std::collections::BTreeSet;
 use super::forgotten::{as_a_hole, is_forgotten};
 use super::outside::{beside, twin_beside};
 use super::pairing::{free_edges, missing_loops, pairing, unpaired};
-use super::problem::{Problem, Remedy, enumerate, is_or_are};
+use super::problem::{Problem, Remedy, enumerate, is_or_are, keyword};
 use super::remedies::insertions;
 use super::stale::Stale;
 use super::unknown_names::Unknown;
@@ -80,8 +80,7 @@ fn draws_nothing(drawing: &Drawing) -> Option<Diagnostic> {
 
 /// The keyword `after`, to point at a place where something is missing.
 pub(super) fn after_keyword(drawing: &Drawing) -> Span {
-    let span = drawing.rule.after.span;
-    Span { end: (span.start + "after".len() as u32).min(span.end), ..span }
+    keyword(&drawing.rule.after, "after")
 }
 
 struct Law<'a> {

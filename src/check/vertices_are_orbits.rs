@@ -5,7 +5,7 @@
 //! label, no two cycles the same, every surviving or new vertex must have one, an erased vertex
 //! none; and a vertex statement of `after` must be the cycle, in order.
 
-use super::arrangement::{agreeing, arrangements};
+use super::arrangement::{Arrangement, agreeing, arrangements};
 use super::broken::Broken;
 use super::case::{Case, Step};
 use super::chain::{Chain, Corner, corners, vertex_after};
@@ -57,36 +57,27 @@ pub(super) fn test(drawing: &Drawing) -> Result<Rings, Broken> {
         counted.push((corner.clone(), (!unchanged).then_some(found.len())));
         ways.push(found);
     }
-    let product = ways.iter().try_fold(1_usize, |product, found| product.checked_mul(found.len()));
-    if product.is_none_or(|product| product > MOST) {
+    let ways: Vec<&[Arrangement]> = ways.iter().map(Vec::as_slice).collect();
+    let Some((_, combinations)) = combinations(&ways, MOST) else {
         let widest = corners.iter().max_by_key(|corner| corner.chains.len());
         let widest = widest.map(|corner| too_many(drawing, corner));
         return Err(widest.into_iter().collect::<Vec<_>>().into());
-    }
+    };
     let mut rings = Rings { corners: counted, cases: 0, shown: Vec::new() };
-    let mut pick = vec![0; ways.len()];
-    loop {
-        let picked = pick.iter().zip(&ways).map(|(&at, found)| &found[at]);
-        if let Some(combination) = agreeing(drawing.rule, picked) {
-            let case = Case::new(drawing, &after, &combination);
-            let problems = case.problems();
-            if !problems.is_empty() {
-                let arcs = combination.iter().flat_map(|way| way.arcs.iter().copied());
-                return Err(Broken { problems, arcs: Some(arcs.collect()), outcome: None });
-            }
-            rings.cases += 1;
-            if rings.shown.len() < MOST_SHOWN {
-                rings.shown.push(RingCase {
-                    rings: case.labels().into_iter().zip(case.cycles.clone()).collect(),
-                });
-            }
+    for picked in combinations {
+        let Some(combination) = agreeing(drawing.rule, picked.into_iter()) else { continue };
+        let case = Case::new(drawing, &after, &combination);
+        let problems = case.problems();
+        if !problems.is_empty() {
+            let arcs = combination.iter().flat_map(|way| way.arcs.iter().copied());
+            return Err(Broken { problems, arcs: Some(arcs.collect()), outcome: None });
         }
-        // The next combination, counting up.
-        let Some(digit) = (0..pick.len()).find(|&digit| pick[digit] + 1 < ways[digit].len()) else {
-            break;
-        };
-        pick[digit] += 1;
-        pick[..digit].fill(0);
+        rings.cases += 1;
+        if rings.shown.len() < MOST_SHOWN {
+            rings.shown.push(RingCase {
+                rings: case.labels().into_iter().zip(case.cycles.clone()).collect(),
+            });
+        }
     }
     let stated = |corner: &&Corner| drawing.before.star(corner.vertex).is_some();
     match corners.iter().find(stated) {
@@ -94,6 +85,25 @@ pub(super) fn test(drawing: &Drawing) -> Result<Rings, Broken> {
         Some(corner) if rings.cases == 0 => Err(vec![impossible(drawing, corner)].into()),
         _ => Ok(rings),
     }
+}
+
+/// The number of combinations of one of each of these ways, and the combinations; `None` if there
+/// are more than `most`.
+pub(super) fn combinations<'w>(
+    ways: &'w [&'w [Arrangement]],
+    most: usize,
+) -> Option<(usize, impl Iterator<Item = Vec<&'w Arrangement>>)> {
+    let count = ways.iter().try_fold(1_usize, |count, found| count.checked_mul(found.len()));
+    let count = count.filter(|&count| count <= most)?;
+    let combination = move |mut number: usize| {
+        let pick = |found: &&'w [Arrangement]| {
+            let way = &found[number % found.len()];
+            number /= found.len();
+            way
+        };
+        ways.iter().map(pick).collect()
+    };
+    Some((count, (0..count).map(combination)))
 }
 
 /// The chains of a vertex that pass through the rewrite unchanged: each of their links and labels

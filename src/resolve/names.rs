@@ -12,7 +12,7 @@ use super::report::Report;
 use super::signature::Parameter;
 
 /// The names of one rule.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(super) struct Names {
     list: Vec<Name>,
     numbers: HashMap<String, NameId>,
@@ -48,13 +48,9 @@ impl Names {
         let all = || before.iter().chain(&after);
         let kinds = kinds(params, all(), report);
         let mut names = Self {
-            list: Vec::new(),
-            numbers: HashMap::new(),
-            readable: Vec::new(),
-            after: Vec::new(),
-            created: HashMap::new(),
             params: params.iter().map(|param| (param.name.clone(), param.span)).collect(),
             letter,
+            ..Self::default()
         };
         for mention in all() {
             if let Some(Ok(kind)) = kinds.get(mention.text.as_ref()).map(|o| o.kind) {

@@ -87,7 +87,8 @@ pub(super) fn resolve_op(
     let (diagram, open) = if report.failed() { (None, drawn) } else { (drawn, None) };
     let mut resolved = signature.op(op.name.span, diagram);
     resolved.open = open.map(Box::new);
-    if resolved.diagram.is_none() && !is_still(op) {
+    let is_still = op.rules.iter().all(|rule| rule.after == rule.before);
+    if resolved.diagram.is_none() && !is_still {
         let (_, still) = resolve_op(&still(op), declared, attributes, &mut Report::default());
         resolved.still = still.diagram.map(Box::new);
     }
@@ -103,10 +104,6 @@ fn still(op: &tree::Op) -> tree::Op {
         rule.after = rule.before.clone();
     }
     still
-}
-
-fn is_still(op: &tree::Op) -> bool {
-    op.rules.iter().all(|rule| rule.after == rule.before)
 }
 
 /// Reports an op with more than the maximum number of rules.
