@@ -89,31 +89,19 @@ impl Reach<'_> {
     fn orbits(&self) -> Vec<Around> {
         let rule = self.drawing.rule;
         let size = rule.size().unwrap_or(1) as usize;
-        let mut orbits = Vec::new();
-        for orbit in rule.before.loops.iter().filter(|orbit| orbit.each) {
-            let items = orbit.item_names();
-            let halfedges: Vec<_> =
-                items.filter(|&item| rule.kind(item) == Kind::Halfedge).collect();
-            if halfedges.len() == orbit.items.len() {
-                orbits.push(Around {
-                    orbit: orbit.face.name,
-                    along_loop: true,
-                    period: halfedges.len() / size,
-                    halfedges,
-                });
-            }
-        }
-        for star in rule.before.stars.iter().filter(|star| star.each) {
-            let halfedges: Vec<_> = star.spokes.iter().filter_map(Spoke::halfedge).collect();
-            if halfedges.len() == star.spokes.len() {
-                orbits.push(Around {
-                    orbit: star.vertex.name,
-                    along_loop: false,
-                    period: halfedges.len() / size,
-                    halfedges,
-                });
-            }
-        }
-        orbits
+        let around = |orbit: NameId, along_loop: bool, halfedges: Vec<NameId>| {
+            let period = halfedges.len() / size;
+            Around { orbit, along_loop, halfedges, period }
+        };
+        let loops = rule.before.loops.iter().filter(|orbit| orbit.each).filter_map(|orbit| {
+            let halfedges: Vec<_> = orbit.item_names().collect();
+            let is_whole = halfedges.iter().all(|&item| rule.kind(item) == Kind::Halfedge);
+            is_whole.then(|| around(orbit.face.name, true, halfedges))
+        });
+        let stars = rule.before.stars.iter().filter(|star| star.each).filter_map(|star| {
+            let halfedges: Option<Vec<_>> = star.spokes.iter().map(Spoke::halfedge).collect();
+            Some(around(star.vertex.name, false, halfedges?))
+        });
+        loops.chain(stars).collect()
     }
 }

@@ -14,8 +14,7 @@ use super::effects::{TreeEffects, all_effects};
 use super::program::Function;
 use super::report::Report;
 use super::routine::{resolve_function, script_signature, written_signature};
-use super::signature::Signature;
-use super::signature::{FunctionSignature, Value};
+use super::signature::{FunctionSignature, Signature, Value};
 use super::unit::Unit;
 
 /// The functions of a program, by number.
