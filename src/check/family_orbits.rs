@@ -43,10 +43,7 @@ impl Reach<'_> {
 
     /// Marks the pointers that the walk follows as used.
     fn use_pointers(&mut self, around: &Around) {
-        let leads = match around.along_loop {
-            true => Leads::Next,
-            false => Leads::Counterclockwise,
-        };
+        let leads = if around.along_loop { Leads::Next } else { Leads::Counterclockwise };
         let count = around.halfedges.len();
         for pointer in &mut self.pointers {
             let at = around.halfedges.iter().position(|&h| h == pointer.from);

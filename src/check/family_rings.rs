@@ -176,10 +176,7 @@ fn agreeing_everywhere<'a>(
 
 /// The same way at every member of the family.
 fn everywhere(rule: &Rule, vertex: NameId, way: &Arrangement) -> Vec<Arrangement> {
-    let turns = match rule.is_member(vertex) {
-        true => rule.size().unwrap_or(1),
-        false => 1,
-    };
+    let turns = if rule.is_member(vertex) { rule.size().unwrap_or(1) } else { 1 };
     let turns = (0..i64::from(turns)).map(|by| {
         let name = |name: NameId| rule.turned(name, by);
         let port = |port: Port| match port {

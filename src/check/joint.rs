@@ -120,10 +120,7 @@ impl Begun {
         let vertices = forgotten(&self.rule);
         let vertices = vertices.into_iter().filter(|&name| self.rule.kind(name) == Kind::Vertex);
         let vertices: Vec<_> = vertices.collect();
-        match vertices.is_empty() {
-            true => Some(self.clone()),
-            false => self.with(Remedy::Keep(vertices)),
-        }
+        if vertices.is_empty() { Some(self.clone()) } else { self.with(Remedy::Keep(vertices)) }
     }
 }
 

@@ -163,10 +163,7 @@ impl Writer<'_> {
 
     /// The indices that a statement about a name holds for.
     fn indices(&self, subject: Ref) -> std::ops::Range<u32> {
-        match self.is_family(subject.name) {
-            true => 0..self.unrolled.size,
-            false => 0..1,
-        }
+        if self.is_family(subject.name) { 0..self.unrolled.size } else { 0..1 }
     }
 
     fn at(&self, mention: Ref, index: u32) -> Ref {
@@ -206,10 +203,7 @@ impl Writer<'_> {
     }
 
     fn orbit(&self, orbit: &Loop, index: u32) -> Loop {
-        let periods = match orbit.each {
-            true => 0..self.unrolled.size,
-            false => index..index + 1,
-        };
+        let periods = if orbit.each { 0..self.unrolled.size } else { index..index + 1 };
         let items = periods.flat_map(|index| {
             orbit.items.iter().map(move |item| LoopItem {
                 from: self.at(item.from, index),
@@ -227,10 +221,7 @@ impl Writer<'_> {
     }
 
     fn star(&self, star: &Star, index: u32) -> Star {
-        let periods = match star.each {
-            true => 0..self.unrolled.size,
-            false => index..index + 1,
-        };
+        let periods = if star.each { 0..self.unrolled.size } else { index..index + 1 };
         let spokes = periods.flat_map(|index| {
             star.spokes.iter().map(move |spoke| match spoke {
                 Spoke::Halfedge(half) => Spoke::Halfedge(self.at(*half, index)),

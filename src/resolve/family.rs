@@ -186,10 +186,7 @@ fn same_form(
             format!("write `{word}[i]` for all of it"),
         ),
     };
-    let label = match first.0 {
-        true => "a family here",
-        false => "a single name here",
-    };
+    let label = if first.0 { "a family here" } else { "a single name here" };
     let error =
         Diagnostic::error("two-forms", message, mention.span).label(first.1, label).note(note);
     report.add(error);

@@ -192,19 +192,13 @@ impl Writer<'_> {
             let is_hidden = hidden.contains(&h);
             if !(is_hidden && is_on_path) {
                 let from = self.thing(mesh.vertex(h).into(), when);
-                let item = match is_hidden {
-                    true => Thing::Path(h),
-                    false => self.thing(h.into(), when),
-                };
+                let item = if is_hidden { Thing::Path(h) } else { self.thing(h.into(), when) };
                 items.push(LoopItem { from: self.put(from), item: self.put(item) });
             }
             is_on_path = is_hidden;
         }
         Loop {
-            kind: match mesh.is_hole(face) {
-                true => LoopKind::Hole,
-                false => LoopKind::Face,
-            },
+            kind: if mesh.is_hole(face) { LoopKind::Hole } else { LoopKind::Face },
             face: self.put(self.thing(face.into(), when)),
             end: items[0].from,
             items,

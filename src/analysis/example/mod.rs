@@ -101,10 +101,7 @@ impl Found {
     fn see(&mut self, trial: Trial) -> ControlFlow<()> {
         let Some(patch) = Patch::of(&trial) else { return ControlFlow::Continue(()) };
         let (worth, is_perfect) = (patch.worth(), patch.is_perfect());
-        let best = match patch.has_hole() {
-            true => &mut self.at_boundary,
-            false => &mut self.inside,
-        };
+        let best = if patch.has_hole() { &mut self.at_boundary } else { &mut self.inside };
         if best.as_ref().is_none_or(|(other, ..)| worth > *other) {
             *best = Some((worth, trial, patch));
         }

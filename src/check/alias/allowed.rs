@@ -77,10 +77,7 @@ pub(in crate::check) fn allowed(op: &Op, rule: &Rule) -> Result<Aliased, Broken>
             problems.push(never_one(rule, pair, span));
         }
     }
-    match problems.is_empty() {
-        true => Ok(aliased),
-        false => Err(problems.into()),
-    }
+    if problems.is_empty() { Ok(aliased) } else { Err(problems.into()) }
 }
 
 /// The names that are one, by an `alias`, in a mesh that matches a rule which no mesh matches with

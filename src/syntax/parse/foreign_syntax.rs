@@ -174,10 +174,7 @@ fn ahead<'t>(is_one: impl Fn(&mut Input<'t, '_>, T, &str) -> bool + 't) -> Rule<
         let text = input.state().0.get(span.range()).unwrap_or("");
         let found = kind.is_some_and(|kind| is_one(input, kind, text));
         input.rewind(start);
-        match found {
-            true => Ok(()),
-            false => Err(Failure::at(span)),
-        }
+        if found { Ok(()) } else { Err(Failure::at(span)) }
     })
     .boxed()
 }
