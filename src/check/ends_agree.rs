@@ -32,9 +32,7 @@ pub(super) fn neighbours_are_twins(drawing: &Drawing) -> Vec<Problem> {
     let before = &drawing.before;
     let mut problems = Vec::new();
     for star in rule.before.stars.iter().filter(|star| !star.each) {
-        for (at, spoke) in star.spokes.iter().enumerate() {
-            let next = star.spokes[(at + 1) % star.spokes.len()];
-            let (Spoke::Halfedge(spoke), Spoke::Halfedge(next)) = (*spoke, next) else { continue };
+        for [spoke, next] in star.neighbors() {
             let arrives = before.item_before(spoke.name);
             let is_half = |item: &NameId| rule.kind(*item) == Kind::Halfedge;
             let Some(arrives) = arrives.filter(is_half) else { continue };

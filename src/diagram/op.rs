@@ -461,6 +461,17 @@ pub struct Star {
     pub span: Span,
 }
 
+impl Star {
+    /// The halfedges among its spokes that follow each other, counterclockwise.
+    pub(crate) fn neighbors(&self) -> impl Iterator<Item = [Ref; 2]> {
+        let following = self.spokes.iter().cycle().skip(1);
+        self.spokes.iter().zip(following).filter_map(|pair| match pair {
+            (Spoke::Halfedge(spoke), Spoke::Halfedge(next)) => Some([*spoke, *next]),
+            _ => None,
+        })
+    }
+}
+
 /// A spoke or a run of spokes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Spoke {

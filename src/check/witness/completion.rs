@@ -111,10 +111,9 @@ impl Completions<'_> {
         let Some(half) = (0..sketch.halves.len()).find(single) else {
             let mut sketch = sketch;
             for _ in 0..room / 2 {
-                let [here, there] = [0; 2].map(|_| sketch.add_vertex(VertexRole::Loose));
+                let here = sketch.add_vertex(VertexRole::Loose);
                 let spoke = sketch.add(HalfedgeRole::Further(here), here);
-                let back = sketch.add(HalfedgeRole::TwinOf(spoke), there);
-                sketch.make_twins(spoke, back);
+                sketch.fresh_twin(spoke);
             }
             return if room.is_multiple_of(2) { self.nexts(sketch) } else { Flow::Continue(()) };
         };

@@ -249,7 +249,7 @@ impl Sketch {
     }
 
     /// Makes twins of two halfedges.
-    pub fn make_twins(&mut self, left: usize, right: usize) {
+    fn make_twins(&mut self, left: usize, right: usize) {
         self.halves[left].twin = Some(right);
         self.halves[right].twin = Some(left);
     }
@@ -319,10 +319,10 @@ impl Sketch {
     /// Pairs halfedges by the order of spokes: the spoke behind another, counterclockwise, is the
     /// twin of the halfedge before that one.
     fn follow_each_other(&mut self, star: &Star) -> Option<()> {
-        let half = |sketch: &Self, spoke: &Spoke| sketch.half_of[spoke.halfedge()?.index()];
-        for (at, spoke) in star.spokes.iter().enumerate() {
-            let next = &star.spokes[(at + 1) % star.spokes.len()];
-            let (Some(spoke), Some(next)) = (half(self, spoke), half(self, next)) else { continue };
+        for pair in star.neighbors() {
+            let [Some(spoke), Some(next)] = pair.map(|half| self.half_of[half.name.index()]) else {
+                continue;
+            };
             let Some(prev) = self.halves[spoke].prev else { continue };
             let free = |half: usize| self.halves[half].twin.is_none();
             if prev != next && free(prev) && free(next) {
@@ -333,13 +333,14 @@ impl Sketch {
     }
 
     /// Adds the twin of a halfedge.
-    pub fn fresh_twin(&mut self, half: usize) {
+    pub fn fresh_twin(&mut self, half: usize) -> usize {
         let origin = match self.target(half) {
             Some(origin) => origin,
             None => self.add_vertex(VertexRole::Loose),
         };
         let twin = self.add(HalfedgeRole::TwinOf(half), origin);
         self.make_twins(half, twin);
+        twin
     }
 }
 
@@ -353,9 +354,7 @@ fn implied_on_paths(drawing: &Drawing, shape: &Shape) -> Vec<(NameId, NameId, us
     };
     let mut implied: Vec<(NameId, NameId, usize)> = Vec::new();
     for star in &drawing.rule.before.stars {
-        for (at, spoke) in star.spokes.iter().enumerate() {
-            let next = &star.spokes[(at + 1) % star.spokes.len()];
-            let (Spoke::Halfedge(spoke), Spoke::Halfedge(next)) = (spoke, next) else { continue };
+        for [spoke, next] in star.neighbors() {
             let Some(twin) = view.twin(next.name) else { continue };
             let before = view.item_before(spoke.name).filter(|&path| length(path) > 0);
             let after = view.item_after(twin).filter(|&path| length(path) > 0);
