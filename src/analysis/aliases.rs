@@ -40,8 +40,7 @@ pub struct NamesAsOne {
 /// For each rule of the file, the outcomes of aliasing its names.
 pub fn aliases(analysis: &Analysis) -> Vec<RuleAliases> {
     let own = |op: &&crate::resolve::ResolvedOp| op.span.file == analysis.file;
-    let ops = analysis.program.ops.iter().filter(own);
-    let diagrams = ops.filter_map(|op| op.diagram.as_ref());
+    let diagrams = analysis.program.ops.iter().filter(own).filter_map(|op| op.diagram.as_ref());
     let rules = diagrams.flat_map(|op| op.rules.iter().map(move |rule| (op, rule)));
     let of_rule = rules.map(|(op, rule)| RuleAliases {
         op: op.name.clone(),
@@ -55,8 +54,7 @@ pub fn aliases(analysis: &Analysis) -> Vec<RuleAliases> {
 impl NamesAsOne {
     fn new(rule: &Rule, one: Identification) -> Self {
         let word = |name: &NameId| rule.name(*name).text.clone();
-        let names = one.names.iter();
-        let names = names.map(|class| class.iter().map(word).collect());
+        let names = one.names.iter().map(|class| class.iter().map(word).collect());
         let (verdict, why, example) = match one.verdict {
             Verdict::Fine => ("fine", None, None),
             Verdict::Breaks { why, example } => ("breaks", Some(why), Some(*example)),

@@ -97,7 +97,7 @@ fn kind_of(drawn: &Loop, drawing: &Drawing) -> Option<Said> {
 /// Whether a hole lies beside an edge.
 fn beside(edge: NameId, drawing: &Drawing) -> Option<Said> {
     let name = drawing.rule.quoted(edge);
-    let halves = drawing.before.edge_statement(edge)?.halfedges.map(|half| half.name);
+    let halves = drawing.before.edge_statement(edge)?.halfedge_names();
     let sides = halves.map(|half| drawing.before.loop_of_item(half));
     let hole = sides.iter().flatten().find(|drawn| drawn.kind == LoopKind::Hole);
     if let Some(hole) = hole {

@@ -3,6 +3,7 @@
 //! A `before` that no mesh matches has to be fixed first, so its contradictions are reported alone:
 //! errors in `after` may follow from them, and the others are reported again after the fix.
 
+use super::files::touches;
 use crate::check::contradictions;
 use crate::diagnostic::Diagnostic;
 use crate::resolve::Program;
@@ -14,11 +15,7 @@ pub(super) fn tell_of_before(program: &Program, told: &mut Vec<Diagnostic>) {
         if found.is_empty() {
             continue;
         }
-        let inside = |error: &Diagnostic| {
-            let place = error.span();
-            place.file == still.span.file && still.span.touches(place.start as usize)
-        };
-        told.retain(|told| !told.is_error() || !inside(told));
+        told.retain(|told| !told.is_error() || !touches(still.span, told.span()));
         told.extend(found);
     }
 }

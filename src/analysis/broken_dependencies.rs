@@ -1,7 +1,7 @@
 //! Reasons why an op without errors of its own is not proved: something that it depends on is
 //! broken.
 
-use super::files::Part;
+use super::files::{Part, touches};
 use crate::diagnostic::Diagnostic;
 use crate::resolve::Program;
 use crate::rewrite::Plan;
@@ -21,12 +21,8 @@ pub(super) fn tell_what_is_lacking(
     if plans.iter().all(Option::is_some) {
         return;
     }
-    let is_wrong = |span: Span| {
-        told.iter().any(|told| {
-            let place = told.span();
-            told.is_error() && place.file == span.file && span.touches(place.start as usize)
-        })
-    };
+    let is_wrong =
+        |span: Span| told.iter().any(|told| told.is_error() && touches(span, told.span()));
     let items =
         parts.iter().flat_map(|part| part.parsed.tree.items.iter().map(move |item| (part, item)));
     let items: Vec<(&Part, &Item)> = items.collect();
@@ -54,9 +50,7 @@ pub(super) fn tell_what_is_lacking(
             continue;
         }
         let is_this = |item: &Item| matches!(item, Item::Op(tree) if tree.name.span == op.span);
-        let Some((part, item)) = items.iter().find(|(_, item)| is_this(item)) else {
-            continue;
-        };
+        let Some((part, item)) = items.iter().find(|(_, item)| is_this(item)) else { continue };
         let span = item.span();
         if is_wrong(span) {
             continue;

@@ -105,9 +105,7 @@ pub fn place(snapshot: &Snapshot, offset: usize) -> CursorContext {
         return CursorContext::Nowhere;
     }
     let tokens = before(snapshot, offset);
-    let Some(last) = tokens.last() else {
-        return CursorContext::Top;
-    };
+    let Some(last) = tokens.last() else { return CursorContext::Top };
     let is_text = matches!(last.kind, T::Text | T::TextTail | T::OpenText);
     if is_text && last.span.end as usize >= offset {
         let is_use = tokens.iter().rev().nth(1).map(|token| token.kind) == Some(T::Use);
@@ -127,9 +125,7 @@ pub fn place(snapshot: &Snapshot, offset: usize) -> CursorContext {
         return CursorContext::File(file.unwrap_or_default().to_owned());
     }
     let start = tokens.iter().rposition(|token| begins_item(snapshot, *token));
-    let Some(start) = start else {
-        return CursorContext::Top;
-    };
+    let Some(start) = start else { return CursorContext::Top };
     let item = &tokens[start..];
     let gap = &snapshot.text()[last.span.end as usize..offset.max(last.span.end as usize)];
     match within(item) {
@@ -143,9 +139,7 @@ pub fn place(snapshot: &Snapshot, offset: usize) -> CursorContext {
 
 /// True if the tokens of an item end with `mesh =`, `mesh ==` or `mesh !=`, and it is a test.
 fn is_mesh(snapshot: &Snapshot, tokens: &[Token]) -> bool {
-    let [Token { kind: T::Test, .. }, .., word, sign] = tokens else {
-        return false;
-    };
+    let [Token { kind: T::Test, .. }, .., word, sign] = tokens else { return false };
     matches!(sign.kind, T::Equals | T::Equal | T::NotEqual)
         && snapshot.sources().slice(word.span) == "mesh"
 }
@@ -305,9 +299,7 @@ fn side(tokens: &[Token], side: SideName) -> CursorContext {
     };
     let stops = |kind| begins(kind) || matches!(kind, T::Before | T::After | T::Equals);
     let start = tokens.iter().rposition(|token| stops(token.kind));
-    let Some(start) = start else {
-        return CursorContext::Side(side, Wanted::Statement);
-    };
+    let Some(start) = start else { return CursorContext::Side(side, Wanted::Statement) };
     let rest: Vec<T> = tokens[start + 1..].iter().map(|token| token.kind).collect();
     let last = rest.last().copied();
     let has_colon = rest.contains(&T::Colon);
@@ -372,10 +364,8 @@ pub fn rule_near(snapshot: &Snapshot, offset: usize) -> Option<(usize, usize, &R
 
 /// The op that a cursor is in or, as it may be unfinished, after; with the index of its item.
 pub fn op_near(snapshot: &Snapshot, offset: usize) -> Option<(usize, &tree::Op)> {
-    match item_near(snapshot, offset)? {
-        (at, Item::Op(op)) => Some((at, op)),
-        _ => None,
-    }
+    let (at, item) = item_near(snapshot, offset)?;
+    Some((at, item.op()?))
 }
 
 /// The item that a cursor is in or after, and its index.

@@ -12,22 +12,17 @@ use crate::syntax::tree::{Rule, Side, Statement};
 /// Proposals of edge statements in `before` for halfedges that are reported to lack a twin there:
 /// for this one alone, and for all of the rule.
 pub(super) fn draw_twins(snapshot: &Snapshot, told: &Diagnostic, rule: &Rule) -> Vec<Proposal> {
-    let Some(before) = &rule.before else {
-        return Vec::new();
-    };
+    let Some(before) = &rule.before else { return Vec::new() };
     let lacking = |span: Span| -> Option<SymbolId> {
         let at = span.start as usize;
-        let mention = snapshot.names().at(at).filter(|_| rule.span.touches(at))?;
-        let id = mention.symbol;
+        let id = snapshot.names().at(at).filter(|_| rule.span.touches(at))?.symbol;
         let is_half = kind_of(snapshot, id) == Some(Kind::Halfedge);
         let word = &snapshot.names().symbol(id).name;
         (is_half && !is_paired(before, word)).then_some(id)
     };
-    let Some(this) = lacking(told.span()) else {
-        return Vec::new();
-    };
-    let diagnostics = snapshot.diagnostics_so_far();
-    let alike = diagnostics.iter().filter(|other| other.code == told.code);
+    let Some(this) = lacking(told.span()) else { return Vec::new() };
+    let alike = snapshot.diagnostics_so_far();
+    let alike = alike.iter().filter(|other| other.code == told.code);
     let mut all: Vec<SymbolId> = Vec::new();
     for id in alike.flat_map(|other| &other.labels).filter_map(|label| lacking(label.span)) {
         if !all.contains(&id) {

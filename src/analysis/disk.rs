@@ -32,10 +32,7 @@ impl Reader for Disk {
 
     fn beside(&mut self, name: &str) -> Vec<String> {
         let folder = Path::new(name).parent().unwrap_or(Path::new(""));
-        let folder = match folder.as_os_str().is_empty() {
-            true => Path::new("."),
-            false => folder,
-        };
+        let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
         let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
         let programs = entries.map(|entry| entry.path()).filter(|path| is_program(path));
         let mut names: Vec<_> = programs.map(|path| path.display().to_string()).collect();

@@ -1,4 +1,4 @@
-//! Edits of drawings: the spans of statements, and the insertion of new ones.
+//! Edits of drawings: the insertion of new statements, and how a statement is written.
 
 use super::snapshot::Snapshot;
 use crate::diagnostic::Edit;
@@ -7,7 +7,7 @@ use crate::syntax::tree::{Side, Statement};
 
 /// The edit that writes statements at the end of a side, each on a line of its own.
 pub(super) fn append(snapshot: &Snapshot, side: &Side, statements: &[String]) -> Edit {
-    let last = side.statements.iter().map(statement_span).max_by_key(|span| span.end);
+    let last = side.statements.iter().map(Statement::span).max_by_key(|span| span.end);
     let brace = snapshot.sources().slice(side.span).find('{');
     let open = side.span.start as usize + brace.map_or(0, |at| at + 1);
     let place = match last {
@@ -15,7 +15,7 @@ pub(super) fn append(snapshot: &Snapshot, side: &Side, statements: &[String]) ->
         None => Span::new(side.span.file, open, open),
     };
     let indentation = match side.statements.first() {
-        Some(first) => indentation(snapshot, statement_span(first)),
+        Some(first) => indentation(snapshot, first.span()),
         None => indentation(snapshot, side.span) + "  ",
     };
     let mut text = String::new();
@@ -40,18 +40,7 @@ pub(super) fn indentation(snapshot: &Snapshot, place: Span) -> String {
     rest[..end.unwrap_or(0)].to_owned()
 }
 
-/// The span of a statement.
-pub(super) fn statement_span(statement: &Statement) -> Span {
-    match statement {
-        Statement::Loop(orbit) => orbit.span,
-        Statement::Vertex(star) => star.span,
-        Statement::Edge { span, .. } | Statement::Assign { span, .. } => *span,
-        Statement::New(_, span) | Statement::Erase(_, span) | Statement::Keep(_, span) => *span,
-        Statement::Broken(span) => *span,
-    }
-}
-
 /// A statement as it is written.
 pub(super) fn slice<'s>(snapshot: &'s Snapshot, statement: &Statement) -> &'s str {
-    snapshot.sources().slice(statement_span(statement))
+    snapshot.sources().slice(statement.span())
 }

@@ -86,9 +86,7 @@ pub fn element(snapshot: &Snapshot, symbol: SymbolId, offset: usize) -> Option<E
 
 fn first_rule(snapshot: &Snapshot, symbol: SymbolId) -> Option<&Rule> {
     let item = snapshot.names().symbol(symbol).item?;
-    let Item::Op(op) = &snapshot.items()[item] else {
-        return None;
-    };
+    let Item::Op(op) = &snapshot.items()[item] else { return None };
     let word = &snapshot.names().symbol(symbol).name;
     let draws = |rule: &&Rule| Sketch::of(rule).iter().any(|side| side.draws(word));
     op.rules.iter().find(draws)
@@ -97,9 +95,7 @@ fn first_rule(snapshot: &Snapshot, symbol: SymbolId) -> Option<&Rule> {
 /// The element of a name, in one rule.
 pub fn element_of(snapshot: &Snapshot, symbol: SymbolId, rule: &Rule) -> Option<Element> {
     let own = snapshot.names().symbol(symbol);
-    let SymbolKind::Element(Some(kind)) = own.kind else {
-        return None;
-    };
+    let SymbolKind::Element(Some(kind)) = own.kind else { return None };
     let sides = Sketch::of(rule);
     let [before, after] = &sides;
     let word = own.name.as_str();
@@ -252,8 +248,7 @@ fn ends(side: &Sketch, sides: &[Sketch; 2], word: &str) -> String {
 /// The loop of a face, starting at the halfedge whose name sorts first, so that the same cycle
 /// always reads the same.
 fn around(side: &Sketch, word: &str) -> String {
-    let own = side.drawn.iter().filter(|drawn| drawn.face.word == word);
-    let mut items: Vec<_> = own.collect();
+    let mut items: Vec<_> = side.drawn.iter().filter(|drawn| drawn.face.word == word).collect();
     if items.is_empty() {
         return NOTHING.into();
     }

@@ -1,6 +1,7 @@
 //! One operation, proved and compiled, or the reasons why not.
 
 use super::always_refused::always_refused;
+use super::files::touches;
 use crate::check::{Counterexample, Outcome, Proved, examine};
 use crate::compile::compile;
 use crate::diagnostic::{Diagnostic, Fix};
@@ -38,11 +39,7 @@ impl Examined {
         functions: &Functions,
     ) -> Self {
         let whole = op.diagram.as_ref().filter(|_| !op.misread).filter(|diagram| {
-            let inside = |error: &Diagnostic| {
-                let place = error.span();
-                place.file == diagram.span.file && diagram.span.touches(place.start as usize)
-            };
-            !told.iter().any(|told| told.is_error() && inside(told))
+            !told.iter().any(|told| told.is_error() && touches(diagram.span, told.span()))
         });
         let mut found = Self::default();
         if let Some(lacks) = whole.and_then(|diagram| functions.lacking(values(diagram))) {

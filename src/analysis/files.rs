@@ -171,8 +171,8 @@ pub fn meant(path: &str, name: &str, reader: &mut dyn Reader) -> Option<String> 
         let stems = if is_near { stems } else { usize::MAX };
         apart(path).min(apart(&ended)).min(alone).min(stems)
     };
-    let near = known.into_iter().filter(|other| other != path);
-    let near = near.min_by_key(|other| distance(other))?;
+    let near =
+        known.into_iter().filter(|other| other != path).min_by_key(|other| distance(other))?;
     let most = (stem(path).chars().count() / 3).max(1);
     (distance(&near) <= most).then_some(near)
 }
@@ -231,8 +231,7 @@ pub(super) fn without_consequences(parts: &[Part], told: &mut Vec<Diagnostic>, s
 /// The declarations of attributes that have errors.
 pub(super) fn lost_attributes(parts: &[Part], told: &[Diagnostic]) -> Vec<Span> {
     let is_wrong = |item: Span| {
-        let mut others = told.iter().filter(|error| error.code != MISSING);
-        others.any(|error| touches(item, error.span()))
+        told.iter().filter(|error| error.code != MISSING).any(|error| touches(item, error.span()))
     };
     let lost = parts.iter().flat_map(|part| {
         let tree = &part.parsed.tree;
@@ -252,7 +251,8 @@ pub(super) fn is_about_lost(lost: &[Span], error: &Diagnostic) -> bool {
 /// The code of errors about attributes without a value in new elements.
 const MISSING: &str = "missing-attribute";
 
-fn touches(item: Span, place: Span) -> bool {
+/// True if a place lies in an item or at one of its ends.
+pub(super) fn touches(item: Span, place: Span) -> bool {
     item.file == place.file && item.touches(place.start as usize)
 }
 

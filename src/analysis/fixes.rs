@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use super::action::{Action, Purpose};
 use super::dangling_twins::draw_twins;
-use super::edits::{append, indentation, statement_span};
+use super::edits::{append, indentation};
 use super::element::{Fate, element_of};
 use super::missing_conditions::lacking;
 use super::names::SymbolId;
@@ -15,7 +15,7 @@ use super::snapshot::Snapshot;
 use crate::diagnostic::{Diagnostic, Edit};
 use crate::diagram::Kind;
 use crate::source::Span;
-use crate::syntax::tree::{Item, Name, Rule, Side, Statement};
+use crate::syntax::tree::{Item, Name, Rule, Side};
 
 /// The changes that fix the diagnostics of a part of the text.
 pub(super) fn mending(snapshot: &Snapshot, part: &Range<usize>) -> Vec<Action> {
@@ -67,9 +67,7 @@ fn proposals(snapshot: &Snapshot, told: &Diagnostic, part: &Range<usize>) -> Vec
     };
     let rule = &op.rules[at];
     let ends = |end: Option<&Side>| end.cloned();
-    let Some(after) = ends(rule.after.as_ref()) else {
-        return Vec::new();
-    };
+    let Some(after) = ends(rule.after.as_ref()) else { return Vec::new() };
     match told.code {
         "unaccounted-name" | "missing-reassignment" => {
             let names = pointed_at(snapshot, told, rule);
@@ -100,9 +98,7 @@ fn proposals(snapshot: &Snapshot, told: &Diagnostic, part: &Range<usize>) -> Vec
 
 /// Proposals that close a loop: by ending it where it begins, or by continuing it to there.
 fn close(snapshot: &Snapshot, told: &Diagnostic) -> Vec<Proposal> {
-    let [end, begin, ..] = told.labels.as_slice() else {
-        return Vec::new();
-    };
+    let [end, begin, ..] = told.labels.as_slice() else { return Vec::new() };
     let first = snapshot.sources().slice(begin.span);
     let edit = |span: Span, text: String| vec![Edit { span, text }];
     let go_on = |arrow: &str| {
@@ -162,11 +158,9 @@ fn account_for(
             let stated = after.statements.iter().filter_map(subject);
             stated.into_iter().any(|known| known.ident.text == name.ident.text)
         };
-        let Some(of) = subject(statement).filter(|of| !is_stated(of)) else {
-            continue;
-        };
+        let Some(of) = subject(statement).filter(|of| !is_stated(of)) else { continue };
         if names.iter().any(|(_, name)| draws(name)) {
-            let text = snapshot.sources().slice(statement_span(statement)).to_owned();
+            let text = snapshot.sources().slice(statement.span()).to_owned();
             let title = format!("restate `{text}` in `after`");
             proposals.push((title, vec![append(snapshot, after, &[text])]));
             let keep = format!("keep {of}");
@@ -187,8 +181,7 @@ fn list_forgotten(
     names: &[(SymbolId, String)],
 ) -> Vec<Proposal> {
     let is_stated = |name: &str| {
-        let statements = rule.before.iter().flat_map(|side| &side.statements);
-        let mut subjects = statements.filter_map(subject);
+        let mut subjects = rule.before.iter().flat_map(|side| &side.statements).filter_map(subject);
         subjects.any(|subject| subject.ident.text == name)
     };
     let mut kept = Vec::new();
@@ -243,15 +236,10 @@ fn list_as_new(
 
 /// The edit that appends names to a list of a side, or begins one.
 fn add_to_list(snapshot: &Snapshot, after: &Side, list: &str, names: &str) -> Edit {
-    let last = after.statements.iter().rev().find_map(|statement| {
-        let (listed, is) = match statement {
-            Statement::New(listed, _) => (listed, "new"),
-            Statement::Erase(listed, _) => (listed, "erase"),
-            Statement::Keep(listed, _) => (listed, "keep"),
-            _ => return None,
-        };
-        (is == list).then(|| listed.last()).flatten()
-    });
+    let last =
+        after.statements.iter().rev().find_map(|statement| {
+            statement.listed().filter(|(keyword, _)| *keyword == list)?.1.last()
+        });
     if let Some(last) = last {
         return Edit { span: last.span.after(), text: format!(" {names}") };
     }
@@ -259,7 +247,7 @@ fn add_to_list(snapshot: &Snapshot, after: &Side, list: &str, names: &str) -> Ed
     match after.statements.first() {
         // `new` comes first.
         Some(first) if list == "new" => {
-            let place = statement_span(first);
+            let place = first.span();
             let indentation = indentation(snapshot, place);
             Edit { span: place.before(), text: format!("{statement}\n{indentation}") }
         }
@@ -271,18 +259,11 @@ fn add_to_list(snapshot: &Snapshot, after: &Side, list: &str, names: &str) -> Ed
 fn unlist(snapshot: &Snapshot, place: Span, rule: &Rule) -> Vec<Proposal> {
     let sides = rule.before.iter().chain(&rule.after);
     let found = sides.flat_map(|side| &side.statements).find_map(|statement| {
-        let (Statement::New(names, span)
-        | Statement::Erase(names, span)
-        | Statement::Keep(names, span)) = statement
-        else {
-            return None;
-        };
+        let (_, names) = statement.listed()?;
         let name = names.iter().find(|name| name.span == place)?;
-        Some((names.len(), *span, name))
+        Some((names.len(), statement.span(), name))
     });
-    let Some((count, whole, name)) = found else {
-        return Vec::new();
-    };
+    let Some((count, whole, name)) = found else { return Vec::new() };
     let gone = if count == 1 { whole } else { name.span };
     let before = &snapshot.text()[..gone.start as usize];
     let start = before.trim_end_matches([' ', '\t']).len();

@@ -4,7 +4,7 @@
 //! lines as one value. All errors of the resolver on such lines have one cause, which is reported
 //! instead.
 
-use super::files::Part;
+use super::files::{Part, touches};
 use crate::diagnostic::Diagnostic;
 use crate::source::{Sources, Span};
 use crate::syntax::written_elsewhere;
@@ -29,15 +29,11 @@ pub(super) fn tell_as_elsewhere(parts: &[Part], told: &mut Vec<Diagnostic>, sour
         let line = |span: Span| line_at(span.start);
         for item in &part.parsed.tree.items {
             let whole = item.span();
-            let inside = |error: &Diagnostic| {
-                let place = error.span();
-                place.file == part.file && whole.touches(place.start as usize)
-            };
+            let inside = |error: &Diagnostic| touches(whole, error.span());
             let unknown =
                 told.iter().filter(|error| inside(error) && UNKNOWN.contains(&error.code));
             // An error with a fix is understood as it is.
-            let unknown = unknown.filter(|error| error.fixes.is_empty());
-            let places = unknown.map(Diagnostic::span);
+            let places = unknown.filter(|error| error.fixes.is_empty()).map(Diagnostic::span);
             let lines: Vec<_> =
                 places.map(|place| line_at(place.start)..=line_at(place.end)).collect();
             if lines.is_empty() {

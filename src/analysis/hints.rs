@@ -73,17 +73,13 @@ fn outer_ends(rule: &Rule, hints: &mut Vec<Hint>) {
     let [before, _] = Sketch::of(rule);
     let statements = rule.before.iter().flat_map(|side| &side.statements);
     for statement in statements {
-        let Statement::Edge { halfedges, .. } = statement else {
-            continue;
-        };
+        let Statement::Edge { halfedges, .. } = statement else { continue };
         for (outer, twin) in [(0, 1), (1, 0)] {
             let name = &halfedges[outer];
             if before.place(&name.ident.text).is_some() {
                 continue;
             }
-            let Some(twin) = before.place(&halfedges[twin].ident.text) else {
-                continue;
-            };
+            let Some(twin) = before.place(&halfedges[twin].ident.text) else { continue };
             let (from, to) = (twin.to.text(), twin.from.text());
             hints.push(Hint {
                 after: name.span,
@@ -105,8 +101,7 @@ fn follows_let(snapshot: &Snapshot, name: Span) -> bool {
 
 /// The types of variables that are declared without one.
 fn variables(snapshot: &Snapshot, hints: &mut Vec<Hint>) {
-    let variables = snapshot.program().variables();
-    for variable in variables.filter(|of| of.span.file == snapshot.file()) {
+    for variable in snapshot.program().variables().filter(|of| of.span.file == snapshot.file()) {
         let mention = snapshot.names().at(variable.span.start as usize);
         let symbol = mention.map(|mention| snapshot.names().symbol(mention.symbol));
         let is_bare = symbol

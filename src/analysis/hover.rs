@@ -4,6 +4,7 @@ use std::rc::Rc;
 
 use super::NoExample;
 use super::element::{Element, element};
+use super::files::touches;
 use super::names::{Mention, SymbolId, SymbolKind};
 use super::snapshot::Snapshot;
 use super::types::type_of;
@@ -171,10 +172,7 @@ fn item_card(snapshot: &Snapshot, name: &str) -> Option<Card> {
 pub fn op_card(snapshot: &Snapshot, op: &tree::Op) -> OpCard {
     let verdict = snapshot.verdict(op);
     let wrong = snapshot.diagnostics_so_far();
-    let wrong = wrong.iter().filter(|told| {
-        let place = told.span();
-        told.is_error() && place.file == op.span.file && op.span.touches(place.start as usize)
-    });
+    let wrong = wrong.iter().filter(|told| told.is_error() && touches(op.span, told.span()));
     let (example, no_example) = match snapshot.example(op) {
         Some(Ok(example)) => (Some(example), None),
         Some(Err(none)) => (None, Some(none)),

@@ -22,10 +22,8 @@ pub(super) fn inverse(snapshot: &Snapshot, op: &Op, name: &str) -> Option<Vec<Ed
         return None;
     }
     // A parameter that the op erases does not exist before the inverse, which cannot take it then.
-    let is_erased = |name: &Name| {
-        let mut params = op.params.iter();
-        params.any(|param| param.name.ident.text == name.ident.text)
-    };
+    let is_erased =
+        |name: &Name| op.params.iter().any(|param| param.name.ident.text == name.ident.text);
     let sides = op.rules.iter().filter_map(|rule| rule.after.as_ref());
     let erased = sides.flat_map(|side| &side.statements).filter_map(|statement| match statement {
         Statement::Erase(names, _) => Some(names),
@@ -103,9 +101,7 @@ fn restored(snapshot: &Snapshot, assigned: &[&Statement], made: &[&Name]) -> Vec
     let is_made = |name: &Name| made.iter().any(|made| made.ident.text == name.ident.text);
     let mut lines = Vec::new();
     for statement in assigned {
-        let Statement::Assign { target, attribute, value, .. } = statement else {
-            continue;
-        };
+        let Statement::Assign { target, attribute, value, .. } = statement else { continue };
         if is_made(target) {
             continue;
         }
@@ -169,9 +165,7 @@ impl Target<'_> {
 
     /// True if an expression is the attribute itself.
     fn is(&self, value: &Expr) -> bool {
-        let ExprKind::Field(base, field) = &value.kind else {
-            return false;
-        };
+        let ExprKind::Field(base, field) = &value.kind else { return false };
         let slice = |span| self.snapshot.sources().slice(span);
         field.text == self.attribute && slice(base.span) == slice(self.target.span)
     }
@@ -222,8 +216,7 @@ impl Target<'_> {
 
     /// True if a product of the attribute can be undone by a division: not if it is a whole number.
     fn divides(&self) -> bool {
-        let declared = self.declared(self.attribute);
-        declared.is_none_or(|attr| attr.ty.text != "int")
+        self.declared(self.attribute).is_none_or(|attr| attr.ty.text != "int")
     }
 
     /// The attribute of this name that the file, or one that it uses, declares.

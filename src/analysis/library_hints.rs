@@ -24,9 +24,7 @@ pub(super) fn tell_where(diagnostics: &mut [Diagnostic], sources: &Sources) {
 fn name_files(told: &mut Diagnostic, sources: &Sources) {
     let span = told.span();
     let source = sources.get(span.file);
-    let Some(word) = source.text().get(span.range()) else {
-        return;
-    };
+    let Some(word) = source.text().get(span.range()) else { return };
     let behind = source.text().get(span.end as usize..).unwrap_or_default();
     let arguments = behind.trim_start().strip_prefix('(').map(str::trim_start);
     let has_arguments = arguments.is_some_and(|arguments| !arguments.starts_with(')'));

@@ -26,13 +26,9 @@ struct Demand {
 
 /// Proposals of conditions that fix a diagnostic about `keeps`, each with the edits that insert it.
 pub(super) fn lacking(snapshot: &Snapshot, told: &Diagnostic) -> Vec<(String, Vec<Edit>)> {
-    let Some((_, op)) = snapshot.op_at(told.span().start as usize) else {
-        return Vec::new();
-    };
+    let Some((_, op)) = snapshot.op_at(told.span().start as usize) else { return Vec::new() };
     let known = snapshot.resolved(op).map(|at| &snapshot.program().ops[at]);
-    let Some(diagram) = known.and_then(|known| known.diagram.as_ref()) else {
-        return Vec::new();
-    };
+    let Some(diagram) = known.and_then(|known| known.diagram.as_ref()) else { return Vec::new() };
     let mut found = Vec::new();
     let mut left = MOST_TRIED;
     for (at, (rule, written)) in diagram.rules.iter().zip(&op.rules).enumerate() {
@@ -77,9 +73,7 @@ fn demands(rule: &Rule) -> Vec<Demand> {
             demands.push(link_condition(rule, edge));
             continue;
         }
-        let Some(drawn) = drawing.after.edge_statement(edge) else {
-            continue;
-        };
+        let Some(drawn) = drawing.after.edge_statement(edge) else { continue };
         let ends = drawn.halfedges.each_ref().map(|half| drawing.origin_after(half.name));
         if let [Some(one), Some(other)] = ends
             && one != other

@@ -42,6 +42,7 @@ mod outline;
 mod parse_cache;
 mod program;
 mod proposal;
+mod reading;
 mod refactor;
 mod rename;
 pub mod side;

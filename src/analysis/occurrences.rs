@@ -74,11 +74,8 @@ pub fn mentions_of_shared(snapshot: &Snapshot, shared: &Shared) -> Vec<Mention> 
 
 /// All mentions of the name at a byte, in text order; those of a name of a rule are on both sides.
 pub fn occurrences(snapshot: &Snapshot, offset: usize) -> Vec<Mention> {
-    let Some(mention) = snapshot.names().at(offset) else {
-        return Vec::new();
-    };
-    let names = snapshot.names();
-    names.mentions_of(mention.symbol).copied().collect()
+    let Some(mention) = snapshot.names().at(offset) else { return Vec::new() };
+    snapshot.names().mentions_of(mention.symbol).copied().collect()
 }
 
 /// The kind of thing that a name stands for, with an article.

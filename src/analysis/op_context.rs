@@ -76,9 +76,7 @@ impl<'p> Meanings<'p> {
                     Item::Fn(function) => (&function.name, false),
                     _ => continue,
                 };
-                let Some(&number) = numbers.get(&name.span) else {
-                    continue;
-                };
+                let Some(&number) = numbers.get(&name.span) else { continue };
                 let at = meanings.declarations.len();
                 meanings.declarations.push(Declaration { file, span: item.span(), number });
                 meanings.named.entry(&name.text).or_default().push(at);
@@ -96,8 +94,7 @@ impl<'p> Meanings<'p> {
         let mut open: Vec<usize> = self.wanted.clone();
         let mut meet = |file: Read<'p>, span: Span, open: &mut Vec<usize>| {
             let meant = file.words(span).filter_map(|word| self.named.get(word));
-            let new = meant.flatten().filter(|&&at| reached.insert(at));
-            open.extend(new);
+            open.extend(meant.flatten().filter(|&&at| reached.insert(at)));
         };
         meet(file, span, &mut open);
         while let Some(at) = open.pop() {

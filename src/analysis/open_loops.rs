@@ -1,5 +1,6 @@
 //! Loops that do not end where they begin: which of both is wrong, the laws tell.
 
+use super::files::touches;
 use crate::check::closing;
 use crate::diagnostic::Diagnostic;
 use crate::resolve::Program;
@@ -8,10 +9,7 @@ use crate::resolve::Program;
 /// is exactly one.
 pub(super) fn tell_how_to_close(program: &Program, told: &mut [Diagnostic]) {
     for op in program.ops.iter().filter_map(|op| op.open.as_deref().filter(|_| !op.misread)) {
-        let inside = told.iter_mut().filter(|error| {
-            let place = error.span();
-            place.file == op.span.file && op.span.touches(place.start as usize)
-        });
+        let inside = told.iter_mut().filter(|error| touches(op.span, error.span()));
         let mut open: Vec<_> = inside.filter(|error| error.code == "open-loop").collect();
         if let (Some(first), Some(fix)) = (open.first_mut(), closing(op)) {
             first.fixes = vec![fix];

@@ -49,11 +49,8 @@ const MOST_STATEMENTS: usize = 10_000;
 /// The outline of a text. If the text has too many statements, they are left out.
 pub fn outline(snapshot: &Snapshot) -> Vec<Entry> {
     let items = snapshot.items().iter();
-    let rules = items.clone().filter_map(|item| match item {
-        Item::Op(op) => Some(&op.rules),
-        _ => None,
-    });
-    let sides = rules.flatten().flat_map(|rule| [&rule.before, &rule.after]).flatten();
+    let rules = items.clone().filter_map(Item::op).flat_map(|op| &op.rules);
+    let sides = rules.flat_map(|rule| [&rule.before, &rule.after]).flatten();
     let statements: usize = sides.map(|side| side.statements.len()).sum();
     let with_statements = statements <= MOST_STATEMENTS;
     items.filter_map(|item| item_entry(snapshot, item, with_statements)).collect()

@@ -1,23 +1,18 @@
 //! From a text to proved and compiled operations.
 
 use super::Examined;
-use super::before::tell_of_before;
 use super::broken_dependencies::tell_what_is_lacking;
 use super::endless_drains::endless_drains;
-use super::files::{
-    Absent, Parts, Reader, fetch, is_about_lost, lost_attributes, without_consequences,
-};
-use super::foreign::tell_as_elsewhere;
+use super::files::{Absent, Reader, fetch, is_about_lost, lost_attributes};
 use super::hidden_guards::hidden_guards;
 use super::kept_comments::keep_comments;
-use super::library_hints::tell_where;
-use super::open_loops::tell_how_to_close;
 use super::parse_cache::Readings;
+use super::reading::Reading;
 use crate::check::{Counterexample, Proved};
 use crate::diagnostic::Diagnostic;
-use crate::resolve::{Program, resolve_all};
+use crate::resolve::Program;
 use crate::rewrite::Plans;
-use crate::run::{Functions, plan_steps};
+use crate::run::plan_steps;
 use crate::source::{FileId, Sources, Span};
 use crate::syntax::tree::split_qualified;
 
@@ -67,25 +62,11 @@ impl Analysis {
         absent: &Absent,
         readings: &mut Readings,
     ) -> Self {
-        let Parts { parts, mut diagnostics, .. } = Parts::of(sources, file, absent, readings);
-        let units: Vec<_> = parts.iter().map(|part| part.unit(sources)).collect();
-        let mut resolved = resolve_all(&units);
-        without_consequences(&parts, &mut resolved.diagnostics, sources);
-        tell_as_elsewhere(&parts, &mut resolved.diagnostics, sources);
-        for part in &parts {
-            diagnostics.extend(part.parsed.diagnostics.iter().cloned());
-        }
-        diagnostics.extend(resolved.diagnostics);
-        tell_where(&mut diagnostics, sources);
-        let program = resolved.program;
-        let used = parts.first().map(|root| root.uses.as_slice());
-        let used = used.unwrap_or_default().iter();
+        let reading = Reading::of(sources, file, absent, readings);
+        let Reading { parts, program, functions, mut diagnostics, .. } = reading;
+        let used = parts.first().map(|root| root.uses.as_slice()).unwrap_or_default().iter();
         let seen = std::iter::once(file).chain(used.map(|&used| parts[used].file));
         let seen: Vec<FileId> = seen.collect();
-        let (functions, too_large) = Functions::of(&program);
-        diagnostics.extend(too_large);
-        tell_of_before(&program, &mut diagnostics);
-        tell_how_to_close(&program, &mut diagnostics);
         let mut proved = Vec::new();
         let mut plans = Vec::new();
         let mut lacks = Vec::new();
@@ -131,8 +112,7 @@ impl Analysis {
 
     /// The index of the script that a name refers to in the file.
     pub fn script(&self, name: &str) -> Option<usize> {
-        let scripts = self.program.scripts.iter();
-        let scripts = scripts.map(|script| (script.name.as_str(), script.span));
+        let scripts = self.program.scripts.iter().map(|script| (script.name.as_str(), script.span));
         self.meant(name, scripts)
     }
 
@@ -164,7 +144,6 @@ impl Analysis {
         let named = items.enumerate();
         let named =
             named.filter(|(_, (known, span))| *known == name && is_of(*span) && self.sees(*span));
-        let visible = named.filter_map(|(at, (_, span))| Some((order(span)?, at)));
-        visible.min().map(|(_, at)| at)
+        named.filter_map(|(at, (_, span))| Some((order(span)?, at))).min().map(|(_, at)| at)
     }
 }

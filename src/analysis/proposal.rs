@@ -11,10 +11,9 @@ pub(super) type Proposal = (String, Vec<Edit>);
 /// A name as it is written in a list: that of a family with its index.
 pub(super) fn written(snapshot: &Snapshot, id: SymbolId) -> String {
     let symbol = snapshot.names().symbol(id);
-    let behind = symbol.definition.and_then(|drawn| {
-        let text = snapshot.sources().get(drawn.file).text();
-        text.get(drawn.end as usize..)
-    });
+    let behind = symbol
+        .definition
+        .and_then(|drawn| snapshot.sources().get(drawn.file).text().get(drawn.end as usize..));
     let index = behind.and_then(|rest| rest.strip_prefix('['));
     let letter = index.map(|rest| {
         let end = rest.find(|letter: char| !letter.is_alphanumeric() && letter != '_');

@@ -3,7 +3,7 @@
 
 use super::action::{Action, Purpose};
 use super::cursor_context::{op_near, rule_near};
-use super::edits::{append, indentation, slice, statement_span};
+use super::edits::{append, indentation, slice};
 use super::hover::op_named;
 use super::invert::inverse;
 use super::side::{left_open, subject};
@@ -84,8 +84,7 @@ fn skeleton(snapshot: &Snapshot, rule: &Rule) -> Option<Vec<Edit>> {
 fn keep_what_stays(snapshot: &Snapshot, rule: &Rule) -> Option<Vec<Edit>> {
     let (before, after) = (rule.before.as_ref()?, rule.after.as_ref()?);
     let words = |statement: &Statement| -> Vec<String> {
-        let text = slice(snapshot, statement);
-        text.split_whitespace().map(str::to_owned).collect()
+        slice(snapshot, statement).split_whitespace().map(str::to_owned).collect()
     };
     let same: Vec<&Statement> = after
         .statements
@@ -101,10 +100,9 @@ fn keep_what_stays(snapshot: &Snapshot, rule: &Rule) -> Option<Vec<Edit>> {
         .filter_map(|statement| subject(statement))
         .map(|name| name.to_string())
         .collect();
-    let mut edits =
-        vec![Edit { span: statement_span(first), text: format!("keep {}", names.join(" ")) }];
+    let mut edits = vec![Edit { span: first.span(), text: format!("keep {}", names.join(" ")) }];
     for statement in rest {
-        let span = statement_span(statement);
+        let span = statement.span();
         let before = &snapshot.text()[..span.start as usize];
         let start = before.trim_end_matches([' ', '\t']).trim_end_matches('\n').len();
         edits.push(Edit {

@@ -109,8 +109,7 @@ pub fn stays_the_same(
         }
     }
     let meant = |names: &Names| -> Vec<_> {
-        let mentions = names.mentions().iter();
-        mentions.map(|mention| (mention.symbol, mention.role)).collect()
+        names.mentions().iter().map(|mention| (mention.symbol, mention.role)).collect()
     };
     match meant(snapshot.names()) == meant(renamed.names()) {
         true => Ok(()),

@@ -24,6 +24,15 @@ impl ElementRef {
         Self { word: name.ident.text.clone(), index }
     }
 
+    fn shift(&self) -> i64 {
+        self.index.as_ref().map_or(0, |(_, shift)| *shift)
+    }
+
+    /// The same with an index relative to that of another.
+    fn seen_from(&self, other: &Self) -> Self {
+        self.clone().shifted(other.shift().saturating_neg())
+    }
+
     fn shifted(mut self, by: i64) -> Self {
         if let Some((_, shift)) = &mut self.index {
             *shift = shift.saturating_add(by);
@@ -186,8 +195,7 @@ impl Sketch {
     /// to its own.
     pub fn place(&self, word: &str) -> Option<Drawn> {
         let drawn = self.drawn.iter().find(|drawn| drawn.item.word == word)?;
-        let own = drawn.item.index.as_ref().map_or(0, |(_, shift)| *shift);
-        let seen = |place: &ElementRef| place.clone().shifted(own.saturating_neg());
+        let seen = |place: &ElementRef| place.seen_from(&drawn.item);
         Some(Drawn {
             item: seen(&drawn.item),
             face: seen(&drawn.face),
@@ -205,9 +213,7 @@ impl Sketch {
             let at = pair.halfedges.iter().position(|half| half.word == word)?;
             Some((pair, at))
         })?;
-        let own = &pair.halfedges[at].index;
-        let own = own.as_ref().map_or(0, |(_, shift)| *shift);
-        let seen = |place: &ElementRef| place.clone().shifted(own.saturating_neg());
+        let seen = |place: &ElementRef| place.seen_from(&pair.halfedges[at]);
         Some((seen(&pair.edge), seen(&pair.halfedges[1 - at])))
     }
 
@@ -223,8 +229,7 @@ impl Sketch {
         let own = self.place(word).map(|drawn| drawn.from);
         own.or_else(|| self.star_of(word)).or_else(|| {
             let (_, twin) = self.pair(word)?;
-            let shift = twin.index.as_ref().map_or(0, |(_, shift)| *shift);
-            Some(self.place(&twin.word)?.to.shifted(shift))
+            Some(self.place(&twin.word)?.to.shifted(twin.shift()))
         })
     }
 

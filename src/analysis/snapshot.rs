@@ -9,23 +9,20 @@ use std::cell::{Cell, OnceCell, RefCell};
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 use std::rc::Rc;
 
-use super::before::tell_of_before;
 use super::endless_drains::endless_drains;
-use super::files::{Parts, Reader, fetch, name_of};
-use super::foreign::tell_as_elsewhere;
+use super::files::{Reader, fetch, name_of};
 use super::hidden_guards::hidden_guards;
 use super::kept_comments::keep_comments;
-use super::library_hints::tell_where;
 use super::memory::{Memory, Passage};
 use super::names::Names;
 use super::op_context::{Meanings, Read};
-use super::open_loops::tell_how_to_close;
+use super::reading::Reading;
 use super::{Examined, NoExample, StepsVerdict, Verdict, example, files};
 use crate::check::Proved;
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{self, Property, Type};
 use crate::library;
-use crate::resolve::{Fields, Program, Types, qualifier, resolve_all};
+use crate::resolve::{Fields, Program, Types, qualifier};
 use crate::rewrite::Plans;
 use crate::run::{Functions, calls_of_steps, plan_steps};
 use crate::source::{FileId, Sources, Span};
@@ -88,39 +85,26 @@ impl Snapshot {
 
     /// The diagrams of the ops of the text, by name.
     fn diagrams(&self) -> impl Iterator<Item = (&str, &diagram::Op)> {
-        let ops = self.program.ops.iter();
-        let own = ops.filter(|op| op.span.file == self.file);
+        let own = self.program.ops.iter().filter(|op| op.span.file == self.file);
         own.filter_map(|op| Some((op.name.as_str(), op.diagram.as_ref()?)))
     }
 
     fn read(name: &str, text: &str, reader: &mut dyn Reader, memory: Rc<RefCell<Memory>>) -> Self {
         let mut sources = Sources::new();
         let file = sources.add(name, text);
-        let Parts { mut parts, diagnostics: mut told, .. } = {
+        let reading = {
             let readings = &mut memory.borrow_mut().readings;
             let absent = fetch(&mut sources, file, reader, readings);
-            Parts::of(&sources, file, &absent, readings)
+            Reading::of(&sources, file, &absent, readings)
         };
-        let units: Vec<_> = parts.iter().map(|part| part.unit(&sources)).collect();
-        let mut resolved = resolve_all(&units);
-        files::without_consequences(&parts, &mut resolved.diagnostics, &sources);
-        tell_as_elsewhere(&parts, &mut resolved.diagnostics, &sources);
-        told.extend(resolved.diagnostics);
-        tell_where(&mut told, &sources);
-        drop(units);
-        told.extend(parts.iter().flat_map(|part| part.parsed.diagnostics.iter().cloned()));
+        let Reading { mut parts, program, fields, types, functions, diagnostics: mut told } =
+            reading;
         let lost = files::lost_attributes(&parts, &told);
-        let seen = parts[0].uses.iter().map(|&used| parts[used].file);
-        let seen = seen.collect();
+        let seen = parts[0].uses.iter().map(|&used| parts[used].file).collect();
         let ways = files::ways(&sources, &parts);
         let own = parts.remove(0);
         let used = parts.into_iter().map(|part| (part.file, part.parsed)).collect();
-        let program = resolved.program;
         told.extend(endless_drains(&program));
-        let (functions, too_large) = Functions::of(&program);
-        told.extend(too_large);
-        tell_of_before(&program, &mut told);
-        tell_how_to_close(&program, &mut told);
         keep_comments(&mut told, &sources);
         let due = due(&program, &functions, (file, &sources));
         let places = program.ops.iter().enumerate().map(|(number, op)| (op.span, number));
@@ -138,8 +122,8 @@ impl Snapshot {
             done: Cell::new(0),
             places: places.collect(),
             program,
-            fields: resolved.fields,
-            types: resolved.types,
+            fields,
+            types,
             functions,
             planned: OnceCell::new(),
             examples: RefCell::default(),
@@ -422,16 +406,13 @@ impl Snapshot {
 
     /// The item that covers a byte, and its index.
     pub fn item_at(&self, offset: usize) -> Option<(usize, &Item)> {
-        let mut items = self.items().iter().enumerate();
-        items.find(|(_, item)| item.span().touches(offset))
+        self.items().iter().enumerate().find(|(_, item)| item.span().touches(offset))
     }
 
     /// The op that covers a byte, and the index of its item.
     pub fn op_at(&self, offset: usize) -> Option<(usize, &tree::Op)> {
-        match self.item_at(offset)? {
-            (at, Item::Op(op)) => Some((at, op)),
-            _ => None,
-        }
+        let (at, item) = self.item_at(offset)?;
+        Some((at, item.op()?))
     }
 
     /// The rule that covers a byte, with its op, and the indices of both.

@@ -36,9 +36,7 @@ impl Reader for Known<'_> {
 /// True if edits inside an op or right after it leave it sound, or if it is not sound anyway.
 pub(super) fn stays_sound(snapshot: &Snapshot, op: &Op, edits: &[Edit]) -> bool {
     let whole = op.span.range();
-    let Some(rewritten) = applied(snapshot.text(), whole.clone(), edits) else {
-        return false;
-    };
+    let Some(rewritten) = applied(snapshot.text(), whole.clone(), edits) else { return false };
     let mut context = String::new();
     for item in snapshot.items() {
         if matches!(item, Item::Use(_) | Item::Attr(_) | Item::Fn(_)) {

@@ -20,8 +20,7 @@ pub fn around(snapshot: &Snapshot, offset: usize) -> Vec<Span> {
     let comments = snapshot.parsed().comments.iter();
     found.all.extend(tokens);
     found.all.extend(comments.map(|comment| comment.span));
-    let whole = Span::new(snapshot.file(), 0, snapshot.text().len());
-    found.all.push(whole);
+    found.all.push(Span::new(snapshot.file(), 0, snapshot.text().len()));
     let mut around: Vec<_> = found
         .all
         .into_iter()
@@ -81,16 +80,11 @@ impl Spans {
 
     fn conditions(&mut self, conditions: &[Condition]) {
         for condition in conditions {
+            self.all.push(condition.span());
             match condition {
-                Condition::Require { condition, span, .. } => {
-                    self.all.push(*span);
-                    self.value(condition);
-                }
-                Condition::Guard { span, .. } => self.all.push(*span),
-                Condition::Alias { names, span } => {
-                    self.all.push(*span);
-                    self.all.extend(names.iter().map(|name| name.span));
-                }
+                Condition::Require { condition, .. } => self.value(condition),
+                Condition::Guard { .. } => {}
+                Condition::Alias { names, .. } => names.iter().for_each(|name| self.name(name)),
             }
         }
     }
@@ -103,23 +97,21 @@ impl Spans {
     }
 
     fn statement(&mut self, statement: &Statement) {
+        self.all.push(statement.span());
         match statement {
             Statement::Loop(orbit) => {
-                self.all.push(orbit.span);
                 for item in &orbit.items {
                     self.name(&item.from);
                     self.all.push(item.span);
                     self.all.push(item.from.span.to(item.span));
                 }
             }
-            Statement::Edge { name, halfedges, span } => {
-                self.all.push(*span);
+            Statement::Edge { name, halfedges, .. } => {
                 self.name(name);
                 halfedges.iter().for_each(|half| self.name(half));
                 self.all.push(halfedges[0].span.to(halfedges[1].span));
             }
             Statement::Vertex(star) => {
-                self.all.push(star.span);
                 for spoke in &star.spokes {
                     match spoke {
                         Spoke::Halfedge(name) => self.name(name),
@@ -127,17 +119,11 @@ impl Spans {
                     }
                 }
             }
-            Statement::New(names, span)
-            | Statement::Erase(names, span)
-            | Statement::Keep(names, span) => {
-                self.all.push(*span);
+            Statement::New(names, _) | Statement::Erase(names, _) | Statement::Keep(names, _) => {
                 names.iter().for_each(|name| self.name(name));
             }
-            Statement::Assign { value, span, .. } => {
-                self.all.push(*span);
-                self.value(value);
-            }
-            Statement::Broken(span) => self.all.push(*span),
+            Statement::Assign { value, .. } => self.value(value),
+            Statement::Broken(_) => {}
         }
     }
 

@@ -150,9 +150,7 @@ impl Rules<'_> {
 
     fn element(&mut self, mention: Mention, kind: Option<Kind>, marks: &mut Marks) {
         let snapshot = self.snapshot;
-        let Some((rule, before)) = self.rule(mention.span) else {
-            return;
-        };
+        let Some((rule, before)) = self.rule(mention.span) else { return };
         let word = &snapshot.names().symbol(mention.symbol).name;
         marks.is_outer = kind == Some(Kind::Halfedge)
             && before.pair(word).is_some()
@@ -221,10 +219,6 @@ fn within(part: Part, spans: &mut HashSet<Span>) {
 
 /// The places where `keeps` names a property.
 fn property_spans(snapshot: &Snapshot) -> HashSet<Span> {
-    let ops = snapshot.items().iter().filter_map(|item| match item {
-        Item::Op(op) => Some(op),
-        _ => None,
-    });
-    let keeps = ops.flat_map(|op| &op.keeps);
-    keeps.map(|property| property.span).collect()
+    let ops = snapshot.items().iter().filter_map(Item::op);
+    ops.flat_map(|op| &op.keeps).map(|property| property.span).collect()
 }

@@ -84,8 +84,7 @@ impl Words<'_> {
             }
             format!("{}: {}", self.word(orbit.face.name), items.join(" > "))
         };
-        let loops = side.loops.iter();
-        let loops = loops.filter(|orbit| self.rule.is_first(orbit.face.name));
+        let loops = side.loops.iter().filter(|orbit| self.rule.is_first(orbit.face.name));
         let mut lines: Vec<_> = loops.map(line).collect();
         if !lines.is_empty() {
             lines.push("each item stands once".into());
@@ -98,8 +97,7 @@ impl Words<'_> {
             let [left, right] = edge.halfedges.map(|half| self.word(half.name));
             format!("{}: {left} | {right}", self.word(edge.edge.name))
         };
-        let edges = self.rule.after.edges.iter();
-        let edges = edges.filter(|edge| self.rule.is_first(edge.edge.name));
+        let edges = self.rule.after.edges.iter().filter(|edge| self.rule.is_first(edge.edge.name));
         let mut lines: Vec<_> = edges.map(line).collect();
         let alone = self.rule.names_of(Kind::Halfedge).filter(|&half| {
             self.rule.is_first(half)
@@ -137,8 +135,7 @@ impl Words<'_> {
             let [left, right] = edge.halfedges.map(|half| ends(half.name));
             Some(format!("{}: {}, {}", self.word(edge.edge.name), left?, right?))
         };
-        let edges = self.rule.after.edges.iter();
-        let edges = edges.filter(|edge| self.rule.is_first(edge.edge.name));
+        let edges = self.rule.after.edges.iter().filter(|edge| self.rule.is_first(edge.edge.name));
         edges.filter_map(line).collect()
     }
 

@@ -101,14 +101,10 @@ impl<'a> Orders<'a> {
             star.spokes.iter().rev().filter_map(Spoke::halfedge).collect()
         });
         let places = |ports: &[Port]| -> Vec<usize> {
-            let spokes = ports.iter().filter_map(|port| match port {
-                Port::Out(item) => stated.iter().position(|half| half == item),
-                Port::In(_) => None,
-            });
-            spokes.collect()
+            let items = ports.iter().filter_map(|port| port.leaving());
+            items.filter_map(|item| stated.iter().position(|half| *half == item)).collect()
         };
-        let chains = corner.chains.iter();
-        let listed: Vec<_> = chains.map(|chain| places(&chain.ports)).collect();
+        let listed: Vec<_> = corner.chains.iter().map(|chain| places(&chain.ports)).collect();
         let mut order: Vec<_> = (0..listed.len()).filter(|at| !settled.contains(at)).collect();
         // A chain with a listed spoke determines where the others have to be.
         if let Some(first) = order.iter().position(|&at| !listed[at].is_empty()) {
@@ -149,11 +145,8 @@ impl<'a> Orders<'a> {
 
     /// True if the listed spokes of the first chains follow each other as stated.
     fn agrees_so_far(&self, fixed: usize) -> bool {
-        let chains = self.order.iter().take(fixed);
-        let mut spokes = chains.flat_map(|&chain| &self.listed[chain]);
-        let Some(&first) = spokes.next() else {
-            return true;
-        };
+        let mut spokes = self.order.iter().take(fixed).flat_map(|&chain| &self.listed[chain]);
+        let Some(&first) = spokes.next() else { return true };
         let mut at = first;
         spokes.all(|&spoke| {
             at = (at + 1) % self.stated.max(1);
@@ -244,16 +237,12 @@ fn agree(drawing: &Drawing, star: &Star, pieces: &[Piece], way: &mut Arrangement
         let lies = stated.first().map_or(Lies::Empty, |spoke| belongs(spoke));
         return pieces.iter().try_for_each(|&piece| place(lies, piece, way));
     };
-    let Spoke::Halfedge(first) = stated[anchor] else {
-        return None;
-    };
+    let Spoke::Halfedge(first) = stated[anchor] else { return None };
     let start = pieces.iter().position(|&piece| piece == Piece::Spoke(first.name))?;
     let mut at = 0; // how many pieces have been read, from the anchor on
     let mut step = 0;
     while step < stated.len() {
-        let Spoke::Halfedge(name) = stated[(anchor + step) % stated.len()] else {
-            return None;
-        };
+        let Spoke::Halfedge(name) = stated[(anchor + step) % stated.len()] else { return None };
         if at >= count || pieces[(start + at) % count] != Piece::Spoke(name.name) {
             return None;
         }
@@ -301,8 +290,7 @@ pub(super) fn agreeing<'a>(
     if loops.any(|orbit| orbit.items.iter().all(|item| is_empty(item.item.name))) {
         return None;
     }
-    let arcs = ways.iter().flat_map(|way| &way.arcs);
-    let empty = arcs.filter(|arc| arc.lies == Lies::Empty);
+    let empty = ways.iter().flat_map(|way| &way.arcs).filter(|arc| arc.lies == Lies::Empty);
     let twins: Vec<_> = empty
         .filter_map(|arc| match (arc.from, arc.to) {
             (Port::Out(x), Port::In(y)) => Some([x, y]),
@@ -313,9 +301,7 @@ pub(super) fn agreeing<'a>(
     for [x, y] in twins {
         for way in &mut ways {
             let leaves = |arc: &Arc| arc.from == Port::Out(y);
-            let Some(found) = way.arcs.iter().position(leaves) else {
-                continue;
-            };
+            let Some(found) = way.arcs.iter().position(leaves) else { continue };
             if way.arcs[found].to == Port::In(x) {
                 way.to_mut().arcs[found].lies = Lies::Empty;
             } else if !way.stands_for_others {

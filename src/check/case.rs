@@ -119,8 +119,7 @@ impl<'a> Case<'a> {
 
     /// The vertex of each cycle, where it has one.
     pub fn labels(&self) -> Vec<Option<NameId>> {
-        let cycles = self.cycles.iter();
-        cycles.map(|cycle| self.label_of(cycle).ok()).collect()
+        self.cycles.iter().map(|cycle| self.label_of(cycle).ok()).collect()
     }
 
     /// The one vertex a cycle belongs to.

@@ -57,9 +57,7 @@ pub(super) fn vertex_after(drawing: &Drawing, port: Port) -> Option<NameId> {
 pub(super) fn corners(drawing: &Drawing, links: &Links) -> Vec<Corner> {
     let mut corners: Vec<Corner> = Vec::new();
     for chain in chains_of(links) {
-        let Some(vertex) = vertex_before(drawing, chain.entry()) else {
-            continue;
-        };
+        let Some(vertex) = vertex_before(drawing, chain.entry()) else { continue };
         match corners.iter_mut().find(|corner| corner.vertex == vertex) {
             Some(corner) => corner.chains.push(chain),
             None => corners.push(Corner { vertex, chains: vec![chain] }),

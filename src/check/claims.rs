@@ -52,9 +52,7 @@ impl Reach<'_> {
         }
         for corner in self.corners {
             for chain in &corner.chains {
-                let Some((_, source)) = self.vertex_source(&chain.ports) else {
-                    continue;
-                };
+                let Some((_, source)) = self.vertex_source(&chain.ports) else { continue };
                 let claim = Claim::Leads(source, Bound::Element(corner.vertex));
                 let by = -i64::from(rule.index(claim.names()[0]));
                 let claim = Claim::Leads(
@@ -165,7 +163,7 @@ impl Reach<'_> {
         let rule = self.drawing.rule;
         let size = rule.size().unwrap_or(1) as usize;
         for orbit in &rule.after.loops {
-            let items: Vec<_> = orbit.items.iter().map(|item| item.item.name).collect();
+            let items: Vec<_> = orbit.item_names().collect();
             let may_be_empty = |&item: &NameId| {
                 rule.kind(item) == Kind::Path && self.drawing.is_empty_somewhere(item)
             };

@@ -110,18 +110,11 @@ impl Cost<'_> {
 
     /// The length of the orbit of a vertex or face, unless all of it is drawn.
     fn around(&self, element: &Expr) -> Option<String> {
-        match element.ty {
-            Type::Vertex => {
-                let drawn = |name| self.is_whole_star(name);
-                let text = self.words(element, "a vertex");
-                (!is_drawn(element, drawn)).then(|| format!("the degree of {text}"))
-            }
-            _ => {
-                let drawn = |name| self.is_whole_loop(name);
-                let text = self.words(element, "a face");
-                (!is_drawn(element, drawn)).then(|| format!("the size of {text}"))
-            }
-        }
+        let (is_drawn, quantity, otherwise) = match element.ty {
+            Type::Vertex => (is_drawn(element, |v| self.is_whole_star(v)), "degree", "a vertex"),
+            _ => (is_drawn(element, |f| self.is_whole_loop(f)), "size", "a face"),
+        };
+        (!is_drawn).then(|| format!("the {quantity} of {}", self.words(element, otherwise)))
     }
 
     fn is_whole_star(&self, vertex: NameId) -> bool {

@@ -106,9 +106,7 @@ fn lie_in_different_faces(drawing: &Drawing, left: NameId, right: NameId) -> boo
 
 /// True if both names are there, differ, and may not be one element.
 fn are_apart(drawing: &Drawing, pair: [Option<NameId>; 2]) -> bool {
-    let [Some(left), Some(right)] = pair else {
-        return false;
-    };
+    let [Some(left), Some(right)] = pair else { return false };
     left != right && !drawing.rule.may_be_one(left, right)
 }
 
@@ -120,14 +118,13 @@ fn faces_differ(drawing: &Drawing, left: NameId, right: NameId) -> bool {
         return false;
     };
     let halfedge = |item: NameId| drawing.rule.kind(item) == Kind::Halfedge;
-    let apart =
-        |full: &Loop, other: &Loop| {
-            let in_full: Vec<_> = full.items.iter().map(|item| item.item.name).collect();
-            in_full.iter().all(|&item| halfedge(item))
-                && other.items.iter().map(|item| item.item.name).any(|item| {
-                    halfedge(item) && in_full.iter().all(|&own| differ(drawing, own, item))
-                })
-        };
+    let apart = |full: &Loop, other: &Loop| {
+        let in_full: Vec<_> = full.item_names().collect();
+        in_full.iter().all(|&item| halfedge(item))
+            && other
+                .item_names()
+                .any(|item| halfedge(item) && in_full.iter().all(|&own| differ(drawing, own, item)))
+    };
     let kinds = (left.kind, right.kind);
     matches!(kinds, (LoopKind::Face, LoopKind::Hole) | (LoopKind::Hole, LoopKind::Face))
         || apart(left, right)

@@ -32,20 +32,12 @@ pub(super) fn neighbours_are_twins(drawing: &Drawing) -> Vec<Problem> {
     let before = &drawing.before;
     let mut problems = Vec::new();
     for star in rule.before.stars.iter().filter(|star| !star.each) {
-        for (at, spoke) in star.spokes.iter().enumerate() {
-            let next = star.spokes[(at + 1) % star.spokes.len()];
-            let (Spoke::Halfedge(spoke), Spoke::Halfedge(next)) = (*spoke, next) else {
-                continue;
-            };
+        for [spoke, next] in star.neighbors() {
             let arrives = before.item_before(spoke.name);
             let is_half = |item: &NameId| rule.kind(*item) == Kind::Halfedge;
-            let Some(arrives) = arrives.filter(is_half) else {
-                continue;
-            };
+            let Some(arrives) = arrives.filter(is_half) else { continue };
             let ends = [before.loop_target(next.name), before.loop_origin(arrives)];
-            let [Some(end), Some(start)] = ends else {
-                continue;
-            };
+            let [Some(end), Some(start)] = ends else { continue };
             if end == start {
                 continue;
             }
@@ -87,9 +79,7 @@ impl Law<'_> {
         let rule = drawing.rule;
         let mut told = Vec::new();
         for name in rule.names_of(Kind::Halfedge) {
-            let Some(span) = drawing.before.mention(name) else {
-                continue;
-            };
+            let Some(span) = drawing.before.mention(name) else { continue };
             let placed = |half| drawing.before.loop_of_item(half).is_some();
             // Of two twins, the first is reported for both.
             if drawing.before.twin(name).is_some_and(|twin| told.contains(&twin)) {
@@ -128,9 +118,7 @@ impl Law<'_> {
             for (ends, starts) in [(left, right), (right, left)] {
                 let end = view.target_mention(ends.name);
                 let start = view.origin_mention(starts.name);
-                let (Some(end), Some(start)) = (end, start) else {
-                    continue;
-                };
+                let (Some(end), Some(start)) = (end, start) else { continue };
                 if end.name == start.name {
                     continue;
                 }
@@ -178,9 +166,7 @@ impl Law<'_> {
             remedies.extend(loops.into_iter().map(Remedy::Turn));
         }
         let mut wrong = wrong.into_iter();
-        let Some((_, mut diagnostic)) = wrong.next() else {
-            return;
-        };
+        let Some((_, mut diagnostic)) = wrong.next() else { return };
         for (edge, _) in wrong {
             diagnostic = diagnostic.label(edge.span, "nor can these");
         }
@@ -197,9 +183,7 @@ impl Law<'_> {
             for star in &side.stars {
                 let mut wrong = Vec::new();
                 for spoke in &star.spokes {
-                    let (Spoke::Halfedge(spoke) | Spoke::Fan(spoke)) = *spoke else {
-                        continue;
-                    };
+                    let (Spoke::Halfedge(spoke) | Spoke::Fan(spoke)) = *spoke else { continue };
                     let text = rule.quoted(spoke.name);
                     if let Some(first) = listed[spoke.name.index()] {
                         let message =
@@ -355,7 +339,7 @@ impl Law<'_> {
 /// A note for two halves of an edge that run from the same vertex to the same vertex in two loops.
 fn run_alike(drawing: &Drawing, view: &View, edge: &Edge) -> Option<String> {
     let rule = drawing.rule;
-    let [left, right] = edge.halfedges.map(|half| half.name);
+    let [left, right] = edge.halfedge_names();
     let [one, other] = [left, right].map(|half| view.loop_of_item(half).map(|orbit| orbit.span));
     if view.loop_ends(left)? != view.loop_ends(right)? || one == other {
         return None;
@@ -373,9 +357,7 @@ fn runs_back(drawing: &Drawing, view: &View, half: NameId) -> Option<String> {
     let [from, to] = view.loop_ends(half)?;
     let halves = rule.names_of(Kind::Halfedge);
     let mut back = halves.filter(|&of| of != half && view.loop_ends(of) == Some([to, from]));
-    let (Some(twin), None) = (back.next(), back.next()) else {
-        return None;
-    };
+    let (Some(twin), None) = (back.next(), back.next()) else { return None };
     let [half, twin, from, to] = [half, twin, from, to].map(|name| rule.quoted(name));
     Some(format!("{half} runs from {from} to {to}; what runs from {to} to {from} is {twin}"))
 }

@@ -80,9 +80,7 @@ fn sizes_are_known(drawing: &Drawing, matching: &[Step]) -> Vec<Problem> {
         return Vec::new();
     }
     let rule = drawing.rule;
-    let Some(family) = rule.ids().find(|&name| rule.is_member(name)) else {
-        return Vec::new();
-    };
+    let Some(family) = rule.ids().find(|&name| rule.is_member(name)) else { return Vec::new() };
     let text = rule.quoted(family);
     let message = format!("nothing says how many there are of {text}");
     let problem = Diagnostic::error("unreachable-name", message, rule.name(family).span)
@@ -97,16 +95,13 @@ const FURTHER: u32 = 3;
 /// Reports the problems of the members at index 0, and shows them on the shortest cycle that
 /// breaks.
 fn reject(op: &Op, rule: &Rule, sizes: &Sizes, broken: Broken) -> Rejected {
-    let broken = before::in_before(&sizes.large.rule).unwrap_or(broken);
-    let mut problems = broken.problems;
+    let mut problems = before::in_before(&sizes.large.rule).unwrap_or(broken).problems;
     let mut outcome = Outcome::NotTried;
     let tested = sizes.small.len() as u32;
     let further = (tested + 1..=tested + FURTHER)
         .map(|size| Cow::Owned(Unrolled::new(rule, size, Naming::Numbers)));
     for short in sizes.small.iter().map(Cow::Borrowed).chain(further) {
-        let Err(mut here) = prove_plain(op, &short.rule) else {
-            continue;
-        };
+        let Err(mut here) = prove_plain(op, &short.rule) else { continue };
         let found = witness::find(op, &short.rule, &mut here);
         if !matches!(found, Outcome::Breaks(_)) {
             continue;
@@ -118,8 +113,7 @@ fn reject(op: &Op, rule: &Rule, sizes: &Sizes, broken: Broken) -> Rejected {
             if let Some(told) = told {
                 let notes = told.diagnostic.notes.into_iter();
                 let literal = notes.filter(|note| note.starts_with("carried out literally"));
-                let notes = literal.map(|note| format!("{around}, {note}"));
-                first.diagnostic.notes.extend(notes);
+                first.diagnostic.notes.extend(literal.map(|note| format!("{around}, {note}")));
             }
         }
         outcome = found;

@@ -43,10 +43,7 @@ impl Reach<'_> {
 
     /// Marks the pointers that the walk follows as used.
     fn use_pointers(&mut self, around: &Around) {
-        let leads = match around.along_loop {
-            true => Leads::Next,
-            false => Leads::Counterclockwise,
-        };
+        let leads = if around.along_loop { Leads::Next } else { Leads::Counterclockwise };
         let count = around.halfedges.len();
         for pointer in &mut self.pointers {
             let at = around.halfedges.iter().position(|&h| h == pointer.from);
@@ -59,8 +56,7 @@ impl Reach<'_> {
     /// with `each`, those of one period; without, as many as are drawn, if the whole orbit is
     /// drawn. If a family has a first member already, each turn of this orbit is another match.
     pub fn tries(&self, element: NameId) -> Option<u16> {
-        let mut orbits = self.orbits().into_iter();
-        let around = orbits.find(|around| around.orbit == element);
+        let around = self.orbits().into_iter().find(|around| around.orbit == element);
         let walked = self.steps.iter().any(|step| matches!(step, Step::Walk { .. }));
         let tries = match around {
             Some(_) if walked || !self.begun.is_empty() => return None,
@@ -77,13 +73,11 @@ impl Reach<'_> {
             Kind::Face => {
                 let items = &before.loop_of_face(element)?.items;
                 let mut kinds = items.iter().map(|item| rule.kind(item.item.name));
-                let whole = kinds.all(|kind| kind == Kind::Halfedge);
-                whole.then_some(items.len())
+                kinds.all(|kind| kind == Kind::Halfedge).then_some(items.len())
             }
             Kind::Vertex => {
                 let spokes = &before.star(element)?.spokes;
-                let whole = spokes.iter().all(|spoke| spoke.halfedge().is_some());
-                whole.then_some(spokes.len())
+                spokes.iter().all(|spoke| spoke.halfedge().is_some()).then_some(spokes.len())
             }
             _ => None,
         }
@@ -92,31 +86,19 @@ impl Reach<'_> {
     fn orbits(&self) -> Vec<Around> {
         let rule = self.drawing.rule;
         let size = rule.size().unwrap_or(1) as usize;
-        let mut orbits = Vec::new();
-        for orbit in rule.before.loops.iter().filter(|orbit| orbit.each) {
-            let items = orbit.items.iter().map(|item| item.item.name);
-            let halfedges: Vec<_> =
-                items.filter(|&item| rule.kind(item) == Kind::Halfedge).collect();
-            if halfedges.len() == orbit.items.len() {
-                orbits.push(Around {
-                    orbit: orbit.face.name,
-                    along_loop: true,
-                    period: halfedges.len() / size,
-                    halfedges,
-                });
-            }
-        }
-        for star in rule.before.stars.iter().filter(|star| star.each) {
-            let halfedges: Vec<_> = star.spokes.iter().filter_map(Spoke::halfedge).collect();
-            if halfedges.len() == star.spokes.len() {
-                orbits.push(Around {
-                    orbit: star.vertex.name,
-                    along_loop: false,
-                    period: halfedges.len() / size,
-                    halfedges,
-                });
-            }
-        }
-        orbits
+        let around = |orbit: NameId, along_loop: bool, halfedges: Vec<NameId>| {
+            let period = halfedges.len() / size;
+            Around { orbit, along_loop, halfedges, period }
+        };
+        let loops = rule.before.loops.iter().filter(|orbit| orbit.each).filter_map(|orbit| {
+            let halfedges: Vec<_> = orbit.item_names().collect();
+            let is_whole = halfedges.iter().all(|&item| rule.kind(item) == Kind::Halfedge);
+            is_whole.then(|| around(orbit.face.name, true, halfedges))
+        });
+        let stars = rule.before.stars.iter().filter(|star| star.each).filter_map(|star| {
+            let halfedges: Option<Vec<_>> = star.spokes.iter().map(Spoke::halfedge).collect();
+            Some(around(star.vertex.name, false, halfedges?))
+        });
+        loops.chain(stars).collect()
     }
 }

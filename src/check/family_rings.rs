@@ -32,7 +32,7 @@ use super::chain::{Chain, Corner, corners, vertex_after};
 use super::port::{Links, Port};
 use super::problem::Problem;
 use super::vertices_are_orbits::{
-    MOST_SHOWN, RingCase, Rings, gains, impossible, settled, too_many,
+    MOST_SHOWN, RingCase, Rings, combinations, gains, impossible, settled, too_many,
 };
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Drawing, NameId, Rule};
@@ -60,24 +60,18 @@ pub(super) fn test(drawing: &Drawing) -> Result<Rings, Broken> {
             all.push(ways(drawing, corner, &after)?);
         }
     }
-    let cases = all.iter().try_fold(1_usize, |cases, ways| cases.checked_mul(ways.found.len()));
-    let Some(cases) = cases.filter(|&cases| cases <= MOST) else {
+    let found: Vec<&[Arrangement]> = all.iter().map(|ways| ways.found.as_slice()).collect();
+    let Some((cases, combinations)) = combinations(&found, MOST) else {
         let widest = all.iter().max_by_key(|ways| ways.found.len());
         let told = widest.map(|ways| too_many(drawing, &ways.corner));
         return Err(told.into_iter().collect::<Vec<_>>().into());
     };
     let mut shown = Vec::new();
-    for number in 0..cases {
-        let mut rest = number;
-        let mut uniform = Vec::new();
-        for ways in &all {
-            let way = &ways.found[rest % ways.found.len()];
-            rest /= ways.found.len();
-            uniform.extend(everywhere(rule, ways.corner.vertex, way));
-        }
-        let Some(uniform) = agreeing_everywhere(rule, &uniform, &all) else {
-            continue;
-        };
+    for picked in combinations {
+        let picked = all.iter().zip(picked);
+        let uniform = picked.flat_map(|(ways, way)| everywhere(rule, ways.corner.vertex, way));
+        let uniform: Vec<_> = uniform.collect();
+        let Some(uniform) = agreeing_everywhere(rule, &uniform, &all) else { continue };
         let case = Case::new(drawing, &after, &uniform);
         let problems = case.problems();
         if !problems.is_empty() {
@@ -156,10 +150,7 @@ fn in_any_order(corner: &Corner) -> Arrangement {
         lies: Lies::Rest,
     };
     let firsts = |chain: &Chain| {
-        let paths = chain.ports.iter().filter_map(|port| match port {
-            Port::Out(item) => Some(*item),
-            Port::In(_) => None,
-        });
+        let paths = chain.ports.iter().filter_map(|port| port.leaving());
         paths.map(|path| (path, Lies::Rest)).collect::<Vec<_>>()
     };
     Arrangement {
@@ -185,10 +176,7 @@ fn agreeing_everywhere<'a>(
 
 /// The same way at every member of the family.
 fn everywhere(rule: &Rule, vertex: NameId, way: &Arrangement) -> Vec<Arrangement> {
-    let turns = match rule.is_member(vertex) {
-        true => rule.size().unwrap_or(1),
-        false => 1,
-    };
+    let turns = if rule.is_member(vertex) { rule.size().unwrap_or(1) } else { 1 };
     let turns = (0..i64::from(turns)).map(|by| {
         let name = |name: NameId| rule.turned(name, by);
         let port = |port: Port| match port {
@@ -262,9 +250,7 @@ impl RingWalk<'_> {
             let net = loop {
                 seen.push(spot.port);
                 self.note(spot, &mut met);
-                let Some(next) = self.step(spot, &mut met) else {
-                    break None;
-                };
+                let Some(next) = self.step(spot, &mut met) else { break None };
                 spot = next;
                 if spot.port == start {
                     break Some(spot.at);
@@ -327,8 +313,7 @@ impl RingWalk<'_> {
     fn note(&self, spot: Spot, met: &mut Met) {
         let rule = self.rule();
         if let Some(vertex) = vertex_after(self.drawing, spot.port) {
-            let label = (rule.first_member(vertex), spot.at + rule.offset(vertex));
-            met.labels.push(label);
+            met.labels.push((rule.first_member(vertex), spot.at + rule.offset(vertex)));
         }
         // The fan of the first spoke of a path depends on the way of its vertex.
         if let Port::Out(item) = spot.port

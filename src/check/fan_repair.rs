@@ -96,9 +96,7 @@ fn ring_that_takes<'c>(case: &'c Case, erased: NameId) -> Option<(&'c [Step], Na
     };
     let cycles = case.cycles.iter().map(Vec::as_slice);
     let mut left = cycles.filter(|cycle| labels(cycle).contains(&erased));
-    let (cycle, None) = (left.next()?, left.next()) else {
-        return None;
-    };
+    let (cycle, None) = (left.next()?, left.next()) else { return None };
     let mut others = labels(cycle);
     others.retain(|&label| case.drawing.erased(label).is_none());
     others.dedup();
@@ -110,9 +108,7 @@ fn ring_that_takes<'c>(case: &'c Case, erased: NameId) -> Option<(&'c [Step], Na
 
 /// `vertex v1: d h' *S b`: the drawn spokes of a vertex, and a fan for all others.
 fn statement(rule: &Rule, corner: &Corner, fan: NameId) -> Option<Star> {
-    let [Chain { ports, closed: false }] = corner.chains.as_slice() else {
-        return None;
-    };
+    let [Chain { ports, closed: false }] = corner.chains.as_slice() else { return None };
     let span = rule.before.span;
     let mut spokes = Vec::new();
     // Ports run clockwise, statements counterclockwise.

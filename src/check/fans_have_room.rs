@@ -20,9 +20,7 @@ pub(super) fn test(drawing: &Drawing) -> Vec<Problem> {
                 Spoke::Rest(span) => ("this fan".to_owned(), span),
             };
             let neighbours = [at + count - 1, at + 1].map(|at| star.spokes[at % count]);
-            let Some(pair) = drawn_as_neighbours(drawing, neighbours) else {
-                continue;
-            };
+            let Some(pair) = drawn_as_neighbours(drawing, neighbours) else { continue };
             let [first, second] = pair.map(|spoke| rule.quoted(spoke));
             let message =
                 format!("{text} is always empty: in the loops {second} comes right behind {first}");

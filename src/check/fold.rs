@@ -15,10 +15,7 @@ impl Fold<'_> {
     fn name(&self, name: NameId, pivot: NameId) -> NameId {
         let rule = &self.other.rule;
         let by = -i64::from(rule.index(pivot));
-        let offset = match rule.is_member(name) {
-            true => rule.offset(rule.turned(name, by)),
-            false => 0,
-        };
+        let offset = if rule.is_member(name) { rule.offset(rule.turned(name, by)) } else { 0 };
         self.large.member(self.other.source(name), offset)
     }
 }

@@ -35,11 +35,10 @@ fn may_be_kept(drawing: &Drawing, name: NameId) -> bool {
     let survives = |item: NameId| drawing.erased(item).is_none();
     match drawing.rule.kind(name) {
         Kind::Face => before.loop_of_face(name).is_none_or(|face| {
-            let mut items = face.items.iter().map(|item| item.item.name);
-            items.all(|item| survives(item) && after.loop_of_item(item).is_none())
+            face.item_names().all(|item| survives(item) && after.loop_of_item(item).is_none())
         }),
         Kind::Edge => before.edge_statement(name).is_none_or(|edge| {
-            let mut halves = edge.halfedges.iter().map(|half| half.name);
+            let mut halves = edge.halfedge_names().into_iter();
             halves.all(|half| survives(half) && after.pairing(half).is_none())
         }),
         _ => true,
@@ -55,10 +54,9 @@ pub(super) fn is_forgotten(drawing: &Drawing, kind: Kind, names: &[NameId]) -> P
         Kind::Fan => format!("the fan {list} is drawn before, and lies nowhere after"),
         _ => format!("{list} {be} drawn before, but neither drawn after nor erased"),
     };
-    let mut spans = names.iter().map(|&name| {
-        let mention = drawing.before.mention(name);
-        mention.expect("a surviving name is drawn before")
-    });
+    let mut spans = names
+        .iter()
+        .map(|&name| drawing.before.mention(name).expect("a surviving name is drawn before"));
     let first = spans.next().unwrap_or(rule.before.span);
     let mut diagnostic = Diagnostic::error("unaccounted-name", message, first)
         .saying(format!("{} that `after` forgets", kind.a_word()));

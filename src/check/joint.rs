@@ -22,8 +22,14 @@ const MOST_OPEN: usize = 2;
 pub(super) type Tier = fn(&Rule) -> Vec<Remedy>;
 
 /// All tiers.
-pub(super) const TIERS: [Tier; 6] =
-    [accounted_for, exchanged_vertices, exchanged_items, unmoved, other_corner, outer_twins];
+pub(super) const TIERS: [Tier; 6] = [
+    accounted_for,
+    |rule| exchanged(rule, Kind::Vertex),
+    |rule| exchanged(rule, Kind::Halfedge),
+    unmoved,
+    other_corner,
+    outer_twins,
+];
 
 /// Accounts for all names: lists, draws and pairs whatever is missing.
 fn accounted_for(rule: &Rule) -> Vec<Remedy> {
@@ -102,9 +108,7 @@ impl Begun {
             true => Some(self.clone()),
             false => self.with(Remedy::Erase(gone)),
         };
-        let Some(erased) = erased else {
-            return Vec::new();
-        };
+        let Some(erased) = erased else { return Vec::new() };
         let gone = erased.rule.erased.iter().map(|erased| erased.name);
         let gone = gone.filter(|&name| self.rule.kind(name) == Kind::Vertex);
         let taken = gone.filter_map(|vertex| erased.with(Remedy::Take(vertex)));
@@ -116,10 +120,7 @@ impl Begun {
         let vertices = forgotten(&self.rule);
         let vertices = vertices.into_iter().filter(|&name| self.rule.kind(name) == Kind::Vertex);
         let vertices: Vec<_> = vertices.collect();
-        match vertices.is_empty() {
-            true => Some(self.clone()),
-            false => self.with(Remedy::Keep(vertices)),
-        }
+        if vertices.is_empty() { Some(self.clone()) } else { self.with(Remedy::Keep(vertices)) }
     }
 }
 
@@ -147,25 +148,15 @@ fn forgotten(rule: &Rule) -> Vec<NameId> {
 /// The elements of a rule, kind by kind; of a family the first member.
 fn elements(rule: &Rule) -> impl Iterator<Item = NameId> {
     let order = [Kind::Vertex, Kind::Halfedge, Kind::Edge, Kind::Face];
-    let of_kind = order.into_iter().flat_map(|kind| rule.names_of(kind));
-    of_kind.filter(|&name| rule.is_first(name))
+    order.into_iter().flat_map(|kind| rule.names_of(kind)).filter(|&name| rule.is_first(name))
 }
 
-/// Exchanges two vertices in all loops.
-fn exchanged_vertices(rule: &Rule) -> Vec<Remedy> {
-    exchanged(rule, |kind| kind == Kind::Vertex)
-}
-
-/// Exchanges two halfedges in all loops.
-fn exchanged_items(rule: &Rule) -> Vec<Remedy> {
-    exchanged(rule, |kind| kind == Kind::Halfedge)
-}
-
-fn exchanged(rule: &Rule, is_meant: impl Fn(Kind) -> bool) -> Vec<Remedy> {
+/// Exchanges two names of a kind in all loops, or in one.
+fn exchanged(rule: &Rule, kind: Kind) -> Vec<Remedy> {
     let mut drawn: Vec<NameId> = Vec::new();
     for mention in rule.after.loops.iter().flat_map(mentions) {
         let first = rule.first_member(mention);
-        if is_meant(rule.kind(first)) && !drawn.contains(&first) {
+        if rule.kind(first) == kind && !drawn.contains(&first) {
             drawn.push(first);
         }
     }
@@ -202,8 +193,7 @@ fn exchanged(rule: &Rule, is_meant: impl Fn(Kind) -> bool) -> Vec<Remedy> {
 
 /// Writes another vertex at one corner of a loop.
 fn other_corner(rule: &Rule) -> Vec<Remedy> {
-    let vertices = rule.names_of(Kind::Vertex);
-    let vertices: Vec<_> = vertices.collect();
+    let vertices: Vec<_> = rule.names_of(Kind::Vertex).collect();
     if rule.cycle.is_some() || vertices.len() > MOST_EXCHANGED {
         return Vec::new();
     }
@@ -335,9 +325,7 @@ pub(super) fn closed(rule: &Rule) -> Vec<Remedy> {
 /// The ways to close a loop, each with its words; the loop itself if it is closed.
 fn ways_to_close(rule: &Rule, orbit: &Loop) -> Vec<(Loop, Option<String>)> {
     let end = orbit.end.name;
-    let Some(begin) = orbit.items.first().map(|first| first.from.name) else {
-        return Vec::new();
-    };
+    let Some(begin) = orbit.items.first().map(|first| first.from.name) else { return Vec::new() };
     // A loop drawn with `each` is closed.
     if begin == end || orbit.each {
         return vec![(orbit.clone(), None)];

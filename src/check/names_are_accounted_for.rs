@@ -13,7 +13,7 @@ use std::collections::BTreeSet;
 use super::forgotten::{as_a_hole, is_forgotten};
 use super::outside::{beside, twin_beside};
 use super::pairing::{free_edges, missing_loops, pairing, unpaired};
-use super::problem::{Problem, Remedy, enumerate, is_or_are};
+use super::problem::{Problem, Remedy, enumerate, is_or_are, keyword};
 use super::remedies::insertions;
 use super::stale::Stale;
 use super::unknown_names::Unknown;
@@ -80,8 +80,7 @@ fn draws_nothing(drawing: &Drawing) -> Option<Diagnostic> {
 
 /// The keyword `after`, to point at a place where something is missing.
 pub(super) fn after_keyword(drawing: &Drawing) -> Span {
-    let span = drawing.rule.after.span;
-    Span { end: (span.start + "after".len() as u32).min(span.end), ..span }
+    keyword(&drawing.rule.after, "after")
 }
 
 struct Law<'a> {
@@ -115,9 +114,7 @@ impl Law<'_> {
         }
         for name in self.names() {
             let run = matches!(self.drawing.rule.kind(name), Kind::Path | Kind::Fan);
-            let Some(erased) = self.drawing.erased(name).filter(|_| run) else {
-                continue;
-            };
+            let Some(erased) = self.drawing.erased(name).filter(|_| run) else { continue };
             let text = self.drawing.rule.quoted(name);
             let kind = self.drawing.rule.kind(name).word();
             let message = format!("the {kind} {text} cannot be erased: nobody knows what is in it");
@@ -283,8 +280,7 @@ impl Law<'_> {
     fn edges(&mut self) {
         let drawing = self.drawing;
         let missing = |edge: &Edge| {
-            let halves = edge.halfedges.iter().copied();
-            let open = halves.filter(|half| self.is_open(half.name));
+            let open = edge.halfedges.iter().copied().filter(|half| self.is_open(half.name));
             open.filter(|half| drawing.after.pairing(half.name).is_none()).collect::<Vec<_>>()
         };
         let edges = drawing.rule.before.edges.iter();
@@ -365,8 +361,7 @@ impl Law<'_> {
         let drawing = self.drawing;
         let free: Vec<_> = free_edges(drawing).collect();
         let kept = whole.filter(|edge| free.contains(edge));
-        let kept_alone = kept.map(|edge| Remedy::Keep(vec![edge]));
-        let mut remedies: Vec<_> = kept_alone.into_iter().collect();
+        let mut remedies: Vec<_> = kept.map(|edge| Remedy::Keep(vec![edge])).into_iter().collect();
         if let [left, right] = unpaired(self.drawing)[..] {
             let own = [left, right].map(|half| drawing.before.edge(half));
             let is_own = |edge: &&NameId| own.contains(&Some(**edge));
@@ -398,8 +393,7 @@ impl Law<'_> {
                 _ if rule.cycle.is_some() => vec![name],
                 Kind::Vertex | Kind::Edge | Kind::Face if told.contains(&kind) => continue,
                 Kind::Vertex | Kind::Edge | Kind::Face => {
-                    let alike = forgotten.iter().copied();
-                    alike.filter(|&other| rule.kind(other) == kind).collect()
+                    forgotten.iter().copied().filter(|&other| rule.kind(other) == kind).collect()
                 }
                 Kind::Halfedge | Kind::Path | Kind::Fan => vec![name],
             };

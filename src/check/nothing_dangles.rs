@@ -18,9 +18,7 @@ pub(super) fn test(drawing: &Drawing) -> Vec<Problem> {
     let mut alone = Vec::new();
     for erased in &rule.erased {
         let name = erased.name;
-        let Some(drawn) = view.mention(name) else {
-            continue;
-        };
+        let Some(drawn) = view.mention(name) else { continue };
         let text = rule.quoted(name);
         let mut dangles = |what: String, note: String| {
             let message = format!("{text} is erased, but {what}");

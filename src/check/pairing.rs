@@ -21,12 +21,8 @@ impl<'a> Ends<'a> {
     pub fn new(drawing: &'a Drawing<'a>, mut moved: Vec<(NameId, NameId)>) -> Self {
         for star in &drawing.rule.after.stars {
             for spoke in &star.spokes {
-                let (Spoke::Halfedge(spoke) | Spoke::Fan(spoke)) = spoke else {
-                    continue;
-                };
-                let Some(from) = drawing.origin_before(spoke.name) else {
-                    continue;
-                };
+                let (Spoke::Halfedge(spoke) | Spoke::Fan(spoke)) = spoke else { continue };
+                let Some(from) = drawing.origin_before(spoke.name) else { continue };
                 if from != star.vertex.name && drawing.after.mention(from).is_none() {
                     moved.push((from, star.vertex.name));
                 }
@@ -62,8 +58,7 @@ impl<'a> Ends<'a> {
 
     /// The vertex that is where one was before.
     fn place(&self, vertex: NameId) -> NameId {
-        let taken = self.moved.iter().find(|(from, _)| *from == vertex);
-        taken.map_or(vertex, |(_, to)| *to)
+        self.moved.iter().find(|(from, _)| *from == vertex).map_or(vertex, |(_, to)| *to)
     }
 }
 
@@ -89,8 +84,7 @@ pub(super) fn pairings(drawing: &Drawing) -> Vec<Remedy> {
     let vertices = || rule.names_of(Kind::Vertex);
     let erased = vertices().filter(|&vertex| drawing.erased(vertex).is_some());
     let moves = erased.flat_map(|from| {
-        let takers = vertices().filter(|&vertex| drawing.survives(vertex));
-        takers.map(move |to| vec![(from, to)])
+        vertices().filter(|&vertex| drawing.survives(vertex)).map(move |to| vec![(from, to)])
     });
     let mut found: Vec<Remedy> = Vec::new();
     for moved in [Vec::new()].into_iter().chain(moves.filter(|_| rule.cycle.is_none())) {
@@ -117,9 +111,7 @@ fn pairing_with(drawing: &Drawing, moved: Vec<(NameId, NameId)>) -> Option<Remed
         let (from, to) = ends.drawn(half)?;
         let back = |other: &&NameId| **other != half && ends.drawn(**other) == Some((to, from));
         let mut others = open.iter().filter(back);
-        let (Some(&other), None) = (others.next(), others.next()) else {
-            return None;
-        };
+        let (Some(&other), None) = (others.next(), others.next()) else { return None };
         if pairs.iter().all(|pair| !pair.contains(&half)) {
             // The inner one comes first.
             let is_turned = drawing.is_outer(half) && !drawing.is_outer(other);
@@ -144,8 +136,7 @@ fn in_edges(drawing: &Drawing, wrong: &[NameId], mut pairs: Vec<Pair>) -> Vec<Re
     let mut named = Vec::new();
     let own = |half: NameId| drawing.before.edge(half).or_else(|| drawing.after.edge(half));
     let outer = |pair: &Pair| {
-        let mut outer = pair.iter().filter(|&&half| drawing.is_outer(half));
-        outer.find_map(|&half| own(half))
+        pair.iter().filter(|&&half| drawing.is_outer(half)).find_map(|&half| own(half))
     };
     let both = |pair: &Pair| {
         let [one, other] = pair.map(own);
@@ -206,7 +197,7 @@ pub(super) fn missing_loops(drawing: &Drawing) -> Option<Vec<Remedy>> {
     let mut draws = Vec::new();
     for orbit in &lost {
         let face = orbit.face.name;
-        let own = orbit.items.iter().map(|item| item.item.name).filter(is_open);
+        let own = orbit.item_names().filter(is_open);
         let own: Vec<_> = if lost.len() == 1 { all.clone() } else { own.collect() };
         draws.push(Remedy::Draw { face, items: around(drawing, &ends, &own, &new)? });
     }
@@ -230,18 +221,14 @@ fn around(
     };
     let (known, unknown): (Vec<_>, Vec<_>) =
         own.iter().copied().partition(|&item| ends(item).is_some());
-    let (&first, true) = (known.first()?, unknown.len() < 2) else {
-        return None;
-    };
+    let (&first, true) = (known.first()?, unknown.len() < 2) else { return None };
     let (start, _) = ends(first)?;
     let usable: Vec<_> = known.iter().chain(others).copied().collect();
     let follow = |mut at: NameId, until: NameId, used: &mut Vec<(NameId, NameId)>| {
         while at != until {
             let fits = |item: &&NameId| ends(**item).is_some_and(|(from, _)| from == at);
             let mut next = usable.iter().filter(fits);
-            let Some(&item) = next.next() else {
-                break;
-            };
+            let Some(&item) = next.next() else { break };
             if next.next().is_some() || used.iter().any(|(_, known)| *known == item) {
                 return None;
             }

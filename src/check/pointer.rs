@@ -1,7 +1,7 @@
 //! The pointers that a drawing states between named halfedges.
 
 use super::matching::{Bound, Source};
-use crate::diagram::{Drawing, Kind, NameId, Spoke};
+use crate::diagram::{Drawing, Kind, NameId};
 
 /// A pointer that the drawing states between two named halfedges.
 #[derive(Clone, Copy, Debug)]
@@ -59,16 +59,12 @@ pub(super) fn pointers(drawing: &Drawing) -> Vec<Pointer> {
         }
     }
     for edge in &rule.before.edges {
-        let [from, to] = edge.halfedges.map(|half| half.name);
+        let [from, to] = edge.halfedge_names();
         pointers.push(Pointer { from, to, leads: Leads::Twin, used: false });
     }
     for star in &rule.before.stars {
-        for (at, spoke) in star.spokes.iter().enumerate() {
-            let next = &star.spokes[(at + 1) % star.spokes.len()];
-            let (Spoke::Halfedge(from), Spoke::Halfedge(to)) = (spoke, next) else {
-                continue;
-            };
-            let (from, to) = (from.name, to.name);
+        for pair in star.neighbors() {
+            let [from, to] = pair.map(|half| half.name);
             let implied = view
                 .item_before(from)
                 .is_some_and(|prev| is_halfedge(prev) && view.twin(prev) == Some(to));

@@ -30,6 +30,14 @@ impl Port {
         }
     }
 
+    /// The halfedge or path, if it leaves its origin here.
+    pub fn leaving(self) -> Option<NameId> {
+        match self {
+            Port::Out(item) => Some(item),
+            Port::In(_) => None,
+        }
+    }
+
     /// The halfedge or path.
     pub fn item(self) -> NameId {
         match self {
@@ -63,7 +71,7 @@ impl Links {
             }
         }
         for edge in &side.edges {
-            let [left, right] = edge.halfedges.map(|half| half.name);
+            let [left, right] = edge.halfedge_names();
             links.link(Port::Out(left), Port::In(right));
             links.link(Port::Out(right), Port::In(left));
         }

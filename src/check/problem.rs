@@ -1,7 +1,7 @@
 //! A broken law: the diagnostic, and what a repair has to know about it.
 
 use crate::diagnostic::{Diagnostic, all_of};
-use crate::diagram::{Loop, NameId, Rule};
+use crate::diagram::{Loop, NameId, Rule, Side};
 use crate::source::Span;
 
 /// A broken law.
@@ -53,6 +53,11 @@ impl From<Diagnostic> for Problem {
 /// Names in backticks as an enumeration: "`a`, `b` and `c`".
 pub(super) fn enumerate(rule: &Rule, names: &[NameId]) -> String {
     all_of(names.iter().map(|&name| rule.quoted(name)))
+}
+
+/// The keyword with which a side begins.
+pub(super) fn keyword(side: &Side, word: &str) -> Span {
+    Span { end: (side.span.start + word.len() as u32).min(side.span.end), ..side.span }
 }
 
 /// "is" or "are".

@@ -81,9 +81,7 @@ pub(super) fn evenly(
     changes: impl Fn(&Drawing) -> Vec<SizeChange>,
 ) -> Vec<SizeChange> {
     let large = &sizes.large.rule;
-    let Some([shorter, longer]) = sizes.small.last_chunk() else {
-        return Vec::new();
-    };
+    let Some([shorter, longer]) = sizes.small.last_chunk() else { return Vec::new() };
     let [shorter, longer] =
         [shorter, longer].map(|one| (i64::from(one.size()), changes(&Drawing::new(&one.rule))));
     let mut found = changes(&Drawing::new(large));
@@ -94,8 +92,7 @@ pub(super) fn evenly(
         change.constant = less - change.per_index * shorter.0;
         // All members of a family are gained or lost together.
         for runs in [&mut change.gains, &mut change.loses] {
-            let families = runs.iter().map(|run| family_of(large, run));
-            let counts: Vec<_> = families.collect();
+            let counts: Vec<_> = runs.iter().map(|run| family_of(large, run)).collect();
             let mut at = 0;
             runs.retain(|_| {
                 let whole = counts.iter().filter(|family| **family == counts[at]).count() > 2;
@@ -182,8 +179,8 @@ fn keeps_boundary(drawing: &Drawing) -> bool {
     let rule = drawing.rule;
     let may_be_hole = |orbit: &&Loop| orbit.kind != LoopKind::Face;
     let content = |orbit: &Loop| {
-        let mut content: Vec<NameId> = orbit.items.iter().map(|item| item.from.name).collect();
-        let paths = orbit.items.iter().map(|item| item.item.name);
+        let mut content: Vec<NameId> = orbit.corners().collect();
+        let paths = orbit.item_names();
         content.extend(paths.filter(|&item| rule.kind(item) == Kind::Path));
         content.sort();
         content
@@ -245,8 +242,7 @@ pub(super) fn size_changes(drawing: &Drawing) -> Vec<SizeChange> {
             let before = drawing.before.loop_of_face(face)?;
             let after = drawing.after.loop_of_face(face)?;
             let is_path = |name: &NameId| rule.kind(*name) == Kind::Path;
-            let items =
-                |orbit: &Loop| orbit.items.iter().map(|item| item.item.name).collect::<Vec<_>>();
+            let items = |orbit: &Loop| orbit.item_names().collect::<Vec<_>>();
             let (before, after) = (items(before), items(after));
             let drawn =
                 |items: &[NameId]| items.iter().filter(|name| !is_path(name)).count() as i64;

@@ -161,15 +161,13 @@ impl Reach<'_> {
         let bound = |half: &NameId| self.is_bound(*half);
         match rule.kind(element) {
             Kind::Edge => {
-                let halves = view.edge_statement(element)?.halfedges;
-                let half = halves.map(|half| half.name).into_iter().find(bound)?;
+                let halves = view.edge_statement(element)?.halfedge_names();
+                let half = halves.into_iter().find(bound)?;
                 Some((half, Source::Edge(Bound::Element(half))))
             }
             Kind::Face => {
-                let items = &view.loop_of_face(element)?.items;
-                let halfedges = items.iter().map(|item| item.item.name);
-                let half =
-                    halfedges.filter(|&item| rule.kind(item) == Kind::Halfedge).find(bound)?;
+                let mut items = view.loop_of_face(element)?.item_names();
+                let half = items.find(|item| rule.kind(*item) == Kind::Halfedge && bound(item))?;
                 Some((half, Source::Face(Bound::Element(half))))
             }
             Kind::Vertex => {
@@ -184,20 +182,15 @@ impl Reach<'_> {
     pub fn vertex_source(&self, ports: &[Port]) -> Option<(NameId, Source)> {
         let usable =
             |item: NameId| self.drawing.rule.kind(item) == Kind::Halfedge && self.is_bound(item);
-        let out = ports.iter().find_map(|port| match port {
-            Port::Out(item) if usable(*item) => {
-                Some((*item, Source::Origin(Bound::Element(*item))))
-            }
-            _ => None,
-        });
-        out.or_else(|| {
-            ports.iter().find_map(|port| match port {
-                Port::In(item) if usable(*item) => {
-                    Some((*item, Source::Target(Bound::Element(*item))))
-                }
-                _ => None,
-            })
-        })
+        let mut usable = ports.iter().copied().filter(|port| usable(port.item()));
+        let port =
+            usable.clone().find(|port| port.leaving().is_some()).or_else(|| usable.next())?;
+        let halfedge = Bound::Element(port.item());
+        let source = match port {
+            Port::Out(_) => Source::Origin(halfedge),
+            Port::In(_) => Source::Target(halfedge),
+        };
+        Some((port.item(), source))
     }
 
     /// The halfedge with which a parameter begins.
@@ -207,16 +200,12 @@ impl Reach<'_> {
         match rule.kind(element) {
             Kind::Edge => view.edge_statement(element).map(|edge| edge.halfedges[0].name),
             Kind::Face => {
-                let items = &view.loop_of_face(element)?.items;
-                items
-                    .iter()
-                    .map(|item| item.item.name)
-                    .find(|&item| rule.kind(item) == Kind::Halfedge && rule.is_first(item))
+                let mut items = view.loop_of_face(element)?.item_names();
+                items.find(|&item| rule.kind(item) == Kind::Halfedge && rule.is_first(item))
             }
             Kind::Vertex => {
                 let listed = view.star(element).and_then(|star| {
-                    let mut spokes = star.spokes.iter().filter_map(Spoke::halfedge);
-                    spokes.find(|&half| rule.is_first(half))
+                    star.spokes.iter().filter_map(Spoke::halfedge).find(|&half| rule.is_first(half))
                 });
                 let starts = || {
                     let starts = |half: &NameId| {
@@ -273,9 +262,7 @@ impl Reach<'_> {
         }
         // The vertex and the ends of a loop that is one path.
         for orbit in &rule.before.loops {
-            let ([item], face) = (orbit.items.as_slice(), orbit.face.name) else {
-                continue;
-            };
+            let ([item], face) = (orbit.items.as_slice(), orbit.face.name) else { continue };
             if rule.kind(item.item.name) != Kind::Path || !rule.is_first(face) {
                 continue;
             }

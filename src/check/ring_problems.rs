@@ -29,9 +29,7 @@ impl Case<'_> {
             Step::Port(_) => None,
         });
         for (vertex, lies) in arcs {
-            let Some(erased) = self.drawing.erased(vertex) else {
-                continue;
-            };
+            let Some(erased) = self.drawing.erased(vertex) else { continue };
             if told.contains(&vertex) {
                 continue;
             }
@@ -377,9 +375,7 @@ fn ran_elsewhere(drawing: &Drawing) -> Option<String> {
         let [from, to] = view.loop_ends(half)?.map(|end| rule.quoted(end));
         Some(format!("from {from} to {to}"))
     });
-    let [Some(before), Some(after)] = ends else {
-        return None;
-    };
+    let [Some(before), Some(after)] = ends else { return None };
     let mut told = format!(
         "{text} ran {before}, and runs {after}; its twin, which is not drawn, stays where it was"
     );

@@ -47,10 +47,8 @@ impl Sizes {
 /// True if the drawing can match in a surface: no loop has two sides, no vertex one spoke.
 fn is_in_a_surface(drawing: &Drawing) -> bool {
     let rule = drawing.rule;
-    let halfedges = |orbit: &&Loop| {
-        let mut items = orbit.items.iter();
-        items.all(|item| rule.kind(item.item.name) == Kind::Halfedge)
-    };
+    let halfedges =
+        |orbit: &&Loop| orbit.items.iter().all(|item| rule.kind(item.item.name) == Kind::Halfedge);
     let mut loops = rule.before.loops.iter().filter(halfedges);
     let mut stars = rule.before.stars.iter();
     loops.all(|orbit| orbit.items.len() > 2)

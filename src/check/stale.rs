@@ -60,8 +60,7 @@ impl Stale {
         if dangling.is_empty() {
             return some_of(self.pointers.iter().map(say));
         }
-        let values = dangling.iter().map(|pointer| pointer.1.clone());
-        let mut values: Vec<_> = values.collect();
+        let mut values: Vec<_> = dangling.iter().map(|pointer| pointer.1.clone()).collect();
         values.sort();
         values.dedup();
         let told = some_of(dangling.iter().map(|&pointer| say(pointer)));

@@ -3,10 +3,9 @@
 //! It is tested before the laws: where the parameter is missing in the drawing, much else is
 //! missing with it, and would be reported instead.
 
-use super::problem::Problem;
+use super::problem::{Problem, keyword};
 use crate::diagnostic::{Diagnostic, Edit, Fix, all_of};
 use crate::diagram::{Drawing, Kind, NameId, Op, Type};
-use crate::source::Span;
 
 /// Reports that no parameter is drawn, if anything is.
 pub(super) fn test(op: &Op, drawing: &Drawing) -> Vec<Problem> {
@@ -17,8 +16,7 @@ pub(super) fn test(op: &Op, drawing: &Drawing) -> Vec<Problem> {
     if is_empty || rule.params.iter().flatten().any(drawn) {
         return Vec::new();
     }
-    let elements = op.params.iter().filter(|param| param.ty.is_element());
-    let elements: Vec<_> = elements.collect();
+    let elements: Vec<_> = op.params.iter().filter(|param| param.ty.is_element()).collect();
     let [first, ..] = elements.as_slice() else {
         let message = format!("`{}` has no parameter from which matching starts", op.name);
         let problem = Diagnostic::error("unreachable-name", message, op.name_span)
@@ -34,7 +32,7 @@ pub(super) fn test(op: &Op, drawing: &Drawing) -> Vec<Problem> {
     let message = format!("`before` does not draw {parameter} {words}");
     let mut problem = Diagnostic::error("unreachable-name", message, first.span)
         .saying("matching starts here")
-        .label(before_keyword(drawing), "drawn nowhere here");
+        .label(keyword(&drawing.rule.before, "before"), "drawn nowhere here");
     let edge = |edge: &str, [one, two]: [NameId; 2]| {
         let [one, two] = [one, two].map(|half| &rule.name(half).text);
         format!("edge {edge}: {one} | {two}")
@@ -75,12 +73,6 @@ pub(super) fn example(word: &str, ty: Type) -> String {
         Type::Halfedge => format!("face f: v0 -{word}-> v1 =P=> v0"),
         _ => format!("face {word}: v0 -a-> v1 =P=> v0"),
     }
-}
-
-/// The keyword `before`.
-fn before_keyword(drawing: &Drawing) -> Span {
-    let span = drawing.rule.before.span;
-    Span { end: (span.start + "before".len() as u32).min(span.end), ..span }
 }
 
 /// The pairs of halfedges without an edge statement that run between the same vertices, in

@@ -5,7 +5,7 @@
 //! label, no two cycles the same, every surviving or new vertex must have one, an erased vertex
 //! none; and a vertex statement of `after` must be the cycle, in order.
 
-use super::arrangement::{agreeing, arrangements};
+use super::arrangement::{Arrangement, agreeing, arrangements};
 use super::broken::Broken;
 use super::case::{Case, Step};
 use super::chain::{Chain, Corner, corners, vertex_after};
@@ -57,36 +57,27 @@ pub(super) fn test(drawing: &Drawing) -> Result<Rings, Broken> {
         counted.push((corner.clone(), (!unchanged).then_some(found.len())));
         ways.push(found);
     }
-    let product = ways.iter().try_fold(1_usize, |product, found| product.checked_mul(found.len()));
-    if product.is_none_or(|product| product > MOST) {
+    let ways: Vec<&[Arrangement]> = ways.iter().map(Vec::as_slice).collect();
+    let Some((_, combinations)) = combinations(&ways, MOST) else {
         let widest = corners.iter().max_by_key(|corner| corner.chains.len());
         let widest = widest.map(|corner| too_many(drawing, corner));
         return Err(widest.into_iter().collect::<Vec<_>>().into());
-    }
+    };
     let mut rings = Rings { corners: counted, cases: 0, shown: Vec::new() };
-    let mut pick = vec![0; ways.len()];
-    loop {
-        let picked = pick.iter().zip(&ways).map(|(&at, found)| &found[at]);
-        if let Some(combination) = agreeing(drawing.rule, picked) {
-            let case = Case::new(drawing, &after, &combination);
-            let problems = case.problems();
-            if !problems.is_empty() {
-                let arcs = combination.iter().flat_map(|way| way.arcs.iter().copied());
-                return Err(Broken { problems, arcs: Some(arcs.collect()), outcome: None });
-            }
-            rings.cases += 1;
-            if rings.shown.len() < MOST_SHOWN {
-                rings.shown.push(RingCase {
-                    rings: case.labels().into_iter().zip(case.cycles.clone()).collect(),
-                });
-            }
+    for picked in combinations {
+        let Some(combination) = agreeing(drawing.rule, picked.into_iter()) else { continue };
+        let case = Case::new(drawing, &after, &combination);
+        let problems = case.problems();
+        if !problems.is_empty() {
+            let arcs = combination.iter().flat_map(|way| way.arcs.iter().copied());
+            return Err(Broken { problems, arcs: Some(arcs.collect()), outcome: None });
         }
-        // The next combination, counting up.
-        let Some(digit) = (0..pick.len()).find(|&digit| pick[digit] + 1 < ways[digit].len()) else {
-            break;
-        };
-        pick[digit] += 1;
-        pick[..digit].fill(0);
+        rings.cases += 1;
+        if rings.shown.len() < MOST_SHOWN {
+            rings.shown.push(RingCase {
+                rings: case.labels().into_iter().zip(case.cycles.clone()).collect(),
+            });
+        }
     }
     let stated = |corner: &&Corner| drawing.before.star(corner.vertex).is_some();
     match corners.iter().find(stated) {
@@ -94,6 +85,25 @@ pub(super) fn test(drawing: &Drawing) -> Result<Rings, Broken> {
         Some(corner) if rings.cases == 0 => Err(vec![impossible(drawing, corner)].into()),
         _ => Ok(rings),
     }
+}
+
+/// The number of combinations of one of each of these ways, and the combinations; `None` if there
+/// are more than `most`.
+pub(super) fn combinations<'w>(
+    ways: &'w [&'w [Arrangement]],
+    most: usize,
+) -> Option<(usize, impl Iterator<Item = Vec<&'w Arrangement>>)> {
+    let count = ways.iter().try_fold(1_usize, |count, found| count.checked_mul(found.len()));
+    let count = count.filter(|&count| count <= most)?;
+    let combination = move |mut number: usize| {
+        let pick = |found: &&'w [Arrangement]| {
+            let way = &found[number % found.len()];
+            number /= found.len();
+            way
+        };
+        ways.iter().map(pick).collect()
+    };
+    Some((count, (0..count).map(combination)))
 }
 
 /// The chains of a vertex that pass through the rewrite unchanged: each of their links and labels
@@ -120,13 +130,9 @@ pub(super) fn settled(drawing: &Drawing, corner: &Corner, after: &Links) -> Vec<
 
 /// True if `after` draws something at a vertex that was not drawn there before.
 pub(super) fn gains(drawing: &Drawing, corner: &Corner, after: &Links) -> bool {
-    let drawn = |port: &Port| {
-        let mut chains = corner.chains.iter();
-        chains.any(|chain| chain.ports.contains(port))
-    };
+    let drawn = |port: &Port| corner.chains.iter().any(|chain| chain.ports.contains(port));
     let at_vertex = |&port: &Port| vertex_after(drawing, port) == Some(corner.vertex);
-    let mut ports = after.ports.iter();
-    ports.any(|port| !drawn(port) && at_vertex(port))
+    after.ports.iter().any(|port| !drawn(port) && at_vertex(port))
 }
 
 pub(super) fn too_many(drawing: &Drawing, corner: &Corner) -> Problem {
@@ -181,42 +187,30 @@ pub(super) fn impossible(drawing: &Drawing, corner: &Corner) -> Problem {
 /// The statement with its spokes in the order that the loops and edges give, if they are one chain
 /// of listed halfedges and the statement has at most one fan.
 fn in_order(drawing: &Drawing, corner: &Corner, star: &Star) -> Option<String> {
-    let [chain] = corner.chains.as_slice() else {
-        return None;
-    };
+    let [chain] = corner.chains.as_slice() else { return None };
     let rule = drawing.rule;
     let mut fans = star.spokes.iter().filter_map(|spoke| match spoke {
         Spoke::Fan(fan) => Some(format!("*{}", rule.name(fan.name).text)),
         Spoke::Rest(_) => Some("*".to_owned()),
         Spoke::Halfedge(_) => None,
     });
-    let (fan, None) = (fans.next(), fans.next()) else {
-        return None;
-    };
+    let (fan, None) = (fans.next(), fans.next()) else { return None };
     if rule.cycle.is_some() || chain.closed != fan.is_none() {
         return None;
     }
-    let outs = chain.ports.iter().filter_map(|port| match port {
-        Port::Out(item) => Some(*item),
-        Port::In(_) => None,
-    });
     // Ports run clockwise, statements counterclockwise.
-    let drawn: Vec<_> = outs.rev().collect();
+    let drawn: Vec<_> = chain.ports.iter().rev().filter_map(|port| port.leaving()).collect();
     let is_listed = |half: &NameId| star.spokes.iter().any(|spoke| spoke.halfedge() == Some(*half));
     if !drawn.iter().all(is_listed) {
         return None;
     }
-    let words = drawn.iter().map(|&half| rule.name(half).text.clone());
-    let words: Vec<_> = words.chain(fan).collect();
+    let words: Vec<_> = drawn.iter().map(|&half| rule.name(half).text.clone()).chain(fan).collect();
     let vertex = &rule.name(corner.vertex).text;
     Some(format!("vertex {vertex}: {}", words.join(" ")))
 }
 
 /// The halfedges that leave by some ports.
 pub(super) fn spokes_of(drawing: &Drawing, ports: &[Port]) -> Vec<NameId> {
-    let named = |port: &Port| match port {
-        Port::Out(item) if drawing.rule.kind(*item) == Kind::Halfedge => Some(*item),
-        _ => None,
-    };
-    ports.iter().filter_map(named).collect()
+    let is_halfedge = |item: &NameId| drawing.rule.kind(*item) == Kind::Halfedge;
+    ports.iter().filter_map(|port| port.leaving()).filter(is_halfedge).collect()
 }

@@ -170,8 +170,7 @@ impl Expr {
                 [condition, then, otherwise].into_iter().for_each(|part| look(part));
             }
             ExprKind::Fold(fold) => {
-                let parts = fold.filter.iter().chain([&fold.body]);
-                parts.chain(fold.collection.base()).for_each(look);
+                fold.filter.iter().chain([&fold.body]).chain(fold.collection.base()).for_each(look);
             }
             ExprKind::Bool(_)
             | ExprKind::Int(_)

@@ -36,8 +36,7 @@ impl Rule {
     }
 
     fn sets(&self, name: NameId, attribute: Access) -> bool {
-        let mut all = self.assignments.iter();
-        all.any(|one| one.target.name == name && one.attribute == attribute)
+        self.assignments.iter().any(|one| one.target.name == name && one.attribute == attribute)
     }
 
     /// A mention that is drawn beside `drawn`, beside `at` instead, which is of the same name.
@@ -98,8 +97,7 @@ impl Drawing<'_> {
     /// The face, and no hole, in which a halfedge or path of a new face lay.
     fn own(&self, face: Ref) -> Option<Ref> {
         let items = self.drawn(face)?.into_iter();
-        let mut before = items.filter_map(|item| self.face_of(&self.before, item));
-        before.find(|face| !self.is_hole(*face))
+        items.filter_map(|item| self.face_of(&self.before, item)).find(|face| !self.is_hole(*face))
     }
 
     /// The halfedges and paths of a face, and no hole, in `after`.
@@ -111,8 +109,7 @@ impl Drawing<'_> {
     }
 
     fn is_hole(&self, face: Ref) -> bool {
-        let before = self.before.loop_of_face(face.name);
-        before.is_some_and(|orbit| orbit.kind == LoopKind::Hole)
+        self.before.loop_of_face(face.name).is_some_and(|orbit| orbit.kind == LoopKind::Hole)
     }
 
     /// The face of a halfedge or path on one side.

@@ -32,10 +32,7 @@ impl Rule {
     /// The index of a member, counted from the nearer end of the cycle: -1 is the last before 0.
     pub fn offset(&self, name: NameId) -> i64 {
         let (index, size) = (self.index(name), self.size().unwrap_or(1));
-        match index <= size / 2 {
-            true => i64::from(index),
-            false => i64::from(index) - i64::from(size),
-        }
+        if index <= size / 2 { i64::from(index) } else { i64::from(index) - i64::from(size) }
     }
 
     /// The member of the same family that is `by` further around the cycle; any other name is

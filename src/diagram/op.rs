@@ -291,8 +291,7 @@ impl Rule {
         match access {
             super::Access::Position => "position",
             super::Access::Declared(number) => {
-                let declared = self.attributes.get(number as usize);
-                declared.map_or("", |attribute| &attribute.name)
+                self.attributes.get(number as usize).map_or("", |attribute| &attribute.name)
             }
         }
     }
@@ -322,8 +321,7 @@ impl Rule {
     /// True if an `alias` lets two names stand for one element.
     pub fn may_be_one(&self, left: NameId, right: NameId) -> bool {
         let lists = |alias: &Alias, name: NameId| alias.names.iter().any(|of| of.name == name);
-        let mut aliases = self.aliases.iter();
-        aliases.any(|alias| lists(alias, left) && lists(alias, right))
+        self.aliases.iter().any(|alias| lists(alias, left) && lists(alias, right))
     }
 
     /// All names.
@@ -411,6 +409,18 @@ pub struct Loop {
     pub span: Span,
 }
 
+impl Loop {
+    /// The vertices that its items leave, in order.
+    pub(crate) fn corners(&self) -> impl Iterator<Item = NameId> + Clone {
+        self.items.iter().map(|item| item.from.name)
+    }
+
+    /// The names of its halfedges and paths, in order.
+    pub(crate) fn item_names(&self) -> impl Iterator<Item = NameId> + Clone {
+        self.items.iter().map(|item| item.item.name)
+    }
+}
+
 /// A halfedge or path in a loop.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LoopItem {
@@ -431,6 +441,13 @@ pub struct Edge {
     pub span: Span,
 }
 
+impl Edge {
+    /// The names of its halfedges.
+    pub(crate) fn halfedge_names(&self) -> [NameId; 2] {
+        self.halfedges.map(|half| half.name)
+    }
+}
+
 /// A cycle of spokes, counterclockwise.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Star {
@@ -442,6 +459,17 @@ pub struct Star {
     pub each: bool,
     /// The whole statement.
     pub span: Span,
+}
+
+impl Star {
+    /// The halfedges among its spokes that follow each other, counterclockwise.
+    pub(crate) fn neighbors(&self) -> impl Iterator<Item = [Ref; 2]> {
+        let following = self.spokes.iter().cycle().skip(1);
+        self.spokes.iter().zip(following).filter_map(|pair| match pair {
+            (Spoke::Halfedge(spoke), Spoke::Halfedge(next)) => Some([*spoke, *next]),
+            _ => None,
+        })
+    }
 }
 
 /// A spoke or a run of spokes.

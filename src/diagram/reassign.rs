@@ -207,7 +207,7 @@ impl Drawing<'_> {
     /// An edge and its two halfedges. It keeps its halfedge if both of them stay.
     fn edge(&self, statement: &Edge) -> Vec<Write> {
         let edge = statement.edge.name;
-        let [left, right] = statement.halfedges.map(|half| half.name);
+        let [left, right] = statement.halfedge_names();
         let mut writes = Vec::new();
         for (half, twin) in [(left, right), (right, left)] {
             let new_twin = self.before.twin(half) != Some(twin);
@@ -274,5 +274,5 @@ fn set(pointer: Pointer, of: NameId, value: NameId, changes: bool) -> Write {
 
 /// The items of a loop, in order.
 fn names(orbit: &Loop) -> Vec<NameId> {
-    orbit.items.iter().map(|item| item.item.name).collect()
+    orbit.item_names().collect()
 }

@@ -31,8 +31,7 @@ impl Drawing<'_> {
 
     /// A path that starts at a vertex after; one that cannot be empty, if there is one.
     pub fn path_after(&self, vertex: NameId) -> Option<NameId> {
-        let paths = self.rule.names_of(Kind::Path);
-        let paths = paths.filter(|&path| self.starts_after(path, vertex));
+        let paths = self.rule.names_of(Kind::Path).filter(|&path| self.starts_after(path, vertex));
         paths.min_by_key(|&path| self.is_empty_somewhere(path))
     }
 

@@ -163,10 +163,7 @@ impl Writer<'_> {
 
     /// The indices that a statement about a name holds for.
     fn indices(&self, subject: Ref) -> std::ops::Range<u32> {
-        match self.is_family(subject.name) {
-            true => 0..self.unrolled.size,
-            false => 0..1,
-        }
+        if self.is_family(subject.name) { 0..self.unrolled.size } else { 0..1 }
     }
 
     fn at(&self, mention: Ref, index: u32) -> Ref {
@@ -179,10 +176,10 @@ impl Writer<'_> {
     }
 
     fn side(&self, side: &Side) -> Side {
-        let loops = side.loops.iter().flat_map(|orbit| {
-            let indices = self.indices(orbit.face);
-            indices.map(move |index| self.orbit(orbit, index))
-        });
+        let loops = side
+            .loops
+            .iter()
+            .flat_map(|orbit| self.indices(orbit.face).map(move |index| self.orbit(orbit, index)));
         let edges = side.edges.iter().flat_map(|edge| {
             let indices = self.indices(edge.edge);
             indices.map(move |index| Edge {
@@ -191,10 +188,10 @@ impl Writer<'_> {
                 span: edge.span,
             })
         });
-        let stars = side.stars.iter().flat_map(|star| {
-            let indices = self.indices(star.vertex);
-            indices.map(move |index| self.star(star, index))
-        });
+        let stars = side
+            .stars
+            .iter()
+            .flat_map(|star| self.indices(star.vertex).map(move |index| self.star(star, index)));
         Side {
             loops: loops.collect(),
             edges: edges.collect(),
@@ -206,10 +203,7 @@ impl Writer<'_> {
     }
 
     fn orbit(&self, orbit: &Loop, index: u32) -> Loop {
-        let periods = match orbit.each {
-            true => 0..self.unrolled.size,
-            false => index..index + 1,
-        };
+        let periods = if orbit.each { 0..self.unrolled.size } else { index..index + 1 };
         let items = periods.flat_map(|index| {
             orbit.items.iter().map(move |item| LoopItem {
                 from: self.at(item.from, index),
@@ -227,10 +221,7 @@ impl Writer<'_> {
     }
 
     fn star(&self, star: &Star, index: u32) -> Star {
-        let periods = match star.each {
-            true => 0..self.unrolled.size,
-            false => index..index + 1,
-        };
+        let periods = if star.each { 0..self.unrolled.size } else { index..index + 1 };
         let spokes = periods.flat_map(|index| {
             star.spokes.iter().map(move |spoke| match spoke {
                 Spoke::Halfedge(half) => Spoke::Halfedge(self.at(*half, index)),

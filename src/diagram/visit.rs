@@ -57,22 +57,11 @@ impl Expr {
 
 /// The element that a collection lies around.
 fn base(collection: &mut Collection) -> Option<&mut Expr> {
+    use Collection::*;
     match collection {
-        Collection::Vertices
-        | Collection::Halfedges
-        | Collection::Edges
-        | Collection::Faces
-        | Collection::Holes => None,
-        Collection::VertexHalfedges(of)
-        | Collection::VertexEdges(of)
-        | Collection::VertexFaces(of)
-        | Collection::VertexNeighbors(of)
-        | Collection::FaceHalfedges(of)
-        | Collection::FaceVertices(of)
-        | Collection::FaceEdges(of)
-        | Collection::FaceEars(of)
-        | Collection::FacePatch(of)
-        | Collection::EdgeVertices(of)
-        | Collection::EdgeFaces(of) => Some(of),
+        Vertices | Halfedges | Edges | Faces | Holes => None,
+        VertexHalfedges(of) | VertexEdges(of) | VertexFaces(of) | VertexNeighbors(of)
+        | FaceHalfedges(of) | FaceVertices(of) | FaceEdges(of) | FaceEars(of) | FacePatch(of)
+        | EdgeVertices(of) | EdgeFaces(of) => Some(of),
     }
 }

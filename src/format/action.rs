@@ -125,9 +125,7 @@ impl Printer<'_> {
             }
             head = head.append(self.hung(condition, width)).append(text(" "));
             branches.push((head, self.block(then, width)));
-            let Some(otherwise) = otherwise else {
-                break;
-            };
+            let Some(otherwise) = otherwise else { break };
             head = text(" ").append(self.spaced_token());
             if self.peek() == Some(T::If)
                 && let [only] = otherwise.statements.as_slice()

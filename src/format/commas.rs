@@ -34,9 +34,7 @@ pub(super) fn without_commas<'t>(
 fn lists(parsed: &Parsed) -> Vec<Range<usize>> {
     let mut lists = Vec::new();
     for item in &parsed.tree.items {
-        let Item::Op(op) = item else {
-            continue;
-        };
+        let Item::Op(op) = item else { continue };
         let wrong =
             |told: &crate::diagnostic::Diagnostic| op.span.touches(told.span().start as usize);
         if parsed.diagnostics.iter().any(wrong) {

@@ -124,8 +124,7 @@ impl Printer<'_> {
             head.push_str(self.word());
         }
         let place = |end: u32| Span { end, ..outline.span };
-        let ends = outline.ends.iter();
-        let cells: Vec<_> = ends.map(|&end| self.words(place(end))).collect();
+        let cells: Vec<_> = outline.ends.iter().map(|&end| self.words(place(end))).collect();
         let mut row = vec![head];
         match outline.class {
             Class::Star | Class::Family => row.push(cells.join(" ")),
@@ -136,11 +135,8 @@ impl Printer<'_> {
 
     /// `v.position = …`
     fn assignment(&mut self, statement: &Statement, width: usize) -> Doc {
-        let Statement::Assign { target, attribute, value, .. } = statement else {
-            return nil();
-        };
-        let target = self.tokens(target.span);
-        let target = target.append(self.tokens(attribute.span));
+        let Statement::Assign { target, attribute, value, .. } = statement else { return nil() };
+        let target = self.tokens(target.span).append(self.tokens(attribute.span));
         target.append(self.equals(value, width))
     }
 
@@ -293,9 +289,7 @@ impl Outline {
 
     /// The same after `each i {`, given the span of the index and the start of the period.
     fn over(self, each: Option<(Span, u32)>) -> Self {
-        let Some((index, first)) = each else {
-            return self;
-        };
+        let Some((index, first)) = each else { return self };
         let mut ends = vec![index.start, index.end, first];
         ends.extend(self.ends);
         ends.push(self.span.end);

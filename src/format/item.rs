@@ -3,7 +3,7 @@
 use super::printer::{Doc, HANG, INDENT, Lines, Printer, joined, laid_out, line, nil, soft, text};
 use crate::source::Span;
 use crate::syntax::TokenKind as T;
-use crate::syntax::tree::{Attr, Condition, Item, Name, Op, Param, Rule, Steps};
+use crate::syntax::tree::{Attr, Condition, Item, Name, Op, Param, Rule, Side, Steps};
 
 impl Printer<'_> {
     /// An item without the comments before it.
@@ -127,16 +127,15 @@ impl Printer<'_> {
     }
 
     fn rule_parts(&mut self, rule: &Rule, lines: &mut Lines, width: usize) {
-        if let Some(before) = &rule.before {
-            self.gap(lines);
-            let doc = self.side(before, width);
-            lines.extend(laid_out(doc, width));
-        }
+        self.side_lines(rule.before.as_ref(), lines, width);
         self.conditions(&rule.conditions, lines, width);
-        if let Some(after) = &rule.after {
+        self.side_lines(rule.after.as_ref(), lines, width);
+    }
+
+    fn side_lines(&mut self, side: Option<&Side>, lines: &mut Lines, width: usize) {
+        if let Some(side) = side {
             self.gap(lines);
-            let doc = self.side(after, width);
-            lines.extend(laid_out(doc, width));
+            lines.extend(laid_out(self.side(side, width), width));
         }
     }
 

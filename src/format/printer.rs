@@ -99,22 +99,19 @@ impl<'t> Printer<'t> {
 
     /// The start of the next token; after the last, the end of the text.
     pub fn next_start(&self) -> usize {
-        let next = self.tokens.get(self.at);
-        next.map_or(self.source.len(), |token| token.span.start as usize)
+        self.tokens.get(self.at).map_or(self.source.len(), |token| token.span.start as usize)
     }
 
     /// The end of the token or comment that was taken last.
     pub fn taken_end(&self) -> usize {
         let token = self.at.checked_sub(1).map(|at| self.tokens[at].span.end);
-        let comment = self.comment.checked_sub(1);
-        let comment = comment.map(|at| self.comments[at].span.end);
+        let comment = self.comment.checked_sub(1).map(|at| self.comments[at].span.end);
         token.max(comment).unwrap_or(0) as usize
     }
 
     /// True if a comment is inside of a span, or before it and not taken yet.
     pub fn has_comment(&self, span: Span) -> bool {
-        let next = self.comments.get(self.comment);
-        next.is_some_and(|comment| comment.span.start < span.end)
+        self.comments.get(self.comment).is_some_and(|comment| comment.span.start < span.end)
     }
 
     /// The number of line breaks between two places of the text.
@@ -160,15 +157,12 @@ impl<'t> Printer<'t> {
 
     /// Takes all comments before the next token.
     pub fn comments_before_next(&mut self) -> Lines {
-        let taken = std::iter::from_fn(|| self.pending_comment());
-        taken.map(str::to_owned).collect()
+        std::iter::from_fn(|| self.pending_comment()).map(str::to_owned).collect()
     }
 
     /// Takes the next token, which has no comment before it.
     pub fn word(&mut self) -> &'t str {
-        let Some(token) = self.tokens.get(self.at) else {
-            return "";
-        };
+        let Some(token) = self.tokens.get(self.at) else { return "" };
         self.at += 1;
         self.source.get(token.span.range()).unwrap_or("")
     }

@@ -49,8 +49,7 @@ pub fn format(file: FileId, source: &str) -> Result<Formatted, Refusal> {
     let (text, _) = kept(file, source, &parsed)?;
     let twice = formatted(&text, &parse_again(file, &text, source, &parsed));
     if twice != text {
-        let same = text.bytes().zip(twice.bytes());
-        let place = same.take_while(|(one, other)| one == other).count();
+        let place = text.bytes().zip(twice.bytes()).take_while(|(one, other)| one == other).count();
         return Err(Refusal::NotStable(place));
     }
     Ok(Formatted { text, diagnostics: parsed.diagnostics })

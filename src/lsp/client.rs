@@ -101,8 +101,7 @@ impl Client {
     /// True if the client shows published diagnostics. Most clients that can also request them
     /// would show them all twice.
     pub(super) fn shows_published(&self) -> bool {
-        let published = self.capabilities.pointer("/textDocument/publishDiagnostics");
-        published.is_some_and(Value::is_object)
+        self.capabilities.pointer("/textDocument/publishDiagnostics").is_some_and(Value::is_object)
     }
 
     /// True if a hover may be Markdown.
@@ -148,6 +147,5 @@ impl Client {
 
 /// The words of the list at a path.
 fn words<'v>(value: &'v Value, path: &str) -> impl Iterator<Item = &'v str> {
-    let list = value.pointer(path).and_then(Value::as_array);
-    list.into_iter().flatten().filter_map(Value::as_str)
+    value.pointer(path).and_then(Value::as_array).into_iter().flatten().filter_map(Value::as_str)
 }

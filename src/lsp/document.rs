@@ -102,8 +102,15 @@ impl Document {
         self.forget();
     }
 
+    /// Discards the snapshot if the text uses a file of this name.
+    pub(super) fn file_changed(&mut self, name: &str) {
+        if self.uses(name) {
+            self.forget();
+        }
+    }
+
     /// Discards the snapshot, as the text or what it depends on may have changed.
-    pub(super) fn forget(&mut self) {
+    fn forget(&mut self) {
         if let Some(snapshot) = self.snapshot.take() {
             self.earlier = Some(snapshot);
         }
@@ -122,7 +129,7 @@ impl Document {
     }
 
     /// True if the text, as it was read last, uses a file of this name.
-    pub(super) fn uses(&self, file: &str) -> bool {
+    fn uses(&self, file: &str) -> bool {
         let read = self.snapshot.get().or(self.earlier.as_ref());
         read.is_some_and(|snapshot| snapshot.looks_for(file))
     }
@@ -141,8 +148,7 @@ impl Document {
 
     /// The beginning of a file that the text uses.
     pub(super) fn used_file(&self, path: &str) -> Option<Location> {
-        let snapshot = self.snapshot();
-        let file = snapshot.used_file(path)?;
+        let file = self.snapshot().used_file(path)?;
         self.location(Span::new(file, 0, 0))
     }
 

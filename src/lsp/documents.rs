@@ -35,11 +35,7 @@ impl Documents {
 
     /// Discards the snapshots of documents that use a file of this name.
     pub(super) fn file_changed(&mut self, name: &str) {
-        for document in self.open.values_mut() {
-            if document.uses(name) {
-                document.forget();
-            }
-        }
+        self.iter_mut().for_each(|document| document.file_changed(name));
     }
 
     pub(super) fn iter_mut(&mut self) -> impl Iterator<Item = &mut Document> {

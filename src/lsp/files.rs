@@ -74,13 +74,17 @@ impl Files {
         self.open.borrow_mut().remove(&name(uri));
     }
 
+    /// The open document of this name, else the file that the client has given.
+    fn held(&self, name: &str) -> Option<Held> {
+        let open = self.open.borrow().get(name).cloned();
+        open.or_else(|| self.given.borrow().get(name).cloned())
+    }
+
     /// The URI at which an editor finds a file of this name and text. A file of the library is
     /// written to a temporary folder, since it is on no disk.
     pub(super) fn uri(&self, name: &str, text: &str) -> Option<Uri> {
-        for held in [&self.open, &self.given] {
-            if let Some(held) = held.borrow().get(name) {
-                return Some(held.uri.clone());
-            }
+        if let Some(held) = self.held(name) {
+            return Some(held.uri);
         }
         if name.starts_with(library::FOLDER) {
             return match cfg!(target_family = "wasm") {
@@ -110,12 +114,10 @@ fn written(name: &str, text: &str) -> std::io::Result<Uri> {
 
 impl Reader for Files {
     fn read(&mut self, name: &str) -> Result<String, String> {
-        for held in [&self.open, &self.given] {
-            if let Some(held) = held.borrow().get(name) {
-                return Ok(held.text.to_string());
-            }
+        match self.held(name) {
+            Some(held) => Ok(held.text.to_string()),
+            None => self.rest.borrow_mut().read(name),
         }
-        self.rest.borrow_mut().read(name)
     }
 
     fn beside(&mut self, name: &str) -> Vec<String> {

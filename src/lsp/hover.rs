@@ -32,10 +32,7 @@ impl Server {
                 Card::Declared { head, docs } => declared_text(head, docs),
                 Card::Word(word) => word_text(word),
             };
-            let kind = match is_markdown {
-                true => MarkupKind::Markdown,
-                false => MarkupKind::PlainText,
-            };
+            let kind = if is_markdown { MarkupKind::Markdown } else { MarkupKind::PlainText };
             Hover {
                 contents: MarkupContent { kind, value }.into(),
                 range: Some(document.range(found.span)),

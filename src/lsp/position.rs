@@ -64,9 +64,7 @@ impl Lines {
 
     /// The byte at a position.
     pub fn offset(&self, text: &str, position: Position) -> usize {
-        let Some(&start) = self.starts.get(position.line as usize) else {
-            return text.len();
-        };
+        let Some(&start) = self.starts.get(position.line as usize) else { return text.len() };
         let next = self.starts.get(position.line as usize + 1);
         let line = &text[start..next.copied().unwrap_or(text.len())];
         let line = line.trim_end_matches(['\r', '\n']);

@@ -99,8 +99,7 @@ impl Server {
 
     /// An open document.
     pub(super) fn document(&self, uri: &Uri) -> Result<&Document, Refusal> {
-        let known = self.documents.get(uri);
-        known.ok_or_else(|| Refusal::invalid(format!("`{}` is not open", uri.0)))
+        self.documents.get(uri).ok_or_else(|| Refusal::invalid(format!("`{}` is not open", uri.0)))
     }
 
     /// An open document and a byte in it.

@@ -95,9 +95,7 @@ impl Server {
 
     fn cancel(&mut self, notice: &Notification) {
         let id = notice.params.get("id").cloned().unwrap_or_default();
-        let Ok(id) = serde_json::from_value::<RequestId>(id) else {
-            return;
-        };
+        let Ok(id) = serde_json::from_value::<RequestId>(id) else { return };
         let is_meant =
             |message: &Message| matches!(message, Message::Request(request) if request.id == id);
         if let Some(at) = self.waiting.iter().position(is_meant) {

@@ -20,8 +20,7 @@ pub fn serve() -> io::Result<u8> {
     let (said, heard) = channel();
     let (speak, spoken) = channel::<Spoken>();
     let writer = thread::spawn(move || {
-        let mut messages = spoken.into_iter();
-        messages.try_for_each(|message| message.write(&mut stdout().lock()))
+        spoken.into_iter().try_for_each(|message| message.write(&mut stdout().lock()))
     });
     let reader = thread::spawn(move || {
         let mut input = stdin().lock();
@@ -72,8 +71,7 @@ pub fn serve_on(
 }
 
 fn ended(thread: JoinHandle<io::Result<()>>) -> io::Result<()> {
-    let done = thread.join();
-    done.unwrap_or_else(|_| Err(io::Error::other("a stream was given up")))
+    thread.join().unwrap_or_else(|_| Err(io::Error::other("a stream was given up")))
 }
 
 /// Serves a client until it exits or disconnects; the exit code is 0 if it sent `shutdown` before

@@ -88,8 +88,7 @@ fn encoded(document: &Document, part: std::ops::Range<usize>) -> SemanticTokens 
 }
 
 fn number(names: &[&str], name: &str) -> u32 {
-    let at = names.iter().position(|known| *known == name);
-    at.map_or(0, super::position::narrow)
+    names.iter().position(|known| *known == name).map_or(0, super::position::narrow)
 }
 
 fn type_name(class: Class) -> &'static str {

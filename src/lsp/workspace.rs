@@ -28,8 +28,7 @@ pub(super) struct Workspace {
 impl Workspace {
     /// The workspace in the parameters of `initialize`: its folders, or else its root.
     pub(super) fn new(hello: &Value) -> Self {
-        let folders = hello.get("workspaceFolders").and_then(Value::as_array);
-        let folders = folders.into_iter().flatten();
+        let folders = hello.get("workspaceFolders").and_then(Value::as_array).into_iter().flatten();
         let mut named: Vec<_> = folders.filter_map(|folder| folder.get("uri")).collect();
         if named.is_empty() {
             named.extend(hello.get("rootUri"));
@@ -84,11 +83,7 @@ impl Workspace {
 
     /// Discards the snapshots of those that use a file of this name.
     pub(super) fn file_changed(&mut self, name: &str) {
-        for document in self.closed.values_mut() {
-            if document.uses(name) {
-                document.forget();
-            }
-        }
+        self.closed.values_mut().for_each(|document| document.file_changed(name));
     }
 
     /// The programs that are not open, as they were read last.

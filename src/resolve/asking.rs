@@ -23,12 +23,10 @@ impl Typing<'_> {
         let word = asking.word();
         let tree::ExprKind::Call { function, args } = &inner.kind else {
             if inner.kind == tree::ExprKind::Broken {
-                self.report.fail();
-                return None;
+                return self.report.give_up();
             }
             let message = format!("`{word}` stands before the call of an op");
-            self.report.add(Diagnostic::error("not-an-op", message, inner.span));
-            return None;
+            return self.report.reject(Diagnostic::error("not-an-op", message, inner.span));
         };
         if !matches!(self.place, Place::Script) {
             let message = format!(
@@ -36,8 +34,7 @@ impl Typing<'_> {
             );
             let error = Diagnostic::error("misplaced-can", message, span)
                 .note("a script asks, a function, or an op in steps");
-            self.report.add(error);
-            return None;
+            return self.report.reject(error);
         }
         let (op, args) = self.application(function, args, inner.span)?;
         let ty = match asking {

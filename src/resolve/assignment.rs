@@ -31,10 +31,7 @@ impl Scripting<'_> {
         }
         match &target.kind {
             tree::ExprKind::Field(base, field) => self.write(base, field, value),
-            _ if is_broken(target) => {
-                self.typing.report.fail();
-                None
-            }
+            _ if is_broken(target) => self.typing.report.give_up(),
             _ => {
                 let message = "only a variable or an attribute of an element can be assigned";
                 let error = Diagnostic::error("not-assignable", message, target.span);
@@ -46,8 +43,7 @@ impl Scripting<'_> {
                     }
                     _ => error,
                 };
-                self.typing.report.add(error.label(span, ""));
-                None
+                self.typing.report.reject(error.label(span, ""))
             }
         }
     }
@@ -97,7 +93,7 @@ impl Scripting<'_> {
                     Err(error) => {
                         let error =
                             error.label(local.span, format!("`{word}` is {} here", ty.a_word()));
-                        self.typing.report.add(match local.binding {
+                        return self.typing.report.reject(match local.binding {
                             Binding::Var { typed: false } if is_wider => error.fix(
                                 format!("declare `{word}: real`"),
                                 local.span.after(),
@@ -108,7 +104,6 @@ impl Scripting<'_> {
                             }
                             _ => error,
                         });
-                        return None;
                     }
                 }
             }
@@ -150,8 +145,7 @@ impl Scripting<'_> {
         let (ty, span) = (whole.ty, base.span.to(field.span));
         if !(ty.is_vector() || ty.is_matrix()) {
             let message = format!("{} has no attributes", ty.a_word());
-            self.typing.report.add(Diagnostic::error("not-assignable", message, span));
-            return None;
+            return self.typing.report.reject(Diagnostic::error("not-assignable", message, span));
         }
         let component = self.typing.field((base, whole.clone()), field, span, false);
         let Some(Expr { kind: ExprKind::Component(from, _), ty, .. }) = component else {
@@ -159,9 +153,7 @@ impl Scripting<'_> {
             return None;
         };
         if self.updating && !is_variable(&whole) {
-            let error = self.whole_vector(base, whole.ty, field, value);
-            self.typing.report.add(error);
-            return None;
+            return self.typing.report.reject(self.whole_vector(base, whole.ty, field, value));
         }
         let part = self.typing.expression_as(value, ty, &format!("`{}`", field.text))?;
         self.replace(whole, from, part, base)
@@ -201,8 +193,7 @@ impl Scripting<'_> {
             _ => {
                 let message = "only what has a name has components that can be assigned";
                 let error = Diagnostic::error("not-assignable", message, written.span);
-                self.typing.report.add(error.note("a name is given with `let` or `var`"));
-                None
+                self.typing.report.reject(error.note("a name is given with `let` or `var`"))
             }
         }
     }
@@ -294,9 +285,7 @@ pub(super) fn set_often(block: &tree::Block) -> BTreeSet<String> {
 /// The fields that follow each other in an expression, the last first.
 fn fields(mut expr: &tree::Expr) -> impl Iterator<Item = &str> {
     std::iter::from_fn(move || {
-        let tree::ExprKind::Field(base, field) = &expr.kind else {
-            return None;
-        };
+        let tree::ExprKind::Field(base, field) = &expr.kind else { return None };
         expr = base;
         Some(field.text.as_str())
     })

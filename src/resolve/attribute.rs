@@ -21,9 +21,7 @@ pub(super) fn attributes(
     let mut attributes = Vec::new();
     for (number, unit) in units.iter().enumerate() {
         for item in &unit.tree.items {
-            let Item::Attr(attr) = item else {
-                continue;
-            };
+            let Item::Attr(attr) = item else { continue };
             let resolved = attribute(attr, &declared[number], diagnostics);
             if attr.default.is_some() && resolved.default.is_none() {
                 declared.iter_mut().for_each(|file| file.lose_attribute(&attr.name));

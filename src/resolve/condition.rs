@@ -25,22 +25,18 @@ use super::words::not_held;
 pub(super) fn requires(conditions: &[Condition], op: &str, typing: &mut Typing) -> Vec<Require> {
     let mut requires = Vec::new();
     for condition in conditions {
-        match condition {
-            Condition::Require { condition, reason, span } => {
-                let typed = typing.whole_as(condition, Type::Bool, "`require`");
-                let reason = match reason {
-                    Some((text, _)) => text.clone(),
-                    None => not_held(op),
-                };
-                requires.extend(typed.map(|condition| Require {
-                    condition,
-                    reason,
-                    index: None,
-                    span: *span,
-                }));
-            }
-            Condition::Guard { .. } | Condition::Alias { .. } => {}
-        }
+        let Condition::Require { condition, reason, span } = condition else { continue };
+        let typed = typing.whole_as(condition, Type::Bool, "`require`");
+        let reason = match reason {
+            Some((text, _)) => text.clone(),
+            None => not_held(op),
+        };
+        requires.extend(typed.map(|condition| Require {
+            condition,
+            reason,
+            index: None,
+            span: *span,
+        }));
     }
     requires
 }
@@ -54,9 +50,7 @@ pub(super) fn guard(
     let mut first: Option<Span> = None;
     let mut guard = None;
     for condition in conditions {
-        let Condition::Guard { level: word, span } = condition else {
-            continue;
-        };
+        let Condition::Guard { level: word, span } = condition else { continue };
         if let Some(first) = first {
             let error = Diagnostic::error("guarded-twice", "the rule has two guards", *span)
                 .saying("guarded again")
@@ -107,9 +101,7 @@ fn asked(error: Diagnostic, word: &Ident, guard: Span, params: &[Parameter]) -> 
 pub(super) fn aliases(conditions: &[Condition], names: &Names, report: &mut Report) -> Vec<Alias> {
     let mut aliases = Vec::new();
     for condition in conditions {
-        let Condition::Alias { names: listed, span } = condition else {
-            continue;
-        };
+        let Condition::Alias { names: listed, span } = condition else { continue };
         if names.cycle().is_some() {
             let message = "a rule with families has no `alias`";
             let error = Diagnostic::error("cannot-alias", message, *span);
@@ -133,14 +125,12 @@ fn aliased(name: &tree::Name, others: &[Ref], names: &Names, report: &mut Report
     let Some(id) = names.find(word) else {
         let message = format!("`{word}` is listed in `alias` but drawn nowhere");
         let error = Diagnostic::error("unknown-name", message, name.span);
-        report.add(suggest(error, word, name.span, names.words()));
-        return None;
+        return report.reject(suggest(error, word, name.span, names.words()));
     };
     if let Some(first) = others.iter().find(|other| other.name == id) {
         let message = format!("`{word}` is listed twice in `alias`");
         let error = Diagnostic::error("listed-twice", message, name.span);
-        report.add(error.label(first.span, "listed first"));
-        return None;
+        return report.reject(error.label(first.span, "listed first"));
     }
     let kind = names.get(id).kind;
     let cannot = |message: String| Diagnostic::error("cannot-alias", message, name.span);
@@ -161,8 +151,7 @@ fn aliased(name: &tree::Name, others: &[Ref], names: &Names, report: &mut Report
         }
         _ => return Some(mention(id, name)),
     };
-    report.add(error);
-    None
+    report.reject(error)
 }
 
 /// The level of this name.
@@ -181,9 +170,7 @@ pub(super) fn assignments(
     let mut done: HashMap<(NameId, Access), Span> = HashMap::new();
     let mut assignments = Vec::new();
     for statement in &after.statements {
-        let Statement::Assign { target, attribute, value, span } = statement else {
-            continue;
-        };
+        let Statement::Assign { target, attribute, value, span } = statement else { continue };
         if names.find(&target.ident.text).is_none() && is_listed_new(after, target) {
             // The list reports that it is drawn nowhere.
             typing.report.fail();
@@ -251,16 +238,14 @@ fn assigned(
             Some(how) => error.note(how),
             None => suggest(error, word, target.span, names.words()),
         };
-        typing.report.add(error);
-        return None;
+        return typing.report.reject(error);
     };
     typing.subscript(names, id, target)?;
     let kind = names.get(id).kind;
     let Some(ty) = kind.element_type() else {
         let message = format!("`{word}` is {}, which has no attributes", kind.a_word());
         let error = Diagnostic::error("unknown-attribute", message, attribute_name.span);
-        typing.report.add(error);
-        return None;
+        return typing.report.reject(error);
     };
     let (access, value) = typing.attribute_of(ty, attribute_name, of)?;
     let target = mention(id, target);
@@ -310,21 +295,19 @@ impl Typing<'_> {
         }
         if self.declared.has_attribute(&name.text) {
             // The declaration has been rejected already.
-            self.report.fail();
-            return None;
+            return self.report.give_up();
         }
         if let Some(declared) = self.declared.hidden_attribute(ty, &name.text) {
-            self.report.add(private("unknown-attribute", name, declared));
-            return None;
+            return self.report.reject(private("unknown-attribute", name, declared));
         }
         if let Some(how) = self.not_assigned(ty, &name.text) {
             if self.report.says(how) {
-                self.report.fail();
-                return None;
+                return self.report.give_up();
             }
             let message = format!("`{}` is a pointer, and pointers are not assigned", name.text);
-            self.report.add(Diagnostic::error("unknown-attribute", message, name.span).note(how));
-            return None;
+            return self
+                .report
+                .reject(Diagnostic::error("unknown-attribute", message, name.span).note(how));
         }
         let element = ty.a_word();
         let message = format!("{element} has no attribute `{}`", name.text);
@@ -348,8 +331,7 @@ impl Typing<'_> {
                 declaration(&name.text, ty, of)
             )),
         };
-        self.report.add(error);
-        None
+        self.report.reject(error)
     }
 
     /// The note on how a pointer of an element is changed, if the word names a pointer, which

@@ -53,10 +53,7 @@ impl Typing<'_> {
                 ExprKind::Component(0, Box::new(values.pop()?))
             }
             (ty, types) if ty.is_vector() && fills(ty, types) => ExprKind::Vector(values),
-            _ => {
-                self.no_such_value(ty, function, args, &types, span);
-                return None;
-            }
+            _ => return self.no_such_value(ty, function, args, &types, span),
         };
         Some(typed(ty, kind, span))
     }
@@ -69,11 +66,10 @@ impl Typing<'_> {
         args: &[tree::Expr],
         types: &[Type],
         span: Span,
-    ) {
+    ) -> Option<Expr> {
         let only_reals = types.iter().all(|ty| *ty == Type::Real);
         if ty.is_vector() && only_reals {
-            let _ = self.right_count(function, usize::from(ty.size()), args.len(), span);
-            return;
+            self.right_count(function, usize::from(ty.size()), args.len(), span)?;
         }
         let given: Vec<&str> = types.iter().map(|ty| ty.a_word()).collect();
         let given = match given.as_slice() {
@@ -83,7 +79,7 @@ impl Typing<'_> {
         let message = format!("{} cannot be made of {given}", ty.a_word());
         let error = Diagnostic::error("type-mismatch", message, span)
             .note(format!("it is made by {}", called(ty.word())));
-        self.report.add(error);
+        self.report.reject(error)
     }
 }
 

@@ -227,8 +227,7 @@ impl Declared {
             }
         }
         self.hidden_attributes.extend(used.attributes.iter().filter(|head| head.private).cloned());
-        let lost = used.lost_attributes.iter().cloned();
-        self.lost_attributes.extend(lost);
+        self.lost_attributes.extend(used.lost_attributes.iter().cloned());
     }
 
     /// The callable item of this name.
@@ -282,8 +281,7 @@ impl Declared {
                  are names of the language, too",
             );
         }
-        report.add(error);
-        None
+        report.reject(error)
     }
 
     /// Adds to the error about an unknown function or op what may have been meant, perhaps one of

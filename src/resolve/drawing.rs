@@ -128,9 +128,7 @@ fn lacking(side: &tree::Side, before: &Side, names: &Names) -> Vec<Lacking> {
 /// Reports an unnamed path in a loop without one in `before`: it stands for that path.
 fn missing_path(l: &Loop, names: &Names, report: &mut Report) {
     let unnamed = |item: &&LoopItem| !names.get(item.item.name).named;
-    let Some(item) = l.items.iter().find(unnamed) else {
-        return;
-    };
+    let Some(item) = l.items.iter().find(unnamed) else { return };
     if !names.readable(item.item.name) {
         let face = &names.get(l.face.name).text;
         let message = format!("the loop of `{face}` has no path without a name in `before`");
@@ -195,9 +193,7 @@ impl<'a> Drawing<'a> {
 
     /// Records where an element is stated, and reports a second statement.
     pub(super) fn state(&mut self, what: Ref, span: Span) {
-        let Some(first) = self.stated.insert(what.name, span) else {
-            return;
-        };
+        let Some(first) = self.stated.insert(what.name, span) else { return };
         let name = self.names.get(what.name);
         let message = format!("the {} `{}` is stated twice", name.kind.word(), name.text);
         let error = Diagnostic::error("stated-twice", message, span)
@@ -261,9 +257,7 @@ impl<'a> Drawing<'a> {
             self.report.fail();
             return;
         }
-        let ([first, ..], Some(end)) = (l.items.as_slice(), &l.end) else {
-            return;
-        };
+        let ([first, ..], Some(end)) = (l.items.as_slice(), &l.end) else { return };
         // Subscripts at the corners of a single loop have been reported.
         if l.name.index.is_none() && l.each.is_none() && first.from.index.is_some() {
             self.report.fail();
@@ -284,8 +278,7 @@ impl<'a> Drawing<'a> {
                 _ => format!("-{word}->"),
             };
             let rest = format!(" {arrow} {begins}");
-            let error = error.label(name.span, "in no loop of `after`");
-            self.report.add(error.fix(
+            self.report.add(error.label(name.span, "in no loop of `after`").fix(
                 format!("go on with `{}`", rest.trim()),
                 end.span.after(),
                 rest,
@@ -295,8 +288,7 @@ impl<'a> Drawing<'a> {
         // An end that is first mentioned here is a slip if the other end is known, and so is one
         // that the last item both leaves and leads to. Otherwise the loop may be meant to go on.
         let stands_alone = |name: &tree::Name| {
-            let known = self.names.find(&name.ident.text);
-            known.is_none_or(|id| self.names.get(id).span == name.span)
+            self.names.find(&name.ident.text).is_none_or(|id| self.names.get(id).span == name.span)
         };
         let alone = [&first.from, end].map(stands_alone);
         let last = l.items.last();

@@ -90,12 +90,7 @@ fn created(rule: &tree::Rule) -> HashMap<&str, (bool, Span)> {
 /// The lists of a rule, each behind its keyword.
 fn lists(rule: &tree::Rule) -> impl Iterator<Item = (&'static str, &[Name])> {
     let statements = rule.after.iter().flat_map(|side| &side.statements);
-    statements.filter_map(|statement| match statement {
-        Statement::New(listed, _) => Some(("new", listed.as_slice())),
-        Statement::Erase(listed, _) => Some(("erase", listed.as_slice())),
-        Statement::Keep(listed, _) => Some(("keep", listed.as_slice())),
-        _ => None,
-    })
+    statements.filter_map(Statement::listed)
 }
 
 /// Reports the names in a list that lack the subscript they have wherever they are drawn.
@@ -113,9 +108,7 @@ fn bare_in_list(rule: &tree::Rule, list: &str, names: &[&Name], report: &mut Rep
         Some((word, name.span, index_of(word)?.variable.as_ref()?.text.as_str()))
     });
     let bare: Vec<(&str, Span, &str)> = bare.collect();
-    let Some((_, first, letter)) = bare.first().copied() else {
-        return;
-    };
+    let Some((_, first, letter)) = bare.first().copied() else { return };
     let words: Vec<&str> = bare.iter().map(|(word, ..)| *word).collect();
     let families: Vec<String> = words.iter().map(|word| format!("{word}[{letter}]")).collect();
     let (be, has) = if words.len() == 1 {
@@ -193,10 +186,7 @@ fn same_form(
             format!("write `{word}[i]` for all of it"),
         ),
     };
-    let label = match first.0 {
-        true => "a family here",
-        false => "a single name here",
-    };
+    let label = if first.0 { "a family here" } else { "a single name here" };
     let error =
         Diagnostic::error("two-forms", message, mention.span).label(first.1, label).note(note);
     report.add(error);
@@ -288,8 +278,7 @@ impl Letter {
         if let Statement::Loop(orbit) = statement
             && !free
         {
-            let corners = orbit.items.iter().map(|item| &item.from);
-            let mut corners = corners.chain(&orbit.end);
+            let mut corners = orbit.items.iter().map(|item| &item.from).chain(&orbit.end);
             if let Some(corner) = corners.find(|corner| corner.index.is_some()) {
                 report.add(mixed(corner, subject, free));
             }
@@ -299,15 +288,11 @@ impl Letter {
 
 /// Adds a fix that repeats `v[i] -h[i]-> v[i+1]` with `each`, if the loop is such a period.
 fn repeated(error: Diagnostic, orbit: &tree::Loop) -> Diagnostic {
-    let ([first, ..], Some(end)) = (orbit.items.as_slice(), &orbit.end) else {
-        return error;
-    };
+    let ([first, ..], Some(end)) = (orbit.items.as_slice(), &orbit.end) else { return error };
     let index = |name: &Name| name.index.as_ref().map(|index| index.offset);
     let is_period = end.ident.text == first.from.ident.text && index(end) > index(&first.from);
     let letter = first.from.index.as_ref().and_then(|index| index.variable.as_ref());
-    let (Some(letter), true) = (letter, is_period) else {
-        return error;
-    };
+    let (Some(letter), true) = (letter, is_period) else { return error };
     let mut error = error;
     let title = format!("repeat it: `each {} {{ … }}`", letter.text);
     let (begin, end) = (first.from.span.before(), end.span);
@@ -326,8 +311,7 @@ fn unnamed_in_each(statement: &Statement) -> Option<Span> {
     match statement {
         Statement::Loop(orbit) => {
             orbit.each.as_ref()?;
-            let mut items = orbit.items.iter();
-            let unnamed = items.find(|item| item.arrow == Arrow::Path(None))?;
+            let unnamed = orbit.items.iter().find(|item| item.arrow == Arrow::Path(None))?;
             Some(unnamed.span)
         }
         Statement::Vertex(star) => {

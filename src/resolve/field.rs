@@ -38,10 +38,8 @@ pub(super) fn entries_of(ty: Type) -> Vec<Entry> {
 
 /// The function of elements of type `ty` that a word names, in this language or another.
 fn function_of(ty: Type, word: &str) -> Option<&str> {
-    let takes = |function: &str| {
-        let mut ways = overloads(function).iter();
-        ways.any(|way| way.wanted == [Wanted::Is(ty)])
-    };
+    let takes =
+        |function: &str| overloads(function).iter().any(|way| way.wanted == [Wanted::Is(ty)]);
     match foreign_words::function(word) {
         _ if takes(word) => Some(word),
         _ if foreign_words::is_degree(ty, word) => Some("degree"),

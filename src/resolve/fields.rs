@@ -75,7 +75,6 @@ pub(super) fn is_taken(ty: Type, word: &str) -> bool {
 
 /// True if an element has a pointer of this name.
 pub(super) fn is_pointer(word: &str) -> bool {
-    let elements = Type::ALL.into_iter().filter(|ty| ty.is_element());
-    let mut fields = elements.flat_map(fields_of);
+    let mut fields = Type::ALL.into_iter().filter(|ty| ty.is_element()).flat_map(fields_of);
     fields.any(|(known, field)| *known == word && matches!(field, Field::Pointer(..)))
 }

@@ -90,9 +90,7 @@ pub fn resolve_all(units: &[Unit]) -> Resolved {
     let mut number = 0;
     for (unit, declared) in units.iter().zip(&functions.declared) {
         for item in &unit.tree.items {
-            let Item::Op(op) = item else {
-                continue;
-            };
+            let Item::Op(op) = item else { continue };
             if let Some(steps) = &op.steps {
                 let (signature, report) = (&signatures[number], &mut reports[number]);
                 let resolved = resolve_steps(op, steps, signature, &signatures, declared, report);

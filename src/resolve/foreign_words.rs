@@ -164,46 +164,16 @@ pub(super) fn function(word: &str) -> Option<Here> {
         }
         "parallel_for" | "parfor" => PARALLEL,
         "sqr" | "square" => Said("it is `x * x`"),
-        "next"
-        | "prev"
-        | "twin"
-        | "opposite"
-        | "sym"
-        | "target"
-        | "source"
-        | "origin"
-        | "halfedge"
-        | "vertex"
-        | "edge"
-        | "face"
-        | "position"
-        | "pos"
-        | "to_vertex"
-        | "from_vertex"
-        | "to_vertex_handle"
-        | "from_vertex_handle"
-        | "next_halfedge_handle"
-        | "opposite_halfedge_handle"
-        | "prev_halfedge_handle"
-        | "edge_handle"
-        | "face_handle"
-        | "halfedge_handle" => POINTED,
-        "one_ring"
-        | "ring"
-        | "neighbors"
-        | "neighbours"
-        | "adjacent_vertices"
-        | "incident_edges"
-        | "incident_faces"
-        | "vv_range"
-        | "ve_range"
-        | "vf_range"
-        | "fv_range"
-        | "fh_range"
-        | "vertices_around_target"
-        | "halfedges_around_target"
-        | "halfedges_around_face"
-        | "faces_around_target" => AROUND,
+        "next" | "prev" | "twin" | "opposite" | "sym" | "target" | "source" | "origin"
+        | "halfedge" | "vertex" | "edge" | "face" | "position" | "pos" | "to_vertex"
+        | "from_vertex" | "to_vertex_handle" | "from_vertex_handle" | "edge_handle"
+        | "face_handle" | "halfedge_handle" => POINTED,
+        "next_halfedge_handle" | "opposite_halfedge_handle" | "prev_halfedge_handle" => POINTED,
+        "one_ring" | "ring" | "neighbors" | "neighbours" | "adjacent_vertices"
+        | "incident_edges" | "incident_faces" | "vv_range" | "ve_range" | "vf_range"
+        | "fv_range" | "fh_range" => AROUND,
+        "vertices_around_target" | "halfedges_around_target" => AROUND,
+        "halfedges_around_face" | "faces_around_target" => AROUND,
         "face_normal" | "vertex_normal" | "calc_normal" | "calc_face_normal" => Written("normal"),
         "face_area" | "calc_face_area" => Written("area"),
         "edge_midpoint" => Written("midpoint"),

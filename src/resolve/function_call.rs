@@ -10,12 +10,10 @@ use crate::syntax::tree::{self, Ident};
 use super::declared::What;
 use super::program::StatementKind;
 use super::script::Scripting;
-use super::signature::Effects;
-use super::signature::Parameter;
-use super::signature::{FunctionSignature, Value};
+use super::signature::{Effects, FunctionSignature, Parameter, Value};
 use super::typed::typed;
 use super::typing::{Place, Typing};
-use super::words::arguments;
+use super::words::{are_given, arguments};
 
 /// A call of a function.
 struct Invocation {
@@ -49,19 +47,15 @@ impl Typing<'_> {
                 let error = Diagnostic::error("returns-nothing", message, span)
                     .label(invocation.signature.span, "it is declared here");
                 let Effects { changes, prints, .. } = invocation.signature.effects;
-                self.report.add(match changes.or(prints) {
+                self.report.reject(match changes.or(prints) {
                     Some(_) => error,
                     None => error.note(
                         "functions that call each other in a circle say what they give, behind \
                          the parameters",
                     ),
-                });
-                None
+                })
             }
-            Value::Open | Value::Unknown => {
-                self.report.fail();
-                None
-            }
+            Value::Open | Value::Unknown => self.report.give_up(),
         }
     }
 
@@ -97,15 +91,14 @@ impl Typing<'_> {
     ) -> Option<Vec<Expr>> {
         let mut values: Vec<Option<Expr>> = Vec::new();
         for (place, arg) in args.iter().enumerate() {
-            let value = match params.get(place).map(|param| (param, param.ty)) {
-                Some((param, Some(ty))) => {
+            values.push(match params.get(place) {
+                Some(param) => {
                     let whose = format!("`{}` of `{name}`", param.name);
-                    self.expression_as(arg, ty, &whose)
+                    self.expression_for(arg, param.ty, &whose)
                 }
-                // A parameter of unknown type, or one argument too many.
-                Some((_, None)) | None => self.expression(arg),
-            };
-            values.push(value);
+                // One argument too many.
+                None => self.expression(arg),
+            });
         }
         self.right_argument_count(name, params, args.len(), span)?;
         for param in &params[args.len()..] {
@@ -127,8 +120,7 @@ impl Typing<'_> {
     ) -> Option<()> {
         let most = params.len();
         // A parameter before a required one cannot be left out either.
-        let required = params.iter().rposition(|param| !param.optional);
-        let least = required.map_or(0, |place| place + 1);
+        let least = params.iter().rposition(|param| !param.optional).map_or(0, |place| place + 1);
         if (least..=most).contains(&given) {
             return Some(());
         }
@@ -136,12 +128,7 @@ impl Typing<'_> {
             least if least == most => arguments(most),
             least => format!("{least} to {}", arguments(most)),
         };
-        let verb = if given == 1 { "is" } else { "are" };
-        let given = match given {
-            0 => "none".to_owned(),
-            given => given.to_string(),
-        };
-        let message = format!("`{name}` takes {wanted}, but {given} {verb} given");
+        let message = format!("`{name}` takes {wanted}, but {}", are_given(given));
         let params: Vec<String> = params
             .iter()
             .map(|param| match param.ty {
@@ -151,8 +138,7 @@ impl Typing<'_> {
             .collect();
         let error = Diagnostic::error("wrong-count", message, span)
             .note(format!("it is `{name}({})`", params.join(", ")));
-        self.report.add(error);
-        None
+        self.report.reject(error)
     }
 
     /// Reports a function whose effects are not allowed in this place.
@@ -169,9 +155,7 @@ impl Typing<'_> {
         };
         let error = match self.place {
             Place::Script => {
-                let Some(place) = effects.changes.filter(|_| !may_change) else {
-                    return Some(());
-                };
+                let Some(place) = effects.changes.filter(|_| !may_change) else { return Some(()) };
                 error("changes-mesh", "changes the mesh").label(place, "it is changed here").note(
                     "such a call stands as a statement, or is the whole value of a variable, \
                      of `if` or of `return`",
@@ -193,8 +177,7 @@ impl Typing<'_> {
                 }
             }
         };
-        self.report.add(error);
-        None
+        self.report.reject(error)
     }
 }
 
@@ -212,24 +195,20 @@ impl Scripting<'_> {
         let result = match signature.result {
             Value::Of(ty) => Some(ty),
             Value::Nothing => None,
-            Value::Open | Value::Unknown => {
-                self.typing.report.fail();
-                return None;
-            }
+            Value::Open | Value::Unknown => return self.typing.report.give_up(),
         };
         let effects = signature.effects;
         if let Some(ty) = result.filter(|_| effects.changes.or(effects.prints).is_none()) {
-            self.unused(ty, span);
-            return None;
+            return self.unused(ty, span);
         }
         Some(StatementKind::Call { function: number, args, result })
     }
 
     /// Reports a value that is not used.
-    pub(super) fn unused(&mut self, ty: Type, span: Span) {
+    pub(super) fn unused<T>(&mut self, ty: Type, span: Span) -> Option<T> {
         let message = "this value is not used";
         let error = Diagnostic::error("unused-value", message, span)
             .saying(format!("this is {}", ty.a_word()));
-        self.typing.report.add(error);
+        self.typing.report.reject(error)
     }
 }

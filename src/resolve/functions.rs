@@ -14,8 +14,7 @@ use super::effects::{TreeEffects, all_effects};
 use super::program::Function;
 use super::report::Report;
 use super::routine::{resolve_function, script_signature, written_signature};
-use super::signature::Signature;
-use super::signature::{FunctionSignature, Value};
+use super::signature::{FunctionSignature, Signature, Value};
 use super::unit::Unit;
 
 /// The functions of a program, by number.
@@ -46,9 +45,7 @@ impl<'t> Functions<'t> {
         let mut items = Vec::new();
         for (home, unit) in units.iter().enumerate() {
             for item in &unit.tree.items {
-                let Item::Fn(tree) = item else {
-                    continue;
-                };
+                let Item::Fn(tree) = item else { continue };
                 let found = found.next().unwrap_or_default();
                 let mut report = Report::default();
                 let signature =

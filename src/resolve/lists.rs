@@ -41,12 +41,10 @@ pub(super) fn read_lists(
     for statement in &after.statements {
         match statement {
             Statement::New(listed, _) => {
-                let created = listed.iter().filter_map(|name| reader.new_name(name));
-                lists.created.extend(created);
+                lists.created.extend(listed.iter().filter_map(|name| reader.new_name(name)));
             }
             Statement::Erase(listed, _) => {
-                let erased = listed.iter().filter_map(|name| reader.erased(name));
-                lists.erased.extend(erased);
+                lists.erased.extend(listed.iter().filter_map(|name| reader.erased(name)));
             }
             Statement::Keep(listed, _) => listed.iter().for_each(|name| reader.kept(name)),
             _ => {}
@@ -102,14 +100,12 @@ impl<'a> Reader<'a> {
         if let Some(given) = self.names.parameter(word) {
             // A parameter drawn as another kind is reported where it is drawn.
             if self.names.find(word).is_none() && self.is_drawn(word) {
-                self.report.fail();
-                return None;
+                return self.report.give_up();
             }
             let message =
                 format!("`{word}` is listed in `new`, but it is a parameter; rename one of them");
             let error = Diagnostic::error("already-drawn", message, name.span);
-            self.report.add(error.label(given, "the parameter"));
-            return None;
+            return self.report.reject(error.label(given, "the parameter"));
         }
         let Some(id) = self.names.find(word) else {
             self.unused.push(name);
@@ -119,8 +115,7 @@ impl<'a> Reader<'a> {
         if self.names.readable(id) {
             let message = format!("`{word}` is listed in `new`, but it is there before");
             let error = Diagnostic::error("already-drawn", message, name.span);
-            self.report.add(error.label(known.span, "it is drawn here"));
-            return None;
+            return self.report.reject(error.label(known.span, "it is drawn here"));
         }
         if !self.names.in_after(id) {
             self.unused.push(name);
@@ -131,8 +126,7 @@ impl<'a> Reader<'a> {
                 "`{word}` is {}; `new` names vertices, halfedges, edges and faces",
                 known.kind.a_word()
             );
-            self.report.add(Diagnostic::error("not-an-element", message, name.span));
-            return None;
+            return self.report.reject(Diagnostic::error("not-an-element", message, name.span));
         }
         Some(mention(id, name))
     }
@@ -154,9 +148,7 @@ impl<'a> Reader<'a> {
         if !self.first("keep", name) {
             return;
         }
-        let Some(id) = self.drawn("keep", name) else {
-            return;
-        };
+        let Some(id) = self.drawn("keep", name) else { return };
         let word = &name.ident.text;
         let kind = self.names.get(id).kind;
         let error = if !matches!(kind, Kind::Vertex | Kind::Edge | Kind::Face) {

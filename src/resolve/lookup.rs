@@ -33,10 +33,7 @@ impl Typing<'_> {
             return self.drawn(names, id, span, ExprKind::Element(id));
         }
         if let Some((number, ty)) = local {
-            let Some(ty) = ty else {
-                self.report.fail();
-                return None;
-            };
+            let Some(ty) = ty else { return self.report.give_up() };
             return Some(typed(ty, ExprKind::Local(number), span));
         }
         if let Some((_, value)) = CONSTANTS.iter().find(|(known, _)| *known == word) {
@@ -51,10 +48,9 @@ impl Typing<'_> {
         let (word, span) = (name.ident.text.as_str(), name.span);
         let Place::Rule(names) = self.place else {
             let message = "subscripts stand in the drawings of an op, and in what it asks and sets";
-            self.report.add(Diagnostic::error("wrong-subscript", message, index.span).note(
+            return self.report.reject(Diagnostic::error("wrong-subscript", message, index.span).note(
                 "a component is `p.x`; an element is found by a loop, or by `argmin(length(e) for e in edges)`",
             ));
-            return None;
         };
         let Some(id) = names.find(word) else {
             self.unknown_name(word, span);
@@ -100,8 +96,7 @@ impl Typing<'_> {
                 Diagnostic::error("wrong-subscript", message, index.span)
             }
         };
-        self.report.add(error);
-        None
+        self.report.reject(error)
     }
 
     /// An element of the rule, as it was before the rewrite.
@@ -127,8 +122,7 @@ impl Typing<'_> {
             );
             Diagnostic::error("not-an-element", message, span).label(name.span, "it is drawn here")
         };
-        self.report.add(error);
-        None
+        self.report.reject(error)
     }
 
     /// Reports an unknown name, and what may have been meant.

@@ -12,7 +12,7 @@ use super::report::Report;
 use super::signature::Parameter;
 
 /// The names of one rule.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(super) struct Names {
     list: Vec<Name>,
     numbers: HashMap<String, NameId>,
@@ -48,13 +48,9 @@ impl Names {
         let all = || before.iter().chain(&after);
         let kinds = kinds(params, all(), report);
         let mut names = Self {
-            list: Vec::new(),
-            numbers: HashMap::new(),
-            readable: Vec::new(),
-            after: Vec::new(),
-            created: HashMap::new(),
             params: params.iter().map(|param| (param.name.clone(), param.span)).collect(),
             letter,
+            ..Self::default()
         };
         for mention in all() {
             if let Some(Ok(kind)) = kinds.get(mention.text.as_ref()).map(|o| o.kind) {
@@ -103,9 +99,7 @@ impl Names {
 
     fn read_created(&mut self, after: Option<&Side>) {
         for statement in after.iter().flat_map(|side| &side.statements) {
-            let Statement::New(listed, _) = statement else {
-                continue;
-            };
+            let Statement::New(listed, _) = statement else { continue };
             for name in listed {
                 if let Some(id) = self.find(&name.ident.text) {
                     self.created.entry(id).or_insert(name.span);
@@ -126,8 +120,7 @@ impl Names {
 
     /// The names that are written in the program, in order of first mention.
     pub(super) fn words(&self) -> impl Iterator<Item = &str> {
-        let named = self.list.iter().filter(|name| name.named);
-        named.map(|name| name.text.as_str())
+        self.list.iter().filter(|name| name.named).map(|name| name.text.as_str())
     }
 
     /// True if, by the drawing, it exists before the rewrite.

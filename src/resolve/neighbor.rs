@@ -28,9 +28,7 @@ pub(super) fn near(written: &tree::Expr, ty: Type, wanted: Type) -> Option<Strin
         (Type::Halfedge, Type::Vec3) => {
             format!("{of} goes from `{text}.vertex.position` to `{text}.target.position`")
         }
-        (Type::Halfedge, Type::Vertex) => {
-            format!("{of} begins at `{text}.{}`", path(ty, wanted)?)
-        }
+        (Type::Halfedge, Type::Vertex) => format!("{of} begins at `{text}.{}`", path(ty, wanted)?),
         (_, Type::Vec3) => format!("the position of {of} is `{text}.{}`", path(ty, wanted)?),
         (Type::Edge, Type::Halfedge) => {
             format!("the halfedges of {of} are `{text}.halfedge` and `{text}.halfedge.twin`")

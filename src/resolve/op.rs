@@ -15,8 +15,7 @@ use super::program;
 use super::property::properties;
 use super::report::Report;
 use super::rule::{Context, resolve_rule};
-use super::signature::Parameter;
-use super::signature::{Signature, Value};
+use super::signature::{Parameter, Signature, Value};
 use super::steps::steps_signature;
 use super::suggestion::suggest;
 
@@ -88,7 +87,8 @@ pub(super) fn resolve_op(
     let (diagram, open) = if report.failed() { (None, drawn) } else { (drawn, None) };
     let mut resolved = signature.op(op.name.span, diagram);
     resolved.open = open.map(Box::new);
-    if resolved.diagram.is_none() && !is_still(op) {
+    let is_still = op.rules.iter().all(|rule| rule.after == rule.before);
+    if resolved.diagram.is_none() && !is_still {
         let (_, still) = resolve_op(&still(op), declared, attributes, &mut Report::default());
         resolved.still = still.diagram.map(Box::new);
     }
@@ -104,10 +104,6 @@ fn still(op: &tree::Op) -> tree::Op {
         rule.after = rule.before.clone();
     }
     still
-}
-
-fn is_still(op: &tree::Op) -> bool {
-    op.rules.iter().all(|rule| rule.after == rule.before)
 }
 
 /// Reports an op with more than the maximum number of rules.
@@ -128,9 +124,7 @@ fn draws_too_much(rule: &tree::Rule, report: &mut Report) -> bool {
     let sides = [("before", &rule.before, MOST_BEFORE), ("after", &rule.after, MOST_AFTER)];
     let mut is_too_much = false;
     for (word, side, most) in sides {
-        let Some(side) = side else {
-            continue;
-        };
+        let Some(side) = side else { continue };
         let mut expect = |count: usize, most: usize, told: &str, note: &str| {
             if count > most {
                 let message = format!("`{word}` {told}, and there can be {most}");
@@ -201,10 +195,8 @@ fn kind_returned(kind: Kind, word: &Ident, rules: &[Names]) -> Diagnostic {
         let id = names.find(name);
         id.is_some_and(|id| names.get(id).kind == kind)
     };
-    let mut drawn = rules.iter().flat_map(|names| {
-        let words = names.words();
-        words.filter(move |name| is_one(names, name))
-    });
+    let mut drawn =
+        rules.iter().flat_map(|names| names.words().filter(move |name| is_one(names, name)));
     match drawn.next() {
         Some(name) => error.note(format!("write the name, for example `-> {name}`")),
         None => error.note(format!("draw {} and write its name here", kind.a_word())),
@@ -216,13 +208,11 @@ fn result_type(name: &Ident, rules: &[Names], report: &mut Report) -> Option<Typ
     let word = &name.text;
     let mut kinds: Vec<Kind> = Vec::new();
     for names in rules {
-        let kind = names.find(word).map(|id| names.get(id).kind);
-        kinds.extend(kind);
+        kinds.extend(names.find(word).map(|id| names.get(id).kind));
     }
     let Some(first) = kinds.first().copied() else {
         if let Some(kind) = Type::named(word).and_then(Type::element_kind) {
-            report.add(kind_returned(kind.into(), name, rules));
-            return None;
+            return report.reject(kind_returned(kind.into(), name, rules));
         }
         let message = format!("`{word}` is returned, but it is drawn nowhere");
         let error = Diagnostic::error("unknown-result", message, name.span);
@@ -234,8 +224,7 @@ fn result_type(name: &Ident, rules: &[Names], report: &mut Report) -> Option<Typ
             ),
             false => suggest(error, word, name.span, drawn),
         };
-        report.add(error);
-        return None;
+        return report.reject(error);
     };
     if let Some(other) = kinds.iter().find(|kind| **kind != first) {
         let message = format!(
@@ -243,8 +232,7 @@ fn result_type(name: &Ident, rules: &[Names], report: &mut Report) -> Option<Typ
             first.a_word(),
             other.a_word()
         );
-        report.add(Diagnostic::error("result-kind", message, name.span));
-        return None;
+        return report.reject(Diagnostic::error("result-kind", message, name.span));
     }
     let ty = first.element_type();
     if ty.is_none() {

@@ -116,18 +116,13 @@ impl Scripting<'_> {
         let signature = &self.typing.ops[op];
         match signature.result {
             Value::Of(ty) => Some(ty),
-            Value::Open | Value::Unknown => {
-                self.typing.report.fail();
-                None
-            }
+            Value::Open | Value::Unknown => self.typing.report.give_up(),
             Value::Nothing => {
                 let message = format!("`{}` returns nothing", signature.name);
-                let error = Diagnostic::error("returns-nothing", message, span).note(
+                self.typing.report.reject(Diagnostic::error("returns-nothing", message, span).note(
                     "an op returns an element that is there afterwards where its head names it, as \
                      in `op split(e: edge) -> m`",
-                );
-                self.typing.report.add(error);
-                None
+                ))
             }
         }
     }
@@ -140,9 +135,7 @@ impl Scripting<'_> {
         variable: &Ident,
         span: Span,
     ) -> bool {
-        let Some(wanted) = wanted.filter(|wanted| *wanted != applied.result) else {
-            return true;
-        };
+        let Some(wanted) = wanted.filter(|wanted| *wanted != applied.result) else { return true };
         let message = format!(
             "`{}` wants {}, but `{}` returns {}",
             variable.text,
@@ -154,31 +147,19 @@ impl Scripting<'_> {
         false
     }
 
-    /// `if let m = split(e) { … } else { … }`, `if split(e) { … }`
+    /// `if let m = split(e) { … } else { … }`, `if split(e) { … }`; its blocks are resolved by
+    /// `block`.
     pub(super) fn if_applied(
         &mut self,
         binding: Option<&Ident>,
         condition: &tree::Expr,
-        [then, otherwise]: [Option<&tree::Block>; 2],
+        (then, otherwise): (&tree::Block, Option<&tree::Block>),
+        block: fn(&mut Self, &tree::Block) -> Block,
     ) -> Option<StatementKind> {
         let asked = self.asked(binding, condition);
-        let then = then.map(|block| self.block(block)).unwrap_or_default();
+        let then = block(self, then);
         self.typing.scopes.leave();
-        let otherwise = otherwise.map(|block| self.block(block)).unwrap_or_default();
-        Some(asked?.choosing([then, otherwise]))
-    }
-
-    /// The same at the end of a function, where the blocks may end with its value.
-    pub(super) fn if_applied_at_end(
-        &mut self,
-        binding: Option<&Ident>,
-        condition: &tree::Expr,
-        [then, otherwise]: [&tree::Block; 2],
-    ) -> Option<StatementKind> {
-        let asked = self.asked(binding, condition);
-        let then = self.body(then);
-        self.typing.scopes.leave();
-        let otherwise = self.body(otherwise);
+        let otherwise = otherwise.map(|otherwise| block(self, otherwise)).unwrap_or_default();
         Some(asked?.choosing([then, otherwise]))
     }
 
@@ -191,27 +172,22 @@ impl Scripting<'_> {
             tree::ExprKind::Must(_) => {
                 let message = "`if let` asks whether the op is refused, so `must` has no place";
                 let error = Diagnostic::error("misplaced-must", message, condition.span);
-                self.typing.report.add(error);
-                None
+                self.typing.report.reject(error)
             }
-            tree::ExprKind::Broken => {
-                self.typing.report.fail();
-                None
-            }
+            tree::ExprKind::Broken => self.typing.report.give_up(),
             _ => {
                 let message = "`if let` wants the call of an op";
                 let error = Diagnostic::error("not-an-op", message, condition.span);
                 let note = "`argmin` and `argmax` want an element: whether there is one is asked \
                             before, `if any(… for e in edges) { … }`";
-                self.typing.report.add(match &condition.kind {
+                self.typing.report.reject(match &condition.kind {
                     tree::ExprKind::Aggregate { function, .. }
                         if matches!(function.text.as_str(), "argmin" | "argmax") =>
                     {
                         error.note(note)
                     }
                     _ => error,
-                });
-                None
+                })
             }
         };
         self.typing.scopes.enter();
@@ -262,8 +238,7 @@ impl Typing<'_> {
                 true => format!("`{word}` is a script, not an op"),
                 false => format!("`{word}` is a function, not an op"),
             };
-            let error = Diagnostic::error("not-an-op", message, function.span);
-            self.report.add(error);
+            self.report.add(Diagnostic::error("not-an-op", message, function.span));
             return false;
         }
         let message = format!("there is no op `{word}`");

@@ -31,8 +31,7 @@ impl Typing<'_> {
                     ty.a_word()
                 );
                 let error = Diagnostic::error("type-mismatch", message, written.span);
-                self.report.add(place_note(error, &[(written, &value)]));
-                return None;
+                return self.report.reject(place_note(error, &[(written, &value)]));
             }
             (UnaryOp::Not, _) => {
                 let value = self.convert(written, value, Type::Bool, "`not`")?;
@@ -64,14 +63,13 @@ impl Typing<'_> {
                 .label(left_written.span, format!("this is {}", left.ty.a_word()))
                 .label(right_written.span, format!("this is {}", right.ty.a_word()));
             let written = [(left_written, &left), (right_written, &right)];
-            self.report.add(match op {
+            return self.report.reject(match op {
                 BinaryOp::Equal | BinaryOp::NotEqual => error,
                 BinaryOp::Add if types.contains(&Type::Text) => error.note(
                     "texts are not joined; what is printed holds values: `print \"{x} of {y}\"`",
                 ),
                 _ => with_places(place_note(error, &written), op, written),
             });
-            return None;
         };
         let (mut left, mut right) = (left, right);
         if joined.swap {
@@ -245,13 +243,10 @@ fn with_places(
         vertices.map(|(written, value)| vertex_named(written, value)).collect();
     let point = |ty: Type| if ty == Type::Vertex { Type::Vec3 } else { ty };
     let fits = join(op, operands.map(|(_, value)| point(value.ty))).is_some();
-    let Some(named) = named.filter(|named| fits && !named.is_empty()) else {
-        return error;
-    };
+    let Some(named) = named.filter(|named| fits && !named.is_empty()) else { return error };
     let places: Vec<String> = named.iter().map(|(name, _)| format!("`{name}.position`")).collect();
     let text = || ".position".to_owned();
-    let edits = named.iter().map(|(_, span)| Edit { span: span.after(), text: text() });
-    let edits = edits.collect();
+    let edits = named.iter().map(|(_, span)| Edit { span: span.after(), text: text() }).collect();
     error.fixes.push(Fix { title: format!("write {}", places.join(" and ")), edits });
     error
 }

@@ -15,7 +15,7 @@ use super::testing::mesh_maker;
 use super::typed::{to_real, typed};
 use super::typing::{Place, Typing};
 use super::vocabulary::called;
-use super::words::{arguments, short, subject};
+use super::words::{are_given, arguments, short, subject};
 
 /// How well a type fits a parameter.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -37,8 +37,7 @@ fn fit(wanted: Wanted, ty: Type) -> Fit {
 
 /// The worst fit among the arguments.
 fn fit_all(overload: &Overload, args: &[Expr]) -> Fit {
-    let each = overload.wanted.iter().zip(args);
-    let fits = each.map(|(wanted, arg)| fit(*wanted, arg.ty));
+    let fits = overload.wanted.iter().zip(args).map(|(wanted, arg)| fit(*wanted, arg.ty));
     fits.min().unwrap_or(Fit::Exact)
 }
 
@@ -89,15 +88,13 @@ impl Typing<'_> {
         if word == SHUFFLE {
             let message =
                 "`shuffle` gives an order to what `for` visits, and stands behind its `in`";
-            self.report.add(Diagnostic::error("not-a-value", message, span));
-            return None;
+            return self.report.reject(Diagnostic::error("not-a-value", message, span));
         }
         let known = overloads(word);
         if known.iter().any(|way| way.builtin.is_random()) && !matches!(self.place, Place::Script) {
             let message = "an op or a default does the same each time, so nothing is random here";
             let error = Diagnostic::error("misplaced-random", message, span);
-            self.report.add(error.note("give the number to it as an argument"));
-            return None;
+            return self.report.reject(error.note("give the number to it as an argument"));
         }
         if known.is_empty() {
             let is_meant = self.unknown_function(function, args, span);
@@ -110,8 +107,7 @@ impl Typing<'_> {
         }
         let values: Vec<Option<Expr>> = args.iter().map(|arg| self.expression(arg)).collect();
         let counts = known.iter().map(|way| way.wanted.len());
-        let given = counts.clone().find(|count| *count == args.len());
-        let count = given.or(counts.max()).unwrap_or(0);
+        let count = counts.clone().find(|count| *count == args.len()).or(counts.max()).unwrap_or(0);
         if word == "midpoint" && args.len() == 2 {
             self.middle_of_two(args, &values, span);
             return None;
@@ -124,8 +120,7 @@ impl Typing<'_> {
         let ranked = known.iter().rev().map(|way| (fit_all(way, &values), way));
         match ranked.max_by_key(|(fit, _)| *fit) {
             Some((fit, way)) if fit > Fit::No => {
-                let wanted = way.wanted.iter();
-                let values = wanted.zip(values).map(|(w, arg)| convert(*w, arg));
+                let values = way.wanted.iter().zip(values).map(|(w, arg)| convert(*w, arg));
                 let kind = ExprKind::Call(way.builtin, values.collect());
                 Some(typed(way.result, kind, span))
             }
@@ -147,24 +142,18 @@ impl Typing<'_> {
         if wanted == given {
             return Some(());
         }
-        let verb = if given == 1 { "is" } else { "are" };
-        let given = match given {
-            0 => "none".to_owned(),
-            given => given.to_string(),
-        };
         let message =
-            format!("`{}` takes {}, but {given} {verb} given", function.text, arguments(wanted));
+            format!("`{}` takes {}, but {}", function.text, arguments(wanted), are_given(given));
         let error = Diagnostic::error("wrong-count", message, span);
         let error = match called(&function.text) {
             ways if ways.is_empty() => error,
             ways => error.note(format!("it is {ways}")),
         };
-        let is_distance = function.text == "length" && given == "2";
-        self.report.add(match is_distance {
+        let is_distance = function.text == "length" && given == 2;
+        self.report.reject(match is_distance {
             true => error.note("how far two points are apart is `distance(v, w)`"),
             false => error,
-        });
-        None
+        })
     }
 
     /// Reports `midpoint(v, w)`, which is `mix` of the two points.
@@ -256,8 +245,7 @@ impl Typing<'_> {
         }
         if self.declared.called(word).is_some() {
             let message = format!("`{word}` cannot be called in the default of a function");
-            let error = Diagnostic::error("unknown-function", message, function.span);
-            self.report.add(error);
+            self.report.add(Diagnostic::error("unknown-function", message, function.span));
             return false;
         }
         if self.declared.lacks_files() {
@@ -297,16 +285,15 @@ impl Typing<'_> {
     /// Reports an op inside an expression: it rewrites the mesh.
     fn op_in_expression(&mut self, op: &str, span: Span) {
         let message = format!("`{op}` is an op; it cannot be called inside of an expression");
-        let error = Diagnostic::error("op-in-expression", message, span).note(format!(
+        self.report.add(Diagnostic::error("op-in-expression", message, span).note(format!(
             "an op stands as a statement `{op}(…)`, as the condition of `if` or `if let x =`, \
              or after `let x = must`; what is done where it is refused stands in `else {{ … }}`, and \
              whether it would apply is asked by `can {op}(…)`"
-        ));
-        self.report.add(error);
+        )));
     }
 
     /// Reports `must f(x)` where a value is required.
-    pub(super) fn misplaced_must(&mut self, inner: &tree::Expr, span: Span) -> Option<Expr> {
+    pub(super) fn misplaced_must<T>(&mut self, inner: &tree::Expr, span: Span) -> Option<T> {
         match &inner.kind {
             tree::ExprKind::Call { function, .. } if self.declared.op(&function.text).is_some() => {
                 self.op_in_expression(&function.text, span);

@@ -96,8 +96,7 @@ fn default_value(
 ) -> Option<Expr> {
     if ty.is_element() {
         let message = format!("`{}` is {}, and an element has no default", name.text, ty.a_word());
-        report.add(Diagnostic::error("parameter-type", message, default.span));
-        return None;
+        return report.reject(Diagnostic::error("parameter-type", message, default.span));
     }
     let mut typing = Typing::new(Place::Default, declared, earlier, report);
     typing.whole_as(default, ty, &format!("`{}`", name.text))

@@ -46,26 +46,25 @@ impl Program {
         ops.iter().map(name).collect()
     }
 
-    /// The variables, parameters included, of all functions, ops in steps, scripts and tests.
-    pub fn variables(&self) -> impl Iterator<Item = &Variable> {
+    /// The variables and the statements of all functions, ops in steps, scripts and tests.
+    fn bodies(&self) -> impl Iterator<Item = (&Vec<Variable>, &Block)> {
         let functions = self.functions.iter().filter_map(|of| of.body.as_ref());
         let steps = self.ops.iter().filter_map(|op| Some(&op.steps.as_ref()?.body));
-        let bodies = functions.chain(steps).map(|body| &body.variables);
+        let bodies = functions.chain(steps).map(|body| (&body.variables, &body.block));
         let tests = self.tests.iter().map(|test| &test.script);
         let scripts = self.scripts.iter().chain(tests);
-        let scripts = scripts.map(|script| &script.variables);
-        bodies.chain(scripts).flatten()
+        bodies.chain(scripts.map(|script| (&script.variables, &script.body)))
+    }
+
+    /// The variables, parameters included, of all functions, ops in steps, scripts and tests.
+    pub fn variables(&self) -> impl Iterator<Item = &Variable> {
+        self.bodies().flat_map(|(variables, _)| variables)
     }
 
     /// All statements of functions, ops in steps, scripts and tests, those inside others, too.
     pub fn statements(&self) -> Vec<&Statement> {
-        let functions = self.functions.iter().filter_map(|of| of.body.as_ref());
-        let steps = self.ops.iter().filter_map(|op| Some(&op.steps.as_ref()?.body));
-        let bodies = functions.chain(steps).map(|body| &body.block);
-        let tests = self.tests.iter().map(|test| &test.script);
-        let scripts = self.scripts.iter().chain(tests).map(|script| &script.body);
         let mut all = Vec::new();
-        for statement in bodies.chain(scripts).flatten() {
+        for statement in self.bodies().flat_map(|(_, block)| block) {
             statement.each(&mut |inner| all.push(inner));
         }
         all

@@ -67,9 +67,7 @@ impl Typing<'_> {
     /// The error for a range where no loop counts through it.
     pub(super) fn misplaced_range(&mut self, span: Span) -> Option<Expr> {
         let message = "a range is not a value: only `for` takes one";
-        let error = Diagnostic::error("not-a-sequence", message, span);
-        self.report.add(error.note(TAKES_INTS));
-        None
+        self.report.reject(Diagnostic::error("not-a-sequence", message, span).note(TAKES_INTS))
     }
 }
 

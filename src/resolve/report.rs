@@ -30,6 +30,12 @@ impl Report {
         }
     }
 
+    /// Adds an error, and gives nothing in place of what has it.
+    pub(super) fn reject<T>(&mut self, error: Diagnostic) -> Option<T> {
+        self.add(error);
+        None
+    }
+
     /// Drops further diagnostics whose message starts with this name.
     pub(super) fn confuse(&mut self, word: &str) {
         self.confused.push(word.to_owned());
@@ -49,6 +55,12 @@ impl Report {
     pub(super) fn fail(&mut self) {
         self.failed = true;
         self.failed_silently = true;
+    }
+
+    /// Fails without a diagnostic, and gives nothing in place of what has failed.
+    pub(super) fn give_up<T>(&mut self) -> Option<T> {
+        self.fail();
+        None
     }
 
     /// True if all errors have this code, and nothing else has failed.

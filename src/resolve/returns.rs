@@ -40,7 +40,8 @@ impl Scripting<'_> {
                 condition.map(|condition| StatementKind::If { condition, then, otherwise })
             }
             ActionKind::If { binding, condition, then, otherwise: Some(otherwise) } => {
-                self.if_applied_at_end(binding.as_ref(), condition, [then, otherwise])
+                let blocks = (then, Some(otherwise));
+                self.if_applied(binding.as_ref(), condition, blocks, Self::body)
             }
             ActionKind::If { then, otherwise: None, .. } if self.lacks_else(then) => None,
             ActionKind::Block(block) => return statements.extend(self.body(block)),
@@ -57,10 +58,9 @@ impl Scripting<'_> {
         let returns = matches!(self.returns.value, Value::Of(_)) && self.is_value(value);
         if returns {
             let message = "an `if` without `else` gives no value";
-            let error = Diagnostic::error("unused-value", message, value.span).note(
+            self.typing.report.add(Diagnostic::error("unused-value", message, value.span).note(
                 "both branches give one, `if c { x } else { y }`, or `return` gives this one",
-            );
-            self.typing.report.add(error);
+            ));
         }
         returns
     }
@@ -105,14 +105,11 @@ impl Scripting<'_> {
                     let message = "a script returns nothing";
                     let error = Diagnostic::error("script-returns", message, value.span)
                         .note("`return` alone ends it; a value is printed, or given by a `fn`");
-                    self.typing.report.add(error);
-                    None
+                    self.typing.report.reject(error)
                 }
             };
         };
-        let Some(value) = value else {
-            return self.exit_without(&name, span);
-        };
+        let Some(value) = value else { return self.exit_without(&name, span) };
         if let Some(applied) = self.applied_value(value) {
             let applied = applied?;
             let result = applied.result;
@@ -142,8 +139,7 @@ impl Scripting<'_> {
                     Some(first) => error.label(first, "it gives a value here"),
                     None => error,
                 };
-                self.typing.report.add(error);
-                None
+                self.typing.report.reject(error)
             }
             _ => {
                 self.returns.value = Value::Nothing;
@@ -173,11 +169,10 @@ impl Scripting<'_> {
                         .note(format!("`round(x)` makes an int; or write `fn {name}(…) -> real`")),
                     _ => error,
                 };
-                self.typing.report.add(match first == written.span {
+                self.typing.report.reject(match first == written.span {
                     true => error,
                     false => error.label(first, format!("this is {}", ty.a_word())),
-                });
-                None
+                })
             }
             Value::Open => {
                 self.returns.value = Value::Of(value.ty);
@@ -191,13 +186,9 @@ impl Scripting<'_> {
                 let error = Diagnostic::error("needs-result-type", message, written.span);
                 let error = error
                     .note(format!("behind the parameters: `fn {name}(…) -> {}`", value.ty.word()));
-                self.typing.report.add(error);
-                None
+                self.typing.report.reject(error)
             }
-            Value::Unknown => {
-                self.typing.report.fail();
-                None
-            }
+            Value::Unknown => self.typing.report.give_up(),
         }
     }
 }

@@ -16,10 +16,7 @@ use super::report::Report;
 use super::return_value::Returns;
 use super::returns::ends;
 use super::script::Scripting;
-use super::signature::Effects;
-use super::signature::Parameter;
-use super::signature::Signature;
-use super::signature::{FunctionSignature, Value};
+use super::signature::{Effects, FunctionSignature, Parameter, Signature, Value};
 use super::type_name::type_named;
 use super::typed::typed;
 
@@ -132,12 +129,11 @@ pub(super) fn resolve_body(
     {
         let end = Span { start: written.span.end.saturating_sub(1), ..written.span };
         let message = format!("`{}` may come to its end without a value", signature.name);
-        let error = Diagnostic::error("missing-return", message, end).note(format!(
+        report.add(Diagnostic::error("missing-return", message, end).note(format!(
             "every way through it has to end with `return` and a value of type `{}`, or with \
              the value itself",
             ty.word()
-        ));
-        report.add(error);
+        )));
     }
     if report.failed() {
         // The part that failed may have determined the result.

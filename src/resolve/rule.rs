@@ -94,8 +94,7 @@ fn sides<'a>(
         None => ("op", op),
     };
     let message = format!("the {what} `{}` has {missing}", place.text);
-    report.add(Diagnostic::error("missing-side", message, place.span));
-    None
+    report.reject(Diagnostic::error("missing-side", message, place.span))
 }
 
 /// The element that the rule returns.

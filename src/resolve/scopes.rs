@@ -71,8 +71,7 @@ impl Scopes {
     /// Declares a variable in the innermost block and returns its number.
     pub(super) fn declare(&mut self, local: Local) -> u32 {
         let number = self.locals.len() as u32;
-        let same = self.visible.entry(local.name.clone()).or_default();
-        same.push(number);
+        self.visible.entry(local.name.clone()).or_default().push(number);
         if let Some(block) = self.open.last_mut() {
             block.push(number);
         }
@@ -95,8 +94,7 @@ impl Scopes {
     /// The variable of this name that the innermost block itself has declared.
     pub(super) fn find_here(&self, name: &str) -> Option<&Local> {
         let (number, local) = self.find(name)?;
-        let here = self.open.last().is_some_and(|block| block.contains(&number));
-        here.then_some(local)
+        self.open.last().is_some_and(|block| block.contains(&number)).then_some(local)
     }
 
     /// The visible names, in order of declaration.

@@ -193,10 +193,7 @@ impl Scripting<'_> {
                 self.of_a_loop("continue", StatementKind::Continue, action.span)
             }
             ActionKind::Expr(expr) => self.alone(expr),
-            ActionKind::Block(_) | ActionKind::Broken => {
-                self.typing.report.fail();
-                None
-            }
+            ActionKind::Block(_) | ActionKind::Broken => self.typing.report.give_up(),
         }
     }
 
@@ -302,8 +299,7 @@ impl Scripting<'_> {
                 "`require` stands where an op can refuse: in its steps, or beside its drawings";
             let error = Diagnostic::error("misplaced-part", message, span)
                 .note("here `assert` stops what runs");
-            self.typing.report.add(error);
-            return None;
+            return self.typing.report.reject(error);
         };
         let reason = reason.map_or_else(|| not_held(op), str::to_owned);
         let condition = typed?;

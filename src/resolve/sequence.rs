@@ -82,10 +82,7 @@ impl Typing<'_> {
                     }
                 }
             }
-            tree::ExprKind::Broken => {
-                self.report.fail();
-                None
-            }
+            tree::ExprKind::Broken => self.report.give_up(),
             _ => self.no_sequence(expr),
         }
     }
@@ -98,12 +95,9 @@ impl Typing<'_> {
                 "an op cannot look at all `{word}` of the mesh, only at what is near its \
                  parameters"
             ),
-            Place::Default => {
-                format!("a default cannot look at the `{word}` of a mesh")
-            }
+            Place::Default => format!("a default cannot look at the `{word}` of a mesh"),
         };
-        self.report.add(Diagnostic::error("whole-mesh", message, span));
-        None
+        self.report.reject(Diagnostic::error("whole-mesh", message, span))
     }
 
     /// Reports an expression that is not a sequence.
@@ -117,15 +111,14 @@ impl Typing<'_> {
     fn not_a_sequence(&mut self, expr: &tree::Expr, ty: Type, of: Type) -> Option<Collection> {
         let message = format!("{} is {}, not a sequence", subject(expr), ty.a_word());
         let error = Diagnostic::error("not-a-sequence", message, expr.span);
-        self.report.add(match sequences_of(of) {
+        self.report.reject(match sequences_of(of) {
             [] if of == Type::Int => error.note(TAKES_INTS),
             [] => {
                 let words = WHOLE_MESH.map(|(known, _)| known);
                 error.note(format!("the sequences of the mesh are {}", quoted(words)))
             }
             words => error.note(format!("the sequences of {} are {}", of.a_word(), quoted(words))),
-        });
-        None
+        })
     }
 
     /// `mean(x for e in edges where c)`
@@ -179,8 +172,7 @@ impl Typing<'_> {
                 "`{0}` wants a value for each element: `{0}(… for x in {all})`",
                 function.text
             );
-            self.report.add(Diagnostic::error("type-mismatch", message, span));
-            return None;
+            return self.report.reject(Diagnostic::error("type-mismatch", message, span));
         }
         self.scopes.enter();
         let variable = self.scopes.declare(Local {
@@ -235,8 +227,7 @@ impl Typing<'_> {
         let here = foreign_words::function(word);
         let error = foreign_words::tell(error, (word, function.span), here, fold_names())
             .note(format!("the aggregates are {}", quoted(fold_names())));
-        self.report.add(error);
-        None
+        self.report.reject(error)
     }
 
     /// Reports `count(v for v in vertices where boundary(v))`, with the bool in place of the element.
@@ -310,8 +301,7 @@ impl Typing<'_> {
                     ty.a_word()
                 );
                 let error = Diagnostic::error("type-mismatch", message, written.span);
-                self.report.add(error.note(COUNTED));
-                return None;
+                return self.report.reject(error.note(COUNTED));
             }
             (FoldFunction::Count | FoldFunction::Any | FoldFunction::All, _) => {
                 let ty = match fold {
@@ -328,12 +318,11 @@ impl Typing<'_> {
         let message =
             format!("{whose} wants {wants}, but {} is {}", subject(written), value.ty.a_word());
         let error = Diagnostic::error("type-mismatch", message, written.span);
-        self.report.add(match (fold, value.ty) {
+        self.report.reject(match (fold, value.ty) {
             (FoldFunction::Mean | FoldFunction::Sum, Type::Vertex) => {
                 with_field(error, written, "position")
             }
             _ => error,
-        });
-        None
+        })
     }
 }

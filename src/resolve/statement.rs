@@ -20,12 +20,9 @@ const MOST_BESIDE: usize = 100;
 impl Scripting<'_> {
     /// `let x = …`, `var x = …`
     pub(super) fn declaration(&mut self, action: &Action) -> Option<StatementKind> {
-        let ActionKind::Let { mutable, name, ty, value } = &action.kind else {
-            return None;
-        };
+        let ActionKind::Let { mutable, name, ty, value } = &action.kind else { return None };
         if let Some(first) = self.typing.scopes.find_here(&name.text) {
-            let error = duplicate("a variable", name, first.span);
-            self.typing.report.add(error);
+            self.typing.report.add(duplicate("a variable", name, first.span));
         }
         let annotated = ty.as_ref().map(|ty| type_named(ty, self.typing.report));
         let wanted = annotated.flatten();
@@ -33,20 +30,14 @@ impl Scripting<'_> {
         let (ty, value) = match applied {
             Some(applied) => {
                 let applied = applied.and_then(|applied| {
-                    let fits = self.result_fits(&applied, wanted, name, value.span);
-                    fits.then_some(applied)
+                    self.result_fits(&applied, wanted, name, value.span).then_some(applied)
                 });
                 (applied.as_ref().map(|a| a.result), Err(applied))
             }
             None => {
                 self.typing.may_change = !self.updating;
-                let value = match wanted {
-                    Some(ty) => {
-                        let whose = format!("`{}`", name.text);
-                        self.typing.expression_as(value, ty, &whose)
-                    }
-                    None => self.typing.expression(value),
-                };
+                let whose = format!("`{}`", name.text);
+                let value = self.typing.expression_for(value, wanted, &whose);
                 (value.as_ref().map(|value| value.ty), Ok(value))
             }
         };
@@ -70,12 +61,8 @@ impl Scripting<'_> {
     /// True if a variable is declared as in other languages, `int x = 3`, which parses as two
     /// statements: the name of a type and an assignment. Reports it once.
     pub(super) fn declared_elsewhere(&mut self, action: &Action, next: Option<&Action>) -> bool {
-        let (ActionKind::Expr(word), Some(next)) = (&action.kind, next) else {
-            return false;
-        };
-        let ActionKind::Assign { target, .. } = &next.kind else {
-            return false;
-        };
+        let (ActionKind::Expr(word), Some(next)) = (&action.kind, next) else { return false };
+        let ActionKind::Assign { target, .. } = &next.kind else { return false };
         let (Some(word), Some(name)) = (word.plain_name(), target.plain_name()) else {
             return false;
         };
@@ -116,9 +103,7 @@ impl Scripting<'_> {
         if let ActionKind::Print(_) = &action.kind {
             return self.values_without_commas(action, &rest[..beside]);
         }
-        let ActionKind::Expr(first) = &action.kind else {
-            return None;
-        };
+        let ActionKind::Expr(first) = &action.kind else { return None };
         if let tree::ExprKind::Unary(tree::UnaryOp::Negate, inner) = &first.kind
             && let tree::ExprKind::Unary(tree::UnaryOp::Negate, counted) = &inner.kind
             && inner.span.start == first.span.start + 1
@@ -156,9 +141,7 @@ impl Scripting<'_> {
 
     /// `print n " of " m`
     fn values_without_commas(&mut self, print: &Action, beside: &[Action]) -> Option<usize> {
-        let ActionKind::Expr(next) = &beside.first()?.kind else {
-            return None;
-        };
+        let ActionKind::Expr(next) = &beside.first()?.kind else { return None };
         // A call may be a separate statement.
         if matches!(next.kind, tree::ExprKind::Call { .. } | tree::ExprKind::Must(_)) {
             return None;
@@ -195,7 +178,7 @@ impl Scripting<'_> {
         otherwise: Option<&tree::Block>,
     ) -> Option<StatementKind> {
         if binding.is_some() || self.is_op_call(condition) {
-            return self.if_applied(binding, condition, [Some(then), otherwise]);
+            return self.if_applied(binding, condition, (then, otherwise), Self::block);
         }
         self.typing.may_change = !self.updating;
         let condition = self.typing.expression_as(condition, Type::Bool, "`if`");
@@ -237,9 +220,7 @@ impl Scripting<'_> {
                     subject(written),
                     value.ty.a_word()
                 );
-                let error = Diagnostic::error("type-mismatch", message, written.span);
-                self.typing.report.add(error);
-                None
+                self.typing.report.reject(Diagnostic::error("type-mismatch", message, written.span))
             }
         }
     }
@@ -253,8 +234,7 @@ impl Scripting<'_> {
     ) -> Option<StatementKind> {
         if self.loops == 0 {
             let message = format!("`{word}` stands inside of a loop");
-            self.typing.report.add(Diagnostic::error("outside-loop", message, span));
-            return None;
+            return self.typing.report.reject(Diagnostic::error("outside-loop", message, span));
         }
         Some(kind)
     }
@@ -276,8 +256,7 @@ impl Scripting<'_> {
             }
             tree::ExprKind::Must(inner) => {
                 let tree::ExprKind::Call { function, args } = &inner.kind else {
-                    self.typing.misplaced_must(inner, expr.span);
-                    return None;
+                    return self.typing.misplaced_must(inner, expr.span);
                 };
                 let asked = self.typing.application(function, args, inner.span)?;
                 let refused = StatementKind::Refused { op: asked.0 };
@@ -286,8 +265,7 @@ impl Scripting<'_> {
             }
             _ => {
                 let value: Expr = self.typing.expression(expr)?;
-                self.unused(value.ty, expr.span);
-                None
+                self.unused(value.ty, expr.span)
             }
         }
     }
@@ -316,8 +294,7 @@ impl Scripting<'_> {
             }
             _ => "inside of `update` there may be `let`, `var`, assignments and `if`",
         };
-        let error = Diagnostic::error("not-in-update", message, span).note(way);
-        self.typing.report.add(error);
+        self.typing.report.add(Diagnostic::error("not-in-update", message, span).note(way));
         false
     }
 }

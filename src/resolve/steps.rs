@@ -15,10 +15,7 @@ use super::program;
 use super::property::properties;
 use super::report::Report;
 use super::routine::resolve_body;
-use super::signature::Effects;
-use super::signature::Parameter;
-use super::signature::Signature;
-use super::signature::{FunctionSignature, Value};
+use super::signature::{Effects, FunctionSignature, Parameter, Signature, Value};
 use super::type_name::type_named;
 
 /// The signature of an op in steps, for its calls, and the op without its steps.
@@ -29,9 +26,10 @@ pub(super) fn steps_signature(
 ) -> (Signature, program::Op) {
     let result = match &op.result {
         None => Value::Nothing,
-        Some(word) if op.params.iter().any(|param| param.name.ident.text == word.text) => {
-            let param = op.params.iter().find(|param| param.name.ident.text == word.text);
-            let kind = param.map_or("edge", |param| param.ty.text.as_str());
+        Some(word)
+            if let Some(param) = op.params.iter().find(|one| one.name.ident.text == word.text) =>
+        {
+            let kind = param.ty.text.as_str();
             let message = "an op in steps says of what kind it returns an element";
             let error = Diagnostic::error("unknown-type", message, word.span)
                 .note(format!("which one it is says `return {}`", word.text));

@@ -50,9 +50,7 @@ fn suggest_if<'a>(
     candidates: impl IntoIterator<Item = &'a str>,
     is_certain: impl Fn(&str) -> bool,
 ) -> Diagnostic {
-    let Some(meant) = closest(word, candidates) else {
-        return diagnostic;
-    };
+    let Some(meant) = closest(word, candidates) else { return diagnostic };
     let diagnostic = diagnostic.saying(format!("did you mean `{meant}`?"));
     match is_certain(meant) {
         true => diagnostic.fix(format!("write `{meant}`"), span, meant),

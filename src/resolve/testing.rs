@@ -118,8 +118,7 @@ impl Scripting<'_> {
         match &action.kind {
             ActionKind::Assign { target, .. } if is_mesh(target) => {
                 let message = "`mesh = …` stands once, at the beginning of the test";
-                let error = Diagnostic::error("test-mesh", message, action.span);
-                self.typing.report.add(error);
+                self.typing.report.add(Diagnostic::error("test-mesh", message, action.span));
                 Some(None)
             }
             ActionKind::Let { name, value, .. } if is_mesh(value) => Some(self.kept(name)),
@@ -146,9 +145,7 @@ impl Scripting<'_> {
     fn kept(&mut self, name: &Ident) -> Option<StatementKind> {
         let meshes = self.testing.as_mut()?;
         if let Some((first, _)) = meshes.kept.iter().find(|(known, _)| known.text == name.text) {
-            let error = duplicate("a mesh", name, first.span);
-            self.typing.report.add(error);
-            return None;
+            return self.typing.report.reject(duplicate("a mesh", name, first.span));
         }
         let mesh = meshes.add(TestMesh::Empty);
         meshes.kept.push((name.clone(), mesh));
@@ -165,8 +162,7 @@ impl Scripting<'_> {
         let known = match &other.kind {
             ExprKind::Name(name) => {
                 let kept = &self.testing.as_ref()?.kept;
-                let known = kept.iter().find(|(known, _)| known.text == name.ident.text);
-                known.map(|(_, mesh)| *mesh)
+                kept.iter().find(|(known, _)| known.text == name.ident.text).map(|(_, mesh)| *mesh)
             }
             _ => None,
         };
@@ -195,37 +191,28 @@ impl Scripting<'_> {
             [call] => (call, None),
             [call, why] => match &why.kind {
                 ExprKind::Text(text) => (call, Some(text.clone())),
-                _ => {
-                    self.wrong_refuses(why.span);
-                    return None;
-                }
+                _ => return self.wrong_refuses(why.span),
             },
-            _ => {
-                self.wrong_refuses(span);
-                return None;
-            }
+            _ => return self.wrong_refuses(span),
         };
         let ExprKind::Call { function, args } = &call.kind else {
-            self.wrong_refuses(call.span);
-            return None;
+            return self.wrong_refuses(call.span);
         };
         let (op, args) = self.typing.application(function, args, call.span)?;
         let reason = reason.map(str::to_owned);
         Some(StatementKind::AssertRefuses { op, args, why, reason })
     }
 
-    fn wrong_refuses(&mut self, span: Span) {
+    fn wrong_refuses<T>(&mut self, span: Span) -> Option<T> {
         let message = "`refuses` wants the call of an op, and perhaps the reason as a text";
-        self.typing.report.add(Diagnostic::error("not-an-op", message, span));
+        self.typing.report.reject(Diagnostic::error("not-an-op", message, span))
     }
 
     /// A mesh from a constructor: `cube()`, `load("cube.obj")`.
     fn mesh(&mut self, expr: &tree::Expr) -> Option<TestMesh> {
         let ExprKind::Call { function, args } = &expr.kind else {
             let message = "a mesh is made here, as by `cube()`, or loaded: `load(\"cube.obj\")`";
-            let error = Diagnostic::error("test-mesh", message, expr.span);
-            self.typing.report.add(error);
-            return None;
+            return self.typing.report.reject(Diagnostic::error("test-mesh", message, expr.span));
         };
         let word = function.text.as_str();
         if word == "load" {
@@ -235,9 +222,7 @@ impl Scripting<'_> {
                 }
                 _ => {
                     let message = "`load` wants the path of a mesh as a text";
-                    let error = Diagnostic::error("test-mesh", message, expr.span);
-                    self.typing.report.add(error);
-                    None
+                    self.typing.report.reject(Diagnostic::error("test-mesh", message, expr.span))
                 }
             };
         }
@@ -247,13 +232,11 @@ impl Scripting<'_> {
             let known = CONSTRUCTORS.map(|(known, _)| known);
             let error = suggest(error, word, function.span, known);
             let note = format!("there are {} and `load`", quoted(known));
-            self.typing.report.add(error.note(note));
-            return None;
+            return self.typing.report.reject(error.note(note));
         };
         if least.len() != args.len() {
             let message = format!("`{word}` takes {}", arguments(least.len()));
-            self.typing.report.add(Diagnostic::error("wrong-count", message, expr.span));
-            return None;
+            return self.typing.report.reject(Diagnostic::error("wrong-count", message, expr.span));
         }
         let most = if word == "icosphere" { MOST_SPLIT } else { MOST };
         let mut sizes = Vec::new();
@@ -263,8 +246,7 @@ impl Scripting<'_> {
                 _ => {
                     let message = format!("`{word}` wants a number from {least} to {most} here");
                     let error = Diagnostic::error("test-mesh", message, arg.span);
-                    self.typing.report.add(error);
-                    return None;
+                    return self.typing.report.reject(error);
                 }
             }
         }

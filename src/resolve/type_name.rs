@@ -25,8 +25,7 @@ pub(super) fn type_among(
     }
     if word.text.is_empty() {
         // The type is missing, and the parser has reported it.
-        report.fail();
-        return None;
+        return report.give_up();
     }
     let message = format!("there is no type `{}`", word.text);
     let error = Diagnostic::error("unknown-type", message, word.span);
@@ -42,6 +41,5 @@ pub(super) fn type_among(
     let ours = type_word(&word.text).filter(|ours| known.contains(ours)).map(Here::Written);
     let error = foreign_words::tell(error, (&word.text, word.span), ours, known.iter().copied())
         .note(format!("the types are {}", quoted(&known)));
-    report.add(error);
-    None
+    report.reject(error)
 }

@@ -133,8 +133,7 @@ impl Typing<'_> {
             tree::ExprKind::Range(..) => self.misplaced_range(span),
             // Chains are handled before; the parser has reported what is broken.
             tree::ExprKind::Binary(..) | tree::ExprKind::Field(..) | tree::ExprKind::Broken => {
-                self.report.fail();
-                None
+                self.report.give_up()
             }
         }
     }
@@ -162,6 +161,19 @@ impl Typing<'_> {
         self.convert(expr, value, wanted, whose)
     }
 
+    /// An expression, converted to the type `wanted` by `whose` if that is known.
+    pub(super) fn expression_for(
+        &mut self,
+        expr: &tree::Expr,
+        wanted: Option<Type>,
+        whose: &str,
+    ) -> Option<Expr> {
+        match wanted {
+            Some(ty) => self.expression_as(expr, ty, whose),
+            None => self.expression(expr),
+        }
+    }
+
     /// Converts a value to the type `wanted` by `whose`.
     pub(super) fn convert(
         &mut self,
@@ -170,8 +182,7 @@ impl Typing<'_> {
         wanted: Type,
         whose: &str,
     ) -> Option<Expr> {
-        let value = converted(expr, value, wanted, whose);
-        value.map_err(|error| self.report.add(error)).ok()
+        converted(expr, value, wanted, whose).map_err(|error| self.report.add(error)).ok()
     }
 
     /// `if c { x } else { y }`
@@ -199,8 +210,7 @@ impl Typing<'_> {
             let error = Diagnostic::error("type-mismatch", message, span)
                 .label(then.span, format!("this is {}", then.ty.a_word()))
                 .label(otherwise.span, format!("this is {}", otherwise.ty.a_word()));
-            self.report.add(error);
-            return None;
+            return self.report.reject(error);
         }
         let ty = then.ty;
         let parts = [condition, then, otherwise].map(Box::new);
@@ -211,8 +221,7 @@ impl Typing<'_> {
     /// The value of a block in an expression.
     fn block_value(&mut self, block: &tree::Block) -> Option<Expr> {
         let Some((last, others)) = block.statements.split_last() else {
-            self.no_value_at(block.span);
-            return None;
+            return self.no_value_at(block.span);
         };
         self.scopes.enter();
         let named: Vec<_> = others.iter().map(|action| self.named(action)).collect();
@@ -235,14 +244,8 @@ impl Typing<'_> {
             tree::ActionKind::If { binding: None, condition, then, otherwise: Some(otherwise) } => {
                 self.choice(condition, [then, otherwise], action.span)
             }
-            tree::ActionKind::Broken => {
-                self.report.fail();
-                None
-            }
-            _ => {
-                self.no_value_at(action.span);
-                None
-            }
+            tree::ActionKind::Broken => self.report.give_up(),
+            _ => self.no_value_at(action.span),
         }
     }
 
@@ -251,22 +254,17 @@ impl Typing<'_> {
         let tree::ActionKind::Let { mutable: false, name, ty, value } = &action.kind else {
             let message = "before the value of a block there may be `let`, and nothing else";
             let error = Diagnostic::error("not-a-value", message, action.span);
-            self.report.add(error.note("a function (`fn`) can hold any statements"));
-            return None;
+            return self.report.reject(error.note("a function (`fn`) can hold any statements"));
         };
         if matches!(self.place, Place::Default) {
             let message = "in a default, a block holds one value";
-            self.report.add(Diagnostic::error("not-a-value", message, action.span));
-            return None;
+            return self.report.reject(Diagnostic::error("not-a-value", message, action.span));
         }
         let wanted = match ty {
             Some(word) => Some(type_named(word, self.report)?),
             None => None,
         };
-        let value = match wanted {
-            Some(ty) => self.expression_as(value, ty, &format!("`{}`", name.text)),
-            None => self.expression(value),
-        };
+        let value = self.expression_for(value, wanted, &format!("`{}`", name.text));
         let keyword =
             Span { end: action.span.start.saturating_add(3).min(name.span.start), ..action.span };
         let variable = self.scopes.declare(Local {
@@ -278,9 +276,9 @@ impl Typing<'_> {
         Some((variable, value?))
     }
 
-    fn no_value_at(&mut self, span: Span) {
+    fn no_value_at(&mut self, span: Span) -> Option<Expr> {
         let message = "this block is a value, so a value stands at its end";
-        self.report.add(Diagnostic::error("not-a-value", message, span));
+        self.report.reject(Diagnostic::error("not-a-value", message, span))
     }
 }
 

@@ -179,9 +179,7 @@ fn pairs(open: &[Open], names: &Names) -> Vec<Pair> {
     for (at, one) in open.iter().enumerate() {
         let others = (0..open.len()).filter(|&other| other != at);
         let mut fitting = others.filter_map(|other| Some((other, turn(one, &open[other], names)?)));
-        let (Some((other, by)), None) = (fitting.next(), fitting.next()) else {
-            return Vec::new();
-        };
+        let (Some((other, by)), None) = (fitting.next(), fitting.next()) else { return Vec::new() };
         if at < other {
             let two = shifted(open[other].half, by);
             pairs.push(Pair { halfedges: [one.half, two] });

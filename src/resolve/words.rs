@@ -20,6 +20,15 @@ pub(super) fn arguments(count: usize) -> String {
     }
 }
 
+/// `none are given`, `1 is given`, `2 are given`
+pub(super) fn are_given(count: usize) -> String {
+    match count {
+        0 => "none are given".to_owned(),
+        1 => "1 is given".to_owned(),
+        _ => format!("{count} are given"),
+    }
+}
+
 /// The spelling of an operator.
 pub(super) fn operator(op: BinaryOp) -> &'static str {
     match op {

@@ -97,8 +97,7 @@ impl Lexed {
             match kind {
                 // The first line of a `/* … */` comment is a token, the others are dropped.
                 TokenKind::Foreign if word.starts_with(['#', '/']) => {
-                    let first = word.lines().next().unwrap_or("");
-                    let length = first.trim_end().len() as u32;
+                    let length = word.lines().next().unwrap_or("").trim_end().len() as u32;
                     let span = Span { end: span.start + length, ..span };
                     self.tokens.push(Token { kind, span });
                 }
@@ -183,8 +182,7 @@ impl Lexed {
 
     fn too_large(&mut self, span: Span, what: &str, most: &str) {
         let found = Diagnostic::error("number-too-large", "this number is too large", span);
-        let found = found.note(format!("{what} is at most {most}"));
-        self.diagnostics.push(found);
+        self.diagnostics.push(found.note(format!("{what} is at most {most}")));
     }
 
     /// A text, or a part of one, with its delimiters.

@@ -79,8 +79,7 @@ impl Action {
                 otherwise.iter().for_each(|block| look(Part::Block(block)));
             }
             ActionKind::Print(values) => {
-                let values = values.iter().flat_map(Shown::values);
-                values.for_each(|value| look(Part::Expr(value)));
+                values.iter().flat_map(Shown::values).for_each(|value| look(Part::Expr(value)));
             }
             ActionKind::Assert { condition, .. } | ActionKind::Require { condition, .. } => {
                 look(Part::Expr(condition));

@@ -3,7 +3,6 @@
 use super::choice::{Choice, Completion};
 use super::words::{DRAWINGS, LISTS, keywords, kinds};
 use crate::analysis::cursor_context::{Wanted, op_near, rule_near};
-use crate::analysis::edits::statement_span;
 use crate::analysis::element::{Fate, element_of};
 use crate::analysis::names::{SideName, Symbol, SymbolId, SymbolKind};
 use crate::analysis::side::{Sketch, left_open};
@@ -20,11 +19,8 @@ pub(super) fn results(snapshot: &Snapshot, offset: usize) -> Vec<Completion> {
 
 /// The names that an op may return.
 fn drawn(snapshot: &Snapshot, offset: usize) -> Vec<Completion> {
-    let Some((item, _)) = op_near(snapshot, offset) else {
-        return Vec::new();
-    };
-    let symbols = snapshot.names().symbols();
-    let own = symbols.filter(|(_, symbol)| symbol.item == Some(item));
+    let Some((item, _)) = op_near(snapshot, offset) else { return Vec::new() };
+    let own = snapshot.names().symbols().filter(|(_, symbol)| symbol.item == Some(item));
     own.filter_map(|(_, symbol)| match symbol.kind {
         SymbolKind::Element(Some(kind)) if !matches!(kind, Kind::Path | Kind::Fan) => {
             Some(named(symbol, kind, 0))
@@ -61,17 +57,13 @@ pub(super) fn of_side(
             found.extend(keywords(LISTS));
         }
     }
-    let Some((item, at, rule)) = rule_near(snapshot, offset) else {
-        return found;
-    };
+    let Some((item, at, rule)) = rule_near(snapshot, offset) else { return found };
     let sides = Sketch::of(rule);
     if wanted == Wanted::Statement && side == SideName::After {
         found.extend(open_statements(snapshot, rule));
     }
     for (id, symbol) in snapshot.names().of_rule(item, at) {
-        let SymbolKind::Element(Some(kind)) = symbol.kind else {
-            continue;
-        };
+        let SymbolKind::Element(Some(kind)) = symbol.kind else { continue };
         if wanted == Wanted::Statement {
             if side == SideName::After && kind == Kind::Vertex {
                 let snippet = format!("{}.position = $0", symbol.name);
@@ -90,7 +82,7 @@ pub(super) fn of_side(
 /// Completions that restate the statements of `before` that `after` does not mention yet.
 fn open_statements(snapshot: &Snapshot, rule: &Rule) -> Vec<Completion> {
     let open = left_open(rule).filter_map(|statement| {
-        let text = snapshot.sources().slice(statement_span(statement));
+        let text = snapshot.sources().slice(statement.span());
         let (head, _) = text.split_once(':')?;
         Some(Completion {
             detail: format!("as in `before`: {text}"),

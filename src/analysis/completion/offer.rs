@@ -27,8 +27,7 @@ pub fn completions(snapshot: &Snapshot, offset: usize) -> Vec<Completion> {
         CursorContext::Result => results(snapshot, offset),
         CursorContext::Mesh => meshes(snapshot, offset),
         CursorContext::Words(words) => {
-            let words = words.iter();
-            words.map(|word| Completion::new(*word, Choice::Keyword, 0)).collect()
+            words.iter().map(|word| Completion::new(*word, Choice::Keyword, 0)).collect()
         }
         CursorContext::OpBody => keywords(PARTS),
         CursorContext::Side(side, wanted) => of_side(snapshot, offset, side, wanted),

@@ -77,11 +77,8 @@ fn called(item: &Item) -> Option<Completion> {
 /// The variables and parameters of the item around a byte; in an op also the elements it draws.
 fn variables(snapshot: &Snapshot, offset: usize) -> Vec<Completion> {
     let names = snapshot.names();
-    let bound = bound_near(snapshot, offset).into_iter();
-    let bound = bound.map(|(name, ty)| variable(name, ty));
-    let Some((item, node)) = item_near(snapshot, offset) else {
-        return bound.collect();
-    };
+    let bound = bound_near(snapshot, offset).into_iter().map(|(name, ty)| variable(name, ty));
+    let Some((item, node)) = item_near(snapshot, offset) else { return bound.collect() };
     let is_op = matches!(node, Item::Op(_));
     let rule = rule_near(snapshot, offset).map(|(_, rule, _)| rule);
     let before =
@@ -111,9 +108,7 @@ fn variable(name: &str, ty: Option<Type>) -> Completion {
 
 /// The completions after the dot of a chain.
 pub(super) fn of_chain(snapshot: &Snapshot, offset: usize, chain: &[String]) -> Vec<Completion> {
-    let Some(ty) = chain_type(snapshot, offset, chain) else {
-        return Vec::new();
-    };
+    let Some(ty) = chain_type(snapshot, offset, chain) else { return Vec::new() };
     let field = |name: &str, ty: Option<Type>, rank| Completion {
         detail: ty.map_or("sequence", Type::word).to_owned(),
         ..Completion::new(name, Choice::Field, rank)

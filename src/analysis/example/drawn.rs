@@ -34,8 +34,7 @@ pub(super) fn rule(op: &ResolvedOp, trial: &Trial, patch: &Patch) -> Rule {
     }
     let listed = |is_there: &dyn Fn(&Side, NameId) -> bool| {
         let all = (0..writer.names.len() as u32).map(NameId);
-        let all = all.filter(|&name| is_there(&before, name) != is_there(&after, name));
-        all.collect::<Vec<_>>()
+        all.filter(|&name| is_there(&before, name) != is_there(&after, name)).collect::<Vec<_>>()
     };
     let only = listed(&|side, name| stands(side, name));
     let (created, erased): (Vec<_>, Vec<_>) =
@@ -168,8 +167,7 @@ impl Writer<'_> {
         }
         let drawn =
             |h: HalfedgeId| !self.patch.hidden.contains(&h) && loops.contains(&mesh.face(h));
-        let pairs = loops.iter().flat_map(|&f| mesh.face_halfedges(f));
-        let pairs = pairs.map(|h| (h, mesh.twin(h)));
+        let pairs = loops.iter().flat_map(|&f| mesh.face_halfedges(f)).map(|h| (h, mesh.twin(h)));
         let pairs = pairs.filter(|&(h, twin)| h < twin && drawn(h) && drawn(twin));
         for (h, twin) in pairs.collect::<Vec<_>>() {
             let mut put = |of: Element| self.put(self.thing(of, when));
@@ -194,19 +192,13 @@ impl Writer<'_> {
             let is_hidden = hidden.contains(&h);
             if !(is_hidden && is_on_path) {
                 let from = self.thing(mesh.vertex(h).into(), when);
-                let item = match is_hidden {
-                    true => Thing::Path(h),
-                    false => self.thing(h.into(), when),
-                };
+                let item = if is_hidden { Thing::Path(h) } else { self.thing(h.into(), when) };
                 items.push(LoopItem { from: self.put(from), item: self.put(item) });
             }
             is_on_path = is_hidden;
         }
         Loop {
-            kind: match mesh.is_hole(face) {
-                true => LoopKind::Hole,
-                false => LoopKind::Face,
-            },
+            kind: if mesh.is_hole(face) { LoopKind::Hole } else { LoopKind::Face },
             face: self.put(self.thing(face.into(), when)),
             end: items[0].from,
             items,
@@ -245,9 +237,7 @@ impl Writer<'_> {
     fn positions(&self, before: &Side) -> Vec<Assignment> {
         let Trial { before: was, after, .. } = self.trial;
         let set = self.known.iter().enumerate().filter_map(|(at, thing)| {
-            let Thing::Element { of, is_new } = *thing else {
-                return None;
-            };
+            let Thing::Element { of, is_new } = *thing else { return None };
             let v = VertexId(of.index);
             let lives = of.kind == ElementKind::Vertex && after.vertex_alive(v);
             let to = lives.then(|| after.position(v))?;
@@ -286,9 +276,7 @@ impl Writer<'_> {
         });
         for (item, end) in items {
             let ends = [item.from.name, end.name];
-            let [Some(a), Some(b)] = ends.map(place) else {
-                continue;
-            };
+            let [Some(a), Some(b)] = ends.map(place) else { continue };
             let way = b - a;
             let share = (to - a).dot(way) / way.length_squared();
             if (0.0..=1.0).contains(&share) && (a + way * share - to).length() < SAME {

@@ -55,8 +55,7 @@ impl fmt::Display for NoExample {
 pub fn example(program: &Program, op: usize, plans: &Plans) -> Result<diagram::Op, NoExample> {
     let resolved = &program.ops[op];
     let none = |tries, because| NoExample { op: resolved.name.clone(), tries, because };
-    let trials = Trials::new(program, op, plans);
-    let mut trials = trials.map_err(|_| none(0, None))?;
+    let mut trials = Trials::new(program, op, plans).map_err(|_| none(0, None))?;
     let mut found = Found::default();
     for stage in stage::closed() {
         if !found.is_perfect {
@@ -100,14 +99,9 @@ impl Found {
     /// Keeps a trial if it is better than the best so far; breaks if this mesh cannot give a better
     /// one.
     fn see(&mut self, trial: Trial) -> ControlFlow<()> {
-        let Some(patch) = Patch::of(&trial) else {
-            return ControlFlow::Continue(());
-        };
+        let Some(patch) = Patch::of(&trial) else { return ControlFlow::Continue(()) };
         let (worth, is_perfect) = (patch.worth(), patch.is_perfect());
-        let best = match patch.has_hole() {
-            true => &mut self.at_boundary,
-            false => &mut self.inside,
-        };
+        let best = if patch.has_hole() { &mut self.at_boundary } else { &mut self.inside };
         if best.as_ref().is_none_or(|(other, ..)| worth > *other) {
             *best = Some((worth, trial, patch));
         }

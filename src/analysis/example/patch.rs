@@ -112,7 +112,7 @@ impl Patch {
         };
         patch.hide(trial);
         patch.is_plain = patch.has_plain_outline(before);
-        (patch.size(before).max(patch.size_after(after)) <= MOST).then_some(patch)
+        (patch.size(0, before).max(patch.size(1, after)) <= MOST).then_some(patch)
     }
 
     /// True if a hole is drawn.
@@ -139,14 +139,9 @@ impl Patch {
         }
     }
 
-    fn size(&self, before: &Mesh) -> usize {
-        let all = self.loops[0].iter().map(|&f| before.face_size(f));
-        all.sum::<usize>() - self.hidden.len()
-    }
-
-    fn size_after(&self, after: &Mesh) -> usize {
-        let all = self.loops[1].iter().map(|&f| after.face_size(f));
-        all.sum::<usize>() - self.hidden.len()
+    /// The number of halfedges that are shown on a side, of which this is the mesh.
+    fn size(&self, side: usize, mesh: &Mesh) -> usize {
+        self.loops[side].iter().map(|&f| mesh.face_size(f)).sum::<usize>() - self.hidden.len()
     }
 
     /// Hides the halfedges of holes that are the same on both sides and lie along no drawn face.
@@ -228,15 +223,11 @@ fn is_of_hole(mesh: &Mesh, of: Element) -> bool {
 fn faces(mesh: &Mesh, of: Element) -> Vec<FaceId> {
     let sides = |h: HalfedgeId| vec![mesh.face(h), mesh.face(mesh.twin(h))];
     match of.kind {
-        ElementKind::Vertex => {
-            let spokes = mesh.spokes(VertexId(of.index));
-            spokes.map(|h| mesh.face(h)).collect()
-        }
+        ElementKind::Vertex => mesh.spokes(VertexId(of.index)).map(|h| mesh.face(h)).collect(),
         ElementKind::Halfedge => sides(HalfedgeId(of.index)),
         ElementKind::Edge => sides(mesh.edge_halfedge(EdgeId(of.index))),
         ElementKind::Face => {
-            let around = mesh.face_halfedges(FaceId(of.index));
-            let around = around.map(|h| mesh.face(mesh.twin(h)));
+            let around = mesh.face_halfedges(FaceId(of.index)).map(|h| mesh.face(mesh.twin(h)));
             [FaceId(of.index)].into_iter().chain(around).collect()
         }
     }

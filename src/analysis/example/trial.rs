@@ -66,8 +66,7 @@ impl<'p> Trials<'p> {
     pub(super) fn hindrance(&self) -> Option<String> {
         let most = self.hindrances.iter();
         // Of several, the first in alphabetical order.
-        let most = most.max_by_key(|&(why, times)| (*times, Reverse(why)));
-        most.map(|(why, _)| why.clone())
+        most.max_by_key(|&(why, times)| (*times, Reverse(why))).map(|(why, _)| why.clone())
     }
 
     /// Tries it at the places of a mesh, until `see` breaks.

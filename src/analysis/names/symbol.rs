@@ -150,8 +150,7 @@ impl Names {
 
     /// All names, in the order in which they are met.
     pub fn symbols(&self) -> impl Iterator<Item = (SymbolId, &Symbol)> {
-        let symbols = self.symbols.iter().enumerate();
-        symbols.map(|(at, symbol)| (SymbolId(at), symbol))
+        self.symbols.iter().enumerate().map(|(at, symbol)| (SymbolId(at), symbol))
     }
 
     /// All mentions, in the order of the text.

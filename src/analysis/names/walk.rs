@@ -199,7 +199,9 @@ impl<'f> SymbolCollector<'f> {
     /// Records a name of a drawing. The first statement that implies a kind determines its kind.
     pub(super) fn element(&mut self, name: &Ident, kind: Option<Kind>, role: Role) {
         let id = match self.find(&name.text) {
-            Some(id) if self.is_drawable(id) => id,
+            Some(id) if matches!(self.kind(id), SymbolKind::Element(_) | SymbolKind::Parameter) => {
+                id
+            }
             _ => self.bring(&name.text, SymbolKind::Element(None), None),
         };
         let symbol = &mut self.found.symbols[id.0];
@@ -210,11 +212,6 @@ impl<'f> SymbolCollector<'f> {
             symbol.definition.get_or_insert(name.span);
         }
         self.mention(name.span, id, role);
-    }
-
-    fn is_drawable(&self, id: SymbolId) -> bool {
-        let kind = self.kind(id);
-        matches!(kind, SymbolKind::Element(_) | SymbolKind::Parameter)
     }
 
     /// Makes the place where `new` lists a name its declaration.
@@ -230,9 +227,7 @@ impl<'f> SymbolCollector<'f> {
 
     /// Records a word that is read or written, if it is declared; false if it is not.
     pub(super) fn read(&mut self, name: &Ident, role: Role) -> bool {
-        let Some(id) = self.find(&name.text) else {
-            return false;
-        };
+        let Some(id) = self.find(&name.text) else { return false };
         self.mention(name.span, id, role);
         true
     }

@@ -77,10 +77,7 @@ pub(in crate::check) fn allowed(op: &Op, rule: &Rule) -> Result<Aliased, Broken>
             problems.push(never_one(rule, pair, span));
         }
     }
-    match problems.is_empty() {
-        true => Ok(aliased),
-        false => Err(problems.into()),
-    }
+    if problems.is_empty() { Ok(aliased) } else { Err(problems.into()) }
 }
 
 /// The names that are one, by an `alias`, in a mesh that matches a rule which no mesh matches with
@@ -121,10 +118,9 @@ fn wanted(rule: &Rule) -> Vec<([NameId; 2], Span)> {
 /// The sets of names that can be one and no test keeps apart, from small to large.
 fn sets(rule: &Rule, wanted: &[([NameId; 2], Span)]) -> Result<Sets, Vec<Problem>> {
     let is_allowed = |classes: &[Vec<NameId>]| {
-        classes.iter().all(|class| {
-            let mut pairs = pairs_of(class);
-            pairs.all(|pair| wanted.iter().any(|(known, _)| *known == pair))
-        })
+        classes
+            .iter()
+            .all(|class| pairs_of(class).all(|pair| wanted.iter().any(|(known, _)| *known == pair)))
     };
     let mut sets: Sets = vec![(Vec::new(), vec![Quotient::of(rule)])];
     let mut at = 0;
@@ -161,8 +157,7 @@ fn unclear(why: String, span: Span) -> Vec<Problem> {
 
 /// "`v2` and `v3`, and `a` and `b`"
 fn words(rule: &Rule, classes: &[Vec<NameId>]) -> String {
-    let classes = classes.iter().map(|class| enumerate(rule, class));
-    classes.collect::<Vec<_>>().join(", and ")
+    classes.iter().map(|class| enumerate(rule, class)).collect::<Vec<_>>().join(", and ")
 }
 
 fn breaks(

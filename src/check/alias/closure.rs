@@ -178,7 +178,7 @@ fn of_edges(quotient: &Quotient) -> Option<Consequence> {
     let rule = &quotient.rule;
     let edges = &rule.before.edges;
     for (at, edge) in edges.iter().enumerate() {
-        let [left, right] = edge.halfedges.map(|half| half.name);
+        let [left, right] = edge.halfedge_names();
         if left == right {
             return never(format!("{} would be its own twin", rule.quoted(left)));
         }
@@ -199,7 +199,7 @@ fn of_edges(quotient: &Quotient) -> Option<Consequence> {
 }
 
 fn partner(edge: &Edge, half: NameId) -> NameId {
-    let [left, right] = edge.halfedges.map(|half| half.name);
+    let [left, right] = edge.halfedge_names();
     if left == half { right } else { left }
 }
 
@@ -264,9 +264,7 @@ fn of_stars(quotient: &Quotient) -> Option<Consequence> {
         let count = star.spokes.len();
         for place in 0..count {
             let next = star.spokes[(place + 1) % count].halfedge();
-            let (Some(spoke), Some(next)) = (star.spokes[place].halfedge(), next) else {
-                continue;
-            };
+            let (Some(spoke), Some(next)) = (star.spokes[place].halfedge(), next) else { continue };
             let named =
                 |item: Option<NameId>| item.filter(|&item| rule.kind(item) == Kind::Halfedge);
             let view = &drawing.before;
@@ -289,9 +287,7 @@ fn of_rings(quotient: &Quotient) -> Option<Consequence> {
     let drawing = Drawing::new(rule);
     let links = Links::of(rule, &rule.before);
     for corner in corners(&drawing, &links) {
-        let Some(ring) = corner.chains.iter().position(|chain| chain.closed) else {
-            continue;
-        };
+        let Some(ring) = corner.chains.iter().position(|chain| chain.closed) else { continue };
         let spokes = |at: usize| spokes_of(&drawing, &corner.chains[at].ports);
         let mut others = (0..corner.chains.len()).filter(|&at| at != ring).flat_map(spokes);
         if let Some(other) = others.next() {

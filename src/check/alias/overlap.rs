@@ -32,10 +32,7 @@ const MOST: usize = 200;
 /// other, or there are too many.
 pub(super) fn overlaps(rule: &Rule, one: &Loop, other: &Loop) -> Option<Vec<Overlap>> {
     let is_path = |item: &LoopItem| rule.kind(item.item.name) == Kind::Path;
-    let (left, right) = match one.items.iter().all(is_path) {
-        true => (other, one),
-        false => (one, other),
-    };
+    let (left, right) = if one.items.iter().all(is_path) { (other, one) } else { (one, other) };
     let anchor = left.items.iter().position(|item| !is_path(item))?;
     let count = left.items.len();
     let left: Vec<_> = (0..count).map(|at| left.items[(anchor + at) % count]).collect();

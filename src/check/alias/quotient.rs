@@ -45,10 +45,8 @@ impl Quotient {
 
     /// The path of the rule it comes from in which a piece lies.
     pub fn path_of(&self, piece: NameId) -> NameId {
-        let holds = |run: &Option<Vec<LoopItem>>| {
-            let items = run.iter().flatten();
-            items.into_iter().any(|item| item.item.name == piece)
-        };
+        let holds =
+            |run: &Option<Vec<LoopItem>>| run.iter().flatten().any(|item| item.item.name == piece);
         let at = self.runs.iter().position(holds);
         at.map_or(piece, |at| NameId(at as u32))
     }
@@ -296,16 +294,15 @@ fn written_out(items: &[LoopItem], path: NameId, run: &[LoopItem]) -> Vec<LoopIt
 fn drop_repetitions(side: &mut Side) {
     keep_first(&mut side.loops, |one, other| {
         let names = |orbit: &Loop| -> Vec<_> {
-            let items = orbit.items.iter();
-            items.map(|item| (item.from.name, item.item.name)).collect()
+            orbit.items.iter().map(|item| (item.from.name, item.item.name)).collect()
         };
         one.face.name == other.face.name
             && one.kind == other.kind
             && is_turned(&names(one), &names(other))
     });
     keep_first(&mut side.edges, |one, other| {
-        let [a, b] = one.halfedges.map(|half| half.name);
-        let [c, d] = other.halfedges.map(|half| half.name);
+        let [a, b] = one.halfedge_names();
+        let [c, d] = other.halfedge_names();
         one.edge.name == other.edge.name && ((a, b) == (c, d) || (a, b) == (d, c))
     });
     keep_first(&mut side.stars, |one, other| {

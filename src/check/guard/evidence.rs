@@ -29,8 +29,7 @@ fn requires(sketch: &Sketch, function: Builtin, of: &[NameId], holds: bool) -> b
             *called == function
                 && of.len() == arguments.len()
                 && of.iter().all(|&name| {
-                    let mut arguments = arguments.iter();
-                    arguments.any(|argument| argument.kind == ExprKind::Element(name))
+                    arguments.iter().any(|argument| argument.kind == ExprKind::Element(name))
                 })
         }
         _ => false,
@@ -77,10 +76,8 @@ fn is_collapse(sketch: &Sketch, from: &[NameId]) -> bool {
     };
     let mut edges = drawing.rule.names_of(Kind::Edge);
     edges.any(|edge| {
-        let Some(statement) = drawing.before.edge_statement(edge) else {
-            return false;
-        };
-        let halves = statement.halfedges.map(|half| half.name);
+        let Some(statement) = drawing.before.edge_statement(edge) else { return false };
+        let halves = statement.halfedge_names();
         let ends = halves.map(|half| drawing.origin_before(half));
         (ends == [Some(*v), Some(*w)] || ends == [Some(*w), Some(*v)])
             && drawing.erased(edge).is_some()
@@ -91,14 +88,9 @@ fn is_collapse(sketch: &Sketch, from: &[NameId]) -> bool {
 
 /// True if the two other edges of a triangle become one.
 fn vanishes(drawing: &Drawing, triangle: &Loop, half: NameId) -> bool {
-    let items = triangle.items.iter().map(|item| item.item.name);
-    let others: Vec<_> = items.filter(|&item| item != half).collect();
-    let [b, c] = others.as_slice() else {
-        return false;
-    };
+    let others: Vec<_> = triangle.item_names().filter(|&item| item != half).collect();
+    let [b, c] = others.as_slice() else { return false };
     let across = |half: NameId| drawing.before.twin(half);
-    let (Some(b), Some(c)) = (across(*b), across(*c)) else {
-        return false;
-    };
+    let (Some(b), Some(c)) = (across(*b), across(*c)) else { return false };
     triangle.kind == LoopKind::Face && drawing.after.twin(b) == Some(c)
 }

@@ -142,9 +142,7 @@ impl Statement {
                 format!("no face lies around {} twice", word(*vertex))
             }
             Self::TwoSpokes(vertex) => format!("{} has 2 spokes or more", word(*vertex)),
-            Self::OneHole { vertex, .. } => {
-                format!("{} lies on at most one hole", word(*vertex))
-            }
+            Self::OneHole { vertex, .. } => format!("{} lies on at most one hole", word(*vertex)),
             Self::OneHoleAlong(path) => {
                 format!("each vertex along {} lies on one hole", word(*path))
             }

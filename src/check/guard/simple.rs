@@ -76,12 +76,9 @@ fn single_edge(sketch: &Sketch, halfedge: NameId, by_edges: &[NameId]) -> Option
 
 /// True if a loop is new or has other corners than before.
 fn has_other_corners(sketch: &Sketch, orbit: &Loop) -> bool {
-    let Some(before) = sketch.drawing.before.loop_of_face(orbit.face.name) else {
-        return true;
-    };
+    let Some(before) = sketch.drawing.before.loop_of_face(orbit.face.name) else { return true };
     let parts = |orbit: &Loop| {
-        let corners = orbit.items.iter().map(|item| item.from.name);
-        let mut parts: Vec<_> = corners.chain(sketch.paths(orbit)).collect();
+        let mut parts: Vec<_> = orbit.corners().chain(sketch.paths(orbit)).collect();
         parts.sort_unstable();
         parts.dedup();
         parts
@@ -91,7 +88,7 @@ fn has_other_corners(sketch: &Sketch, orbit: &Loop) -> bool {
 }
 
 fn corners_own(sketch: &Sketch, orbit: &Loop) -> Obligation {
-    let corners: Vec<_> = orbit.items.iter().map(|item| item.from.name).collect();
+    let corners: Vec<_> = orbit.corners().collect();
     let is_lonely = |vertex: &&NameId| sketch.faces_are_drawn(**vertex);
     let lonely = corners.iter().find(is_lonely);
     let because = if is_triangle_apart(sketch, orbit) {
@@ -112,7 +109,7 @@ fn corners_own(sketch: &Sketch, orbit: &Loop) -> Obligation {
 /// with the same corners would have the same edges, since edges are single, and so would lie across
 /// each of them.
 fn is_triangle_apart(sketch: &Sketch, orbit: &Loop) -> bool {
-    let items: Vec<_> = orbit.items.iter().map(|item| item.item.name).collect();
+    let items: Vec<_> = orbit.item_names().collect();
     if items.len() != 3 || items.iter().any(|&item| sketch.is_path(item)) {
         return false;
     }
@@ -120,7 +117,7 @@ fn is_triangle_apart(sketch: &Sketch, orbit: &Loop) -> bool {
         let twin = sketch.drawing.after.twin(item);
         let across = twin.and_then(|twin| sketch.drawing.after.loop_of_item(twin));
         across.is_some_and(|across| {
-            let mut corners = across.items.iter().map(|item| item.from.name);
+            let mut corners = across.corners();
             across.kind == LoopKind::Hole || corners.any(|corner| !Sketch::draws(orbit, corner))
         })
     })
@@ -130,7 +127,7 @@ fn is_triangle_apart(sketch: &Sketch, orbit: &Loop) -> bool {
 /// lacks, or lacks one that this one has.
 fn others_differ(sketch: &Sketch, orbit: &Loop, vertex: NameId) -> bool {
     let has_more = |this: &Loop, than: &Loop| {
-        let mut corners = this.items.iter().map(|item| item.from.name);
+        let mut corners = this.corners();
         corners.any(|corner| {
             let mut paths = sketch.paths(than);
             !Sketch::draws(than, corner) && !paths.any(|path| sketch.may_lie_on(corner, path))

@@ -59,8 +59,7 @@ impl<'a> Sketch<'a> {
 
     /// The paths of a loop.
     pub fn paths<'l>(&'l self, orbit: &'l Loop) -> impl Iterator<Item = NameId> + 'l {
-        let items = orbit.items.iter().map(|item| item.item.name);
-        items.filter(|&item| self.is_path(item))
+        orbit.item_names().filter(|&item| self.is_path(item))
     }
 
     /// The vertices of `before` whose undrawn spokes lie at a vertex of `after`, the vertex
@@ -159,7 +158,7 @@ impl<'a> Sketch<'a> {
 
     /// The fewest halfedges that a loop of `after` can have.
     pub fn fewest(&self, orbit: &Loop) -> usize {
-        let items: Vec<_> = orbit.items.iter().map(|item| item.item.name).collect();
+        let items: Vec<_> = orbit.item_names().collect();
         let drawn = items.iter().filter(|&&item| !self.is_path(item)).count();
         let mut fewest = drawn;
         for before in &self.drawing.rule.before.loops {

@@ -106,7 +106,7 @@ fn one_hole_along(sketch: &Sketch, orbit: &Loop, path: NameId) -> Option<Obligat
 /// meet.
 fn meets_once(sketch: &Sketch, orbit: &Loop) -> Vec<Obligation> {
     let face = orbit.face.name;
-    let corners: Vec<_> = orbit.items.iter().map(|item| item.from.name).collect();
+    let corners: Vec<_> = orbit.corners().collect();
     let repeated = (1..corners.len()).any(|at| corners[..at].contains(&corners[at]));
     let paths: Vec<_> = sketch.paths(orbit).collect();
     let loop_before = |path: NameId| sketch.drawing.before.face(path);

@@ -39,7 +39,7 @@ impl Remedy {
             Remedy::Keep(names) => match names.as_slice() {
                 &[edge] if rule.kind(edge) == Kind::Edge => {
                     let statement = Drawing::new(rule).before.edge_statement(edge)?;
-                    edge_statement(rule, edge, statement.halfedges.map(|half| half.name))
+                    edge_statement(rule, edge, statement.halfedge_names())
                 }
                 names => format!("keep {}", words(names)),
             },
@@ -73,9 +73,9 @@ impl Remedy {
             Remedy::DrawTwins(halves) => {
                 let drawn = self.apply(now)?;
                 let edges = &drawn.before.edges[now.before.edges.len()..];
-                let edges = edges.iter().map(|one| {
-                    edge_statement(&drawn, one.edge.name, one.halfedges.map(|half| half.name))
-                });
+                let edges = edges
+                    .iter()
+                    .map(|one| edge_statement(&drawn, one.edge.name, one.halfedge_names()));
                 let text = edges.map(|edge| format!("\n    {edge}")).collect();
                 let span = Drawing::new(rule).before.end_of_statements()?;
                 let title = format!("draw the twins of {} in `before`", enumerate(rule, halves));
@@ -155,8 +155,7 @@ fn kept_no_more(rule: &Rule, edges: &[(NameId, [NameId; 2])]) -> Vec<Edit> {
 /// The edits that write other names at the same places of the loops of `after`.
 fn redraw(rule: &Rule, loops: &[Loop]) -> Vec<Edit> {
     let mentions = |orbit: &Loop| -> Vec<Ref> {
-        let items = orbit.items.iter().flat_map(|item| [item.from, item.item]);
-        items.chain([orbit.end]).collect()
+        orbit.items.iter().flat_map(|item| [item.from, item.item]).chain([orbit.end]).collect()
     };
     let mut edits: Vec<Edit> = Vec::new();
     for (old, new) in rule.after.loops.iter().zip(loops) {

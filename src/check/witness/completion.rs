@@ -52,9 +52,7 @@ impl Completions<'_> {
         let (outer, inner): (Vec<_>, Vec<_>) =
             drawn(Kind::Halfedge).into_iter().partition(|&half| drawing.is_outer(half));
         // All the outer ones may lie on paths.
-        let Some(room) = size.checked_sub(inner.len()) else {
-            return Flow::Continue(());
-        };
+        let Some(room) = size.checked_sub(inner.len()) else { return Flow::Continue(()) };
         let lengths = vec![0; drawing.rule.names.len()];
         self.lengths(&paths, &outer, Shape { lengths, ..Shape::default() }, room, size)
     }
@@ -70,8 +68,7 @@ impl Completions<'_> {
         let Some((&path, others)) = paths.split_first() else {
             return self.on_paths(outer, shape, size);
         };
-        let least = usize::from(!self.drawing.may_be_empty(path));
-        for length in least..=room {
+        for length in usize::from(!self.drawing.may_be_empty(path))..=room {
             shape.lengths[path.index()] = length;
             self.lengths(others, outer, shape.clone(), room - length, size)?;
         }
@@ -83,9 +80,7 @@ impl Completions<'_> {
         let Some((&half, others)) = outer.split_first() else {
             for late in [false, true] {
                 let shape = Shape { late, ..shape.clone() };
-                let Some(sketch) = Sketch::open(self.drawing, &shape) else {
-                    break;
-                };
+                let Some(sketch) = Sketch::open(self.drawing, &shape) else { break };
                 if let Some(room) = size.checked_sub(sketch.halves.len()) {
                     self.twins(sketch, room)?;
                 }
@@ -116,10 +111,9 @@ impl Completions<'_> {
         let Some(half) = (0..sketch.halves.len()).find(single) else {
             let mut sketch = sketch;
             for _ in 0..room / 2 {
-                let [here, there] = [0; 2].map(|_| sketch.add_vertex(VertexRole::Loose));
+                let here = sketch.add_vertex(VertexRole::Loose);
                 let spoke = sketch.add(HalfedgeRole::Further(here), here);
-                let back = sketch.add(HalfedgeRole::TwinOf(spoke), there);
-                sketch.make_twins(spoke, back);
+                sketch.fresh_twin(spoke);
             }
             return if room.is_multiple_of(2) { self.nexts(sketch) } else { Flow::Continue(()) };
         };
@@ -186,9 +180,7 @@ impl Completions<'_> {
     }
 
     fn step(&mut self) -> Flow {
-        let Some(left) = self.steps.checked_sub(1) else {
-            return Flow::Break(End::TooMany);
-        };
+        let Some(left) = self.steps.checked_sub(1) else { return Flow::Break(End::TooMany) };
         self.steps = left;
         Flow::Continue(())
     }

@@ -91,10 +91,7 @@ impl Writer<'_> {
                 continue;
             }
             side.loops.push(Loop {
-                kind: match mesh.is_hole(mesh.face(start)) {
-                    true => LoopKind::Hole,
-                    false => LoopKind::Face,
-                },
+                kind: if mesh.is_hole(mesh.face(start)) { LoopKind::Hole } else { LoopKind::Face },
                 face,
                 end: items[0].from,
                 items,

@@ -78,8 +78,7 @@ impl Rewrite<'_> {
             for item in &orbit.items {
                 let name = item.item.name;
                 if self.drawing.rule.kind(name) == Kind::Path {
-                    let run = self.run(name)?.to_vec();
-                    for (at, half) in run.into_iter().enumerate() {
+                    for (at, half) in self.run(name)?.to_vec().into_iter().enumerate() {
                         self.mesh.set_face(half, face);
                         cycle.push((half, at > 0));
                     }
@@ -110,7 +109,7 @@ impl Rewrite<'_> {
     fn edges(&mut self) -> Option<()> {
         for statement in &self.drawing.rule.after.edges {
             let edge = self.elements[statement.edge.name.index()].map(EdgeId)?;
-            let [left, right] = statement.halfedges.map(|half| half.name);
+            let [left, right] = statement.halfedge_names();
             let (left, right) = (self.halfedge(left)?, self.halfedge(right)?);
             self.mesh.set_twin(left, right);
             self.mesh.set_twin(right, left);
@@ -126,10 +125,8 @@ impl Rewrite<'_> {
             if after.mention(half).is_none() || after.loop_of_item(half).is_some() {
                 continue;
             }
-            let twin_ends = || {
-                let outer = drawing.is_outer(half);
-                outer.then(|| after.loop_target(after.twin(half)?))?
-            };
+            let twin_ends =
+                || drawing.is_outer(half).then(|| after.loop_target(after.twin(half)?))?;
             if let Some(origin) = after.star_of_spoke(half).or_else(twin_ends) {
                 let origin = self.vertex(origin)?;
                 self.mesh.set_vertex(self.halfedge(half)?, origin);
@@ -176,9 +173,7 @@ impl Rewrite<'_> {
         let rule = self.drawing.rule;
         for index in 0..rule.names.len() {
             let name = NameId(index as u32);
-            let Some(element) = self.elements[index] else {
-                continue;
-            };
+            let Some(element) = self.elements[index] else { continue };
             if erased.contains(&name) || self.drawing.after.mention(name).is_none() {
                 continue;
             }

@@ -157,11 +157,8 @@ impl Sketch {
             };
             let mut arrives = join.arrives;
             for _ in 0..if named { count } else { 0 } {
-                let end = self.add_vertex(VertexRole::Loose);
                 let spoke = self.add(HalfedgeRole::Further(vertex), vertex);
-                let back = self.add(HalfedgeRole::TwinOf(spoke), end);
-                self.halves[spoke].twin = Some(back);
-                self.halves[back].twin = Some(spoke);
+                let back = self.fresh_twin(spoke);
                 self.link(arrives, spoke);
                 self.link(spoke, back);
                 arrives = back;

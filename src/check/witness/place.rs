@@ -274,7 +274,6 @@ impl Place {
                 && drawing.before.mention(name).is_some()
                 && self.runs[name.index()].is_empty()
         };
-        let mut loops = rule.after.loops.iter();
-        loops.any(|orbit| orbit.items.iter().all(|item| empty(item.item.name)))
+        rule.after.loops.iter().any(|orbit| orbit.items.iter().all(|item| empty(item.item.name)))
     }
 }

@@ -174,23 +174,17 @@ impl Search<'_> {
 
     /// Twins that follow from arcs without a spoke.
     fn glued_by(&self, arcs: &[Arc], shape: &Shape) -> Vec<[usize; 2]> {
-        let Some(sketch) = Sketch::build(self.drawing, shape) else {
-            return Vec::new();
-        };
+        let Some(sketch) = Sketch::build(self.drawing, shape) else { return Vec::new() };
         let mut glued: Vec<[usize; 2]> = Vec::new();
         for arc in arcs.iter().filter(|arc| arc.lies == Lies::Empty) {
-            let (Port::Out(from), Port::In(to)) = (arc.from, arc.to) else {
-                continue;
-            };
+            let (Port::Out(from), Port::In(to)) = (arc.from, arc.to) else { continue };
             let first = |name: NameId| {
                 sketch.half_of[name.index()].or(sketch.runs[name.index()].first().copied())
             };
             let last = |name: NameId| {
                 sketch.half_of[name.index()].or(sketch.runs[name.index()].last().copied())
             };
-            let (Some(left), Some(right)) = (first(from), last(to)) else {
-                continue;
-            };
+            let (Some(left), Some(right)) = (first(from), last(to)) else { continue };
             let told = glued.iter().flatten().any(|&half| half == left || half == right);
             if left != right && !told {
                 glued.push([left, right]);
@@ -211,8 +205,7 @@ impl Search<'_> {
                 (*added, Shape { late: true, ..shape })
             };
             let late: Vec<_> = shapes.iter().map(late).collect();
-            let ambiguous = self.has_fans_side_by_side();
-            ambiguous.then(|| self.sizes(&late, &combinations))?
+            self.has_fans_side_by_side().then(|| self.sizes(&late, &combinations))?
         })
     }
 
@@ -256,9 +249,7 @@ impl Search<'_> {
     ) -> Option<Shown> {
         for size in 0..=MOST_ADDED {
             for (added, shape) in shapes.iter().filter(|(added, _)| *added <= size) {
-                let Some(sketch) = Sketch::build(self.drawing, shape) else {
-                    continue;
-                };
+                let Some(sketch) = Sketch::build(self.drawing, shape) else { continue };
                 for joins in ways(&sketch) {
                     for further in furthers(&sketch, &joins, size - added) {
                         if self.built == MOST_BUILT {
@@ -312,9 +303,7 @@ fn furthers(sketch: &Sketch, joins: &[Join], count: usize) -> Vec<Further> {
 
 /// Every combination of the ways of all vertices.
 fn combinations(sketch: &Sketch) -> Vec<Vec<Join>> {
-    let Some(vertices) = ways(sketch) else {
-        return Vec::new();
-    };
+    let Some(vertices) = ways(sketch) else { return Vec::new() };
     let mut combinations = vec![Vec::new()];
     for ways in vertices {
         let longer = combinations.iter().flat_map(|joins: &Vec<Join>| {

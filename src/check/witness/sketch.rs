@@ -208,7 +208,7 @@ impl Sketch {
             if edges[..at].iter().any(|other| other.edge.name == edge.edge.name) {
                 return None;
             }
-            let [left, right] = edge.halfedges.map(|half| half.name);
+            let [left, right] = edge.halfedge_names();
             let left = self.drawn_or_outer(drawing, left, right);
             let right = self.drawn_or_outer(drawing, right, edge.halfedges[0].name);
             self.pair(left, right)?;
@@ -249,7 +249,7 @@ impl Sketch {
     }
 
     /// Makes twins of two halfedges.
-    pub fn make_twins(&mut self, left: usize, right: usize) {
+    fn make_twins(&mut self, left: usize, right: usize) {
         self.halves[left].twin = Some(right);
         self.halves[right].twin = Some(left);
     }
@@ -299,9 +299,7 @@ impl Sketch {
         for star in &drawing.rule.before.stars {
             let vertex = self.vertex(star.vertex.name);
             for spoke in &star.spokes {
-                let Spoke::Halfedge(spoke) = spoke else {
-                    continue;
-                };
+                let Spoke::Halfedge(spoke) = spoke else { continue };
                 let half = match self.half_of[spoke.name.index()] {
                     Some(half) => half,
                     None => {
@@ -321,15 +319,11 @@ impl Sketch {
     /// Pairs halfedges by the order of spokes: the spoke behind another, counterclockwise, is the
     /// twin of the halfedge before that one.
     fn follow_each_other(&mut self, star: &Star) -> Option<()> {
-        let half = |sketch: &Self, spoke: &Spoke| sketch.half_of[spoke.halfedge()?.index()];
-        for (at, spoke) in star.spokes.iter().enumerate() {
-            let next = &star.spokes[(at + 1) % star.spokes.len()];
-            let (Some(spoke), Some(next)) = (half(self, spoke), half(self, next)) else {
+        for pair in star.neighbors() {
+            let [Some(spoke), Some(next)] = pair.map(|half| self.half_of[half.name.index()]) else {
                 continue;
             };
-            let Some(prev) = self.halves[spoke].prev else {
-                continue;
-            };
+            let Some(prev) = self.halves[spoke].prev else { continue };
             let free = |half: usize| self.halves[half].twin.is_none();
             if prev != next && free(prev) && free(next) {
                 self.pair(prev, next)?;
@@ -339,13 +333,14 @@ impl Sketch {
     }
 
     /// Adds the twin of a halfedge.
-    pub fn fresh_twin(&mut self, half: usize) {
+    pub fn fresh_twin(&mut self, half: usize) -> usize {
         let origin = match self.target(half) {
             Some(origin) => origin,
             None => self.add_vertex(VertexRole::Loose),
         };
         let twin = self.add(HalfedgeRole::TwinOf(half), origin);
         self.make_twins(half, twin);
+        twin
     }
 }
 
@@ -359,14 +354,8 @@ fn implied_on_paths(drawing: &Drawing, shape: &Shape) -> Vec<(NameId, NameId, us
     };
     let mut implied: Vec<(NameId, NameId, usize)> = Vec::new();
     for star in &drawing.rule.before.stars {
-        for (at, spoke) in star.spokes.iter().enumerate() {
-            let next = &star.spokes[(at + 1) % star.spokes.len()];
-            let (Spoke::Halfedge(spoke), Spoke::Halfedge(next)) = (spoke, next) else {
-                continue;
-            };
-            let Some(twin) = view.twin(next.name) else {
-                continue;
-            };
+        for [spoke, next] in star.neighbors() {
+            let Some(twin) = view.twin(next.name) else { continue };
             let before = view.item_before(spoke.name).filter(|&path| length(path) > 0);
             let after = view.item_after(twin).filter(|&path| length(path) > 0);
             let last = before.map(|path| (twin, path, length(path) - 1));

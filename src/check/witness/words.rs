@@ -89,8 +89,7 @@ impl Words<'_> {
 
     /// The name that is bound to an element.
     fn name(&self, element: Element) -> Option<NameId> {
-        let rule = self.drawing.rule;
-        let mut names = rule.names_of(element.kind.into());
+        let mut names = self.drawing.rule.names_of(element.kind.into());
         names.find(|name| self.carried.elements[name.index()] == Some(element.index))
     }
 

@@ -88,8 +88,7 @@ impl<'t> Match<'t, '_> {
 
     /// The text of a hole; a foreign type is translated.
     fn text(&self, hole: Option<&str>, range: Range<usize>) -> &'t str {
-        let ours = hole.and_then(|hole| self.renamed(hole, range.clone()));
-        ours.unwrap_or(self.item.slice(range))
+        hole.and_then(|hole| self.renamed(hole, range.clone())).unwrap_or(self.item.slice(range))
     }
 
     /// The name in this language of a foreign type in a hole, in the head of an item or in a block.

@@ -5,22 +5,14 @@
 //! table of foreign forms. Each finding is reported once, with a correction, and replaced by its
 //! equivalent, so that the rest of the item is parsed as it was meant.
 
-mod pattern;
-
-mod table;
-
-mod place;
-
-mod sign;
-
 mod finding;
-
-mod report;
-
 mod mend;
-
+mod pattern;
+mod place;
+mod report;
+mod sign;
+mod table;
 mod types;
-
 mod value;
 
 use super::token::Token;

@@ -102,10 +102,7 @@ pub(super) enum Class {
 impl Pattern {
     /// Parses a pattern.
     pub(super) fn of(written: &'static str) -> Self {
-        let (begins, written) = match written.strip_prefix('^') {
-            Some(rest) if !rest.is_empty() => (true, rest),
-            _ => (false, written),
-        };
+        let (begins, written) = without_mark(written, '^');
         Self { begins, elements: written.split_whitespace().map(Element::of).collect() }
     }
 
@@ -136,14 +133,8 @@ impl Pattern {
 
 impl Element {
     fn of(written: &'static str) -> Self {
-        let (touches, written) = match written.strip_prefix('~') {
-            Some(rest) if !rest.is_empty() => (true, rest),
-            _ => (false, written),
-        };
-        let (same_line, written) = match written.strip_prefix('_') {
-            Some(rest) if !rest.is_empty() => (true, rest),
-            _ => (false, written),
-        };
+        let (touches, written) = without_mark(written, '~');
+        let (same_line, written) = without_mark(written, '_');
         let what = match written.strip_prefix('$') {
             Some(hole) => hole_of(hole),
             None => What::Written(ways(written)),
@@ -156,6 +147,14 @@ impl Element {
             What::Hole(name, _) => Some(name),
             What::Written(_) => None,
         }
+    }
+}
+
+/// Whether a mark stands before a pattern or an element, and what is marked.
+fn without_mark(written: &'static str, mark: char) -> (bool, &'static str) {
+    match written.strip_prefix(mark) {
+        Some(rest) if !rest.is_empty() => (true, rest),
+        _ => (false, written),
     }
 }
 
@@ -212,9 +211,7 @@ fn rest_matches(
     found: &mut Vec<Range<usize>>,
 ) -> bool {
     let known = found.len();
-    let Some(element) = elements.get(known) else {
-        return true;
-    };
+    let Some(element) = elements.get(known) else { return true };
     if element.touches && !item.touches(at) {
         return false;
     }
@@ -247,18 +244,14 @@ fn ends(what: &What, item: &Item, at: usize, same: Option<&str>) -> Vec<usize> {
 fn all_ends(what: &What, item: &Item, at: usize) -> Vec<usize> {
     let kind = item.kind(at);
     let one = |is: bool| if is { vec![at + 1] } else { Vec::new() };
+    let named = |is: bool| item.name_end(at).filter(|_| is).into_iter().collect();
     match what {
         What::Written(ways) => one(kind.is_some() && ways.contains(&item.word(at))),
         What::Hole(_, class) => match class {
             Class::OneOf(ways) => one(kind.is_some() && ways.contains(&item.word(at))),
-            Class::Name => item.name_end(at).into_iter().collect(),
-            Class::Vertex | Class::Rim => {
-                let is_one = match class {
-                    Class::Vertex => item.is_vertex(item.word(at)),
-                    _ => item.is_rim(item.word(at)),
-                };
-                item.name_end(at).filter(|_| is_one).into_iter().collect()
-            }
+            Class::Name => named(true),
+            Class::Vertex => named(item.is_vertex(item.word(at))),
+            Class::Rim => named(item.is_rim(item.word(at))),
             Class::Verb => one(kind.is_some_and(|kind| kind.is_wordlike() && kind != T::If)),
             Class::Word => one(kind.is_some_and(T::is_wordlike)),
             Class::Number => one(matches!(kind, Some(T::Int | T::Real))),
@@ -380,9 +373,7 @@ pub(super) fn paired(item: &Item, at: usize, over: impl Fn(usize) -> bool) -> Ve
     let mut ends = vec![at];
     let mut depth = 0_usize;
     for end in at..at + LONGEST {
-        let Some(Token { kind, .. }) = item.token(end) else {
-            break;
-        };
+        let Some(Token { kind, .. }) = item.token(end) else { break };
         if depth == 0 && over(end) {
             break;
         }

@@ -34,8 +34,7 @@ impl<'t> Item<'t> {
             tokens.windows(2).filter(|pair| matches!(pair[0].kind, T::Arrow | T::FatArrow));
         let targets = arrows.map(|pair| word(&pair[1]));
         let vertices = targets.chain(loop_beginnings(tokens).map(word)).collect();
-        let pairs = tokens.windows(2);
-        let rims = pairs.filter(|pair| matches!(pair[0].kind, T::Hole | T::Loop));
+        let rims = tokens.windows(2).filter(|pair| matches!(pair[0].kind, T::Hole | T::Loop));
         let rims = rims.map(|pair| word(&pair[1])).collect();
         Self { text, tokens: tokens.to_vec(), vertices, rims }
     }
@@ -93,9 +92,7 @@ impl<'t> Item<'t> {
 
     fn between(&self, at: usize) -> &str {
         let before = at.checked_sub(1).and_then(|before| self.token(before));
-        let (Some(before), Some(here)) = (before, self.token(at)) else {
-            return "\n";
-        };
+        let (Some(before), Some(here)) = (before, self.token(at)) else { return "\n" };
         self.text.get(before.span.end as usize..here.span.start as usize).unwrap_or("")
     }
 
@@ -147,9 +144,7 @@ impl<'t> Item<'t> {
 
     /// True if a statement can begin at a token outside parentheses.
     fn begins_statement(&self, at: usize) -> bool {
-        let Some(before) = at.checked_sub(1) else {
-            return true;
-        };
+        let Some(before) = at.checked_sub(1) else { return true };
         match self.kind(before) {
             Some(T::LeftBrace | T::RightBrace) => true,
             Some(before) if goes_on(before) => false,

@@ -170,9 +170,7 @@ fn title(text: &str, span: Span, edits: &[Edit]) -> String {
 
 /// The edited part of a line after the edits, extended to whole words.
 fn excerpt(text: &str, line: Range<usize>, edits: &[&Edit]) -> String {
-    let (Some(first), Some(last)) = (edits.first(), edits.last()) else {
-        return String::new();
-    };
+    let (Some(first), Some(last)) = (edits.first(), edits.last()) else { return String::new() };
     let before = text.get(line.start..first.span.start as usize).unwrap_or("");
     let behind = text.get(last.span.end as usize..line.end).unwrap_or("");
     let start = before.rfind(char::is_whitespace).map_or(0, |blank| blank + 1);

@@ -28,17 +28,9 @@ pub fn type_word(word: &str) -> Option<&'static str> {
         "vector2" | "float2" | "point2" => "vec2",
         "matrix4" => "mat4",
         "matrix3" => "mat3",
-        "he"
-        | "half_edge"
-        | "dart"
-        | "halfedgeref"
-        | "halfedgecref"
-        | "halfedgeiter"
-        | "halfedge_handle"
-        | "halfedge_descriptor"
-        | "halfedgehandle"
-        | "bmloop"
-        | "halfedges" => "halfedge",
+        "he" | "half_edge" | "dart" | "halfedgeref" | "halfedgecref" | "halfedgeiter"
+        | "halfedge_handle" | "halfedgehandle" | "bmloop" | "halfedges" => "halfedge",
+        "halfedge_descriptor" => "halfedge",
         "vert" | "node" | "vertexref" | "vertexcref" | "vertexiter" | "vertex_handle"
         | "vertex_descriptor" | "vertexhandle" | "bmvert" | "mvert" | "vertices" => "vertex",
         "edgeref" | "edgecref" | "edgeiter" | "edge_handle" | "edge_descriptor" | "edgehandle"

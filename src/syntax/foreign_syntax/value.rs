@@ -25,16 +25,18 @@ pub(super) fn operand_end(item: &Item, at: usize) -> Option<usize> {
 pub(super) fn owner_ends(item: &Item, at: usize) -> Vec<usize> {
     let step = |&end: &usize| match item.kind(end)? {
         T::Dot if item.kind(end + 1).is_some_and(T::is_wordlike) => Some(end + 2),
-        T::LeftParen if item.touches(end) => {
-            let closing = paired(item, end + 1, |_| false).pop()?;
-            item.kind(closing).filter(|kind| *kind == T::RightParen)?;
-            Some(closing + 1)
-        }
+        T::LeftParen if item.touches(end) => parentheses_end(item, end),
         _ => None,
     };
     let mut ends: Vec<_> = std::iter::successors(item.name_end(at), step).collect();
     ends.reverse();
     ends
+}
+
+/// The end of the parentheses that begin at a token.
+fn parentheses_end(item: &Item, at: usize) -> Option<usize> {
+    let closing = paired(item, at + 1, |_| false).pop()?;
+    (item.kind(closing) == Some(T::RightParen)).then_some(closing + 1)
 }
 
 /// The end of a value with all of its operators and choices, `c ? x : y`, if a statement or nothing
@@ -73,11 +75,7 @@ fn joined_end(item: &Item, at: usize) -> Option<usize> {
 /// The end of an operand, a text, or a value in parentheses.
 fn part_end(item: &Item, at: usize) -> Option<usize> {
     match item.kind(at)? {
-        T::LeftParen => {
-            let closing = paired(item, at + 1, |_| false).pop()?;
-            item.kind(closing).filter(|kind| *kind == T::RightParen)?;
-            Some(closing + 1)
-        }
+        T::LeftParen => parentheses_end(item, at),
         T::True | T::False | T::Text => Some(at + 1),
         _ => operand_end(item, at),
     }

@@ -170,8 +170,7 @@ fn conditional<'t>(code: &Code<'t>) -> Rule<'t, ActionKind> {
                 Block { statements, span }
             })
         });
-        let otherwise = just(T::Else).ignore_then(code.block.clone().or(chained));
-        let otherwise = otherwise.or(contracted);
+        let otherwise = just(T::Else).ignore_then(code.block.clone().or(chained)).or(contracted);
         binding
             .or_not()
             .then(head(&code.expression))

@@ -104,9 +104,7 @@ fn begins_item(text: &str, tokens: &[Token], at: usize, inside: bool) -> bool {
         }
         _ => return false,
     };
-    let Some(indent) = indent(text, tokens, at) else {
-        return sure && !inside;
-    };
+    let Some(indent) = indent(text, tokens, at) else { return sure && !inside };
     sure || hard && (indent == 0 || !inside)
 }
 

@@ -136,10 +136,8 @@ fn atom<'t>(expression: Rule<'t, Expr>, block: Rule<'t, Block>) -> Rule<'t, Expr
         emitter.emit(Failure::mistake(mistake, scene.span()));
         ExprKind::Broken
     });
-    let text = text().map(|(text, _)| ExprKind::Text(text));
-    let text = text.or(misplaced).boxed();
-    let inside = expression.clone().map(|inner| inner.kind);
-    let inside = inside.then_ignore(recover::right_paren());
+    let text = text().map(|(text, _)| ExprKind::Text(text)).or(misplaced).boxed();
+    let inside = expression.clone().map(|inner| inner.kind).then_ignore(recover::right_paren());
     let broken = recover::parentheses().map(|_| ExprKind::Broken);
     let parenthesised = just(T::LeftParen).ignore_then(inside.recover_with(via_parser(broken)));
     let call = call(expression.clone());
@@ -205,8 +203,7 @@ fn call<'t>(expression: Rule<'t, Expr>) -> Rule<'t, ExprKind> {
     });
     let open = open.labelled(Phrase::Operator).boxed();
     let hole = select! { T::Hole => () }.map_with(|(), scene| name_here(scene));
-    let hole = hole.then_ignore(open.clone().rewind());
-    let callee = hole.or(qualified_name()).or(name()).boxed();
+    let callee = hole.then_ignore(open.clone().rewind()).or(qualified_name()).or(name()).boxed();
     let inside = inside.recover_with(via_parser(broken)).boxed();
     let arguments = open.ignore_then(inside).boxed();
     callee

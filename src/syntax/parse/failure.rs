@@ -92,8 +92,7 @@ impl Wanted {
 
     /// The tokens of fixed spelling, in order.
     pub(super) fn tokens(self) -> impl Iterator<Item = TokenKind> {
-        let fixed = TokenKind::KEYWORDS.iter().chain(TokenKind::MARKS);
-        let kinds = fixed.map(|&(_, kind)| kind);
+        let kinds = TokenKind::KEYWORDS.iter().chain(TokenKind::MARKS).map(|&(_, kind)| kind);
         kinds.filter(move |&kind| self.has(kind))
     }
 }

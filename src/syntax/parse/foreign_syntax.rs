@@ -26,9 +26,7 @@ pub(super) fn told_here(told: Diagnostic, failure: &Failure, around: &Around) ->
     let tokens = around.item;
     let at = tokens.partition_point(|token| token.span.start < failure.span.start);
     let (before, rest) = tokens.split_at(at);
-    let [here, after @ ..] = rest else {
-        return told;
-    };
+    let [here, after @ ..] = rest else { return told };
     let last = before.last().map(|token| token.kind);
     let touches = |one: &Token, other: &Token| one.span.end == other.span.start;
     match here.kind {
@@ -176,10 +174,7 @@ fn ahead<'t>(is_one: impl Fn(&mut Input<'t, '_>, T, &str) -> bool + 't) -> Rule<
         let text = input.state().0.get(span.range()).unwrap_or("");
         let found = kind.is_some_and(|kind| is_one(input, kind, text));
         input.rewind(start);
-        match found {
-            true => Ok(()),
-            false => Err(Failure::at(span)),
-        }
+        if found { Ok(()) } else { Err(Failure::at(span)) }
     })
     .boxed()
 }

@@ -91,8 +91,7 @@ fn subscript<'t>() -> Rule<'t, Index> {
 
 /// The value of an int token; one that is too large has been reported and becomes the maximum.
 pub(super) fn int_here(scene: &mut Scene) -> i64 {
-    let digits = slice(scene).trim_end_matches(|c: char| !c.is_ascii_digit());
-    digits.parse().unwrap_or(i64::MAX)
+    slice(scene).trim_end_matches(|c: char| !c.is_ascii_digit()).parse().unwrap_or(i64::MAX)
 }
 
 /// A text in quotes and its place.

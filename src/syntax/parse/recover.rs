@@ -232,7 +232,6 @@ fn begins_line(input: &mut Input) -> bool {
     input.skip();
     let span = input.span_since(start.cursor());
     input.rewind(start);
-    let text = input.state().0;
-    let before = text.get(..span.start as usize).unwrap_or("");
+    let before = input.state().0.get(..span.start as usize).unwrap_or("");
     before.trim_end_matches([' ', '\t']).ends_with('\n') || span.start == 0
 }

@@ -87,38 +87,29 @@ fn report(failure: Failure, around: &Around) -> Diagnostic {
 
 fn mistaken(mistake: Mistake, span: Span, text: &str) -> Diagnostic {
     let written = text.get(span.range()).unwrap_or("");
+    let wrong = |message: &str| Diagnostic::error("syntax-error", message, span);
+    let misplaced = |message: &str| Diagnostic::error("misplaced-part", message, span);
     match mistake {
         Mistake::ElseIf => {
-            let message = format!("`{written}` is written `else if`");
-            let found = Diagnostic::error("syntax-error", message, span);
-            found.fix("write `else if`", span, "else if")
+            let told = wrong(&format!("`{written}` is written `else if`"));
+            told.fix("write `else if`", span, "else if")
         }
-        Mistake::Untyped => {
-            let message = format!("the parameter `{written}` has no type");
-            let found = Diagnostic::error("syntax-error", message, span);
-            found.note("a type is written behind the name: `e: edge`, `t: real`, `p: vec3`")
-        }
+        Mistake::Untyped => wrong(&format!("the parameter `{written}` has no type"))
+            .note("a type is written behind the name: `e: edge`, `t: real`, `p: vec3`"),
         Mistake::KindInList => {
-            let message = "names are listed without their kinds";
-            let found = Diagnostic::error("syntax-error", message, span);
             let until_name = text.get(span.end as usize..).unwrap_or("");
             let gap = until_name.len() - until_name.trim_start().len();
             let end = span.end + u32::try_from(gap).unwrap_or(0);
-            found.note("what a name stands for is found from where it is drawn").fix(
-                format!("leave out `{written}`"),
-                Span { end, ..span },
-                "",
-            )
+            wrong("names are listed without their kinds")
+                .note("what a name stands for is found from where it is drawn")
+                .fix(format!("leave out `{written}`"), Span { end, ..span }, "")
         }
         Mistake::BarePath => {
-            let message = "the path of a file stands in quotes";
             let path = path_meant(written);
-            let found = Diagnostic::error("syntax-error", message, span);
+            let told = wrong("the path of a file stands in quotes");
             match path.contains('/') {
-                true => found.fix(format!("write `\"{path}\"`"), span, format!("\"{path}\"")),
-                false => {
-                    found.note("of the library it begins with `std/`: `\"std/polygon.hedge\"`")
-                }
+                true => told.fix(format!("write `\"{path}\"`"), span, format!("\"{path}\"")),
+                false => told.note("of the library it begins with `std/`: `\"std/polygon.hedge\"`"),
             }
         }
         Mistake::ChainedComparison => {
@@ -128,33 +119,25 @@ fn mistaken(mistake: Mistake, span: Span, text: &str) -> Diagnostic {
         }
         Mistake::TwiceDrawn(first) => {
             let message = "this side of the rule is already drawn";
-            let found = Diagnostic::error("drawn-twice", message, span);
-            found
+            Diagnostic::error("drawn-twice", message, span)
                 .label(first, "drawn here first")
                 .note("alternatives are written `rule name { … }`")
         }
-        Mistake::Misplaced(place) => Diagnostic::error("misplaced-part", place, span),
-        Mistake::CalledFamily => {
-            let message = "what is called has no subscript";
-            Diagnostic::error("syntax-error", message, span)
-        }
+        Mistake::Misplaced(place) => misplaced(place),
+        Mistake::CalledFamily => wrong("what is called has no subscript"),
         Mistake::QualifiedName => {
-            let (_, name) = split_qualified(written);
-            let name = name.trim();
-            let message = format!("a name stands alone, without what it belongs to: `{name}`");
-            let found = Diagnostic::error("syntax-error", message, span);
-            found.fix(format!("write `{name}`"), span, name)
+            let name = split_qualified(written).1.trim();
+            wrong(&format!("a name stands alone, without what it belongs to: `{name}`")).fix(
+                format!("write `{name}`"),
+                span,
+                name,
+            )
         }
-        Mistake::ValuesInText => {
-            let message = "a text with values in it stands behind `print` only";
-            let found = Diagnostic::error("misplaced-part", message, span);
-            found.note("a brace that stands for itself is written `\\{`")
-        }
+        Mistake::ValuesInText => misplaced("a text with values in it stands behind `print` only")
+            .note("a brace that stands for itself is written `\\{`"),
         Mistake::UnknownFormat => {
-            let message = "this is not a way to print a value";
-            let found = Diagnostic::error("syntax-error", message, span);
-            let found =
-                found.note("`{x:.3}` has three digits behind the point, `{x:full}` all there are");
+            let told = wrong("this is not a way to print a value")
+                .note("`{x:.3}` has three digits behind the point, `{x:full}` all there are");
             let spec = written.strip_prefix(':').and_then(|rest| rest.split('}').next());
             let digits = spec.and_then(|spec| {
                 let (_, digits) = spec.rsplit_once('.')?;
@@ -165,23 +148,17 @@ fn mistaken(mistake: Mistake, span: Span, text: &str) -> Diagnostic {
                     let start = span.start + 1;
                     let place = Span { start, end: start + spec.len() as u32, ..span };
                     let ours = format!(".{digits}");
-                    found.fix(format!("write `{{x:{ours}}}`"), place, ours)
+                    told.fix(format!("write `{{x:{ours}}}`"), place, ours)
                 }
-                None => found,
+                None => told,
             }
         }
-        Mistake::NoTwin => {
-            let message = "every halfedge has a twin";
-            Diagnostic::error("syntax-error", message, span).note(
-                "beyond a boundary lies a hole, drawn `hole f: …`; an edge that is not drawn stays \
-                 as it is",
-            )
-        }
-        Mistake::RuleAmongParts => {
-            let message = "an op has either rules or drawings of its own";
-            let found = Diagnostic::error("misplaced-part", message, span);
-            found.note("move these drawings into a `rule name { … }`")
-        }
+        Mistake::NoTwin => wrong("every halfedge has a twin").note(
+            "beyond a boundary lies a hole, drawn `hole f: …`; an edge that is not drawn stays as \
+             it is",
+        ),
+        Mistake::RuleAmongParts => misplaced("an op has either rules or drawings of its own")
+            .note("move these drawings into a `rule name { … }`"),
     }
 }
 
@@ -359,9 +336,7 @@ fn behind_the_last_line(span: Span, around: &Around) -> Span {
     let tokens = around.item;
     let at = tokens.partition_point(|token| token.span.start < span.start);
     let before = at.checked_sub(1).map(|at| tokens[at].span);
-    let Some(before) = before.filter(|before| before.end <= span.start) else {
-        return span;
-    };
+    let Some(before) = before.filter(|before| before.end <= span.start) else { return span };
     let between = before.end as usize..span.start as usize;
     match around.text.get(between) {
         Some(between) if between.contains('\n') => before.after(),

@@ -59,8 +59,7 @@ fn cut(token: &str) -> (Option<Digits>, String) {
         Some("full") => Some(Digits::All),
         Some(format) => {
             let count = format.strip_prefix('.').and_then(|count| count.parse().ok());
-            let count = count.filter(|&count: &u8| count <= MOST_DIGITS);
-            count.map(Digits::Behind)
+            count.filter(|&count: &u8| count <= MOST_DIGITS).map(Digits::Behind)
         }
     };
     (digits, text)

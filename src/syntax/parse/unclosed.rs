@@ -47,8 +47,7 @@ impl<'t> Braces<'t> {
 
     /// The innermost brace that is open before a token, if braces are missing in this item.
     pub(super) fn open_at(&self, at: usize) -> Option<usize> {
-        let never_closed = self.open.last().copied().flatten();
-        never_closed.and(self.open.get(at).copied().flatten())
+        self.open.last().copied().flatten().and(self.open.get(at).copied().flatten())
     }
 
     /// True if exactly one brace is never closed.

@@ -29,9 +29,7 @@ pub struct Name {
 impl fmt::Display for Name {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.ident.text)?;
-        let Some(Index { variable, offset, .. }) = &self.index else {
-            return Ok(());
-        };
+        let Some(Index { variable, offset, .. }) = &self.index else { return Ok(()) };
         match variable {
             None => write!(f, "[{offset}]"),
             Some(Ident { text, .. }) if *offset == 0 => write!(f, "[{text}]"),
@@ -97,6 +95,29 @@ pub enum Statement {
     },
     /// Something that could not be read.
     Broken(Span),
+}
+
+impl Statement {
+    /// The keyword and the names of a list.
+    pub(crate) fn listed(&self) -> Option<(&'static str, &[Name])> {
+        match self {
+            Statement::New(names, _) => Some(("new", names)),
+            Statement::Erase(names, _) => Some(("erase", names)),
+            Statement::Keep(names, _) => Some(("keep", names)),
+            _ => None,
+        }
+    }
+
+    /// The span of the whole statement.
+    pub(crate) fn span(&self) -> Span {
+        match self {
+            Statement::Loop(orbit) => orbit.span,
+            Statement::Vertex(star) => star.span,
+            Statement::Edge { span, .. } | Statement::Assign { span, .. } => *span,
+            Statement::New(_, span) | Statement::Erase(_, span) => *span,
+            Statement::Keep(_, span) | Statement::Broken(span) => *span,
+        }
+    }
 }
 
 /// `face f0: v0 -a-> v1 =P=> v0` or `face f: each i { v[i] -h[i]-> }`

@@ -43,6 +43,14 @@ pub enum Item {
 }
 
 impl Item {
+    /// The op, if it is one.
+    pub(crate) fn op(&self) -> Option<&Op> {
+        match self {
+            Item::Op(op) => Some(op),
+            _ => None,
+        }
+    }
+
     /// Its name, if it is `private`.
     pub fn private_name(&self) -> Option<&Ident> {
         let (private, name) = match self {

@@ -16,7 +16,7 @@ mod values;
 mod variables;
 
 use super::pattern::Pattern;
-use super::place::Places;
+use super::place::{ANY, CODE, DRAWING, HEAD, PARTS, Places};
 use crate::syntax::token::TokenKind;
 use logos::Logos;
 use std::collections::HashMap;
@@ -25,7 +25,8 @@ use std::sync::LazyLock;
 
 /// A line of the table.
 struct Line {
-    place: Places,
+    /// Where it stands, if not where the other lines of its list do.
+    place: Option<Places>,
     seen: &'static str,
     ours: &'static str,
     fix: Option<&'static str>,
@@ -33,25 +34,31 @@ struct Line {
 }
 
 /// A form whose meaning is certain; `ours` is both the fix and what the rest is parsed with.
-const fn sure(place: Places, seen: &'static str, ours: &'static str, says: &'static str) -> Line {
-    Line { place, seen, ours, fix: Some(ours), says }
+const fn sure(seen: &'static str, ours: &'static str, says: &'static str) -> Line {
+    Line { place: None, seen, ours, fix: Some(ours), says }
 }
 
 /// A form whose meaning is certain, but whose `fix` differs from `ours`, with which the rest of the
 /// item is parsed.
 const fn fixed(
-    place: Places,
     seen: &'static str,
     ours: &'static str,
     fix: &'static str,
     says: &'static str,
 ) -> Line {
-    Line { place, seen, ours, fix: Some(fix), says }
+    Line { place: None, seen, ours, fix: Some(fix), says }
 }
 
 /// A form without a fix; the rest of the item is parsed as if it were `ours`.
-const fn told(place: Places, seen: &'static str, ours: &'static str, says: &'static str) -> Line {
-    Line { place, seen, ours, fix: None, says }
+const fn told(seen: &'static str, ours: &'static str, says: &'static str) -> Line {
+    Line { place: None, seen, ours, fix: None, says }
+}
+
+impl Line {
+    /// The same form in other places.
+    const fn at(self, place: Places) -> Self {
+        Self { place: Some(place), ..self }
+    }
 }
 
 const STEPS: &str = "an op is drawn, `before { … } after { … }`; one that calls others has `steps { … }`, and a script or `fn` statements of any kind";
@@ -59,19 +66,20 @@ const VALUES: &str =
     "a drawing has no variables: a value is written where it is used, or computed by a `fn`";
 const TYPED: &str = "a type stands behind its name: `$n: $t`";
 
-/// The lines of the table, in the order in which they are tried.
-const LINES: &[&[Line]] = &[
-    signs::LINES,
-    items::LINES,
-    parts::LINES,
-    lists::LINES,
-    statements::LINES,
-    assignments::LINES,
-    loops::LINES,
-    variables::LINES,
-    code::LINES,
-    values::LINES,
-    signs::ENDS,
+/// The lines of the table, in the order in which they are tried, each list with the places where
+/// its lines stand.
+const LINES: &[(Places, &[Line])] = &[
+    (ANY, signs::LINES),
+    (HEAD, items::LINES),
+    (PARTS, parts::LINES),
+    (DRAWING, lists::LINES),
+    (DRAWING, statements::LINES),
+    (DRAWING, assignments::LINES),
+    (CODE, loops::LINES),
+    (CODE, variables::LINES),
+    (CODE, code::LINES),
+    (CODE | PARTS, values::LINES),
+    (ANY, signs::ENDS),
 ];
 
 /// A piece of a template, which replaces a pattern.
@@ -97,7 +105,7 @@ pub(super) struct Form {
 }
 
 impl Form {
-    fn of(line: &Line) -> Self {
+    fn of(place: Places, line: &Line) -> Self {
         let ours = pieces(line.ours);
         let is_ours = |piece: &Piece| {
             piece.hole.is_some()
@@ -107,7 +115,7 @@ impl Form {
         };
         debug_assert!(ours.iter().all(is_ours), "`{}` is not of the language", line.ours);
         Self {
-            place: line.place,
+            place: line.place.unwrap_or(place),
             says: line.says,
             seen: Pattern::of(line.seen),
             ours,
@@ -142,15 +150,16 @@ impl Form {
 
     /// The holes in the message.
     pub(super) fn holes_of_says(&self) -> impl Iterator<Item = &'static str> {
-        let pieces = pieces(self.says).into_iter();
-        pieces.filter_map(|piece| piece.hole)
+        pieces(self.says).into_iter().filter_map(|piece| piece.hole)
     }
 }
 
 /// The parsed table.
 pub(super) fn forms() -> &'static [Form] {
-    static FORMS: LazyLock<Vec<Form>> =
-        LazyLock::new(|| LINES.iter().copied().flatten().map(Form::of).collect());
+    static FORMS: LazyLock<Vec<Form>> = LazyLock::new(|| {
+        let lists = LINES.iter();
+        lists.flat_map(|(place, lines)| lines.iter().map(|line| Form::of(*place, line))).collect()
+    });
     &FORMS
 }
 
