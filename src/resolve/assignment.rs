@@ -83,7 +83,7 @@ impl Scripting<'_> {
             let fits = self.result_fits(&applied, local.ty, name, value.span);
             return fits.then(|| applied.into_variable(variable, Vec::new()));
         }
-        self.typing.may_change = !self.updating;
+        self.typing.may_change = !self.typing.updating;
         let value = match local.ty {
             Some(ty) => {
                 let typed = self.typing.expression(value)?;
@@ -152,7 +152,7 @@ impl Scripting<'_> {
             self.typing.expression(value);
             return None;
         };
-        if self.updating && !is_variable(&whole) {
+        if self.typing.updating && !is_variable(&whole) {
             return self.typing.report.reject(self.whole_vector(base, whole.ty, field, value));
         }
         let part = self.typing.expression_as(value, ty, &format!("`{}`", field.text))?;

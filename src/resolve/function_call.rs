@@ -156,10 +156,15 @@ impl Typing<'_> {
         let error = match self.place {
             Place::Script => {
                 let Some(place) = effects.changes.filter(|_| !may_change) else { return Some(()) };
-                error("changes-mesh", "changes the mesh").label(place, "it is changed here").note(
-                    "such a call stands as a statement, or is the whole value of a variable, \
-                     of `if` or of `return`",
-                )
+                let (code, note) = match self.updating {
+                    true => ("not-in-update", "`update` only computes and writes attributes"),
+                    false => (
+                        "changes-mesh",
+                        "such a call stands as a statement, or is the whole value of a variable, \
+                         of `if`, `while` or `return`",
+                    ),
+                };
+                error(code, "changes the mesh").label(place, "it is changed here").note(note)
             }
             Place::Rule(_) | Place::Default => {
                 if let Some(place) = effects.changes {

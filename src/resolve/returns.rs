@@ -124,7 +124,7 @@ impl Scripting<'_> {
             let returned = Statement { kind: StatementKind::Return(Some(local)), span };
             return Some(applied.into_variable(variable, vec![returned]));
         }
-        self.typing.may_change = !self.updating;
+        self.typing.may_change = !self.typing.updating;
         let typed = self.typing.expression(value)?;
         let typed = self.fitting(value, typed, &name)?;
         Some(StatementKind::Return(Some(typed)))

@@ -28,8 +28,6 @@ pub(super) struct Scripting<'a> {
     pub(super) loops: u32,
     /// True inside a `drain`.
     draining: bool,
-    /// True inside an `update`.
-    pub(super) updating: bool,
     /// The fields that several assignments of the `update` name.
     pub(super) set_often: BTreeSet<String>,
     /// The type of value that `return` gives.
@@ -93,7 +91,6 @@ impl<'a> Scripting<'a> {
             typing: Typing { ops, ..Typing::new(Place::Script, declared, params, report) },
             loops: 0,
             draining: false,
-            updating: false,
             set_often: BTreeSet::new(),
             returns: Returns::nothing(),
             steps_of: None,
@@ -131,7 +128,7 @@ impl Scripting<'_> {
                 ActionKind::Block(inner) => statements.extend(self.block(inner)),
                 ActionKind::For { parallel, variable, sequence, filter, body }
                     if let tree::ExprKind::Range(first, end) = &sequence.kind
-                        && !self.updating =>
+                        && !self.typing.updating =>
                 {
                     let (parallel, filter) = (*parallel, filter.as_ref());
                     let visited = Loop { parallel, variable, sequence, filter, body };
@@ -159,7 +156,7 @@ impl Scripting<'_> {
 
     /// A statement; `None` if an error has been reported.
     pub(super) fn action(&mut self, action: &Action) -> Option<StatementKind> {
-        if self.updating && !self.may_update(action) {
+        if self.typing.updating && !self.may_update(action) {
             return None;
         }
         match &action.kind {
@@ -275,10 +272,10 @@ impl Scripting<'_> {
 
     /// `update x in xs where c { … }`
     fn update_each(&mut self, visited: Loop) -> Option<StatementKind> {
-        self.updating = true;
+        self.typing.updating = true;
         self.set_often = set_often(visited.body);
         let update = self.visit(visited, Visit::Update);
-        self.updating = false;
+        self.typing.updating = false;
         update
     }
 

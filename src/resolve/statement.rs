@@ -38,7 +38,7 @@ impl Scripting<'_> {
                 (applied.as_ref().map(|a| a.result), Err(applied))
             }
             None => {
-                self.typing.may_change = !self.updating;
+                self.typing.may_change = !self.typing.updating;
                 let whose = format!("`{}`", name.text);
                 let value = self.typing.expression_for(value, wanted, &whose);
                 (value.as_ref().map(|value| value.ty), Ok(value))
@@ -225,7 +225,7 @@ impl Scripting<'_> {
         if binding.is_some() || self.is_op_call(condition) {
             return self.if_applied(binding, condition, (then, otherwise), Self::block);
         }
-        self.typing.may_change = !self.updating;
+        self.typing.may_change = !self.typing.updating;
         let condition = self.typing.expression_as(condition, Type::Bool, "`if`");
         let then = self.block(then);
         let otherwise = otherwise.map(|block| self.block(block)).unwrap_or_default();

@@ -42,6 +42,8 @@ pub(super) struct Typing<'a> {
     pub(super) ops: &'a [Signature],
     /// True if the next function call may change the mesh, because it is a whole value.
     pub(super) may_change: bool,
+    /// True inside an `update`.
+    pub(super) updating: bool,
 }
 
 impl<'a> Typing<'a> {
@@ -57,7 +59,7 @@ impl<'a> Typing<'a> {
         for param in params {
             scopes.declare(local(param));
         }
-        Self { place, declared, scopes, report, ops: &[], may_change: false }
+        Self { place, declared, scopes, report, ops: &[], may_change: false, updating: false }
     }
 }
 
