@@ -42,7 +42,7 @@ fn attribute(
     let mut report = Report::default();
     let (default, inherits) = default(attr, head.map(|head| head.element), &mut report);
     let default = default.and_then(|default| {
-        let mut typing = Typing::new(Place::Default, declared, &[], &mut report);
+        let mut typing = Typing::new(Place::Default("an attribute"), declared, &[], &mut report);
         match ty {
             Some(ty) => typing.whole_as(default, ty, &format!("`{}`", attr.name.text)),
             None => typing.whole(default),

@@ -348,7 +348,7 @@ impl Typing<'_> {
         }
         Some(match self.place {
             Place::Script => "what changes a mesh is an operation, called like `flip(e)`",
-            Place::Rule(_) | Place::Default => {
+            Place::Rule(_) | Place::Default(_) => {
                 "`next`, `prev` and `face` follow from the loops that `after` draws, `twin` and \
                  `edge` from its edge statements, `vertex` from both"
             }

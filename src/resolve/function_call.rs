@@ -166,7 +166,7 @@ impl Typing<'_> {
                 };
                 error(code, "changes the mesh").label(place, "it is changed here").note(note)
             }
-            Place::Rule(_) | Place::Default => {
+            Place::Rule(_) | Place::Default(_) => {
                 if let Some(place) = effects.changes {
                     error("changes-mesh", "changes the mesh").label(place, "it is changed here")
                 } else if let Some(place) = effects.prints {

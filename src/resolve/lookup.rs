@@ -141,7 +141,7 @@ impl Typing<'_> {
         let error = Diagnostic::error("unknown-name", format!("`{word}` is not known here"), span);
         let drawn = match self.place {
             Place::Rule(names) => names.words().collect(),
-            Place::Default | Place::Script => Vec::new(),
+            Place::Default(_) | Place::Script => Vec::new(),
         };
         let candidates = self.scopes.names().chain(drawn).chain(CONSTANTS.map(|(known, _)| known));
         let here = foreign_words::name(word);

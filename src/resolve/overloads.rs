@@ -196,32 +196,27 @@ impl Typing<'_> {
             let fits = |way: &&&Overload| fit(way.wanted[place], value.ty) > Fit::No;
             let still: Vec<&Overload> = left.iter().filter(fits).copied().collect();
             if still.is_empty() {
-                let mut words = Vec::new();
+                let mut types: Vec<Type> = Vec::new();
                 for way in &left {
-                    let word = match way.wanted[place] {
-                        Wanted::Is(ty) => ty.a_word(),
-                        Wanted::Point => "a vertex or a vector",
+                    let wanted: &[Type] = match &way.wanted[place] {
+                        Wanted::Is(ty) => std::slice::from_ref(ty),
+                        Wanted::Point => &[Type::Vertex, Type::Vec3],
                     };
-                    if !words.contains(&word) {
-                        words.push(word);
+                    for ty in wanted {
+                        if !types.contains(ty) {
+                            types.push(*ty);
+                        }
                     }
                 }
                 let message = format!(
                     "`{}` wants {}, but {} is {}",
                     function.text,
-                    one_of(&words),
+                    one_of(types.iter().map(|ty| ty.a_word())),
                     subject(written),
                     value.ty.a_word()
                 );
                 let error = Diagnostic::error("type-mismatch", message, written.span)
                     .saying(format!("this is {}", value.ty.a_word()));
-                let mut types: Vec<Type> = left
-                    .iter()
-                    .flat_map(|way| match way.wanted[place] {
-                        Wanted::Is(ty) => vec![ty],
-                        Wanted::Point => vec![Type::Vertex, Type::Vec3],
-                    })
-                    .collect();
                 // One halfedge of several is meant least.
                 types.sort_by_key(|ty| *ty == Type::Halfedge);
                 let meant = types.into_iter().find_map(|ty| near(written, value.ty, ty));
@@ -244,7 +239,11 @@ impl Typing<'_> {
             return false;
         }
         if self.declared.called(word).is_some() {
-            let message = format!("`{word}` cannot be called in the default of a function");
+            let of = match self.place {
+                Place::Default(of) => of,
+                Place::Rule(_) | Place::Script => "a parameter",
+            };
+            let message = format!("`{word}` cannot be called in the default of {of}");
             self.report.add(Diagnostic::error("unknown-function", message, function.span));
             return false;
         }

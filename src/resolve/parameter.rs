@@ -98,7 +98,8 @@ fn default_value(
         let message = format!("`{}` is {}, and an element has no default", name.text, ty.a_word());
         return report.reject(Diagnostic::error("parameter-type", message, default.span));
     }
-    let mut typing = Typing::new(Place::Default, declared, earlier, report);
+    let mut typing =
+        Typing::new(Place::Default("a parameter of a function"), declared, earlier, report);
     typing.whole_as(default, ty, &format!("`{}`", name.text))
 }
 

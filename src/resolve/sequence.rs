@@ -95,7 +95,7 @@ impl Typing<'_> {
                 "an op cannot look at all `{word}` of the mesh, only at what is near its \
                  parameters"
             ),
-            Place::Default => format!("a default cannot look at the `{word}` of a mesh"),
+            Place::Default(_) => format!("a default cannot look at the `{word}` of a mesh"),
         };
         self.report.reject(Diagnostic::error("whole-mesh", message, span))
     }

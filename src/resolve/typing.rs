@@ -23,8 +23,8 @@ use super::words::subject;
 /// The place of an expression, which determines what it may refer to.
 #[derive(Clone, Copy)]
 pub(super) enum Place<'a> {
-    /// The default of a parameter: constants and earlier parameters.
-    Default,
+    /// The default of what is said: constants and, of a parameter, earlier ones.
+    Default(&'static str),
     /// A rule: its drawn names as they were before the rewrite, and the op's parameters.
     Rule(&'a Names),
     /// A script: its variables and the whole mesh.
@@ -266,7 +266,7 @@ impl Typing<'_> {
             let error = Diagnostic::error("not-a-value", message, action.span);
             return self.report.reject(error.note("a function (`fn`) can hold any statements"));
         };
-        if matches!(self.place, Place::Default) {
+        if matches!(self.place, Place::Default(_)) {
             let message = "in a default, a block holds one value";
             return self.report.reject(Diagnostic::error("not-a-value", message, action.span));
         }
