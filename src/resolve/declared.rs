@@ -82,6 +82,8 @@ pub(super) struct Declared {
     lost_attributes: HashSet<String>,
     /// The private attributes of used files.
     hidden_attributes: Vec<Head>,
+    /// The functions of the language whose names the file declares, which is an error.
+    taken: HashSet<String>,
     /// True if a used file is missing.
     lacks: bool,
     /// The meanings of the words after dots that have been seen so far.
@@ -154,6 +156,7 @@ impl Declared {
 
     fn declare_called(&mut self, name: &Ident, named: Named) -> Option<Diagnostic> {
         if is_of_the_language(&name.text) {
+            self.taken.insert(name.text.clone());
             let message = format!(
                 "`{}` is a function of the language; {} needs another name",
                 name.text,
@@ -348,6 +351,11 @@ impl Declared {
     /// True if a callable item or a built-in function has this name.
     pub(super) fn is_called(&self, name: &str) -> bool {
         self.called(name).is_some() || is_of_the_language(name)
+    }
+
+    /// True if the name is of the language, and declared in the file nevertheless.
+    pub(super) fn is_taken(&self, name: &str) -> bool {
+        self.taken.contains(name)
     }
 
     /// True if a used file is missing, so that an unknown name may be declared there.

@@ -4,6 +4,7 @@
 //! that call it. Functions that call each other in a cycle without a written result type return
 //! nothing.
 
+use std::collections::BTreeSet;
 use std::rc::Rc;
 
 use crate::diagnostic::Diagnostic;
@@ -83,34 +84,46 @@ impl<'t> Functions<'t> {
             // None is ready: some call each other in a cycle.
             let cycles = ready.is_empty();
             if cycles {
-                ready = left.iter().copied().filter(|&at| self.in_a_circle(at)).collect();
+                ready = self.circle(&left);
                 for &at in &ready {
                     self.give(at, Value::Nothing);
                 }
             }
+            let before = self.diagnostics.len();
             for &at in &ready {
                 self.resolve_one(at, ops, cycles);
             }
+            let mut told = self.diagnostics.split_off(before);
+            if told.iter().any(|told| told.code == "needs-result-type") {
+                // A function with such an error gives a value of some type.
+                told.retain(|told| told.code != "returns-nothing");
+                ready.iter().for_each(|&at| self.set(at, Value::Nothing, Value::Unknown));
+            }
+            self.diagnostics.extend(told);
             left.retain(|at| !ready.contains(at));
         }
     }
 
-    /// True if the result type of a function depends on itself.
-    fn in_a_circle(&self, at: usize) -> bool {
-        let mut seen = vec![false; self.items.len()];
+    /// The functions, among those that are left, that call each other in one circle.
+    fn circle(&self, left: &[usize]) -> Vec<usize> {
+        let mut all = left.iter().map(|&at| (at, self.reached(at)));
+        let Some((first, reached)) = all.find(|(at, reached)| reached.contains(at)) else {
+            return left.to_vec();
+        };
+        let is_in_it = |at: &usize| reached.contains(at) && self.reached(*at).contains(&first);
+        left.iter().copied().filter(is_in_it).collect()
+    }
+
+    /// The functions with an open result type on which that of a function depends.
+    fn reached(&self, at: usize) -> BTreeSet<usize> {
+        let mut reached = BTreeSet::new();
         let mut open = vec![at];
         while let Some(next) = open.pop() {
-            for &called in &self.items[next].found.calls {
-                if called == at {
-                    return true;
-                }
-                let is_open = self.items[called].signature.result == Value::Open;
-                if is_open && !std::mem::replace(&mut seen[called], true) {
-                    open.push(called);
-                }
-            }
+            let calls = self.items[next].found.calls.iter().copied();
+            let calls = calls.filter(|&called| self.items[called].signature.result == Value::Open);
+            open.extend(calls.filter(|&called| reached.insert(called)));
         }
-        false
+        reached
     }
 
     /// True if a function calls one whose result type is not known yet.
@@ -139,8 +152,13 @@ impl<'t> Functions<'t> {
 
     /// Sets the result of a function if it is still open.
     fn give(&mut self, at: usize, value: Value) {
+        self.set(at, Value::Open, value);
+    }
+
+    /// Sets the result of a function if it is the one before.
+    fn set(&mut self, at: usize, before: Value, value: Value) {
         let item = &mut self.items[at];
-        if item.signature.result != Value::Open {
+        if item.signature.result != before {
             return;
         }
         item.signature = Rc::new(FunctionSignature {

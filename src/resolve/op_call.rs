@@ -228,8 +228,8 @@ impl Typing<'_> {
     fn unknown_op(&mut self, function: &Ident, args: &[tree::Expr], span: Span) -> bool {
         let declared = self.declared;
         let word = function.text.as_str();
-        if declared.lacks_files() {
-            // The missing file has been reported already.
+        if declared.lacks_files() || declared.is_taken(word) {
+            // The missing file, or the name, has been reported already.
             self.report.fail();
             return false;
         }

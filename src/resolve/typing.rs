@@ -129,6 +129,11 @@ impl Typing<'_> {
                 Some(typed(Type::Text, ExprKind::Text(value.clone()), span))
             }
             tree::ExprKind::Name(name) => self.name(name),
+            // Which of the two is meant, is not known.
+            tree::ExprKind::Call { function, args } if self.declared.is_taken(&function.text) => {
+                let value = self.quietly(|typing| typing.call(function, args, span));
+                value.or_else(|| self.report.give_up())
+            }
             tree::ExprKind::Call { function, args } => self.call(function, args, span),
             tree::ExprKind::Must(inner) => self.misplaced_must(inner, span),
             tree::ExprKind::Asked(asking, inner) => self.asked(*asking, inner, span),
