@@ -34,10 +34,7 @@ pub(super) fn show(rule: &RuleAliases) -> String {
             None => reasons.push((why, vec![names(set)])),
         }
     }
-    let lines = match rows.is_empty() {
-        true => Vec::new(),
-        false => vec![table(&rows, &[])],
-    };
+    let lines = if rows.is_empty() { Vec::new() } else { vec![table(&rows, &[])] };
     let impossible = reasons.iter().map(|(why, sets)| {
         let sets = sets.join(", or ");
         format!("  is impossible  {sets}: {why}")

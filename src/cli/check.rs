@@ -24,10 +24,7 @@ pub(super) fn check(arguments: &CheckArguments) -> Result<(), Failure> {
     let mut files = Vec::new();
     let mut witnesses = Witnesses::default();
     for path in &arguments.files {
-        let program = match arguments.fix {
-            true => fix::mended(path),
-            false => program::read(path),
-        };
+        let program = if arguments.fix { fix::mended(path) } else { program::read(path) };
         let program = match program {
             Ok(program) => program,
             Err(failure) => {
@@ -46,10 +43,7 @@ pub(super) fn check(arguments: &CheckArguments) -> Result<(), Failure> {
         };
         sound &= program.analysis.is_sound();
         let verdicts = verdicts(&program.analysis);
-        let aliases = match arguments.aliases {
-            true => aliases(&program.analysis),
-            false => Vec::new(),
-        };
+        let aliases = if arguments.aliases { aliases(&program.analysis) } else { Vec::new() };
         if let Some(folder) = &arguments.witness {
             witnesses.write(folder, &program.analysis.counterexamples)?;
             let broken = aliases.iter().flat_map(|rule| &rule.sets);

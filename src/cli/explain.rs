@@ -81,10 +81,7 @@ fn list(words: &[&str]) {
 }
 
 fn described(Word { forms, meaning }: Word) -> String {
-    match forms.is_empty() {
-        true => meaning.to_owned(),
-        false => format!("{}\n\n{meaning}", forms.join("\n")),
-    }
+    if forms.is_empty() { meaning.to_owned() } else { format!("{}\n\n{meaning}", forms.join("\n")) }
 }
 
 /// The word of the language for a sign, or for a term that is usual elsewhere.

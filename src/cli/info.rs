@@ -214,20 +214,14 @@ fn measured(measures: &Measures) -> Vec<Vec<String>> {
 }
 
 fn size(name: &str, value: f64) -> Vec<String> {
-    match value.is_finite() {
-        true => row(name, decimals([value]).concat()),
-        false => row(name, TOO_FAR),
-    }
+    if value.is_finite() { row(name, decimals([value]).concat()) } else { row(name, TOO_FAR) }
 }
 
 /// Measures of one kind with six decimals; with an exponent if the largest is very large or small.
 fn decimals<const N: usize>(measures: [f64; N]) -> [String; N] {
     let largest = measures.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
     let is_usual = largest == 0.0 || (1e-6..1e9).contains(&largest);
-    measures.map(|x| x + 0.0).map(|x| match is_usual {
-        true => format!("{x:.6}"),
-        false => format!("{x:.6e}"),
-    })
+    measures.map(|x| x + 0.0).map(|x| if is_usual { format!("{x:.6}") } else { format!("{x:.6e}") })
 }
 
 /// The text for a measure that is not finite.

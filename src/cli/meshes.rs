@@ -383,19 +383,13 @@ pub(super) fn tell_displaced(path: &Path, places: &Places, mesh: &Mesh) {
 
 /// The numbers that elements have in a file of this name.
 pub(super) fn numbers(path: &Path, file: &MeshFile) -> WrittenNumbers {
-    match is_tables(path) {
-        true => WrittenNumbers::of_tables(&file.mesh),
-        false => file.written_numbers(),
-    }
+    if is_tables(path) { WrittenNumbers::of_tables(&file.mesh) } else { file.written_numbers() }
 }
 
 /// Checks that a mesh can be written to a path, whose extension tells the format, in an encoding.
 pub(super) fn expect_mesh(path: &Path, encoding: &EncodingArguments) -> Result<(), Failure> {
     encoding.expect(format(path)?)?;
-    match is_standard(path) {
-        true => Ok(()),
-        false => expect_place(path),
-    }
+    if is_standard(path) { Ok(()) } else { expect_place(path) }
 }
 
 /// Checks that a file can be written to a path, as far as that can be told in advance: called

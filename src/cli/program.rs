@@ -28,10 +28,7 @@ pub(super) fn read(path: &Path) -> Result<Program, Failure> {
     let mut longer = path.as_os_str().to_owned();
     longer.push(".hedge");
     let longer = Path::new(&longer);
-    let path = match !path.is_file() && longer.is_file() {
-        true => longer,
-        false => path,
-    };
+    let path = if !path.is_file() && longer.is_file() { longer } else { path };
     let shown = path.display().to_string();
     expect_program(path)?;
     let of_library = library::file(&shown).filter(|_| !path.exists());

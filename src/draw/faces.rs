@@ -44,10 +44,7 @@ impl Panel<'_> {
         let outline = self.outline(orbit);
         let is_hole = orbit.kind == LoopKind::Hole;
         let is_inside = area(&outline) > 0.0;
-        let islands = match is_inside {
-            true => self.islands(&outline),
-            false => Vec::new(),
-        };
+        let islands = if is_inside { self.islands(&outline) } else { Vec::new() };
         if is_inside && !is_hole {
             self.groups[group].fill(Path::around(&outline), Ink::Face);
             for island in &islands {
@@ -55,10 +52,7 @@ impl Panel<'_> {
             }
         }
         if is_hole {
-            let lines = match is_inside {
-                true => hatch(&outline, &islands),
-                false => ticks(&outline),
-            };
+            let lines = if is_inside { hatch(&outline, &islands) } else { ticks(&outline) };
             self.hatched.push(Hatched { group, outline: outline.clone(), is_around: !is_inside });
             for line in lines {
                 let stroke = Stroke::solid(Ink::Muted, 0.9);

@@ -90,10 +90,7 @@ pub(super) struct Label {
 impl Label {
     /// The same text turned to run along a direction, but never upside down.
     pub fn turned_along(mut self, way: DVec2) -> Self {
-        let way = match way.x < -1e-6 || (way.x.abs() <= 1e-6 && way.y > 0.0) {
-            true => -way,
-            false => way,
-        };
+        let way = if way.x < -1e-6 || (way.x.abs() <= 1e-6 && way.y > 0.0) { -way } else { way };
         self.turn = way.y.atan2(way.x).to_degrees().round() as i32;
         self.path = self.path.turned(self.rotation());
         self

@@ -106,10 +106,7 @@ fn told(figure: &Figure, status: Status) -> String {
     let of: Vec<_> = of.filter(|&name| Status::of(&figure.drawing, name) == status).collect();
     let named = of.iter().map(|&name| rule.name(name));
     let names: Vec<_> = named.filter(|name| name.named).map(|name| name.text.as_str()).collect();
-    let mut parts = match names.is_empty() {
-        true => Vec::new(),
-        false => vec![names.join(" ")],
-    };
+    let mut parts = if names.is_empty() { Vec::new() } else { vec![names.join(" ")] };
     // Halfedges are not counted: every edge has two.
     for (kind, one, more) in [
         (Kind::Vertex, "vertex", "vertices"),
@@ -168,10 +165,7 @@ impl Canvas {
         }
         for &vertex in &side.shown {
             for node in panel.dots(vertex) {
-                let text = match is_written(&vertex) {
-                    true => &word(vertex).text,
-                    false => "•",
-                };
+                let text = if is_written(&vertex) { &word(vertex).text } else { "•" };
                 self.write(text, grid.place(panel.places[node]), 0);
             }
         }

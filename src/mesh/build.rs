@@ -278,10 +278,7 @@ impl<'p> Builder<'p> {
             return;
         }
         let inner = self.inner() as u32;
-        let start = match first.0 < inner {
-            true => first.0,
-            false => self.loops.next(self.twin(first.0)),
-        };
+        let start = if first.0 < inner { first.0 } else { self.loops.next(self.twin(first.0)) };
         let mut at = start;
         loop {
             visit(at);

@@ -122,10 +122,7 @@ fn loop_is_sound(mesh: &Mesh, face: FaceId, corners: &[VertexId]) -> Result<(), 
         return Err(BelowLevel::MeetsTwice { face, hole, vertex });
     }
     let size = corners.len();
-    match size < 3 {
-        true => Err(BelowLevel::SmallLoop { face, hole, size }),
-        false => Ok(()),
-    }
+    if size < 3 { Err(BelowLevel::SmallLoop { face, hole, size }) } else { Ok(()) }
 }
 
 /// A vertex has two spokes, a face around it, and one hole at most.

@@ -46,9 +46,6 @@ impl Frame {
 
     /// A point in this frame; the origin if it is at no finite place.
     pub fn place(&self, at: DVec3) -> DVec3 {
-        match at.is_finite() {
-            true => (at / 2.0 - self.middle / 2.0) / self.size * 2.0,
-            false => DVec3::ZERO,
-        }
+        if at.is_finite() { (at / 2.0 - self.middle / 2.0) / self.size * 2.0 } else { DVec3::ZERO }
     }
 }

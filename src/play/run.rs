@@ -175,10 +175,7 @@ impl Watch for Looker<'_> {
 
     fn applied(&mut self, _op: u16) -> ControlFlow<()> {
         self.applied += 1;
-        match self.applied < self.most {
-            true => ControlFlow::Continue(()),
-            false => ControlFlow::Break(()),
-        }
+        if self.applied < self.most { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
     }
 
     fn print(&mut self, line: &str) {

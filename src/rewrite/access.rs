@@ -21,10 +21,7 @@ pub(super) fn gone(kind: ElementKind, id: u32) -> Fault {
 /// Fails unless the element exists.
 #[inline]
 pub(super) fn expect_alive(mesh: &Mesh, kind: ElementKind, id: u32) -> Result<(), Fault> {
-    match mesh.is_alive(kind, id) {
-        true => Ok(()),
-        false => Err(gone(kind, id)),
-    }
+    if mesh.is_alive(kind, id) { Ok(()) } else { Err(gone(kind, id)) }
 }
 
 /// The living vertex with this number.
@@ -185,10 +182,7 @@ pub(super) fn store_all(
 #[inline]
 pub(super) fn place(mesh: &Mesh, id: u32, position: DVec3) -> Result<(VertexId, DVec3), Fault> {
     let v = vertex(mesh, id)?;
-    match position.is_finite() {
-        true => Ok((v, position)),
-        false => Err(Fault::NotFinite),
-    }
+    if position.is_finite() { Ok((v, position)) } else { Err(Fault::NotFinite) }
 }
 
 /// Adds an element.

@@ -278,10 +278,7 @@ impl Prepared {
         }
         let given = texts.iter().map(|(name, _)| name.as_str());
         errors.extend(self.badly_given(given));
-        match errors.is_empty() {
-            true => Ok(arguments),
-            false => Err(errors),
-        }
+        if errors.is_empty() { Ok(arguments) } else { Err(errors) }
     }
 
     /// The slots at the start of the window: the values of the parameters, then for each of them

@@ -259,10 +259,7 @@ fn within(step: &Plan, refusal: &Refusal) -> Refusal {
     let Refusal { reason, phase } = refusal;
     let is_drawn = *phase == Phase::Match && step.steps.is_none();
     Refusal {
-        reason: match is_drawn {
-            true => format!("in `{}`, {reason}", step.name),
-            false => reason.clone(),
-        },
+        reason: if is_drawn { format!("in `{}`, {reason}", step.name) } else { reason.clone() },
         phase: *phase,
     }
 }

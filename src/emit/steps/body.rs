@@ -318,10 +318,7 @@ fn release(language: Language<'_>, list: &str, attribute: Option<&Attribute>) ->
 
 /// A position that is written; in Rust with a refusal unless it is finite.
 fn checked(language: Language<'_>, is_finite: bool, value: &str) -> String {
-    match is_finite || !language.is_rust() {
-        true => value.to_string(),
-        false => format!("finite({value})?"),
-    }
+    if is_finite || !language.is_rust() { value.to_string() } else { format!("finite({value})?") }
 }
 
 /// A statement that is not emitted, in words.

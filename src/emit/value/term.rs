@@ -109,10 +109,7 @@ impl Term {
 
     /// The text, in brackets if it binds less tightly than `precedence`.
     pub fn at(&self, precedence: Precedence) -> String {
-        match self.precedence >= precedence {
-            true => self.text.clone(),
-            false => format!("({})", self.text),
-        }
+        if self.precedence >= precedence { self.text.clone() } else { format!("({})", self.text) }
     }
 }
 
@@ -181,8 +178,5 @@ pub(in crate::emit) fn bare(value: &str) -> &str {
         depth += i32::from(c == '(') - i32::from(c == ')');
         depth < 0
     };
-    match inner.chars().any(closes) {
-        true => value,
-        false => inner,
-    }
+    if inner.chars().any(closes) { value } else { inner }
 }

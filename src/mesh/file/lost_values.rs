@@ -54,10 +54,7 @@ impl MeshFile {
                 ),
                 (
                     Loss::NoColours,
-                    match is_colour {
-                        true => self.count(id, |_, value| !is_colour_part(value)),
-                        false => 0,
-                    },
+                    if is_colour { self.count(id, |_, value| !is_colour_part(value)) } else { 0 },
                 ),
             ];
             let losses = losses.into_iter().filter(|(_, count)| *count > 0);

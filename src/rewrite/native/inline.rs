@@ -176,10 +176,7 @@ impl<'a> Translator<'a, '_> {
         others.into_iter().for_each(|reg| self.reload(reg));
         for reg in passed {
             let (value, is_real, _) = params[usize::from(reg.0)];
-            match is_real {
-                true => self.set_real(reg, value),
-                false => self.set_whole(reg, value),
-            }
+            if is_real { self.set_real(reg, value) } else { self.set_whole(reg, value) }
         }
         self.body(&known_at);
         self.faults();

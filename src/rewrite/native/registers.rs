@@ -139,10 +139,7 @@ impl Translator<'_, '_> {
     /// The number of an element.
     pub(super) fn id(&mut self, reg: Reg) -> Value {
         let bits = self.whole(reg);
-        match self.fact(reg).is_clean() {
-            true => bits,
-            false => self.b.ins().band_imm_u(bits, 0xffff_ffff),
-        }
+        if self.fact(reg).is_clean() { bits } else { self.b.ins().band_imm_u(bits, 0xffff_ffff) }
     }
 
     /// The facts about the element in a register.

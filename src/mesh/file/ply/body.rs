@@ -24,10 +24,7 @@ impl Table {
         if is_list {
             self.ends.truncate(rows);
         }
-        self.numbers.truncate(match is_list {
-            true => self.ends.last().copied().unwrap_or(0),
-            false => rows,
-        });
+        self.numbers.truncate(if is_list { self.ends.last().copied().unwrap_or(0) } else { rows });
     }
 
     /// The length of the lists, if it is the same for all.

@@ -291,10 +291,7 @@ impl Rows<'_> {
             })
             .flatten();
         let found = if property.list.is_none() {
-            let usual = match property.scalar.is_whole() {
-                true => Value::Int(0),
-                false => Value::Real(0.0),
-            };
+            let usual = if property.scalar.is_whole() { Value::Int(0) } else { Value::Real(0.0) };
             Some((kind, declared(kind).unwrap_or(usual), 1))
         } else if let (Some(each), Some(default)) = (of_corners, declared(ElementKind::Halfedge))
             && default.attribute_type().width() == each
@@ -342,10 +339,7 @@ pub(super) fn usual_default(name: &str) -> Option<Value> {
 
 /// The index given by a number; an invalid one becomes [`MISSING`].
 fn index(number: f64) -> u32 {
-    match number.fract() == 0.0 && number >= 0.0 {
-        true => number as u32,
-        false => MISSING,
-    }
+    if number.fract() == 0.0 && number >= 0.0 { number as u32 } else { MISSING }
 }
 
 /// The default of a value of the given number of reals.
