@@ -59,9 +59,7 @@ impl Collect<'_, '_, '_, '_> {
 
     /// Appends to a buffer what is computed for each index.
     pub(super) fn for_each_index(&mut self, home: Home, compute: impl FnOnce(&mut Self) -> Reg) {
-        let Home::Member { buffer, .. } = home else {
-            return;
-        };
+        let Home::Member { buffer, .. } = home else { return };
         self.output.asm.emit(Inst::BufferClear { buffer });
         let indices = self.registers.begin_index_loop(&mut self.output.asm);
         let from = compute(self);
@@ -150,9 +148,7 @@ impl Collect<'_, '_, '_, '_> {
         let all = self.output.asm.constant_bool(true);
         paths.iter().fold(all, |left, &path| {
             let asm = &mut self.output.asm;
-            let Some(right) = self.registers.is_empty(asm, path) else {
-                return left;
-            };
+            let Some(right) = self.registers.is_empty(asm, path) else { return left };
             let to = asm.reg();
             asm.emit(Inst::And { to, left, right });
             to

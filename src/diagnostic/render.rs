@@ -121,9 +121,7 @@ impl Page<'_> {
             if label.text.is_empty() && silent > MOST_SILENT && !std::ptr::eq(label, primary) {
                 continue;
             }
-            let Some(place) = self.texts.place(label.span) else {
-                continue;
-            };
+            let Some(place) = self.texts.place(label.span) else { continue };
             let is_primary = std::ptr::eq(label, primary);
             let (colour, priority) = if is_primary { (colour, 1) } else { (Color::Blue, 0) };
             let text = if label.text.is_empty() { "here" } else { &*shown(&label.text) };
@@ -168,9 +166,7 @@ fn in_order(labels: &[diagnostic::Label]) -> Vec<&diagnostic::Label> {
 
 /// ` (file:line:column)` of the first edit.
 fn fix_place(fix: &Fix, sources: &Sources) -> String {
-    let Some(edit) = fix.edits.first() else {
-        return String::new();
-    };
+    let Some(edit) = fix.edits.first() else { return String::new() };
     let place = place_in_words(edit.span, sources);
     place.map_or_else(String::new, |place| format!(" ({place})"))
 }
@@ -206,9 +202,7 @@ impl Texts<'_> {
 
     /// True if the first or the last line of a span is longer than [`WIDEST`].
     fn is_wide(&self, span: Span) -> bool {
-        let Some(source) = source_of(self.sources, span.file) else {
-            return false;
-        };
+        let Some(source) = source_of(self.sources, span.file) else { return false };
         let lines = source.lines();
         [span.start, span.end].into_iter().any(|offset| {
             let line = lines.line(offset as usize);

@@ -39,9 +39,7 @@ pub(super) fn fans(
     let mut fans = Vec::new();
     let mut taken: Vec<f64> = Vec::new();
     for at in 0..count {
-        let Spoke::Fan(fan) = star.spokes[at] else {
-            continue;
-        };
+        let Spoke::Fan(fan) = star.spokes[at] else { continue };
         let before = (1..=count).find_map(|step| known((at + count - step) % count));
         let behind = (1..=count).find_map(|step| known((at + step) % count));
         let (from, width) = match (before, behind) {

@@ -237,9 +237,7 @@ impl<'a> Figure<'a> {
     fn add_stubs(&mut self, side: &mut Side, view: &View, earlier: Option<&Side>) {
         for star in &view.side().stars {
             for spoke in &star.spokes {
-                let crate::diagram::Spoke::Halfedge(spoke) = spoke else {
-                    continue;
-                };
+                let crate::diagram::Spoke::Halfedge(spoke) = spoke else { continue };
                 if side.darts[spoke.name.index()].is_none() {
                     let known = earlier.and_then(|earlier| {
                         let dart = earlier.darts[spoke.name.index()]?;

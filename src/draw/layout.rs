@@ -99,9 +99,7 @@ fn level_main(figure: &Figure, places: &mut [Option<DVec2>]) {
     let ring = side.around(&outside(figure, side, &among));
     let nodes = side.nodes(main);
     let ends = [nodes[0], nodes[nodes.len() - 1]];
-    let [Some(from), Some(to)] = ends.map(|end| places[end]) else {
-        return;
-    };
+    let [Some(from), Some(to)] = ends.map(|end| places[end]) else { return };
     let is_inside = !ends.iter().any(|end| ring.contains(end));
     let times = |end: &usize| ring.iter().filter(|node| *node == end).count();
     // An edge with the outside on both sides may have any direction.
@@ -311,9 +309,7 @@ pub(super) fn stretch(side: &Side, places: &mut [Option<DVec2>], is_fixed: &dyn 
             _ => continue,
         };
         let known: Option<Vec<_>> = ends.iter().map(|&end| places[end]).collect();
-        let (Some(root), Some(known)) = (places[root], known) else {
-            continue;
-        };
+        let (Some(root), Some(known)) = (places[root], known) else { continue };
         if ends.iter().any(|&end| is_fixed(end)) {
             continue;
         }

@@ -33,9 +33,7 @@ pub(super) fn split(figure: &mut Figure, side: &mut Side) -> Copies {
         }
     }
     for node in 0..figure.nodes.len() {
-        let Node::Vertex(name) = figure.nodes[node] else {
-            continue;
-        };
+        let Node::Vertex(name) = figure.nodes[node] else { continue };
         let ends = ends_at(side, node);
         if listed.contains(&name) {
             continue;

@@ -21,9 +21,7 @@ impl Panel<'_> {
             if self.is_after { &self.figure.drawing.after } else { &self.figure.drawing.before };
         let mut all = Vec::new();
         for star in &view.side().stars {
-            let Some(node) = self.figure.vertex(star.vertex.name) else {
-                continue;
-            };
+            let Some(node) = self.figure.vertex(star.vertex.name) else { continue };
             let spoke = |name: NameId| {
                 let dart = self.side.darts[name.index()]?;
                 Some(angle(self.along(dart).start_direction()))

@@ -176,9 +176,7 @@ impl Canvas {
         }
         for (strand, curve) in side.strands.iter().zip(&curves) {
             for (item, forward) in strand.items.into_iter().zip([true, false]) {
-                let Some(item) = item.filter(is_written) else {
-                    continue;
-                };
+                let Some(item) = item.filter(is_written) else { continue };
                 let along = if forward { curve.clone() } else { curve.reversed() };
                 let (middle, way) = along.at(along.length() / 2.0);
                 let aside = left(way);

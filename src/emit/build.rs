@@ -85,9 +85,7 @@ impl Writer<'_, '_> {
         // From the last attempt outwards: each contains everything after it.
         let mut end = steps.len();
         for (at, step) in steps.iter().enumerate().rev() {
-            let Step::Begin(begin) = step else {
-                continue;
-            };
+            let Step::Begin(begin) = step else { continue };
             let is_tried_once = match begin.tries {
                 Tries::Some(1) => true,
                 Tries::AllForValues => operation.values.iter().all(|set| refusal(set).is_none()),

@@ -174,9 +174,7 @@ impl Names<'_> {
         let is_used = |number: &&u32| self.used.contains(number);
         for number in self.used.iter().chain(seen.iter().filter(|number| !is_used(number))) {
             let attribute = self.attributes.get(*number as usize);
-            let Some(Attribute { declared, column, element, ty, .. }) = attribute else {
-                continue;
-            };
+            let Some(Attribute { declared, column, element, ty, .. }) = attribute else { continue };
             let ty = self.language.ty(*ty);
             let found = format!("mesh.find_column(ElementKind::{element:?}, \"{declared}\")");
             if is_used(&number) && is_asked {

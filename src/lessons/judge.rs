@@ -106,9 +106,7 @@ fn same_op(
         let types = types(op).join(", ");
         return Err(format!("`{}` should take: {types}", op.name()));
     }
-    let Some(kind) = types(op).first().and_then(|ty| ElementKind::named(ty)) else {
-        return Ok(());
-    };
+    let Some(kind) = types(op).first().and_then(|ty| ElementKind::named(ty)) else { return Ok(()) };
     for index in mesh.elements(kind) {
         let element = Element { kind, index };
         let mut sessions = [wanted, given].map(|program| Session::new(program, mesh.clone()));

@@ -229,9 +229,7 @@ impl<'b> Reader<'b> {
             mesh.face_states.push(match (halfedge == HalfedgeId::DEAD, hole == 1) {
                 (false, hole) => FaceState::of_living(hole),
                 (true, false) => FaceState::Dead,
-                (true, true) => {
-                    return Err(BinaryError::Malformed("an erased face is a hole"));
-                }
+                (true, true) => return Err(BinaryError::Malformed("an erased face is a hole")),
             });
         }
         mesh.holes = mesh.holes().count();

@@ -165,9 +165,7 @@ fn corners_differ_nearby(
     face: FaceId,
     corners: &[VertexId],
 ) -> Result<(), BelowLevel> {
-    let Some(&corner) = corners.first() else {
-        return Ok(());
-    };
+    let Some(&corner) = corners.first() else { return Ok(()) };
     // No loop meets a vertex twice, so it is enough to count those that are met.
     let are_same = |other: FaceId| {
         let mut size = 0;

@@ -31,9 +31,7 @@ impl Frame {
         let finite = places.filter(|at| at.is_finite());
         let ends =
             finite.map(|at| (at, at)).reduce(|(low, high), (at, _)| (low.min(at), high.max(at)));
-        let Some((low, high)) = ends else {
-            return self;
-        };
+        let Some((low, high)) = ends else { return self };
         // Halves: the whole may be too large for a number.
         let half = (high / 2.0 - low / 2.0).max_element();
         let farthest = [low, high].map(|at| self.place(at).abs().max_element());

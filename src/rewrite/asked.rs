@@ -99,9 +99,7 @@ impl Asked {
                 }
             }
             Changes::Walked { question, attributes, written: all, .. } => {
-                let Some((kind, id, fields)) = fields_of(mesh, attributes, written) else {
-                    return;
-                };
+                let Some((kind, id, fields)) = fields_of(mesh, attributes, written) else { return };
                 if question.paths.concern(kind, fields) {
                     all.push(WrittenFields { kind, id, fields });
                 }

@@ -114,9 +114,7 @@ impl Machine {
 
     /// The reason why an operation refuses, as text; empty if it does not refuse.
     pub(super) fn reason_of(&self, op: u16, outcome: Outcome) -> &str {
-        let Outcome::Refused { reason } = outcome else {
-            return "";
-        };
+        let Outcome::Refused { reason } = outcome else { return "" };
         let plan = self.plans.get(usize::from(op)).and_then(Option::as_ref);
         let refusal = plan.zip(reason).and_then(|(plan, at)| plan.refusals.get(usize::from(at)));
         refusal.map_or("the diagram does not match here", |refusal| &refusal.reason)

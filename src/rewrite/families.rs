@@ -49,9 +49,7 @@ pub fn part<'b>(
 
 /// Whether a walk once around from the first of the halfedges meets all others in their order.
 pub(super) fn meets_all(mesh: &Mesh, walk: Walk, halfedges: &[u64]) -> Result<bool, Fault> {
-    let Some((&first, rest)) = halfedges.split_first() else {
-        return Ok(true);
-    };
+    let Some((&first, rest)) = halfedges.split_first() else { return Ok(true) };
     let mut open = rest.iter().peekable();
     let mut at = first as u32;
     for _ in 0..mesh.capacity(ElementKind::Halfedge) {

@@ -195,9 +195,7 @@ impl Machine {
         if applied && plan.may_lower() {
             self.known.lowered = u32::from(op) + 1;
         }
-        let Some(mark) = mark else {
-            return;
-        };
+        let Some(mark) = mark else { return };
         if applied {
             let written = mesh.written_since(&mark);
             self.known.lower(mesh, plan, written);

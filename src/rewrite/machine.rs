@@ -430,9 +430,7 @@ impl Machine {
 
     #[inline]
     pub(super) fn count(&mut self, op: u16, outcome: Outcome) {
-        let Some(count) = self.counts.get_mut(usize::from(op)) else {
-            return;
-        };
+        let Some(count) = self.counts.get_mut(usize::from(op)) else { return };
         match outcome {
             Outcome::Applied { .. } => count.applied += 1,
             Outcome::Refused { reason } => {

@@ -170,9 +170,7 @@ impl Drains {
         self.read(Place::VertexHalfedge(id));
         let mut loops = Vec::new();
         for spoke in mesh.spokes(VertexId(id)) {
-            let Some(record) = mesh.get_halfedge(spoke) else {
-                continue;
-            };
+            let Some(record) = mesh.get_halfedge(spoke) else { continue };
             self.read_halfedge(mesh, spoke.0);
             self.read(Place::Face(record.face.0));
             loops.push(record.face.0);
@@ -221,9 +219,7 @@ impl Drains {
         let mut at = from;
         for _ in 0..mesh.capacity(ElementKind::Halfedge) {
             self.read_halfedge(mesh, at);
-            let Some(record) = mesh.get_halfedge(HalfedgeId(at)) else {
-                return;
-            };
+            let Some(record) = mesh.get_halfedge(HalfedgeId(at)) else { return };
             at = match walk {
                 Walk::Loop => record.next.0,
                 Walk::Star => {

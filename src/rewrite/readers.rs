@@ -185,9 +185,7 @@ impl Readers {
     /// Removes all readers of a place, and passes them to `each`.
     pub fn take(&mut self, place: Place, mut each: impl FnMut(u32)) {
         let (kind, at) = place.split();
-        let Some(list) = self.lists[kind].get_mut(at) else {
-            return;
-        };
+        let Some(list) = self.lists[kind].get_mut(at) else { return };
         let mut entry = std::mem::replace(list, EMPTY).first;
         while entry != NOTHING {
             let Entry { reader, next } = self.pool[entry as usize];

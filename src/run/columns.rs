@@ -132,9 +132,7 @@ impl Columns {
 /// The initial value of an attribute: its default, or zero.
 fn default(attribute: &Attribute) -> Result<Value, Diagnostic> {
     let mut machine = Machine::default();
-    let Some(default) = &attribute.default else {
-        return Ok(value(attribute.ty, &[]));
-    };
+    let Some(default) = &attribute.default else { return Ok(value(attribute.ty, &[])) };
     let (mut asm, mut names) = (Assembler::new(), Names::default());
     let from = lower(&mut asm, &mut names, default);
     let failed = |message: String| {

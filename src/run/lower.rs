@@ -287,9 +287,7 @@ impl<'p> Lowering<'p> {
                 self.require(condition, reason);
             }
             StatementKind::Refused { op } => self.stop_refused(*op, span),
-            StatementKind::KeepMesh { mesh } => {
-                self.trap_at(span, Inst::MeshKeep { mesh: *mesh });
-            }
+            StatementKind::KeepMesh { mesh } => self.trap_at(span, Inst::MeshKeep { mesh: *mesh }),
             StatementKind::AssertMesh { mesh, same, reason } => {
                 self.assert_mesh(*mesh, *same, reason, span);
             }

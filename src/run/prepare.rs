@@ -306,9 +306,7 @@ impl Prepared {
         values: &mut [Option<Argument>],
     ) -> Result<(), Diagnostic> {
         let at = self.params.iter().position(|param| param.name == name);
-        let Some(at) = at else {
-            return Err(self.no_such_parameter(name));
-        };
+        let Some(at) = at else { return Err(self.no_such_parameter(name)) };
         match values.get_mut(at) {
             Some(free @ None) => *free = Some(value),
             _ => return Err(self.wrongly_given(&self.params[at], TWICE)),
@@ -352,9 +350,7 @@ impl Prepared {
                     }
                     value.fill(texts, slots);
                 }
-                None if param.default.is_none() => {
-                    return Err(self.wrongly_given(param, MISSING));
-                }
+                None if param.default.is_none() => return Err(self.wrongly_given(param, MISSING)),
                 None => slots.extend(std::iter::repeat_n(0, usize::from(width(param.ty)))),
             }
         }

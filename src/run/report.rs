@@ -92,9 +92,7 @@ pub(super) fn level_of_steps(plans: &[Option<Plan>], called: &[usize], level: Le
     let mut open = called.to_vec();
     let mut wanted = level;
     while let Some(op) = open.pop() {
-        let Some(Some(plan)) = plans.get(op) else {
-            continue;
-        };
+        let Some(Some(plan)) = plans.get(op) else { continue };
         if !std::mem::replace(&mut is_seen[op], true) {
             wanted = wanted.max(plan.level);
             let calls = plan.steps.iter().flat_map(|steps| &steps.calls);
@@ -256,9 +254,7 @@ pub(super) fn code(prepared: &Prepared, trap: &Trap) -> &'static str {
 }
 
 fn asserted(prepared: &Prepared, trap: &Trap) -> bool {
-    let Some(Site { op, function, place: Some(place) }) = trap.trace.first() else {
-        return false;
-    };
+    let Some(Site { op, function, place: Some(place) }) = trap.trace.first() else { return false };
     let assertions = match (function, op) {
         (Some(function), _) => prepared.functions.assertions.get(usize::from(*function)),
         (None, None) => Some(&prepared.assertions),

@@ -198,9 +198,7 @@ fn plan(
     functions: &Functions,
     plans: &[Option<Plan>],
 ) -> Result<Option<Plan>, TooLarge> {
-    let Some(steps) = &op.steps else {
-        return Ok(None);
-    };
+    let Some(steps) = &op.steps else { return Ok(None) };
     let effects = Effects::of_steps(steps);
     let called: Vec<_> = effects.functions.iter().map(|&number| number as usize).collect();
     if functions.first_missing(&functions.reached(&called)).is_some() {
@@ -222,9 +220,7 @@ fn plan(
     let mut first = Vec::new();
     let mut keeps = vec![Level::Surface, Level::Simple];
     for &called in calls {
-        let Some(plan) = plans.get(called).and_then(Option::as_ref) else {
-            return Ok(None);
-        };
+        let Some(plan) = plans.get(called).and_then(Option::as_ref) else { return Ok(None) };
         // The mesh has the level of the guard at the end, and keeps what every step keeps.
         keeps.retain(|kept| *kept <= steps.level || plan.keeps.contains(kept));
         first.push((number(called)?, number(refusals.len())?));

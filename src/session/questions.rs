@@ -130,9 +130,7 @@ impl Session {
         let Free { application, at, kind, slot } = self.free_parameter(op, arguments)?;
         let mut answers = vec![answer(Verdict::Gone); self.mesh.capacity(kind)];
         let living: Vec<u32> = self.mesh.elements(kind).collect();
-        let Some(&first) = living.first() else {
-            return Ok(answers);
-        };
+        let Some(&first) = living.first() else { return Ok(answers) };
         self.values[at] = Some(Argument::Element(kind, first));
         self.make_ready(op, application)?;
         let plan = application.plan();

@@ -144,9 +144,7 @@ impl Session {
         }
         let mut values = Values::new(ty, self.mesh.capacity(kind));
         let mut living = self.mesh.elements(kind).collect::<Vec<_>>().into_iter();
-        let Some(first) = living.next() else {
-            return Ok(values);
-        };
+        let Some(first) = living.next() else { return Ok(values) };
         // The first call checks the arguments, and determines the level of the mesh.
         self.values[at] = Some(Argument::Element(kind, first));
         let code = self.filled(prepared)?;

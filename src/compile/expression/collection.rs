@@ -177,9 +177,7 @@ fn each_of_list(
 ) {
     let buffer = asm.buffer();
     asm.emit(Inst::BufferClear { buffer });
-    let Some(wanted) = list(asm, (collection, base), place, buffer) else {
-        return;
-    };
+    let Some(wanted) = list(asm, (collection, base), place, buffer) else { return };
     let (head, done) = (asm.label(), asm.label());
     let (index, halfedge) = (asm.reg(), asm.reg());
     let from = asm.constant_int(0);

@@ -170,9 +170,7 @@ fn joined(symbol: &str, precedence: Precedence, [left, right]: [&Term; 2]) -> (S
 /// A value that is used alone, without brackets around all of it.
 pub(in crate::emit) fn bare(value: &str) -> &str {
     let inner = value.strip_prefix('(').and_then(|it| it.strip_suffix(')'));
-    let Some(inner) = inner else {
-        return value;
-    };
+    let Some(inner) = inner else { return value };
     let mut depth = 0;
     let closes = |c: char| {
         depth += i32::from(c == '(') - i32::from(c == ')');

@@ -39,9 +39,7 @@ pub fn read_dump(text: &str) -> Result<Dump, DumpError> {
 
 fn read_name(words: &[&str], ids: Ids) -> Result<(String, Vec<Element>), DumpReason> {
     const FORM: &str = "name WORD KIND ID…";
-    let [name, kind, listed @ ..] = words else {
-        return Err(DumpReason::NotOfForm(FORM));
-    };
+    let [name, kind, listed @ ..] = words else { return Err(DumpReason::NotOfForm(FORM)) };
     let kind = ElementKind::named(kind).ok_or(DumpReason::NotOfForm(FORM))?;
     let element = |text: &&str| Ok(Element { kind, index: ids.read(text)? });
     let elements = listed.iter().map(element).collect::<Result<_, _>>()?;

@@ -39,9 +39,7 @@ impl MeshFile {
         }
         let mut all = OfCorner::ALL.into_iter();
         let of_corners = matches!(kind, ElementKind::Vertex | ElementKind::Halfedge);
-        let Some(what) = all.find(|what| what.name() == name && what.can_be(ty)) else {
-            return;
-        };
+        let Some(what) = all.find(|what| what.name() == name && what.can_be(ty)) else { return };
         let known = self.mesh.find_column(kind, name).is_some();
         if !of_corners || known || self.kept_corners(what).is_empty() {
             return;

@@ -182,9 +182,7 @@ impl Expected {
             let used = attributes_in(code);
             expected.types.extend(used.map(|used| (used, surroundings.column(used))));
             for inst in &code.insts {
-                let (Inst::Apply { op, .. } | Inst::Try { op, .. }) = *inst else {
-                    continue;
-                };
+                let (Inst::Apply { op, .. } | Inst::Try { op, .. }) = *inst else { continue };
                 expected.params.push((op, surroundings.params_of_op(op)));
                 expected.plans = Some(surroundings.plans.as_ptr().addr());
                 // Native code of the operation finds its attributes in the context of the caller.

@@ -284,9 +284,7 @@ impl<'a, 'f> Translator<'a, 'f> {
             }
             Inst::Spread { part, .. } => {
                 let Text { code, surroundings, .. } = self.text;
-                let Some(Some(part)) = code.parts.get(usize::from(part)) else {
-                    return true;
-                };
+                let Some(Some(part)) = code.parts.get(usize::from(part)) else { return true };
                 // A part reads the registers that it needs from the window.
                 let mut read = vec![false; self.variables.len()];
                 for inst in &part.code.insts {

@@ -80,9 +80,7 @@ impl Translator<'_, '_> {
                 let Some((kind, ty)) = self.text.surroundings.column(attribute) else {
                     return false;
                 };
-                let Some(place) = self.value_place(attribute, ty, element) else {
-                    return false;
-                };
+                let Some(place) = self.value_place(attribute, ty, element) else { return false };
                 let args = |this: &mut Self| {
                     let number = this.b.ins().iconst(I64, i64::from(attribute));
                     [number, this.id(element)]

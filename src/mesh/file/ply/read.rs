@@ -213,9 +213,7 @@ impl Rows<'_> {
                 continue;
             }
             match self.take(name, false) {
-                Some((table, _)) => {
-                    self.contents.kept.add_states(keyword, names, &table.numbers);
-                }
+                Some((table, _)) => self.contents.kept.add_states(keyword, names, &table.numbers),
                 // They are comments of another program.
                 None => self.contents.kept.comments.extend((0..).zip(names).map(|(at, text)| {
                     format!("comment {name} {at} {}", String::from_utf8_lossy(text))

@@ -170,9 +170,7 @@ pub(super) unsafe extern "C" fn tick(context: *mut Context, inst: i64) -> i64 {
 /// As for all stubs.
 pub(super) unsafe extern "C" fn turn(context: *mut Context, inst: i64) -> i64 {
     let turn = |context: &mut Context, run: &mut Run<'_>| {
-        let Some(Inst::Turn { depth, .. }) = run.inst(context, inst) else {
-            return Ok(LEAVE);
-        };
+        let Some(Inst::Turn { depth, .. }) = run.inst(context, inst) else { return Ok(LEAVE) };
         let Run { machine, mesh, watch, .. } = run;
         if machine.progress.look_at_turn(*watch, depth).is_break() {
             return Err(failed(context, run, inst, Message::Interrupted));
@@ -362,13 +360,9 @@ pub(super) unsafe extern "C" fn erase(context: *mut Context, span: i64) -> i64 {
         let call = context.call(run);
         let (first, end) = (span as u32 as usize, (span >> 32) as usize);
         let Run { machine, mesh, .. } = run;
-        let Some(window) = Window::at(&mut machine.stack, call.base) else {
-            return Ok(LEAVE);
-        };
+        let Some(window) = Window::at(&mut machine.stack, call.base) else { return Ok(LEAVE) };
         for inst in call.code.insts.get(first..end).unwrap_or_default() {
-            let Inst::Erase { kind, element } = *inst else {
-                return Ok(LEAVE);
-            };
+            let Inst::Erase { kind, element } = *inst else { return Ok(LEAVE) };
             let id = window.id(element);
             if !machine.drains.is_empty() {
                 machine.drains.erased(mesh, kind, id);
