@@ -132,8 +132,7 @@ fn several_settings(words: &[String]) -> Option<String> {
 
 /// Advice on a parameter of the script or operation that is written like an option.
 fn parameter(name: &str, words: &[String]) -> Option<String> {
-    let asked = places(words);
-    let program = program::read(program::part(asked.get(1)?).0).ok()?.analysis.program;
+    let program = program::read(program::part(places(words).get(1)?).0).ok()?.analysis.program;
     let name = name.split('=').next()?.replace('-', "_");
     let scripts = program.scripts.iter().flat_map(|script| &script.params);
     let of_scripts = scripts.map(|param| &param.name);

@@ -174,8 +174,7 @@ fn details(rule: &RuleVerdict) -> Vec<String> {
 
 /// The tests of a guard, and the statements that need none.
 fn guard(guard: &GuardVerdict) -> Vec<String> {
-    let tests = guard.tests.iter();
-    let tests = tests.map(|claim| format!("        tested: {claim}"));
+    let tests = guard.tests.iter().map(|claim| format!("        tested: {claim}"));
     let proved = guard.proved.iter();
     let proved = proved.map(|proved| {
         let ProvedStatement { statement, because } = proved;

@@ -53,8 +53,7 @@ pub(super) fn mended(path: &Path) -> Result<Program, Failure> {
             Ok((mended, applied)) => {
                 let after = errors_of_ops(&mended);
                 let worse = no_better(&before, &after).into_iter().filter(|op| {
-                    let mut ops = applied.iter().filter_map(|fix| fix.op.as_ref());
-                    ops.any(|one| one == op)
+                    applied.iter().filter_map(|fix| fix.op.as_ref()).any(|one| one == op)
                 });
                 let known = spoilt.len();
                 spoilt.extend(worse);

@@ -54,8 +54,7 @@ fn describe_dump(shown: &str, arguments: &InfoArguments) -> Result<(), Failure> 
         let mesh = meshes::only_table(&arguments.mesh, dump)?;
         return tell_level(arguments, &mesh, level.level());
     }
-    let meshes = dump.meshes.iter();
-    let meshes = meshes.map(|(name, mesh)| (name.as_str(), Summary::of(mesh)));
+    let meshes = dump.meshes.iter().map(|(name, mesh)| (name.as_str(), Summary::of(mesh)));
     match arguments.format {
         Format::Json => say_json(&DumpReport {
             remarks: &dump.remarks,

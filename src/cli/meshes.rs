@@ -225,8 +225,7 @@ pub(super) fn write(
     }
     let written = if is_standard(path) {
         let mut bytes = Vec::new();
-        let written = write_mesh_to(&mut bytes, format, file);
-        written.map(|()| bytes).map_err(|reason| FileError {
+        write_mesh_to(&mut bytes, format, file).map(|()| bytes).map_err(|reason| FileError {
             file: path.display().to_string(),
             line: None,
             reason,
@@ -404,7 +403,6 @@ pub(super) fn expect_place(path: &Path) -> Result<(), Failure> {
         let message = format!("{shown}: the folder `{}` does not exist", folder.display());
         Err(Failure::usage(message))
     } else {
-        let writable = expect_writable(path);
-        writable.map_err(|reason| Failure::usage(format!("{shown}: {reason}")))
+        expect_writable(path).map_err(|reason| Failure::usage(format!("{shown}: {reason}")))
     }
 }

@@ -106,8 +106,7 @@ pub(super) fn table(rows: &[Vec<String>], right: &[bool]) -> String {
                 format!("{cell}{gap}")
             }
         };
-        let line = row.iter().enumerate().map(cell).collect::<Vec<_>>().join("  ");
-        line.trim_end().to_string()
+        row.iter().enumerate().map(cell).collect::<Vec<_>>().join("  ").trim_end().to_string()
     };
     rows.iter().map(line).collect::<Vec<_>>().join("\n")
 }

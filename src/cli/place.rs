@@ -275,8 +275,7 @@ impl Ends {
             (several, Some(which)) => {
                 let at = (which as usize).checked_sub(1);
                 let found = at.and_then(|at| several.get(at));
-                let found = found.copied().map(|found| (found, None));
-                found.ok_or_else(|| {
+                found.copied().map(|found| (found, None)).ok_or_else(|| {
                     let all = all().join(", ");
                     format!("there is no {}; there is {all}", place(which as usize))
                 })

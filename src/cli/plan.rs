@@ -138,16 +138,14 @@ fn is_own(program: &Program, op: usize) -> bool {
 /// The scripts of the file itself, with their numbers.
 fn own_scripts(program: &Program) -> impl Iterator<Item = (usize, &Script)> {
     let analysis = &program.analysis;
-    let scripts = analysis.program.scripts.iter().enumerate();
-    scripts.filter(|(_, script)| analysis.is_own(script.span))
+    analysis.program.scripts.iter().enumerate().filter(|(_, script)| analysis.is_own(script.span))
 }
 
 /// The names of the ops that steps call.
 fn called<'p>(steps: &Steps, program: &'p Program) -> Vec<&'p str> {
     let ops = &program.analysis.program.ops;
     let calls = steps.calls.iter();
-    let calls = calls.filter_map(|&(op, _)| Some(ops.get(usize::from(op))?.name.as_str()));
-    calls.collect()
+    calls.filter_map(|&(op, _)| Some(ops.get(usize::from(op))?.name.as_str())).collect()
 }
 
 /// The calls of an op in steps, and when it refuses.

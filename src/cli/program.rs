@@ -179,8 +179,7 @@ pub(super) fn part(text: &str) -> (&Path, Option<&str>) {
 /// The index of the op that `FILE::OP` names; without a name, the only one of the file.
 pub(super) fn find_op(program: &Program, name: Option<&str>) -> Result<usize, Failure> {
     let analysis = &program.analysis;
-    let ops = analysis.program.ops.iter();
-    let ops = ops.map(|op| (op.name.as_str(), op.span));
+    let ops = analysis.program.ops.iter().map(|op| (op.name.as_str(), op.span));
     let found = name.and_then(|name| analysis.op(name));
     if let Some(name) = name.filter(|name| found.is_none() && analysis.script(name).is_some()) {
         let file = program.sources.get(analysis.file).name();
@@ -197,8 +196,7 @@ pub(super) fn find_op(program: &Program, name: Option<&str>) -> Result<usize, Fa
 /// file.
 pub(super) fn find_script(program: &Program, name: Option<&str>) -> Result<usize, Failure> {
     let analysis = &program.analysis;
-    let scripts = analysis.program.scripts.iter();
-    let scripts = scripts.map(|script| (script.name.as_str(), script.span));
+    let scripts = analysis.program.scripts.iter().map(|script| (script.name.as_str(), script.span));
     let found = name.and_then(|name| analysis.script(name));
     if let Some(name) = name.filter(|name| found.is_none() && analysis.op(name).is_some()) {
         let message = format!("`{name}` is an operation: `hedgerow apply` does it at a place");
@@ -230,8 +228,7 @@ fn visible<'p>(
     analysis: &Analysis,
     items: impl Iterator<Item = (&'p str, Span)>,
 ) -> Vec<Candidate<'p>> {
-    let items = items.enumerate();
-    let seen = items.filter(|(_, (_, span))| analysis.sees(*span));
+    let seen = items.enumerate().filter(|(_, (_, span))| analysis.sees(*span));
     let candidates =
         seen.map(|(index, (name, span))| Candidate { index, name, own: analysis.is_own(span) });
     candidates.collect()

@@ -147,8 +147,7 @@ fn save(
     places: &Places,
 ) -> Result<(), Failure> {
     // The script may have created the attribute.
-    let shown = arguments.attribute.as_ref();
-    let shown = shown.map(|name| attribute(&obj.mesh, name)).transpose()?;
+    let shown = arguments.attribute.as_ref().map(|name| attribute(&obj.mesh, name)).transpose()?;
     if let Some(output) = &arguments.output {
         let blame = |mesh: &Mesh| {
             let applied = report.ops.iter().filter(|op| op.applied > 0);

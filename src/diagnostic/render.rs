@@ -179,8 +179,7 @@ fn place_in_words(span: Span, sources: &Sources) -> Option<String> {
 }
 
 fn source_of(sources: &Sources, file: FileId) -> Option<&Source> {
-    let known = sources.ids().any(|known| known == file);
-    known.then(|| sources.get(file))
+    sources.ids().any(|known| known == file).then(|| sources.get(file))
 }
 
 /// The sources in the form that `ariadne` reads, each converted once.

@@ -48,9 +48,7 @@ fn bend(points: &[DVec2]) -> Option<DVec2> {
     }
     let at = |t: f64| first.lerp(by, t).lerp(by.lerp(last, t), t);
     let pieces: Vec<_> = (0..=PIECES).map(|piece| at(piece as f64 / PIECES as f64)).collect();
-    let lies_on = |point: &DVec2| {
-        let mut pairs = pieces.windows(2);
-        pairs.any(|pair| distance(*point, [pair[0], pair[1]]) < UNSEEN)
-    };
+    let lies_on =
+        |point: &DVec2| pieces.windows(2).any(|pair| distance(*point, [pair[0], pair[1]]) < UNSEEN);
     points.iter().all(lies_on).then_some(by)
 }

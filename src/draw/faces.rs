@@ -14,11 +14,9 @@ use crate::diagram::{LoopKind, NameId};
 impl Panel<'_> {
     /// The background colour around an edge.
     pub(super) fn ground(&self, edge: NameId) -> Ink {
-        let mut strands = self.side.strands.iter();
-        let at = strands.position(|strand| strand.edge == Some(edge));
+        let at = self.side.strands.iter().position(|strand| strand.edge == Some(edge));
         let in_faces = |at: usize| {
-            let mut faces = self.side.loops.iter();
-            faces.any(|orbit| {
+            self.side.loops.iter().any(|orbit| {
                 let is_beside = orbit.darts.iter().any(|dart| dart.strand == at);
                 orbit.kind != LoopKind::Hole && is_beside && area(&self.outline(orbit)) > 0.0
             })
@@ -78,8 +76,7 @@ impl Panel<'_> {
             return None;
         }
         let spots = inner_spots(&outline, &self.islands(&outline));
-        let best = spots.iter().min_by(|a, b| a.cost.total_cmp(&b.cost));
-        best.map(|spot| spot.at)
+        spots.iter().min_by(|a, b| a.cost.total_cmp(&b.cost)).map(|spot| spot.at)
     }
 
     /// The islands in a polygon: the outlines of the loops inside it that run clockwise.

@@ -223,8 +223,7 @@ impl<'a> Figure<'a> {
         }
         for name in drawing.rule.names_of(Kind::Vertex) {
             let ends_something = side.strands.iter().any(|strand| {
-                let ends = strand.ends().map(|end| self.nodes[end]);
-                ends.contains(&Node::Vertex(name))
+                strand.ends().map(|end| self.nodes[end]).contains(&Node::Vertex(name))
             });
             if ends_something || view.mention(name).is_some() {
                 side.shown.push(name);
@@ -289,8 +288,7 @@ impl<'a> Figure<'a> {
         for (strand, parallel) in side.strands.iter_mut().zip(parallel) {
             let [from, to] = strand.ends();
             let known = earlier.and_then(|earlier| {
-                let mut strands = earlier.strands.iter();
-                strands.find(|other| {
+                earlier.strands.iter().find(|other| {
                     let same = other.items == strand.items && other.key() == strand.key();
                     same && other.ends() == strand.ends()
                 })

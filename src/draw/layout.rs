@@ -33,11 +33,9 @@ pub(super) fn places(figure: &Figure) -> [Vec<DVec2>; 2] {
     let mut before = flat(figure).unwrap_or_else(|| parts_in_a_row(figure));
     turn_sector(figure, &mut before);
     let after = places_after(figure, &before);
-    let known = before.into_iter().zip(&after);
-    let before = known.map(|(before, after)| before.or(*after));
+    let before = before.into_iter().zip(&after).map(|(before, after)| before.or(*after));
     [before.collect(), after].map(|places: Vec<Option<DVec2>>| {
-        let places = places.into_iter();
-        places.map(Option::unwrap_or_default).collect()
+        places.into_iter().map(Option::unwrap_or_default).collect()
     })
 }
 
@@ -169,8 +167,7 @@ fn given_dart(figure: &Figure) -> Option<Dart> {
 fn place_blocks(figure: &Figure, part: &[usize], places: &mut [Option<DVec2>]) {
     let among = |node: usize| part.contains(&node);
     let all = blocks(&figure.before, part);
-    let mut blocks = all.iter();
-    let Some((first, nodes)) = blocks.next() else {
+    let Some((first, nodes)) = all.iter().next() else {
         return place_part(figure, &figure.before, part, &[], places);
     };
     match all.len() {
@@ -292,8 +289,7 @@ fn center_of_star(side: &Side, part: &[usize]) -> Option<usize> {
 /// Lengthens spurs, and edges from a vertex to itself, so that they are readable.
 pub(super) fn stretch(side: &Side, places: &mut [Option<DVec2>], is_fixed: &dyn Fn(usize) -> bool) {
     let degree = |node: usize| {
-        let ends = side.strands.iter().flat_map(|strand| strand.ends());
-        ends.filter(|&end| end == node).count()
+        side.strands.iter().flat_map(|strand| strand.ends()).filter(|&end| end == node).count()
     };
     let loops = side.loop_of();
     let sides = |dart: usize| loops[dart].map(|at| side.loops[at].darts.len());

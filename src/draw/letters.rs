@@ -124,8 +124,7 @@ impl Label {
 
 /// The same letters, moved.
 pub(super) fn moved(glyphs: &[Glyph], by: DVec2) -> Vec<Glyph> {
-    let glyphs = glyphs.iter().map(|&glyph| Glyph { at: glyph.at + by, ..glyph });
-    glyphs.collect()
+    glyphs.iter().map(|&glyph| Glyph { at: glyph.at + by, ..glyph }).collect()
 }
 
 /// Typesets a name: letters in italics, trailing digits and the text in brackets as a subscript,

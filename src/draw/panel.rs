@@ -151,8 +151,7 @@ impl<'a> Panel<'a> {
 
     /// The directions in which strands leave a node.
     pub fn directions(&self, node: usize) -> Vec<f64> {
-        let spokes = self.spokes(node).into_iter();
-        spokes.map(|spoke| angle(spoke.start_direction())).collect()
+        self.spokes(node).into_iter().map(|spoke| angle(spoke.start_direction())).collect()
     }
 
     /// The sectors at a node that lie in loops, counterclockwise from one angle to another.

@@ -71,10 +71,8 @@ fn drawn(op: &Op, columns: usize) -> Picture {
         let widest = below.fold(above, f64::max);
         sheet.between = sheet.between.max((2.0 * widest + 30.0).min(MOST_BETWEEN));
     }
-    sheet.widths = [0, 1].map(|side| {
-        let widths = rows.iter().map(|(_, row)| row.sides[side].width());
-        widths.fold(90.0, f64::max)
-    });
+    sheet.widths =
+        [0, 1].map(|side| rows.iter().map(|(_, row)| row.sides[side].width()).fold(90.0, f64::max));
     sheet.columns = columns;
     let mut rows = rows.into_iter();
     loop {
@@ -82,8 +80,7 @@ fn drawn(op: &Op, columns: usize) -> Picture {
         if beside.is_empty() {
             return sheet.finish();
         }
-        let heights = beside.iter().map(|(_, row)| row.high - row.low);
-        let height = heights.fold(0.0, f64::max);
+        let height = beside.iter().map(|(_, row)| row.high - row.low).fold(0.0, f64::max);
         for (column, (below, row)) in beside.into_iter().enumerate() {
             let left = MARGIN + column as f64 * (sheet.column() + GUTTER);
             // Rows beside each other are centered at the same height.
@@ -304,8 +301,7 @@ fn bounds(groups: &[Group], room: &Room) -> Option<(DVec2, DVec2)> {
         Step::Close => [DVec2::NAN; 2],
     });
     let boxes = room.texts.iter().flat_map(|text| [text.from.into(), text.to.into()]);
-    let known = points.chain(boxes).filter(|at: &DVec2| !at.is_nan());
-    known.fold(None, |all, at| {
+    points.chain(boxes).filter(|at: &DVec2| !at.is_nan()).fold(None, |all, at| {
         let (low, high) = all.unwrap_or((at, at));
         Some((low.min(at), high.max(at)))
     })

@@ -27,8 +27,7 @@ impl Panel<'_> {
                 Some(angle(self.along(dart).start_direction()))
             };
             let wish = |fan: NameId| {
-                let mut earlier = self.earlier.iter();
-                let (_, _, [from, to]) = earlier.find(|(_, name, _)| *name == fan)?;
+                let (_, _, [from, to]) = self.earlier.iter().find(|(_, name, _)| *name == fan)?;
                 Some((from + to) / 2.0)
             };
             let around = Around { drawn: self.directions(node), corners: self.corners(node) };

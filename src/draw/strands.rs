@@ -155,8 +155,7 @@ fn clear(arrow: &Curve, neighbor: &Curve, side: f64) -> f64 {
     let is_clear = |trim: &f64| {
         let at = arrow.at(*trim).0;
         let far = |curve: &Curve| {
-            let far = curve.segments().map(|segment| distance(at, segment));
-            far.fold(f64::MAX, f64::min)
+            curve.segments().map(|segment| distance(at, segment)).fold(f64::MAX, f64::min)
         };
         far(neighbor) > ASIDE - 0.1 && far(&other) > BETWEEN
     };

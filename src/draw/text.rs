@@ -155,10 +155,7 @@ impl Canvas {
         let rule = figure.drawing.rule;
         let word = |name: NameId| rule.name(name);
         let is_written = |name: &NameId| word(*name).named && panel.stands_out(*name);
-        let curve = |curve: &Curve| {
-            let points = curve.points().iter();
-            Curve::through(points.map(|&at| grid.place(at)))
-        };
+        let curve = |curve: &Curve| Curve::through(curve.points().iter().map(|&at| grid.place(at)));
         let curves: Vec<_> = panel.curves.iter().map(curve).collect();
         for (strand, curve) in side.strands.iter().zip(&curves) {
             self.draw(curve, strand.is_path);

@@ -78,8 +78,7 @@ pub fn draw_mesh(mesh: &Mesh, view: &View) -> Picture {
         ..Picture::default()
     };
     let eye = Eye::new(view.from);
-    let faces = mesh.faces().filter_map(|face| Seen::new(mesh, face, &eye));
-    let mut faces: Vec<_> = faces.collect();
+    let mut faces: Vec<_> = mesh.faces().filter_map(|face| Seen::new(mesh, face, &eye)).collect();
     let corners = || faces.iter().flat_map(|face| &face.corners);
     let none = (DVec3::splat(f64::MAX), DVec3::splat(f64::MIN));
     let (low, high) = corners().fold(none, |(low, high), at| (low.min(*at), high.max(*at)));

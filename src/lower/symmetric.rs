@@ -139,8 +139,7 @@ impl Turn<'_> {
         image: NameId,
         near: impl Fn(NameId) -> [Option<NameId>; N],
     ) -> bool {
-        let mut pairs = near(name).into_iter().zip(near(image));
-        pairs.all(|(from, to)| self.maps(from, to))
+        near(name).into_iter().zip(near(image)).all(|(from, to)| self.maps(from, to))
     }
 }
 

@@ -186,8 +186,7 @@ impl<'b> Reader<'b> {
     /// The next `values` values, of `COUNT` bytes each.
     fn all<const COUNT: usize>(&mut self, values: usize) -> Result<&'b [[u8; COUNT]], BinaryError> {
         let length = values.checked_mul(COUNT).ok_or(BinaryError::Damaged)?;
-        let bytes = self.bytes(length).ok_or(BinaryError::Damaged)?;
-        Ok(bytes.as_chunks().0)
+        Ok(self.bytes(length).ok_or(BinaryError::Damaged)?.as_chunks().0)
     }
 
     fn numbers(&mut self, count: usize) -> Result<Vec<u32>, BinaryError> {

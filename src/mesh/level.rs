@@ -147,8 +147,7 @@ pub(super) fn is_surface_of_single_edges(mesh: &Mesh) -> bool {
     let faces = parallel::parts(mesh.capacity(ElementKind::Face), LEAST);
     let meet_once = parallel::map(faces, |part| {
         let mut met = Vec::new();
-        let mut faces = part.map(|face| FaceId(face as u32)).filter(|&f| mesh.face_alive(f));
-        faces.all(|face| {
+        part.map(|face| FaceId(face as u32)).filter(|&f| mesh.face_alive(f)).all(|face| {
             met.clear();
             met.extend(mesh.face_vertices(face).map(|v| v.0));
             met.len() >= 3 && are_distinct(&mut met)

@@ -35,8 +35,7 @@ impl Mesh {
     pub(crate) fn prefetch_list(&self, kind: ElementKind, list: &[u64], index: usize) {
         let group = |number: usize| {
             let start = index.saturating_add(number * Self::TOGETHER);
-            let ids = list.get(start..).unwrap_or_default();
-            ids.iter().take(Self::TOGETHER).map(|&id| id as usize)
+            list.get(start..).unwrap_or_default().iter().take(Self::TOGETHER).map(|&id| id as usize)
         };
         let record = |h: HalfedgeId| self.halfedges.get(h.index());
         let record_of = |id: usize| record(self.halfedge_of(kind, id)?);

@@ -98,8 +98,7 @@ pub(super) fn counts(mesh: &Mesh) -> Value {
 fn find(mesh: &Mesh, name: &str) -> Option<ColumnId> {
     let (kind, name) = name.split_once('.')?;
     let mut columns = mesh.sayable_columns();
-    let found = columns.find(|(id, column)| id.kind.name() == kind && column.name() == name);
-    found.map(|(id, _)| id)
+    columns.find(|(id, column)| id.kind.name() == kind && column.name() == name).map(|(id, _)| id)
 }
 
 /// Appends the triangles of a face.

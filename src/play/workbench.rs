@@ -106,8 +106,7 @@ impl Workbench {
             Ok(ask) => ask,
             Err(error) => return Message::error(format!("the question cannot be read: {error}")),
         };
-        let answer = self.take(ask, &question.bytes, host);
-        answer.unwrap_or_else(Message::error)
+        self.take(ask, &question.bytes, host).unwrap_or_else(Message::error)
     }
 
     fn take(&mut self, ask: Ask, bytes: &[u8], host: &mut dyn Host) -> Answer {
@@ -351,8 +350,7 @@ impl Workbench {
         let op = self.op(op)?;
         let arguments = Self::arguments(&op.parameters(), given, Some(element))?;
         let before = self.session.mesh().clone();
-        let outcome = self.session.apply(&op, arguments);
-        match outcome.map_err(|error| error.to_string())? {
+        match self.session.apply(&op, arguments).map_err(|error| error.to_string())? {
             Outcome::Refused(reason) => Ok(Message::of(json!({ "refused": &*reason.text }))),
             Outcome::Applied(result) => {
                 self.past.keep(before);

@@ -57,8 +57,7 @@ pub(super) fn load(mesh: &Mesh, field: HalfedgeField, id: u32) -> Result<u32, Fa
 #[inline]
 pub(super) fn pointer_of(mesh: &Mesh, field: HalfedgeField, id: u32) -> Option<u32> {
     // Loading all six pointers is faster than a jump to one of six loads.
-    let record = mesh.get_halfedge(HalfedgeId(id))?;
-    Some(record.pointers()[field as usize])
+    Some(mesh.get_halfedge(HalfedgeId(id))?.pointers()[field as usize])
 }
 
 /// The halfedge of an element.

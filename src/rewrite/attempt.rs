@@ -24,8 +24,7 @@ impl Said {
         if let Some(known) = constant.iter().position(|known| known == text) {
             return known as u32;
         }
-        let known = self.0.iter().position(|known| known == text);
-        let number = known.unwrap_or_else(|| {
+        let number = self.0.iter().position(|known| known == text).unwrap_or_else(|| {
             self.0.push(text.to_owned());
             self.0.len() - 1
         });

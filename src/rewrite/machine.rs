@@ -452,8 +452,7 @@ impl Machine {
     /// The name of the operation that refused last in this run, and its reason.
     pub fn last_refusal(&self) -> Option<(&str, &str)> {
         let (op, _) = self.last_refusal?;
-        let plan = self.plans.get(usize::from(op))?.as_ref()?;
-        Some((&plan.name, self.last_reason(op)?))
+        Some((&self.plans.get(usize::from(op))?.as_ref()?.name, self.last_reason(op)?))
     }
 
     /// The trap of an operation that refused although the script said `must`.

@@ -79,8 +79,7 @@ impl Drains {
                 }
             }
             Inst::ReleaseHeld { buffer } => {
-                let held = scene.buffers.get(usize::from(buffer));
-                let held = held.map_or(&[][..], |list| &**list);
+                let held = scene.buffers.get(usize::from(buffer)).map_or(&[][..], |list| &**list);
                 for (target, id, _) in Held::new(scene.columns, held) {
                     let (kind, fields) = match target {
                         None => (ElementKind::Vertex, Fields::POSITION),

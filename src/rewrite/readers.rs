@@ -120,8 +120,7 @@ impl Default for Readers {
 impl Readers {
     /// The memory that the readers take, in bytes.
     pub fn bytes(&self) -> usize {
-        let lists = self.lists.iter().map(|lists| lists.capacity() * size_of::<List>());
-        lists.sum::<usize>()
+        self.lists.iter().map(|lists| lists.capacity() * size_of::<List>()).sum::<usize>()
             + self.pool.capacity() * size_of::<Entry>()
             + self.seen.capacity() * size_of::<u32>()
     }

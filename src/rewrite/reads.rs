@@ -394,8 +394,7 @@ impl<'c> Reads<'c> {
     }
 
     fn call(&mut self, state: &State, function: u16, args: Reg) -> Result<Vec<Nodes>, Unbounded> {
-        let functions = self.functions;
-        let called = functions.get(usize::from(function)).ok_or(Unbounded::Effects)?;
+        let called = self.functions.get(usize::from(function)).ok_or(Unbounded::Effects)?;
         if self.running.contains(&function) {
             return Err(Unbounded::Recursion);
         }

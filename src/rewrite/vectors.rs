@@ -120,8 +120,7 @@ fn normalize(w: &mut Window, to: Reg, from: Reg, width: usize) {
     let parts = (0..width).map(|part| real(w, from, part));
     let is_finite = parts.clone().all(f64::is_finite);
     let largest = parts.clone().fold(0.0, |most: f64, part| most.max(part.abs()));
-    let scaled = parts.map(|part| part / largest);
-    let length = scaled.map(|part| part * part).sum::<f64>().sqrt();
+    let length = parts.map(|part| part / largest).map(|part| part * part).sum::<f64>().sqrt();
     for part in 0..width {
         let value = match is_finite {
             true if largest > 0.0 => real(w, from, part) / largest / length,

@@ -84,8 +84,7 @@ impl Scope for Names {
     }
 
     fn local(&self, variable: u32) -> Reg {
-        let known = self.registers.get(variable as usize);
-        known.copied().unwrap_or(Reg(0))
+        self.registers.get(variable as usize).copied().unwrap_or(Reg(0))
     }
 
     fn declare(&mut self, variable: u32, reg: Reg) {
@@ -112,8 +111,7 @@ impl<'p> Lowering<'p> {
         let defaults = routine.params.iter().filter_map(|param| param.default.as_ref());
         defaults.for_each(|default| effects.see(default));
         let mut lowering = Self::with_parameters(routine, effects, known);
-        let given = routine.params.iter().map(|_| lowering.asm.reg());
-        let given: Vec<Reg> = given.collect();
+        let given: Vec<Reg> = routine.params.iter().map(|_| lowering.asm.reg()).collect();
         lowering.other_variables(routine);
         for (variable, (param, condition)) in (0..).zip(routine.params.iter().zip(given)) {
             if let Some(default) = &param.default {

@@ -225,8 +225,7 @@ impl Prepared {
     /// The slot of the value in the window, for a prepared function.
     pub(crate) fn value(&self) -> usize {
         // Before it are the parameters, and for each of them whether it was given.
-        let widths = self.params.iter().map(|param| usize::from(width(param.ty)) + 1);
-        widths.sum()
+        self.params.iter().map(|param| usize::from(width(param.ty)) + 1).sum()
     }
 
     /// Whether it may change the mesh.

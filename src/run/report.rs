@@ -123,8 +123,7 @@ pub(super) fn expect_level(plan: &Plan, mesh: &Mesh, place: Span) -> Result<(), 
 
 /// The report on the calls of the operations that a script calls.
 pub(crate) fn report(prepared: &Prepared, counts: &[Count]) -> Report {
-    let called = prepared.called.iter().zip(&prepared.names);
-    let ops = called.filter_map(|(&op, name)| {
+    let ops = prepared.called.iter().zip(&prepared.names).filter_map(|(&op, name)| {
         let plan = prepared.plans.get(op)?.as_ref()?;
         Some(op_report(name, plan, counts.get(op)?))
     });

@@ -71,8 +71,7 @@ struct Claims<'c> {
 impl Claims<'_> {
     /// The first operation that it calls and that does not keep a property.
     fn breaks(&self, property: Property) -> Option<&str> {
-        let mut calls = self.calls.iter();
-        calls.find(|(_, keeps)| !keeps.contains(&property)).map(|(name, _)| *name)
+        self.calls.iter().find(|(_, keeps)| !keeps.contains(&property)).map(|(name, _)| *name)
     }
 
     /// The properties that it keeps: those that all its steps keep, and the level of its guard.
@@ -160,8 +159,7 @@ pub fn calls_of_steps(
     program: &Program,
     functions: &Functions,
 ) -> BTreeMap<usize, BTreeSet<usize>> {
-    let ops = program.ops.iter().enumerate();
-    let steps = ops.filter_map(|(number, op)| {
+    let steps = program.ops.iter().enumerate().filter_map(|(number, op)| {
         let effects = Effects::of_steps(op.steps.as_ref()?);
         let mut calls: BTreeSet<usize> = effects.ops.keys().copied().collect();
         let called: Vec<_> = effects.functions.iter().map(|&number| number as usize).collect();

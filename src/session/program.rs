@@ -207,8 +207,7 @@ impl Program {
     }
 
     fn visible(&self, spans: impl Iterator<Item = Span>) -> impl Iterator<Item = usize> {
-        let seen = spans.enumerate().filter(|(_, span)| self.0.analysis.sees(*span));
-        seen.map(|(at, _)| at)
+        spans.enumerate().filter(|(_, span)| self.0.analysis.sees(*span)).map(|(at, _)| at)
     }
 
     /// The warnings about the program.

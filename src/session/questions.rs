@@ -65,8 +65,7 @@ impl Session {
     /// # Errors
     /// As for [`apply`](Self::apply).
     pub fn why(&mut self, op: &Op, arguments: impl Arguments) -> Result<Option<Reason>, Error> {
-        let refusal = self.ask(op, arguments)?;
-        Ok(refusal.map(|reason| op.reason(reason)))
+        Ok(self.ask(op, arguments)?.map(|reason| op.reason(reason)))
     }
 
     /// The rule of an operation that matches, with the elements that its names denote; or why the

@@ -60,8 +60,7 @@ impl Lines {
 
     /// Adds an empty line, unless a block has just begun or there is one already.
     pub fn blank(&mut self) {
-        let last = self.text.trim_end_matches('\n');
-        if !last.ends_with('{') && !self.text.ends_with("\n\n") {
+        if !self.text.trim_end_matches('\n').ends_with('{') && !self.text.ends_with("\n\n") {
             self.text.push('\n');
         }
     }

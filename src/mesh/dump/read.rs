@@ -47,8 +47,7 @@ fn read_name(words: &[&str], ids: Ids) -> Result<(String, Vec<Element>), DumpRea
 }
 
 pub(super) fn read_number(text: &str) -> Result<f64, DumpReason> {
-    let number = text.parse();
-    number.map_err(|_| DumpReason::NotANumber(text.into()))
+    text.parse().map_err(|_| DumpReason::NotANumber(text.into()))
 }
 
 /// The ids that a text may contain: below its length in bytes, so that a short line cannot request

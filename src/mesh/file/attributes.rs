@@ -147,8 +147,7 @@ impl MeshFile {
             FileFormat::Off => off::columns(self).to_vec(),
             _ => Vec::new(),
         };
-        let columns = self.mesh.sayable_columns();
-        let unheld = columns.filter(|(id, column)| match format {
+        let unheld = self.mesh.sayable_columns().filter(|(id, column)| match format {
             FileFormat::Ply | FileFormat::Halfedges => false,
             FileFormat::Msh => !msh::is_held(id.kind, column.attribute_type()),
             _ => !held.contains(&Some(*id)),

@@ -206,8 +206,7 @@ impl Contents {
                     *table = places.iter().map(|&place| table[place as usize]).collect();
                 }
             }
-            let halfedges = mesh.halfedges().take(places.len());
-            let vertices = halfedges.map(|h| mesh.vertex(h).0).collect();
+            let vertices = mesh.halfedges().take(places.len()).map(|h| mesh.vertex(h).0).collect();
             let ends = mesh.faces().take(faces.len()).scan(0, |end, f| {
                 *end += mesh.face_halfedges(f).count();
                 Some(*end)

@@ -173,8 +173,7 @@ impl Kept {
     pub(super) fn add_states(&mut self, keyword: usize, names: &[Vec<u8>], numbers: &[f64]) {
         let first = self.names.len() as u32;
         self.names.extend_from_slice(names);
-        let before = std::mem::take(&mut self.states);
-        let mut before = before.into_iter().peekable();
+        let mut before = std::mem::take(&mut self.states).into_iter().peekable();
         let mut state = State::EMPTY;
         for (face, &number) in (0..).zip(numbers) {
             let old = state;

@@ -165,8 +165,7 @@ impl MeshFile {
         fits: impl Fn(AttributeType) -> bool,
     ) -> Option<ColumnId> {
         let id = self.mesh.find_column(kind, name)?;
-        let column = self.mesh.column(id)?;
-        fits(column.attribute_type()).then_some(id)
+        fits(self.mesh.column(id)?.attribute_type()).then_some(id)
     }
 
     /// The place of a vertex among those that were read, from 0, if it was read.

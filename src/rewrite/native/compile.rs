@@ -145,8 +145,7 @@ impl Compiled {
 
     /// The number of the entry at an instruction.
     pub(super) fn entry_at(&self, inst: usize) -> Option<i64> {
-        let found = self.entries.binary_search(&u32::try_from(inst).ok()?);
-        found.ok().map(|at| at as i64 + 1)
+        self.entries.binary_search(&u32::try_from(inst).ok()?).ok().map(|at| at as i64 + 1)
     }
 }
 
@@ -226,8 +225,7 @@ fn isa() -> Option<OwnedTargetIsa> {
         flags.set("enable_probestack", "true").ok()?;
         flags.set("probestack_strategy", "inline").ok()?;
         flags.set("enable_verifier", if cfg!(debug_assertions) { "true" } else { "false" }).ok()?;
-        let builder = cranelift_native::builder().ok()?;
-        builder.finish(settings::Flags::new(flags)).ok()
+        cranelift_native::builder().ok()?.finish(settings::Flags::new(flags)).ok()
     };
     ISA.get_or_init(find).clone()
 }

@@ -19,8 +19,7 @@ pub(super) fn read(text: &[u8]) -> Option<Contents> {
     let (head, body) = text.split_first_chunk::<HEAD>()?;
     let (counts, _) = head.as_chunks::<4>();
     let size = |at: usize, width: usize| {
-        let count = usize::try_from(i32::from_le_bytes(counts[at])).ok()?;
-        count.checked_mul(4 * width)
+        usize::try_from(i32::from_le_bytes(counts[at])).ok()?.checked_mul(4 * width)
     };
     let [positions, normals, texture, triangles] =
         [size(0, 3)?, size(1, 3)?, size(2, 2)?, size(3, 3)?];

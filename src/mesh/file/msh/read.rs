@@ -108,8 +108,7 @@ impl<'t> Reader<'t> {
     /// Skips past the end of a section.
     fn end_section(&mut self, section: &[u8]) -> Answer<()> {
         let end = [b"$End", section].concat();
-        let rest = self.scanner.rest();
-        let found = rest.windows(end.len()).position(|window| window == end);
+        let found = self.scanner.rest().windows(end.len()).position(|window| window == end);
         let Some(at) = found else {
             return Err(format!("the section `${}` does not end", shown(section)));
         };

@@ -279,8 +279,7 @@ impl Head {
 
 /// A name without control characters, for a line.
 fn line(name: &[u8]) -> String {
-    let text = String::from_utf8_lossy(name);
-    text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect()
+    String::from_utf8_lossy(name).chars().map(|c| if c.is_control() { ' ' } else { c }).collect()
 }
 
 /// The numbers of a column, element by element.

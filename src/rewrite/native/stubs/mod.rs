@@ -85,8 +85,7 @@ pub(super) fn guarded(
     act: impl FnOnce(&mut Context, &mut Run<'_>) -> Result<i64, Trap>,
 ) -> impl FnOnce(&mut Context, &mut Run<'_>) -> Result<i64, Trap> {
     |context, run| {
-        let acted = catch_unwind(AssertUnwindSafe(|| act(context, run)));
-        acted.unwrap_or_else(|panic| {
+        catch_unwind(AssertUnwindSafe(|| act(context, run))).unwrap_or_else(|panic| {
             run.panic = Some(panic);
             Ok(LEAVE)
         })
@@ -208,8 +207,7 @@ pub(super) unsafe extern "C" fn answer(context: *mut Context, inst: i64) -> i64 
         else {
             return Ok(LEAVE);
         };
-        let asked = ask(run.mesh, *question, &mut window, [*to, *first, *second]);
-        Ok(asked.map_or(LEAVE, |()| 0))
+        Ok(ask(run.mesh, *question, &mut window, [*to, *first, *second]).map_or(LEAVE, |()| 0))
     };
     // SAFETY: as for all stubs.
     unsafe { within_unsettled(context, guarded(answer)) }
