@@ -171,8 +171,7 @@ fn element(mesh: &Mesh, numbers: &WrittenNumbers, kind: ElementKind, id: u32) ->
             ends(HalfedgeId(id)).map(|(from, to)| format!("halfedge:{from}-{to}"))
         }
         ElementKind::Edge => {
-            let half = mesh.edge_halfedge(EdgeId(id));
-            ends(half).map(|(from, to)| format!("edge:{from}-{to}"))
+            ends(mesh.edge_halfedge(EdgeId(id))).map(|(from, to)| format!("edge:{from}-{to}"))
         }
     }
 }

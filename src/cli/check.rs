@@ -46,8 +46,7 @@ pub(super) fn check(arguments: &CheckArguments) -> Result<(), Failure> {
         let aliases = if arguments.aliases { aliases(&program.analysis) } else { Vec::new() };
         if let Some(folder) = &arguments.witness {
             witnesses.write(folder, &program.analysis.counterexamples)?;
-            let broken = aliases.iter().flat_map(|rule| &rule.sets);
-            for set in broken {
+            for set in aliases.iter().flat_map(|rule| &rule.sets) {
                 witnesses.write(folder, set.example.as_slice())?;
             }
         }

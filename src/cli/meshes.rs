@@ -397,11 +397,9 @@ pub(super) fn expect_place(path: &Path) -> Result<(), Failure> {
     let shown = path.display();
     let folder = path.parent().unwrap_or(Path::new(""));
     if path.is_dir() {
-        let message = format!("{shown}: this is a folder: write -o with the name of a file");
-        Err(Failure::usage(message))
+        Err(Failure::usage(format!("{shown}: this is a folder: write -o with the name of a file")))
     } else if !folder.as_os_str().is_empty() && !folder.is_dir() {
-        let message = format!("{shown}: the folder `{}` does not exist", folder.display());
-        Err(Failure::usage(message))
+        Err(Failure::usage(format!("{shown}: the folder `{}` does not exist", folder.display())))
     } else {
         expect_writable(path).map_err(|reason| Failure::usage(format!("{shown}: {reason}")))
     }

@@ -62,8 +62,7 @@ pub(super) fn plan(arguments: &PlanArguments) -> Result<(), Failure> {
             if name.is_none() {
                 leave_out(&program, &mut ops, |op| emit(&[op]).err());
                 let has_own = ops.iter().any(|&op| is_own(&program, op));
-                let scripts = own_scripts(&program).filter(|_| !has_own);
-                for (_, script) in scripts {
+                for (_, script) in own_scripts(&program).filter(|_| !has_own) {
                     let name = &script.name;
                     complain(&format!("left out: `{name}`, since only operations are emitted"));
                 }

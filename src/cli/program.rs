@@ -45,8 +45,7 @@ pub(super) fn read(path: &Path) -> Result<Program, Failure> {
         };
         Failure::usage(format!("cannot read `{shown}`: {why}{advice}"))
     })?;
-    let name = of_library.map_or(shown, |file| file.name.to_owned());
-    Ok(Program::of(name, text))
+    Ok(Program::of(of_library.map_or(shown, |file| file.name.to_owned()), text))
 }
 
 impl Program {
@@ -147,8 +146,7 @@ pub(super) fn read_script(script: &str) -> Result<(Program, usize), Failure> {
         let script = find_script(&program, name)?;
         return Ok((program, script));
     }
-    let found = name.and_then(|name| program.analysis.script(name));
-    if let Some(script) = found {
+    if let Some(script) = name.and_then(|name| program.analysis.script(name)) {
         return Ok((program, script));
     }
     let Analysis { program: known, plans, file, .. } = &program.analysis;

@@ -81,8 +81,7 @@ fn run_file(program: &Program, path: &Path, arguments: &TestArguments) -> FileRe
         say(&shown);
     }
     let own = analysis.program.tests.iter().enumerate();
-    let own = own.filter(|(_, test)| analysis.is_own(test.script.span));
-    for (number, test) in own {
+    for (number, test) in own.filter(|(_, test)| analysis.is_own(test.script.span)) {
         let name = test.script.name.clone();
         if interrupt::is_asked() || !arguments.wants(&name) {
             continue;

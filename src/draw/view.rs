@@ -262,8 +262,7 @@ impl Seen {
             _ => None,
         });
         let value = index.map(|(colours, index)| (colours, colours.value(mesh, index)));
-        let shown = value.filter(|(colours, value)| !colours.leaves(*value));
-        if let Some((colours, value)) = shown {
+        if let Some((colours, value)) = value.filter(|(colours, value)| !colours.leaves(*value)) {
             let colour = colours.colour(value);
             let sides = if is_on_boundary { 2.0 } else { 1.0 };
             return Some((pen.coloured * sides, colour));

@@ -98,8 +98,7 @@ impl Builder<'_> {
                 return Ok(());
             }
             (Some(false), Some(span), _) => {
-                let what = "functions that call each other in a circle";
-                return Err(NotEmitted::new(what, span));
+                return Err(NotEmitted::new("functions that call each other in a circle", span));
             }
             (Some(_), ..) => return Ok(()),
             (None, ..) => self.is_done.insert(need, false),

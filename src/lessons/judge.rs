@@ -50,8 +50,7 @@ pub fn judge(lesson: &Lesson, text: &str) -> Result<(), Rejection> {
 pub fn judge_file(lesson: &Lesson, file: &str, text: &str) -> Result<(), Rejection> {
     let read = |text: &str| Program::parse_with(file, text, &mut Nowhere);
     let given = read(text);
-    let wanted = read(&lesson.solution);
-    same(&wanted, &given).map_err(|why| {
+    same(&read(&lesson.solution), &given).map_err(|why| {
         let is_it = |mistake: &&Mistake| match (&read(&mistake.program), &given) {
             (Err(mistake), Err(given)) => {
                 mistake.code() == given.code() && mistake.message() == given.message()

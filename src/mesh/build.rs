@@ -98,8 +98,7 @@ fn check_polygons(positions: &[DVec3], polygons: &Polygons) -> Result<(), BuildE
     if let Some(vertex) = odd.into_iter().flatten().next() {
         return Err(BuildError::NotFinite { vertex: vertex as u32, position: positions[vertex] });
     }
-    let parts = parallel::parts(polygons.len(), LEAST);
-    let checked = parallel::map(parts, |part| {
+    let checked = parallel::map(parallel::parts(polygons.len(), LEAST), |part| {
         let mut sorted = Vec::new();
         let mut all = (part.start..).zip(polygons.range(part));
         let fault = all.find_map(|(polygon, corners)| {
@@ -320,8 +319,7 @@ impl<'p> Builder<'p> {
         let polygons = self.loops.len();
         let faces = parallel::collect(polygons + self.holes.first.len(), LEAST, |face| {
             let hole = face.checked_sub(polygons);
-            let first = hole.map_or_else(|| self.loops.first(face), |hole| self.holes.first[hole]);
-            HalfedgeId(first)
+            HalfedgeId(hole.map_or_else(|| self.loops.first(face), |hole| self.holes.first[hole]))
         });
         let mut face_states = Vec::with_capacity(faces.len());
         face_states.resize(polygons, FaceState::Face);

@@ -422,10 +422,7 @@ fn argument(value: &Value, ty: &str) -> Option<Argument> {
         "vec2" => Argument::from(<[f64; 2]>::try_from(reals()?).ok()?),
         "vec3" => Argument::from(<[f64; 3]>::try_from(reals()?).ok()?),
         "vec4" => Argument::from(<[f64; 4]>::try_from(reals()?).ok()?),
-        _ => {
-            let kind = ElementKind::named(ty)?;
-            Argument::Element(kind, u32::try_from(value.as_u64()?).ok()?)
-        }
+        _ => Argument::Element(ElementKind::named(ty)?, u32::try_from(value.as_u64()?).ok()?),
     })
 }
 

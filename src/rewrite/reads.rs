@@ -92,8 +92,7 @@ impl State {
     }
 
     fn push(&mut self, buffer: u16, nodes: &[Node]) {
-        let all = self.0.entry(BUFFERS | u32::from(buffer)).or_default();
-        unite(all, nodes);
+        unite(self.0.entry(BUFFERS | u32::from(buffer)).or_default(), nodes);
     }
 
     /// The values that have been set in the preview for a pointer, of any element.

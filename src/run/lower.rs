@@ -359,8 +359,7 @@ impl<'p> Lowering<'p> {
             ExprKind::Invoke(function, args) => {
                 // Inside a loop over elements the ids stay needed, although this one is left: a
                 // loop further out may still be running.
-                let from = self.given(*function, args, value, exits.is_none());
-                (from, width(value.ty))
+                (self.given(*function, args, value, exits.is_none()), width(value.ty))
             }
             _ => (self.value(value), width(value.ty)),
         });

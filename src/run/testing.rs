@@ -49,8 +49,7 @@ pub fn test(
     let failure = |diagnostic| Box::new(Failure { diagnostic, report: Report::default() });
     let Some(test) = program.tests.get(test) else {
         let message = "there is no such test";
-        let error = Diagnostic::error("unknown-script", message, Span::default());
-        return Err(failure(error));
+        return Err(failure(Diagnostic::error("unknown-script", message, Span::default())));
     };
     let (functions, mut too_large) = Functions::of(program);
     if let Some(error) = too_large.pop() {

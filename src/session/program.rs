@@ -122,8 +122,7 @@ impl Program {
         file: FileId,
         reader: &mut dyn Reader,
     ) -> Result<Self, Error> {
-        let analysis = Analysis::with(&mut sources, file, reader);
-        Self::of(analysis, sources)
+        Self::of(Analysis::with(&mut sources, file, reader), sources)
     }
 
     fn of(analysis: Analysis, sources: Sources) -> Result<Self, Error> {

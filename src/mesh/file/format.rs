@@ -79,8 +79,7 @@ impl FileFormat {
 
     /// All endings, listed for a sentence.
     pub(super) fn listed() -> String {
-        let endings = Self::ALL.map(|format| format!(".{}", format.ending()));
-        let [others @ .., last] = &endings;
+        let [others @ .., last] = &Self::ALL.map(|format| format!(".{}", format.ending()));
         format!("{} or {last}", others.join(", "))
     }
 }

@@ -120,8 +120,7 @@ impl Rows<'_> {
     /// The lists of corners of faces or strips; `None` if there are no such elements.
     fn corner_lists(&mut self, of: &str) -> Result<Option<Table>, Failure> {
         let mut names = ["vertex_indices", "vertex_index"].into_iter();
-        let lists = names.find_map(|name| self.take(name, true));
-        let words = match lists {
+        let words = match names.find_map(|name| self.take(name, true)) {
             _ if self.element.count == 0 => return Ok(None),
             Some(_) if !self.contents.polygons.is_empty() => {
                 "there are elements `face` and `tristrips`, of which only one is read".to_owned()
