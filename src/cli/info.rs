@@ -119,10 +119,7 @@ fn tell_level(arguments: &InfoArguments, mesh: &Mesh, level: Level) -> Result<()
         (Format::Human, None) => say(&format!("{file}: of level {level}")),
         (Format::Human, Some(reason)) => say(&format!("{file}: not of level {level}: {reason}")),
     }
-    match below {
-        None => Ok(()),
-        Some(_) => Err(Failure::Silent(1.into())),
-    }
+    if below.is_none() { Ok(()) } else { Err(Failure::Silent(1.into())) }
 }
 
 #[derive(Serialize)]

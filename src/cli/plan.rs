@@ -50,10 +50,7 @@ pub(super) fn plan(arguments: &PlanArguments) -> Result<(), Failure> {
             ops,
             exhaustive: arguments.exhaustive,
         };
-        match arguments.shown {
-            Shown::Rust => rust(&selection),
-            _ => cpp(&selection, &style),
-        }
+        if arguments.shown == Shown::Rust { rust(&selection) } else { cpp(&selection, &style) }
     };
     let text = match arguments.shown {
         Shown::Table => tables(&plans, &program, arguments.exhaustive),

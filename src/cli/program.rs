@@ -32,10 +32,7 @@ pub(super) fn read(path: &Path) -> Result<Program, Failure> {
     let shown = path.display().to_string();
     expect_program(path)?;
     let of_library = library::file(&shown).filter(|_| !path.exists());
-    let text = match of_library {
-        Some(file) => Ok(file.text.to_owned()),
-        None => read_program(path),
-    };
+    let text = of_library.map_or_else(|| read_program(path), |file| Ok(file.text.to_owned()));
     let text = text.map_err(|why| {
         let advice = match (path.read_link(), meant(&shown, &shown, &mut Disk)) {
             _ if path.exists() => String::new(),

@@ -52,10 +52,7 @@ impl Path {
 
     fn polyline(&mut self, points: impl IntoIterator<Item = DVec2>) {
         for (at, point) in points.into_iter().enumerate() {
-            match at {
-                0 => self.move_to(point),
-                _ => self.line_to(point),
-            }
+            if at == 0 { self.move_to(point) } else { self.line_to(point) }
         }
     }
 

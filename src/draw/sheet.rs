@@ -284,10 +284,7 @@ fn scale(figure: &Figure, places: &[Vec<DVec2>; 2]) -> f64 {
         }
     }
     // Only one sector of a family has names; the others may be narrow.
-    let most = match rule.size() {
-        Some(_) => 250.0,
-        None => 320.0,
-    };
+    let most = if rule.size().is_some() { 250.0 } else { 320.0 };
     // Vertices have their names outside.
     scale.min(most + 2.0 * longest(&mut rule.ids().filter(|&name| rule.kind(name) != Kind::Vertex)))
 }

@@ -125,10 +125,7 @@ impl Places {
             return told;
         };
         let default = Some(column.default_value());
-        let known = match id.kind {
-            ElementKind::Halfedge => self.by_vertex(),
-            _ => Vec::new(),
-        };
+        let known = if id.kind == ElementKind::Halfedge { self.by_vertex() } else { Vec::new() };
         let had = |vertex: VertexId, value: Option<Value>| {
             let first = known.partition_point(|&(of, _)| of < vertex);
             let mut here = known[first..].iter().take_while(|&&(of, _)| of == vertex);

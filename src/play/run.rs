@@ -159,10 +159,7 @@ struct Looker<'h> {
 
 impl Watch for Looker<'_> {
     fn turn(&mut self, depth: u16, done: u64, total: Option<u64>) -> ControlFlow<()> {
-        match depth {
-            0 => self.host.progress(done, total),
-            _ => ControlFlow::Continue(()),
-        }
+        if depth == 0 { self.host.progress(done, total) } else { ControlFlow::Continue(()) }
     }
 
     fn tick(&mut self) -> ControlFlow<()> {

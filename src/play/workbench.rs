@@ -450,10 +450,7 @@ struct Files<'g> {
 
 impl Reader for Files<'_> {
     fn read(&mut self, name: &str) -> Result<String, String> {
-        match self.files.get(name) {
-            Some(text) => Ok(text.clone()),
-            None => self.rest.read(name),
-        }
+        self.files.get(name).map_or_else(|| self.rest.read(name), |text| Ok(text.clone()))
     }
 
     fn beside(&mut self, name: &str) -> Vec<String> {

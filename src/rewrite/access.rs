@@ -12,10 +12,7 @@ use crate::mesh::{EdgeId, ElementKind, FaceId, HalfedgeId, Mesh, VertexId};
 /// The fault of an element that does not exist.
 #[cold]
 pub(super) fn gone(kind: ElementKind, id: u32) -> Fault {
-    match id {
-        u32::MAX => Fault::Missing(kind),
-        _ => Fault::Gone(kind),
-    }
+    if id == u32::MAX { Fault::Missing(kind) } else { Fault::Gone(kind) }
 }
 
 /// Fails unless the element exists.

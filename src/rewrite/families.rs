@@ -40,10 +40,7 @@ pub fn part<'b>(
 ) -> Result<&'b [u64], Fault> {
     let at = place(ends.len(), index, span.shift)?;
     let end = ends[at] as usize;
-    let start = match at.checked_sub(1) {
-        Some(before) => ends[before] as usize,
-        None => 0,
-    };
+    let start = at.checked_sub(1).map_or(0, |before| ends[before] as usize);
     halfedges.get(start..end).ok_or(Fault::OutOfRange)
 }
 

@@ -176,10 +176,7 @@ matrices!(matrix4, DMat4, DVec4, 4);
 
 #[inline]
 pub(super) fn matrix(w: &mut Window, operation: Matrix, size: u8, registers: [Reg; 3]) {
-    match size {
-        3 => matrix3(w, operation, registers),
-        _ => matrix4(w, operation, registers),
-    }
+    if size == 3 { matrix3(w, operation, registers) } else { matrix4(w, operation, registers) }
 }
 
 fn reals<const N: usize>(w: &Window, from: Reg) -> [f64; N] {

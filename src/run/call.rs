@@ -41,9 +41,4 @@ impl Lowering<'_> {
         self.trap_at(span, inst);
         self.asm.release(mark);
     }
-
-    /// Stops the script: the operation just called has refused, though it must not.
-    pub(super) fn stop_refused(&mut self, op: usize, span: Span) {
-        self.trap_at(span, Inst::Refused { op: narrow(op) });
-    }
 }

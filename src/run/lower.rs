@@ -284,7 +284,8 @@ impl<'p> Lowering<'p> {
                 let condition = self.value(condition);
                 self.require(condition, reason);
             }
-            StatementKind::Refused { op } => self.stop_refused(*op, span),
+            // The operation just called has refused, though it must not.
+            StatementKind::Refused { op } => self.trap_at(span, Inst::Refused { op: narrow(*op) }),
             StatementKind::KeepMesh { mesh } => self.trap_at(span, Inst::MeshKeep { mesh: *mesh }),
             StatementKind::AssertMesh { mesh, same, reason } => {
                 self.assert_mesh(*mesh, *same, reason, span);

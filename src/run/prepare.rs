@@ -110,11 +110,12 @@ pub(super) fn prepare_script(
         return Err(unproved);
     }
     let last = called.last().map_or(0, |&(op, _)| op);
-    let code = lowering.asm.finish().and_then(|code| match u16::try_from(last) {
-        Ok(_) => Ok(code),
-        Err(_) => Err(TooLarge),
-    });
-    let code = code.map_err(|too_large| vec![does_not_fit(script, too_large)])?;
+    let code = lowering.asm.finish();
+    let code = code.and_then(|code| u16::try_from(last).map_or(Err(TooLarge), |_| Ok(code)));
+    let code = code.map_err(|too_large| {
+        let message = format!("`{}` is {too_large}", script.name);
+        vec![Diagnostic::error("script-too-large", message, script.span)]
+    })?;
     let code = with_functions(code, &functions);
     let called_plans = called.iter().filter_map(|&(op, _)| plans.get(op)?.as_ref());
     let called_plans = with_steps(plans, called_plans);
@@ -161,11 +162,6 @@ fn not_understood(program: &Program, function: usize, by: Span) -> Diagnostic {
     };
     let message = format!("`{name}` has an error, and this depends on it: it cannot run");
     Diagnostic::error("unproved-op", message, by).label(span, format!("this {kind} has an error"))
-}
-
-fn does_not_fit(script: &Script, too_large: TooLarge) -> Diagnostic {
-    let message = format!("`{}` is {too_large}", script.name);
-    Diagnostic::error("script-too-large", message, script.span)
 }
 
 impl Prepared {

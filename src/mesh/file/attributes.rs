@@ -189,10 +189,7 @@ impl MeshFile {
     /// The number of vertices that a file of a format cannot distinguish from another one, since
     /// they have the same position, and of those that it leaves out, since they have no face.
     pub fn lost_vertices(&self, format: FileFormat) -> [usize; 2] {
-        match format {
-            FileFormat::Stl => stl::lost_vertices(self),
-            _ => [0; 2],
-        }
+        if format == FileFormat::Stl { stl::lost_vertices(self) } else { [0; 2] }
     }
 
     /// The column of colours.

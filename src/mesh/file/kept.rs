@@ -47,10 +47,7 @@ pub(super) struct Note {
 impl fmt::Display for Note {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{} {}", self.count, self.what[usize::from(self.count != 1)])?;
-        match self.line {
-            Some(line) => write!(f, ", first in line {line}"),
-            None => Ok(()),
-        }
+        self.line.map_or(Ok(()), |line| write!(f, ", first in line {line}"))
     }
 }
 

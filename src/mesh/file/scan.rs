@@ -110,14 +110,14 @@ impl<'t> Scanner<'t> {
                 },
                 // A comment begins a line or follows a blank, so that names may contain `#`.
                 Some(b'#') if self.comments_stick => return false,
-                Some(b'#') => return self.at == start && !self.is_after_blank(),
+                Some(b'#') => {
+                    return self.at == start
+                        && self.at > 0
+                        && !self.text[self.at - 1].is_ascii_whitespace();
+                }
                 Some(_) => return true,
             }
         }
-    }
-
-    fn is_after_blank(&self) -> bool {
-        self.at == 0 || self.text[self.at - 1].is_ascii_whitespace()
     }
 
     /// The next word of the line.

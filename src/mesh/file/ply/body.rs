@@ -59,10 +59,7 @@ impl<'t> Body<'t> {
     }
 
     fn left(&self) -> usize {
-        match self.encoding {
-            Encoding::Ascii => self.scanner.rest().len(),
-            _ => self.bytes.len(),
-        }
+        if self.encoding == Encoding::Ascii { self.scanner.rest().len() } else { self.bytes.len() }
     }
 
     /// The maximum number of elements that fit into what is left.
