@@ -14,7 +14,7 @@ use crate::analysis::{
     Analysis, GuardVerdict, ProvedStatement, RuleAliases, RuleArgument, RuleVerdict, Verdict,
     aliases, verdicts, why_proved,
 };
-use crate::diagnostic::{Diagnostic, Severity, counted};
+use crate::diagnostic::{Diagnostic, Edit, Fix, Label, Severity, counted};
 use crate::source::{Sources, Span};
 
 /// Proves the operations of files, or says why they break a mesh.
@@ -53,13 +53,11 @@ pub(super) fn check(arguments: &CheckArguments) -> Result<(), Failure> {
         match arguments.format {
             Format::Human => {
                 complain_of(&program.analysis.diagnostics, &program.sources);
-                let unread = verdicts.is_empty() && !program.analysis.is_sound();
-                if !unread {
-                    let file = path.display().to_string();
-                    match verdicts.is_empty() {
-                        true => say(&format!("{file}: {}", without_ops(&program.analysis))),
-                        false => say(&show(&file, &verdicts, arguments.verbose)),
-                    }
+                let file = path.display().to_string();
+                if !verdicts.is_empty() {
+                    say(&show(&file, &verdicts, arguments.verbose));
+                } else if program.analysis.is_sound() {
+                    say(&format!("{file}: {}", without_ops(&program.analysis)));
                 }
                 if arguments.explain {
                     for argument in why_proved(&program.analysis) {
@@ -74,12 +72,7 @@ pub(super) fn check(arguments: &CheckArguments) -> Result<(), Failure> {
                 file: path.display().to_string(),
                 ops: verdicts,
                 aliases: arguments.aliases.then_some(aliases),
-                diagnostics: program
-                    .analysis
-                    .diagnostics
-                    .iter()
-                    .map(|diagnostic| report(diagnostic, &program.sources))
-                    .collect(),
+                diagnostics: reports(&program.analysis.diagnostics, &program.sources),
                 error: None,
             }),
         }
@@ -288,12 +281,22 @@ struct Location {
     end_column: usize,
 }
 
+pub(super) fn reports(told: &[Diagnostic], sources: &Sources) -> Vec<DiagnosticReport> {
+    told.iter().map(|diagnostic| report(diagnostic, sources)).collect()
+}
+
 pub(super) fn report(diagnostic: &Diagnostic, sources: &Sources) -> DiagnosticReport {
     let place = |span: Span| {
         let source = sources.get(span.file);
         let (line, column) = source.line_column(span.start as usize);
         let (end_line, end_column) = source.line_column(span.end as usize);
         Location { line, column, end_line, end_column }
+    };
+    let label = |label: &Label| LabelReport { place: place(label.span), text: label.text.clone() };
+    let edit = |edit: &Edit| EditReport { place: place(edit.span), text: edit.text.clone() };
+    let fix = |fix: &Fix| FixReport {
+        title: fix.title.clone(),
+        edits: fix.edits.iter().map(edit).collect(),
     };
     DiagnosticReport {
         severity: match diagnostic.severity {
@@ -302,23 +305,8 @@ pub(super) fn report(diagnostic: &Diagnostic, sources: &Sources) -> DiagnosticRe
         },
         code: diagnostic.code,
         message: diagnostic.message.clone(),
-        labels: diagnostic
-            .labels
-            .iter()
-            .map(|label| LabelReport { place: place(label.span), text: label.text.clone() })
-            .collect(),
+        labels: diagnostic.labels.iter().map(label).collect(),
         notes: diagnostic.notes.clone(),
-        fixes: diagnostic
-            .fixes
-            .iter()
-            .map(|fix| FixReport {
-                title: fix.title.clone(),
-                edits: fix
-                    .edits
-                    .iter()
-                    .map(|edit| EditReport { place: place(edit.span), text: edit.text.clone() })
-                    .collect(),
-            })
-            .collect(),
+        fixes: diagnostic.fixes.iter().map(fix).collect(),
     }
 }

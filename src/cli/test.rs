@@ -6,7 +6,7 @@ use std::path::Path;
 use serde::Serialize;
 
 use super::arguments::{Format, TestArguments};
-use super::check::{DiagnosticReport, report};
+use super::check::{DiagnosticReport, report, reports};
 use super::failure::Failure;
 use super::interrupt;
 use super::memory;
@@ -15,7 +15,6 @@ use super::option_groups::RepairArguments;
 use super::output::{complain, complain_of, say, say_json};
 use super::program::{self, Program};
 use crate::analysis::expect_regular;
-use crate::diagnostic::Diagnostic;
 use crate::mesh::MeshFile;
 use crate::rewrite::Watch;
 use crate::run::{self, Conditions};
@@ -114,12 +113,11 @@ fn run_file(program: &Program, path: &Path, arguments: &TestArguments) -> FileRe
     if is_human {
         broken.iter().for_each(|name| say(&format!("  broken  {name}")));
     }
-    let told = analysis.diagnostics.iter();
     FileReport {
         file: shown,
         broken,
         sound: analysis.is_sound(),
-        diagnostics: told.map(|told: &Diagnostic| report(told, &program.sources)).collect(),
+        diagnostics: reports(&analysis.diagnostics, &program.sources),
         tests,
         error: None,
     }

@@ -232,11 +232,8 @@ fn place_part(
     places: &mut [Option<DVec2>],
 ) {
     // Counterclockwise.
-    let outside: Vec<Dart> = walk
-        .iter()
-        .rev()
-        .map(|dart| Dart { strand: dart.strand, forward: !dart.forward })
-        .collect();
+    let back = |dart: &Dart| Dart { strand: dart.strand, forward: !dart.forward };
+    let outside: Vec<Dart> = walk.iter().rev().map(back).collect();
     let ring = side.around(&outside);
     let mut pulls = pulls(side);
     let mut all: Vec<Option<DVec2>> = places.to_vec();

@@ -418,10 +418,8 @@ impl Sheet {
         let width = columns * self.column() + (columns - 1.0) * GUTTER;
         let statuses: Vec<_> =
             Status::ALL.into_iter().filter(|status| self.statuses.contains(status)).collect();
-        let labels: Vec<_> = statuses
-            .into_iter()
-            .map(|status| (status, words(status.word(), Style::Upright, CAPTION)))
-            .collect();
+        let label = |status: Status| (status, words(status.word(), Style::Upright, CAPTION));
+        let labels: Vec<_> = statuses.into_iter().map(label).collect();
         let widths = labels.iter().map(|(_, label)| 2.0 * label.half.x + 38.0 + 30.0);
         let mut x = MARGIN + (width - widths.sum::<f64>() + 30.0) / 2.0;
         for (status, label) in labels {
