@@ -218,8 +218,7 @@ impl Cache<FileId> for &mut Texts<'_> {
     fn fetch(&mut self, file: &FileId) -> Result<&ariadne::Source, impl fmt::Debug> {
         let source = source_of(self.sources, *file).ok_or("a place in an unknown file")?;
         let text = || source.text().chars().map(showable).collect::<String>();
-        let read = || ariadne::Source::from(text());
-        Ok::<_, &str>(self.read.entry(*file).or_insert_with(read))
+        Ok::<_, &str>(self.read.entry(*file).or_insert_with(|| ariadne::Source::from(text())))
     }
 
     fn display<'a>(&self, file: &'a FileId) -> Option<impl fmt::Display + 'a> {

@@ -335,8 +335,7 @@ impl Column {
     /// True if a program can contain the name. Columns with other names are scratch or bookkeeping,
     /// and are not written to files.
     pub fn is_sayable(&self) -> bool {
-        let of_name = |c: char| c.is_alphanumeric() || c == '_' || c == '\'';
-        self.name.chars().all(of_name)
+        self.name.chars().all(|c| c.is_alphanumeric() || c == '_' || c == '\'')
     }
 
     pub fn default_value(&self) -> Value {

@@ -220,8 +220,7 @@ impl<'p> Builder<'p> {
     fn close_holes(&mut self) -> Result<(), BuildError> {
         let inner = self.inner();
         let boundary = parallel::map(parallel::parts(inner, LEAST), |part| {
-            let alone = |h: &u32| self.twin(*h) == NONE;
-            (part.start as u32..part.end as u32).filter(alone).collect()
+            (part.start as u32..part.end as u32).filter(|h| self.twin(*h) == NONE).collect()
         });
         self.boundary = parallel::joined(boundary);
         for (outer, &h) in (inner as u32..).zip(&self.boundary) {

@@ -342,8 +342,7 @@ impl<'p> Lowering<'p> {
     /// Whether ids are still needed after a statement with these exits; the variable that it sets
     /// does not count.
     fn needs_ids(&self, exits: Option<&Exits>, set: Option<u32>) -> bool {
-        let needed = |exits: &Exits| exits.next.iter().any(|needed| Some(*needed) != set);
-        exits.is_none_or(needed)
+        exits.is_none_or(|exits| exits.next.iter().any(|needed| Some(*needed) != set))
     }
 
     /// The result of a function that is called for `value`; `holds` is that of [`FunctionCall`].

@@ -119,6 +119,5 @@ fn plain(text: &str) -> String {
         matches!(c, '\u{61c}' | '\u{200e}'..='\u{200f}' | '\u{202a}'..='\u{202e}')
             || matches!(c, '\u{2028}'..='\u{2029}' | '\u{2066}'..='\u{2069}')
     };
-    let blank = |c: char| if c.is_control() || is_indexed(c) { ' ' } else { c };
-    text.chars().map(blank).collect()
+    text.chars().map(|c| if c.is_control() || is_indexed(c) { ' ' } else { c }).collect()
 }

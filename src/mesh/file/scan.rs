@@ -127,13 +127,11 @@ impl<'t> Scanner<'t> {
         }
         let start = self.at;
         while let Some(byte) = self.peek() {
-            if byte.is_ascii_whitespace() || byte == b'\x0b' {
-                break;
-            }
-            if byte == b'\\' && self.continuation().is_some() {
-                break;
-            }
-            if byte == b'#' && self.comments_stick {
+            if byte.is_ascii_whitespace()
+                || byte == b'\x0b'
+                || (byte == b'\\' && self.continuation().is_some())
+                || (byte == b'#' && self.comments_stick)
+            {
                 break;
             }
             self.at += 1;

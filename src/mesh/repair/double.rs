@@ -67,8 +67,7 @@ fn crowded(list: &PolygonList, dropped: &[bool]) -> Vec<bool> {
     }
     let mut crowded = vec![false; list.corners.len()];
     for edge in list.sides().edges() {
-        let stays = |&&(_, side): &&(u32, u32)| !at_dropped[side as usize];
-        if edge.iter().filter(stays).count() > 2 {
+        if edge.iter().filter(|&&(_, side)| !at_dropped[side as usize]).count() > 2 {
             edge.iter().for_each(|&(_, side)| crowded[side as usize] = true);
         }
     }

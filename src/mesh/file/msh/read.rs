@@ -384,8 +384,7 @@ impl<'t> Reader<'t> {
         }
         let said = |c: char| if c.is_alphanumeric() || c == '_' { c } else { '_' };
         let name: String = name.chars().map(said).collect();
-        let known = |column: &FileColumn| column.is(kind, &name);
-        if self.contents.columns.iter().any(known) {
+        if self.contents.columns.iter().any(|column| column.is(kind, &name)) {
             let what = [
                 "value that was there already, at another time",
                 "values that were there already, at another time",
