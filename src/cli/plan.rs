@@ -34,14 +34,11 @@ pub(super) fn plan(arguments: &PlanArguments) -> Result<(), Failure> {
     if ops.is_empty() {
         program::find_op(&program, None)?;
     }
-    let mut plans = Vec::new();
-    for &op in &ops {
-        let Some(plan) = &program.analysis.plans[op] else {
-            complain_of(&program.analysis.diagnostics, &program.sources);
-            return Err(Failure::NotProved);
-        };
-        plans.push(plan);
-    }
+    let plans = ops.iter().map(|&op| program.analysis.plans[op].as_ref());
+    let Some(plans) = plans.collect::<Option<Vec<_>>>() else {
+        complain_of(&program.analysis.diagnostics, &program.sources);
+        return Err(Failure::NotProved);
+    };
     let emit = |ops: &[usize]| {
         let selection = Selection {
             program: &program.analysis.program,
@@ -163,14 +160,11 @@ fn show_steps(plan: &Plan, steps: &Steps, program: &Program) -> String {
 }
 
 fn tables(plans: &[&Plan], program: &Program, exhaustive: bool) -> String {
-    let plans: Vec<_> = plans
-        .iter()
-        .map(|plan| match &plan.steps {
-            Some(steps) => show_steps(plan, steps, program),
-            None => show(plan, exhaustive),
-        })
-        .collect();
-    plans.join("\n\n\n") + "\n"
+    let shown = |plan: &&Plan| match &plan.steps {
+        Some(steps) => show_steps(plan, steps, program),
+        None => show(plan, exhaustive),
+    };
+    plans.iter().map(shown).collect::<Vec<_>>().join("\n\n\n") + "\n"
 }
 
 /// Leaves out the ops that cannot be emitted, with a message, if others can.

@@ -79,10 +79,8 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
     let report = run::run(&prepared, &mut obj.mesh, &values, &mut progress);
     progress.finish();
     let report = report.map_err(|failure| {
-        let code = match failure.diagnostic.code {
-            "interrupted" => interrupt::CODE,
-            _ => 1,
-        };
+        let is_interrupted = failure.diagnostic.code == "interrupted";
+        let code = if is_interrupted { interrupt::CODE } else { 1 };
         let ops: Vec<_> = failure.report.ops.into_iter().map(Op::from).collect();
         if arguments.format == Format::Human && ops.iter().any(|op| op.applied + op.refused > 0) {
             complain(&format!("until it stopped:\n{}\n", show_ops(&ops)));
@@ -277,13 +275,8 @@ fn show_ops(ops: &[Op]) -> String {
     let mut rows = vec![["op", "applied", "refused", ""].map(String::from).to_vec()];
     for op in ops {
         rows.push(vec![op.op.clone(), op.applied.to_string(), op.refused.to_string()]);
-        for reason in &op.reasons {
-            rows.push(vec![
-                String::new(),
-                String::new(),
-                reason.times.to_string(),
-                reason.reason.clone(),
-            ]);
+        for Reason { reason, times } in &op.reasons {
+            rows.push(vec![String::new(), String::new(), times.to_string(), reason.clone()]);
         }
     }
     table(&rows, &[false, true, true, false])

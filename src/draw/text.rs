@@ -32,15 +32,12 @@ const BETWEEN: &str = "    =>    ";
 pub fn text_op(op: &Op) -> String {
     let mut text = String::new();
     for rule in &op.rules {
-        match (&rule.example, &rule.label) {
-            (Some(example), _) => {
-                text.push_str(&format!("{}, for example on {}\n\n", op.name, example.mesh));
-            }
-            (None, Some(label)) => text.push_str(&format!("{}, rule {label}\n\n", op.name)),
-            (None, None) => text.push_str(&format!("{}\n\n", op.name)),
-        }
-        text.push_str(&text_rule(rule));
-        text.push('\n');
+        let what = match (&rule.example, &rule.label) {
+            (Some(example), _) => format!(", for example on {}", example.mesh),
+            (None, Some(label)) => format!(", rule {label}"),
+            (None, None) => String::new(),
+        };
+        text.push_str(&format!("{}{what}\n\n{}\n", op.name, text_rule(rule)));
     }
     text.truncate(text.trim_end().len());
     text.push('\n');
@@ -85,22 +82,15 @@ fn text_rule(rule: &Rule) -> String {
         text.push_str(line.trim_end());
         text.push('\n');
     }
-    let mut is_told = false;
-    for (word, status) in [("new", Status::New), ("erase", Status::Erased)] {
-        let names = told(&figure, status);
-        if !names.is_empty() {
-            if !is_told {
-                text.push('\n');
-            }
-            is_told = true;
-            text.push_str(&format!("{word} {names}\n"));
-        }
-    }
-    text
+    let told = [("new", Status::New), ("erase", Status::Erased)];
+    let told = told.map(|(word, status)| (word, told_names(&figure, status)));
+    let told = told.iter().filter(|(_, names)| !names.is_empty());
+    let told: String = told.map(|(word, names)| format!("{word} {names}\n")).collect();
+    if told.is_empty() { text } else { format!("{text}\n{told}") }
 }
 
 /// The names with a status, of a family only the first; elements without a name are counted.
-fn told(figure: &Figure, status: Status) -> String {
+fn told_names(figure: &Figure, status: Status) -> String {
     let rule = figure.drawing.rule;
     let of = rule.ids().filter(|&name| rule.is_first(name));
     let of: Vec<_> = of.filter(|&name| Status::of(&figure.drawing, name) == status).collect();

@@ -143,10 +143,8 @@ impl Writer<'_, '_> {
             }
         }
         self.guard(operation);
-        let mut values = Vec::new();
-        for value in &operation.values {
-            values.push(self.value(value)?);
-        }
+        let values = operation.values.iter().map(|value| self.value(value));
+        let values = values.collect::<Result<Vec<_>, _>>()?;
         let allocation = allocation(&operation.created, &self.names);
         self.phase("2. Allocate what is new.", allocation);
         let mut sets = reassign::statements(self.drawing, &mut self.names, exhaustive);

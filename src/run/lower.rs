@@ -133,10 +133,7 @@ impl<'p> Lowering<'p> {
     /// Begins the code of a function: the registers are the parameters, then the other variables.
     pub(super) fn of_function(routine: Routine<'p>, known: Known<'_>) -> Self {
         let effects = Effects::of_block(routine.block);
-        let mut lowering = Self::with_parameters(routine, effects, known);
-        lowering.other_variables(routine);
-        lowering.ending = Ending::Function;
-        lowering
+        Self { ending: Ending::Function, ..Self::of_steps(routine, effects, known) }
     }
 
     /// Begins the code of an operation in steps: the registers are the parameters, then the other
@@ -150,11 +147,8 @@ impl<'p> Lowering<'p> {
 
     /// Lets the operation in steps refuse unless the condition holds.
     pub(super) fn require(&mut self, condition: Reg, reason: &str) {
-        self.asm.emit(Inst::Expect {
-            condition,
-            refusal: self.refusals.len() as u16,
-            otherwise: self.refuses,
-        });
+        let (refusal, otherwise) = (self.refusals.len() as u16, self.refuses);
+        self.asm.emit(Inst::Expect { condition, refusal, otherwise });
         self.refusals.push(Refusal { reason: reason.to_owned(), phase: Phase::Require });
     }
 
@@ -212,10 +206,7 @@ impl<'p> Lowering<'p> {
     /// Lowers a block. `exits` is `None` inside a loop over elements, where no id may be reused.
     pub(super) fn block(&mut self, block: &[Statement], exits: Option<&Exits>) {
         let Some(exits) = exits else {
-            for statement in block {
-                self.statement(statement, None);
-            }
-            return;
+            return block.iter().for_each(|statement| self.statement(statement, None));
         };
         let before = self.liveness.before_each(block, exits);
         for (at, statement) in block.iter().enumerate() {
@@ -335,8 +326,7 @@ impl<'p> Lowering<'p> {
         exits: Option<&Exits>,
     ) -> Option<Exits> {
         let exits = exits?;
-        let head = self.liveness.at_head(conditions, body, exits);
-        Some(exits.of_body(head))
+        Some(exits.of_body(self.liveness.at_head(conditions, body, exits)))
     }
 
     /// Whether ids are still needed after a statement with these exits; the variable that it sets
