@@ -78,12 +78,8 @@ impl Collect<'_, '_, '_, '_> {
             Claim::Leads(source, to) => {
                 let left = self.output.asm.reg();
                 self.load(*source, left);
-                Inst::ExpectEqual {
-                    left,
-                    right: self.registers.bound(&mut self.output.asm, *to),
-                    refusal,
-                    otherwise,
-                }
+                let right = self.registers.bound(&mut self.output.asm, *to);
+                Inst::ExpectEqual { left, right, refusal, otherwise }
             }
             Claim::Distinct(left, right) => {
                 let [left, right] = [*left, *right].map(|name| self.element(name));
@@ -120,21 +116,10 @@ impl Collect<'_, '_, '_, '_> {
                 }
                 Inst::Expect { condition: self.not(hidden), refusal, otherwise }
             }
-            claim => {
-                let condition = match self.around(claim) {
-                    Around::Distinct(buffer) => {
-                        self.output.asm.emit(Inst::ExpectAllDistinct {
-                            buffer,
-                            refusal,
-                            otherwise,
-                        });
-                        self.output.asm.release(mark);
-                        return;
-                    }
-                    Around::Holds(condition) => condition,
-                };
-                Inst::Expect { condition, refusal, otherwise }
-            }
+            claim => match self.around(claim) {
+                Around::Distinct(buffer) => Inst::ExpectAllDistinct { buffer, refusal, otherwise },
+                Around::Holds(condition) => Inst::Expect { condition, refusal, otherwise },
+            },
         };
         self.output.asm.emit(inst);
         if let Some(indices) = indices {

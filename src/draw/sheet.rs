@@ -46,24 +46,20 @@ pub fn draw_sheet(op: &Op) -> Picture {
 
 fn drawn(op: &Op, columns: usize) -> Picture {
     let labelled = op.rules.len() > 1;
-    let rows: Vec<_> = op
-        .rules
-        .iter()
-        .enumerate()
-        .map(|(at, rule)| {
-            let number = (at + 1).to_string();
-            let label = rule.label.clone().or(labelled.then_some(number));
-            let prefix = match &label {
-                Some(label) => format!("{}-{label}-", op.name),
-                None => format!("{}-", op.name),
-            };
-            let below = match &rule.example {
-                Some(of) => vec!["for example,".to_string(), format!("on {}", of.mesh)],
-                None => label.into_iter().collect(),
-            };
-            (below, Row::new(rule, &prefix))
-        })
-        .collect();
+    let row = |(at, rule): (usize, &Rule)| {
+        let number = (at + 1).to_string();
+        let label = rule.label.clone().or(labelled.then_some(number));
+        let prefix = match &label {
+            Some(label) => format!("{}-{label}-", op.name),
+            None => format!("{}-", op.name),
+        };
+        let below = match &rule.example {
+            Some(of) => vec!["for example,".to_string(), format!("on {}", of.mesh)],
+            None => label.into_iter().collect(),
+        };
+        (below, Row::new(rule, &prefix))
+    };
+    let rows: Vec<(Vec<String>, Row)> = op.rules.iter().enumerate().map(row).collect();
     let mut sheet = Sheet::new(&op.name);
     for (below, _) in &rows {
         let above = words(&op.name, Style::Italic, LETTERS).half.x;
@@ -164,16 +160,9 @@ impl Row {
         });
         // An empty side has no height of its own.
         let seen = sides.iter().filter(|side| side.low != side.high);
-        let low = seen.clone().map(|side| side.low.y).reduce(f64::min);
-        let high = seen.map(|side| side.high.y).reduce(f64::max);
-        Self {
-            sides,
-            low: low.unwrap_or(0.0),
-            high: high.unwrap_or(0.0),
-            statuses,
-            crossings,
-            is_tidy,
-        }
+        let low = seen.clone().map(|side| side.low.y).reduce(f64::min).unwrap_or(0.0);
+        let high = seen.map(|side| side.high.y).reduce(f64::max).unwrap_or(0.0);
+        Self { sides, low, high, statuses, crossings, is_tidy }
     }
 }
 
@@ -358,13 +347,8 @@ impl Sheet {
         let to = from + self.between - 48.0;
         self.arrow(DVec2::new(from, middle), DVec2::new(to, middle));
         let center = (from + to) / 2.0;
-        self.words(
-            op,
-            Style::Italic,
-            LETTERS,
-            Ink::Of(Status::Kept),
-            DVec2::new(center, middle - 20.0),
-        );
+        let above = DVec2::new(center, middle - 20.0);
+        self.words(op, Style::Italic, LETTERS, Ink::Of(Status::Kept), above);
         for (nth, line) in below.iter().enumerate() {
             let at = DVec2::new(center, middle + 21.0 + 19.0 * nth as f64);
             self.words(line, Style::Upright, CAPTION, Ink::Muted, at);
