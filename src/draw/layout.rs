@@ -170,10 +170,8 @@ fn place_blocks(figure: &Figure, part: &[usize], places: &mut [Option<DVec2>]) {
     let Some((first, nodes)) = all.iter().next() else {
         return place_part(figure, &figure.before, part, &[], places);
     };
-    match all.len() {
-        1 => return place_part(figure, first, part, &outside(figure, first, &among), places),
-        _ => place_part(figure, first, nodes, &outside(figure, first, &among), places),
-    }
+    let nodes = if all.len() == 1 { part } else { nodes };
+    place_part(figure, first, nodes, &outside(figure, first, &among), places);
     for (at, (side, nodes)) in all.iter().enumerate().skip(1) {
         let mut here = vec![None; places.len()];
         place_part(figure, side, nodes, &outside(figure, side, &among), &mut here);
@@ -397,9 +395,8 @@ pub(super) fn settle(side: &Side, places: &mut Vec<Option<DVec2>>, pulls: &[(usi
             neighbors[b].push(a);
         }
     }
-    let free: Vec<_> = (0..places.len())
-        .filter(|&node| places[node].is_none() && !neighbors[node].is_empty())
-        .collect();
+    let is_free = |&node: &usize| places[node].is_none() && !neighbors[node].is_empty();
+    let free: Vec<_> = (0..places.len()).filter(is_free).collect();
     for _ in 0..SWEEPS {
         for &node in &free {
             let near = neighbors[node].iter().filter_map(|&other| places[other]);

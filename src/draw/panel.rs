@@ -198,8 +198,7 @@ impl<'a> Panel<'a> {
         self.room.put(word, label, at);
         for hole in &self.hatched {
             if hole.reaches(at) {
-                let plate = Path::plate(label).moved(at);
-                self.groups[hole.group].fill(plate, Ink::Paper);
+                self.groups[hole.group].fill(Path::plate(label).moved(at), Ink::Paper);
             }
         }
         let ink = Ink::Of(self.status(of));
@@ -241,15 +240,9 @@ impl<'a> Panel<'a> {
         if !word.named || !self.stands_out(of) {
             return;
         }
-        let label = name(&word.text, size);
-        let (label, spots) = spots(label);
-        self.texts.push(Text {
-            group,
-            name: of,
-            label,
-            spots,
-            ground: (word.kind == Kind::Edge).then(|| self.ground(of)),
-        });
+        let (label, spots) = spots(name(&word.text, size));
+        let ground = (word.kind == Kind::Edge).then(|| self.ground(of));
+        self.texts.push(Text { group, name: of, label, spots, ground });
     }
 
     /// The curve of a dart.

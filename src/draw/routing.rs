@@ -141,12 +141,9 @@ impl Scene<'_> {
             false => self.points(&self.side.strands[at]),
         };
         let all: Vec<_> = (0..self.side.strands.len()).map(known).collect();
-        let mut faults = 0;
-        for points in all.iter().enumerate().filter(|(at, _)| *at != path) {
-            if let (_, Some(points)) = points {
-                faults += usize::from(curve.crosses(&Curve::smooth(points)));
-            }
-        }
+        let others = all.iter().enumerate().filter(|(at, _)| *at != path);
+        let others = others.filter_map(|(_, points)| points.as_ref());
+        let mut faults = others.filter(|points| curve.crosses(&Curve::smooth(points))).count();
         for orbit in &self.side.loops {
             if orbit.darts.iter().all(|dart| dart.strand != path) {
                 continue;

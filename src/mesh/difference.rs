@@ -111,12 +111,9 @@ pub fn difference(ours: &Mesh, theirs: &Mesh, tolerance: f64) -> Difference {
     let cells = Cells::of(theirs, tolerance);
     let pairs: Vec<_> = ours.vertices().map(|v| (v, cells.near(ours.position(v)))).collect();
     let mut alone = pairs.iter().filter(|(_, near)| near.is_none());
-    if let Some((first, _)) = alone.next() {
-        return Difference::Elsewhere {
-            vertices: 1 + alone.count(),
-            first: *first,
-            position: ours.position(*first),
-        };
+    if let Some(&(first, _)) = alone.next() {
+        let (vertices, position) = (1 + alone.count(), ours.position(first));
+        return Difference::Elsewhere { vertices, first, position };
     }
     let partner: HashMap<_, _> =
         pairs.into_iter().filter_map(|(v, near)| Some((v, near?))).collect();

@@ -240,8 +240,7 @@ impl Workbench {
     fn open(&mut self, name: &str, bytes: &[u8], repair: bool) -> Answer {
         let format = FileFormat::of(Path::new(name)).map_err(|why| why.to_string())?;
         let repair = repair.then(Repair::default);
-        let file = read_mesh_from(name, format, bytes, repair);
-        let mut file = match file {
+        let mut file = match read_mesh_from(name, format, bytes, repair) {
             Ok(file) => file,
             Err(error) => {
                 let json = json!({ "error": error.to_string(), "mendable": error.is_mendable() });
@@ -268,10 +267,9 @@ impl Workbench {
     pub(super) fn arguments(
         parameters: &[Parameter<'_>],
         given: &Given,
-        element: Option<Element>,
+        mut element: Option<Element>,
     ) -> Result<Vec<(String, Argument)>, String> {
         let mut arguments = Vec::new();
-        let mut element = element;
         for parameter in parameters {
             let is_element = ElementKind::named(parameter.ty).is_some();
             let name = parameter.name.to_owned();
@@ -304,14 +302,12 @@ impl Workbench {
         let kinds = ElementKind::ALL.map(ElementKind::name);
         let free = |it: &&Parameter<'_>| kinds.contains(&it.ty) && !given.contains_key(it.name);
         let kind = parameters.iter().find(free).map_or("", |it| it.ty);
-        let bytes: Vec<u8> = verdicts
-            .iter()
-            .map(|verdict| match verdict {
-                Verdict::Gone => 0,
-                Verdict::Applies => 1,
-                Verdict::Refuses(reason) => u8::try_from(reason + 2).unwrap_or(u8::MAX),
-            })
-            .collect();
+        let byte = |verdict: &Verdict| match verdict {
+            Verdict::Gone => 0,
+            Verdict::Applies => 1,
+            Verdict::Refuses(reason) => u8::try_from(reason + 2).unwrap_or(u8::MAX),
+        };
+        let bytes: Vec<u8> = verdicts.iter().map(byte).collect();
         let reasons: Vec<&str> = op.reasons().iter().map(|reason| &**reason).collect();
         let applies = bytes.iter().filter(|&&verdict| verdict == 1).count();
         let asked = bytes.iter().filter(|&&verdict| verdict != 0).count();

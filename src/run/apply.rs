@@ -3,9 +3,9 @@
 use std::sync::{Arc, OnceLock};
 
 use super::columns::Columns;
-use super::report::{Failure, diagnostic, expect_level, highest_between, level_of_steps};
+use super::report::{Failure, diagnostic, expect_level, failure, highest_between, level_of_steps};
 use super::steps::with_steps;
-use super::{Argument, Prepared, Report, prepare};
+use super::{Argument, Prepared, prepare};
 use crate::compile::width;
 use crate::diagnostic::Diagnostic;
 use crate::mesh::{ElementKind, Level, Mesh, Value, validate_level};
@@ -243,10 +243,6 @@ impl Application {
 
 /// The reason of a refusal for which none is noted.
 pub(crate) const UNKNOWN_REASON: &str = "the diagram does not match here";
-
-fn failure(diagnostic: Diagnostic) -> Box<Failure> {
-    Box::new(Failure { diagnostic, report: Report::default() })
-}
 
 /// A program whose only script has the parameters of an operation, and does nothing: running it
 /// leaves their values in the window.

@@ -143,15 +143,11 @@ pub(super) fn prepare_script(
 
 fn not_proved(program: &Program, op: usize, call: Span) -> Diagnostic {
     let code = "unproved-op";
-    match program.ops.get(op) {
-        Some(op) => {
-            let message = format!("`{}` is not proved, so it cannot run", op.name);
-            Diagnostic::error(code, message, call)
-                .saying("called here")
-                .label(op.span, "this operation")
-        }
-        None => Diagnostic::error(code, "there is no such operation", call),
-    }
+    let Some(op) = program.ops.get(op) else {
+        return Diagnostic::error(code, "there is no such operation", call);
+    };
+    let message = format!("`{}` is not proved, so it cannot run", op.name);
+    Diagnostic::error(code, message, call).saying("called here").label(op.span, "this operation")
 }
 
 fn not_understood(program: &Program, function: usize, by: Span) -> Diagnostic {

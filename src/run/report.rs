@@ -34,6 +34,11 @@ pub struct Failure {
     pub report: Report,
 }
 
+/// A failure before anything was done.
+pub(super) fn failure(diagnostic: Diagnostic) -> Box<Failure> {
+    Box::new(Failure { diagnostic, report: Report::default() })
+}
+
 /// Runs a script on a mesh. Printed lines go to the watcher.
 ///
 /// # Errors
@@ -57,13 +62,8 @@ pub(super) fn run_with(
     watch: &mut dyn Watch,
 ) -> Result<Report, Box<Failure>> {
     let mut code = prepared.code.clone();
-    let slots = prepared.slots(mesh, arguments, &mut code.texts);
-    let slots =
-        slots.map_err(|diagnostic| Box::new(Failure { diagnostic, report: Report::default() }))?;
-    let columns = prepared
-        .columns
-        .bind(mesh)
-        .map_err(|diagnostic| Box::new(Failure { diagnostic, report: Report::default() }))?;
+    let slots = prepared.slots(mesh, arguments, &mut code.texts).map_err(failure)?;
+    let columns = prepared.columns.bind(mesh).map_err(failure)?;
     let mut machine = Machine::new(&prepared.plans);
     machine.limit_memory(prepared.memory);
     machine.use_engine(prepared.engine);

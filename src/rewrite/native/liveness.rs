@@ -54,14 +54,8 @@ impl<'a> Liveness<'a> {
                 live[at] = Some(nothing.clone());
             }
         }
-        let mut found = Self {
-            insts,
-            constants: code.constants,
-            registers: code.registers,
-            surroundings,
-            nothing,
-            live,
-        };
+        let &Code { constants, registers, .. } = code;
+        let mut found = Self { insts, constants, registers, surroundings, nothing, live };
         // The live sets only grow, so this ends.
         while found.go_back(0, |_, _| {}) {}
         found
