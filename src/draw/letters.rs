@@ -130,10 +130,8 @@ pub(super) fn moved(glyphs: &[Glyph], by: DVec2) -> Vec<Glyph> {
 /// Typesets a name: letters in italics, trailing digits and the text in brackets as a subscript,
 /// primes raised.
 pub(super) fn name(text: &str, size: f64) -> Label {
-    let (text, index) = match text.split_once('[') {
-        Some((text, index)) => (text, index.trim_end_matches(']')),
-        None => (text, ""),
-    };
+    let (text, index) = text.split_once('[').unwrap_or((text, ""));
+    let index = index.trim_end_matches(']');
     let stem = text.trim_end_matches('\'');
     let primes = text.len() - stem.len();
     let letters = stem.trim_end_matches(|c: char| c.is_ascii_digit());
@@ -214,11 +212,7 @@ impl Setting {
     fn label(self, size: f64) -> Label {
         let half = DVec2::new(self.x / 2.0, (ASCENT + DESCENT) / 2.0 * size);
         let middle = DVec2::new(half.x, -(ASCENT - DESCENT) / 2.0 * size);
-        Label {
-            path: self.path.moved(-middle),
-            glyphs: moved(&self.glyphs, -middle),
-            half,
-            turn: 0,
-        }
+        let (path, glyphs) = (self.path.moved(-middle), moved(&self.glyphs, -middle));
+        Label { path, glyphs, half, turn: 0 }
     }
 }

@@ -112,14 +112,9 @@ impl State {
     fn join(&mut self, other: &State) -> bool {
         let mut grown = false;
         for (&slot, nodes) in &other.0 {
-            grown |= match self.0.entry(slot) {
-                std::collections::btree_map::Entry::Vacant(free) => {
-                    free.insert(nodes.clone());
-                    true
-                }
-                std::collections::btree_map::Entry::Occupied(mut known) => {
-                    unite(known.get_mut(), nodes)
-                }
+            grown |= match self.0.get_mut(&slot) {
+                Some(known) => unite(known, nodes),
+                None => self.0.insert(slot, nodes.clone()).is_none(),
             };
         }
         grown
@@ -276,8 +271,7 @@ impl<'c> Reads<'c> {
                 let from = self.nodes(state, element)?;
                 self.read(&from, Fields::LIFE);
             }
-            Inst::Ask { question, to, elements } => {
-                let [first, second] = elements;
+            Inst::Ask { question, to, elements: [first, second] } => {
                 let (first, second) = (self.nodes(state, first)?, self.nodes(state, second)?);
                 self.ask(question, &first, &second)?;
                 state.set(to, Nodes::new());
@@ -302,26 +296,17 @@ impl<'c> Reads<'c> {
                 let from = self.buffered(state, buffer)?;
                 self.orbit(&from, walk)?;
             }
-            Inst::Copy { to, from } => {
-                let nodes = self.nodes(state, from)?;
-                state.set(to, nodes);
-            }
+            Inst::Copy { to, from } => state.set(to, self.nodes(state, from)?),
             Inst::Select { to, then, otherwise, .. } => {
                 let mut nodes = self.nodes(state, then)?;
                 unite(&mut nodes, &self.nodes(state, otherwise)?);
                 state.set(to, nodes);
             }
             Inst::BufferClear { buffer } => state.set_buffer(buffer, Nodes::new()),
-            Inst::BufferPush { buffer, from } => {
-                let nodes = self.nodes(state, from)?;
-                state.push(buffer, &nodes);
-            }
+            Inst::BufferPush { buffer, from } => state.push(buffer, &self.nodes(state, from)?),
             Inst::BufferGet { buffer, to, .. }
             | Inst::BufferNext { buffer, to, .. }
-            | Inst::Member { buffer, to, .. } => {
-                let nodes = self.buffered(state, buffer)?;
-                state.set(to, nodes);
-            }
+            | Inst::Member { buffer, to, .. } => state.set(to, self.buffered(state, buffer)?),
             Inst::BufferGetWide { buffer, to, width, .. } => {
                 let nodes = self.buffered(state, buffer)?;
                 for part in 0..width {
