@@ -51,8 +51,7 @@ pub(super) fn info(arguments: &InfoArguments) -> Result<(), Failure> {
 fn describe_dump(shown: &str, arguments: &InfoArguments) -> Result<(), Failure> {
     let dump = meshes::read_tables(&arguments.mesh, &arguments.repair)?;
     if let Some(level) = arguments.level {
-        let mesh = meshes::only_table(&arguments.mesh, dump)?;
-        return tell_level(arguments, &mesh, level.level());
+        return tell_level(arguments, &meshes::only_table(&arguments.mesh, dump)?, level.level());
     }
     let meshes = dump.meshes.iter().map(|(name, mesh)| (name.as_str(), Summary::of(mesh)));
     match arguments.format {

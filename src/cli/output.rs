@@ -66,8 +66,7 @@ pub(super) fn all_said() -> Result<(), Failure> {
 
 /// Prints data as JSON to standard output.
 pub(super) fn say_json(data: &impl Serialize) -> Result<(), Failure> {
-    let text = serde_json::to_string_pretty(data).map_err(Failure::usage)?;
-    say_exactly(&text);
+    say_exactly(&serde_json::to_string_pretty(data).map_err(Failure::usage)?);
     Ok(())
 }
 

@@ -252,8 +252,7 @@ impl Collect<'_, '_, '_, '_> {
         };
         if created.iter().any(|element| element.at_each_index) {
             for kind in [Kind::Vertex, Kind::Halfedge, Kind::Edge, Kind::Face] {
-                let counts = [count(kind, false), count(kind, true)];
-                self.room_around(kind, counts, refusal);
+                self.room_around(kind, [count(kind, false), count(kind, true)], refusal);
             }
             return;
         }

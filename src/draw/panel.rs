@@ -194,8 +194,7 @@ impl<'a> Panel<'a> {
 
     /// Writes the name of an element; holes are not hatched behind it.
     pub fn write(&mut self, group: usize, of: NameId, label: &Label, at: DVec2) {
-        let word = &self.figure.drawing.rule.name(of).text;
-        self.room.put(word, label, at);
+        self.room.put(&self.figure.drawing.rule.name(of).text, label, at);
         for hole in &self.hatched {
             if hole.reaches(at) {
                 self.groups[hole.group].fill(Path::plate(label).moved(at), Ink::Paper);

@@ -81,8 +81,7 @@ impl Panel<'_> {
         let spots = [6.0, 10.0, 14.0, 22.0].into_iter();
         let spots = spots.flat_map(|far| (0..12).map(move |step| spot(step, far)));
         let spots: Vec<_> = spots.collect();
-        let at = self.room.best(&label, &spots).at;
-        self.write(group, fan, &label, at);
+        self.write(group, fan, &label, self.room.best(&label, &spots).at);
     }
 
     /// Draws the dots of a vertex, and returns the index of its group.

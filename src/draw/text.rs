@@ -158,8 +158,7 @@ impl Canvas {
         }
         for &(node, fan, [from, to]) in panel.fans.iter().filter(|(_, fan, _)| is_written(fan)) {
             let way = direction((from + to) / 2.0) * FAN;
-            let text = format!("*{}", word(fan).text);
-            self.write(&text, grid.place(panel.places[node]) + way, 6);
+            self.write(&format!("*{}", word(fan).text), grid.place(panel.places[node]) + way, 6);
         }
         for (strand, curve) in side.strands.iter().zip(&curves) {
             for (item, forward) in strand.items.into_iter().zip([true, false]) {
@@ -168,8 +167,7 @@ impl Canvas {
                 let (middle, way) = along.at(along.length() / 2.0);
                 let aside = left(way);
                 let by = DVec2::new(aside.x * 3.0, aside.y * 1.1);
-                let text = format!("{}{}", word(item).text, arrow(way));
-                self.write(&text, middle + by, 6);
+                self.write(&format!("{}{}", word(item).text, arrow(way)), middle + by, 6);
             }
             if let Some(edge) = strand.edge.filter(is_written) {
                 let middle = curve.at(curve.length() / 2.0).0;

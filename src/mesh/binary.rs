@@ -302,8 +302,7 @@ impl<'b> Reader<'b> {
         let column =
             column.map_err(|_| BinaryError::Malformed("two attributes have the same name"))?;
         for slot in 0..count as u32 {
-            let value = self.value(ty)?;
-            mesh.put_value(column, slot, value);
+            mesh.put_value(column, slot, self.value(ty)?);
         }
         Ok(())
     }

@@ -176,8 +176,7 @@ impl<'m> Cells<'m> {
     fn of(mesh: &'m Mesh, tolerance: f64) -> Self {
         let mut cells = Self { mesh, tolerance, inside: HashMap::new() };
         for v in mesh.vertices() {
-            let cell = cells.cell(mesh.position(v));
-            cells.inside.entry(cell).or_default().push(v);
+            cells.inside.entry(cells.cell(mesh.position(v))).or_default().push(v);
         }
         cells
     }

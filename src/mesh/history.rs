@@ -109,9 +109,7 @@ impl History {
             true => {
                 self.notes[there..here].iter_mut().rev().for_each(|note| self.mesh.put_back(note));
             }
-            false => {
-                self.notes[here..there].iter_mut().for_each(|note| self.mesh.put_back(note));
-            }
+            false => self.notes[here..there].iter_mut().for_each(|note| self.mesh.put_back(note)),
         }
         self.at = to;
         Some(&self.mesh)

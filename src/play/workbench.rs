@@ -113,8 +113,7 @@ impl Workbench {
         match ask {
             Ask::Program { name, text, files } => Ok(self.read_program(name, &text, &files, host)),
             Ask::Shape { name } => {
-                let mesh = named_shape(&name).ok_or_else(|| format!("there is no `{name}`"))?;
-                self.replace(mesh);
+                self.replace(named_shape(&name).ok_or_else(|| format!("there is no `{name}`"))?);
                 Ok(self.state(json!({})))
             }
             Ask::Mesh { name, repair, of_host: false } => self.open(&name, bytes, repair),
@@ -198,8 +197,7 @@ impl Workbench {
         let program = program.ok().or_else(|| is_other.then(nothing));
         if let Some(program) = program {
             self.program = program;
-            let mesh = self.session.mesh().clone();
-            self.set(mesh);
+            self.set(self.session.mesh().clone());
             self.last_run = None;
         }
         self.items(json!({

@@ -196,8 +196,7 @@ impl Machine {
         }
         let Some(mark) = mark else { return };
         if applied {
-            let written = mesh.written_since(&mark);
-            self.known.lower(mesh, plan, written);
+            self.known.lower(mesh, plan, mesh.written_since(&mark));
         }
         mesh.keep(mark);
     }

@@ -200,8 +200,7 @@ impl<'c> Reads<'c> {
                     Inst::Give { from, width } if !self.running.is_empty() => {
                         value.resize(value.len().max(usize::from(width)), Nodes::new());
                         for (part, all) in (0..width).zip(&mut value) {
-                            let nodes = self.nodes(&state, Reg(from.0.wrapping_add(part)))?;
-                            unite(all, &nodes);
+                            unite(all, &self.nodes(&state, Reg(from.0.wrapping_add(part)))?);
                         }
                         break;
                     }
@@ -278,8 +277,7 @@ impl<'c> Reads<'c> {
             }
             Inst::Collect { walk, buffer, from, .. } => {
                 let from = self.nodes(state, from)?;
-                let orbit = self.orbit(&from, walk)?;
-                state.push(buffer, &orbit);
+                state.push(buffer, &self.orbit(&from, walk)?);
             }
             Inst::WalkBegin { walk, from, at, turns, .. } => {
                 let from = self.nodes(state, from)?;
@@ -314,8 +312,7 @@ impl<'c> Reads<'c> {
                 }
             }
             Inst::BufferAppend { from, to } | Inst::BufferDeal { from, to, .. } => {
-                let nodes = self.buffered(state, from)?;
-                state.push(to, &nodes);
+                state.push(to, &self.buffered(state, from)?);
             }
             Inst::Call { function, args, to, .. } => {
                 let value = self.call(state, function, args)?;

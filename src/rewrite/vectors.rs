@@ -99,8 +99,7 @@ pub(super) fn lanes(w: &mut Window, operation: Lanes, width: u8, [to, left, righ
         }
         Lanes::Dot => {
             let products = (0..width).map(|part| real(w, left, part) * real(w, right, part));
-            let sum = products.sum();
-            w.set_real(to, sum);
+            w.set_real(to, products.sum());
         }
         Lanes::Normalize => normalize(w, to, left, width),
         Lanes::IsNan => {

@@ -21,8 +21,7 @@ impl Lowering<'_> {
         let (applied, result) = (self.asm.reg(), self.asm.reg());
         let mark = self.asm.mark();
         let slots = self.arguments(args);
-        let inst = Inst::Apply { op: narrow(op), args: slots, applied, result };
-        self.trap_at(span, inst);
+        self.trap_at(span, Inst::Apply { op: narrow(op), args: slots, applied, result });
         self.asm.release(mark);
         (applied, result)
     }

@@ -180,16 +180,14 @@ impl<'p> Lowering<'p> {
             ending: Ending::Script,
         };
         for param in routine.params {
-            let reg = lowering.asm.block(width(param.ty));
-            lowering.names.registers.push(reg);
+            lowering.names.registers.push(lowering.asm.block(width(param.ty)));
         }
         lowering
     }
 
     fn other_variables(&mut self, routine: Routine<'p>) {
         for other in routine.variables.iter().skip(routine.params.len()) {
-            let reg = self.asm.block(width(other.ty));
-            self.names.registers.push(reg);
+            self.names.registers.push(self.asm.block(width(other.ty)));
         }
     }
 
@@ -338,8 +336,7 @@ impl<'p> Lowering<'p> {
     /// The result of a function that is called for `value`; `holds` is that of [`FunctionCall`].
     fn given(&mut self, function: u32, args: &[Expr], value: &Expr, holds: bool) -> Reg {
         let to = self.asm.block(width(value.ty));
-        let call = FunctionCall { function, args, to, holds };
-        self.call(call, value.span);
+        self.call(FunctionCall { function, args, to, holds }, value.span);
         to
     }
 
@@ -371,8 +368,7 @@ impl<'p> Lowering<'p> {
     }
 
     pub(super) fn trap_at(&mut self, span: Span, inst: Inst) {
-        let place = self.names.place(span);
-        self.asm.trap_at(place, inst);
+        self.asm.trap_at(self.names.place(span), inst);
     }
 
     fn set(&mut self, variable: u32, value: &Expr) {

@@ -81,8 +81,7 @@ pub(crate) fn prepare_function(
     if !too_large.is_empty() {
         return Err(too_large);
     }
-    let script = calling(&program.functions[function], function);
-    prepare_script(program, &script, plans, functions)
+    prepare_script(program, &calling(&program.functions[function], function), plans, functions)
 }
 
 /// [`prepare`] for a script that need not be in the program's list.

@@ -27,8 +27,7 @@ pub fn cpp(selection: &Selection<'_>, style: &Style) -> Result<String, NotEmitte
         signature.given = signature.given.take().filter(|_| can_give);
         signature.result = signature.result.or(signature.given.as_ref().map(|given| given.ty));
     }
-    let attributes = called.iter().chain(&ops).flat_map(|item| &item.attributes);
-    let fields = attributes.map(|attribute| {
+    let fields = called.iter().chain(&ops).flat_map(|item| &item.attributes).map(|attribute| {
         let (element, ty) = (attribute.element.word(), language.ty(attribute.ty));
         format!("//   {element}: {ty} {}\n", attribute.name)
     });

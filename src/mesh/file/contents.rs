@@ -249,8 +249,7 @@ impl Contents {
         if let Some(first) = edges.iter().position(Option::is_none) {
             let what = ["edge", "edges"]
                 .map(|word| format!("{word} that no face has, first in row {}", first + 1));
-            let count = edges.iter().filter(|edge| edge.is_none()).count();
-            self.kept.note_count(what, count);
+            self.kept.note_count(what, edges.iter().filter(|edge| edge.is_none()).count());
         }
     }
 }

@@ -44,8 +44,7 @@ pub(super) fn read(text: &[u8]) -> Option<Contents> {
             contents.columns.push(FileColumn::new(ElementKind::Vertex, name, default, reals));
         } else {
             let what = ["row of `{}` that is no vertex's", "rows of `{}` that are no vertex's"];
-            let what = what.map(|words| words.replace("{}", name));
-            contents.kept.note_count(what, count);
+            contents.kept.note_count(what.map(|words| words.replace("{}", name)), count);
         }
     }
     let mut corners = Vec::with_capacity(rest.len() / 4);

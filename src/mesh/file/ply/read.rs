@@ -110,8 +110,7 @@ impl Rows<'_> {
         }
         if let [Some(x), Some(y), Some(z)] = &mut axes {
             let numbers = x.numbers.iter().zip(&y.numbers).zip(&z.numbers);
-            let at = numbers.map(|((&x, &y), &z)| DVec3::new(x, y, z));
-            self.contents.positions.extend(at);
+            self.contents.positions.extend(numbers.map(|((&x, &y), &z)| DVec3::new(x, y, z)));
         }
         self.columns(ElementKind::Vertex, &[]);
         Ok(())

@@ -13,8 +13,7 @@ use crate::rewrite::{Inst, Machine, Message, Walk, access, families, lookahead, 
 /// As for all stubs.
 pub(in super::super) unsafe extern "C" fn begin(context: *mut Context) -> i64 {
     let begin = |context: &mut Context, run: &mut Run<'_>| {
-        let call = context.call(run);
-        run.machine.clear_buffers(&call);
+        run.machine.clear_buffers(&context.call(run));
         context.find_lists(run, context.first_of_lists());
         Ok(0)
     };
