@@ -179,16 +179,14 @@ impl<'p> Lowering<'p> {
             visited: Vec::new(),
             ending: Ending::Script,
         };
-        for param in routine.params {
-            lowering.names.registers.push(lowering.asm.block(width(param.ty)));
-        }
+        let params = routine.params.iter().map(|param| lowering.asm.block(width(param.ty)));
+        lowering.names.registers.extend(params);
         lowering
     }
 
     fn other_variables(&mut self, routine: Routine<'p>) {
-        for other in routine.variables.iter().skip(routine.params.len()) {
-            self.names.registers.push(self.asm.block(width(other.ty)));
-        }
+        let others = routine.variables.iter().skip(routine.params.len());
+        self.names.registers.extend(others.map(|other| self.asm.block(width(other.ty))));
     }
 
     /// Appends the end of a function, reached without a `return`.

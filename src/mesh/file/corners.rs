@@ -105,8 +105,7 @@ impl<'o> Corners<'o> {
                 obj.kept_row(*what, h).or_else(|| new.get(&h.0).copied())
             }
             Self::Values { places, .. } => {
-                let row = places.get(h.index()).copied();
-                row.filter(|&row| row != MISSING)
+                places.get(h.index()).copied().filter(|&row| row != MISSING)
             }
         }
     }

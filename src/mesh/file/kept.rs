@@ -175,12 +175,7 @@ impl Kept {
         for (face, &number) in (0..).zip(numbers) {
             let old = state;
             if let Some((_, others)) = before.next_if(|&(at, _)| at == face) {
-                state =
-                    State(std::array::from_fn(
-                        |i| {
-                            if i == keyword { state.0[i] } else { others.0[i] }
-                        },
-                    ));
+                state = others; // the name of this keyword follows
             }
             let is_named = number >= 0.0 && number < names.len() as f64;
             state.0[keyword] = if is_named { first + number as u32 } else { MISSING };
