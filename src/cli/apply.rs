@@ -6,11 +6,9 @@ use super::arguments::{ApplyArguments, Format};
 use super::check::depends;
 use super::counts::Counts;
 use super::failure::Failure;
-use super::meshes;
 use super::output::{complain, complain_json, is_standard, say, say_json};
-use super::place;
-use super::program::settings;
-use super::program::{self, Program};
+use super::program::{self, Program, settings};
+use super::{meshes, place};
 use crate::mesh::{
     EdgeId, ElementKind, FaceId, HalfedgeId, Mesh, MeshFile, Places, RepairReport, VertexId,
     WrittenNumbers,

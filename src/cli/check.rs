@@ -6,10 +6,9 @@ use serde::Serialize;
 
 use super::arguments::{CheckArguments, Format};
 use super::failure::Failure;
-use super::fix;
 use super::output::{complain_of, say, say_json, table};
-use super::program;
 use super::witness::Witnesses;
+use super::{fix, program};
 use crate::analysis::{
     Analysis, GuardVerdict, ProvedStatement, RuleAliases, RuleArgument, RuleVerdict, Verdict,
     aliases, verdicts, why_proved,

@@ -6,11 +6,10 @@ use std::path::{Path, PathBuf};
 use strsim::damerau_levenshtein;
 
 use super::failure::Failure;
-use super::files;
-use super::interrupt;
 use super::option_groups::{EncodingArguments, RepairArguments};
 use super::output::{complain, is_standard, pour};
 use super::program::{Program, is_mesh};
+use super::{files, interrupt};
 use crate::analysis::{Analysis, is_program};
 use crate::mesh::{
     Dump, FileError, FileFormat, FileReason, Loss, LostValues, Mesh, MeshFile, Places, Repair,

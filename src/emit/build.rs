@@ -2,13 +2,12 @@
 
 use std::collections::BTreeSet;
 
-use super::NotEmitted;
 use super::item::{Alternative, Item, ItemBody, Parameter, Signature, parameters};
 use super::items::Source;
 use super::names::Names;
-use super::reassign;
 use super::routine::{Block, Field, Form, Statement, without_unread};
 use super::value::{ORDINARY, Term, is_surely_finite};
+use super::{NotEmitted, reassign};
 use crate::check::Proved;
 use crate::diagram::{Binary, Drawing, Expr, ExprKind, Kind, Rule, Type};
 use crate::lower::{Begin, Condition, Element, Operation, Step, Tries, Value};

@@ -19,13 +19,12 @@ use super::view::{counts, view};
 use crate::analysis::{Counterexample, Reader};
 use crate::diagram::Rule;
 use crate::draw::{draw_op, fates};
-use crate::lessons;
-use crate::library;
 use crate::mesh::{
     Element, ElementKind, FileFormat, Mesh, MeshFile, Repair, read_mesh_from, shape, write_mesh_to,
 };
 use crate::run::Argument;
 use crate::session::{Op, Outcome, Parameter, Program, Session, Verdict};
+use crate::{lessons, library};
 
 /// The environment of a workbench: it gives files, and may stop a script when notified of progress.
 pub trait Host {

@@ -6,20 +6,17 @@
 
 use super::access::{self, gone};
 use super::arithmetic::{balance, direction, divide, fits, key, math, mix, modulo, round};
-use super::attribute;
 use super::call::{Frame, MOST_CALLS};
-use super::families;
-use super::lookahead;
 use super::memory::{self, Budget};
 use super::observe::Scene;
 use super::print::{RealText, VectorText, WideText, append};
 use super::question::ask;
-use super::vectors;
 use super::watch::{LONG_FACE, LONG_LIST};
 use super::window::{Window, reserve};
 use super::{
     Engine, Fault, Inst, List, Machine, Message, Outcome, Phase, Reg, Room, Trap, Triangles, Watch,
 };
+use super::{attribute, families, lookahead, vectors};
 use crate::mesh::{Element, ElementKind, Mesh, VertexId, difference, same_up_to_renumbering};
 
 /// The distance up to which coordinates of meshes count as equal.

@@ -1,7 +1,6 @@
 //! Families: buffers with one slot for each index of a cycle.
 
-use super::access;
-use super::{Fault, Inst, List, Machine, Message, Span, Walk, memory};
+use super::{Fault, Inst, List, Machine, Message, Span, Walk, access, memory};
 use crate::mesh::{ElementKind, Mesh};
 
 /// The index plus the shift, modulo `length`.

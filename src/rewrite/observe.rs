@@ -8,13 +8,12 @@
 use super::access::{load, load_halfedge};
 use super::attribute::{self, Held};
 use super::drain::{Drains, existing};
-use super::families;
 use super::inst::computation;
 use super::paths::Fields;
 use super::preview::Looked;
 use super::readers::Place;
 use super::window::Window;
-use super::{ElementField, HalfedgeField, Inst, List, Question, Walk};
+use super::{ElementField, HalfedgeField, Inst, List, Question, Walk, families};
 use crate::mesh::{
     ColumnId, EdgeId, ElementKind, FaceId, Footprint, HalfedgeId, HalfedgeRecord, Mesh, Orbits,
     VertexId,

@@ -162,9 +162,7 @@ impl Kept {
             _ => self.states.push((face, state)),
         }
     }
-}
 
-impl Kept {
     /// Adds one statement for each face, given the index of its name in `names`; an invalid index
     /// means none.
     pub(super) fn add_states(&mut self, keyword: usize, names: &[Vec<u8>], numbers: &[f64]) {
