@@ -15,6 +15,8 @@ pub(super) fn hidden_guards(
     keeps: impl Fn(usize) -> Vec<Property>,
 ) -> Vec<Diagnostic> {
     let hiding = program.ops.iter().enumerate().filter(|(_, op)| op.span.file == own);
+    // One with an error has neither; its guard is not known.
+    let hiding = hiding.filter(|(_, op)| op.diagram.is_some() || op.steps.is_some());
     let hidden = hiding.filter_map(|(number, op)| {
         let used = |other: &&ResolvedOp| {
             let file = other.span.file;

@@ -4,7 +4,7 @@ use super::advice::of_library;
 use super::arguments::ExplainArguments;
 use super::failure::Failure;
 use super::output::{say, table};
-use crate::analysis::{MEANINGS, Word, functions, word};
+use crate::analysis::{MEANINGS, Word, functions, meaning, word};
 use crate::diagnostic::{explain as explanation, explained};
 use crate::diagram::{Property, Type};
 use crate::resolve::{closest, constants};
@@ -17,6 +17,10 @@ pub(super) fn explain(arguments: &ExplainArguments) -> Result<(), Failure> {
         return Ok(());
     };
     let asked = usual(bare(asked));
+    if asked == "properties" {
+        say(&table(&properties(), &[]));
+        return Ok(());
+    }
     if let Some(words) = listed(asked) {
         list(&words);
         return Ok(());
@@ -55,13 +59,23 @@ pub(super) fn explain(arguments: &ExplainArguments) -> Result<(), Failure> {
     Ok(())
 }
 
-/// The words of which `functions`, `types`, `constants` and `properties` are lists.
+/// What an operation can keep, a line each, without what else its word may mean.
+fn properties() -> Vec<Vec<String>> {
+    let words = Property::ALL.map(Property::word).into_iter().chain(["map"]);
+    let row = |name: &str| {
+        let meaning = meaning(name)?;
+        let own = meaning.strip_prefix("as a property: ").and_then(|rest| rest.split(';').next());
+        Some(vec![name.to_owned(), own.unwrap_or(meaning).to_owned()])
+    };
+    words.filter_map(row).collect()
+}
+
+/// The words of which `functions`, `types` and `constants` are lists.
 fn listed(asked: &str) -> Option<Vec<&'static str>> {
     Some(match asked {
         "functions" => functions(),
         "types" => Type::ALL.map(Type::word).to_vec(),
         "constants" => constants().collect(),
-        "properties" => Property::ALL.map(Property::word).to_vec(),
         _ => return None,
     })
 }

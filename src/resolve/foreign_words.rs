@@ -155,6 +155,10 @@ pub(super) fn function(word: &str) -> Option<Here> {
         "int" | "real" | "float" | "double" => CONVERTED,
         "printf" | "println" | "echo" | "str" | "format" => PRINTED,
         "exit" | "panic" | "error" | "throw" | "raise" => STOPPED,
+        "refuses" => Said(
+            "in a test, it stands directly behind `assert`: `assert refuses(flip(e))`; whether an \
+             op would apply is asked by `can flip(e)`",
+        ),
         "assert_eq" | "assertEqual" | "expect" => Said("it is `assert x == y`"),
         "enumerate" | "zip" | "map" | "filter" | "sorted" => {
             Said("a loop is `for v in vertices where … { … }`; `drain` takes the least first")

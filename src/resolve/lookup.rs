@@ -135,8 +135,7 @@ impl Typing<'_> {
             return;
         }
         if self.declared.is_called(word) {
-            let message = format!("`{word}` is not a value; it is called: `{word}(…)`");
-            self.report.add(Diagnostic::error("not-a-value", message, span));
+            self.report.add(not_called(word, span));
             return;
         }
         let error = Diagnostic::error("unknown-name", format!("`{word}` is not known here"), span);
@@ -154,4 +153,10 @@ impl Typing<'_> {
             self.report.confuse(word);
         }
     }
+}
+
+/// The error for the name of a function or an op as a value.
+pub(super) fn not_called(word: &str, span: Span) -> Diagnostic {
+    let message = format!("`{word}` is not a value; it is called: `{word}(…)`");
+    Diagnostic::error("not-a-value", message, span)
 }

@@ -26,6 +26,8 @@ pub(super) struct Scripting<'a> {
     pub(super) typing: Typing<'a>,
     /// The number of enclosing loops.
     pub(super) loops: u32,
+    /// True inside a `drain`.
+    draining: bool,
     /// True inside an `update`.
     pub(super) updating: bool,
     /// The fields that several assignments of the `update` name.
@@ -90,6 +92,7 @@ impl<'a> Scripting<'a> {
         Self {
             typing: Typing { ops, ..Typing::new(Place::Script, declared, params, report) },
             loops: 0,
+            draining: false,
             updating: false,
             set_often: BTreeSet::new(),
             returns: Returns::nothing(),
@@ -259,6 +262,7 @@ impl Scripting<'_> {
             tree::ExprKind::Field(..) => {
                 return Some(("the elements are around another one", sequence.span));
             }
+            _ if self.draining => return Some(("it is in a `drain`", sequence.span)),
             _ if self.steps_of.is_some() => {
                 return Some(("it is in the steps of an operation", sequence.span));
             }
@@ -332,7 +336,9 @@ impl Scripting<'_> {
         let variable = self.typing.scopes.declare_in_head(variable, ty);
         let key = self.typing.expression_as(key, Type::Real, "`by`");
         let condition = self.typing.condition(condition, "`while`");
+        let outside = std::mem::replace(&mut self.draining, true);
         let body = self.repeated(body);
+        self.draining = outside;
         self.typing.scopes.leave();
         let (collection, key, condition) = (collection?, key?, condition?);
         Some(StatementKind::Drain { variable, collection, key, condition, body })

@@ -7,11 +7,14 @@ use crate::syntax::tree::{self, Action, ActionKind, Digits, Ident, Piece, Shown}
 
 use super::declared::duplicate;
 use super::foreign_words;
+use super::lookup::not_called;
 use super::op_call::Asked;
 use super::program::{Print, Statement, StatementKind};
 use super::scopes::{Binding, Local};
 use super::script::Scripting;
 use super::type_name::type_named;
+use super::typing::Typing;
+use super::vocabulary::is_function;
 use super::words::{short, subject};
 
 /// The maximum number of statements after one on its line that are taken for foreign syntax.
@@ -148,14 +151,56 @@ impl Scripting<'_> {
         }
         let values = beside.iter().take_while(|one| matches!(one.kind, ActionKind::Expr(_)));
         let count = values.count();
-        let before = std::iter::once(print).chain(&beside[..count - 1]);
-        let edits = before.map(|one| Edit { span: one.span.after(), text: ",".into() });
+        let last = match &print.kind {
+            ActionKind::Print(values) => values.last(),
+            _ => None,
+        };
+        let last = last.and_then(|shown| match shown {
+            Shown::Value(value) => Some(value),
+            Shown::Text(..) => None,
+        });
+        let others = beside[..count].iter().filter_map(|one| match &one.kind {
+            ActionKind::Expr(value) => Some(value),
+            _ => None,
+        });
+        let values: Vec<&tree::Expr> = last.into_iter().chain(others).collect();
+        let called = values.windows(2).find_map(|pair| {
+            let function = pair[0].plain_name().filter(|name| self.is_function(&name.text))?;
+            self.has_value(pair[1]).then_some((function, pair[1].span))
+        });
+        if let Some((function, value)) = called {
+            let mut error = not_called(&function.text, function.span);
+            let gap = Span { start: function.span.end, end: value.start, ..value };
+            let edits = [(gap, "("), (value.after(), ")")];
+            let edits = edits.map(|(span, text)| Edit { span, text: text.into() }).into();
+            error.fixes.push(Fix { title: format!("write `{}(…)`", function.text), edits });
+            self.typing.report.add(error);
+            return Some(count);
+        }
+        let are_values = values.iter().all(|value| self.has_value(value));
         let message = "commas stand between values that are printed";
         let mut error = Diagnostic::error("unused-value", message, next.span);
-        error.fixes.push(Fix { title: "write `,`".into(), edits: edits.collect() });
+        if are_values {
+            let before = std::iter::once(print).chain(&beside[..count - 1]);
+            let edits = before.map(|one| Edit { span: one.span.after(), text: ",".into() });
+            error.fixes.push(Fix { title: "write `,`".into(), edits: edits.collect() });
+        } else {
+            error = error.note("words that are printed stand in quotes");
+        }
         self.typing.report.add(error);
         self.action(print);
         Some(count)
+    }
+
+    /// True if the name is that of a function, and of no variable.
+    fn is_function(&self, name: &str) -> bool {
+        let Typing { scopes, declared, .. } = &self.typing;
+        scopes.find(name).is_none() && (is_function(name) || declared.function(name).is_some())
+    }
+
+    /// True if an expression has a value here; reports nothing.
+    fn has_value(&mut self, value: &tree::Expr) -> bool {
+        self.typing.quietly(|typing| typing.expression(value)).is_some()
     }
 
     /// Declares what was taken for a variable, so that it is reported as unknown only once.

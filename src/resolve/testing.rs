@@ -272,13 +272,19 @@ impl Scripting<'_> {
             let message = format!("`{word}` takes {}", arguments(least.len()));
             return self.typing.report.reject(Diagnostic::error("wrong-count", message, expr.span));
         }
+        let sizes: Vec<_> = least.iter().map(i64::to_string).collect();
+        let example = format!("{word}({})", sizes.join(", "));
         let most = if word == "icosphere" { MOST_SPLIT } else { MOST };
         let mut sizes = Vec::new();
         for (arg, &least) in args.iter().zip(*least) {
             match arg.kind {
                 ExprKind::Int(size) if (least..=most).contains(&size) => sizes.push(size as u32),
                 _ => {
-                    let message = format!("`{word}` wants a number from {least} to {most} here");
+                    let is_literal = matches!(arg.kind, ExprKind::Int(_) | ExprKind::Unary(..));
+                    let message = match is_literal {
+                        true => format!("`{word}` wants a number from {least} to {most} here"),
+                        false => format!("`{word}` wants a number in digits here, as `{example}`"),
+                    };
                     let error = Diagnostic::error("test-mesh", message, arg.span);
                     return self.typing.report.reject(error);
                 }

@@ -62,6 +62,14 @@ impl<'a> Typing<'a> {
 }
 
 impl Typing<'_> {
+    /// What is found, without what is reported meanwhile.
+    pub(super) fn quietly<T>(&mut self, find: impl FnOnce(&mut Self) -> Option<T>) -> Option<T> {
+        let report = std::mem::take(self.report);
+        let found = find(self);
+        *self.report = report;
+        found
+    }
+
     /// A whole expression of any type.
     pub(super) fn whole(&mut self, expr: &tree::Expr) -> Option<Expr> {
         shallow_expr(expr, self.report).then(|| self.expression(expr)).flatten()

@@ -143,6 +143,10 @@ impl Lexed {
 
     fn number(&mut self, kind: TokenKind, span: Span, word: &str) {
         let kind = match kind {
+            TokenKind::BadNumber if word.ends_with('.') || word.matches('.').count() > 1 => {
+                self.point_too_many(span, word);
+                TokenKind::Real
+            }
             TokenKind::BadNumber => {
                 let message = format!("`{word}` is neither a number nor a name");
                 let found = Diagnostic::error("malformed-number", message, span);
@@ -178,6 +182,20 @@ impl Lexed {
             _ => kind,
         };
         self.tokens.push(Token { kind, span });
+    }
+
+    /// `5.`, `1.2.3`
+    fn point_too_many(&mut self, span: Span, word: &str) {
+        let found = |message| Diagnostic::error("malformed-number", message, span);
+        let whole = word.strip_suffix('.').filter(|digits| !digits.contains('.'));
+        self.diagnostics.push(match whole {
+            Some(digits) => found("a number has a digit behind its point").fix(
+                format!("write `{digits}.0`"),
+                span,
+                format!("{digits}.0"),
+            ),
+            None => found("a number consists of digits, with at most one point between them"),
+        });
     }
 
     fn too_large(&mut self, span: Span, what: &str, most: &str) {

@@ -46,7 +46,7 @@ macro_rules! token_kinds {
                 |lexer| number(lexer, TokenKind::Real)
             )]
             Real,
-            /// A number directly followed by a name: `2x`.
+            /// A number directly followed by a name, `2x`, or by a point too many: `5.`, `1.2.3`.
             BadNumber,
             /// A sign, comment, text or number in foreign syntax; no rule of the grammar accepts
             /// it.
@@ -132,9 +132,21 @@ token_kinds! {
     }
 }
 
-/// A number of the given kind, unless it is directly followed by a word.
+/// A number of the given kind, unless it is directly followed by a word or a point too many.
 fn number(lexer: &mut Lexer<'_, TokenKind>, kind: TokenKind) -> TokenKind {
-    if takes_word(lexer) { TokenKind::BadNumber } else { kind }
+    if takes_word(lexer) || takes_point(lexer) { TokenKind::BadNumber } else { kind }
+}
+
+/// Lengthens a number by a point that directly follows, with the digits and points behind it; but
+/// not by the points of a range, or the point before a field.
+fn takes_point(lexer: &mut Lexer<'_, TokenKind>) -> bool {
+    let Some(behind) = lexer.remainder().strip_prefix('.') else { return false };
+    if behind.starts_with(|c: char| c == '.' || c == '_' || c.is_alphabetic()) {
+        return false;
+    }
+    let digits = behind.len() - behind.trim_start_matches(|c: char| c.is_ascii_digit()).len();
+    lexer.bump(1 + digits);
+    true
 }
 
 /// A word in foreign syntax, of which the quote is recognized.

@@ -88,6 +88,8 @@ fn explain_tells_of_codes_words_and_functions() {
     let told = bench.succeeds(&["explain", "functions"]);
     assert!(told.contains("degree(vertex), …"), "{told}");
     assert!(told.lines().count() > 50, "{told}");
+    let told = bench.succeeds(&["explain", "properties"]);
+    assert!(told.contains("\nboundary ") && told.contains("\nmap "), "{told}");
     let told = bench.succeeds(&["explain", "degree"]);
     assert!(told.contains("degree(face) -> int"), "{told}");
     let told = bench.succeeds(&["explain", "missing-reassignment"]);

@@ -24,8 +24,8 @@ pub struct Found {
     pub edits: Option<Vec<Edit>>,
     /// True if the rest of the item may not be parsed as it was meant.
     pub ends: bool,
-    /// True if it is a sign that is not part of the language.
-    pub is_sign: bool,
+    /// The code of its error.
+    pub code: &'static str,
 }
 
 /// A match of a pattern of the table.
@@ -218,7 +218,10 @@ impl<'t> Match<'t, '_> {
             says,
             edits: self.form.is_sure().then(|| vec![edit]),
             ends: self.form.ends(),
-            is_sign: first.is_some_and(|token| token.kind == T::Foreign),
+            code: match first.is_some_and(|token| token.kind == T::Foreign) {
+                true => "unknown-character",
+                false => "syntax-error",
+            },
         }
     }
 

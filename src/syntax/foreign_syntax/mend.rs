@@ -107,6 +107,10 @@ fn foreign(item: &mut Item, at: usize, place: Places) -> Found {
     };
     let Sign { kind, says, fix } = sign(written, span, around);
     let first = item.word(at).chars().next().map_or(0, u32::from);
+    let code = match kind {
+        Some(T::Real) => "malformed-number",
+        _ => "unknown-character",
+    };
     match kind {
         Some(kind) => item.tokens[at].kind = kind,
         None => drop(item.tokens.remove(at)),
@@ -117,7 +121,7 @@ fn foreign(item: &mut Item, at: usize, place: Places) -> Found {
         says,
         edits: fix.map(|(span, text)| vec![Edit { span, text }]),
         ends: false,
-        is_sign: true,
+        code,
     }
 }
 
@@ -160,7 +164,7 @@ fn misspelt(item: &Item, at: usize, place: Places) -> Option<(T, Found)> {
         says: format!("`{word}` is written `{ours}`"),
         edits: Some(vec![Edit { span, text: ours.to_owned() }]),
         ends: false,
-        is_sign: false,
+        code: "syntax-error",
     };
     Some((*meant, found))
 }

@@ -11,6 +11,7 @@
 //! | `$a:verb` | the same, but not `if` |
 //! | `$a:vertex` | a name that stands for a vertex in a loop somewhere in the item |
 //! | `$a:rim` | a name that a statement `hole` or `loop` has somewhere in the item |
+//! | `$a:variable` | the name of a variable of a block around |
 //! | `$a:text` | a text in quotes |
 //! | `$a:number` | a number |
 //! | `$a:names` | zero or more names, optionally separated by commas |
@@ -78,6 +79,7 @@ pub(super) enum Class {
     Number,
     Vertex,
     Rim,
+    Variable,
     Text,
     Names,
     Part,
@@ -169,6 +171,7 @@ fn hole_of(written: &'static str) -> What {
         "number" => Class::Number,
         "vertex" => Class::Vertex,
         "rim" => Class::Rim,
+        "variable" => Class::Variable,
         "text" => Class::Text,
         "names" => Class::Names,
         "part" => Class::Part,
@@ -252,6 +255,7 @@ fn all_ends(what: &What, item: &Item, at: usize) -> Vec<usize> {
             Class::Name => named(true),
             Class::Vertex => named(item.is_vertex(item.word(at))),
             Class::Rim => named(item.is_rim(item.word(at))),
+            Class::Variable => named(item.is_variable(at)),
             Class::Verb => one(kind.is_some_and(|kind| kind.is_wordlike() && kind != T::If)),
             Class::Word => one(kind.is_some_and(T::is_wordlike)),
             Class::Number => one(matches!(kind, Some(T::Int | T::Real))),

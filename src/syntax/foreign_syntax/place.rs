@@ -77,6 +77,23 @@ impl<'t> Item<'t> {
         self.rims.contains(word)
     }
 
+    /// True if the name at a token is that of a variable that a block around declares before.
+    pub(super) fn is_variable(&self, at: usize) -> bool {
+        let mut closed = 0_usize;
+        (1..at).rev().any(|before| {
+            match self.kind(before) {
+                Some(T::RightBrace) => closed += 1,
+                Some(T::LeftBrace) => closed = closed.saturating_sub(1),
+                Some(T::Let | T::Var) if closed == 0 => {
+                    let is_bound = self.kind(before - 1) == Some(T::If);
+                    return !is_bound && self.word(before + 1) == self.word(at);
+                }
+                _ => {}
+            }
+            false
+        })
+    }
+
     /// The end of the name that begins at a token, if there is one.
     pub(super) fn name_end(&self, at: usize) -> Option<usize> {
         const LONGEST_SUBSCRIPT: usize = 5;

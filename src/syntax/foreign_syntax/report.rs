@@ -37,13 +37,13 @@ struct Group {
     says: Vec<String>,
     edits: Option<Vec<Edit>>,
     more: usize,
-    is_sign: bool,
+    code: &'static str,
 }
 
 impl Group {
     fn new(found: Found) -> Self {
-        let Found { what, span, says, edits, is_sign, .. } = found;
-        Self { what, span, says: vec![says], edits, more: 0, is_sign }
+        let Found { what, span, says, edits, code, .. } = found;
+        Self { what, span, says: vec![says], edits, more: 0, code }
     }
 
     /// True if a finding belongs to this error: the same form or the same message.
@@ -85,8 +85,7 @@ impl Group {
     }
 
     fn told(self, text: &str) -> Diagnostic {
-        let Self { span, says, edits, more, is_sign, .. } = self;
-        let code = if is_sign { "unknown-character" } else { "syntax-error" };
+        let Self { span, says, edits, more, code, .. } = self;
         let (first, others) =
             says.split_first().map_or(("", &[][..]), |(first, others)| (first.as_str(), others));
         let told = Diagnostic::error(code, first, span);

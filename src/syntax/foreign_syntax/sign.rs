@@ -96,12 +96,8 @@ pub(super) fn sign(written: &str, span: Span, around: Around) -> Sign {
 /// The message on a point with digits behind it that touches what stands before it on its line.
 fn misplaced_point(before: &str) -> Option<&'static str> {
     let is_part = |c: char| c.is_alphanumeric() || c == '_';
-    let word = before.rsplit(|c| !is_part(c)).next().unwrap_or("");
     match before.chars().next_back()? {
         '.' => Some("a range has two points: `0..n`, from 0 up to, but without, n"),
-        _ if word.starts_with(|c: char| c.is_ascii_digit()) => {
-            Some("a number consists of digits, with at most one point between them")
-        }
         c if is_part(c) || matches!(c, ')' | ']' | '\'') => {
             Some("a component is `.x`, `.y` or `.z`; a name has no point in it")
         }

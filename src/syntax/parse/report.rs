@@ -2,6 +2,7 @@
 
 use super::failure::{Failure, Mistake, Phrase};
 use super::foreign_syntax::{IN_BRACES, path_meant, told_here};
+use super::text::MOST_DIGITS;
 use super::unclosed::Braces;
 use crate::diagnostic::{Diagnostic, one_of};
 use crate::source::Span;
@@ -136,14 +137,18 @@ fn mistaken(mistake: Mistake, span: Span, text: &str) -> Diagnostic {
         Mistake::ValuesInText => misplaced("a text with values in it stands behind `print` only")
             .note("a brace that stands for itself is written `\\{`"),
         Mistake::UnknownFormat => {
-            let told = wrong("this is not a way to print a value")
-                .note("`{x:.3}` has three digits behind the point, `{x:full}` all there are");
+            let told = wrong("this is not a way to print a value").note(format!(
+                "`{{x:.3}}` has three digits behind the point, at most {MOST_DIGITS}, and \
+                     `{{x:full}}` all there are"
+            ));
             let spec = written.strip_prefix(':').and_then(|rest| rest.split('}').next());
             let digits = spec.and_then(|spec| {
                 let (_, digits) = spec.rsplit_once('.')?;
                 Some((spec, digits.trim_end_matches(|c: char| c.is_ascii_alphabetic())))
             });
-            match digits.filter(|(_, digits)| digits.parse::<u8>().is_ok()) {
+            match digits
+                .filter(|(_, digits)| digits.parse().is_ok_and(|count: u8| count <= MOST_DIGITS))
+            {
                 Some((spec, digits)) => {
                     let start = span.start + 1;
                     let place = Span { start, end: start + spec.len() as u32, ..span };

@@ -12,7 +12,7 @@ use crate::syntax::tree::{Digits, Expr, Piece};
 use chumsky::prelude::*;
 
 /// The maximum number of digits after the point.
-const MOST_DIGITS: u8 = 17;
+pub(super) const MOST_DIGITS: u8 = 17;
 
 /// The pieces of a text with at least one embedded value.
 pub(super) fn text_with_values<'t>(expression: Rule<'t, Expr>) -> Rule<'t, Vec<Piece>> {

@@ -70,6 +70,11 @@ pub(super) const LINES: &[Line] = &[
         "print $t",
         "values stand in any text that is printed, without parentheses: `print \"{x}\"`",
     ),
+    told(
+        "^print $a:operand is $l:line",
+        "print $a",
+        "commas stand between values that are printed, and words stand in quotes",
+    ),
     sure("^print ( $l:inside ) $:end", "print $l", "what is printed stands without parentheses"),
     sure(
         "print f $t:text",

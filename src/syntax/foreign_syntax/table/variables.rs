@@ -38,6 +38,7 @@ pub(super) const LINES: &[Line] = &[
         "a sequence is not a value: `count(c for x in $s)` counts, `for x in $s where c { … }` visits",
     ),
     sure("^let mut $n", "var $n", "what changes is a `var`"),
+    sure("^$n:variable : ~=", "$n =", "a variable is set with `=`"),
     sure("^$n : ~=", "let $n =", BEGIN),
     sure("^const/auto/val/my/local/final/constexpr/static $n =", "let $n =", BEGIN),
     sure(
