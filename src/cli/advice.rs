@@ -109,9 +109,7 @@ fn too_much(word: &str, words: &[String]) -> Option<String> {
         return parameter(name, words);
     }
     let places = places(words);
-    let [_, file, name, ..] = places.as_slice() else {
-        return None;
-    };
+    let [_, file, name, ..] = places.as_slice() else { return None };
     if !is_mesh(Path::new(name)) && !name.contains(['.', '/', '=']) && is_mesh(Path::new(word)) {
         let more = if command == "apply" { " --at PLACE -o OUT" } else { "" };
         let message = format!(
@@ -134,8 +132,7 @@ fn several_settings(words: &[String]) -> Option<String> {
 
 /// Advice on a parameter of the script or operation that is written like an option.
 fn parameter(name: &str, words: &[String]) -> Option<String> {
-    let asked = places(words);
-    let program = program::read(program::part(asked.get(1)?).0).ok()?.analysis.program;
+    let program = program::read(program::part(places(words).get(1)?).0).ok()?.analysis.program;
     let name = name.split('=').next()?.replace('-', "_");
     let scripts = program.scripts.iter().flat_map(|script| &script.params);
     let of_scripts = scripts.map(|param| &param.name);
@@ -148,9 +145,7 @@ fn parameter(name: &str, words: &[String]) -> Option<String> {
 /// Advice on a missing argument: a mesh without a program.
 fn too_little(words: &[String]) -> Option<String> {
     let places = places(words);
-    let [command @ ("run" | "apply"), only] = places.as_slice() else {
-        return None;
-    };
+    let [command @ ("run" | "apply"), only] = places.as_slice() else { return None };
     is_mesh(Path::new(only)).then(|| {
         format!(
             "`{only}` is a mesh, and the program stands before it: `hedgerow {command} FILE.hedge \

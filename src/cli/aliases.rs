@@ -34,20 +34,15 @@ pub(super) fn show(rule: &RuleAliases) -> String {
             None => reasons.push((why, vec![names(set)])),
         }
     }
-    let lines = match rows.is_empty() {
-        true => Vec::new(),
-        false => vec![table(&rows, &[])],
-    };
+    let lines = if rows.is_empty() { Vec::new() } else { vec![table(&rows, &[])] };
     let impossible = reasons.iter().map(|(why, sets)| {
         let sets = sets.join(", or ");
         format!("  is impossible  {sets}: {why}")
     });
-    let lines = std::iter::once(title).chain(lines).chain(impossible);
-    lines.collect::<Vec<_>>().join("\n")
+    std::iter::once(title).chain(lines).chain(impossible).collect::<Vec<_>>().join("\n")
 }
 
 /// `v0 = v2, a = b`
 fn names(set: &NamesAsOne) -> String {
-    let classes = set.names.iter().map(|class| class.join(" = "));
-    classes.collect::<Vec<_>>().join(", ")
+    set.names.iter().map(|class| class.join(" = ")).collect::<Vec<_>>().join(", ")
 }

@@ -6,11 +6,9 @@ use super::arguments::{ApplyArguments, Format};
 use super::check::depends;
 use super::counts::Counts;
 use super::failure::Failure;
-use super::meshes;
 use super::output::{complain, complain_json, is_standard, say, say_json};
-use super::place;
-use super::program::settings;
-use super::program::{self, Program};
+use super::program::{self, Program, settings};
+use super::{meshes, place};
 use crate::mesh::{
     EdgeId, ElementKind, FaceId, HalfedgeId, Mesh, MeshFile, Places, RepairReport, VertexId,
     WrittenNumbers,
@@ -171,8 +169,7 @@ fn element(mesh: &Mesh, numbers: &WrittenNumbers, kind: ElementKind, id: u32) ->
             ends(HalfedgeId(id)).map(|(from, to)| format!("halfedge:{from}-{to}"))
         }
         ElementKind::Edge => {
-            let half = mesh.edge_halfedge(EdgeId(id));
-            ends(half).map(|(from, to)| format!("edge:{from}-{to}"))
+            ends(mesh.edge_halfedge(EdgeId(id))).map(|(from, to)| format!("edge:{from}-{to}"))
         }
     }
 }

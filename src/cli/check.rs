@@ -6,15 +6,14 @@ use serde::Serialize;
 
 use super::arguments::{CheckArguments, Format};
 use super::failure::Failure;
-use super::fix;
 use super::output::{complain_of, say, say_json, table};
-use super::program;
 use super::witness::Witnesses;
+use super::{fix, program};
 use crate::analysis::{
     Analysis, GuardVerdict, ProvedStatement, RuleAliases, RuleArgument, RuleVerdict, Verdict,
     aliases, verdicts, why_proved,
 };
-use crate::diagnostic::{Diagnostic, Severity, counted};
+use crate::diagnostic::{Diagnostic, Edit, Fix, Label, Severity, counted};
 use crate::source::{Sources, Span};
 
 /// Proves the operations of files, or says why they break a mesh.
@@ -24,10 +23,7 @@ pub(super) fn check(arguments: &CheckArguments) -> Result<(), Failure> {
     let mut files = Vec::new();
     let mut witnesses = Witnesses::default();
     for path in &arguments.files {
-        let program = match arguments.fix {
-            true => fix::mended(path),
-            false => program::read(path),
-        };
+        let program = if arguments.fix { fix::mended(path) } else { program::read(path) };
         let program = match program {
             Ok(program) => program,
             Err(failure) => {
@@ -46,27 +42,21 @@ pub(super) fn check(arguments: &CheckArguments) -> Result<(), Failure> {
         };
         sound &= program.analysis.is_sound();
         let verdicts = verdicts(&program.analysis);
-        let aliases = match arguments.aliases {
-            true => aliases(&program.analysis),
-            false => Vec::new(),
-        };
+        let aliases = if arguments.aliases { aliases(&program.analysis) } else { Vec::new() };
         if let Some(folder) = &arguments.witness {
             witnesses.write(folder, &program.analysis.counterexamples)?;
-            let broken = aliases.iter().flat_map(|rule| &rule.sets);
-            for set in broken {
+            for set in aliases.iter().flat_map(|rule| &rule.sets) {
                 witnesses.write(folder, set.example.as_slice())?;
             }
         }
         match arguments.format {
             Format::Human => {
                 complain_of(&program.analysis.diagnostics, &program.sources);
-                let unread = verdicts.is_empty() && !program.analysis.is_sound();
-                if !unread {
-                    let file = path.display().to_string();
-                    match verdicts.is_empty() {
-                        true => say(&format!("{file}: {}", without_ops(&program.analysis))),
-                        false => say(&show(&file, &verdicts, arguments.verbose)),
-                    }
+                let file = path.display().to_string();
+                if !verdicts.is_empty() {
+                    say(&show(&file, &verdicts, arguments.verbose));
+                } else if program.analysis.is_sound() {
+                    say(&format!("{file}: {}", without_ops(&program.analysis)));
                 }
                 if arguments.explain {
                     for argument in why_proved(&program.analysis) {
@@ -81,12 +71,7 @@ pub(super) fn check(arguments: &CheckArguments) -> Result<(), Failure> {
                 file: path.display().to_string(),
                 ops: verdicts,
                 aliases: arguments.aliases.then_some(aliases),
-                diagnostics: program
-                    .analysis
-                    .diagnostics
-                    .iter()
-                    .map(|diagnostic| report(diagnostic, &program.sources))
-                    .collect(),
+                diagnostics: reports(&program.analysis.diagnostics, &program.sources),
                 error: None,
             }),
         }
@@ -180,8 +165,7 @@ fn details(rule: &RuleVerdict) -> Vec<String> {
 
 /// The tests of a guard, and the statements that need none.
 fn guard(guard: &GuardVerdict) -> Vec<String> {
-    let tests = guard.tests.iter();
-    let tests = tests.map(|claim| format!("        tested: {claim}"));
+    let tests = guard.tests.iter().map(|claim| format!("        tested: {claim}"));
     let proved = guard.proved.iter();
     let proved = proved.map(|proved| {
         let ProvedStatement { statement, because } = proved;
@@ -296,12 +280,22 @@ struct Location {
     end_column: usize,
 }
 
+pub(super) fn reports(told: &[Diagnostic], sources: &Sources) -> Vec<DiagnosticReport> {
+    told.iter().map(|diagnostic| report(diagnostic, sources)).collect()
+}
+
 pub(super) fn report(diagnostic: &Diagnostic, sources: &Sources) -> DiagnosticReport {
     let place = |span: Span| {
         let source = sources.get(span.file);
         let (line, column) = source.line_column(span.start as usize);
         let (end_line, end_column) = source.line_column(span.end as usize);
         Location { line, column, end_line, end_column }
+    };
+    let label = |label: &Label| LabelReport { place: place(label.span), text: label.text.clone() };
+    let edit = |edit: &Edit| EditReport { place: place(edit.span), text: edit.text.clone() };
+    let fix = |fix: &Fix| FixReport {
+        title: fix.title.clone(),
+        edits: fix.edits.iter().map(edit).collect(),
     };
     DiagnosticReport {
         severity: match diagnostic.severity {
@@ -310,23 +304,8 @@ pub(super) fn report(diagnostic: &Diagnostic, sources: &Sources) -> DiagnosticRe
         },
         code: diagnostic.code,
         message: diagnostic.message.clone(),
-        labels: diagnostic
-            .labels
-            .iter()
-            .map(|label| LabelReport { place: place(label.span), text: label.text.clone() })
-            .collect(),
+        labels: diagnostic.labels.iter().map(label).collect(),
         notes: diagnostic.notes.clone(),
-        fixes: diagnostic
-            .fixes
-            .iter()
-            .map(|fix| FixReport {
-                title: fix.title.clone(),
-                edits: fix
-                    .edits
-                    .iter()
-                    .map(|edit| EditReport { place: place(edit.span), text: edit.text.clone() })
-                    .collect(),
-            })
-            .collect(),
+        fixes: diagnostic.fixes.iter().map(fix).collect(),
     }
 }

@@ -120,8 +120,7 @@ fn diagram(program: &Program, op: usize) -> Result<Cow<'_, Op>, Failure> {
         (None, None) => Err(not_understood()),
         (None, Some(_)) => {
             let example = example(&analysis.program, op, &analysis.plans);
-            let example = example.map_err(|none| Failure::usage(none.to_string()))?;
-            Ok(Cow::Owned(example))
+            Ok(Cow::Owned(example.map_err(|none| Failure::usage(none.to_string()))?))
         }
     }
 }
@@ -212,8 +211,7 @@ fn show_verdict(verdict: &Verdict) -> String {
 
 /// Checks that a picture can be written to a path, before it is computed.
 pub(super) fn expect_picture(path: &Path) -> Result<(), Failure> {
-    let extension = path.extension().and_then(|extension| extension.to_str());
-    match extension {
+    match path.extension().and_then(|extension| extension.to_str()) {
         _ if is_standard(path) => Ok(()),
         Some("svg" | "png") => expect_place(path),
         _ => Err(no_kind(path)),

@@ -33,8 +33,7 @@ pub(super) fn explain(arguments: &ExplainArguments) -> Result<(), Failure> {
     };
     let known = |word: &str| explanation(word).is_some() || self::word(word).is_some();
     let others = [plain.as_str(), singular.as_str()];
-    let other = others.into_iter().find(|other| !known(asked) && known(other));
-    let asked = other.unwrap_or(asked);
+    let asked = others.into_iter().find(|other| !known(asked) && known(other)).unwrap_or(asked);
     let text = explanation(asked).map(str::to_owned).or_else(|| word(asked).map(described));
     let text = text.or_else(|| {
         let (file, _) = of_library(asked)?;
@@ -95,10 +94,7 @@ fn list(words: &[&str]) {
 }
 
 fn described(Word { forms, meaning }: Word) -> String {
-    match forms.is_empty() {
-        true => meaning.to_owned(),
-        false => format!("{}\n\n{meaning}", forms.join("\n")),
-    }
+    if forms.is_empty() { meaning.to_owned() } else { format!("{}\n\n{meaning}", forms.join("\n")) }
 }
 
 /// The word of the language for a sign, or for a term that is usual elsewhere.

@@ -5,7 +5,7 @@ use std::process::ExitCode;
 
 use serde::Serialize;
 
-use super::check::{DiagnosticReport, report};
+use super::check::{DiagnosticReport, reports};
 use super::output::{complain, complain_of, say_json};
 use crate::diagnostic::Diagnostic;
 use crate::source::Sources;
@@ -41,8 +41,7 @@ impl Failure {
     /// A failure for these diagnostics, which are printed.
     pub fn of(diagnostics: &[Diagnostic], sources: &Sources, code: u8) -> Self {
         complain_of(diagnostics, sources);
-        let told = diagnostics.iter().map(|diagnostic| report(diagnostic, sources));
-        Self::Told(told.collect(), code.into())
+        Self::Told(reports(diagnostics, sources), code.into())
     }
 
     /// Prints the failure as JSON to standard output, unless that has been done.

@@ -53,8 +53,7 @@ pub(super) fn mended(path: &Path) -> Result<Program, Failure> {
             Ok((mended, applied)) => {
                 let after = errors_of_ops(&mended);
                 let worse = no_better(&before, &after).into_iter().filter(|op| {
-                    let mut ops = applied.iter().filter_map(|fix| fix.op.as_ref());
-                    ops.any(|one| one == op)
+                    applied.iter().filter_map(|fix| fix.op.as_ref()).any(|one| one == op)
                 });
                 let known = spoilt.len();
                 spoilt.extend(worse);
@@ -125,9 +124,7 @@ fn rounds(
         let told = told.filter(|told| !vain.contains(&kind(told)));
         let told = told.map(|told| (told, op_of(&program, told)));
         let told = told.filter(|(_, op)| op.as_ref().is_none_or(|op| !spoilt.contains(op)));
-        let Some((text, applied)) = round(source, program.analysis.file, told) else {
-            break;
-        };
+        let Some((text, applied)) = round(source, program.analysis.file, told) else { break };
         let grows = text.len() > source.text().len();
         let kinds: HashSet<&Kind> = applied.iter().map(|applied| &applied.kind).collect();
         for kind in kinds.into_iter().filter(|_| grows) {
@@ -164,9 +161,7 @@ fn round<'d>(
     let mut applied = Vec::new();
     for (diagnostic, op) in told {
         // Between several, the user has to choose.
-        let [fix] = diagnostic.fixes.as_slice() else {
-            continue;
-        };
+        let [fix] = diagnostic.fixes.as_slice() else { continue };
         if !fits(fix, (source, file), &edits) {
             continue;
         }

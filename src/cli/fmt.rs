@@ -75,8 +75,7 @@ fn in_place(path: &Path, check: bool) -> Result<bool, Failure> {
 /// Formats a text, and prints its diagnostics.
 fn formatted(text: &str, name: &str) -> Result<Formatted, Failure> {
     let mut sources = Sources::new();
-    let file = sources.add(name, text);
-    let formatted = format(file, text).map_err(|refusal| {
+    let formatted = format(sources.add(name, text), text).map_err(|refusal| {
         Failure::usage(format!(
             "`{name}` is left as it is: {refusal} (a mistake of hedgerow; please report it)"
         ))

@@ -51,11 +51,9 @@ pub(super) fn info(arguments: &InfoArguments) -> Result<(), Failure> {
 fn describe_dump(shown: &str, arguments: &InfoArguments) -> Result<(), Failure> {
     let dump = meshes::read_tables(&arguments.mesh, &arguments.repair)?;
     if let Some(level) = arguments.level {
-        let mesh = meshes::only_table(&arguments.mesh, dump)?;
-        return tell_level(arguments, &mesh, level.level());
+        return tell_level(arguments, &meshes::only_table(&arguments.mesh, dump)?, level.level());
     }
-    let meshes = dump.meshes.iter();
-    let meshes = meshes.map(|(name, mesh)| (name.as_str(), Summary::of(mesh)));
+    let meshes = dump.meshes.iter().map(|(name, mesh)| (name.as_str(), Summary::of(mesh)));
     match arguments.format {
         Format::Json => say_json(&DumpReport {
             remarks: &dump.remarks,
@@ -120,10 +118,7 @@ fn tell_level(arguments: &InfoArguments, mesh: &Mesh, level: Level) -> Result<()
         (Format::Human, None) => say(&format!("{file}: of level {level}")),
         (Format::Human, Some(reason)) => say(&format!("{file}: not of level {level}: {reason}")),
     }
-    match below {
-        None => Ok(()),
-        Some(_) => Err(Failure::Silent(1.into())),
-    }
+    if below.is_none() { Ok(()) } else { Err(Failure::Silent(1.into())) }
 }
 
 #[derive(Serialize)]
@@ -214,20 +209,14 @@ fn measured(measures: &Measures) -> Vec<Vec<String>> {
 }
 
 fn size(name: &str, value: f64) -> Vec<String> {
-    match value.is_finite() {
-        true => row(name, decimals([value]).concat()),
-        false => row(name, TOO_FAR),
-    }
+    if value.is_finite() { row(name, decimals([value]).concat()) } else { row(name, TOO_FAR) }
 }
 
 /// Measures of one kind with six decimals; with an exponent if the largest is very large or small.
 fn decimals<const N: usize>(measures: [f64; N]) -> [String; N] {
     let largest = measures.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
     let is_usual = largest == 0.0 || (1e-6..1e9).contains(&largest);
-    measures.map(|x| x + 0.0).map(|x| match is_usual {
-        true => format!("{x:.6}"),
-        false => format!("{x:.6e}"),
-    })
+    measures.map(|x| x + 0.0).map(|x| if is_usual { format!("{x:.6}") } else { format!("{x:.6e}") })
 }
 
 /// The text for a measure that is not finite.

@@ -53,8 +53,5 @@ pub(super) fn expect_none() -> Result<(), Failure> {
 
 /// Continues unless Ctrl-C was pressed.
 pub(super) fn unless_asked() -> ControlFlow<()> {
-    match is_asked() {
-        true => ControlFlow::Break(()),
-        false => ControlFlow::Continue(()),
-    }
+    if is_asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
 }

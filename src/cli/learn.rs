@@ -58,8 +58,7 @@ fn check(lesson: &Lesson, file: &Path) -> Result<(), Failure> {
         .map_err(|why| Failure::usage(format!("cannot read `{}`: {why}", file.display())))?;
     match judge_file(lesson, &file.display().to_string(), &text) {
         Ok(()) => {
-            let next = lesson.number() + 1;
-            let next = lessons::lesson(&next.to_string());
+            let next = lessons::lesson(&(lesson.number() + 1).to_string());
             let next = next.map(|next| format!("; next: {}. {}", next.number(), next.title));
             say(&format!("solved: {}{}", lesson.title, next.unwrap_or_default()));
             Ok(())

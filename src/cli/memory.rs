@@ -23,9 +23,7 @@ pub fn read(text: &str) -> Result<usize, String> {
 /// Three quarters of the memory of the machine, or of the container that this process is in;
 /// `usize::MAX` if that is not known.
 pub fn usual() -> usize {
-    let Ok(mut system) = System::new() else {
-        return usize::MAX;
-    };
+    let Ok(mut system) = System::new() else { return usize::MAX };
     system.refresh_memory();
     let machine = system.total_memory();
     let container = system.cgroup_limits().map(|limits| limits.total_memory);

@@ -6,11 +6,10 @@ use std::path::{Path, PathBuf};
 use strsim::damerau_levenshtein;
 
 use super::failure::Failure;
-use super::files;
-use super::interrupt;
 use super::option_groups::{EncodingArguments, RepairArguments};
 use super::output::{complain, is_standard, pour};
 use super::program::{Program, is_mesh};
+use super::{files, interrupt};
 use crate::analysis::{Analysis, is_program};
 use crate::diagnostic::all_of;
 use crate::mesh::{
@@ -226,8 +225,7 @@ pub(super) fn write(
     }
     let written = if is_standard(path) {
         let mut bytes = Vec::new();
-        let written = write_mesh_to(&mut bytes, format, file);
-        written.map(|()| bytes).map_err(|reason| FileError {
+        write_mesh_to(&mut bytes, format, file).map(|()| bytes).map_err(|reason| FileError {
             file: path.display().to_string(),
             line: None,
             reason,
@@ -385,19 +383,13 @@ pub(super) fn tell_displaced(path: &Path, places: &Places, mesh: &Mesh) {
 
 /// The numbers that elements have in a file of this name.
 pub(super) fn numbers(path: &Path, file: &MeshFile) -> WrittenNumbers {
-    match is_tables(path) {
-        true => WrittenNumbers::of_tables(&file.mesh),
-        false => file.written_numbers(),
-    }
+    if is_tables(path) { WrittenNumbers::of_tables(&file.mesh) } else { file.written_numbers() }
 }
 
 /// Checks that a mesh can be written to a path, whose extension tells the format, in an encoding.
 pub(super) fn expect_mesh(path: &Path, encoding: &EncodingArguments) -> Result<(), Failure> {
     encoding.expect(format(path)?)?;
-    match is_standard(path) {
-        true => Ok(()),
-        false => expect_place(path),
-    }
+    if is_standard(path) { Ok(()) } else { expect_place(path) }
 }
 
 /// Checks that a file can be written to a path, as far as that can be told in advance: called
@@ -406,13 +398,10 @@ pub(super) fn expect_place(path: &Path) -> Result<(), Failure> {
     let shown = path.display();
     let folder = path.parent().unwrap_or(Path::new(""));
     if path.is_dir() {
-        let message = format!("{shown}: this is a folder: write -o with the name of a file");
-        Err(Failure::usage(message))
+        Err(Failure::usage(format!("{shown}: this is a folder: write -o with the name of a file")))
     } else if !folder.as_os_str().is_empty() && !folder.is_dir() {
-        let message = format!("{shown}: the folder `{}` does not exist", folder.display());
-        Err(Failure::usage(message))
+        Err(Failure::usage(format!("{shown}: the folder `{}` does not exist", folder.display())))
     } else {
-        let writable = expect_writable(path);
-        writable.map_err(|reason| Failure::usage(format!("{shown}: {reason}")))
+        expect_writable(path).map_err(|reason| Failure::usage(format!("{shown}: {reason}")))
     }
 }

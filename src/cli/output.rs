@@ -41,16 +41,14 @@ pub(super) fn is_standard(path: &Path) -> bool {
 
 /// Prints data as JSON to standard error, if standard output takes the result itself.
 pub(super) fn complain_json(data: &impl Serialize) -> Result<(), Failure> {
-    let text = serde_json::to_string_pretty(data).map_err(Failure::usage)?;
-    complain(&text);
+    complain(&serde_json::to_string_pretty(data).map_err(Failure::usage)?);
     Ok(())
 }
 
 /// Writes a result to standard output, as it is.
 pub(super) fn pour(bytes: &[u8]) -> Result<(), Failure> {
     let mut out = stdout().lock();
-    let written = out.write_all(bytes).and_then(|()| out.flush());
-    match written {
+    match out.write_all(bytes).and_then(|()| out.flush()) {
         Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
             Err(Failure::usage(format!("cannot write to standard output: {error}")))
         }
@@ -68,8 +66,7 @@ pub(super) fn all_said() -> Result<(), Failure> {
 
 /// Prints data as JSON to standard output.
 pub(super) fn say_json(data: &impl Serialize) -> Result<(), Failure> {
-    let text = serde_json::to_string_pretty(data).map_err(Failure::usage)?;
-    say_exactly(&text);
+    say_exactly(&serde_json::to_string_pretty(data).map_err(Failure::usage)?);
     Ok(())
 }
 
@@ -106,8 +103,7 @@ pub(super) fn table(rows: &[Vec<String>], right: &[bool]) -> String {
                 format!("{cell}{gap}")
             }
         };
-        let line = row.iter().enumerate().map(cell).collect::<Vec<_>>().join("  ");
-        line.trim_end().to_string()
+        row.iter().enumerate().map(cell).collect::<Vec<_>>().join("  ").trim_end().to_string()
     };
     rows.iter().map(line).collect::<Vec<_>>().join("\n")
 }

@@ -18,10 +18,8 @@ pub(super) enum Place {
     Edge(Ends),
     /// The halfedge from one vertex to another.
     Halfedge(Ends),
-    /// An edge by its id.
-    EdgeOfId(u32),
-    /// A halfedge by its id.
-    HalfedgeOfId(u32),
+    /// An edge or a halfedge by its id.
+    OfId(ElementKind, u32),
     /// A vertex.
     Vertex(u32),
     /// A face.
@@ -71,8 +69,8 @@ pub(super) fn read(text: &str) -> Result<Place, String> {
     match kind {
         "edge" if numbers.contains('-') => ends(numbers).map(Place::Edge),
         "halfedge" if numbers.contains('-') => ends(numbers).map(Place::Halfedge),
-        "edge" => number(numbers).map(Place::EdgeOfId),
-        "halfedge" => number(numbers).map(Place::HalfedgeOfId),
+        "edge" => Ok(Place::OfId(ElementKind::Edge, number(numbers)?)),
+        "halfedge" => Ok(Place::OfId(ElementKind::Halfedge, number(numbers)?)),
         "vertex" => number(numbers).map(Place::Vertex),
         "face" => number(numbers).map(Place::Face),
         _ => Err(wrong()),
@@ -180,11 +178,11 @@ impl Place {
     /// The type of the element.
     pub fn ty(self) -> Type {
         match self {
-            Place::Edge(_) | Place::EdgeOfId(_) => Type::Edge,
-            Place::Halfedge(_) | Place::HalfedgeOfId(_) => Type::Halfedge,
+            Place::Edge(_) => Type::Edge,
+            Place::Halfedge(_) => Type::Halfedge,
             Place::Vertex(_) => Type::Vertex,
             Place::Face(_) => Type::Face,
-            Place::Printed(kind, _) => kind.into(),
+            Place::OfId(kind, _) | Place::Printed(kind, _) => kind.into(),
         }
     }
 
@@ -208,24 +206,16 @@ impl Place {
                 Some(FaceId(face)) => alone(face),
                 None => Err(none_of(obj, "face", number)),
             },
-            Place::Printed(kind, id) => match obj.mesh.is_alive(kind, id) {
-                true => alone(id),
-                false => Err(format!("the mesh has no {} {id}", kind.name())),
-            },
-            Place::HalfedgeOfId(id) => {
-                expect_ids(obj, "halfedge")?;
-                match obj.mesh.halfedge_alive(HalfedgeId(id)) {
-                    true => alone(id),
-                    false => Err(none_of(obj, "halfedge", id)),
-                }
+            // Only tables number edges and halfedges.
+            Place::OfId(kind, _) if !obj.goes_by_ids() => Err(format!(
+                "the file does not number its {kind}s: write {kind}:A-B with the vertices at its ends, or \
+                 '{kind} N' as scripts print it"
+            )),
+            Place::OfId(kind, id) | Place::Printed(kind, id) if obj.mesh.is_alive(kind, id) => {
+                alone(id)
             }
-            Place::EdgeOfId(id) => {
-                expect_ids(obj, "edge")?;
-                match obj.mesh.edge_alive(EdgeId(id)) {
-                    true => alone(id),
-                    false => Err(none_of(obj, "edge", id)),
-                }
-            }
+            Place::OfId(kind, id) => Err(none_of(obj, kind.name(), id)),
+            Place::Printed(kind, id) => Err(format!("the mesh has no {} {id}", kind.name())),
             Place::Halfedge(ends) => {
                 let (HalfedgeId(id), note) = ends.halfedge(obj, "halfedge")?;
                 Ok(Found { id, note })
@@ -275,8 +265,7 @@ impl Ends {
             (several, Some(which)) => {
                 let at = (which as usize).checked_sub(1);
                 let found = at.and_then(|at| several.get(at));
-                let found = found.copied().map(|found| (found, None));
-                found.ok_or_else(|| {
+                found.copied().map(|found| (found, None)).ok_or_else(|| {
                     let all = all().join(", ");
                     format!("there is no {}; there is {all}", place(which as usize))
                 })
@@ -295,15 +284,4 @@ fn none_of(obj: &MeshFile, kind: &str, number: u32) -> String {
         false => "",
     };
     format!("the mesh has no {kind} {number}{from_one}")
-}
-
-/// Fails unless the file numbers edges and halfedges, which only tables do.
-fn expect_ids(obj: &MeshFile, kind: &str) -> Result<(), String> {
-    match obj.goes_by_ids() {
-        true => Ok(()),
-        false => Err(format!(
-            "the file does not number its {kind}s: write {kind}:A-B with the vertices at its ends, or \
-             '{kind} N' as scripts print it"
-        )),
-    }
 }

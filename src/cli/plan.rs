@@ -34,14 +34,11 @@ pub(super) fn plan(arguments: &PlanArguments) -> Result<(), Failure> {
     if ops.is_empty() {
         program::find_op(&program, None)?;
     }
-    let mut plans = Vec::new();
-    for &op in &ops {
-        let Some(plan) = &program.analysis.plans[op] else {
-            complain_of(&program.analysis.diagnostics, &program.sources);
-            return Err(Failure::NotProved);
-        };
-        plans.push(plan);
-    }
+    let plans = ops.iter().map(|&op| program.analysis.plans[op].as_ref());
+    let Some(plans) = plans.collect::<Option<Vec<_>>>() else {
+        complain_of(&program.analysis.diagnostics, &program.sources);
+        return Err(Failure::NotProved);
+    };
     let emit = |ops: &[usize]| {
         let selection = Selection {
             program: &program.analysis.program,
@@ -50,10 +47,7 @@ pub(super) fn plan(arguments: &PlanArguments) -> Result<(), Failure> {
             ops,
             exhaustive: arguments.exhaustive,
         };
-        match arguments.shown {
-            Shown::Rust => rust(&selection),
-            _ => cpp(&selection, &style),
-        }
+        if arguments.shown == Shown::Rust { rust(&selection) } else { cpp(&selection, &style) }
     };
     let text = match arguments.shown {
         Shown::Table => tables(&plans, &program, arguments.exhaustive),
@@ -62,8 +56,7 @@ pub(super) fn plan(arguments: &PlanArguments) -> Result<(), Failure> {
             if name.is_none() {
                 leave_out(&program, &mut ops, |op| emit(&[op]).err());
                 let has_own = ops.iter().any(|&op| is_own(&program, op));
-                let scripts = own_scripts(&program).filter(|_| !has_own);
-                for (_, script) in scripts {
+                for (_, script) in own_scripts(&program).filter(|_| !has_own) {
                     let name = &script.name;
                     complain(&format!("left out: `{name}`, since only operations are emitted"));
                 }
@@ -138,16 +131,14 @@ fn is_own(program: &Program, op: usize) -> bool {
 /// The scripts of the file itself, with their numbers.
 fn own_scripts(program: &Program) -> impl Iterator<Item = (usize, &Script)> {
     let analysis = &program.analysis;
-    let scripts = analysis.program.scripts.iter().enumerate();
-    scripts.filter(|(_, script)| analysis.is_own(script.span))
+    analysis.program.scripts.iter().enumerate().filter(|(_, script)| analysis.is_own(script.span))
 }
 
 /// The names of the ops that steps call.
 fn called<'p>(steps: &Steps, program: &'p Program) -> Vec<&'p str> {
     let ops = &program.analysis.program.ops;
     let calls = steps.calls.iter();
-    let calls = calls.filter_map(|&(op, _)| Some(ops.get(usize::from(op))?.name.as_str()));
-    calls.collect()
+    calls.filter_map(|&(op, _)| Some(ops.get(usize::from(op))?.name.as_str())).collect()
 }
 
 /// The calls of an op in steps, and when it refuses.
@@ -169,14 +160,11 @@ fn show_steps(plan: &Plan, steps: &Steps, program: &Program) -> String {
 }
 
 fn tables(plans: &[&Plan], program: &Program, exhaustive: bool) -> String {
-    let plans: Vec<_> = plans
-        .iter()
-        .map(|plan| match &plan.steps {
-            Some(steps) => show_steps(plan, steps, program),
-            None => show(plan, exhaustive),
-        })
-        .collect();
-    plans.join("\n\n\n") + "\n"
+    let shown = |plan: &&Plan| match &plan.steps {
+        Some(steps) => show_steps(plan, steps, program),
+        None => show(plan, exhaustive),
+    };
+    plans.iter().map(shown).collect::<Vec<_>>().join("\n\n\n") + "\n"
 }
 
 /// Leaves out the ops that cannot be emitted, with a message, if others can.

@@ -28,17 +28,11 @@ pub(super) fn read(path: &Path) -> Result<Program, Failure> {
     let mut longer = path.as_os_str().to_owned();
     longer.push(".hedge");
     let longer = Path::new(&longer);
-    let path = match !path.is_file() && longer.is_file() {
-        true => longer,
-        false => path,
-    };
+    let path = if !path.is_file() && longer.is_file() { longer } else { path };
     let shown = path.display().to_string();
     expect_program(path)?;
     let of_library = library::file(&shown).filter(|_| !path.exists());
-    let text = match of_library {
-        Some(file) => Ok(file.text.to_owned()),
-        None => read_program(path),
-    };
+    let text = of_library.map_or_else(|| read_program(path), |file| Ok(file.text.to_owned()));
     let text = text.map_err(|why| {
         let advice = match (path.read_link(), meant(&shown, &shown, &mut Disk)) {
             _ if path.exists() => String::new(),
@@ -48,8 +42,7 @@ pub(super) fn read(path: &Path) -> Result<Program, Failure> {
         };
         Failure::usage(format!("cannot read `{shown}`: {why}{advice}"))
     })?;
-    let name = of_library.map_or(shown, |file| file.name.to_owned());
-    Ok(Program::of(name, text))
+    Ok(Program::of(of_library.map_or(shown, |file| file.name.to_owned()), text))
 }
 
 impl Program {
@@ -150,8 +143,7 @@ pub(super) fn read_script(script: &str) -> Result<(Program, usize), Failure> {
         let script = find_script(&program, name)?;
         return Ok((program, script));
     }
-    let found = name.and_then(|name| program.analysis.script(name));
-    if let Some(script) = found {
+    if let Some(script) = name.and_then(|name| program.analysis.script(name)) {
         return Ok((program, script));
     }
     let Analysis { program: known, plans, file, .. } = &program.analysis;
@@ -182,8 +174,7 @@ pub(super) fn part(text: &str) -> (&Path, Option<&str>) {
 /// The index of the op that `FILE::OP` names; without a name, the only one of the file.
 pub(super) fn find_op(program: &Program, name: Option<&str>) -> Result<usize, Failure> {
     let analysis = &program.analysis;
-    let ops = analysis.program.ops.iter();
-    let ops = ops.map(|op| (op.name.as_str(), op.span));
+    let ops = analysis.program.ops.iter().map(|op| (op.name.as_str(), op.span));
     let found = name.and_then(|name| analysis.op(name));
     if let Some(name) = name.filter(|name| found.is_none() && analysis.script(name).is_some()) {
         let file = program.sources.get(analysis.file).name();
@@ -200,8 +191,7 @@ pub(super) fn find_op(program: &Program, name: Option<&str>) -> Result<usize, Fa
 /// file.
 pub(super) fn find_script(program: &Program, name: Option<&str>) -> Result<usize, Failure> {
     let analysis = &program.analysis;
-    let scripts = analysis.program.scripts.iter();
-    let scripts = scripts.map(|script| (script.name.as_str(), script.span));
+    let scripts = analysis.program.scripts.iter().map(|script| (script.name.as_str(), script.span));
     let found = name.and_then(|name| analysis.script(name));
     if let Some(name) = name.filter(|name| found.is_none() && analysis.op(name).is_some()) {
         let message = format!("`{name}` is an operation: `hedgerow apply` does it at a place");
@@ -233,8 +223,7 @@ fn visible<'p>(
     analysis: &Analysis,
     items: impl Iterator<Item = (&'p str, Span)>,
 ) -> Vec<Candidate<'p>> {
-    let items = items.enumerate();
-    let seen = items.filter(|(_, (_, span))| analysis.sees(*span));
+    let seen = items.enumerate().filter(|(_, (_, span))| analysis.sees(*span));
     let candidates =
         seen.map(|(index, (name, span))| Candidate { index, name, own: analysis.is_own(span) });
     candidates.collect()

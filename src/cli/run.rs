@@ -8,15 +8,11 @@ use super::arguments::{Format, RunArguments};
 use super::counts::Counts;
 use super::draw::{expect_picture, write_picture};
 use super::failure::Failure;
-use super::files;
-use super::interrupt;
-use super::memory;
-use super::meshes;
 use super::output::{complain, complain_json, is_standard, say, say_json, table};
-use super::place;
 use super::program::{self, Program, settings};
 use super::progress::Progress;
 use super::view::{attribute, tell_if_blank};
+use super::{files, interrupt, memory, meshes, place};
 use crate::draw::{View, draw_mesh};
 use crate::mesh::{Mesh, MeshFile, Places, RepairReport};
 use crate::rewrite::Unbounded;
@@ -79,10 +75,8 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
     let report = run::run(&prepared, &mut obj.mesh, &values, &mut progress);
     progress.finish();
     let report = report.map_err(|failure| {
-        let code = match failure.diagnostic.code {
-            "interrupted" => interrupt::CODE,
-            _ => 1,
-        };
+        let is_interrupted = failure.diagnostic.code == "interrupted";
+        let code = if is_interrupted { interrupt::CODE } else { 1 };
         let ops: Vec<_> = failure.report.ops.into_iter().map(Op::from).collect();
         if arguments.format == Format::Human && ops.iter().any(|op| op.applied + op.refused > 0) {
             complain(&format!("until it stopped:\n{}\n", show_ops(&ops)));
@@ -147,8 +141,7 @@ fn save(
     places: &Places,
 ) -> Result<(), Failure> {
     // The script may have created the attribute.
-    let shown = arguments.attribute.as_ref();
-    let shown = shown.map(|name| attribute(&obj.mesh, name)).transpose()?;
+    let shown = arguments.attribute.as_ref().map(|name| attribute(&obj.mesh, name)).transpose()?;
     if let Some(output) = &arguments.output {
         let blame = |mesh: &Mesh| {
             let applied = report.ops.iter().filter(|op| op.applied > 0);
@@ -278,13 +271,8 @@ fn show_ops(ops: &[Op]) -> String {
     let mut rows = vec![["op", "applied", "refused", ""].map(String::from).to_vec()];
     for op in ops {
         rows.push(vec![op.op.clone(), op.applied.to_string(), op.refused.to_string()]);
-        for reason in &op.reasons {
-            rows.push(vec![
-                String::new(),
-                String::new(),
-                reason.times.to_string(),
-                reason.reason.clone(),
-            ]);
+        for Reason { reason, times } in &op.reasons {
+            rows.push(vec![String::new(), String::new(), times.to_string(), reason.clone()]);
         }
     }
     table(&rows, &[false, true, true, false])

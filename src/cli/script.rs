@@ -25,8 +25,7 @@ pub(super) fn help(script: &str) -> Result<(), Failure> {
         None if own.clone().count() > 1 => own.collect(),
         name => vec![&scripts[program::find_script(&program, name)?]],
     };
-    let told = told.into_iter().map(|script| about(&program, script));
-    say(&told.collect::<Vec<_>>().join("\n\n"));
+    say(&told.into_iter().map(|script| about(&program, script)).collect::<Vec<_>>().join("\n\n"));
     Ok(())
 }
 

@@ -6,16 +6,13 @@ use std::path::Path;
 use serde::Serialize;
 
 use super::arguments::{Format, TestArguments};
-use super::check::{DiagnosticReport, report};
+use super::check::{DiagnosticReport, report, reports};
 use super::failure::Failure;
-use super::interrupt;
-use super::memory;
-use super::meshes;
 use super::option_groups::RepairArguments;
 use super::output::{complain, complain_of, say, say_json};
 use super::program::{self, Program};
+use super::{interrupt, memory, meshes};
 use crate::analysis::expect_regular;
-use crate::diagnostic::Diagnostic;
 use crate::mesh::MeshFile;
 use crate::rewrite::Watch;
 use crate::run::{self, Conditions};
@@ -81,8 +78,7 @@ fn run_file(program: &Program, path: &Path, arguments: &TestArguments) -> FileRe
         say(&shown);
     }
     let own = analysis.program.tests.iter().enumerate();
-    let own = own.filter(|(_, test)| analysis.is_own(test.script.span));
-    for (number, test) in own {
+    for (number, test) in own.filter(|(_, test)| analysis.is_own(test.script.span)) {
         let name = test.script.name.clone();
         if interrupt::is_asked() || !arguments.wants(&name) {
             continue;
@@ -115,12 +111,11 @@ fn run_file(program: &Program, path: &Path, arguments: &TestArguments) -> FileRe
     if is_human {
         broken.iter().for_each(|name| say(&format!("  broken  {name}")));
     }
-    let told = analysis.diagnostics.iter();
     FileReport {
         file: shown,
         broken,
         sound: analysis.is_sound(),
-        diagnostics: told.map(|told: &Diagnostic| report(told, &program.sources)).collect(),
+        diagnostics: reports(&analysis.diagnostics, &program.sources),
         tests,
         error: None,
     }

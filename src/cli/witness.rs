@@ -47,8 +47,7 @@ impl Witnesses {
 
     /// `collapse-interior-vertex-splits-1`
     fn name(&mut self, example: &Counterexample) -> String {
-        let rule = example.rule.iter().map(|rule| format!("-{rule}"));
-        let rule: String = rule.collect();
+        let rule: String = example.rule.iter().map(|rule| format!("-{rule}")).collect();
         let name = format!("{}{rule}-{}", example.op, example.code);
         let number = self.used.entry(name.clone()).or_insert(0);
         *number += 1;
@@ -57,8 +56,7 @@ impl Witnesses {
 }
 
 fn dump(example: &Counterexample) -> Dump {
-    let rule = example.rule.iter().map(|rule| format!(", rule {rule}"));
-    let rule: String = rule.collect();
+    let rule: String = example.rule.iter().map(|rule| format!(", rule {rule}")).collect();
     Dump {
         remarks: vec![
             format!("{}{rule}: {}", example.op, example.code),

@@ -122,9 +122,7 @@ impl Collect<'_, '_, '_, '_> {
 
     /// Computes whether a path is empty: it is if its first halfedge is what follows it.
     pub(super) fn is_empty(&mut self, EmptyPath { path, next, .. }: EmptyPath) {
-        let Some(home) = self.registers.home_of_empty(path) else {
-            return;
-        };
+        let Some(home) = self.registers.home_of_empty(path) else { return };
         let compare = |this: &mut Self, to: Reg| {
             let [left, right] = [path, next].map(|name: NameId| this.element(name));
             this.output.asm.emit(Inst::Equal { to, left, right });

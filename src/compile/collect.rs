@@ -59,9 +59,7 @@ impl Collect<'_, '_, '_, '_> {
 
     /// Appends to a buffer what is computed for each index.
     pub(super) fn for_each_index(&mut self, home: Home, compute: impl FnOnce(&mut Self) -> Reg) {
-        let Home::Member { buffer, .. } = home else {
-            return;
-        };
+        let Home::Member { buffer, .. } = home else { return };
         self.output.asm.emit(Inst::BufferClear { buffer });
         let indices = self.registers.begin_index_loop(&mut self.output.asm);
         let from = compute(self);
@@ -80,12 +78,8 @@ impl Collect<'_, '_, '_, '_> {
             Claim::Leads(source, to) => {
                 let left = self.output.asm.reg();
                 self.load(*source, left);
-                Inst::ExpectEqual {
-                    left,
-                    right: self.registers.bound(&mut self.output.asm, *to),
-                    refusal,
-                    otherwise,
-                }
+                let right = self.registers.bound(&mut self.output.asm, *to);
+                Inst::ExpectEqual { left, right, refusal, otherwise }
             }
             Claim::Distinct(left, right) => {
                 let [left, right] = [*left, *right].map(|name| self.element(name));
@@ -122,21 +116,10 @@ impl Collect<'_, '_, '_, '_> {
                 }
                 Inst::Expect { condition: self.not(hidden), refusal, otherwise }
             }
-            claim => {
-                let condition = match self.around(claim) {
-                    Around::Distinct(buffer) => {
-                        self.output.asm.emit(Inst::ExpectAllDistinct {
-                            buffer,
-                            refusal,
-                            otherwise,
-                        });
-                        self.output.asm.release(mark);
-                        return;
-                    }
-                    Around::Holds(condition) => condition,
-                };
-                Inst::Expect { condition, refusal, otherwise }
-            }
+            claim => match self.around(claim) {
+                Around::Distinct(buffer) => Inst::ExpectAllDistinct { buffer, refusal, otherwise },
+                Around::Holds(condition) => Inst::Expect { condition, refusal, otherwise },
+            },
         };
         self.output.asm.emit(inst);
         if let Some(indices) = indices {
@@ -150,9 +133,7 @@ impl Collect<'_, '_, '_, '_> {
         let all = self.output.asm.constant_bool(true);
         paths.iter().fold(all, |left, &path| {
             let asm = &mut self.output.asm;
-            let Some(right) = self.registers.is_empty(asm, path) else {
-                return left;
-            };
+            let Some(right) = self.registers.is_empty(asm, path) else { return left };
             let to = asm.reg();
             asm.emit(Inst::And { to, left, right });
             to
@@ -271,8 +252,7 @@ impl Collect<'_, '_, '_, '_> {
         };
         if created.iter().any(|element| element.at_each_index) {
             for kind in [Kind::Vertex, Kind::Halfedge, Kind::Edge, Kind::Face] {
-                let counts = [count(kind, false), count(kind, true)];
-                self.room_around(kind, counts, refusal);
+                self.room_around(kind, [count(kind, false), count(kind, true)], refusal);
             }
             return;
         }

@@ -136,9 +136,7 @@ fn allocate(
 ) {
     let asm = &mut output.asm;
     for &Element { name, kind, .. } in created {
-        let Some(element) = kind.element_kind() else {
-            continue;
-        };
+        let Some(element) = kind.element_kind() else { continue };
         asm.emit(match registers.home(name) {
             Home::Reg(to) => Inst::New { kind: element, to },
             Home::Member { buffer, .. } => {
@@ -160,9 +158,7 @@ fn erase(
 ) {
     let asm = &mut output.asm;
     for &Element { name, kind, at_each_index } in erased {
-        let Some(kind) = kind.element_kind() else {
-            continue;
-        };
+        let Some(kind) = kind.element_kind() else { continue };
         let indices = at_each_index.then(|| registers.begin_index_loop(asm));
         let element = registers.element(asm, name);
         asm.emit(Inst::Erase { kind, element });

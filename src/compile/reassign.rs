@@ -141,8 +141,7 @@ impl Reassign<'_, '_, '_, '_> {
             Operand::Last(items) => self.there(items, Bound::Last),
             Operand::FirstLinked { face, .. } => {
                 let list = linked.iter().find(|(of, _)| of == face);
-                let buffer = list.expect("its paths have been linked").1;
-                self.member(buffer, 0)
+                self.member(list.expect("its paths have been linked").1, 0)
             }
             Operand::FirstOfSome(path) => self.first_of_some(*path),
         }

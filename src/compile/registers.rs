@@ -186,8 +186,7 @@ impl Registers {
             if let Home::Member { .. } = self.home(name)
                 && !self.loaded.contains_key(&name)
             {
-                let reg = self.element(asm, name);
-                self.loaded.insert(name, reg);
+                self.loaded.insert(name, self.element(asm, name));
             }
         }
     }

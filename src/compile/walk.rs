@@ -35,9 +35,7 @@ impl Collect<'_, '_, '_, '_> {
             self.output.asm.release(mark);
         }
         for (place, &(half, turn)) in (0..).zip(&orbit.families) {
-            let Home::Member { buffer: to, .. } = self.registers.home(half) else {
-                continue;
-            };
+            let Home::Member { buffer: to, .. } = self.registers.home(half) else { continue };
             self.output.asm.emit(Inst::BufferClear { buffer: to });
             let turn = i16::try_from(turn).unwrap_or(0);
             self.output.asm.emit(Inst::BufferDeal { from: buffer, to, place, period, turn });
@@ -119,9 +117,7 @@ impl Collect<'_, '_, '_, '_> {
 
     /// Tests for room for new elements of a kind: `once`, and `each` for every index.
     pub(super) fn room_around(&mut self, kind: Kind, [once, each]: [u16; 2], refusal: u16) {
-        let (Some(kind), Some(cycle)) = (kind.element_kind(), self.registers.cycle) else {
-            return;
-        };
+        let (Some(kind), Some(cycle)) = (kind.element_kind(), self.registers.cycle) else { return };
         if once == 0 && each == 0 {
             return;
         }

@@ -15,9 +15,7 @@ pub(super) enum WriteTarget {
 impl WriteTarget {
     /// The same store on this target; `None` if nothing reads it.
     pub fn aim(self, inst: Inst) -> Option<Inst> {
-        let Self::Preview(reads) = self else {
-            return Some(inst);
-        };
+        let Self::Preview(reads) = self else { return Some(inst) };
         let pointer = |field| match field {
             HalfedgeField::Next => Pointer::Next,
             HalfedgeField::Prev => Pointer::Prev,

@@ -121,9 +121,7 @@ impl Page<'_> {
             if label.text.is_empty() && silent > MOST_SILENT && !std::ptr::eq(label, primary) {
                 continue;
             }
-            let Some(place) = self.texts.place(label.span) else {
-                continue;
-            };
+            let Some(place) = self.texts.place(label.span) else { continue };
             let is_primary = std::ptr::eq(label, primary);
             let (colour, priority) = if is_primary { (colour, 1) } else { (Color::Blue, 0) };
             let text = if label.text.is_empty() { "here" } else { &*shown(&label.text) };
@@ -168,9 +166,7 @@ fn in_order(labels: &[diagnostic::Label]) -> Vec<&diagnostic::Label> {
 
 /// ` (file:line:column)` of the first edit.
 fn fix_place(fix: &Fix, sources: &Sources) -> String {
-    let Some(edit) = fix.edits.first() else {
-        return String::new();
-    };
+    let Some(edit) = fix.edits.first() else { return String::new() };
     let place = place_in_words(edit.span, sources);
     place.map_or_else(String::new, |place| format!(" ({place})"))
 }
@@ -183,8 +179,7 @@ fn place_in_words(span: Span, sources: &Sources) -> Option<String> {
 }
 
 fn source_of(sources: &Sources, file: FileId) -> Option<&Source> {
-    let known = sources.ids().any(|known| known == file);
-    known.then(|| sources.get(file))
+    sources.ids().any(|known| known == file).then(|| sources.get(file))
 }
 
 /// The sources in the form that `ariadne` reads, each converted once.
@@ -206,9 +201,7 @@ impl Texts<'_> {
 
     /// True if the first or the last line of a span is longer than [`WIDEST`].
     fn is_wide(&self, span: Span) -> bool {
-        let Some(source) = source_of(self.sources, span.file) else {
-            return false;
-        };
+        let Some(source) = source_of(self.sources, span.file) else { return false };
         let lines = source.lines();
         [span.start, span.end].into_iter().any(|offset| {
             let line = lines.line(offset as usize);
@@ -225,8 +218,7 @@ impl Cache<FileId> for &mut Texts<'_> {
     fn fetch(&mut self, file: &FileId) -> Result<&ariadne::Source, impl fmt::Debug> {
         let source = source_of(self.sources, *file).ok_or("a place in an unknown file")?;
         let text = || source.text().chars().map(showable).collect::<String>();
-        let read = || ariadne::Source::from(text());
-        Ok::<_, &str>(self.read.entry(*file).or_insert_with(read))
+        Ok::<_, &str>(self.read.entry(*file).or_insert_with(|| ariadne::Source::from(text())))
     }
 
     fn display<'a>(&self, file: &'a FileId) -> Option<impl fmt::Display + 'a> {

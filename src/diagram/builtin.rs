@@ -204,17 +204,17 @@ const FUNCTIONS: &[(&str, &str, &[Overload])] = &[
     ("adjacent", "whether an edge joins two vertices", &[around(&[V, V], BOOL, Builtin::Adjacent)]),
     (
         "link_condition",
-        "whether the ends of an edge have no common neighbours but those opposite to it: then it can be collapsed",
+        "whether contracting an edge, and the triangles at it, leaves a simple mesh of polygons simple",
         &[at_ends(&[E], BOOL, Builtin::LinkCondition)],
     ),
     (
         "star_shaped",
-        "whether the border of the faces at both ends of an edge has a kernel, from which all of it is seen",
+        "whether the border of the faces at both ends of an edge has a kernel, from which all of it is seen; false if one of them lies on a hole",
         &[at_ends(&[E], BOOL, Builtin::StarShaped)],
     ),
     (
         "kernel_centroid",
-        "the centroid of that kernel, where one vertex for both ends turns no triangle over",
+        "the centroid of that kernel, where one vertex for both ends turns no triangle over; not finite if there is none",
         &[at_ends(&[E], VEC3, Builtin::KernelCentroid)],
     ),
     (
@@ -231,7 +231,7 @@ const FUNCTIONS: &[(&str, &str, &[Overload])] = &[
     ("area", "the area of a face", &[around(&[F], REAL, Builtin::Area)]),
     (
         "normal",
-        "the unit normal of a face, or at a vertex",
+        "the unit normal of a face, or at a vertex; zero where there is no area",
         &[around(&[F], VEC3, Builtin::NormalFace), around(&[V], VEC3, Builtin::NormalVertex)],
     ),
     (
@@ -334,7 +334,7 @@ const FUNCTIONS: &[(&str, &str, &[Overload])] = &[
     ),
     (
         "cotangent",
-        "the cotangent of the angle opposite to a halfedge in its triangle, zero in a hole: `(cotangent(h) + cotangent(h.twin)) / 2` is the weight of an edge",
+        "the cotangent of the angle opposite to a halfedge in its triangle, in a larger face as seen from the corner before it, zero in a hole: `(cotangent(h) + cotangent(h.twin)) / 2` is the weight of an edge",
         &[of(&[H], REAL, Builtin::Cotangent)],
     ),
     (

@@ -176,10 +176,7 @@ fn cut_edges(figure: &Figure, places: &mut [Option<DVec2>]) {
             && places[cut].is_none()
             && opened(figure, cut).is_none()
         {
-            places[cut] = Some(match old.nodes.len() % 2 {
-                0 => (a + b) / 2.0,
-                _ => b,
-            });
+            places[cut] = Some(if old.nodes.len() % 2 == 0 { (a + b) / 2.0 } else { b });
         }
     }
 }

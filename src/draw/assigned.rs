@@ -85,9 +85,7 @@ impl Scene<'_> {
 
     /// The centroid of an edge or face of `before`.
     fn middle(&self, of: &Expr) -> Option<DVec2> {
-        let ExprKind::Element(name) = of.kind else {
-            return None;
-        };
+        let ExprKind::Element(name) = of.kind else { return None };
         let side = &self.figure.before;
         let strand = side.strands.iter().find(|strand| strand.edge == Some(name));
         let orbit = side.loops.iter().find(|orbit| orbit.face == name);

@@ -111,10 +111,9 @@ impl Colours {
                 }
                 _ => Key::Range(*range),
             }),
-            Scale::Labels(labels) => {
-                let values = labels.iter().map(|label| number(*label as f64)).zip(LABELS);
-                Some(Key::Swatches(values.collect()))
-            }
+            Scale::Labels(labels) => Some(Key::Swatches(
+                labels.iter().map(|label| number(*label as f64)).zip(LABELS).collect(),
+            )),
             Scale::Truth => {
                 let missing = if self.is_line() { LINE } else { PALE };
                 let values = [("true", HOLDS), ("false", missing)];

@@ -22,10 +22,7 @@ pub(super) fn parts(figure: &Figure, side: &Side) -> Vec<Vec<usize>> {
     }
     let shown = |node: usize| match figure.nodes[node] {
         Node::Vertex(name) => side.shown.contains(&name),
-        _ => {
-            let mut strands = side.strands.iter();
-            strands.any(|strand| strand.nodes.contains(&node))
-        }
+        _ => side.strands.iter().any(|strand| strand.nodes.contains(&node)),
     };
     let roots = (0..part.len()).filter(|&node| part[node] == node);
     let nodes = |root: usize| {
@@ -57,8 +54,7 @@ pub(super) fn blocks(side: &Side, part: &[usize]) -> Vec<(Side, Vec<usize>)> {
             continue;
         };
         let of = block[first.strand];
-        let at = blocks.iter().position(|(other, ..)| *other == of);
-        let at = at.unwrap_or_else(|| {
+        let at = blocks.iter().position(|(other, ..)| *other == of).unwrap_or_else(|| {
             let loops = Vec::new();
             blocks.push((of, Side { loops, ..side.clone() }, Vec::new()));
             blocks.len() - 1

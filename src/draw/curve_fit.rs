@@ -17,14 +17,10 @@ const PIECES: usize = 12;
 
 /// Extends the path along a run of points, the first of which is its current end.
 pub(super) fn follow(path: &mut Path, points: &[DVec2]) {
-    let &[first, ref rest @ .., last] = points else {
-        return;
-    };
+    let &[first, ref rest @ .., last] = points else { return };
     let far = |at: &usize| distance(rest[*at], [first, last]);
     let farthest = (0..rest.len()).max_by(|a, b| far(a).total_cmp(&far(b)));
-    let Some(farthest) = farthest.filter(|at| far(at) > UNSEEN) else {
-        return path.line_to(last);
-    };
+    let Some(farthest) = farthest.filter(|at| far(at) > UNSEEN) else { return path.line_to(last) };
     if let Some(by) = bend(points) {
         return path.curve_to(by, last);
     }
@@ -35,9 +31,7 @@ pub(super) fn follow(path: &mut Path, points: &[DVec2]) {
 
 /// The control point of the parabola along some points, if they lie on it.
 fn bend(points: &[DVec2]) -> Option<DVec2> {
-    let &[first, second, third, .., last] = points else {
-        return None;
-    };
+    let &[first, second, third, .., last] = points else { return None };
     let [earlier, before] = [points[points.len() - 3], points[points.len() - 2]];
     // The directions of the parabolas through the three points at each end.
     let out = (second - first) * 4.0 - (third - first);
@@ -54,9 +48,7 @@ fn bend(points: &[DVec2]) -> Option<DVec2> {
     }
     let at = |t: f64| first.lerp(by, t).lerp(by.lerp(last, t), t);
     let pieces: Vec<_> = (0..=PIECES).map(|piece| at(piece as f64 / PIECES as f64)).collect();
-    let lies_on = |point: &DVec2| {
-        let mut pairs = pieces.windows(2);
-        pairs.any(|pair| distance(*point, [pair[0], pair[1]]) < UNSEEN)
-    };
+    let lies_on =
+        |point: &DVec2| pieces.windows(2).any(|pair| distance(*point, [pair[0], pair[1]]) < UNSEEN);
     points.iter().all(lies_on).then_some(by)
 }

@@ -51,8 +51,7 @@ pub(super) fn moved_on_mesh(
     let side = &figure.before;
     let loops = side.loop_of();
     let is_outside = |node: usize| {
-        let mut strands = side.strands.iter().enumerate();
-        strands.any(|(at, strand)| {
+        side.strands.iter().enumerate().any(|(at, strand)| {
             let sides = [loops[2 * at], loops[2 * at + 1]];
             strand.nodes.contains(&node) && sides.contains(&None)
         })

@@ -14,11 +14,9 @@ use crate::diagram::{LoopKind, NameId};
 impl Panel<'_> {
     /// The background colour around an edge.
     pub(super) fn ground(&self, edge: NameId) -> Ink {
-        let mut strands = self.side.strands.iter();
-        let at = strands.position(|strand| strand.edge == Some(edge));
+        let at = self.side.strands.iter().position(|strand| strand.edge == Some(edge));
         let in_faces = |at: usize| {
-            let mut faces = self.side.loops.iter();
-            faces.any(|orbit| {
+            self.side.loops.iter().any(|orbit| {
                 let is_beside = orbit.darts.iter().any(|dart| dart.strand == at);
                 orbit.kind != LoopKind::Hole && is_beside && area(&self.outline(orbit)) > 0.0
             })
@@ -44,10 +42,7 @@ impl Panel<'_> {
         let outline = self.outline(orbit);
         let is_hole = orbit.kind == LoopKind::Hole;
         let is_inside = area(&outline) > 0.0;
-        let islands = match is_inside {
-            true => self.islands(&outline),
-            false => Vec::new(),
-        };
+        let islands = if is_inside { self.islands(&outline) } else { Vec::new() };
         if is_inside && !is_hole {
             self.groups[group].fill(Path::around(&outline), Ink::Face);
             for island in &islands {
@@ -55,10 +50,7 @@ impl Panel<'_> {
             }
         }
         if is_hole {
-            let lines = match is_inside {
-                true => hatch(&outline, &islands),
-                false => ticks(&outline),
-            };
+            let lines = if is_inside { hatch(&outline, &islands) } else { ticks(&outline) };
             self.hatched.push(Hatched { group, outline: outline.clone(), is_around: !is_inside });
             for line in lines {
                 let stroke = Stroke::solid(Ink::Muted, 0.9);
@@ -84,8 +76,7 @@ impl Panel<'_> {
             return None;
         }
         let spots = inner_spots(&outline, &self.islands(&outline));
-        let best = spots.iter().min_by(|a, b| a.cost.total_cmp(&b.cost));
-        best.map(|spot| spot.at)
+        spots.iter().min_by(|a, b| a.cost.total_cmp(&b.cost)).map(|spot| spot.at)
     }
 
     /// The islands in a polygon: the outlines of the loops inside it that run clockwise.

@@ -22,10 +22,7 @@ pub(super) fn sector(rule: &Rule) -> Vec<bool> {
 /// Calls `see` for every name that the statements of index 0 mention.
 fn mentions(rule: &Rule, side: &Side, size: usize, see: &mut dyn FnMut(NameId)) {
     for orbit in side.loops.iter().filter(|orbit| rule.is_first(orbit.face.name)) {
-        let count = match orbit.each {
-            true => orbit.items.len() / size.max(1),
-            false => orbit.items.len(),
-        };
+        let count = if orbit.each { orbit.items.len() / size.max(1) } else { orbit.items.len() };
         for item in &orbit.items[..count] {
             see(item.from.name);
             see(item.item.name);

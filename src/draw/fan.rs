@@ -21,8 +21,7 @@ pub(super) struct Around {
 
 impl Around {
     fn is_in_loop(&self, angle: f64) -> bool {
-        let mut corners = self.corners.iter();
-        corners.any(|&[start, end]| turn(start, angle) < turn(start, end))
+        self.corners.iter().any(|&[start, end]| turn(start, angle) < turn(start, end))
     }
 }
 
@@ -39,9 +38,7 @@ pub(super) fn fans(
     let mut fans = Vec::new();
     let mut taken: Vec<f64> = Vec::new();
     for at in 0..count {
-        let Spoke::Fan(fan) = star.spokes[at] else {
-            continue;
-        };
+        let Spoke::Fan(fan) = star.spokes[at] else { continue };
         let before = (1..=count).find_map(|step| known((at + count - step) % count));
         let behind = (1..=count).find_map(|step| known((at + step) % count));
         let (from, width) = match (before, behind) {
@@ -96,6 +93,5 @@ fn gaps<'a>(from: f64, width: f64, angles: impl Iterator<Item = &'a f64>) -> Vec
     let mut cuts: Vec<_> = cuts.filter(|&cut| cut < width - 1e-6).collect();
     cuts.extend([0.0, width]);
     cuts.sort_by(f64::total_cmp);
-    let pairs = cuts.windows(2).map(|pair| [pair[0], pair[1]]);
-    pairs.filter(|[low, high]| high - low > 1e-6).collect()
+    cuts.windows(2).map(|pair| [pair[0], pair[1]]).filter(|[low, high]| high - low > 1e-6).collect()
 }

@@ -7,7 +7,7 @@
 //! without a known vertex is a loose node.
 
 use super::split_vertices;
-use crate::diagram::{Drawing, Edge, Kind, LoopKind, NameId, View};
+use crate::diagram::{Drawing, Kind, LoopKind, NameId, View};
 
 /// The kind of a node.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -194,8 +194,7 @@ impl<'a> Figure<'a> {
         };
         let mut side = Side { darts: vec![None; drawing.rule.names.len()], ..Side::default() };
         for edge in &view.side().edges {
-            let Edge { halfedges, .. } = edge;
-            let [along, back] = halfedges.map(|halfedge| halfedge.name);
+            let [along, back] = edge.halfedges.map(|halfedge| halfedge.name);
             if along == back || [along, back].iter().any(|item| side.darts[item.index()].is_some())
             {
                 continue;
@@ -223,8 +222,7 @@ impl<'a> Figure<'a> {
         }
         for name in drawing.rule.names_of(Kind::Vertex) {
             let ends_something = side.strands.iter().any(|strand| {
-                let ends = strand.ends().map(|end| self.nodes[end]);
-                ends.contains(&Node::Vertex(name))
+                strand.ends().map(|end| self.nodes[end]).contains(&Node::Vertex(name))
             });
             if ends_something || view.mention(name).is_some() {
                 side.shown.push(name);
@@ -237,9 +235,7 @@ impl<'a> Figure<'a> {
     fn add_stubs(&mut self, side: &mut Side, view: &View, earlier: Option<&Side>) {
         for star in &view.side().stars {
             for spoke in &star.spokes {
-                let crate::diagram::Spoke::Halfedge(spoke) = spoke else {
-                    continue;
-                };
+                let crate::diagram::Spoke::Halfedge(spoke) = spoke else { continue };
                 if side.darts[spoke.name.index()].is_none() {
                     let known = earlier.and_then(|earlier| {
                         let dart = earlier.darts[spoke.name.index()]?;
@@ -267,32 +263,23 @@ impl<'a> Figure<'a> {
                 side.darts[item.index()].get_or_insert(Dart { strand, forward });
             }
         }
-        let first = items[0].map(|item| self.drawing.rule.kind(item));
-        side.strands.push(Strand {
-            edge,
-            items,
-            nodes: ends.to_vec(),
-            is_path: first == Some(Kind::Path),
-        });
+        let is_path = items[0].is_some_and(|item| self.drawing.rule.kind(item) == Kind::Path);
+        side.strands.push(Strand { edge, items, nodes: ends.to_vec(), is_path });
     }
 
     /// Adds the nodes at which strands bend: those of `earlier` for unchanged strands, else new
     /// ones.
     fn bend(&mut self, side: &mut Side, earlier: Option<&Side>) {
-        let parallel: Vec<_> = (0..side.strands.len())
-            .map(|at| {
-                let ends = sorted(side.strands[at].ends());
-                side.strands
-                    .iter()
-                    .filter(|other| !other.is_path && sorted(other.ends()) == ends)
-                    .count()
-            })
-            .collect();
+        let joins = |ends: [usize; 2]| {
+            move |other: &&Strand| !other.is_path && sorted(other.ends()) == sorted(ends)
+        };
+        let strands = side.strands.iter();
+        let parallel = |strand: &Strand| strands.clone().filter(joins(strand.ends())).count();
+        let parallel: Vec<_> = side.strands.iter().map(parallel).collect();
         for (strand, parallel) in side.strands.iter_mut().zip(parallel) {
             let [from, to] = strand.ends();
             let known = earlier.and_then(|earlier| {
-                let mut strands = earlier.strands.iter();
-                strands.find(|other| {
+                earlier.strands.iter().find(|other| {
                     let same = other.items == strand.items && other.key() == strand.key();
                     same && other.ends() == strand.ends()
                 })

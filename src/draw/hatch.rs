@@ -48,9 +48,7 @@ pub(super) fn hatch(outline: &[DVec2], islands: &[Vec<DVec2>]) -> Vec<Curve> {
 
 /// Short lines along the outside of a polygon that is surrounded by a hole.
 pub(super) fn ticks(outline: &[DVec2]) -> Vec<Curve> {
-    let Some(&first) = outline.first() else {
-        return Vec::new();
-    };
+    let Some(&first) = outline.first() else { return Vec::new() };
     let around = Curve::through(outline.iter().copied().chain([first]));
     let count = (around.length() / APART).floor().min(4000.0) as usize;
     let tick = |step: usize| {

@@ -39,8 +39,7 @@ impl Room {
 
     /// The cost of placing a text at `at`.
     pub fn cost(&self, at: DVec2, label: &Label) -> f64 {
-        let boxes = label.boxes().into_iter();
-        boxes.map(|(by, half)| self.cost_of_box(at + by, half)).sum()
+        label.boxes().into_iter().map(|(by, half)| self.cost_of_box(at + by, half)).sum()
     }
 
     fn cost_of_box(&self, at: DVec2, half: DVec2) -> f64 {

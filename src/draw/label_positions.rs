@@ -41,10 +41,7 @@ fn inner_points(outline: &[DVec2], islands: &[Vec<DVec2>]) -> Vec<(DVec2, f64)> 
     let outlines = islands.iter().map(Vec::as_slice).chain([outline]);
     let sides: Vec<_> = outlines.flat_map(sides).collect();
     let in_sea = |at: DVec2| !islands.iter().any(|island| inside(at, island));
-    let room = |at: DVec2| {
-        let far = sides.iter().map(|side| distance(at, *side));
-        far.fold(f64::MAX, f64::min)
-    };
+    let room = |at: DVec2| sides.iter().map(|side| distance(at, *side)).fold(f64::MAX, f64::min);
     let steps = 1..GRID;
     let points = steps.clone().flat_map(|row| steps.clone().map(move |column| (column, row)));
     points
@@ -58,8 +55,7 @@ fn inner_points(outline: &[DVec2], islands: &[Vec<DVec2>]) -> Vec<(DVec2, f64)> 
 
 /// The approximate radius of the largest circle inside a polygon.
 pub(super) fn widest_circle(outline: &[DVec2]) -> f64 {
-    let points = inner_points(outline, &[]).into_iter();
-    points.map(|(_, room)| room).fold(0.0, f64::max)
+    inner_points(outline, &[]).into_iter().map(|(_, room)| room).fold(0.0, f64::max)
 }
 
 /// Spots inside a polygon but outside its islands; the more room a spot has, the less it costs.

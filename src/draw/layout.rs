@@ -33,11 +33,9 @@ pub(super) fn places(figure: &Figure) -> [Vec<DVec2>; 2] {
     let mut before = flat(figure).unwrap_or_else(|| parts_in_a_row(figure));
     turn_sector(figure, &mut before);
     let after = places_after(figure, &before);
-    let known = before.into_iter().zip(&after);
-    let before = known.map(|(before, after)| before.or(*after));
+    let before = before.into_iter().zip(&after).map(|(before, after)| before.or(*after));
     [before.collect(), after].map(|places: Vec<Option<DVec2>>| {
-        let places = places.into_iter();
-        places.map(Option::unwrap_or_default).collect()
+        places.into_iter().map(Option::unwrap_or_default).collect()
     })
 }
 
@@ -99,9 +97,7 @@ fn level_main(figure: &Figure, places: &mut [Option<DVec2>]) {
     let ring = side.around(&outside(figure, side, &among));
     let nodes = side.nodes(main);
     let ends = [nodes[0], nodes[nodes.len() - 1]];
-    let [Some(from), Some(to)] = ends.map(|end| places[end]) else {
-        return;
-    };
+    let [Some(from), Some(to)] = ends.map(|end| places[end]) else { return };
     let is_inside = !ends.iter().any(|end| ring.contains(end));
     let times = |end: &usize| ring.iter().filter(|node| *node == end).count();
     // An edge with the outside on both sides may have any direction.
@@ -171,14 +167,11 @@ fn given_dart(figure: &Figure) -> Option<Dart> {
 fn place_blocks(figure: &Figure, part: &[usize], places: &mut [Option<DVec2>]) {
     let among = |node: usize| part.contains(&node);
     let all = blocks(&figure.before, part);
-    let mut blocks = all.iter();
-    let Some((first, nodes)) = blocks.next() else {
+    let Some((first, nodes)) = all.iter().next() else {
         return place_part(figure, &figure.before, part, &[], places);
     };
-    match all.len() {
-        1 => return place_part(figure, first, part, &outside(figure, first, &among), places),
-        _ => place_part(figure, first, nodes, &outside(figure, first, &among), places),
-    }
+    let nodes = if all.len() == 1 { part } else { nodes };
+    place_part(figure, first, nodes, &outside(figure, first, &among), places);
     for (at, (side, nodes)) in all.iter().enumerate().skip(1) {
         let mut here = vec![None; places.len()];
         place_part(figure, side, nodes, &outside(figure, side, &among), &mut here);
@@ -237,11 +230,8 @@ fn place_part(
     places: &mut [Option<DVec2>],
 ) {
     // Counterclockwise.
-    let outside: Vec<Dart> = walk
-        .iter()
-        .rev()
-        .map(|dart| Dart { strand: dart.strand, forward: !dart.forward })
-        .collect();
+    let back = |dart: &Dart| Dart { strand: dart.strand, forward: !dart.forward };
+    let outside: Vec<Dart> = walk.iter().rev().map(back).collect();
     let ring = side.around(&outside);
     let mut pulls = pulls(side);
     let mut all: Vec<Option<DVec2>> = places.to_vec();
@@ -294,8 +284,7 @@ fn center_of_star(side: &Side, part: &[usize]) -> Option<usize> {
 /// Lengthens spurs, and edges from a vertex to itself, so that they are readable.
 pub(super) fn stretch(side: &Side, places: &mut [Option<DVec2>], is_fixed: &dyn Fn(usize) -> bool) {
     let degree = |node: usize| {
-        let ends = side.strands.iter().flat_map(|strand| strand.ends());
-        ends.filter(|&end| end == node).count()
+        side.strands.iter().flat_map(|strand| strand.ends()).filter(|&end| end == node).count()
     };
     let loops = side.loop_of();
     let sides = |dart: usize| loops[dart].map(|at| side.loops[at].darts.len());
@@ -311,9 +300,7 @@ pub(super) fn stretch(side: &Side, places: &mut [Option<DVec2>], is_fixed: &dyn 
             _ => continue,
         };
         let known: Option<Vec<_>> = ends.iter().map(|&end| places[end]).collect();
-        let (Some(root), Some(known)) = (places[root], known) else {
-            continue;
-        };
+        let (Some(root), Some(known)) = (places[root], known) else { continue };
         if ends.iter().any(|&end| is_fixed(end)) {
             continue;
         }
@@ -408,9 +395,8 @@ pub(super) fn settle(side: &Side, places: &mut Vec<Option<DVec2>>, pulls: &[(usi
             neighbors[b].push(a);
         }
     }
-    let free: Vec<_> = (0..places.len())
-        .filter(|&node| places[node].is_none() && !neighbors[node].is_empty())
-        .collect();
+    let is_free = |&node: &usize| places[node].is_none() && !neighbors[node].is_empty();
+    let free: Vec<_> = (0..places.len()).filter(is_free).collect();
     for _ in 0..SWEEPS {
         for &node in &free {
             let near = neighbors[node].iter().filter_map(|&other| places[other]);

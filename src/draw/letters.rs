@@ -90,10 +90,7 @@ pub(super) struct Label {
 impl Label {
     /// The same text turned to run along a direction, but never upside down.
     pub fn turned_along(mut self, way: DVec2) -> Self {
-        let way = match way.x < -1e-6 || (way.x.abs() <= 1e-6 && way.y > 0.0) {
-            true => -way,
-            false => way,
-        };
+        let way = if way.x < -1e-6 || (way.x.abs() <= 1e-6 && way.y > 0.0) { -way } else { way };
         self.turn = way.y.atan2(way.x).to_degrees().round() as i32;
         self.path = self.path.turned(self.rotation());
         self
@@ -127,17 +124,14 @@ impl Label {
 
 /// The same letters, moved.
 pub(super) fn moved(glyphs: &[Glyph], by: DVec2) -> Vec<Glyph> {
-    let glyphs = glyphs.iter().map(|&glyph| Glyph { at: glyph.at + by, ..glyph });
-    glyphs.collect()
+    glyphs.iter().map(|&glyph| Glyph { at: glyph.at + by, ..glyph }).collect()
 }
 
 /// Typesets a name: letters in italics, trailing digits and the text in brackets as a subscript,
 /// primes raised.
 pub(super) fn name(text: &str, size: f64) -> Label {
-    let (text, index) = match text.split_once('[') {
-        Some((text, index)) => (text, index.trim_end_matches(']')),
-        None => (text, ""),
-    };
+    let (text, index) = text.split_once('[').unwrap_or((text, ""));
+    let index = index.trim_end_matches(']');
     let stem = text.trim_end_matches('\'');
     let primes = text.len() - stem.len();
     let letters = stem.trim_end_matches(|c: char| c.is_ascii_digit());
@@ -218,11 +212,7 @@ impl Setting {
     fn label(self, size: f64) -> Label {
         let half = DVec2::new(self.x / 2.0, (ASCENT + DESCENT) / 2.0 * size);
         let middle = DVec2::new(half.x, -(ASCENT - DESCENT) / 2.0 * size);
-        Label {
-            path: self.path.moved(-middle),
-            glyphs: moved(&self.glyphs, -middle),
-            half,
-            turn: 0,
-        }
+        let (path, glyphs) = (self.path.moved(-middle), moved(&self.glyphs, -middle));
+        Label { path, glyphs, half, turn: 0 }
     }
 }

@@ -64,16 +64,11 @@ pub(super) fn open_vertices(
         if places[new].is_some() || !matches!(figure.nodes[new], Node::Vertex(_)) {
             continue;
         }
-        let Some(Opened { from, taken, left }) = opened(figure, new) else {
-            continue;
-        };
-        let (Some(root), Some(at)) = (before[from], places[from]) else {
-            continue;
-        };
+        let Some(Opened { from, taken, left }) = opened(figure, new) else { continue };
+        let (Some(root), Some(at)) = (before[from], places[from]) else { continue };
         let way = |&(node, _): &(usize, bool)| before[node].map(|next| next - root);
         let towards = |nodes: &BTreeSet<_>| {
-            let ways = nodes.iter().filter_map(way).map(DVec2::normalize_or_zero);
-            mean(&ways.collect::<Vec<_>>())
+            mean(&nodes.iter().filter_map(way).map(DVec2::normalize_or_zero).collect::<Vec<_>>())
         };
         let away = (towards(&taken) - towards(&left)).normalize_or_zero();
         // The edges that change over keep half of their length.

@@ -11,10 +11,7 @@ use crate::diagram::LoopKind;
 /// The darts around the outside, clockwise; empty if there is no loop. Only loops and walks whose
 /// first node is in `among` count.
 pub(super) fn outside(figure: &Figure, side: &Side, among: &dyn Fn(usize) -> bool) -> Vec<Dart> {
-    let counts = |darts: &[Dart]| {
-        let first = darts.first();
-        first.is_some_and(|&dart| among(side.nodes(dart)[0]))
-    };
+    let counts = |darts: &[Dart]| darts.first().is_some_and(|&dart| among(side.nodes(dart)[0]));
     let walks: Vec<_> = walks(side).into_iter().filter(|walk| counts(walk)).collect();
     // A hole around several pieces is itself the outside.
     let is_around = |orbit: &Orbit| orbit.kind == LoopKind::Hole && walks.len() > 1;

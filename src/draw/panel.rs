@@ -151,8 +151,7 @@ impl<'a> Panel<'a> {
 
     /// The directions in which strands leave a node.
     pub fn directions(&self, node: usize) -> Vec<f64> {
-        let spokes = self.spokes(node).into_iter();
-        spokes.map(|spoke| angle(spoke.start_direction())).collect()
+        self.spokes(node).into_iter().map(|spoke| angle(spoke.start_direction())).collect()
     }
 
     /// The sectors at a node that lie in loops, counterclockwise from one angle to another.
@@ -195,12 +194,10 @@ impl<'a> Panel<'a> {
 
     /// Writes the name of an element; holes are not hatched behind it.
     pub fn write(&mut self, group: usize, of: NameId, label: &Label, at: DVec2) {
-        let word = &self.figure.drawing.rule.name(of).text;
-        self.room.put(word, label, at);
+        self.room.put(&self.figure.drawing.rule.name(of).text, label, at);
         for hole in &self.hatched {
             if hole.reaches(at) {
-                let plate = Path::plate(label).moved(at);
-                self.groups[hole.group].fill(plate, Ink::Paper);
+                self.groups[hole.group].fill(Path::plate(label).moved(at), Ink::Paper);
             }
         }
         let ink = Ink::Of(self.status(of));
@@ -242,15 +239,9 @@ impl<'a> Panel<'a> {
         if !word.named || !self.stands_out(of) {
             return;
         }
-        let label = name(&word.text, size);
-        let (label, spots) = spots(label);
-        self.texts.push(Text {
-            group,
-            name: of,
-            label,
-            spots,
-            ground: (word.kind == Kind::Edge).then(|| self.ground(of)),
-        });
+        let (label, spots) = spots(name(&word.text, size));
+        let ground = (word.kind == Kind::Edge).then(|| self.ground(of));
+        self.texts.push(Text { group, name: of, label, spots, ground });
     }
 
     /// The curve of a dart.

@@ -67,9 +67,7 @@ impl Picture {
             group.shapes.iter().map(move |shape| (shape, opacity))
         });
         for (shape, opacity) in shapes {
-            let Some(path) = path(&shape.path) else {
-                continue;
-            };
+            let Some(path) = path(&shape.path) else { continue };
             match shape.paint {
                 Paint::Fill(ink) => {
                     let paint = paint(ink, opacity);

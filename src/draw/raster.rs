@@ -160,10 +160,7 @@ pub fn weigh(at: DVec2, corners: &[DVec2], weights: &mut [f64]) {
             weights[next] = t;
             return;
         }
-        let half = match across.abs() < 1e-9 {
-            true => 0.0,
-            false => (far * farther - along) / across,
-        };
+        let half = if across.abs() < 1e-9 { 0.0 } else { (far * farther - along) / across };
         for (corner, far) in [(here, far), (next, farther)] {
             weights[corner] += half / far.max(1e-12);
             sum += half / far.max(1e-12);

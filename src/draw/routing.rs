@@ -30,14 +30,10 @@ pub(super) fn bend_paths(figure: &Figure, before: &[Option<DVec2>], places: &mut
         let mut earlier = figure.before.strands.iter();
         let old = earlier.find(|other| strand.is_path && other.items == strand.items);
         let is_bent = strand.nodes.iter().all(|&node| places[node].is_some());
-        let Some(old) = old.filter(|old| old.nodes != strand.nodes || !is_bent) else {
-            continue;
-        };
+        let Some(old) = old.filter(|old| old.nodes != strand.nodes || !is_bent) else { continue };
         let points: Option<Vec<_>> = old.nodes.iter().map(|&node| before[node]).collect();
         let [from, to] = strand.ends();
-        let (Some(points), Some(a), Some(b)) = (points, places[from], places[to]) else {
-            continue;
-        };
+        let (Some(points), Some(a), Some(b)) = (points, places[from], places[to]) else { continue };
         let scene = Scene { side: &figure.after, places, center };
         let best = match from == to {
             true => scene.petal(at, a, &points),
@@ -145,12 +141,9 @@ impl Scene<'_> {
             false => self.points(&self.side.strands[at]),
         };
         let all: Vec<_> = (0..self.side.strands.len()).map(known).collect();
-        let mut faults = 0;
-        for points in all.iter().enumerate().filter(|(at, _)| *at != path) {
-            if let (_, Some(points)) = points {
-                faults += usize::from(curve.crosses(&Curve::smooth(points)));
-            }
-        }
+        let others = all.iter().enumerate().filter(|(at, _)| *at != path);
+        let others = others.filter_map(|(_, points)| points.as_ref());
+        let mut faults = others.filter(|points| curve.crosses(&Curve::smooth(points))).count();
         for orbit in &self.side.loops {
             if orbit.darts.iter().all(|dart| dart.strand != path) {
                 continue;
@@ -163,9 +156,7 @@ impl Scene<'_> {
                 points.pop();
                 Some(points)
             });
-            let Some(outline) = along.collect::<Option<Vec<_>>>() else {
-                continue;
-            };
+            let Some(outline) = along.collect::<Option<Vec<_>>>() else { continue };
             let outline = outline.concat();
             faults += usize::from(area(&outline) < 0.0);
             for (at, points) in all.iter().enumerate() {
@@ -192,9 +183,7 @@ pub(super) fn bend_beside(figure: &Figure, places: &mut [Option<DVec2>]) {
     for (at, strand) in side.strands.iter().enumerate() {
         let bends = &strand.nodes[1..strand.nodes.len() - 1];
         let [from, to] = strand.ends();
-        let (Some(a), Some(b)) = (places[from], places[to]) else {
-            continue;
-        };
+        let (Some(a), Some(b)) = (places[from], places[to]) else { continue };
         let is_placed = strand.is_path && bends.iter().all(|&bend| places[bend].is_some());
         if bends.is_empty() || is_placed || !bends.iter().all(is_new) {
             continue;

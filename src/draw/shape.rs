@@ -52,10 +52,7 @@ impl Path {
 
     fn polyline(&mut self, points: impl IntoIterator<Item = DVec2>) {
         for (at, point) in points.into_iter().enumerate() {
-            match at {
-                0 => self.move_to(point),
-                _ => self.line_to(point),
-            }
+            if at == 0 { self.move_to(point) } else { self.line_to(point) }
         }
     }
 
@@ -106,10 +103,7 @@ impl Path {
             let corner = half * DVec2::new(x, y);
             let [across, down] = [DVec2::new(x * cut, 0.0), DVec2::new(0.0, y * cut)];
             // At each corner, the cut that comes first on the way around.
-            match x == y {
-                true => [corner - down, corner - across],
-                false => [corner - across, corner - down],
-            }
+            if x == y { [corner - down, corner - across] } else { [corner - across, corner - down] }
         }));
         path.turned(label.rotation())
     }

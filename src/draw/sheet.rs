@@ -46,24 +46,20 @@ pub fn draw_sheet(op: &Op) -> Picture {
 
 fn drawn(op: &Op, columns: usize) -> Picture {
     let labelled = op.rules.len() > 1;
-    let rows: Vec<_> = op
-        .rules
-        .iter()
-        .enumerate()
-        .map(|(at, rule)| {
-            let number = (at + 1).to_string();
-            let label = rule.label.clone().or(labelled.then_some(number));
-            let prefix = match &label {
-                Some(label) => format!("{}-{label}-", op.name),
-                None => format!("{}-", op.name),
-            };
-            let below = match &rule.example {
-                Some(of) => vec!["for example,".to_string(), format!("on {}", of.mesh)],
-                None => label.into_iter().collect(),
-            };
-            (below, Row::new(rule, &prefix))
-        })
-        .collect();
+    let row = |(at, rule): (usize, &Rule)| {
+        let number = (at + 1).to_string();
+        let label = rule.label.clone().or(labelled.then_some(number));
+        let prefix = match &label {
+            Some(label) => format!("{}-{label}-", op.name),
+            None => format!("{}-", op.name),
+        };
+        let below = match &rule.example {
+            Some(of) => vec!["for example,".to_string(), format!("on {}", of.mesh)],
+            None => label.into_iter().collect(),
+        };
+        (below, Row::new(rule, &prefix))
+    };
+    let rows: Vec<(Vec<String>, Row)> = op.rules.iter().enumerate().map(row).collect();
     let mut sheet = Sheet::new(&op.name);
     for (below, _) in &rows {
         let above = words(&op.name, Style::Italic, LETTERS).half.x;
@@ -71,10 +67,8 @@ fn drawn(op: &Op, columns: usize) -> Picture {
         let widest = below.fold(above, f64::max);
         sheet.between = sheet.between.max((2.0 * widest + 30.0).min(MOST_BETWEEN));
     }
-    sheet.widths = [0, 1].map(|side| {
-        let widths = rows.iter().map(|(_, row)| row.sides[side].width());
-        widths.fold(90.0, f64::max)
-    });
+    sheet.widths =
+        [0, 1].map(|side| rows.iter().map(|(_, row)| row.sides[side].width()).fold(90.0, f64::max));
     sheet.columns = columns;
     let mut rows = rows.into_iter();
     loop {
@@ -82,8 +76,7 @@ fn drawn(op: &Op, columns: usize) -> Picture {
         if beside.is_empty() {
             return sheet.finish();
         }
-        let heights = beside.iter().map(|(_, row)| row.high - row.low);
-        let height = heights.fold(0.0, f64::max);
+        let height = beside.iter().map(|(_, row)| row.high - row.low).fold(0.0, f64::max);
         for (column, (below, row)) in beside.into_iter().enumerate() {
             let left = MARGIN + column as f64 * (sheet.column() + GUTTER);
             // Rows beside each other are centered at the same height.
@@ -167,16 +160,9 @@ impl Row {
         });
         // An empty side has no height of its own.
         let seen = sides.iter().filter(|side| side.low != side.high);
-        let low = seen.clone().map(|side| side.low.y).reduce(f64::min);
-        let high = seen.map(|side| side.high.y).reduce(f64::max);
-        Self {
-            sides,
-            low: low.unwrap_or(0.0),
-            high: high.unwrap_or(0.0),
-            statuses,
-            crossings,
-            is_tidy,
-        }
+        let low = seen.clone().map(|side| side.low.y).reduce(f64::min).unwrap_or(0.0);
+        let high = seen.map(|side| side.high.y).reduce(f64::max).unwrap_or(0.0);
+        Self { sides, low, high, statuses, crossings, is_tidy }
     }
 }
 
@@ -287,10 +273,7 @@ fn scale(figure: &Figure, places: &[Vec<DVec2>; 2]) -> f64 {
         }
     }
     // Only one sector of a family has names; the others may be narrow.
-    let most = match rule.size() {
-        Some(_) => 250.0,
-        None => 320.0,
-    };
+    let most = if rule.size().is_some() { 250.0 } else { 320.0 };
     // Vertices have their names outside.
     scale.min(most + 2.0 * longest(&mut rule.ids().filter(|&name| rule.kind(name) != Kind::Vertex)))
 }
@@ -304,8 +287,7 @@ fn bounds(groups: &[Group], room: &Room) -> Option<(DVec2, DVec2)> {
         Step::Close => [DVec2::NAN; 2],
     });
     let boxes = room.texts.iter().flat_map(|text| [text.from.into(), text.to.into()]);
-    let known = points.chain(boxes).filter(|at: &DVec2| !at.is_nan());
-    known.fold(None, |all, at| {
+    points.chain(boxes).filter(|at: &DVec2| !at.is_nan()).fold(None, |all, at| {
         let (low, high) = all.unwrap_or((at, at));
         Some((low.min(at), high.max(at)))
     })
@@ -365,13 +347,8 @@ impl Sheet {
         let to = from + self.between - 48.0;
         self.arrow(DVec2::new(from, middle), DVec2::new(to, middle));
         let center = (from + to) / 2.0;
-        self.words(
-            op,
-            Style::Italic,
-            LETTERS,
-            Ink::Of(Status::Kept),
-            DVec2::new(center, middle - 20.0),
-        );
+        let above = DVec2::new(center, middle - 20.0);
+        self.words(op, Style::Italic, LETTERS, Ink::Of(Status::Kept), above);
         for (nth, line) in below.iter().enumerate() {
             let at = DVec2::new(center, middle + 21.0 + 19.0 * nth as f64);
             self.words(line, Style::Upright, CAPTION, Ink::Muted, at);
@@ -425,10 +402,8 @@ impl Sheet {
         let width = columns * self.column() + (columns - 1.0) * GUTTER;
         let statuses: Vec<_> =
             Status::ALL.into_iter().filter(|status| self.statuses.contains(status)).collect();
-        let labels: Vec<_> = statuses
-            .into_iter()
-            .map(|status| (status, words(status.word(), Style::Upright, CAPTION)))
-            .collect();
+        let label = |status: Status| (status, words(status.word(), Style::Upright, CAPTION));
+        let labels: Vec<_> = statuses.into_iter().map(label).collect();
         let widths = labels.iter().map(|(_, label)| 2.0 * label.half.x + 38.0 + 30.0);
         let mut x = MARGIN + (width - widths.sum::<f64>() + 30.0) / 2.0;
         for (status, label) in labels {

@@ -33,9 +33,7 @@ pub(super) fn split(figure: &mut Figure, side: &mut Side) -> Copies {
         }
     }
     for node in 0..figure.nodes.len() {
-        let Node::Vertex(name) = figure.nodes[node] else {
-            continue;
-        };
+        let Node::Vertex(name) = figure.nodes[node] else { continue };
         let ends = ends_at(side, node);
         if listed.contains(&name) {
             continue;
@@ -94,8 +92,7 @@ fn ends_at(side: &Side, node: usize) -> Vec<usize> {
         let [from, to] = strand.ends();
         [(2 * at, from), (2 * at + 1, to)]
     });
-    let here = ends.filter(|&(_, at)| at == node);
-    here.map(|(end, _)| end).collect()
+    ends.filter(|&(_, at)| at == node).map(|(end, _)| end).collect()
 }
 
 fn put(side: &mut Side, end: usize, node: usize) {
@@ -110,8 +107,7 @@ fn put(side: &mut Side, end: usize, node: usize) {
 fn items(side: &Side, end: usize) -> impl Iterator<Item = (NameId, bool)> {
     let [along, back] = side.strands[end / 2].items;
     let is_start = end.is_multiple_of(2);
-    let items = [along.map(|item| (item, is_start)), back.map(|item| (item, !is_start))];
-    items.into_iter().flatten()
+    [along.map(|item| (item, is_start)), back.map(|item| (item, !is_start))].into_iter().flatten()
 }
 
 /// The sector of each end of a strand: ends with a drawn corner between them are in the same

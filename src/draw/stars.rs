@@ -21,16 +21,13 @@ impl Panel<'_> {
             if self.is_after { &self.figure.drawing.after } else { &self.figure.drawing.before };
         let mut all = Vec::new();
         for star in &view.side().stars {
-            let Some(node) = self.figure.vertex(star.vertex.name) else {
-                continue;
-            };
+            let Some(node) = self.figure.vertex(star.vertex.name) else { continue };
             let spoke = |name: NameId| {
                 let dart = self.side.darts[name.index()]?;
                 Some(angle(self.along(dart).start_direction()))
             };
             let wish = |fan: NameId| {
-                let mut earlier = self.earlier.iter();
-                let (_, _, [from, to]) = earlier.find(|(_, name, _)| *name == fan)?;
+                let (_, _, [from, to]) = self.earlier.iter().find(|(_, name, _)| *name == fan)?;
                 Some((from + to) / 2.0)
             };
             let around = Around { drawn: self.directions(node), corners: self.corners(node) };
@@ -84,8 +81,7 @@ impl Panel<'_> {
         let spots = [6.0, 10.0, 14.0, 22.0].into_iter();
         let spots = spots.flat_map(|far| (0..12).map(move |step| spot(step, far)));
         let spots: Vec<_> = spots.collect();
-        let at = self.room.best(&label, &spots).at;
-        self.write(group, fan, &label, at);
+        self.write(group, fan, &label, self.room.best(&label, &spots).at);
     }
 
     /// Draws the dots of a vertex, and returns the index of its group.

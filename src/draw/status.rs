@@ -64,8 +64,7 @@ impl Status {
             Kind::Edge => edge_moves(drawing, name),
             Kind::Face => loop_changes(drawing, name),
             Kind::Vertex => {
-                let mut set = drawing.rule.assignments.iter();
-                set.any(|assignment| assignment.target.name == name)
+                drawing.rule.assignments.iter().any(|assignment| assignment.target.name == name)
             }
         };
         if changed { Status::Reassigned } else { Status::Kept }
@@ -91,8 +90,7 @@ fn loop_changes(drawing: &Drawing, face: NameId) -> bool {
         let orbit = view.loop_of_face(face)?;
         let mut items: Vec<_> = orbit.items.iter().map(|item| item.item.name).collect();
         // The loop may be written starting at any of its vertices.
-        let first = items.iter().enumerate().min_by_key(|(_, item)| **item);
-        let first = first.map_or(0, |(at, _)| at);
+        let first = items.iter().enumerate().min_by_key(|(_, item)| **item).map_or(0, |(at, _)| at);
         items.rotate_left(first);
         Some((orbit.kind == LoopKind::Hole, items))
     };

@@ -52,8 +52,7 @@ impl Steps {
     fn curve(&mut self, by: DVec2, to: DVec2) {
         let wanted = self.rounded(by);
         let is_near = |smooth: &[i64; 2]| {
-            let mut axes = smooth.iter().zip(wanted);
-            axes.all(|(a, b)| (a - b).abs() <= self.grain.slack)
+            smooth.iter().zip(wanted).all(|(a, b)| (a - b).abs() <= self.grain.slack)
         };
         let by = match self.smooth.filter(is_near) {
             Some(smooth) => {

@@ -27,9 +27,7 @@ impl Panel<'_> {
     pub(super) fn strand(&mut self, at: usize) {
         let strand = &self.side.strands[at];
         let curve = self.curves[at].clone();
-        let Some(of) = strand.edge.or(strand.items[0]) else {
-            return;
-        };
+        let Some(of) = strand.edge.or(strand.items[0]) else { return };
         let status = match strand.edge {
             Some(edge) => self.status(edge),
             // An edge that is not listed is drawn with its halfedge's status; but that its halfedge
@@ -114,9 +112,7 @@ impl Panel<'_> {
             let at = orbit.darts.iter().position(|other| *other == dart)?;
             Some((orbit, at))
         });
-        let Some((orbit, at)) = orbit else {
-            return self.outer_trims(dart);
-        };
+        let Some((orbit, at)) = orbit else { return self.outer_trims(dart) };
         let count = orbit.darts.len();
         let neighbor = |step: usize| self.along(orbit.darts[(at + step) % count]);
         let (here, before, behind) = (self.along(dart), neighbor(count - 1), neighbor(1));
@@ -159,8 +155,7 @@ fn clear(arrow: &Curve, neighbor: &Curve, side: f64) -> f64 {
     let is_clear = |trim: &f64| {
         let at = arrow.at(*trim).0;
         let far = |curve: &Curve| {
-            let far = curve.segments().map(|segment| distance(at, segment));
-            far.fold(f64::MAX, f64::min)
+            curve.segments().map(|segment| distance(at, segment)).fold(f64::MAX, f64::min)
         };
         far(neighbor) > ASIDE - 0.1 && far(&other) > BETWEEN
     };

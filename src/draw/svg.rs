@@ -58,10 +58,7 @@ impl Picture {
 }
 
 fn write_group(text: &mut String, group: &Group, words: &Words) {
-    let faded = match group.is_faded {
-        true => format!(" opacity=\"{FADED}\""),
-        false => String::new(),
-    };
+    let faded = if group.is_faded { format!(" opacity=\"{FADED}\"") } else { String::new() };
     if group.id.is_empty() {
         let _ = writeln!(text, "<g{faded}>");
     } else {

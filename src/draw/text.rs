@@ -32,15 +32,12 @@ const BETWEEN: &str = "    =>    ";
 pub fn text_op(op: &Op) -> String {
     let mut text = String::new();
     for rule in &op.rules {
-        match (&rule.example, &rule.label) {
-            (Some(example), _) => {
-                text.push_str(&format!("{}, for example on {}\n\n", op.name, example.mesh));
-            }
-            (None, Some(label)) => text.push_str(&format!("{}, rule {label}\n\n", op.name)),
-            (None, None) => text.push_str(&format!("{}\n\n", op.name)),
-        }
-        text.push_str(&text_rule(rule));
-        text.push('\n');
+        let what = match (&rule.example, &rule.label) {
+            (Some(example), _) => format!(", for example on {}", example.mesh),
+            (None, Some(label)) => format!(", rule {label}"),
+            (None, None) => String::new(),
+        };
+        text.push_str(&format!("{}{what}\n\n{}\n", op.name, text_rule(rule)));
     }
     text.truncate(text.trim_end().len());
     text.push('\n');
@@ -85,31 +82,21 @@ fn text_rule(rule: &Rule) -> String {
         text.push_str(line.trim_end());
         text.push('\n');
     }
-    let mut is_told = false;
-    for (word, status) in [("new", Status::New), ("erase", Status::Erased)] {
-        let names = told(&figure, status);
-        if !names.is_empty() {
-            if !is_told {
-                text.push('\n');
-            }
-            is_told = true;
-            text.push_str(&format!("{word} {names}\n"));
-        }
-    }
-    text
+    let told = [("new", Status::New), ("erase", Status::Erased)];
+    let told = told.map(|(word, status)| (word, told_names(&figure, status)));
+    let told = told.iter().filter(|(_, names)| !names.is_empty());
+    let told: String = told.map(|(word, names)| format!("{word} {names}\n")).collect();
+    if told.is_empty() { text } else { format!("{text}\n{told}") }
 }
 
 /// The names with a status, of a family only the first; elements without a name are counted.
-fn told(figure: &Figure, status: Status) -> String {
+fn told_names(figure: &Figure, status: Status) -> String {
     let rule = figure.drawing.rule;
     let of = rule.ids().filter(|&name| rule.is_first(name));
     let of: Vec<_> = of.filter(|&name| Status::of(&figure.drawing, name) == status).collect();
     let named = of.iter().map(|&name| rule.name(name));
     let names: Vec<_> = named.filter(|name| name.named).map(|name| name.text.as_str()).collect();
-    let mut parts = match names.is_empty() {
-        true => Vec::new(),
-        false => vec![names.join(" ")],
-    };
+    let mut parts = if names.is_empty() { Vec::new() } else { vec![names.join(" ")] };
     // Halfedges are not counted: every edge has two.
     for (kind, one, more) in [
         (Kind::Vertex, "vertex", "vertices"),
@@ -158,39 +145,29 @@ impl Canvas {
         let rule = figure.drawing.rule;
         let word = |name: NameId| rule.name(name);
         let is_written = |name: &NameId| word(*name).named && panel.stands_out(*name);
-        let curve = |curve: &Curve| {
-            let points = curve.points().iter();
-            Curve::through(points.map(|&at| grid.place(at)))
-        };
+        let curve = |curve: &Curve| Curve::through(curve.points().iter().map(|&at| grid.place(at)));
         let curves: Vec<_> = panel.curves.iter().map(curve).collect();
         for (strand, curve) in side.strands.iter().zip(&curves) {
             self.draw(curve, strand.is_path);
         }
         for &vertex in &side.shown {
             for node in panel.dots(vertex) {
-                let text = match is_written(&vertex) {
-                    true => &word(vertex).text,
-                    false => "•",
-                };
+                let text = if is_written(&vertex) { &word(vertex).text } else { "•" };
                 self.write(text, grid.place(panel.places[node]), 0);
             }
         }
         for &(node, fan, [from, to]) in panel.fans.iter().filter(|(_, fan, _)| is_written(fan)) {
             let way = direction((from + to) / 2.0) * FAN;
-            let text = format!("*{}", word(fan).text);
-            self.write(&text, grid.place(panel.places[node]) + way, 6);
+            self.write(&format!("*{}", word(fan).text), grid.place(panel.places[node]) + way, 6);
         }
         for (strand, curve) in side.strands.iter().zip(&curves) {
             for (item, forward) in strand.items.into_iter().zip([true, false]) {
-                let Some(item) = item.filter(is_written) else {
-                    continue;
-                };
+                let Some(item) = item.filter(is_written) else { continue };
                 let along = if forward { curve.clone() } else { curve.reversed() };
                 let (middle, way) = along.at(along.length() / 2.0);
                 let aside = left(way);
                 let by = DVec2::new(aside.x * 3.0, aside.y * 1.1);
-                let text = format!("{}{}", word(item).text, arrow(way));
-                self.write(&text, middle + by, 6);
+                self.write(&format!("{}{}", word(item).text, arrow(way)), middle + by, 6);
             }
             if let Some(edge) = strand.edge.filter(is_written) {
                 let middle = curve.at(curve.length() / 2.0).0;

@@ -78,8 +78,7 @@ pub fn draw_mesh(mesh: &Mesh, view: &View) -> Picture {
         ..Picture::default()
     };
     let eye = Eye::new(view.from);
-    let faces = mesh.faces().filter_map(|face| Seen::new(mesh, face, &eye));
-    let mut faces: Vec<_> = faces.collect();
+    let mut faces: Vec<_> = mesh.faces().filter_map(|face| Seen::new(mesh, face, &eye)).collect();
     let corners = || faces.iter().flat_map(|face| &face.corners);
     let none = (DVec3::splat(f64::MAX), DVec3::splat(f64::MIN));
     let (low, high) = corners().fold(none, |(low, high), at| (low.min(*at), high.max(*at)));
@@ -263,8 +262,7 @@ impl Seen {
             _ => None,
         });
         let value = index.map(|(colours, index)| (colours, colours.value(mesh, index)));
-        let shown = value.filter(|(colours, value)| !colours.leaves(*value));
-        if let Some((colours, value)) = shown {
+        if let Some((colours, value)) = value.filter(|(colours, value)| !colours.leaves(*value)) {
             let colour = colours.colour(value);
             let sides = if is_on_boundary { 2.0 } else { 1.0 };
             return Some((pen.coloured * sides, colour));

@@ -44,8 +44,7 @@ impl Range {
     /// The range of some numbers; those that are not finite do not count. Numbers that would be
     /// written alike, such as lengths up to rounding, count as one.
     pub fn of(numbers: impl Iterator<Item = f64>) -> Option<Self> {
-        let finite = numbers.filter(|number| number.is_finite());
-        let range = finite.fold(None, |range, number| {
+        let range = numbers.filter(|number| number.is_finite()).fold(None, |range, number| {
             let Self { low, high } = range.unwrap_or(Self { low: number, high: number });
             Some(Self { low: low.min(number), high: high.max(number) })
         });

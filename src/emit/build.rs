@@ -2,13 +2,12 @@
 
 use std::collections::BTreeSet;
 
-use super::NotEmitted;
 use super::item::{Alternative, Item, ItemBody, Parameter, Signature, parameters};
 use super::items::Source;
 use super::names::Names;
-use super::reassign;
 use super::routine::{Block, Field, Form, Statement, without_unread};
 use super::value::{ORDINARY, Term, is_surely_finite};
+use super::{NotEmitted, reassign};
 use crate::check::Proved;
 use crate::diagram::{Binary, Drawing, Expr, ExprKind, Kind, Rule, Type};
 use crate::lower::{Begin, Condition, Element, Operation, Step, Tries, Value};
@@ -85,9 +84,7 @@ impl Writer<'_, '_> {
         // From the last attempt outwards: each contains everything after it.
         let mut end = steps.len();
         for (at, step) in steps.iter().enumerate().rev() {
-            let Step::Begin(begin) = step else {
-                continue;
-            };
+            let Step::Begin(begin) = step else { continue };
             let is_tried_once = match begin.tries {
                 Tries::Some(1) => true,
                 Tries::AllForValues => operation.values.iter().all(|set| refusal(set).is_none()),
@@ -145,10 +142,8 @@ impl Writer<'_, '_> {
             }
         }
         self.guard(operation);
-        let mut values = Vec::new();
-        for value in &operation.values {
-            values.push(self.value(value)?);
-        }
+        let values = operation.values.iter().map(|value| self.value(value));
+        let values = values.collect::<Result<Vec<_>, _>>()?;
         let allocation = allocation(&operation.created, &self.names);
         self.phase("2. Allocate what is new.", allocation);
         let mut sets = reassign::statements(self.drawing, &mut self.names, exhaustive);

@@ -2,14 +2,13 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::build;
 use super::item::{Item, ItemBody, Need, Parameter, Signature, parameters};
 use super::language::Language;
 use super::names::{Names, free};
 use super::routine::{Statement, without_unread};
 use super::steps::{Writer, journaled};
 use super::value::is_spelled;
-use super::{NotEmitted, Selection};
+use super::{NotEmitted, Selection, build};
 use crate::diagram::Param;
 use crate::lower::{AllEffects, Variables};
 use crate::resolve::{Body, StatementKind, Steps};
@@ -98,8 +97,7 @@ impl Builder<'_> {
                 return Ok(());
             }
             (Some(false), Some(span), _) => {
-                let what = "functions that call each other in a circle";
-                return Err(NotEmitted::new(what, span));
+                return Err(NotEmitted::new("functions that call each other in a circle", span));
             }
             (Some(_), ..) => return Ok(()),
             (None, ..) => self.is_done.insert(need, false),

@@ -91,9 +91,7 @@ pub(super) fn filled(pattern: &str, with: impl Fn(&str, &str, &str) -> Option<St
     let mut parts = pattern.split('{');
     let mut text = parts.next().unwrap_or_default().to_string();
     for part in parts {
-        let known = part.split_once('}');
-        let known = known.and_then(|(name, rest)| Some((with(name, &text, rest)?, rest)));
-        match known {
+        match part.split_once('}').and_then(|(name, rest)| Some((with(name, &text, rest)?, rest))) {
             Some((inserted, rest)) => text.extend([inserted.as_str(), rest]),
             None => text.extend(["{", part]),
         }

@@ -320,8 +320,7 @@ fn begins_a_family(op: &Op, param: usize) -> bool {
 
 /// A word for a path or fan without a name: "the path of `f0`" is `rest_of_f0`.
 fn unnamed(description: &str, kind: Kind) -> String {
-    let of = description.split('`').nth(1).unwrap_or("");
-    let of = of.split('[').next().unwrap_or("");
+    let of = description.split('`').nth(1).unwrap_or("").split('[').next().unwrap_or("");
     let is_word =
         !of.is_empty() && of.chars().all(|c| c.is_alphanumeric() || c == '_' || c == '\'');
     match (kind, is_word) {

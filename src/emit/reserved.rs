@@ -57,8 +57,5 @@ pub fn plain(name: &str) -> String {
     while word.contains("__") {
         word = word.replace("__", "_");
     }
-    match word.starts_with('_') {
-        true => format!("x{word}"),
-        false => word,
-    }
+    if word.starts_with('_') { format!("x{word}") } else { word }
 }

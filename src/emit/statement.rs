@@ -144,10 +144,7 @@ impl Language<'_> {
             return format!("{mesh}.set_position({}, {value});", of.text);
         };
         let set = self.set_attribute(attribute, of, value);
-        match self.is_rust() {
-            true => set,
-            false => format!("{}\n{set}", self.keep_attribute(attribute, of)),
-        }
+        if self.is_rust() { set } else { format!("{}\n{set}", self.keep_attribute(attribute, of)) }
     }
 }
 
@@ -163,10 +160,7 @@ impl Names<'_> {
 
     /// A statement, if `each` repeated for each index.
     pub fn repeated(&self, each: bool, statement: Statement) -> Statement {
-        match each {
-            true => self.language.index_loop(&self.indices, vec![statement]),
-            false => statement,
-        }
+        if each { self.language.index_loop(&self.indices, vec![statement]) } else { statement }
     }
 
     /// Finds the columns of the attributes that are used, and refuses a mesh without these, and
@@ -180,9 +174,7 @@ impl Names<'_> {
         let is_used = |number: &&u32| self.used.contains(number);
         for number in self.used.iter().chain(seen.iter().filter(|number| !is_used(number))) {
             let attribute = self.attributes.get(*number as usize);
-            let Some(Attribute { declared, column, element, ty, .. }) = attribute else {
-                continue;
-            };
+            let Some(Attribute { declared, column, element, ty, .. }) = attribute else { continue };
             let ty = self.language.ty(*ty);
             let found = format!("mesh.find_column(ElementKind::{element:?}, \"{declared}\")");
             if is_used(&number) && is_asked {

@@ -50,8 +50,7 @@ pub fn judge(lesson: &Lesson, text: &str) -> Result<(), Rejection> {
 pub fn judge_file(lesson: &Lesson, file: &str, text: &str) -> Result<(), Rejection> {
     let read = |text: &str| Program::parse_with(file, text, &mut Nowhere);
     let given = read(text);
-    let wanted = read(&lesson.solution);
-    same(&wanted, &given).map_err(|why| {
+    same(&read(&lesson.solution), &given).map_err(|why| {
         let is_it = |mistake: &&Mistake| match (&read(&mistake.program), &given) {
             (Err(mistake), Err(given)) => {
                 mistake.code() == given.code() && mistake.message() == given.message()
@@ -106,9 +105,7 @@ fn same_op(
         let types = types(op).join(", ");
         return Err(format!("`{}` should take: {types}", op.name()));
     }
-    let Some(kind) = types(op).first().and_then(|ty| ElementKind::named(ty)) else {
-        return Ok(());
-    };
+    let Some(kind) = types(op).first().and_then(|ty| ElementKind::named(ty)) else { return Ok(()) };
     for index in mesh.elements(kind) {
         let element = Element { kind, index };
         let mut sessions = [wanted, given].map(|program| Session::new(program, mesh.clone()));

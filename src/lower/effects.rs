@@ -45,8 +45,7 @@ impl AllEffects {
             all.ops.push(match steps {
                 Some(steps) => Effects::of_steps(steps),
                 None => proved[op].as_ref().map_or_else(Effects::default, |proved| {
-                    let rules = proved.op().rules.iter();
-                    let erased = rules.flat_map(|rule| {
+                    let erased = proved.op().rules.iter().flat_map(|rule| {
                         let erased = rule.erased.iter();
                         erased.map(|erased| rule.kind(erased.name))
                     });
@@ -107,8 +106,7 @@ impl AllEffects {
     pub fn erases(&self, block: &[Statement], ty: Type) -> bool {
         let effects = Effects::of_block(block);
         let ops = effects.calls.iter().filter_map(|&op| self.ops.get(op));
-        let functions = effects.functions.iter();
-        let functions = functions.filter_map(|&function| self.function(function));
+        let functions = effects.functions.iter().filter_map(|&function| self.function(function));
         ops.chain(functions).any(|called| called.erases.contains(ty.word()))
     }
 }

@@ -171,8 +171,7 @@ fn ends_without_edge(drawing: &Drawing, halfedge: NameId) -> Option<[NameId; 2]>
     let joins = |[from, to]: [NameId; 2]| [from, to] == ends || [to, from] == ends;
     for other in rule.names_of(Kind::Halfedge) {
         if drawing.before.mention(other).is_some() {
-            let before = [drawing.origin_before(other)?, drawing.target_before(other)?];
-            if joins(before) {
+            if joins([drawing.origin_before(other)?, drawing.target_before(other)?]) {
                 return None;
             }
         }

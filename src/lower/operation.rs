@@ -56,8 +56,7 @@ impl<'r> Operation<'r> {
         let requires = requires.filter(|require| require.index.is_none_or(|index| index == 0));
         let values = rule.assignments.iter().filter(|set| rule.is_first(set.target.name));
         let elements = |list: &[Ref]| {
-            let names = list.iter().map(|mention| mention.name);
-            let first = names.filter(|&name| rule.is_first(name));
+            let first = list.iter().map(|mention| mention.name).filter(|&name| rule.is_first(name));
             let elements = first.map(|name| Element {
                 name,
                 kind: rule.kind(name),

@@ -39,9 +39,7 @@ pub(super) fn refuses_alike(
         && [&rule.before, &rule.after].iter().all(|side| side.kept.is_empty())
         && rule.params.iter().flatten().count() == 1
         && rule.ids().all(|name| !rule.is_member(name));
-    let Some(twin) = drawing.before.twin(halfedge).filter(|_| is_plain) else {
-        return false;
-    };
+    let Some(twin) = drawing.before.twin(halfedge).filter(|_| is_plain) else { return false };
     let mut turn = Turn { drawing, images: vec![None; rule.names.len()], open: Vec::new() };
     turn.maps(Some(halfedge), Some(twin))
         && turn.maps(Some(twin), Some(halfedge))
@@ -90,9 +88,7 @@ impl Turn<'_> {
     /// Whether all that is drawn around the names becomes what is drawn around their images.
     fn follow(&mut self) -> bool {
         while let Some(name) = self.open.pop() {
-            let Some(image) = self.image(name) else {
-                return false;
-            };
+            let Some(image) = self.image(name) else { return false };
             // Turning twice is the identity.
             let is_turned_back = self.image(image).is_none_or(|back| back == name);
             if !(is_turned_back
@@ -143,8 +139,7 @@ impl Turn<'_> {
         image: NameId,
         near: impl Fn(NameId) -> [Option<NameId>; N],
     ) -> bool {
-        let mut pairs = near(name).into_iter().zip(near(image));
-        pairs.all(|(from, to)| self.maps(from, to))
+        near(name).into_iter().zip(near(image)).all(|(from, to)| self.maps(from, to))
     }
 }
 
@@ -160,9 +155,7 @@ impl Turn<'_> {
     /// Whether each test of matching becomes one of them.
     fn keeps_tests(&self, tests: &[Test]) -> bool {
         tests.iter().all(|test| {
-            let Some(image) = self.image_of_claim(&test.condition) else {
-                return false;
-            };
+            let Some(image) = self.image_of_claim(&test.condition) else { return false };
             let turned = match image {
                 Claim::Distinct(left, right) => Some(Claim::Distinct(right, left)),
                 _ => None,

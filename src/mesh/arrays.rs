@@ -51,8 +51,7 @@ impl Mesh {
     #[allow(clippy::type_complexity)]
     pub fn to_triangles(&self) -> Result<(Vec<[f64; 3]>, Vec<[u32; 3]>), NotATriangle> {
         let (positions, polygons) = self.to_polygons();
-        let faces = self.faces().filter(|&face| !self.is_hole(face));
-        let triangles = faces.zip(polygons.iter());
+        let triangles = self.faces().filter(|&face| !self.is_hole(face)).zip(polygons.iter());
         let triangles =
             triangles.map(|(face, corners)| corners.try_into().map_err(|_| NotATriangle(face)));
         let positions = positions.into_iter().map(|p| p.to_array()).collect();

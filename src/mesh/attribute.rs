@@ -253,19 +253,14 @@ impl Value {
     /// The value made of these reals, the inverse of [`Value::reals`]; `None` if they are too many
     /// or too few, or the type is not made of reals.
     pub fn from_reals(ty: AttributeType, reals: &[f64]) -> Option<Self> {
+        use AttributeType::{Mat3, Mat4, Real, Vec2, Vec3, Vec4};
         match (ty, reals) {
-            (AttributeType::Real, &[x]) => Some(Self::Real(x)),
-            (AttributeType::Vec2, &[x, y]) => Some(Self::Vec2(DVec2::new(x, y))),
-            (AttributeType::Vec3, &[x, y, z]) => Some(Self::Vec3(DVec3::new(x, y, z))),
-            (AttributeType::Vec4, &[x, y, z, w]) => Some(Self::Vec4(DVec4::new(x, y, z, w))),
-            (AttributeType::Mat3, reals) => {
-                let columns = reals.try_into().ok()?;
-                Some(Self::Mat3(DMat3::from_cols_array(columns)))
-            }
-            (AttributeType::Mat4, reals) => {
-                let columns = reals.try_into().ok()?;
-                Some(Self::Mat4(DMat4::from_cols_array(columns)))
-            }
+            (Real, &[x]) => Some(Self::Real(x)),
+            (Vec2, &[x, y]) => Some(Self::Vec2(DVec2::new(x, y))),
+            (Vec3, &[x, y, z]) => Some(Self::Vec3(DVec3::new(x, y, z))),
+            (Vec4, &[x, y, z, w]) => Some(Self::Vec4(DVec4::new(x, y, z, w))),
+            (Mat3, reals) => Some(Self::Mat3(DMat3::from_cols_array(reals.try_into().ok()?))),
+            (Mat4, reals) => Some(Self::Mat4(DMat4::from_cols_array(reals.try_into().ok()?))),
             _ => None,
         }
     }
@@ -335,8 +330,7 @@ impl Column {
     /// True if a program can contain the name. Columns with other names are scratch or bookkeeping,
     /// and are not written to files.
     pub fn is_sayable(&self) -> bool {
-        let of_name = |c: char| c.is_alphanumeric() || c == '_' || c == '\'';
-        self.name.chars().all(of_name)
+        self.name.chars().all(|c| c.is_alphanumeric() || c == '_' || c == '\'')
     }
 
     pub fn default_value(&self) -> Value {

@@ -186,8 +186,7 @@ impl<'b> Reader<'b> {
     /// The next `values` values, of `COUNT` bytes each.
     fn all<const COUNT: usize>(&mut self, values: usize) -> Result<&'b [[u8; COUNT]], BinaryError> {
         let length = values.checked_mul(COUNT).ok_or(BinaryError::Damaged)?;
-        let bytes = self.bytes(length).ok_or(BinaryError::Damaged)?;
-        Ok(bytes.as_chunks().0)
+        Ok(self.bytes(length).ok_or(BinaryError::Damaged)?.as_chunks().0)
     }
 
     fn numbers(&mut self, count: usize) -> Result<Vec<u32>, BinaryError> {
@@ -229,9 +228,7 @@ impl<'b> Reader<'b> {
             mesh.face_states.push(match (halfedge == HalfedgeId::DEAD, hole == 1) {
                 (false, hole) => FaceState::of_living(hole),
                 (true, false) => FaceState::Dead,
-                (true, true) => {
-                    return Err(BinaryError::Malformed("an erased face is a hole"));
-                }
+                (true, true) => return Err(BinaryError::Malformed("an erased face is a hole")),
             });
         }
         mesh.holes = mesh.holes().count();
@@ -305,8 +302,7 @@ impl<'b> Reader<'b> {
         let column =
             column.map_err(|_| BinaryError::Malformed("two attributes have the same name"))?;
         for slot in 0..count as u32 {
-            let value = self.value(ty)?;
-            mesh.put_value(column, slot, value);
+            mesh.put_value(column, slot, self.value(ty)?);
         }
         Ok(())
     }

@@ -98,8 +98,7 @@ fn check_polygons(positions: &[DVec3], polygons: &Polygons) -> Result<(), BuildE
     if let Some(vertex) = odd.into_iter().flatten().next() {
         return Err(BuildError::NotFinite { vertex: vertex as u32, position: positions[vertex] });
     }
-    let parts = parallel::parts(polygons.len(), LEAST);
-    let checked = parallel::map(parts, |part| {
+    let checked = parallel::map(parallel::parts(polygons.len(), LEAST), |part| {
         let mut sorted = Vec::new();
         let mut all = (part.start..).zip(polygons.range(part));
         let fault = all.find_map(|(polygon, corners)| {
@@ -221,8 +220,7 @@ impl<'p> Builder<'p> {
     fn close_holes(&mut self) -> Result<(), BuildError> {
         let inner = self.inner();
         let boundary = parallel::map(parallel::parts(inner, LEAST), |part| {
-            let alone = |h: &u32| self.twin(*h) == NONE;
-            (part.start as u32..part.end as u32).filter(alone).collect()
+            (part.start as u32..part.end as u32).filter(|h| self.twin(*h) == NONE).collect()
         });
         self.boundary = parallel::joined(boundary);
         for (outer, &h) in (inner as u32..).zip(&self.boundary) {
@@ -278,10 +276,7 @@ impl<'p> Builder<'p> {
             return;
         }
         let inner = self.inner() as u32;
-        let start = match first.0 < inner {
-            true => first.0,
-            false => self.loops.next(self.twin(first.0)),
-        };
+        let start = if first.0 < inner { first.0 } else { self.loops.next(self.twin(first.0)) };
         let mut at = start;
         loop {
             visit(at);
@@ -323,8 +318,7 @@ impl<'p> Builder<'p> {
         let polygons = self.loops.len();
         let faces = parallel::collect(polygons + self.holes.first.len(), LEAST, |face| {
             let hole = face.checked_sub(polygons);
-            let first = hole.map_or_else(|| self.loops.first(face), |hole| self.holes.first[hole]);
-            HalfedgeId(first)
+            HalfedgeId(hole.map_or_else(|| self.loops.first(face), |hole| self.holes.first[hole]))
         });
         let mut face_states = Vec::with_capacity(faces.len());
         face_states.resize(polygons, FaceState::Face);

@@ -35,8 +35,7 @@ impl Mesh {
     /// the column's.
     #[must_use]
     pub fn set_default(&mut self, id: ColumnId, default: Value) -> bool {
-        let column = self.column(id);
-        let column = column.filter(|it| it.attribute_type() == default.attribute_type());
+        let column = self.column(id).filter(|it| it.attribute_type() == default.attribute_type());
         let was = column.map(|column| column.default);
         if was.is_some_and(|was| !was.is_identical(default)) {
             self.note_default(id);
@@ -78,8 +77,7 @@ impl Mesh {
 
     /// The columns of all kinds that are written to files.
     pub fn sayable_columns(&self) -> impl Iterator<Item = (ColumnId, &Column)> {
-        let all = ElementKind::ALL.into_iter();
-        let all = all.flat_map(|kind| self.columns(kind));
+        let all = ElementKind::ALL.into_iter().flat_map(|kind| self.columns(kind));
         all.filter(|(_, column)| column.is_sayable())
     }
 

@@ -29,10 +29,7 @@ impl Mesh {
     /// The number of living elements. For faces, those that are not holes.
     pub fn count(&self, kind: ElementKind) -> usize {
         let living = self.capacity(kind) - self.slots[kind as usize].unused();
-        match kind {
-            ElementKind::Face => living - self.holes,
-            _ => living,
-        }
+        if kind == ElementKind::Face { living - self.holes } else { living }
     }
 
     /// The number of slots, living or dead; every living id is below it. For faces it includes

@@ -109,15 +109,11 @@ pub fn difference(ours: &Mesh, theirs: &Mesh, tolerance: f64) -> Difference {
         return Difference::Counts(differ);
     }
     let cells = Cells::of(theirs, tolerance);
-    let pairs = ours.vertices().map(|v| (v, cells.near(ours.position(v))));
-    let pairs: Vec<_> = pairs.collect();
+    let pairs: Vec<_> = ours.vertices().map(|v| (v, cells.near(ours.position(v)))).collect();
     let mut alone = pairs.iter().filter(|(_, near)| near.is_none());
-    if let Some((first, _)) = alone.next() {
-        return Difference::Elsewhere {
-            vertices: 1 + alone.count(),
-            first: *first,
-            position: ours.position(*first),
-        };
+    if let Some(&(first, _)) = alone.next() {
+        let (vertices, position) = (1 + alone.count(), ours.position(first));
+        return Difference::Elsewhere { vertices, first, position };
     }
     let partner: HashMap<_, _> =
         pairs.into_iter().filter_map(|(v, near)| Some((v, near?))).collect();
@@ -140,8 +136,7 @@ type Partners = HashMap<VertexId, VertexId>;
 fn other_edge(ours: &Mesh, theirs: &Mesh, partner: &Partners) -> Option<Difference> {
     let sorted = |[v, w]: [VertexId; 2]| [v.min(w), v.max(w)];
     let known: HashSet<_> = theirs.edges().map(|e| sorted(ends(theirs, e))).collect();
-    let mut edges = ours.edges().map(|e| (e, ends(ours, e)));
-    let (edge, between) = edges.find(|(_, between)| {
+    let (edge, between) = ours.edges().map(|e| (e, ends(ours, e))).find(|(_, between)| {
         let there = between.map(|v| partner.get(&v).copied().unwrap_or(v));
         !known.contains(&sorted(there))
     })?;
@@ -156,10 +151,8 @@ fn ends(mesh: &Mesh, e: EdgeId) -> [VertexId; 2] {
 fn other_face(ours: &Mesh, theirs: &Mesh, partner: &Partners) -> Option<Difference> {
     let known: HashSet<_> =
         theirs.faces().map(|f| from_the_least(theirs.face_vertices(f).collect())).collect();
-    let mut faces = ours.faces().map(|f| (f, ours.face_vertices(f)));
-    let (face, _) = faces.find(|(f, _)| {
-        let corners = ours.face_vertices(*f);
-        let there = corners.map(|v| partner.get(&v).copied().unwrap_or(v));
+    let (face, _) = ours.faces().map(|f| (f, ours.face_vertices(f))).find(|(f, _)| {
+        let there = ours.face_vertices(*f).map(|v| partner.get(&v).copied().unwrap_or(v));
         !known.contains(&from_the_least(there.collect()))
     })?;
     Some(Difference::Face(face, ours.face_vertices(face).collect()))
@@ -183,8 +176,7 @@ impl<'m> Cells<'m> {
     fn of(mesh: &'m Mesh, tolerance: f64) -> Self {
         let mut cells = Self { mesh, tolerance, inside: HashMap::new() };
         for v in mesh.vertices() {
-            let cell = cells.cell(mesh.position(v));
-            cells.inside.entry(cell).or_default().push(v);
+            cells.inside.entry(cells.cell(mesh.position(v))).or_default().push(v);
         }
         cells
     }
@@ -210,7 +202,6 @@ impl<'m> Cells<'m> {
         });
         let is_near =
             |v: &&VertexId| (self.mesh.position(**v) - p).abs().max_element() <= self.tolerance;
-        let near = cells.filter_map(|inside| inside.iter().find(is_near));
-        near.min().copied()
+        cells.filter_map(|inside| inside.iter().find(is_near)).min().copied()
     }
 }

@@ -84,8 +84,7 @@ impl Places {
     /// The attributes of which new edges or faces have the default because nothing has set them.
     pub fn unset(&self, mesh: &Mesh) -> Vec<Unset> {
         let count = |(id, name, values): &(ColumnId, String, Vec<Option<Value>>)| {
-            let column = mesh.column(*id).filter(|column| column.name() == name)?;
-            let default = column.default_value();
+            let default = mesh.column(*id).filter(|column| column.name() == name)?.default_value();
             let is_new = |index: &u32| {
                 let was = values.get(*index as usize).copied().flatten();
                 mesh.value(*id, *index) == Some(default) && was != Some(default)
@@ -126,10 +125,7 @@ impl Places {
             return told;
         };
         let default = Some(column.default_value());
-        let known = match id.kind {
-            ElementKind::Halfedge => self.by_vertex(),
-            _ => Vec::new(),
-        };
+        let known = if id.kind == ElementKind::Halfedge { self.by_vertex() } else { Vec::new() };
         let had = |vertex: VertexId, value: Option<Value>| {
             let first = known.partition_point(|&(of, _)| of < vertex);
             let mut here = known[first..].iter().take_while(|&&(of, _)| of == vertex);

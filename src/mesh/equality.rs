@@ -202,9 +202,7 @@ impl<'c> Pairing<'c> {
     /// Pairs all elements of one piece with all of another, or none.
     fn match_piece(&mut self, ours: &Piece, theirs: &Piece) -> bool {
         let rarest = ours.halfedges.chunk_by(|a, b| a.0 == b.0).min_by_key(|chunk| chunk.len());
-        let Some(&[(color, seed), ..]) = rarest else {
-            return true;
-        };
+        let Some(&[(color, seed), ..]) = rarest else { return true };
         let first = theirs.halfedges.partition_point(|&(other, _)| other < color);
         let alike = theirs.halfedges[first..].iter().take_while(|&&(other, _)| other == color);
         alike.into_iter().any(|&(_, candidate)| self.walk(seed, candidate))

@@ -52,9 +52,7 @@ impl Mesh {
     fn vector_area_of_any(&self, f: FaceId) -> DVec3 {
         let mut corners = self.face_vertices(f).filter_map(|v| self.get_position(v));
         // Relative to the first corner, so that a small face far away keeps its digits.
-        let Some(first) = corners.next() else {
-            return DVec3::ZERO;
-        };
+        let Some(first) = corners.next() else { return DVec3::ZERO };
         let mut sum = DVec3::ZERO;
         let mut last = DVec3::ZERO;
         for corner in corners {

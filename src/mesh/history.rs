@@ -107,13 +107,9 @@ impl History {
         let (here, there) = (start(self.at), start(to));
         match there < here {
             true => {
-                let notes = self.notes[there..here].iter_mut().rev();
-                notes.for_each(|note| self.mesh.put_back(note));
+                self.notes[there..here].iter_mut().rev().for_each(|note| self.mesh.put_back(note));
             }
-            false => {
-                let notes = self.notes[here..there].iter_mut();
-                notes.for_each(|note| self.mesh.put_back(note));
-            }
+            false => self.notes[here..there].iter_mut().for_each(|note| self.mesh.put_back(note)),
         }
         self.at = to;
         Some(&self.mesh)

@@ -40,8 +40,7 @@ fn same_tables(a: &Mesh, b: &Mesh) -> bool {
 
 fn same_columns(a: &Mesh, b: &Mesh, kind: ElementKind) -> bool {
     let names = |mesh: &Mesh| {
-        let columns = mesh.columns(kind);
-        columns.map(|(id, column)| (id, column.name().to_owned())).collect::<Vec<_>>()
+        mesh.columns(kind).map(|(id, column)| (id, column.name().to_owned())).collect::<Vec<_>>()
     };
     let columns = names(a);
     columns == names(b) && columns.iter().all(|&(id, _)| same_values((a, id), (b, id)))

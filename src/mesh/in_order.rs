@@ -50,8 +50,7 @@ impl Mesh {
 
     fn edges_have_all(&self, halfedges: usize) -> bool {
         let mut edges = 0;
-        let mut have = self.edges().map(|e| (e, self.edge_halfedge(e)));
-        have.all(|(edge, h)| {
+        self.edges().map(|e| (e, self.edge_halfedge(e))).all(|(edge, h)| {
             edges += 1;
             self.get_edge(h) == Some(edge)
         }) && 2 * edges == halfedges

@@ -73,8 +73,7 @@ impl Mesh {
     /// The changes since the journal was opened, as far as levels depend on them.
     pub fn written_since(&self, mark: &Bookmark) -> Footprint {
         let mut changes = Footprint::default();
-        let notes = self.journal.notes.get(mark.0..).unwrap_or_default();
-        for note in notes {
+        for note in self.journal.notes.get(mark.0..).unwrap_or_default() {
             match note {
                 Note::Halfedge(h, was) if *was != self.halfedges[h.index()] => {
                     changes.halfedges.push(*h);
@@ -91,8 +90,7 @@ impl Mesh {
     /// Calls `tell` with what has been written since the journal was opened and has changed, with
     /// some of it several times.
     pub fn each_written(&self, mark: &Bookmark, mut tell: impl FnMut(Written)) {
-        let notes = self.journal.notes.get(mark.0..).unwrap_or_default();
-        for note in notes {
+        for note in self.journal.notes.get(mark.0..).unwrap_or_default() {
             match note {
                 &Note::Vertex(v, was) => {
                     let now = self.vertices[v.index()];

@@ -61,8 +61,7 @@ impl Mesh {
 
     /// The origins of the halfedges after a spoke in its loop, up to the first that ends in `ends`.
     fn far_side(&self, spoke: HalfedgeId, ends: [VertexId; 2]) -> impl Iterator<Item = DVec3> {
-        let sides = self.loop_from(spoke).skip(1);
-        let sides = sides.take_while(move |&side| {
+        let sides = self.loop_from(spoke).skip(1).take_while(move |&side| {
             let target = self.get_target(side);
             target.is_some_and(|target| !ends.contains(&target))
         });

@@ -62,37 +62,30 @@ pub enum BelowLevel {
     SameCorners { faces: [FaceId; 2] },
 }
 
+/// A face or a hole in words.
+fn words(face: FaceId, is_hole: bool) -> String {
+    if is_hole { format!("hole {}", face.0) } else { face.to_string() }
+}
+
 impl fmt::Display for BelowLevel {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Invalid(invalid) => invalid.fmt(f),
             Self::SmallLoop { face, hole, size } => {
-                match hole {
-                    true => write!(f, "hole {}", face.0)?,
-                    false => write!(f, "{face}")?,
-                }
-                match size {
-                    1 => f.write_str(" has only 1 side"),
-                    size => write!(f, " has only {size} sides"),
-                }
+                let sides = if *size == 1 { "side" } else { "sides" };
+                write!(f, "{} has only {size} {sides}", words(*face, *hole))
             }
-            Self::MeetsTwice { face, hole: false, vertex } => {
-                write!(f, "{face} meets {vertex} twice")
-            }
-            Self::MeetsTwice { face, hole: true, vertex } => {
-                write!(f, "hole {} meets {vertex} twice", face.0)
+            Self::MeetsTwice { face, hole, vertex } => {
+                write!(f, "{} meets {vertex} twice", words(*face, *hole))
             }
             Self::SingleSpoke { vertex } => write!(f, "{vertex} has a single edge"),
             Self::NoFaceAround { vertex } => write!(f, "{vertex} has holes only around it"),
             Self::Pinched { vertex, holes: [a, b] } if a == b => {
                 write!(f, "the surface is pinched at {vertex}, which hole {} meets twice", a.0)
             }
-            Self::Pinched { vertex, holes: [a, b] } => {
-                write!(
-                    f,
-                    "the surface is pinched at {vertex}, where holes {} and {} meet",
-                    a.0, b.0
-                )
+            Self::Pinched { vertex, holes } => {
+                let [a, b] = holes.map(|hole| hole.0);
+                write!(f, "the surface is pinched at {vertex}, where holes {a} and {b} meet")
             }
             Self::NoFaceAlong { edge } => write!(f, "{edge} has a hole on both sides"),
             Self::EndsWhereItBegins { edge, vertex } => {
@@ -147,8 +140,7 @@ pub(super) fn is_surface_of_single_edges(mesh: &Mesh) -> bool {
     let faces = parallel::parts(mesh.capacity(ElementKind::Face), LEAST);
     let meet_once = parallel::map(faces, |part| {
         let mut met = Vec::new();
-        let mut faces = part.map(|face| FaceId(face as u32)).filter(|&f| mesh.face_alive(f));
-        faces.all(|face| {
+        part.map(|face| FaceId(face as u32)).filter(|&f| mesh.face_alive(f)).all(|face| {
             met.clear();
             met.extend(mesh.face_vertices(face).map(|v| v.0));
             met.len() >= 3 && are_distinct(&mut met)
@@ -219,7 +211,7 @@ fn is_surface(mesh: &Mesh) -> Result<(), BelowLevel> {
     loops_have_three_sides(mesh)?;
     loops_meet_vertices_once(mesh)?;
     vertices_have_one_fan_of_faces(mesh)?;
-    edges_have_a_face(mesh)
+    edges_have_a_face(mesh, mesh.edges())
 }
 
 fn loops_have_three_sides(mesh: &Mesh) -> Result<(), BelowLevel> {
@@ -265,8 +257,11 @@ fn vertices_have_one_fan_of_faces(mesh: &Mesh) -> Result<(), BelowLevel> {
     Ok(())
 }
 
-fn edges_have_a_face(mesh: &Mesh) -> Result<(), BelowLevel> {
-    for edge in mesh.edges() {
+pub(super) fn edges_have_a_face(
+    mesh: &Mesh,
+    edges: impl Iterator<Item = EdgeId>,
+) -> Result<(), BelowLevel> {
+    for edge in edges {
         let h = mesh.edge_halfedge(edge);
         if mesh.is_boundary_halfedge(h) && mesh.is_boundary_halfedge(mesh.twin(h)) {
             return Err(BelowLevel::NoFaceAlong { edge });

@@ -8,7 +8,7 @@
 
 use super::connectivity::Mesh;
 use super::id::{EdgeId, FaceId, HalfedgeId, VertexId};
-use super::level::{BelowLevel, Level};
+use super::level::{BelowLevel, Level, edges_have_a_face};
 
 /// The changes to a mesh since it was known to have a level. Some elements may be listed twice, and
 /// some may have been erased.
@@ -57,12 +57,7 @@ pub fn validate_level_near(
     for &vertex in &vertices {
         star_is_sound(mesh, vertex)?;
     }
-    for &edge in &edges {
-        let h = mesh.edge_halfedge(edge);
-        if mesh.is_boundary_halfedge(h) && mesh.is_boundary_halfedge(mesh.twin(h)) {
-            return Err(BelowLevel::NoFaceAlong { edge });
-        }
-    }
+    edges_have_a_face(mesh, edges.into_iter())?;
     if level >= Level::Simple {
         let mut reached = Vec::new();
         for &vertex in &vertices {
@@ -117,15 +112,11 @@ fn each_once<T: Ord>(mut list: Vec<T>) -> Vec<T> {
 /// A loop has three sides, and meets no vertex twice.
 fn loop_is_sound(mesh: &Mesh, face: FaceId, corners: &[VertexId]) -> Result<(), BelowLevel> {
     let hole = mesh.is_hole(face);
-    if let Some(pair) = corners.windows(2).find(|pair| pair[0] == pair[1]) {
-        let vertex = pair[0];
+    if let Some(&[vertex, _]) = corners.windows(2).find(|pair| pair[0] == pair[1]) {
         return Err(BelowLevel::MeetsTwice { face, hole, vertex });
     }
     let size = corners.len();
-    match size < 3 {
-        true => Err(BelowLevel::SmallLoop { face, hole, size }),
-        false => Ok(()),
-    }
+    if size < 3 { Err(BelowLevel::SmallLoop { face, hole, size }) } else { Ok(()) }
 }
 
 /// A vertex has two spokes, a face around it, and one hole at most.
@@ -168,9 +159,7 @@ fn corners_differ_nearby(
     face: FaceId,
     corners: &[VertexId],
 ) -> Result<(), BelowLevel> {
-    let Some(&corner) = corners.first() else {
-        return Ok(());
-    };
+    let Some(&corner) = corners.first() else { return Ok(()) };
     // No loop meets a vertex twice, so it is enough to count those that are met.
     let are_same = |other: FaceId| {
         let mut size = 0;

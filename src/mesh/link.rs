@@ -152,8 +152,7 @@ impl Mesh {
             held += 1;
         }
         let around_a = &small[..held];
-        let common = self.neighbors(b).filter(|v| around_a.contains(v));
-        common.take(enough + 1).count()
+        self.neighbors(b).filter(|v| around_a.contains(v)).take(enough + 1).count()
     }
 
     #[cold]

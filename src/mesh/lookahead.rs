@@ -35,8 +35,7 @@ impl Mesh {
     pub(crate) fn prefetch_list(&self, kind: ElementKind, list: &[u64], index: usize) {
         let group = |number: usize| {
             let start = index.saturating_add(number * Self::TOGETHER);
-            let ids = list.get(start..).unwrap_or_default();
-            ids.iter().take(Self::TOGETHER).map(|&id| id as usize)
+            list.get(start..).unwrap_or_default().iter().take(Self::TOGETHER).map(|&id| id as usize)
         };
         let record = |h: HalfedgeId| self.halfedges.get(h.index());
         let record_of = |id: usize| record(self.halfedge_of(kind, id)?);
@@ -81,9 +80,7 @@ impl Mesh {
     /// Requests what the next and the previous halfedge lead to outside their loop.
     fn prefetch_neighbors(&self, record: &HalfedgeRecord) {
         for side in [record.next, record.prev] {
-            let Some(side) = self.halfedges.get(side.index()) else {
-                continue;
-            };
+            let Some(side) = self.halfedges.get(side.index()) else { continue };
             prefetch(&self.halfedges, side.twin.index());
             prefetch(&self.vertices, side.vertex.index());
             prefetch(&self.edges, side.edge.index());
@@ -128,9 +125,7 @@ impl Mesh {
         for _ in 0..FEW {
             let mut before = [HalfedgeId::NONE; 2 * Mesh::TOGETHER];
             for (spoke, before) in spokes.iter().zip(&mut before) {
-                let Some(record) = self.halfedges.get(spoke.index()) else {
-                    continue;
-                };
+                let Some(record) = self.halfedges.get(spoke.index()) else { continue };
                 *before = record.prev;
                 prefetch(&self.edges, record.edge.index());
                 prefetch(&self.face_states, record.face.index());
@@ -141,9 +136,7 @@ impl Mesh {
             }
             for ((spoke, before), start) in spokes.iter_mut().zip(before).zip(starts) {
                 *spoke = HalfedgeId::NONE;
-                let Some(record) = self.halfedges.get(before.index()) else {
-                    continue;
-                };
+                let Some(record) = self.halfedges.get(before.index()) else { continue };
                 if record.twin != *start {
                     *spoke = record.twin;
                 }

@@ -81,9 +81,7 @@ impl Polygons {
         let mut start = 0;
         self.ends.iter().map(move |&end| &self.corners[std::mem::replace(&mut start, end)..end])
     }
-}
 
-impl Polygons {
     /// The polygons of a range, in order.
     pub(super) fn range(&self, range: Range<usize>) -> impl Iterator<Item = &[u32]> + '_ {
         let mut start = range.start.checked_sub(1).map_or(0, |before| self.ends[before]);

@@ -147,8 +147,7 @@ pub fn pillow(n: u32) -> Mesh {
 }
 
 fn lattice(n: u32, m: u32) -> Vec<DVec3> {
-    let row = |j| (0..n).map(move |i| DVec3::new(f64::from(i), f64::from(j), 0.0));
-    (0..m).flat_map(row).collect()
+    (0..m).flat_map(|j| (0..n).map(move |i| DVec3::new(f64::from(i), f64::from(j), 0.0))).collect()
 }
 
 fn torus_points(n: u32, m: u32) -> Vec<DVec3> {

@@ -101,8 +101,7 @@ impl Summary {
 }
 
 fn attributes(mesh: &Mesh) -> Vec<AttributeSummary> {
-    let columns = mesh.sayable_columns();
-    let told = columns.map(|(id, column)| AttributeSummary {
+    let told = mesh.sayable_columns().map(|(id, column)| AttributeSummary {
         name: column.name().to_owned(),
         of: id.kind.name(),
         ty: column.attribute_type().name(),

@@ -59,8 +59,7 @@ impl Mesh {
     /// The address of the values of a column, and their number.
     #[inline]
     pub(crate) fn values_in_memory(&mut self, column: ColumnId) -> (*mut u8, usize) {
-        let data = self.column_data_mut(column);
-        data.map_or((std::ptr::null_mut(), 0), ColumnData::memory_mut)
+        self.column_data_mut(column).map_or((std::ptr::null_mut(), 0), ColumnData::memory_mut)
     }
 
     /// As [`Mesh::values_in_memory`], for reading only.

@@ -28,10 +28,7 @@ pub const LAWS: [(&str, Law); 7] = [
 
 /// Checks all laws; the error is the first one found broken.
 pub fn validate(mesh: &Mesh) -> Result<(), Invalid> {
-    match mesh.is_in_order() {
-        true => Ok(()),
-        false => LAWS.iter().try_for_each(|(_, law)| law(mesh)),
-    }
+    if mesh.is_in_order() { Ok(()) } else { LAWS.iter().try_for_each(|(_, law)| law(mesh)) }
 }
 
 /// Every pointer of a living element leads to a living element. Only the `halfedge` of

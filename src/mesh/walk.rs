@@ -110,9 +110,7 @@ impl Mesh {
 
     /// True if a hole lies on one side of `e`.
     pub fn is_boundary_edge(&self, e: EdgeId) -> bool {
-        let Some(h) = self.get_edge_halfedge(e) else {
-            return false;
-        };
+        let Some(h) = self.get_edge_halfedge(e) else { return false };
         let twin = self.get_twin(h).unwrap_or(HalfedgeId::NONE);
         self.holes > 0 && (self.is_boundary_halfedge(h) || self.is_boundary_halfedge(twin))
     }

@@ -21,8 +21,7 @@ pub(super) fn code(program: &Program, op: Option<&str>, language: Language) -> M
         return Message::error("there is no such operation");
     }
     if let Language::Plan = language {
-        let plans = ops.iter().filter_map(|&op| analysis.plans[op].as_ref());
-        let rules = plans.flat_map(|plan| {
+        let rules = ops.iter().filter_map(|&op| analysis.plans[op].as_ref()).flat_map(|plan| {
             plan.stages.iter().map(|stage| {
                 let phases = [
                     ("collect", &stage.collect),

@@ -31,9 +31,7 @@ impl Frame {
         let finite = places.filter(|at| at.is_finite());
         let ends =
             finite.map(|at| (at, at)).reduce(|(low, high), (at, _)| (low.min(at), high.max(at)));
-        let Some((low, high)) = ends else {
-            return self;
-        };
+        let Some((low, high)) = ends else { return self };
         // Halves: the whole may be too large for a number.
         let half = (high / 2.0 - low / 2.0).max_element();
         let farthest = [low, high].map(|at| self.place(at).abs().max_element());
@@ -46,9 +44,6 @@ impl Frame {
 
     /// A point in this frame; the origin if it is at no finite place.
     pub fn place(&self, at: DVec3) -> DVec3 {
-        match at.is_finite() {
-            true => (at / 2.0 - self.middle / 2.0) / self.size * 2.0,
-            false => DVec3::ZERO,
-        }
+        if at.is_finite() { (at / 2.0 - self.middle / 2.0) / self.size * 2.0 } else { DVec3::ZERO }
     }
 }

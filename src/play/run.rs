@@ -159,10 +159,7 @@ struct Looker<'h> {
 
 impl Watch for Looker<'_> {
     fn turn(&mut self, depth: u16, done: u64, total: Option<u64>) -> ControlFlow<()> {
-        match depth {
-            0 => self.host.progress(done, total),
-            _ => ControlFlow::Continue(()),
-        }
+        if depth == 0 { self.host.progress(done, total) } else { ControlFlow::Continue(()) }
     }
 
     fn tick(&mut self) -> ControlFlow<()> {
@@ -175,10 +172,7 @@ impl Watch for Looker<'_> {
 
     fn applied(&mut self, _op: u16) -> ControlFlow<()> {
         self.applied += 1;
-        match self.applied < self.most {
-            true => ControlFlow::Continue(()),
-            false => ControlFlow::Break(()),
-        }
+        if self.applied < self.most { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
     }
 
     fn print(&mut self, line: &str) {

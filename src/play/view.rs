@@ -98,8 +98,7 @@ pub(super) fn counts(mesh: &Mesh) -> Value {
 fn find(mesh: &Mesh, name: &str) -> Option<ColumnId> {
     let (kind, name) = name.split_once('.')?;
     let mut columns = mesh.sayable_columns();
-    let found = columns.find(|(id, column)| id.kind.name() == kind && column.name() == name);
-    found.map(|(id, _)| id)
+    columns.find(|(id, column)| id.kind.name() == kind && column.name() == name).map(|(id, _)| id)
 }
 
 /// Appends the triangles of a face.
@@ -120,9 +119,7 @@ fn triangulate(mesh: &Mesh, face: FaceId, to: &mut Vec<u32>) {
             for _ in 2..count {
                 // In the end a triangle is left, of which any corner will do.
                 let left = || is_cut.iter().position(|is_cut| !is_cut);
-                let Some(at) = ears.next().or_else(left) else {
-                    break;
-                };
+                let Some(at) = ears.next().or_else(left) else { break };
                 let (left, right): (usize, usize) = (before[at], behind[at]);
                 to.extend([left, at, right].map(|at| corner(sides[at])));
                 (behind[left], before[right]) = (right, left);

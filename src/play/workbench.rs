@@ -19,13 +19,12 @@ use super::view::{counts, view};
 use crate::analysis::{Counterexample, Reader};
 use crate::diagram::Rule;
 use crate::draw::{draw_op, fates};
-use crate::lessons;
-use crate::library;
 use crate::mesh::{
     Element, ElementKind, FileFormat, Mesh, MeshFile, Repair, read_mesh_from, shape, write_mesh_to,
 };
 use crate::run::Argument;
 use crate::session::{Op, Outcome, Parameter, Program, Session, Verdict};
+use crate::{lessons, library};
 
 /// The environment of a workbench: it gives files, and may stop a script when notified of progress.
 pub trait Host {
@@ -106,16 +105,14 @@ impl Workbench {
             Ok(ask) => ask,
             Err(error) => return Message::error(format!("the question cannot be read: {error}")),
         };
-        let answer = self.take(ask, &question.bytes, host);
-        answer.unwrap_or_else(Message::error)
+        self.take(ask, &question.bytes, host).unwrap_or_else(Message::error)
     }
 
     fn take(&mut self, ask: Ask, bytes: &[u8], host: &mut dyn Host) -> Answer {
         match ask {
             Ask::Program { name, text, files } => Ok(self.read_program(name, &text, &files, host)),
             Ask::Shape { name } => {
-                let mesh = named_shape(&name).ok_or_else(|| format!("there is no `{name}`"))?;
-                self.replace(mesh);
+                self.replace(named_shape(&name).ok_or_else(|| format!("there is no `{name}`"))?);
                 Ok(self.state(json!({})))
             }
             Ask::Mesh { name, repair, of_host: false } => self.open(&name, bytes, repair),
@@ -199,8 +196,7 @@ impl Workbench {
         let program = program.ok().or_else(|| is_other.then(nothing));
         if let Some(program) = program {
             self.program = program;
-            let mesh = self.session.mesh().clone();
-            self.set(mesh);
+            self.set(self.session.mesh().clone());
             self.last_run = None;
         }
         self.items(json!({
@@ -241,8 +237,7 @@ impl Workbench {
     fn open(&mut self, name: &str, bytes: &[u8], repair: bool) -> Answer {
         let format = FileFormat::of(Path::new(name)).map_err(|why| why.to_string())?;
         let repair = repair.then(Repair::default);
-        let file = read_mesh_from(name, format, bytes, repair);
-        let mut file = match file {
+        let mut file = match read_mesh_from(name, format, bytes, repair) {
             Ok(file) => file,
             Err(error) => {
                 let json = json!({ "error": error.to_string(), "mendable": error.is_mendable() });
@@ -269,10 +264,9 @@ impl Workbench {
     pub(super) fn arguments(
         parameters: &[Parameter<'_>],
         given: &Given,
-        element: Option<Element>,
+        mut element: Option<Element>,
     ) -> Result<Vec<(String, Argument)>, String> {
         let mut arguments = Vec::new();
-        let mut element = element;
         for parameter in parameters {
             let is_element = ElementKind::named(parameter.ty).is_some();
             let name = parameter.name.to_owned();
@@ -305,14 +299,12 @@ impl Workbench {
         let kinds = ElementKind::ALL.map(ElementKind::name);
         let free = |it: &&Parameter<'_>| kinds.contains(&it.ty) && !given.contains_key(it.name);
         let kind = parameters.iter().find(free).map_or("", |it| it.ty);
-        let bytes: Vec<u8> = verdicts
-            .iter()
-            .map(|verdict| match verdict {
-                Verdict::Gone => 0,
-                Verdict::Applies => 1,
-                Verdict::Refuses(reason) => u8::try_from(reason + 2).unwrap_or(u8::MAX),
-            })
-            .collect();
+        let byte = |verdict: &Verdict| match verdict {
+            Verdict::Gone => 0,
+            Verdict::Applies => 1,
+            Verdict::Refuses(reason) => u8::try_from(reason + 2).unwrap_or(u8::MAX),
+        };
+        let bytes: Vec<u8> = verdicts.iter().map(byte).collect();
         let reasons: Vec<&str> = op.reasons().iter().map(|reason| &**reason).collect();
         let applies = bytes.iter().filter(|&&verdict| verdict == 1).count();
         let asked = bytes.iter().filter(|&&verdict| verdict != 0).count();
@@ -351,8 +343,7 @@ impl Workbench {
         let op = self.op(op)?;
         let arguments = Self::arguments(&op.parameters(), given, Some(element))?;
         let before = self.session.mesh().clone();
-        let outcome = self.session.apply(&op, arguments);
-        match outcome.map_err(|error| error.to_string())? {
+        match self.session.apply(&op, arguments).map_err(|error| error.to_string())? {
             Outcome::Refused(reason) => Ok(Message::of(json!({ "refused": &*reason.text }))),
             Outcome::Applied(result) => {
                 self.past.keep(before);
@@ -424,10 +415,7 @@ fn argument(value: &Value, ty: &str) -> Option<Argument> {
         "vec2" => Argument::from(<[f64; 2]>::try_from(reals()?).ok()?),
         "vec3" => Argument::from(<[f64; 3]>::try_from(reals()?).ok()?),
         "vec4" => Argument::from(<[f64; 4]>::try_from(reals()?).ok()?),
-        _ => {
-            let kind = ElementKind::named(ty)?;
-            Argument::Element(kind, u32::try_from(value.as_u64()?).ok()?)
-        }
+        _ => Argument::Element(ElementKind::named(ty)?, u32::try_from(value.as_u64()?).ok()?),
     })
 }
 
@@ -455,10 +443,7 @@ struct Files<'g> {
 
 impl Reader for Files<'_> {
     fn read(&mut self, name: &str) -> Result<String, String> {
-        match self.files.get(name) {
-            Some(text) => Ok(text.clone()),
-            None => self.rest.read(name),
-        }
+        self.files.get(name).map_or_else(|| self.rest.read(name), |text| Ok(text.clone()))
     }
 
     fn beside(&mut self, name: &str) -> Vec<String> {

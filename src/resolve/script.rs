@@ -103,8 +103,12 @@ impl Scripting<'_> {
     /// `{ … }`
     pub(super) fn block(&mut self, block: &tree::Block) -> Block {
         self.typing.scopes.enter();
+        let kept = self.testing.as_ref().map_or(0, |meshes| meshes.kept.len());
         let mut statements = Block::new();
         self.actions(&block.statements, &mut statements);
+        if let Some(meshes) = &mut self.testing {
+            meshes.kept.truncate(kept);
+        }
         self.typing.scopes.leave();
         statements
     }

@@ -121,7 +121,16 @@ impl Scripting<'_> {
                 self.typing.report.add(Diagnostic::error("test-mesh", message, action.span));
                 Some(None)
             }
-            ActionKind::Let { name, value, .. } if is_mesh(value) => Some(self.kept(name)),
+            ActionKind::Let { mutable, name, ty, value } if is_mesh(value) => {
+                Some(self.kept(name, *mutable || ty.is_some(), action.span))
+            }
+            ActionKind::Let { name, .. } => {
+                if let Some((first, _)) = self.kept_as(&name.text) {
+                    let error = duplicate("a mesh", name, first.span);
+                    self.typing.report.add(error);
+                }
+                None
+            }
             ActionKind::Assert { condition, reason } => {
                 let reason = reason.as_ref().map(|(text, _)| text.as_str());
                 match &condition.kind {
@@ -130,6 +139,13 @@ impl Scripting<'_> {
                     {
                         let same = *op == BinaryOp::Equal;
                         Some(self.compared(if is_mesh(left) { right } else { left }, same, reason))
+                    }
+                    ExprKind::Binary(BinaryOp::Equal | BinaryOp::NotEqual, left, right)
+                        if self.is_kept(left) || self.is_kept(right) =>
+                    {
+                        let message = "a mesh that was kept is compared with `mesh` as it is now";
+                        let error = Diagnostic::error("test-mesh", message, condition.span);
+                        Some(self.typing.report.reject(error))
                     }
                     ExprKind::Call { function, args } if function.text == "refuses" => {
                         Some(self.refuses(args, reason, condition.span))
@@ -141,15 +157,36 @@ impl Scripting<'_> {
         }
     }
 
-    /// `let start = mesh`
-    fn kept(&mut self, name: &Ident) -> Option<StatementKind> {
-        let meshes = self.testing.as_mut()?;
-        if let Some((first, _)) = meshes.kept.iter().find(|(known, _)| known.text == name.text) {
-            return self.typing.report.reject(duplicate("a mesh", name, first.span));
+    /// `let start = mesh`; `may_differ` if it is a `var` or has a type.
+    fn kept(&mut self, name: &Ident, may_differ: bool, span: Span) -> Option<StatementKind> {
+        if may_differ {
+            let whole = format!("let {} = mesh", name.text);
+            let message = format!("a mesh is kept by `{whole}`");
+            let error = Diagnostic::error("test-mesh", message, span);
+            self.typing.report.add(error.fix(format!("write `{whole}`"), span, whole));
         }
+        let first = match self.kept_as(&name.text) {
+            Some((first, _)) => Some(("a mesh", first.span)),
+            None => {
+                self.typing.scopes.find_here(&name.text).map(|local| ("a variable", local.span))
+            }
+        };
+        if let Some((what, first)) = first {
+            return self.typing.report.reject(duplicate(what, name, first));
+        }
+        let meshes = self.testing.as_mut()?;
         let mesh = meshes.add(TestMesh::Empty);
         meshes.kept.push((name.clone(), mesh));
         Some(StatementKind::KeepMesh { mesh })
+    }
+
+    /// The visible kept mesh of this name.
+    fn kept_as(&self, name: &str) -> Option<&(Ident, u16)> {
+        self.testing.as_ref()?.kept.iter().find(|(known, _)| known.text == name)
+    }
+
+    fn is_kept(&self, expr: &tree::Expr) -> bool {
+        matches!(&expr.kind, ExprKind::Name(name) if self.kept_as(&name.ident.text).is_some())
     }
 
     /// `assert mesh == …`
@@ -160,10 +197,7 @@ impl Scripting<'_> {
         reason: Option<&str>,
     ) -> Option<StatementKind> {
         let known = match &other.kind {
-            ExprKind::Name(name) => {
-                let kept = &self.testing.as_ref()?.kept;
-                kept.iter().find(|(known, _)| known.text == name.ident.text).map(|(_, mesh)| *mesh)
-            }
+            ExprKind::Name(name) => self.kept_as(&name.ident.text).map(|(_, mesh)| *mesh),
             _ => None,
         };
         let mesh = match known {

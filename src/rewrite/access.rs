@@ -12,19 +12,13 @@ use crate::mesh::{EdgeId, ElementKind, FaceId, HalfedgeId, Mesh, VertexId};
 /// The fault of an element that does not exist.
 #[cold]
 pub(super) fn gone(kind: ElementKind, id: u32) -> Fault {
-    match id {
-        u32::MAX => Fault::Missing(kind),
-        _ => Fault::Gone(kind),
-    }
+    if id == u32::MAX { Fault::Missing(kind) } else { Fault::Gone(kind) }
 }
 
 /// Fails unless the element exists.
 #[inline]
 pub(super) fn expect_alive(mesh: &Mesh, kind: ElementKind, id: u32) -> Result<(), Fault> {
-    match mesh.is_alive(kind, id) {
-        true => Ok(()),
-        false => Err(gone(kind, id)),
-    }
+    if mesh.is_alive(kind, id) { Ok(()) } else { Err(gone(kind, id)) }
 }
 
 /// The living vertex with this number.
@@ -60,8 +54,7 @@ pub(super) fn load(mesh: &Mesh, field: HalfedgeField, id: u32) -> Result<u32, Fa
 #[inline]
 pub(super) fn pointer_of(mesh: &Mesh, field: HalfedgeField, id: u32) -> Option<u32> {
     // Loading all six pointers is faster than a jump to one of six loads.
-    let record = mesh.get_halfedge(HalfedgeId(id))?;
-    Some(record.pointers()[field as usize])
+    Some(mesh.get_halfedge(HalfedgeId(id))?.pointers()[field as usize])
 }
 
 /// The halfedge of an element.
@@ -185,10 +178,7 @@ pub(super) fn store_all(
 #[inline]
 pub(super) fn place(mesh: &Mesh, id: u32, position: DVec3) -> Result<(VertexId, DVec3), Fault> {
     let v = vertex(mesh, id)?;
-    match position.is_finite() {
-        true => Ok((v, position)),
-        false => Err(Fault::NotFinite),
-    }
+    if position.is_finite() { Ok((v, position)) } else { Err(Fault::NotFinite) }
 }
 
 /// Adds an element.

@@ -29,10 +29,7 @@ pub fn modulo(left: i64, right: i64) -> Result<i64, Fault> {
         return Err(Fault::DivisionByZero);
     }
     let rest = left.wrapping_rem(right);
-    Ok(match rest != 0 && (rest < 0) != (right < 0) {
-        true => rest + right,
-        false => rest,
-    })
+    Ok(if rest != 0 && (rest < 0) != (right < 0) { rest + right } else { rest })
 }
 
 /// The nearest int, half to even.
@@ -91,8 +88,5 @@ pub(super) fn balance(v: DVec3) -> DVec3 {
     // The exponent is in the bits of numbers that are not subnormal.
     let v = if largest(v) < f64::MIN_POSITIVE { v / f64::EPSILON } else { v };
     let power = f64::from_bits(largest(v).to_bits() & f64::INFINITY.to_bits());
-    match power > 0.0 && power.is_finite() {
-        true => v / power,
-        false => v,
-    }
+    if power > 0.0 && power.is_finite() { v / power } else { v }
 }

@@ -99,9 +99,7 @@ impl Asked {
                 }
             }
             Changes::Walked { question, attributes, written: all, .. } => {
-                let Some((kind, id, fields)) = fields_of(mesh, attributes, written) else {
-                    return;
-                };
+                let Some((kind, id, fields)) = fields_of(mesh, attributes, written) else { return };
                 if question.paths.concern(kind, fields) {
                     all.push(WrittenFields { kind, id, fields });
                 }
@@ -176,10 +174,7 @@ fn fields_of(
 ) -> Option<(ElementKind, u32, Fields)> {
     Some(match written {
         Written::Pointers(halfedge, was) => {
-            let fields = match mesh.get_halfedge(halfedge) {
-                Some(now) => changed(was, now),
-                None => Fields::ALL,
-            };
+            let fields = mesh.get_halfedge(halfedge).map_or(Fields::ALL, |now| changed(was, now));
             (ElementKind::Halfedge, halfedge.0, fields)
         }
         Written::Halfedge(kind, id) => (kind, id, Fields::FIRST),

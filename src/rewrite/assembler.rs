@@ -317,9 +317,7 @@ impl Registers {
 
     fn release(&mut self, mark: Mark) {
         while self.live.len() > mark.0 {
-            let Some((reg, width)) = self.live.pop() else {
-                return;
-            };
+            let Some((reg, width)) = self.live.pop() else { return };
             let start = usize::from(reg.0);
             let end = start + usize::from(width);
             if let Some(slots) = self.taken.get_mut(start..end) {

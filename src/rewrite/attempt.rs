@@ -24,8 +24,7 @@ impl Said {
         if let Some(known) = constant.iter().position(|known| known == text) {
             return known as u32;
         }
-        let known = self.0.iter().position(|known| known == text);
-        let number = known.unwrap_or_else(|| {
+        let number = self.0.iter().position(|known| known == text).unwrap_or_else(|| {
             self.0.push(text.to_owned());
             self.0.len() - 1
         });
@@ -114,9 +113,7 @@ impl Machine {
 
     /// The reason why an operation refuses, as text; empty if it does not refuse.
     pub(super) fn reason_of(&self, op: u16, outcome: Outcome) -> &str {
-        let Outcome::Refused { reason } = outcome else {
-            return "";
-        };
+        let Outcome::Refused { reason } = outcome else { return "" };
         let plan = self.plans.get(usize::from(op)).and_then(Option::as_ref);
         let refusal = plan.zip(reason).and_then(|(plan, at)| plan.refusals.get(usize::from(at)));
         refusal.map_or("the diagram does not match here", |refusal| &refusal.reason)

@@ -54,8 +54,7 @@ fn asked_attributes(code: &Code) -> Vec<u16> {
         Inst::LoadAttribute { attribute, .. } => Some(attribute),
         _ => None,
     };
-    let constants = code.insts.iter().take(code.constants);
-    let small = constants.filter_map(|inst| match *inst {
+    let small = code.insts.iter().take(code.constants).filter_map(|inst| match *inst {
         Inst::Const { to, bits } => is_small(Value::Int(bits as i64)).then_some(to),
         _ => None,
     });

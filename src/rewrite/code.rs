@@ -52,8 +52,7 @@ pub struct Code {
 impl Code {
     /// Whether a drain may run in this code.
     pub fn drains(&self) -> bool {
-        let functions = self.functions.iter().map(|function| &function.code);
-        functions.chain([self]).any(Self::opens_drain)
+        self.functions.iter().map(|function| &function.code).chain([self]).any(Self::opens_drain)
     }
 
     /// Whether this code itself begins a drain.
@@ -97,8 +96,7 @@ impl Code {
     /// The number of the place in the source of an instruction that can trap.
     pub fn place(&self, inst: usize) -> Option<u32> {
         let at = u32::try_from(inst).ok()?;
-        let found = self.traps.binary_search_by_key(&at, |&(inst, _)| inst);
-        found.ok().map(|trap| self.traps[trap].1)
+        self.traps.binary_search_by_key(&at, |&(inst, _)| inst).ok().map(|trap| self.traps[trap].1)
     }
 }
 

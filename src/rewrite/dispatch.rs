@@ -6,20 +6,17 @@
 
 use super::access::{self, gone};
 use super::arithmetic::{balance, direction, divide, fits, key, math, mix, modulo, round};
-use super::attribute;
 use super::call::{Frame, MOST_CALLS};
-use super::families;
-use super::lookahead;
 use super::memory::{self, Budget};
 use super::observe::Scene;
 use super::print::{RealText, VectorText, WideText, append};
 use super::question::ask;
-use super::vectors;
 use super::watch::{LONG_FACE, LONG_LIST};
 use super::window::{Window, reserve};
 use super::{
     Engine, Fault, Inst, List, Machine, Message, Outcome, Phase, Reg, Room, Trap, Triangles, Watch,
 };
+use super::{attribute, families, lookahead, vectors};
 use crate::mesh::{Element, ElementKind, Mesh, VertexId, difference, same_up_to_renumbering};
 
 /// The distance up to which coordinates of meshes count as equal.
@@ -217,13 +214,9 @@ impl Machine {
                 MinReal { to, left, right } => w.set_real(to, w.real(left).min(w.real(right))),
                 MaxReal { to, left, right } => w.set_real(to, w.real(left).max(w.real(right))),
                 PowReal { to, left, right } => w.set_real(to, w.real(left).powf(w.real(right))),
-                Atan2Real { to, left, right } => {
-                    w.set_real(to, w.real(left).atan2(w.real(right)));
-                }
+                Atan2Real { to, left, right } => w.set_real(to, w.real(left).atan2(w.real(right))),
                 LessReal { to, left, right } => w.set_truth(to, w.real(left) < w.real(right)),
-                LessEqualReal { to, left, right } => {
-                    w.set_truth(to, w.real(left) <= w.real(right));
-                }
+                LessEqualReal { to, left, right } => w.set_truth(to, w.real(left) <= w.real(right)),
                 EqualReal { to, left, right } => w.set_truth(to, w.real(left) == w.real(right)),
                 MathReal { math: f, to, from } => w.set_real(to, math(f, w.real(from))),
                 AddVec { to, left, right } => w.set_vector(to, w.vector(left) + w.vector(right)),
@@ -301,9 +294,7 @@ impl Machine {
                         at = to.0 as usize;
                     }
                 }
-                Alive { kind, to, element } => {
-                    w.set_truth(to, mesh.is_alive(kind, w.id(element)));
-                }
+                Alive { kind, to, element } => w.set_truth(to, mesh.is_alive(kind, w.id(element))),
 
                 // Questions.
                 Ask { question, to, elements: [first, second] } => {
@@ -506,9 +497,7 @@ impl Machine {
                 BufferLength { buffer, to } => w.set_int(to, buffer!(buffer).len() as i64),
                 BufferGet { buffer, to, index } => {
                     let index = usize::try_from(w.int(index)).unwrap_or(usize::MAX);
-                    let Some(&bits) = buffer!(buffer).get(index) else {
-                        break Message::OutOfRange;
-                    };
+                    let Some(&bits) = buffer!(buffer).get(index) else { break Message::OutOfRange };
                     w.set_bits(to, bits);
                 }
                 BufferNext { buffer, index, to, otherwise } => {
@@ -586,9 +575,7 @@ impl Machine {
                     or_trap!(self.preview.store_all(mesh, field, part, w.id(value)));
                     *buffer!(span.ends) = ends;
                 }
-                Erase { kind, element } => {
-                    or_trap!(access::erase(mesh, kind, w.id(element)));
-                }
+                Erase { kind, element } => or_trap!(access::erase(mesh, kind, w.id(element))),
                 Recycle => {
                     if self.holding == 0 && !self.is_beside_others {
                         mesh.recycle();

@@ -102,9 +102,7 @@ impl Drain {
     }
 
     fn touch(&mut self, place: Place) {
-        let Self { changes: Changes::Noted(readers), stale, .. } = self else {
-            return;
-        };
+        let Self { changes: Changes::Noted(readers), stale, .. } = self else { return };
         readers.take(place, |reader| stale.push(reader));
         readers.take(Place::Whole, |reader| stale.push(reader));
     }
@@ -144,9 +142,7 @@ impl Drain {
     /// Makes the elements stale that the walk back from what was written finds. `held` returns the
     /// element that a variable holds.
     fn walk_back(&mut self, mesh: &Mesh, walk: &mut WalkBack, held: impl Fn(Reg) -> u32) {
-        let Changes::Walked { paths, written } = &mut self.changes else {
-            return;
-        };
+        let Changes::Walked { paths, written } = &mut self.changes else { return };
         if written.is_empty() {
             return;
         }
@@ -346,12 +342,8 @@ impl Drains {
 
     /// Sets the key of the element whose key is being computed.
     pub(super) fn set_key(&mut self, key: f64) -> Result<(), Message> {
-        let Some(drain) = self.all.last_mut() else {
-            return Err(Message::Malformed);
-        };
-        let Some(id) = drain.reading.take() else {
-            return Err(Message::Malformed);
-        };
+        let Some(drain) = self.all.last_mut() else { return Err(Message::Malformed) };
+        let Some(id) = drain.reading.take() else { return Err(Message::Malformed) };
         self.recording -= usize::from(drain.is_noted());
         if key.is_nan() {
             drain.reading = Some(id);

@@ -1,7 +1,6 @@
 //! Families: buffers with one slot for each index of a cycle.
 
-use super::access;
-use super::{Fault, Inst, List, Machine, Message, Span, Walk, memory};
+use super::{Fault, Inst, List, Machine, Message, Span, Walk, access, memory};
 use crate::mesh::{ElementKind, Mesh};
 
 /// The index plus the shift, modulo `length`.
@@ -40,18 +39,13 @@ pub fn part<'b>(
 ) -> Result<&'b [u64], Fault> {
     let at = place(ends.len(), index, span.shift)?;
     let end = ends[at] as usize;
-    let start = match at.checked_sub(1) {
-        Some(before) => ends[before] as usize,
-        None => 0,
-    };
+    let start = at.checked_sub(1).map_or(0, |before| ends[before] as usize);
     halfedges.get(start..end).ok_or(Fault::OutOfRange)
 }
 
 /// Whether a walk once around from the first of the halfedges meets all others in their order.
 pub(super) fn meets_all(mesh: &Mesh, walk: Walk, halfedges: &[u64]) -> Result<bool, Fault> {
-    let Some((&first, rest)) = halfedges.split_first() else {
-        return Ok(true);
-    };
+    let Some((&first, rest)) = halfedges.split_first() else { return Ok(true) };
     let mut open = rest.iter().peekable();
     let mut at = first as u32;
     for _ in 0..mesh.capacity(ElementKind::Halfedge) {

@@ -105,8 +105,7 @@ impl KnownLevel {
     #[cfg(feature = "native")]
     pub(super) fn quiet_states(plan: &Plan, is_asked: bool) -> u64 {
         let of = |now| Level::ALL.map(|was| Self { was, ..Self::new(now) });
-        let states = Level::ALL.into_iter().flat_map(of);
-        let quiet = states.filter(|known| match is_asked {
+        let quiet = Level::ALL.into_iter().flat_map(of).filter(|known| match is_asked {
             true => known.now >= plan.level,
             false => !known.watches(plan),
         });
@@ -195,12 +194,9 @@ impl Machine {
         if applied && plan.may_lower() {
             self.known.lowered = u32::from(op) + 1;
         }
-        let Some(mark) = mark else {
-            return;
-        };
+        let Some(mark) = mark else { return };
         if applied {
-            let written = mesh.written_since(&mark);
-            self.known.lower(mesh, plan, written);
+            self.known.lower(mesh, plan, mesh.written_since(&mark));
         }
         mesh.keep(mark);
     }

@@ -430,9 +430,7 @@ impl Machine {
 
     #[inline]
     pub(super) fn count(&mut self, op: u16, outcome: Outcome) {
-        let Some(count) = self.counts.get_mut(usize::from(op)) else {
-            return;
-        };
+        let Some(count) = self.counts.get_mut(usize::from(op)) else { return };
         match outcome {
             Outcome::Applied { .. } => count.applied += 1,
             Outcome::Refused { reason } => {
@@ -454,8 +452,7 @@ impl Machine {
     /// The name of the operation that refused last in this run, and its reason.
     pub fn last_refusal(&self) -> Option<(&str, &str)> {
         let (op, _) = self.last_refusal?;
-        let plan = self.plans.get(usize::from(op))?.as_ref()?;
-        Some((&plan.name, self.last_reason(op)?))
+        Some((&self.plans.get(usize::from(op))?.as_ref()?.name, self.last_reason(op)?))
     }
 
     /// The trap of an operation that refused although the script said `must`.

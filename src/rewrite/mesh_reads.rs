@@ -37,9 +37,7 @@ impl Reads<'_> {
     pub(super) fn orbit(&mut self, nodes: &[Node], walk: Walk) -> Result<Nodes, Unbounded> {
         let orbit = self.steps(nodes, Step::Orbit(walk))?;
         match walk {
-            Walk::Loop => {
-                self.read(&orbit, Fields::pointer(HalfedgeField::Next));
-            }
+            Walk::Loop => self.read(&orbit, Fields::pointer(HalfedgeField::Next)),
             Walk::Star => {
                 let before = self.load(&orbit, HalfedgeField::Prev)?;
                 self.read(&before, Fields::pointer(HalfedgeField::Twin));

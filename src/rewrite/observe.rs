@@ -8,13 +8,12 @@
 use super::access::{load, load_halfedge};
 use super::attribute::{self, Held};
 use super::drain::{Drains, existing};
-use super::families;
 use super::inst::computation;
 use super::paths::Fields;
 use super::preview::Looked;
 use super::readers::Place;
 use super::window::Window;
-use super::{ElementField, HalfedgeField, Inst, List, Question, Walk};
+use super::{ElementField, HalfedgeField, Inst, List, Question, Walk, families};
 use crate::mesh::{
     ColumnId, EdgeId, ElementKind, FaceId, Footprint, HalfedgeId, HalfedgeRecord, Mesh, Orbits,
     VertexId,
@@ -79,8 +78,7 @@ impl Drains {
                 }
             }
             Inst::ReleaseHeld { buffer } => {
-                let held = scene.buffers.get(usize::from(buffer));
-                let held = held.map_or(&[][..], |list| &**list);
+                let held = scene.buffers.get(usize::from(buffer)).map_or(&[][..], |list| &**list);
                 for (target, id, _) in Held::new(scene.columns, held) {
                     let (kind, fields) = match target {
                         None => (ElementKind::Vertex, Fields::POSITION),
@@ -170,9 +168,7 @@ impl Drains {
         self.read(Place::VertexHalfedge(id));
         let mut loops = Vec::new();
         for spoke in mesh.spokes(VertexId(id)) {
-            let Some(record) = mesh.get_halfedge(spoke) else {
-                continue;
-            };
+            let Some(record) = mesh.get_halfedge(spoke) else { continue };
             self.read_halfedge(mesh, spoke.0);
             self.read(Place::Face(record.face.0));
             loops.push(record.face.0);
@@ -221,9 +217,7 @@ impl Drains {
         let mut at = from;
         for _ in 0..mesh.capacity(ElementKind::Halfedge) {
             self.read_halfedge(mesh, at);
-            let Some(record) = mesh.get_halfedge(HalfedgeId(at)) else {
-                return;
-            };
+            let Some(record) = mesh.get_halfedge(HalfedgeId(at)) else { return };
             at = match walk {
                 Walk::Loop => record.next.0,
                 Walk::Star => {

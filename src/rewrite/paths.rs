@@ -401,15 +401,10 @@ fn step_back(
                 Walk::Star => h.vertex.0,
                 Walk::Loop => h.face.0,
             }));
+            leave_once(seen, orbits);
             match walk {
-                Walk::Star => {
-                    leave_once(seen, orbits);
-                    vertices(orbits, to);
-                }
-                Walk::Loop => {
-                    leave_once(seen, orbits);
-                    faces(orbits, to);
-                }
+                Walk::Star => vertices(orbits, to),
+                Walk::Loop => faces(orbits, to),
             }
         }
     }

@@ -64,8 +64,7 @@ pub enum Holder {
 impl Plan {
     /// The highest level that a mesh of the given level is known to have after the op.
     pub fn level_after(&self, level: Level) -> Level {
-        let kept = self.keeps.iter().filter(|&&kept| kept <= level);
-        kept.copied().max().unwrap_or(Level::Map)
+        self.keeps.iter().filter(|&&kept| kept <= level).copied().max().unwrap_or(Level::Map)
     }
 }
 

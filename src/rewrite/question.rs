@@ -5,9 +5,8 @@
 
 use glam::DVec3;
 
-use super::access;
 use super::window::Window;
-use super::{Fault, Reg};
+use super::{Fault, Reg, access};
 use crate::mesh::{ElementKind, Mesh};
 
 /// A question to the mesh about one element; [`Question::Adjacent`] is about two.

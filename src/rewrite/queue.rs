@@ -120,9 +120,7 @@ impl Queue {
 
     /// Removes an element, if it is queued. It comes back when its key changes.
     pub fn remove(&mut self, id: u32) {
-        let Some(place) = self.places.get_mut(id as usize) else {
-            return;
-        };
+        let Some(place) = self.places.get_mut(id as usize) else { return };
         let at = std::mem::replace(place, NOWHERE);
         if at == NOWHERE {
             return;
@@ -178,9 +176,7 @@ impl Queue {
         // An entry that has moved up comes before everything below its old place.
         while at >= from {
             let block = at - ROOT + 1;
-            let Some(Siblings(all)) = self.heap.get(block) else {
-                break;
-            };
+            let Some(Siblings(all)) = self.heap.get(block) else { break };
             let (mut child, mut least) = (0, all[0]);
             for (place, &other) in all.iter().enumerate().skip(1) {
                 if self.is_before(other, least) {

@@ -120,8 +120,7 @@ impl Default for Readers {
 impl Readers {
     /// The memory that the readers take, in bytes.
     pub fn bytes(&self) -> usize {
-        let lists = self.lists.iter().map(|lists| lists.capacity() * size_of::<List>());
-        lists.sum::<usize>()
+        self.lists.iter().map(|lists| lists.capacity() * size_of::<List>()).sum::<usize>()
             + self.pool.capacity() * size_of::<Entry>()
             + self.seen.capacity() * size_of::<u32>()
     }
@@ -185,9 +184,7 @@ impl Readers {
     /// Removes all readers of a place, and passes them to `each`.
     pub fn take(&mut self, place: Place, mut each: impl FnMut(u32)) {
         let (kind, at) = place.split();
-        let Some(list) = self.lists[kind].get_mut(at) else {
-            return;
-        };
+        let Some(list) = self.lists[kind].get_mut(at) else { return };
         let mut entry = std::mem::replace(list, EMPTY).first;
         while entry != NOTHING {
             let Entry { reader, next } = self.pool[entry as usize];

@@ -92,8 +92,7 @@ impl State {
     }
 
     fn push(&mut self, buffer: u16, nodes: &[Node]) {
-        let all = self.0.entry(BUFFERS | u32::from(buffer)).or_default();
-        unite(all, nodes);
+        unite(self.0.entry(BUFFERS | u32::from(buffer)).or_default(), nodes);
     }
 
     /// The values that have been set in the preview for a pointer, of any element.
@@ -113,14 +112,9 @@ impl State {
     fn join(&mut self, other: &State) -> bool {
         let mut grown = false;
         for (&slot, nodes) in &other.0 {
-            grown |= match self.0.entry(slot) {
-                std::collections::btree_map::Entry::Vacant(free) => {
-                    free.insert(nodes.clone());
-                    true
-                }
-                std::collections::btree_map::Entry::Occupied(mut known) => {
-                    unite(known.get_mut(), nodes)
-                }
+            grown |= match self.0.get_mut(&slot) {
+                Some(known) => unite(known, nodes),
+                None => self.0.insert(slot, nodes.clone()).is_none(),
             };
         }
         grown
@@ -206,8 +200,7 @@ impl<'c> Reads<'c> {
                     Inst::Give { from, width } if !self.running.is_empty() => {
                         value.resize(value.len().max(usize::from(width)), Nodes::new());
                         for (part, all) in (0..width).zip(&mut value) {
-                            let nodes = self.nodes(&state, Reg(from.0.wrapping_add(part)))?;
-                            unite(all, &nodes);
+                            unite(all, &self.nodes(&state, Reg(from.0.wrapping_add(part)))?);
                         }
                         break;
                     }
@@ -277,16 +270,14 @@ impl<'c> Reads<'c> {
                 let from = self.nodes(state, element)?;
                 self.read(&from, Fields::LIFE);
             }
-            Inst::Ask { question, to, elements } => {
-                let [first, second] = elements;
+            Inst::Ask { question, to, elements: [first, second] } => {
                 let (first, second) = (self.nodes(state, first)?, self.nodes(state, second)?);
                 self.ask(question, &first, &second)?;
                 state.set(to, Nodes::new());
             }
             Inst::Collect { walk, buffer, from, .. } => {
                 let from = self.nodes(state, from)?;
-                let orbit = self.orbit(&from, walk)?;
-                state.push(buffer, &orbit);
+                state.push(buffer, &self.orbit(&from, walk)?);
             }
             Inst::WalkBegin { walk, from, at, turns, .. } => {
                 let from = self.nodes(state, from)?;
@@ -303,26 +294,17 @@ impl<'c> Reads<'c> {
                 let from = self.buffered(state, buffer)?;
                 self.orbit(&from, walk)?;
             }
-            Inst::Copy { to, from } => {
-                let nodes = self.nodes(state, from)?;
-                state.set(to, nodes);
-            }
+            Inst::Copy { to, from } => state.set(to, self.nodes(state, from)?),
             Inst::Select { to, then, otherwise, .. } => {
                 let mut nodes = self.nodes(state, then)?;
                 unite(&mut nodes, &self.nodes(state, otherwise)?);
                 state.set(to, nodes);
             }
             Inst::BufferClear { buffer } => state.set_buffer(buffer, Nodes::new()),
-            Inst::BufferPush { buffer, from } => {
-                let nodes = self.nodes(state, from)?;
-                state.push(buffer, &nodes);
-            }
+            Inst::BufferPush { buffer, from } => state.push(buffer, &self.nodes(state, from)?),
             Inst::BufferGet { buffer, to, .. }
             | Inst::BufferNext { buffer, to, .. }
-            | Inst::Member { buffer, to, .. } => {
-                let nodes = self.buffered(state, buffer)?;
-                state.set(to, nodes);
-            }
+            | Inst::Member { buffer, to, .. } => state.set(to, self.buffered(state, buffer)?),
             Inst::BufferGetWide { buffer, to, width, .. } => {
                 let nodes = self.buffered(state, buffer)?;
                 for part in 0..width {
@@ -330,8 +312,7 @@ impl<'c> Reads<'c> {
                 }
             }
             Inst::BufferAppend { from, to } | Inst::BufferDeal { from, to, .. } => {
-                let nodes = self.buffered(state, from)?;
-                state.push(to, &nodes);
+                state.push(to, &self.buffered(state, from)?);
             }
             Inst::Call { function, args, to, .. } => {
                 let value = self.call(state, function, args)?;
@@ -394,8 +375,7 @@ impl<'c> Reads<'c> {
     }
 
     fn call(&mut self, state: &State, function: u16, args: Reg) -> Result<Vec<Nodes>, Unbounded> {
-        let functions = self.functions;
-        let called = functions.get(usize::from(function)).ok_or(Unbounded::Effects)?;
+        let called = self.functions.get(usize::from(function)).ok_or(Unbounded::Effects)?;
         if self.running.contains(&function) {
             return Err(Unbounded::Recursion);
         }

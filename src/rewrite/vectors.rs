@@ -99,8 +99,7 @@ pub(super) fn lanes(w: &mut Window, operation: Lanes, width: u8, [to, left, righ
         }
         Lanes::Dot => {
             let products = (0..width).map(|part| real(w, left, part) * real(w, right, part));
-            let sum = products.sum();
-            w.set_real(to, sum);
+            w.set_real(to, products.sum());
         }
         Lanes::Normalize => normalize(w, to, left, width),
         Lanes::IsNan => {
@@ -120,8 +119,7 @@ fn normalize(w: &mut Window, to: Reg, from: Reg, width: usize) {
     let parts = (0..width).map(|part| real(w, from, part));
     let is_finite = parts.clone().all(f64::is_finite);
     let largest = parts.clone().fold(0.0, |most: f64, part| most.max(part.abs()));
-    let scaled = parts.map(|part| part / largest);
-    let length = scaled.map(|part| part * part).sum::<f64>().sqrt();
+    let length = parts.map(|part| part / largest).map(|part| part * part).sum::<f64>().sqrt();
     for part in 0..width {
         let value = match is_finite {
             true if largest > 0.0 => real(w, from, part) / largest / length,
@@ -177,10 +175,7 @@ matrices!(matrix4, DMat4, DVec4, 4);
 
 #[inline]
 pub(super) fn matrix(w: &mut Window, operation: Matrix, size: u8, registers: [Reg; 3]) {
-    match size {
-        3 => matrix3(w, operation, registers),
-        _ => matrix4(w, operation, registers),
-    }
+    if size == 3 { matrix3(w, operation, registers) } else { matrix4(w, operation, registers) }
 }
 
 fn reals<const N: usize>(w: &Window, from: Reg) -> [f64; N] {

@@ -67,10 +67,7 @@ impl Watch for StopAfter {
 
     fn tick(&mut self) -> ControlFlow<()> {
         self.0 = self.0.saturating_sub(1);
-        match self.0 {
-            0 => ControlFlow::Break(()),
-            _ => ControlFlow::Continue(()),
-        }
+        if self.0 == 0 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 }
 

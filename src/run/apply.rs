@@ -3,9 +3,9 @@
 use std::sync::{Arc, OnceLock};
 
 use super::columns::Columns;
-use super::report::{Failure, diagnostic, expect_level, highest_between, level_of_steps};
+use super::report::{Failure, diagnostic, expect_level, failure, highest_between, level_of_steps};
 use super::steps::with_steps;
-use super::{Argument, Prepared, Report, prepare};
+use super::{Argument, Prepared, prepare};
 use crate::compile::width;
 use crate::diagnostic::Diagnostic;
 use crate::mesh::{ElementKind, Level, Mesh, Value, validate_level};
@@ -57,8 +57,7 @@ pub fn attributes(
 
 /// The columns that an operation and its steps need.
 fn columns(program: &Program, plan: &Plan, plans: &[Option<Plan>]) -> Result<Columns, Diagnostic> {
-    let used = with_steps(plans, [plan]);
-    let used = used.into_iter().map(|plan| &plan.code);
+    let used = with_steps(plans, [plan]).into_iter().map(|plan| &plan.code);
     Columns::of(&program.attributes, used)
 }
 
@@ -75,8 +74,7 @@ pub fn apply(
     mesh: &mut Mesh,
     arguments: &[(String, Argument)],
 ) -> Result<Applied, Box<Failure>> {
-    let application = Application::new(program, op, plans).map_err(failure)?;
-    application.apply(mesh, arguments, &mut Unwatched)
+    Application::new(program, op, plans).map_err(failure)?.apply(mesh, arguments, &mut Unwatched)
 }
 
 /// An operation of a program, to be applied to any number of meshes.
@@ -195,8 +193,7 @@ impl Application {
             }
             Outcome::Refused { reason } => {
                 let known = reason.and_then(|reason| plan.refusals.get(usize::from(reason)));
-                let reason = known.map_or(UNKNOWN_REASON, |known| &known.reason);
-                Applied::Refused(reason.to_owned())
+                Applied::Refused(known.map_or(UNKNOWN_REASON, |known| &known.reason).to_owned())
             }
         })
     }
@@ -246,10 +243,6 @@ impl Application {
 
 /// The reason of a refusal for which none is noted.
 pub(crate) const UNKNOWN_REASON: &str = "the diagram does not match here";
-
-fn failure(diagnostic: Diagnostic) -> Box<Failure> {
-    Box::new(Failure { diagnostic, report: Report::default() })
-}
 
 /// A program whose only script has the parameters of an operation, and does nothing: running it
 /// leaves their values in the window.

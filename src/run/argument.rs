@@ -92,8 +92,7 @@ impl Argument {
             Self::Reals(_, parts) => slots.extend(parts.iter().map(|part| part.to_bits())),
             Self::Text(text) => {
                 // Equal texts have equal numbers.
-                let known = texts.iter().position(|known| known == text);
-                let number = known.unwrap_or_else(|| {
+                let number = texts.iter().position(|known| known == text).unwrap_or_else(|| {
                     texts.push(text.clone());
                     texts.len() - 1
                 });

@@ -21,8 +21,7 @@ impl Lowering<'_> {
         let (applied, result) = (self.asm.reg(), self.asm.reg());
         let mark = self.asm.mark();
         let slots = self.arguments(args);
-        let inst = Inst::Apply { op: narrow(op), args: slots, applied, result };
-        self.trap_at(span, inst);
+        self.trap_at(span, Inst::Apply { op: narrow(op), args: slots, applied, result });
         self.asm.release(mark);
         (applied, result)
     }
@@ -40,10 +39,5 @@ impl Lowering<'_> {
             Inst::Call { function: narrow(call.function), args, to: call.to, holds: call.holds };
         self.trap_at(span, inst);
         self.asm.release(mark);
-    }
-
-    /// Stops the script: the operation just called has refused, though it must not.
-    pub(super) fn stop_refused(&mut self, op: usize, span: Span) {
-        self.trap_at(span, Inst::Refused { op: narrow(op) });
     }
 }

@@ -40,8 +40,7 @@ impl Columns {
     ) -> Result<Self, Diagnostic> {
         let (mut used, mut written) =
             (vec![false; attributes.len()], vec![false; attributes.len()]);
-        let all = code.into_iter().flat_map(Code::with_called);
-        for inst in all.flat_map(|code| &code.insts) {
+        for inst in code.into_iter().flat_map(Code::with_called).flat_map(|code| &code.insts) {
             let (attribute, writes) = match inst {
                 Inst::LoadAttribute { attribute, .. } => (*attribute, false),
                 Inst::StoreAttribute { attribute, .. } | Inst::HoldAttribute { attribute, .. } => {
@@ -106,8 +105,7 @@ impl Columns {
             Ok(column)
         };
         let mut bind = bind;
-        let columns = self.0.iter().map(|needed| needed.as_ref().map(&mut bind));
-        columns.map(Option::transpose).collect()
+        self.0.iter().map(|needed| needed.as_ref().map(&mut bind)).map(Option::transpose).collect()
     }
 
     /// Resets the scratch attributes that the code may have written to their defaults.
@@ -132,9 +130,7 @@ impl Columns {
 /// The initial value of an attribute: its default, or zero.
 fn default(attribute: &Attribute) -> Result<Value, Diagnostic> {
     let mut machine = Machine::default();
-    let Some(default) = &attribute.default else {
-        return Ok(value(attribute.ty, &[]));
-    };
+    let Some(default) = &attribute.default else { return Ok(value(attribute.ty, &[])) };
     let (mut asm, mut names) = (Assembler::new(), Names::default());
     let from = lower(&mut asm, &mut names, default);
     let failed = |message: String| {

@@ -104,9 +104,7 @@ impl Lowering<'_> {
 
     /// The value of a key, a real.
     fn key(&mut self, key: &Expr) -> Reg {
-        let ExprKind::Unary(Unary::ToReal, int) = &key.kind else {
-            return self.value(key);
-        };
+        let ExprKind::Unary(Unary::ToReal, int) = &key.kind else { return self.value(key) };
         let (from, to) = (self.value(int), self.asm.reg());
         self.trap_at(key.span, Inst::IntToKey { to, from });
         to

@@ -53,8 +53,7 @@ impl Functions {
         let mut texts = Vec::new();
         let functions = program.functions.iter().map(lowered_function);
         let scripts = program.called_scripts.iter().map(|(_, _, at)| {
-            let script = at.and_then(|at| program.scripts.get(at));
-            script.map_or_else(Beginning::default, called_script)
+            at.and_then(|at| program.scripts.get(at)).map_or_else(Beginning::default, called_script)
         });
         for Beginning { name, span, params, lower } in functions.chain(scripts) {
             let mut lowered = rewrite::Function { name, params, ..rewrite::Function::default() };
@@ -158,8 +157,7 @@ fn calls_ops(program: &Program) -> Arc<[bool]> {
 pub(super) fn calling(function: &resolve::Function, number: usize) -> Script {
     let variable =
         |(name, ty, span): (&str, Type, Span)| Variable { name: name.to_owned(), ty, span };
-    let params = function.params.iter();
-    let params = params.map(|param| (param.name.as_str(), param.ty, param.span));
+    let params = function.params.iter().map(|param| (param.name.as_str(), param.ty, param.span));
     let value = function.result.map(|ty| ("value", ty, function.span));
     let args = (0..).zip(&function.params).map(|(at, param)| Expr {
         ty: param.ty,

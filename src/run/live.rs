@@ -102,8 +102,7 @@ impl Liveness<'_> {
                 if let Some(variable) = variable {
                     live.remove(variable);
                 }
-                let live = union(live, &self.before_block(otherwise, exits));
-                self.reading(args, live)
+                self.reading(args, union(live, &self.before_block(otherwise, exits)))
             }
             StatementKind::Refused { .. } => Live::new(),
             StatementKind::Break => exits.broken.clone(),

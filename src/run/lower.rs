@@ -84,8 +84,7 @@ impl Scope for Names {
     }
 
     fn local(&self, variable: u32) -> Reg {
-        let known = self.registers.get(variable as usize);
-        known.copied().unwrap_or(Reg(0))
+        self.registers.get(variable as usize).copied().unwrap_or(Reg(0))
     }
 
     fn declare(&mut self, variable: u32, reg: Reg) {
@@ -112,8 +111,7 @@ impl<'p> Lowering<'p> {
         let defaults = routine.params.iter().filter_map(|param| param.default.as_ref());
         defaults.for_each(|default| effects.see(default));
         let mut lowering = Self::with_parameters(routine, effects, known);
-        let given = routine.params.iter().map(|_| lowering.asm.reg());
-        let given: Vec<Reg> = given.collect();
+        let given: Vec<Reg> = routine.params.iter().map(|_| lowering.asm.reg()).collect();
         lowering.other_variables(routine);
         for (variable, (param, condition)) in (0..).zip(routine.params.iter().zip(given)) {
             if let Some(default) = &param.default {
@@ -135,10 +133,7 @@ impl<'p> Lowering<'p> {
     /// Begins the code of a function: the registers are the parameters, then the other variables.
     pub(super) fn of_function(routine: Routine<'p>, known: Known<'_>) -> Self {
         let effects = Effects::of_block(routine.block);
-        let mut lowering = Self::with_parameters(routine, effects, known);
-        lowering.other_variables(routine);
-        lowering.ending = Ending::Function;
-        lowering
+        Self { ending: Ending::Function, ..Self::of_steps(routine, effects, known) }
     }
 
     /// Begins the code of an operation in steps: the registers are the parameters, then the other
@@ -152,11 +147,8 @@ impl<'p> Lowering<'p> {
 
     /// Lets the operation in steps refuse unless the condition holds.
     pub(super) fn require(&mut self, condition: Reg, reason: &str) {
-        self.asm.emit(Inst::Expect {
-            condition,
-            refusal: self.refusals.len() as u16,
-            otherwise: self.refuses,
-        });
+        let (refusal, otherwise) = (self.refusals.len() as u16, self.refuses);
+        self.asm.emit(Inst::Expect { condition, refusal, otherwise });
         self.refusals.push(Refusal { reason: reason.to_owned(), phase: Phase::Require });
     }
 
@@ -187,18 +179,14 @@ impl<'p> Lowering<'p> {
             visited: Vec::new(),
             ending: Ending::Script,
         };
-        for param in routine.params {
-            let reg = lowering.asm.block(width(param.ty));
-            lowering.names.registers.push(reg);
-        }
+        let params = routine.params.iter().map(|param| lowering.asm.block(width(param.ty)));
+        lowering.names.registers.extend(params);
         lowering
     }
 
     fn other_variables(&mut self, routine: Routine<'p>) {
-        for other in routine.variables.iter().skip(routine.params.len()) {
-            let reg = self.asm.block(width(other.ty));
-            self.names.registers.push(reg);
-        }
+        let others = routine.variables.iter().skip(routine.params.len());
+        self.names.registers.extend(others.map(|other| self.asm.block(width(other.ty))));
     }
 
     /// Appends the end of a function, reached without a `return`.
@@ -214,10 +202,7 @@ impl<'p> Lowering<'p> {
     /// Lowers a block. `exits` is `None` inside a loop over elements, where no id may be reused.
     pub(super) fn block(&mut self, block: &[Statement], exits: Option<&Exits>) {
         let Some(exits) = exits else {
-            for statement in block {
-                self.statement(statement, None);
-            }
-            return;
+            return block.iter().for_each(|statement| self.statement(statement, None));
         };
         let before = self.liveness.before_each(block, exits);
         for (at, statement) in block.iter().enumerate() {
@@ -286,10 +271,9 @@ impl<'p> Lowering<'p> {
                 let condition = self.value(condition);
                 self.require(condition, reason);
             }
-            StatementKind::Refused { op } => self.stop_refused(*op, span),
-            StatementKind::KeepMesh { mesh } => {
-                self.trap_at(span, Inst::MeshKeep { mesh: *mesh });
-            }
+            // The operation just called has refused, though it must not.
+            StatementKind::Refused { op } => self.trap_at(span, Inst::Refused { op: narrow(*op) }),
+            StatementKind::KeepMesh { mesh } => self.trap_at(span, Inst::MeshKeep { mesh: *mesh }),
             StatementKind::AssertMesh { mesh, same, reason } => {
                 self.assert_mesh(*mesh, *same, reason, span);
             }
@@ -338,22 +322,19 @@ impl<'p> Lowering<'p> {
         exits: Option<&Exits>,
     ) -> Option<Exits> {
         let exits = exits?;
-        let head = self.liveness.at_head(conditions, body, exits);
-        Some(exits.of_body(head))
+        Some(exits.of_body(self.liveness.at_head(conditions, body, exits)))
     }
 
     /// Whether ids are still needed after a statement with these exits; the variable that it sets
     /// does not count.
     fn needs_ids(&self, exits: Option<&Exits>, set: Option<u32>) -> bool {
-        let needed = |exits: &Exits| exits.next.iter().any(|needed| Some(*needed) != set);
-        exits.is_none_or(needed)
+        exits.is_none_or(|exits| exits.next.iter().any(|needed| Some(*needed) != set))
     }
 
     /// The result of a function that is called for `value`; `holds` is that of [`FunctionCall`].
     fn given(&mut self, function: u32, args: &[Expr], value: &Expr, holds: bool) -> Reg {
         let to = self.asm.block(width(value.ty));
-        let call = FunctionCall { function, args, to, holds };
-        self.call(call, value.span);
+        self.call(FunctionCall { function, args, to, holds }, value.span);
         to
     }
 
@@ -363,8 +344,7 @@ impl<'p> Lowering<'p> {
             ExprKind::Invoke(function, args) => {
                 // Inside a loop over elements the ids stay needed, although this one is left: a
                 // loop further out may still be running.
-                let from = self.given(*function, args, value, exits.is_none());
-                (from, width(value.ty))
+                (self.given(*function, args, value, exits.is_none()), width(value.ty))
             }
             _ => (self.value(value), width(value.ty)),
         });
@@ -386,8 +366,7 @@ impl<'p> Lowering<'p> {
     }
 
     pub(super) fn trap_at(&mut self, span: Span, inst: Inst) {
-        let place = self.names.place(span);
-        self.asm.trap_at(place, inst);
+        self.asm.trap_at(self.names.place(span), inst);
     }
 
     fn set(&mut self, variable: u32, value: &Expr) {

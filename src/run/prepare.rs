@@ -81,8 +81,7 @@ pub(crate) fn prepare_function(
     if !too_large.is_empty() {
         return Err(too_large);
     }
-    let script = calling(&program.functions[function], function);
-    prepare_script(program, &script, plans, functions)
+    prepare_script(program, &calling(&program.functions[function], function), plans, functions)
 }
 
 /// [`prepare`] for a script that need not be in the program's list.
@@ -110,11 +109,12 @@ pub(super) fn prepare_script(
         return Err(unproved);
     }
     let last = called.last().map_or(0, |&(op, _)| op);
-    let code = lowering.asm.finish().and_then(|code| match u16::try_from(last) {
-        Ok(_) => Ok(code),
-        Err(_) => Err(TooLarge),
-    });
-    let code = code.map_err(|too_large| vec![does_not_fit(script, too_large)])?;
+    let code = lowering.asm.finish();
+    let code = code.and_then(|code| u16::try_from(last).map_or(Err(TooLarge), |_| Ok(code)));
+    let code = code.map_err(|too_large| {
+        let message = format!("`{}` is {too_large}", script.name);
+        vec![Diagnostic::error("script-too-large", message, script.span)]
+    })?;
     let code = with_functions(code, &functions);
     let called_plans = called.iter().filter_map(|&(op, _)| plans.get(op)?.as_ref());
     let called_plans = with_steps(plans, called_plans);
@@ -142,15 +142,11 @@ pub(super) fn prepare_script(
 
 fn not_proved(program: &Program, op: usize, call: Span) -> Diagnostic {
     let code = "unproved-op";
-    match program.ops.get(op) {
-        Some(op) => {
-            let message = format!("`{}` is not proved, so it cannot run", op.name);
-            Diagnostic::error(code, message, call)
-                .saying("called here")
-                .label(op.span, "this operation")
-        }
-        None => Diagnostic::error(code, "there is no such operation", call),
-    }
+    let Some(op) = program.ops.get(op) else {
+        return Diagnostic::error(code, "there is no such operation", call);
+    };
+    let message = format!("`{}` is not proved, so it cannot run", op.name);
+    Diagnostic::error(code, message, call).saying("called here").label(op.span, "this operation")
 }
 
 fn not_understood(program: &Program, function: usize, by: Span) -> Diagnostic {
@@ -161,11 +157,6 @@ fn not_understood(program: &Program, function: usize, by: Span) -> Diagnostic {
     };
     let message = format!("`{name}` has an error, and this depends on it: it cannot run");
     Diagnostic::error("unproved-op", message, by).label(span, format!("this {kind} has an error"))
-}
-
-fn does_not_fit(script: &Script, too_large: TooLarge) -> Diagnostic {
-    let message = format!("`{}` is {too_large}", script.name);
-    Diagnostic::error("script-too-large", message, script.span)
 }
 
 impl Prepared {
@@ -225,8 +216,7 @@ impl Prepared {
     /// The slot of the value in the window, for a prepared function.
     pub(crate) fn value(&self) -> usize {
         // Before it are the parameters, and for each of them whether it was given.
-        let widths = self.params.iter().map(|param| usize::from(width(param.ty)) + 1);
-        widths.sum()
+        self.params.iter().map(|param| usize::from(width(param.ty)) + 1).sum()
     }
 
     /// Whether it may change the mesh.
@@ -278,10 +268,7 @@ impl Prepared {
         }
         let given = texts.iter().map(|(name, _)| name.as_str());
         errors.extend(self.badly_given(given));
-        match errors.is_empty() {
-            true => Ok(arguments),
-            false => Err(errors),
-        }
+        if errors.is_empty() { Ok(arguments) } else { Err(errors) }
     }
 
     /// The slots at the start of the window: the values of the parameters, then for each of them
@@ -309,9 +296,7 @@ impl Prepared {
         values: &mut [Option<Argument>],
     ) -> Result<(), Diagnostic> {
         let at = self.params.iter().position(|param| param.name == name);
-        let Some(at) = at else {
-            return Err(self.no_such_parameter(name));
-        };
+        let Some(at) = at else { return Err(self.no_such_parameter(name)) };
         match values.get_mut(at) {
             Some(free @ None) => *free = Some(value),
             _ => return Err(self.wrongly_given(&self.params[at], TWICE)),
@@ -355,9 +340,7 @@ impl Prepared {
                     }
                     value.fill(texts, slots);
                 }
-                None if param.default.is_none() => {
-                    return Err(self.wrongly_given(param, MISSING));
-                }
+                None if param.default.is_none() => return Err(self.wrongly_given(param, MISSING)),
                 None => slots.extend(std::iter::repeat_n(0, usize::from(width(param.ty)))),
             }
         }

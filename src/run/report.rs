@@ -34,6 +34,11 @@ pub struct Failure {
     pub report: Report,
 }
 
+/// A failure before anything was done.
+pub(super) fn failure(diagnostic: Diagnostic) -> Box<Failure> {
+    Box::new(Failure { diagnostic, report: Report::default() })
+}
+
 /// Runs a script on a mesh. Printed lines go to the watcher.
 ///
 /// # Errors
@@ -57,13 +62,8 @@ pub(super) fn run_with(
     watch: &mut dyn Watch,
 ) -> Result<Report, Box<Failure>> {
     let mut code = prepared.code.clone();
-    let slots = prepared.slots(mesh, arguments, &mut code.texts);
-    let slots =
-        slots.map_err(|diagnostic| Box::new(Failure { diagnostic, report: Report::default() }))?;
-    let columns = prepared
-        .columns
-        .bind(mesh)
-        .map_err(|diagnostic| Box::new(Failure { diagnostic, report: Report::default() }))?;
+    let slots = prepared.slots(mesh, arguments, &mut code.texts).map_err(failure)?;
+    let columns = prepared.columns.bind(mesh).map_err(failure)?;
     let mut machine = Machine::new(&prepared.plans);
     machine.limit_memory(prepared.memory);
     machine.use_engine(prepared.engine);
@@ -92,9 +92,7 @@ pub(super) fn level_of_steps(plans: &[Option<Plan>], called: &[usize], level: Le
     let mut open = called.to_vec();
     let mut wanted = level;
     while let Some(op) = open.pop() {
-        let Some(Some(plan)) = plans.get(op) else {
-            continue;
-        };
+        let Some(Some(plan)) = plans.get(op) else { continue };
         if !std::mem::replace(&mut is_seen[op], true) {
             wanted = wanted.max(plan.level);
             let calls = plan.steps.iter().flat_map(|steps| &steps.calls);
@@ -125,8 +123,7 @@ pub(super) fn expect_level(plan: &Plan, mesh: &Mesh, place: Span) -> Result<(), 
 
 /// The report on the calls of the operations that a script calls.
 pub(crate) fn report(prepared: &Prepared, counts: &[Count]) -> Report {
-    let called = prepared.called.iter().zip(&prepared.names);
-    let ops = called.filter_map(|(&op, name)| {
+    let ops = prepared.called.iter().zip(&prepared.names).filter_map(|(&op, name)| {
         let plan = prepared.plans.get(op)?.as_ref()?;
         Some(op_report(name, plan, counts.get(op)?))
     });
@@ -256,9 +253,7 @@ pub(super) fn code(prepared: &Prepared, trap: &Trap) -> &'static str {
 }
 
 fn asserted(prepared: &Prepared, trap: &Trap) -> bool {
-    let Some(Site { op, function, place: Some(place) }) = trap.trace.first() else {
-        return false;
-    };
+    let Some(Site { op, function, place: Some(place) }) = trap.trace.first() else { return false };
     let assertions = match (function, op) {
         (Some(function), _) => prepared.functions.assertions.get(usize::from(*function)),
         (None, None) => Some(&prepared.assertions),

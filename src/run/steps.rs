@@ -71,8 +71,7 @@ struct Claims<'c> {
 impl Claims<'_> {
     /// The first operation that it calls and that does not keep a property.
     fn breaks(&self, property: Property) -> Option<&str> {
-        let mut calls = self.calls.iter();
-        calls.find(|(_, keeps)| !keeps.contains(&property)).map(|(name, _)| *name)
+        self.calls.iter().find(|(_, keeps)| !keeps.contains(&property)).map(|(name, _)| *name)
     }
 
     /// The properties that it keeps: those that all its steps keep, and the level of its guard.
@@ -160,8 +159,7 @@ pub fn calls_of_steps(
     program: &Program,
     functions: &Functions,
 ) -> BTreeMap<usize, BTreeSet<usize>> {
-    let ops = program.ops.iter().enumerate();
-    let steps = ops.filter_map(|(number, op)| {
+    let steps = program.ops.iter().enumerate().filter_map(|(number, op)| {
         let effects = Effects::of_steps(op.steps.as_ref()?);
         let mut calls: BTreeSet<usize> = effects.ops.keys().copied().collect();
         let called: Vec<_> = effects.functions.iter().map(|&number| number as usize).collect();
@@ -198,9 +196,7 @@ fn plan(
     functions: &Functions,
     plans: &[Option<Plan>],
 ) -> Result<Option<Plan>, TooLarge> {
-    let Some(steps) = &op.steps else {
-        return Ok(None);
-    };
+    let Some(steps) = &op.steps else { return Ok(None) };
     let effects = Effects::of_steps(steps);
     let called: Vec<_> = effects.functions.iter().map(|&number| number as usize).collect();
     if functions.first_missing(&functions.reached(&called)).is_some() {
@@ -222,9 +218,7 @@ fn plan(
     let mut first = Vec::new();
     let mut keeps = vec![Level::Surface, Level::Simple];
     for &called in calls {
-        let Some(plan) = plans.get(called).and_then(Option::as_ref) else {
-            return Ok(None);
-        };
+        let Some(plan) = plans.get(called).and_then(Option::as_ref) else { return Ok(None) };
         // The mesh has the level of the guard at the end, and keeps what every step keeps.
         keeps.retain(|kept| *kept <= steps.level || plan.keeps.contains(kept));
         first.push((number(called)?, number(refusals.len())?));
@@ -259,10 +253,7 @@ fn within(step: &Plan, refusal: &Refusal) -> Refusal {
     let Refusal { reason, phase } = refusal;
     let is_drawn = *phase == Phase::Match && step.steps.is_none();
     Refusal {
-        reason: match is_drawn {
-            true => format!("in `{}`, {reason}", step.name),
-            false => reason.clone(),
-        },
+        reason: if is_drawn { format!("in `{}`, {reason}", step.name) } else { reason.clone() },
         phase: *phase,
     }
 }

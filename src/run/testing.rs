@@ -3,7 +3,7 @@
 use super::function::Functions;
 use super::lower::Lowering;
 use super::prepare::{Prepared, prepare_script};
-use super::report::{Failure, Report, run_with};
+use super::report::{Failure, Report, failure, run_with};
 use crate::compile::{Scope, narrow};
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Binary, Expr, ExprKind, Unary};
@@ -46,11 +46,9 @@ pub fn test(
     load: &mut Load,
     watch: &mut dyn Watch,
 ) -> Result<Report, Box<Failure>> {
-    let failure = |diagnostic| Box::new(Failure { diagnostic, report: Report::default() });
     let Some(test) = program.tests.get(test) else {
         let message = "there is no such test";
-        let error = Diagnostic::error("unknown-script", message, Span::default());
-        return Err(failure(error));
+        return Err(failure(Diagnostic::error("unknown-script", message, Span::default())));
     };
     let (functions, mut too_large) = Functions::of(program);
     if let Some(error) = too_large.pop() {
@@ -61,10 +59,9 @@ pub fn test(
     let mut prepared = prepared.with_seed(conditions.seed);
     prepared.limit_memory(conditions.memory);
     prepared.use_engine(conditions.engine);
-    let mut made = Vec::new();
-    for mesh in std::iter::once(&test.begin).chain(&test.meshes) {
-        made.push(make(mesh, &prepared, load).map_err(failure)?);
-    }
+    let meshes = std::iter::once(&test.begin).chain(&test.meshes);
+    let made = meshes.map(|mesh| make(mesh, &prepared, load).map_err(failure));
+    let mut made = made.collect::<Result<Vec<_>, _>>()?;
     let mut mesh = made.remove(0);
     run_with(&prepared, &mut mesh, &[], made, watch)
 }

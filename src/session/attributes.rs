@@ -35,9 +35,7 @@ impl Session {
 
     /// Removes an attribute. Returns whether there was one of that name.
     pub fn remove_attribute(&mut self, kind: ElementKind, name: &str) -> bool {
-        let Some(column) = self.mesh.find_column(kind, name) else {
-            return false;
-        };
+        let Some(column) = self.mesh.find_column(kind, name) else { return false };
         self.mesh.remove_column(column);
         self.engine.unbind();
         self.masks.forget();

@@ -4,12 +4,11 @@ use std::fmt;
 use std::sync::Arc;
 
 use super::{Error, Program, Reason};
-use crate::analysis;
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Param, Type};
 use crate::mesh::{ElementKind, Level};
-use crate::resolve;
 use crate::run::{Application, Prepared, UNKNOWN_REASON, prepare, prepare_function};
+use crate::{analysis, resolve};
 
 pub(super) type ApplicationOrError = Result<Application, Diagnostic>;
 

@@ -96,13 +96,11 @@ impl Session {
             verdicts: Vec::new(),
             applies: Vec::new(),
         });
-        match self.bring_up_to_date(name) {
-            Ok(_) => Ok(name),
-            Err(error) => {
-                self.drop_mask(name);
-                Err(error)
-            }
+        let current = self.bring_up_to_date(name);
+        if current.is_err() {
+            self.drop_mask(name);
         }
+        current.map(|_| name)
     }
 
     /// The current values of a kept mask, as [`mask`](Self::mask) would return them, also of an

@@ -30,8 +30,7 @@ impl Op {
         if let Some(drawn) = &analysis.program.ops[self.index].diagram {
             return Ok(Cow::Borrowed(drawn));
         }
-        let found = example(&analysis.program, self.index, &analysis.plans);
-        found
+        example(&analysis.program, self.index, &analysis.plans)
             .map(Cow::Owned)
             .map_err(|none| Error::nowhere("no-example", none.to_string(), &self.program.0.sources))
     }

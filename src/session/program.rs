@@ -122,8 +122,7 @@ impl Program {
         file: FileId,
         reader: &mut dyn Reader,
     ) -> Result<Self, Error> {
-        let analysis = Analysis::with(&mut sources, file, reader);
-        Self::of(analysis, sources)
+        Self::of(Analysis::with(&mut sources, file, reader), sources)
     }
 
     fn of(analysis: Analysis, sources: Sources) -> Result<Self, Error> {
@@ -207,8 +206,7 @@ impl Program {
     }
 
     fn visible(&self, spans: impl Iterator<Item = Span>) -> impl Iterator<Item = usize> {
-        let seen = spans.enumerate().filter(|(_, span)| self.0.analysis.sees(*span));
-        seen.map(|(at, _)| at)
+        spans.enumerate().filter(|(_, span)| self.0.analysis.sees(*span)).map(|(at, _)| at)
     }
 
     /// The warnings about the program.

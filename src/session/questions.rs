@@ -65,8 +65,7 @@ impl Session {
     /// # Errors
     /// As for [`apply`](Self::apply).
     pub fn why(&mut self, op: &Op, arguments: impl Arguments) -> Result<Option<Reason>, Error> {
-        let refusal = self.ask(op, arguments)?;
-        Ok(refusal.map(|reason| op.reason(reason)))
+        Ok(self.ask(op, arguments)?.map(|reason| op.reason(reason)))
     }
 
     /// The rule of an operation that matches, with the elements that its names denote; or why the
@@ -130,9 +129,7 @@ impl Session {
         let Free { application, at, kind, slot } = self.free_parameter(op, arguments)?;
         let mut answers = vec![answer(Verdict::Gone); self.mesh.capacity(kind)];
         let living: Vec<u32> = self.mesh.elements(kind).collect();
-        let Some(&first) = living.first() else {
-            return Ok(answers);
-        };
+        let Some(&first) = living.first() else { return Ok(answers) };
         self.values[at] = Some(Argument::Element(kind, first));
         self.make_ready(op, application)?;
         let plan = application.plan();

@@ -86,8 +86,7 @@ impl Session {
         }
         self.engine.release(&mut self.mesh);
         self.engine.unbind();
-        let known = self.others.iter().position(|other| other.program.is(program));
-        let next = match known {
+        let next = match self.others.iter().position(|other| other.program.is(program)) {
             Some(at) => self.others.swap_remove(at),
             None => self.new_engine(program),
         };
@@ -217,8 +216,7 @@ impl Session {
             self.masks.note(&self.mesh, &mark);
             self.mesh.keep(mark);
         }
-        let outcome = outcome.map_err(|trap| self.trapped(application, trap))?;
-        Ok(match outcome {
+        Ok(match outcome.map_err(|trap| self.trapped(application, trap))? {
             rewrite::Outcome::Applied { result } => {
                 self.known.leave(plan.level_after(self.engine.machine.level()));
                 application.columns().clear(&mut self.mesh);
@@ -296,8 +294,7 @@ impl Session {
         watch: &mut dyn Watch,
     ) -> (Result<Report, Error>, crate::mesh::History) {
         self.mesh.record_history(most);
-        let outcome = self.run_watched(script, arguments, watch);
-        (outcome, self.mesh.take_history().unwrap_or_default())
+        (self.run_watched(script, arguments, watch), self.mesh.take_history().unwrap_or_default())
     }
 
     /// Fills the slots with the given values. Returns the code to run, whose texts include theirs.

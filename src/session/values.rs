@@ -103,8 +103,7 @@ impl Session {
         arguments: impl Arguments,
         watch: &mut dyn Watch,
     ) -> Result<Option<Argument>, Error> {
-        self.enter_function(function, arguments)?;
-        let prepared = function.prepared()?;
+        let prepared = self.enter_function(function, arguments)?;
         let code = self.filled(prepared)?;
         match prepared.changes() {
             true => self.go((prepared, &code), watch).map(drop)?,
@@ -129,8 +128,7 @@ impl Session {
         arguments: impl Arguments,
         watch: &mut dyn Watch,
     ) -> Result<Values, Error> {
-        self.enter_function(function, arguments)?;
-        let prepared = function.prepared()?;
+        let prepared = self.enter_function(function, arguments)?;
         let name = function.name();
         let Some(ty) = function.result_type() else {
             return Err(self.wrong("wrong-argument", format!("`{name}` gives no value")));
@@ -144,9 +142,7 @@ impl Session {
         }
         let mut values = Values::new(ty, self.mesh.capacity(kind));
         let mut living = self.mesh.elements(kind).collect::<Vec<_>>().into_iter();
-        let Some(first) = living.next() else {
-            return Ok(values);
-        };
+        let Some(first) = living.next() else { return Ok(values) };
         // The first call checks the arguments, and determines the level of the mesh.
         self.values[at] = Some(Argument::Element(kind, first));
         let code = self.filled(prepared)?;
@@ -192,20 +188,19 @@ impl Session {
         Ok(())
     }
 
-    fn enter_function(
+    fn enter_function<'f>(
         &mut self,
-        function: &Function,
+        function: &'f Function,
         arguments: impl Arguments,
-    ) -> Result<(), Error> {
+    ) -> Result<&'f Prepared, Error> {
         self.expect_own(&function.program)?;
         let prepared = function.prepared()?;
         self.give(prepared, arguments)?;
-        let level = prepared.wanted();
-        self.known.seek(level, &self.mesh);
+        self.known.seek(prepared.wanted(), &self.mesh);
         if !std::mem::replace(&mut self.engine.bound_functions[function.index], true) {
             self.bind(prepared.columns())?;
         }
-        Ok(())
+        Ok(prepared)
     }
 
     /// Runs a function that does not change the mesh. The known level stays, and the open journal

@@ -24,10 +24,12 @@ use "std/repair.hedge"
 "#;
 
 /// What keeps a mesh of triangles one, and wants one.
-const OF_TRIANGLES: [&str; 14] = [
+const OF_TRIANGLES: [&str; 16] = [
     "linear(1)",
     "loop_subdivide(1)",
     "loop_subdivide(1, true)",
+    "loop_subdivide(1, false, 0.6)",
+    "remesh(0, 2, 4/3, 4/5, 1, 1, 0.6)",
     "loop_once()\n  simplify_to(200, 1)",
     "remesh(0, 1, 1.5, 0.7, 2, 0.5)",
     "simplify_by(0.4)",
@@ -46,8 +48,8 @@ const OF_POLYGONS: [&str; 5] =
     ["laplacian(1)", "taubin(2)", "tangential(1)", "laplacian(2, 0.3)", "components()"];
 
 /// What makes other polygons of any polygons.
-const TO_POLYGONS: [&str; 4] =
-    ["catmull_clark(1)", "linear_quads(1)", "doo_sabin(1)", "midedge(1)"];
+const TO_POLYGONS: [&str; 5] =
+    ["catmull_clark(1)", "catmull_clark(1, 0.6)", "linear_quads(1)", "doo_sabin(1)", "midedge(1)"];
 
 fn load(name: &str) -> Mesh {
     let path = format!("{}/examples/meshes/{name}.obj", env!("CARGO_MANIFEST_DIR"));

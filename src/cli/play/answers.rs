@@ -119,8 +119,7 @@ impl Answers {
         match (request.method(), asked) {
             (Method::Post, "ask") => {
                 let question = Message::read(&body).map_err(|why| (400, why))?;
-                let answer = engine()?.ask(question).ok_or_else(ended)?;
-                Some((answer.write(), BYTES))
+                Some((engine()?.ask(question).ok_or_else(ended)?.write(), BYTES))
             }
             (Method::Post, "lsp") => {
                 let messages = serde_json::from_slice(&body);

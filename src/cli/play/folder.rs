@@ -75,8 +75,7 @@ impl Folder {
     /// # Errors
     /// The reason, in words.
     pub fn program(&self, name: &str) -> Result<String, String> {
-        let path = self.listed(name)?;
-        read_program(&path).map_err(|why| format!("cannot read `{name}`: {why}"))
+        read_program(&self.listed(name)?).map_err(|why| format!("cannot read `{name}`: {why}"))
     }
 
     /// The bytes of a mesh file that is listed.

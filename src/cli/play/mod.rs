@@ -42,8 +42,7 @@ pub(super) fn play(arguments: &PlayArguments) -> Result<(), Failure> {
     let token = token().map_err(|error| failed(&error))?;
     let address = format!("http://127.0.0.1:{port}/{token}/");
     let pages = Pages::new(Arc::clone(&folder));
-    let answers = Answers { port, token, folder, pages };
-    let answers = Arc::new(answers);
+    let answers = Arc::new(Answers { port, token, folder, pages });
     // For programs that have started this one; people read it as well.
     let _ = writeln!(stdout(), "{address}").and_then(|()| stdout().flush());
     if !arguments.no_browser && open::that_detached(&address).is_err() {

@@ -95,8 +95,7 @@ impl Triangle {
 /// The position of the start of the halfedge that some pointers lead to.
 fn position(asm: &mut Assembler, place: u32, path: &[HalfedgeField], halfedge: Reg) -> Reg {
     let (vertex, to) = (asm.reg(), asm.vec());
-    let path = [path, &[HalfedgeField::Vertex]].concat();
-    follow(asm, place, &path, [vertex, halfedge]);
+    follow(asm, place, &[path, &[HalfedgeField::Vertex]].concat(), [vertex, halfedge]);
     asm.trap_at(place, Inst::LoadPosition { to, vertex });
     to
 }
@@ -127,8 +126,7 @@ fn dihedral(asm: &mut Assembler, place: u32, edge: Reg, to: Reg) {
     first(asm, place, ElementField::Edge, [halfedge, edge]);
     let [first, second] = [&[][..], &[HalfedgeField::Twin]].map(|side| {
         let (face, to) = (asm.reg(), asm.vec());
-        let path = [side, &[HalfedgeField::Face]].concat();
-        follow(asm, place, &path, [face, halfedge]);
+        follow(asm, place, &[side, &[HalfedgeField::Face]].concat(), [face, halfedge]);
         asm.trap_at(place, ask(Question::NormalFace, to, face));
         to
     });

@@ -138,10 +138,7 @@ impl Orbit {
         let (from, at, turns) = (asm.reg(), asm.reg(), asm.reg());
         first(asm, place, of, [from, base]);
         let (head, next, done) = (asm.label(), asm.label(), asm.label());
-        let walk = match of {
-            ElementField::Vertex => Walk::Star,
-            _ => Walk::Loop,
-        };
+        let walk = if of == ElementField::Vertex { Walk::Star } else { Walk::Loop };
         // An isolated vertex has nothing around it.
         asm.emit(Inst::WalkBegin { walk, from, at, turns, otherwise: done });
         asm.bind(head);
@@ -177,9 +174,7 @@ fn each_of_list(
 ) {
     let buffer = asm.buffer();
     asm.emit(Inst::BufferClear { buffer });
-    let Some(wanted) = list(asm, (collection, base), place, buffer) else {
-        return;
-    };
+    let Some(wanted) = list(asm, (collection, base), place, buffer) else { return };
     let (head, done) = (asm.label(), asm.label());
     let (index, halfedge) = (asm.reg(), asm.reg());
     let from = asm.constant_int(0);

@@ -83,9 +83,7 @@ impl Sum {
             FoldFunction::ArgMin | FoldFunction::ArgMax => {
                 self.take_element(asm, (function, ty), (value, element), next);
             }
-            FoldFunction::Min | FoldFunction::Max => {
-                self.take_better(asm, function, value, next);
-            }
+            FoldFunction::Min | FoldFunction::Max => self.take_better(asm, function, value, next),
             _ => {
                 asm.trap_at(place, self.add(value));
                 if function == FoldFunction::Mean {

@@ -10,8 +10,7 @@ pub(super) fn load(
     field: HalfedgeField,
     [to, halfedge]: [Reg; 2],
 ) {
-    let inst = Inst::Load { field, to, halfedge };
-    asm.trap_at(place, inst);
+    asm.trap_at(place, Inst::Load { field, to, halfedge });
 }
 
 /// Loads the halfedge of a vertex, an edge or a face.

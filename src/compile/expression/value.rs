@@ -51,8 +51,7 @@ pub fn lower_into(asm: &mut Assembler, scope: &mut dyn Scope, expr: &Expr, to: R
         }
         ExprKind::Follow(pointer, base) => {
             let element = lower(asm, scope, base);
-            let place = scope.place(expr.span);
-            follow(asm, place, *pointer, element, to);
+            follow(asm, scope.place(expr.span), *pointer, element, to);
         }
         ExprKind::Read(access, base) => {
             let element = lower(asm, scope, base);
@@ -74,8 +73,7 @@ pub fn lower_into(asm: &mut Assembler, scope: &mut dyn Scope, expr: &Expr, to: R
         }
         ExprKind::Unary(operator, operand) => {
             let from = lower(asm, scope, operand);
-            let place = scope.place(expr.span);
-            unary(asm, place, (*operator, expr.ty), to, from);
+            unary(asm, scope.place(expr.span), (*operator, expr.ty), to, from);
         }
         ExprKind::Binary(operator @ (Binary::And | Binary::Or), left, right) => {
             let (end, condition) = (asm.label(), to);
@@ -90,15 +88,13 @@ pub fn lower_into(asm: &mut Assembler, scope: &mut dyn Scope, expr: &Expr, to: R
         ExprKind::Binary(operator, left, right) => {
             let ty = left.ty;
             let (left, right) = (lower(asm, scope, left), lower(asm, scope, right));
-            let place = scope.place(expr.span);
-            asm.trap_at(place, binary(*operator, ty, [to, left, right]));
+            asm.trap_at(scope.place(expr.span), binary(*operator, ty, [to, left, right]));
         }
         ExprKind::Call(builtin, args) => {
             let of = args.first().map_or(expr.ty, |first| first.ty);
             let args: Vec<Reg> = args.iter().map(|arg| lower(asm, scope, arg)).collect();
             let place = scope.place(expr.span);
-            let made = Made { of, result: expr.ty, to };
-            call(asm, place, *builtin, &args, made);
+            call(asm, place, *builtin, &args, Made { of, result: expr.ty, to });
         }
         ExprKind::If(condition, then, otherwise) => {
             let (second, end) = (asm.label(), asm.label());
@@ -115,8 +111,7 @@ pub fn lower_into(asm: &mut Assembler, scope: &mut dyn Scope, expr: &Expr, to: R
             let place = scope.place(expr.span);
             let args = arguments(asm, scope, args);
             // Registers without a name may hold ids.
-            let inst = Inst::Call { function: narrow(*function), args, to, holds: true };
-            asm.trap_at(place, inst);
+            asm.trap_at(place, Inst::Call { function: narrow(*function), args, to, holds: true });
         }
         ExprKind::Try(op, args) => {
             let place = scope.place(expr.span);
@@ -260,8 +255,7 @@ pub fn arguments(asm: &mut Assembler, scope: &mut dyn Scope, args: &[Expr]) -> R
     let mut offset = 0;
     for (arg, width) in args.iter().zip(widths) {
         // A block that is too wide cannot be allocated; the code is discarded then.
-        let to = Reg(slots.0.saturating_add(offset));
-        lower_into(asm, scope, arg, to);
+        lower_into(asm, scope, arg, Reg(slots.0.saturating_add(offset)));
         offset = offset.saturating_add(width);
     }
     slots

@@ -27,13 +27,11 @@ pub fn cpp(selection: &Selection<'_>, style: &Style) -> Result<String, NotEmitte
         signature.given = signature.given.take().filter(|_| can_give);
         signature.result = signature.result.or(signature.given.as_ref().map(|given| given.ty));
     }
-    let mut fields = BTreeSet::new();
-    for item in called.iter().chain(&ops) {
-        fields.extend(item.attributes.iter().map(|attribute| {
-            let (element, ty) = (attribute.element.word(), language.ty(attribute.ty));
-            format!("//   {element}: {ty} {}\n", attribute.name)
-        }));
-    }
+    let fields = called.iter().chain(&ops).flat_map(|item| &item.attributes).map(|attribute| {
+        let (element, ty) = (attribute.element.word(), language.ty(attribute.ty));
+        format!("//   {element}: {ty} {}\n", attribute.name)
+    });
+    let fields = fields.collect();
     let outside = called.iter().map(|item| {
         let text = print::item(language, item, Part::Called);
         // Two programs may have functions of the same name: those with other texts are others. The

@@ -40,9 +40,7 @@ pub(super) struct Pattern {
 /// The patterns and names of `patterns.txt`.
 pub(super) static PATTERNS: LazyLock<Vec<Pattern>> = LazyLock::new(|| {
     let patterns = rows(include_str!("patterns.txt")).into_iter().filter_map(|row| {
-        let [name, form, fields, ref accessors @ ..] = row[..] else {
-            return None;
-        };
+        let [name, form, fields, ref accessors @ ..] = row[..] else { return None };
         let form = match form {
             "name" => Name,
             "name?" => NameOrNone,

@@ -69,8 +69,7 @@ impl Printer<'_> {
         let is_member = style.is_member() && !self.is_beside();
         let inside = if is_member { self.language } else { outside };
         let taken = head.params.iter().enumerate();
-        let taken = taken.filter(|(_, param)| !self.is_fixed(style, param));
-        let params = taken.map(|(at, param)| {
+        let params = taken.filter(|(_, param)| !self.is_fixed(style, param)).map(|(at, param)| {
             let text = named(&inside.ty(param.ty), &param.name);
             match param.default.as_ref().filter(|_| at >= first) {
                 Some(default) => format!("{text} = {}", default.text),

@@ -109,9 +109,7 @@ impl Printer<'_> {
             });
             return self.lines.line(&all.unwrap_or_default());
         }
-        let Some((last, others)) = calls.split_last() else {
-            return;
-        };
+        let Some((last, others)) = calls.split_last() else { return };
         for call in others {
             self.lines.line(&match signature.result {
                 Some(_) => format!("if (auto result = {call}) return result;"),

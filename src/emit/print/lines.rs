@@ -60,8 +60,7 @@ impl Lines {
 
     /// Adds an empty line, unless a block has just begun or there is one already.
     pub fn blank(&mut self) {
-        let last = self.text.trim_end_matches('\n');
-        if !last.ends_with('{') && !self.text.ends_with("\n\n") {
+        if !self.text.trim_end_matches('\n').ends_with('{') && !self.text.ends_with("\n\n") {
             self.text.push('\n');
         }
     }
@@ -120,6 +119,5 @@ fn plain(text: &str) -> String {
         matches!(c, '\u{61c}' | '\u{200e}'..='\u{200f}' | '\u{202a}'..='\u{202e}')
             || matches!(c, '\u{2028}'..='\u{2029}' | '\u{2066}'..='\u{2069}')
     };
-    let blank = |c: char| if c.is_control() || is_indexed(c) { ' ' } else { c };
-    text.chars().map(blank).collect()
+    text.chars().map(|c| if c.is_control() || is_indexed(c) { ' ' } else { c }).collect()
 }

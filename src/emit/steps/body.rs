@@ -151,8 +151,7 @@ impl<'s> Writer<'s> {
         let known = self.body.variables.get(variable as usize);
         let wanted = known.map_or("x", |variable| variable.name.as_str());
         self.bound.insert(variable);
-        let name = self.names.bind(variable, wanted);
-        (name, known.map_or(Type::Int, |variable| variable.ty))
+        (self.names.bind(variable, wanted), known.map_or(Type::Int, |variable| variable.ty))
     }
 
     /// The assignment of a value to a variable; `None` if that is never read.
@@ -246,8 +245,7 @@ impl<'s> Writer<'s> {
                 let element = this.settled((target, of), target.ty.word());
                 [element, this.settled((value, term), &attribute.name)]
             });
-            let line = language.write(Some(&attribute), &of, &term.text);
-            Statement::lines(line, [&of, &term])
+            Statement::lines(language.write(Some(&attribute), &of, &term.text), [&of, &term])
         } else {
             let is_finite = is_surely_finite(value, f64::INFINITY);
             let checked = checked(language, is_finite, &term.text);
@@ -318,10 +316,7 @@ fn release(language: Language<'_>, list: &str, attribute: Option<&Attribute>) ->
 
 /// A position that is written; in Rust with a refusal unless it is finite.
 fn checked(language: Language<'_>, is_finite: bool, value: &str) -> String {
-    match is_finite || !language.is_rust() {
-        true => value.to_string(),
-        false => format!("finite({value})?"),
-    }
+    if is_finite || !language.is_rust() { value.to_string() } else { format!("finite({value})?") }
 }
 
 /// A statement that is not emitted, in words.

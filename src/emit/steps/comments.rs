@@ -5,8 +5,7 @@ use crate::source::{Sources, Span};
 /// The lines of comment right before a place, and the comment after it on its line.
 pub(super) fn comments(sources: &Sources, span: Span) -> Vec<String> {
     let text = sources.get(span.file).text();
-    let before = text.get(..span.start as usize).unwrap_or("");
-    let mut lines = before.rsplit('\n');
+    let mut lines = text.get(..span.start as usize).unwrap_or("").rsplit('\n');
     // The lines above belong to a statement only if it begins its line.
     let begins = lines.next().is_some_and(|line| line.trim().is_empty());
     let above = lines.map_while(|line| line.trim().strip_prefix("//")).take_while(|_| begins);

@@ -89,8 +89,7 @@ impl Language<'_> {
             // `as` binds more tightly than a comparison, but `x as f64 < y` reads as a type.
             None => (format!("{} as f64", of.at(Precedence::Prefix)), Precedence::Compare),
             Some(style) => {
-                let text = format!("static_cast<{}>({})", style.name("real"), of.text);
-                (text, Precedence::Whole)
+                (format!("static_cast<{}>({})", style.name("real"), of.text), Precedence::Whole)
             }
         };
         Term::of(text, precedence, [of])

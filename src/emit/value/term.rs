@@ -109,10 +109,7 @@ impl Term {
 
     /// The text, in brackets if it binds less tightly than `precedence`.
     pub fn at(&self, precedence: Precedence) -> String {
-        match self.precedence >= precedence {
-            true => self.text.clone(),
-            false => format!("({})", self.text),
-        }
+        if self.precedence >= precedence { self.text.clone() } else { format!("({})", self.text) }
     }
 }
 
@@ -173,16 +170,11 @@ fn joined(symbol: &str, precedence: Precedence, [left, right]: [&Term; 2]) -> (S
 /// A value that is used alone, without brackets around all of it.
 pub(in crate::emit) fn bare(value: &str) -> &str {
     let inner = value.strip_prefix('(').and_then(|it| it.strip_suffix(')'));
-    let Some(inner) = inner else {
-        return value;
-    };
+    let Some(inner) = inner else { return value };
     let mut depth = 0;
     let closes = |c: char| {
         depth += i32::from(c == '(') - i32::from(c == ')');
         depth < 0
     };
-    match inner.chars().any(closes) {
-        true => value,
-        false => inner,
-    }
+    if inner.chars().any(closes) { value } else { inner }
 }

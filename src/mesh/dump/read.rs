@@ -39,9 +39,7 @@ pub fn read_dump(text: &str) -> Result<Dump, DumpError> {
 
 fn read_name(words: &[&str], ids: Ids) -> Result<(String, Vec<Element>), DumpReason> {
     const FORM: &str = "name WORD KIND ID…";
-    let [name, kind, listed @ ..] = words else {
-        return Err(DumpReason::NotOfForm(FORM));
-    };
+    let [name, kind, listed @ ..] = words else { return Err(DumpReason::NotOfForm(FORM)) };
     let kind = ElementKind::named(kind).ok_or(DumpReason::NotOfForm(FORM))?;
     let element = |text: &&str| Ok(Element { kind, index: ids.read(text)? });
     let elements = listed.iter().map(element).collect::<Result<_, _>>()?;
@@ -49,8 +47,7 @@ fn read_name(words: &[&str], ids: Ids) -> Result<(String, Vec<Element>), DumpRea
 }
 
 pub(super) fn read_number(text: &str) -> Result<f64, DumpReason> {
-    let number = text.parse();
-    number.map_err(|_| DumpReason::NotANumber(text.into()))
+    text.parse().map_err(|_| DumpReason::NotANumber(text.into()))
 }
 
 /// The ids that a text may contain: below its length in bytes, so that a short line cannot request

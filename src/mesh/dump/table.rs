@@ -82,13 +82,11 @@ impl Table {
         default: &[&str],
     ) -> Result<(), DumpReason> {
         const FORM: &str = "attribute KIND WORD TYPE DEFAULT";
-        let mut types = AttributeType::ALL.iter().copied();
-        let ty = types.find(|known| known.name() == ty);
+        let ty = AttributeType::ALL.iter().copied().find(|known| known.name() == ty);
         let (Some(kind), Some(ty)) = (ElementKind::named(kind), ty) else {
             return Err(DumpReason::NotOfForm(FORM));
         };
-        let mut known = self.columns.iter();
-        if known.any(|column| column.kind == kind && column.name == name) {
+        if self.columns.iter().any(|column| column.kind == kind && column.name == name) {
             return Err(DumpReason::AttributeTwice(name.into()));
         }
         self.columns.push(Column {
@@ -114,8 +112,7 @@ impl Table {
             return Err(DumpReason::ValueOf(Element { kind, index }));
         }
         let value = read_value(column.default.attribute_type(), words)?;
-        let column = self.columns.last_mut().ok_or(DumpReason::NoAttribute)?;
-        column.values.push((index, value));
+        self.columns.last_mut().ok_or(DumpReason::NoAttribute)?.values.push((index, value));
         Ok(())
     }
 

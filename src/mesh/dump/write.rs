@@ -80,9 +80,6 @@ fn words(value: Value) -> String {
     match value {
         Value::Bool(truth) => truth.to_string(),
         Value::Int(number) => number.to_string(),
-        _ => {
-            let reals = value.reals().iter().map(f64::to_string);
-            reals.collect::<Vec<_>>().join(" ")
-        }
+        _ => value.reals().iter().map(f64::to_string).collect::<Vec<_>>().join(" "),
     }
 }

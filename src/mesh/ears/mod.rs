@@ -115,9 +115,7 @@ impl<'m> Polygon<'m> {
             self.enter(corner);
         }
         while order.len() + 3 < count {
-            let Some(ear) = self.queue.pop() else {
-                break;
-            };
+            let Some(ear) = self.queue.pop() else { break };
             if self.changes[ear.corner as usize] == ear.change && self.left.has(ear.corner) {
                 order.push(ear.corner);
                 self.take(ear.corner);

@@ -116,8 +116,7 @@ impl<'m> Ways<'m> {
     fn choose(&mut self, first: usize, last: usize) {
         let count = self.sides.len();
         let is_whole = last - first == count - 1;
-        let ends = [first, last].map(|at| self.mesh.get_vertex(self.sides[at]));
-        let joined = match ends {
+        let joined = match [first, last].map(|at| self.mesh.get_vertex(self.sides[at])) {
             [Some(v), Some(w)] if !is_whole => u32::from(self.mesh.adjacent(v, w)),
             _ => 0,
         };

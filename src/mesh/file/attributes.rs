@@ -39,9 +39,7 @@ impl MeshFile {
         }
         let mut all = OfCorner::ALL.into_iter();
         let of_corners = matches!(kind, ElementKind::Vertex | ElementKind::Halfedge);
-        let Some(what) = all.find(|what| what.name() == name && what.can_be(ty)) else {
-            return;
-        };
+        let Some(what) = all.find(|what| what.name() == name && what.can_be(ty)) else { return };
         let known = self.mesh.find_column(kind, name).is_some();
         if !of_corners || known || self.kept_corners(what).is_empty() {
             return;
@@ -149,8 +147,7 @@ impl MeshFile {
             FileFormat::Off => off::columns(self).to_vec(),
             _ => Vec::new(),
         };
-        let columns = self.mesh.sayable_columns();
-        let unheld = columns.filter(|(id, column)| match format {
+        let unheld = self.mesh.sayable_columns().filter(|(id, column)| match format {
             FileFormat::Ply | FileFormat::Halfedges => false,
             FileFormat::Msh => !msh::is_held(id.kind, column.attribute_type()),
             _ => !held.contains(&Some(*id)),
@@ -197,10 +194,7 @@ impl MeshFile {
     /// The number of vertices that a file of a format cannot distinguish from another one, since
     /// they have the same position, and of those that it leaves out, since they have no face.
     pub fn lost_vertices(&self, format: FileFormat) -> [usize; 2] {
-        match format {
-            FileFormat::Stl => stl::lost_vertices(self),
-            _ => [0; 2],
-        }
+        if format == FileFormat::Stl { stl::lost_vertices(self) } else { [0; 2] }
     }
 
     /// The column of colours.

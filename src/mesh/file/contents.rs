@@ -206,8 +206,7 @@ impl Contents {
                     *table = places.iter().map(|&place| table[place as usize]).collect();
                 }
             }
-            let halfedges = mesh.halfedges().take(places.len());
-            let vertices = halfedges.map(|h| mesh.vertex(h).0).collect();
+            let vertices = mesh.halfedges().take(places.len()).map(|h| mesh.vertex(h).0).collect();
             let ends = mesh.faces().take(faces.len()).scan(0, |end, f| {
                 *end += mesh.face_halfedges(f).count();
                 Some(*end)
@@ -226,16 +225,13 @@ impl Contents {
         if self.edges.is_empty() {
             return;
         }
-        let mut known: HashMap<[u32; 2], EdgeId> = HashMap::new();
-        for edge in mesh.edges() {
+        let sorted = |v: u32, w: u32| [v.min(w), v.max(w)];
+        let known = mesh.edges().map(|edge| {
             let h = mesh.edge_halfedge(edge);
-            let (v, w) = (mesh.vertex(h).0, mesh.target(h).0);
-            known.insert([v.min(w), v.max(w)], edge);
-        }
-        let find = |&[v, w]: &[u32; 2]| {
-            let (v, w) = (slot(v), slot(w));
-            known.get(&[v.min(w), v.max(w)]).copied()
-        };
+            (sorted(mesh.vertex(h).0, mesh.target(h).0), edge)
+        });
+        let known: HashMap<[u32; 2], EdgeId> = known.collect();
+        let find = |&[v, w]: &[u32; 2]| known.get(&sorted(slot(v), slot(w))).copied();
         let edges: Vec<Option<EdgeId>> = self.edges.iter().map(find).collect();
         for column in self.columns.iter().filter(|column| column.kind == ElementKind::Edge) {
             let Ok(id) = mesh.add_column(ElementKind::Edge, &column.name, column.default) else {
@@ -250,8 +246,7 @@ impl Contents {
         if let Some(first) = edges.iter().position(Option::is_none) {
             let what = ["edge", "edges"]
                 .map(|word| format!("{word} that no face has, first in row {}", first + 1));
-            let count = edges.iter().filter(|edge| edge.is_none()).count();
-            self.kept.note_count(what, count);
+            self.kept.note_count(what, edges.iter().filter(|edge| edge.is_none()).count());
         }
     }
 }

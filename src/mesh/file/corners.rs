@@ -69,10 +69,7 @@ impl<'o> Corners<'o> {
         let mut known: HashMap<[u64; 3], u32> = HashMap::new();
         for h in faces.iter().flat_map(|&f| mesh.face_halfedges(f)) {
             let VertexId(vertex) = mesh.vertex(h);
-            let of = match column.kind {
-                ElementKind::Halfedge => h.0,
-                _ => vertex,
-            };
+            let of = if column.kind == ElementKind::Halfedge { h.0 } else { vertex };
             let row = match mesh.value(column, of) {
                 Some(Value::Vec2(at)) => [at.x, at.y, 0.0],
                 Some(Value::Vec3(at)) => at.to_array(),
@@ -108,8 +105,7 @@ impl<'o> Corners<'o> {
                 obj.kept_row(*what, h).or_else(|| new.get(&h.0).copied())
             }
             Self::Values { places, .. } => {
-                let row = places.get(h.index()).copied();
-                row.filter(|&row| row != MISSING)
+                places.get(h.index()).copied().filter(|&row| row != MISSING)
             }
         }
     }

@@ -44,8 +44,7 @@ impl FileFormat {
     /// [`FileReason::UnknownEnding`].
     pub fn of(path: &Path) -> Result<Self, FileReason> {
         let Some(end) = path.extension() else { return Ok(Self::Obj) };
-        let mut all = Self::ALL.into_iter();
-        let known = all.find(|format| end.eq_ignore_ascii_case(format.ending()));
+        let known = Self::ALL.into_iter().find(|format| end.eq_ignore_ascii_case(format.ending()));
         known.ok_or_else(|| FileReason::UnknownEnding(end.to_string_lossy().into_owned()))
     }
 
@@ -80,8 +79,7 @@ impl FileFormat {
 
     /// All endings, listed for a sentence.
     pub(super) fn listed() -> String {
-        let endings = Self::ALL.map(|format| format!(".{}", format.ending()));
-        let [others @ .., last] = &endings;
+        let [others @ .., last] = &Self::ALL.map(|format| format!(".{}", format.ending()));
         format!("{} or {last}", others.join(", "))
     }
 }

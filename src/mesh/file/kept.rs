@@ -47,10 +47,7 @@ pub(super) struct Note {
 impl fmt::Display for Note {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{} {}", self.count, self.what[usize::from(self.count != 1)])?;
-        match self.line {
-            Some(line) => write!(f, ", first in line {line}"),
-            None => Ok(()),
-        }
+        self.line.map_or(Ok(()), |line| write!(f, ", first in line {line}"))
     }
 }
 
@@ -165,26 +162,18 @@ impl Kept {
             _ => self.states.push((face, state)),
         }
     }
-}
 
-impl Kept {
     /// Adds one statement for each face, given the index of its name in `names`; an invalid index
     /// means none.
     pub(super) fn add_states(&mut self, keyword: usize, names: &[Vec<u8>], numbers: &[f64]) {
         let first = self.names.len() as u32;
         self.names.extend_from_slice(names);
-        let before = std::mem::take(&mut self.states);
-        let mut before = before.into_iter().peekable();
+        let mut before = std::mem::take(&mut self.states).into_iter().peekable();
         let mut state = State::EMPTY;
         for (face, &number) in (0..).zip(numbers) {
             let old = state;
             if let Some((_, others)) = before.next_if(|&(at, _)| at == face) {
-                state =
-                    State(std::array::from_fn(
-                        |i| {
-                            if i == keyword { state.0[i] } else { others.0[i] }
-                        },
-                    ));
+                state = others; // the name of this keyword follows
             }
             let is_named = number >= 0.0 && number < names.len() as f64;
             state.0[keyword] = if is_named { first + number as u32 } else { MISSING };

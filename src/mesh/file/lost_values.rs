@@ -43,22 +43,14 @@ impl MeshFile {
                 continue;
             }
             let is_colour = ["color", "alpha"].contains(&name) && format == FileFormat::Off;
+            let is_int = column.attribute_type() == AttributeType::Int;
+            let rounded = if is_int { self.count(id, |_, value| is_rounded(value)) } else { 0 };
+            let others =
+                if is_colour { self.count(id, |_, value| !is_colour_part(value)) } else { 0 };
             let losses = [
                 (Loss::AtHoles, self.count_at_holes(id, column)),
-                (
-                    Loss::Rounded,
-                    match column.attribute_type() {
-                        AttributeType::Int => self.count(id, |_, value| is_rounded(value)),
-                        _ => 0,
-                    },
-                ),
-                (
-                    Loss::NoColours,
-                    match is_colour {
-                        true => self.count(id, |_, value| !is_colour_part(value)),
-                        false => 0,
-                    },
-                ),
+                (Loss::Rounded, rounded),
+                (Loss::NoColours, others),
             ];
             let losses = losses.into_iter().filter(|(_, count)| *count > 0);
             lost.extend(losses.map(|(loss, count)| LostValues { kind, name, count, loss }));
@@ -81,11 +73,10 @@ impl MeshFile {
         let usual = column.default_value();
         let is_of_corners =
             id.kind == ElementKind::Halfedge && ["uv", "normal"].contains(&column.name());
-        match mesh.hole_count() {
-            0 => 0,
-            _ if is_of_corners => 0,
-            _ => self.count(id, |index, value| is_at_hole(index) && !value.is_identical(usual)),
+        if mesh.hole_count() == 0 || is_of_corners {
+            return 0;
         }
+        self.count(id, |index, value| is_at_hole(index) && !value.is_identical(usual))
     }
 
     /// The number of living elements whose number and value fulfil a condition.

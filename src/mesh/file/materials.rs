@@ -31,8 +31,7 @@ impl MeshFile {
             let name = String::from_utf8_lossy(library).into_owned();
             // One statement may name several libraries, and a name may contain blanks.
             let words = name.split_ascii_whitespace().collect::<Vec<_>>();
-            let whole = self.read_library(&name);
-            let read = whole.or_else(|| {
+            let read = self.read_library(&name).or_else(|| {
                 let parts = words.iter().map(|word| self.read_library(word));
                 Some(parts.collect::<Option<Vec<_>>>()?.concat())
             });

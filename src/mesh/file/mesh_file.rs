@@ -62,11 +62,6 @@ impl Renumbered {
         Self { places, in_order }
     }
 
-    /// The number in the file of the element in a slot.
-    fn number(&self, slot: usize) -> Option<u32> {
-        self.places.get(slot).map(|place| place + 1)
-    }
-
     /// The first slot with this place or, if there is none, with the next place.
     fn slot(&self, place: u32) -> Option<u32> {
         let Some(slots) = &self.in_order else {
@@ -165,8 +160,7 @@ impl MeshFile {
         fits: impl Fn(AttributeType) -> bool,
     ) -> Option<ColumnId> {
         let id = self.mesh.find_column(kind, name)?;
-        let column = self.mesh.column(id)?;
-        fits(column.attribute_type()).then_some(id)
+        fits(self.mesh.column(id)?.attribute_type()).then_some(id)
     }
 
     /// The place of a vertex among those that were read, from 0, if it was read.
@@ -184,10 +178,10 @@ impl MeshFile {
     /// The number of a vertex in its file, if it came from one.
     pub fn vertex_number(&self, v: VertexId) -> Option<u32> {
         let place = self.vertex_place(v)?;
-        match &self.renumbered {
-            Some([vertices, _]) => vertices.number(place),
-            None => Some(place as u32 + 1),
-        }
+        Some(match &self.renumbered {
+            Some([vertices, _]) => vertices.places.get(place)? + 1,
+            None => place as u32 + 1,
+        })
     }
 
     /// The number of a face among the faces of its file.

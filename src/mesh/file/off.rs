@@ -97,8 +97,7 @@ impl Colors {
             self.bare += 1;
         }
         self.has_alpha |= color.len() > 3;
-        let channel = |at: usize| color.get(at).copied().unwrap_or(f64::NAN);
-        self.reals.extend([0, 1, 2, 3].map(channel));
+        self.reals.extend([0, 1, 2, 3].map(|at| color.get(at).copied().unwrap_or(f64::NAN)));
     }
 
     fn columns(self, kind: ElementKind, contents: &mut Contents) {

@@ -96,9 +96,7 @@ fn stopped() -> io::Error {
 /// # Errors
 /// [`FileReason::ReadOnly`] and [`FileReason::Io`].
 pub fn expect_writable(path: &Path) -> Result<(), FileReason> {
-    let Some(old) = fs::metadata(path).ok().filter(fs::Metadata::is_file) else {
-        return Ok(());
-    };
+    let Some(old) = fs::metadata(path).ok().filter(fs::Metadata::is_file) else { return Ok(()) };
     if old.permissions().readonly() {
         return Err(FileReason::ReadOnly);
     }

@@ -110,14 +110,14 @@ impl<'t> Scanner<'t> {
                 },
                 // A comment begins a line or follows a blank, so that names may contain `#`.
                 Some(b'#') if self.comments_stick => return false,
-                Some(b'#') => return self.at == start && !self.is_after_blank(),
+                Some(b'#') => {
+                    return self.at == start
+                        && self.at > 0
+                        && !self.text[self.at - 1].is_ascii_whitespace();
+                }
                 Some(_) => return true,
             }
         }
-    }
-
-    fn is_after_blank(&self) -> bool {
-        self.at == 0 || self.text[self.at - 1].is_ascii_whitespace()
     }
 
     /// The next word of the line.
@@ -127,13 +127,11 @@ impl<'t> Scanner<'t> {
         }
         let start = self.at;
         while let Some(byte) = self.peek() {
-            if byte.is_ascii_whitespace() || byte == b'\x0b' {
-                break;
-            }
-            if byte == b'\\' && self.continuation().is_some() {
-                break;
-            }
-            if byte == b'#' && self.comments_stick {
+            if byte.is_ascii_whitespace()
+                || byte == b'\x0b'
+                || (byte == b'\\' && self.continuation().is_some())
+                || (byte == b'#' && self.comments_stick)
+            {
                 break;
             }
             self.at += 1;

@@ -73,8 +73,7 @@ impl MeshFile {
         let mut places: Vec<u32> =
             corners.map(|corner| ends.partition_point(|&end| end <= corner) as u32).collect();
         places.sort_unstable();
-        let runs = places.chunk_by(|a, b| a == b);
-        runs.max_by_key(|run| run.len()).map(|run| run[0])
+        places.chunk_by(|a, b| a == b).max_by_key(|run| run.len()).map(|run| run[0])
     }
 
     /// The face that a neighbor of a face was cut from.

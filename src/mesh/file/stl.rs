@@ -27,10 +27,8 @@ const TRIANGLE: usize = 50;
 
 /// Reads a file.
 pub(super) fn read(text: &[u8]) -> Result<Contents, Failure> {
-    let claimed = match text.first_chunk::<HEADER>() {
-        Some(head) => u32::from_le_bytes([head[80], head[81], head[82], head[83]]) as usize,
-        None => 0,
-    };
+    let claimed = text.get(80..HEADER).and_then(|count| count.try_into().ok());
+    let claimed = claimed.map_or(0, u32::from_le_bytes) as usize;
     let fits =
         claimed.checked_mul(TRIANGLE).is_some_and(|size| size == text.len().saturating_sub(HEADER));
     let start = text.trim_ascii_start();

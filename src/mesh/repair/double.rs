@@ -67,8 +67,7 @@ fn crowded(list: &PolygonList, dropped: &[bool]) -> Vec<bool> {
     }
     let mut crowded = vec![false; list.corners.len()];
     for edge in list.sides().edges() {
-        let stays = |&&(_, side): &&(u32, u32)| !at_dropped[side as usize];
-        if edge.iter().filter(stays).count() > 2 {
+        if edge.iter().filter(|&&(_, side)| !at_dropped[side as usize]).count() > 2 {
             edge.iter().for_each(|&(_, side)| crowded[side as usize] = true);
         }
     }
@@ -77,17 +76,16 @@ fn crowded(list: &PolygonList, dropped: &[bool]) -> Vec<bool> {
 
 /// Groups of polygons with the same corners in the same cyclic order, forward or backward.
 fn groups(list: &PolygonList) -> Vec<Vec<usize>> {
-    let mut hashes: Vec<(u64, u32)> = Vec::with_capacity(list.ends.len());
-    for polygon in 0..list.ends.len() {
-        hashes.push((hash(&list.corners[list.range(polygon)]), polygon as u32));
-    }
+    let hashed = |polygon| (hash(&list.corners[list.range(polygon)]), polygon as u32);
+    let mut hashes: Vec<(u64, u32)> = (0..list.ends.len()).map(hashed).collect();
     hashes.sort_unstable();
     let mut groups = Vec::new();
     for alike in hashes.chunk_by(|a, b| a.0 == b.0).filter(|alike| alike.len() > 1) {
         let mut rest: Vec<usize> = alike.iter().map(|&(_, polygon)| polygon as usize).collect();
         while rest.len() > 1 {
             let first = rest[0];
-            let is_same = |&other: &usize| is_double(list, first, other);
+            let is_same =
+                |&other: &usize| runs_alike(list, first, other) || is_back(list, first, other);
             let (group, others) = rest.into_iter().partition::<Vec<_>, _>(is_same);
             if group.len() > 1 {
                 groups.push(group);
@@ -113,10 +111,6 @@ fn hash(corners: &[u32]) -> u64 {
     } else {
         backward.fold(0, mix)
     }
-}
-
-fn is_double(list: &PolygonList, first: usize, other: usize) -> bool {
-    runs_alike(list, first, other) || is_back(list, first, other)
 }
 
 /// True if two polygons have the same corners in the same cyclic order.

@@ -83,8 +83,7 @@ impl Translator<'_, '_> {
         ty: AttributeType,
         element: Reg,
     ) -> Option<Value> {
-        let kind = self.text.surroundings.kind_of(attribute)?;
-        self.living(kind, element);
+        self.living(self.text.surroundings.kind_of(attribute)?, element);
         let id = self.id(element);
         let columns = self.field(offset_of!(Context, columns));
         let flags = self.flags(Region::Columns);

@@ -30,8 +30,7 @@ impl Translator<'_, '_> {
     pub(super) fn faults(&mut self) {
         for (block, at, set) in std::mem::take(&mut self.faults) {
             self.b.switch_to_block(block);
-            let inst = self.text.code.insts[at];
-            self.spill_operands(&inst);
+            self.spill_operands(&self.text.code.insts[at]);
             let number = self.b.ins().iconst(I64, at as i64);
             let signature = self.signature(&[I64, I64], &[]);
             let context = self.context;

@@ -81,9 +81,7 @@ impl Translator<'_, '_> {
         if self.inline(inst, function, [args, to], holds) {
             return;
         }
-        let Some(callee) = self.callee(function) else {
-            return self.call_by_machine(inst);
-        };
+        let Some(callee) = self.callee(function) else { return self.call_by_machine(inst) };
         let [slow, on] = [(); 2].map(|()| self.b.create_block());
         self.b.set_cold_block(slow);
         // The machine makes the call if too many calls are nested, the watcher is due, there is no
@@ -225,9 +223,7 @@ impl Translator<'_, '_> {
 
     /// Asks an operation whether it would apply.
     pub(super) fn ask_op(&mut self, inst: &Inst, op: u16, args: Reg, to: Reg) {
-        let Some(callee) = self.operation(op, Variant::Dry) else {
-            return self.step(inst);
-        };
+        let Some(callee) = self.operation(op, Variant::Dry) else { return self.step(inst) };
         let [slow, on] = [(); 2].map(|()| self.b.create_block());
         self.b.set_cold_block(slow);
         let refuses = self.call_op(&callee, args, slow);

@@ -145,8 +145,7 @@ impl Compiled {
 
     /// The number of the entry at an instruction.
     pub(super) fn entry_at(&self, inst: usize) -> Option<i64> {
-        let found = self.entries.binary_search(&u32::try_from(inst).ok()?);
-        found.ok().map(|at| at as i64 + 1)
+        self.entries.binary_search(&u32::try_from(inst).ok()?).ok().map(|at| at as i64 + 1)
     }
 }
 
@@ -182,9 +181,7 @@ impl Expected {
             let used = attributes_in(code);
             expected.types.extend(used.map(|used| (used, surroundings.column(used))));
             for inst in &code.insts {
-                let (Inst::Apply { op, .. } | Inst::Try { op, .. }) = *inst else {
-                    continue;
-                };
+                let (Inst::Apply { op, .. } | Inst::Try { op, .. }) = *inst else { continue };
                 expected.params.push((op, surroundings.params_of_op(op)));
                 expected.plans = Some(surroundings.plans.as_ptr().addr());
                 // Native code of the operation finds its attributes in the context of the caller.
@@ -228,8 +225,7 @@ fn isa() -> Option<OwnedTargetIsa> {
         flags.set("enable_probestack", "true").ok()?;
         flags.set("probestack_strategy", "inline").ok()?;
         flags.set("enable_verifier", if cfg!(debug_assertions) { "true" } else { "false" }).ok()?;
-        let builder = cranelift_native::builder().ok()?;
-        builder.finish(settings::Flags::new(flags)).ok()
+        cranelift_native::builder().ok()?.finish(settings::Flags::new(flags)).ok()
     };
     ISA.get_or_init(find).clone()
 }

@@ -83,12 +83,8 @@ impl Translator<'_, '_> {
                 self.b.switch_to_block(back);
             }
             Inst::LoadAttribute { attribute, to, element } => {
-                let Some(ty) = self.text.surroundings.type_of(attribute) else {
-                    return false;
-                };
-                let Some(place) = self.value_place(attribute, ty, element) else {
-                    return false;
-                };
+                let Some(ty) = self.text.surroundings.type_of(attribute) else { return false };
+                let Some(place) = self.value_place(attribute, ty, element) else { return false };
                 let flags = self.flags(Region::Values);
                 let first = i32::from(to.0);
                 match ty {
@@ -146,17 +142,12 @@ impl Translator<'_, '_> {
 
     /// The halfedge of a walk that follows the one with this record.
     pub(super) fn step_of_walk(&mut self, walk: Walk, record: Value) -> Value {
-        let mut step = |record, field| {
-            let (offset, region, _) = pointer(field);
-            self.number(region, record, offset)
-        };
         match walk {
-            Walk::Loop => step(record, HalfedgeField::Next),
+            Walk::Loop => self.leads(record, HalfedgeField::Next),
             Walk::Star => {
-                let before = step(record, HalfedgeField::Prev);
+                let before = self.leads(record, HalfedgeField::Prev);
                 let before = self.record(ElementKind::Halfedge, before);
-                let (offset, region, _) = pointer(HalfedgeField::Twin);
-                self.number(region, before, offset)
+                self.leads(before, HalfedgeField::Twin)
             }
         }
     }

@@ -217,9 +217,7 @@ impl KnownAt {
                 if is_target[at] {
                     walk.arrive(&mut known, at, &mut changed);
                 }
-                let Some(facts) = &mut walk.facts else {
-                    continue;
-                };
+                let Some(facts) = &mut walk.facts else { continue };
                 if let Some(to) = inst.target() {
                     let mut there = facts.clone();
                     match inst {

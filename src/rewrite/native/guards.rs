@@ -132,10 +132,7 @@ impl Translator<'_, '_> {
             }
             _ if !sets(inst) => return false,
             _ if self.guards.iter().any(|guard| guard.contains(self.at)) => self.set(inst),
-            _ => {
-                let end = self.end_of_run(sets);
-                self.set_by_machine(end);
-            }
+            _ => self.set_by_machine(self.end_of_run(sets)),
         }
         true
     }
@@ -259,10 +256,7 @@ impl Translator<'_, '_> {
                 let value = self.set_value(pointer(field).2, value);
                 self.set_along(field, buffer, value);
             }
-            Inst::PreviewUndo => {
-                let set = self.set.clone();
-                self.put_back(&set);
-            }
+            Inst::PreviewUndo => self.put_back(&self.set.clone()),
             Inst::PreviewClear => {
                 self.set.clear();
                 self.call_stub(guards::clear as *const () as usize, &[]);
@@ -351,8 +345,7 @@ impl Translator<'_, '_> {
         let has_failed = self.b.ins().icmp_imm_s(IntCC::SignedLessThan, answer, 0);
         self.b.ins().brif(has_failed, failed, &[], on, &[]);
         self.b.switch_to_block(failed);
-        let set = self.set.clone();
-        self.put_back(&set);
+        self.put_back(&self.set.clone());
         self.b.ins().jump(self.leave, &[]);
         self.go_on(on);
     }

@@ -68,9 +68,7 @@ impl<'a> Translator<'a, '_> {
         [args, to]: [Reg; 2],
         holds: bool,
     ) -> bool {
-        let Some((called, gives)) = self.inlined(number) else {
-            return false;
-        };
+        let Some((called, gives)) = self.inlined(number) else { return false };
         let [slow, on, exit, trapped] = [(); 4].map(|()| self.b.create_block());
         [slow, trapped].into_iter().for_each(|block| self.b.set_cold_block(block));
         let left = self.field(offset_of!(Context, left));
@@ -176,10 +174,7 @@ impl<'a> Translator<'a, '_> {
         others.into_iter().for_each(|reg| self.reload(reg));
         for reg in passed {
             let (value, is_real, _) = params[usize::from(reg.0)];
-            match is_real {
-                true => self.set_real(reg, value),
-                false => self.set_whole(reg, value),
-            }
+            if is_real { self.set_real(reg, value) } else { self.set_whole(reg, value) }
         }
         self.body(&known_at);
         self.faults();
@@ -204,9 +199,7 @@ impl<'a> Translator<'a, '_> {
 
     /// Sets the value of an inlined function in its caller; false if the function is not inlined.
     pub(super) fn give_back(&mut self, from: Reg) -> bool {
-        let Some(Back { results, .. }) = &self.back else {
-            return false;
-        };
+        let Some(Back { results, .. }) = &self.back else { return false };
         let results = results.clone();
         for (part, (variable, is_real)) in (0..).zip(results) {
             let reg = Reg(from.0.wrapping_add(part));

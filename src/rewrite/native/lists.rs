@@ -14,7 +14,7 @@ use super::context::Context;
 use super::stubs::lists;
 use super::translate::{Region, Translator};
 use crate::mesh::{ElementKind, Mesh};
-use crate::rewrite::{Inst, List, Reg, Walk, attribute};
+use crate::rewrite::{HalfedgeField, Inst, List, Reg, Walk, attribute};
 
 impl Translator<'_, '_> {
     /// Translates an instruction about buffers; false if it is another one, or is left to the
@@ -104,7 +104,10 @@ impl Translator<'_, '_> {
                     self.b.ins().brif(differ, walks, &[], on, &[]);
                     self.b.switch_to_block(walks);
                 }
-                self.collect((walk, buffer), [from, until], on);
+                match walk {
+                    Walk::Star if !whole => self.collect_spokes(buffer, [from, until], on),
+                    _ => self.collect((walk, buffer), [from, until], on),
+                }
             }
             Inst::HoldPosition { buffer, vertex, value } => {
                 self.living(ElementKind::Vertex, vertex);
@@ -279,8 +282,91 @@ impl Translator<'_, '_> {
         self.set_count(list, place);
         self.b.ins().jump(on, &[]);
 
-        // Nothing has been appended.
         self.b.switch_to_block(full);
+        self.collect_by_stub((walk, buffer), [from, until], on);
+    }
+
+    /// As [`Self::collect`], for the spokes from one up to another. Walks from both ends until they
+    /// meet, so that two reads at a time wait for memory; the later spokes are put at the end of the
+    /// buffer's memory at first.
+    fn collect_spokes(&mut self, buffer: u16, [from, until]: [Value; 2], on: Block) {
+        let list = self.list_of(buffer);
+        let [start, before, room] =
+            [List::START, List::COUNT, List::ROOM].map(|offset| self.in_list(list, offset));
+        let [ahead, behind, count, rest] = [from, until, before, room].map(|value| {
+            let variable = self.b.declare_var(I64);
+            self.b.def_var(variable, value);
+            variable
+        });
+        let [head, first, second, back, last, met, full] = [(); 7].map(|()| self.b.create_block());
+        self.b.set_cold_block(full);
+        self.b.ins().jump(head, &[]);
+
+        self.b.switch_to_block(head);
+        let [place, end] = [count, rest].map(|variable| self.b.use_var(variable));
+        let has_room = self.b.ins().icmp(IntCC::UnsignedLessThan, place, end);
+        self.b.ins().brif(has_room, first, &[], full, &[]);
+        self.b.switch_to_block(first);
+        let spoke = self.b.use_var(ahead);
+        self.set_slot(start, place, spoke);
+        let place = self.b.ins().iadd_imm_s(place, 1);
+        self.b.def_var(count, place);
+        let record = self.record(ElementKind::Halfedge, spoke);
+        let lives = self.is_not_dead(ElementKind::Halfedge, record);
+        self.or_fault(lives);
+        let next = self.step_of_walk(Walk::Star, record);
+        self.b.def_var(ahead, next);
+        let end_of_rest = self.b.use_var(behind);
+        let is_over = self.b.ins().icmp(IntCC::Equal, next, end_of_rest);
+        self.b.ins().brif(is_over, met, &[], second, &[]);
+        self.b.switch_to_block(second);
+        // Without end, if it comes back first.
+        let is_back = self.b.ins().icmp(IntCC::Equal, next, from);
+        self.b.ins().brif(is_back, full, &[], back, &[]);
+
+        self.b.switch_to_block(back);
+        let has_room = self.b.ins().icmp(IntCC::UnsignedLessThan, place, end);
+        self.b.ins().brif(has_room, last, &[], full, &[]);
+        self.b.switch_to_block(last);
+        let record = self.record(ElementKind::Halfedge, end_of_rest);
+        let twin = self.leads(record, HalfedgeField::Twin);
+        let record = self.record(ElementKind::Halfedge, twin);
+        let spoke = self.leads(record, HalfedgeField::Next);
+        self.b.def_var(behind, spoke);
+        let end = self.b.ins().iadd_imm_s(end, -1);
+        self.b.def_var(rest, end);
+        self.set_slot(start, end, spoke);
+        let is_over = self.b.ins().icmp(IntCC::Equal, spoke, next);
+        self.b.ins().brif(is_over, met, &[], head, &[]);
+
+        self.b.switch_to_block(met);
+        let [goes_on, done] = [(); 2].map(|()| self.b.create_block());
+        let [place, end] = [count, rest].map(|variable| self.b.use_var(variable));
+        let has_more = self.b.ins().icmp(IntCC::UnsignedLessThan, end, room);
+        self.b.ins().brif(has_more, goes_on, &[], done, &[]);
+        self.b.switch_to_block(goes_on);
+        let spoke = self.slot(start, end);
+        self.set_slot(start, place, spoke);
+        for (variable, value) in [(count, place), (rest, end)] {
+            let value = self.b.ins().iadd_imm_s(value, 1);
+            self.b.def_var(variable, value);
+        }
+        self.b.ins().jump(met, &[]);
+        self.b.switch_to_block(done);
+        self.set_count(list, place);
+        self.b.ins().jump(on, &[]);
+
+        self.b.switch_to_block(full);
+        self.collect_by_stub((Walk::Star, buffer), [from, until], on);
+    }
+
+    /// Lets a stub collect the halfedges of a walk, of which nothing has been appended.
+    fn collect_by_stub(
+        &mut self,
+        (walk, buffer): (Walk, u16),
+        [from, until]: [Value; 2],
+        on: Block,
+    ) {
         let star = i64::from(walk == Walk::Star);
         let which = self.b.ins().iconst(I64, i64::from(buffer) | star << 16);
         let stub = lists::collect as *const () as usize;

@@ -54,14 +54,8 @@ impl<'a> Liveness<'a> {
                 live[at] = Some(nothing.clone());
             }
         }
-        let mut found = Self {
-            insts,
-            constants: code.constants,
-            registers: code.registers,
-            surroundings,
-            nothing,
-            live,
-        };
+        let &Code { constants, registers, .. } = code;
+        let mut found = Self { insts, constants, registers, surroundings, nothing, live };
         // The live sets only grow, so this ends.
         while found.go_back(0, |_, _| {}) {}
         found
@@ -109,8 +103,7 @@ impl<'a> Liveness<'a> {
     /// The registers that are live before an instruction, the first or the target of a jump,
     /// without constants.
     pub(super) fn at(&self, inst: usize) -> Vec<Reg> {
-        let all = self.live[inst].as_ref().map_or_else(Vec::new, Set::registers);
-        self.without_constants(all)
+        self.without_constants(self.live[inst].as_ref().map_or_else(Vec::new, Set::registers))
     }
 
     /// All registers except constants.

@@ -136,8 +136,7 @@ impl Translator<'_, '_> {
                 side[row] = self.b.ins().fdiv(rest, columns[row][row]);
             }
         }
-        let values = sides.into_iter().flatten();
-        values.map(|value| self.choose(is_regular, value, singular)).collect()
+        sides.into_iter().flatten().map(|value| self.choose(is_regular, value, singular)).collect()
     }
 
     /// Swaps an entry with the last of those below it that are better, if there is one.

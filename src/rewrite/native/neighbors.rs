@@ -82,9 +82,7 @@ impl NeighborLoop {
             return None;
         };
         let (head, behind) = (begin + 1, begin + 1 + CHAIN);
-        let Inst::Copy { to: neighbor, .. } = *insts.get(head)? else {
-            return None;
-        };
+        let Inst::Copy { to: neighbor, .. } = *insts.get(head)? else { return None };
         let load = |field| Inst::Load { field, to: neighbor, halfedge: neighbor };
         let chain = [
             Inst::Copy { to: neighbor, from: at },
@@ -175,9 +173,7 @@ impl Translator<'_, '_> {
     pub(super) fn neighbor(&mut self) -> bool {
         let at = self.at;
         let is_here = |one: &&NeighborLoop| [one.begin, one.begin + 1, one.next].contains(&at);
-        let Some(&around) = self.neighbor_loops.iter().find(is_here) else {
-            return false;
-        };
+        let Some(&around) = self.neighbor_loops.iter().find(is_here) else { return false };
         let starts = self.lists_of_neighbors(0);
         let [listed, walks, on] = [(); 3].map(|()| self.b.create_block());
         self.b.ins().brif(starts, listed, &[], walks, &[]);

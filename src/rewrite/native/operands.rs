@@ -116,16 +116,6 @@ impl Surroundings<'_> {
         }
     }
 
-    /// The greatest number of slots that a function gives.
-    fn given_by(&self, function: u16) -> u16 {
-        let code = |function: &Function| -> u16 { given(&function.code) };
-        self.functions.get(usize::from(function)).map_or(0, code)
-    }
-
-    fn params_of_function(&self, function: u16) -> u16 {
-        self.functions.get(usize::from(function)).map_or(0, |function| function.params)
-    }
-
     /// Calls `tell` with each operand of an instruction, in any order.
     pub(super) fn each_operand(&self, inst: &Inst, tell: &mut dyn FnMut(Operand)) {
         use Class::{Any, Real, Whole};
@@ -274,7 +264,6 @@ impl Surroundings<'_> {
                 operands! { Write Whole to, 1; }
             }
             Inst::NextLiving { element, .. } => operands! { Change Whole element, 1; },
-            Inst::JumpUnlessLiving { element, .. } => operands! { Read Whole element, 1; },
             Inst::Ask { question, to, elements: [first, second] } => {
                 operands! { Read Whole first, 1; Read Whole second, 1; }
                 match question {
@@ -310,7 +299,6 @@ impl Surroundings<'_> {
             Inst::Collect { from, until, .. } => operands! {
                 Read Whole from, 1; Read Whole until, 1;
             },
-            Inst::CollectEars { face, .. } => operands! { Read Whole face, 1; },
             Inst::Meets { to, from, goal, stop, .. } => operands! {
                 Read Whole from, 1; Read Whole goal, 1; Read Whole stop, 1; Write Whole to, 1;
             },
@@ -327,9 +315,11 @@ impl Surroundings<'_> {
             | Inst::StoreHalfedge { element, value, .. } => operands! {
                 Read Whole element, 1; Read Whole value, 1;
             },
-            Inst::PreviewStoreHole { face, .. } | Inst::StoreHole { face, .. } => operands! {
-                Read Whole face, 1;
-            },
+            Inst::CollectEars { face: element, .. }
+            | Inst::PreviewStoreHole { face: element, .. }
+            | Inst::StoreHole { face: element, .. }
+            | Inst::JumpUnlessLiving { element, .. }
+            | Inst::Erase { element, .. } => operands! { Read Whole element, 1; },
             Inst::PreviewStoreAll { value, .. } | Inst::StoreAll { value, .. } => operands! {
                 Read Whole value, 1;
             },
@@ -362,15 +352,17 @@ impl Surroundings<'_> {
                 operands! { Read Whole element, 1; }
                 tell(Use::Read, class, value, width);
             }
-            Inst::Erase { element, .. } => operands! { Read Whole element, 1; },
             Inst::DrainStale { to, .. } | Inst::DrainLeast { to, .. } => operands! {
                 Change Whole to, 1;
             },
             Inst::DrainKey { key } => operands! { Read Real key, 1; },
-            Inst::Call { function, args, to, .. } => operands! {
-                Read Any args, self.params_of_function(function);
-                Change Any to, self.given_by(function);
-            },
+            Inst::Call { function, args, to, .. } => {
+                let called = self.functions.get(usize::from(function));
+                operands! {
+                    Read Any args, called.map_or(0, |function| function.params);
+                    Change Any to, called.map_or(0, |function| given(&function.code));
+                }
+            }
             Inst::Give { from, width } => operands! { Read Any from, width; },
             Inst::Apply { op, args, applied, result } => operands! {
                 Read Any args, self.params_of_op(op);

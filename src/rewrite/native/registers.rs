@@ -15,19 +15,16 @@ use crate::rewrite::{Inst, Reg};
 
 impl Translator<'_, '_> {
     pub(super) fn spill_operands(&mut self, inst: &Inst) {
-        let read = self.registers(inst, |used| used != Use::Write);
-        read.into_iter().for_each(|reg| self.spill(reg));
+        self.registers(inst, |used| used != Use::Write).into_iter().for_each(|reg| self.spill(reg));
     }
 
     /// Writes the registers that an instruction only reads to the window.
     pub(super) fn spill_read(&mut self, inst: &Inst) {
-        let read = self.registers(inst, |used| used == Use::Read);
-        read.into_iter().for_each(|reg| self.spill(reg));
+        self.registers(inst, |used| used == Use::Read).into_iter().for_each(|reg| self.spill(reg));
     }
 
     pub(super) fn reload_written(&mut self, inst: &Inst) {
-        let written = self.registers(inst, |used| used != Use::Read);
-        written.into_iter().for_each(|reg| self.reload(reg));
+        self.registers(inst, |used| used != Use::Read).into_iter().for_each(|reg| self.reload(reg));
     }
 
     /// The registers that an instruction uses in some ways.
@@ -139,10 +136,7 @@ impl Translator<'_, '_> {
     /// The number of an element.
     pub(super) fn id(&mut self, reg: Reg) -> Value {
         let bits = self.whole(reg);
-        match self.fact(reg).is_clean() {
-            true => bits,
-            false => self.b.ins().band_imm_u(bits, 0xffff_ffff),
-        }
+        if self.fact(reg).is_clean() { bits } else { self.b.ins().band_imm_u(bits, 0xffff_ffff) }
     }
 
     /// The facts about the element in a register.

@@ -159,8 +159,7 @@ impl<'a, 'f> Translator<'a, 'f> {
         this.begin(start, &liveness);
         this.rest(&known_at);
         this.faults();
-        let answer = this.leave;
-        this.b.switch_to_block(answer);
+        this.b.switch_to_block(this.leave);
         let answer = this.b.ins().iconst(I64, TRAPPED);
         this.b.ins().return_(&[answer]);
         this.b.seal_all_blocks();
@@ -284,9 +283,7 @@ impl<'a, 'f> Translator<'a, 'f> {
             }
             Inst::Spread { part, .. } => {
                 let Text { code, surroundings, .. } = self.text;
-                let Some(Some(part)) = code.parts.get(usize::from(part)) else {
-                    return true;
-                };
+                let Some(Some(part)) = code.parts.get(usize::from(part)) else { return true };
                 // A part reads the registers that it needs from the window.
                 let mut read = vec![false; self.variables.len()];
                 for inst in &part.code.insts {

@@ -69,8 +69,7 @@ impl Translator<'_, '_> {
                 self.set_unless(to, value, overflow);
             }
             Inst::DivInt { to, left, right } | Inst::ModInt { to, left, right } => {
-                let gives_rest = matches!(inst, Inst::ModInt { .. });
-                self.divide(inst, gives_rest, to, [left, right]);
+                self.divide(inst, matches!(inst, Inst::ModInt { .. }), to, [left, right]);
             }
             Inst::NegInt { to, from } => {
                 let from = self.whole(from);

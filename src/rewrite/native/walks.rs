@@ -100,7 +100,8 @@ impl Translator<'_, '_> {
         self.go_on(on);
     }
 
-    fn leads(&mut self, record: Value, field: HalfedgeField) -> Value {
+    /// The element that a pointer of a record leads to.
+    pub(super) fn leads(&mut self, record: Value, field: HalfedgeField) -> Value {
         let (offset, region, _) = pointer(field);
         self.number(region, record, offset)
     }

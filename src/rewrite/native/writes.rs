@@ -80,9 +80,7 @@ impl Translator<'_, '_> {
                 let Some((kind, ty)) = self.text.surroundings.column(attribute) else {
                     return false;
                 };
-                let Some(place) = self.value_place(attribute, ty, element) else {
-                    return false;
-                };
+                let Some(place) = self.value_place(attribute, ty, element) else { return false };
                 let args = |this: &mut Self| {
                     let number = this.b.ins().iconst(I64, i64::from(attribute));
                     [number, this.id(element)]
@@ -309,16 +307,14 @@ impl Translator<'_, '_> {
     ) -> Vec<Value> {
         let place =
             |kind: ElementKind| offset_of!(Context, spare) + kind as usize * size_of::<u64>();
-        let left: Vec<Value> = wanted
-            .iter()
-            .map(|&(kind, count)| {
-                let (spare, next) = (self.field(place(kind)), self.b.create_block());
-                let fits = self.b.ins().icmp(IntCC::UnsignedLessThanOrEqual, count, spare);
-                self.b.ins().brif(fits, next, &[], short, &[]);
-                self.b.switch_to_block(next);
-                self.b.ins().isub(spare, count)
-            })
-            .collect();
+        let left = wanted.iter().map(|&(kind, count)| {
+            let (spare, next) = (self.field(place(kind)), self.b.create_block());
+            let fits = self.b.ins().icmp(IntCC::UnsignedLessThanOrEqual, count, spare);
+            self.b.ins().brif(fits, next, &[], short, &[]);
+            self.b.switch_to_block(next);
+            self.b.ins().isub(spare, count)
+        });
+        let left: Vec<Value> = left.collect();
         let all = wanted.iter().zip(left).map(|(&(kind, count), left)| {
             self.set_field(place(kind), left);
             let room = TABLES + offset_of!(Tables, room) + kind as usize * size_of::<usize>();

@@ -310,10 +310,7 @@ impl Preview {
                 return Ok(walked + 1);
             }
         }
-        match most < self.longest(mesh) {
-            true => Ok(most),
-            false => Err(Fault::Endless),
-        }
+        if most < self.longest(mesh) { Ok(most) } else { Err(Fault::Endless) }
     }
 
     fn target(&self, mesh: &Mesh, halfedge: u32) -> Result<u32, Fault> {

@@ -138,8 +138,7 @@ impl Preview {
     }
 
     fn corner_once(&mut self, mesh: &Mesh, face: u32, vertex: u32) -> Result<bool, Fault> {
-        let star = self.walk_star(mesh, vertex)?;
-        Ok(star.faces.iter().filter(|&&other| other == face).count() <= 1)
+        Ok(self.walk_star(mesh, vertex)?.faces.iter().filter(|&&other| other == face).count() <= 1)
     }
 
     fn faces_differ(&mut self, mesh: &Mesh, vertex: u32) -> Result<bool, Fault> {

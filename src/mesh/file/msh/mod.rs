@@ -25,8 +25,7 @@ const NODES: [u8; 32] = [
 
 /// The number of nodes of an element of a type.
 fn node_count(element: i64) -> Result<usize, String> {
-    let known = usize::try_from(element).ok().and_then(|element| NODES.get(element));
-    match known {
+    match usize::try_from(element).ok().and_then(|element| NODES.get(element)) {
         Some(&nodes @ 1..) => Ok(usize::from(nodes)),
         _ => Err(format!("there is no element of type {element}")),
     }

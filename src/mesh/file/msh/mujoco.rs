@@ -19,8 +19,7 @@ pub(super) fn read(text: &[u8]) -> Option<Contents> {
     let (head, body) = text.split_first_chunk::<HEAD>()?;
     let (counts, _) = head.as_chunks::<4>();
     let size = |at: usize, width: usize| {
-        let count = usize::try_from(i32::from_le_bytes(counts[at])).ok()?;
-        count.checked_mul(4 * width)
+        usize::try_from(i32::from_le_bytes(counts[at])).ok()?.checked_mul(4 * width)
     };
     let [positions, normals, texture, triangles] =
         [size(0, 3)?, size(1, 3)?, size(2, 2)?, size(3, 3)?];
@@ -45,8 +44,7 @@ pub(super) fn read(text: &[u8]) -> Option<Contents> {
             contents.columns.push(FileColumn::new(ElementKind::Vertex, name, default, reals));
         } else {
             let what = ["row of `{}` that is no vertex's", "rows of `{}` that are no vertex's"];
-            let what = what.map(|words| words.replace("{}", name));
-            contents.kept.note_count(what, count);
+            contents.kept.note_count(what.map(|words| words.replace("{}", name)), count);
         }
     }
     let mut corners = Vec::with_capacity(rest.len() / 4);

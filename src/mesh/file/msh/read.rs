@@ -108,8 +108,7 @@ impl<'t> Reader<'t> {
     /// Skips past the end of a section.
     fn end_section(&mut self, section: &[u8]) -> Answer<()> {
         let end = [b"$End", section].concat();
-        let rest = self.scanner.rest();
-        let found = rest.windows(end.len()).position(|window| window == end);
+        let found = self.scanner.rest().windows(end.len()).position(|window| window == end);
         let Some(at) = found else {
             return Err(format!("the section `${}` does not end", shown(section)));
         };
@@ -385,8 +384,7 @@ impl<'t> Reader<'t> {
         }
         let said = |c: char| if c.is_alphanumeric() || c == '_' { c } else { '_' };
         let name: String = name.chars().map(said).collect();
-        let known = |column: &FileColumn| column.is(kind, &name);
-        if self.contents.columns.iter().any(known) {
+        if self.contents.columns.iter().any(|column| column.is(kind, &name)) {
             let what = [
                 "value that was there already, at another time",
                 "values that were there already, at another time",

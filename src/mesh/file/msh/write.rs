@@ -30,8 +30,7 @@ pub(in crate::mesh::file) fn write(
             )));
         }
     }
-    let mut writer = Writer::new(output, file, numbers);
-    writer.write().map_err(FileReason::Io)
+    Writer::new(output, file, numbers).write().map_err(FileReason::Io)
 }
 
 struct Writer<'w> {

@@ -10,9 +10,8 @@ use std::io::{self, Read};
 use std::sync::{Mutex, PoisonError};
 
 use super::read::Reader;
-use crate::mesh::Polygons;
 use crate::mesh::file::contents::Contents;
-use crate::mesh::parallel;
+use crate::mesh::{Polygons, parallel};
 
 /// The maximum number of bytes read at a time for a block, which may end within a line: as many as
 /// stay in the cache.

@@ -24,10 +24,7 @@ impl Table {
         if is_list {
             self.ends.truncate(rows);
         }
-        self.numbers.truncate(match is_list {
-            true => self.ends.last().copied().unwrap_or(0),
-            false => rows,
-        });
+        self.numbers.truncate(if is_list { self.ends.last().copied().unwrap_or(0) } else { rows });
     }
 
     /// The length of the lists, if it is the same for all.
@@ -62,10 +59,7 @@ impl<'t> Body<'t> {
     }
 
     fn left(&self) -> usize {
-        match self.encoding {
-            Encoding::Ascii => self.scanner.rest().len(),
-            _ => self.bytes.len(),
-        }
+        if self.encoding == Encoding::Ascii { self.scanner.rest().len() } else { self.bytes.len() }
     }
 
     /// The maximum number of elements that fit into what is left.

@@ -112,6 +112,7 @@ pub(super) struct Declared {
 }
 
 /// A head.
+#[derive(Default)]
 pub(super) struct Header {
     pub(super) encoding: Encoding,
     pub(super) elements: Vec<Element>,
@@ -133,17 +134,7 @@ pub(super) const STATES: [&str; 4] = ["object", "group", "material", "smoothing"
 
 impl Header {
     pub(super) fn read(text: &[u8]) -> Result<Self, Failure> {
-        let mut header = Self {
-            encoding: Encoding::Ascii,
-            elements: Vec::new(),
-            declared: Vec::new(),
-            names: Default::default(),
-            libraries: Vec::new(),
-            comments: Vec::new(),
-            length: 0,
-            lines: 0,
-            damage: Damage::default(),
-        };
+        let mut header = Self { encoding: Encoding::Ascii, ..Self::default() };
         let mut has_format = false;
         loop {
             let rest = &text[header.length..];

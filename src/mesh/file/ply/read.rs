@@ -110,8 +110,7 @@ impl Rows<'_> {
         }
         if let [Some(x), Some(y), Some(z)] = &mut axes {
             let numbers = x.numbers.iter().zip(&y.numbers).zip(&z.numbers);
-            let at = numbers.map(|((&x, &y), &z)| DVec3::new(x, y, z));
-            self.contents.positions.extend(at);
+            self.contents.positions.extend(numbers.map(|((&x, &y), &z)| DVec3::new(x, y, z)));
         }
         self.columns(ElementKind::Vertex, &[]);
         Ok(())
@@ -120,8 +119,7 @@ impl Rows<'_> {
     /// The lists of corners of faces or strips; `None` if there are no such elements.
     fn corner_lists(&mut self, of: &str) -> Result<Option<Table>, Failure> {
         let mut names = ["vertex_indices", "vertex_index"].into_iter();
-        let lists = names.find_map(|name| self.take(name, true));
-        let words = match lists {
+        let words = match names.find_map(|name| self.take(name, true)) {
             _ if self.element.count == 0 => return Ok(None),
             Some(_) if !self.contents.polygons.is_empty() => {
                 "there are elements `face` and `tristrips`, of which only one is read".to_owned()
@@ -213,9 +211,7 @@ impl Rows<'_> {
                 continue;
             }
             match self.take(name, false) {
-                Some((table, _)) => {
-                    self.contents.kept.add_states(keyword, names, &table.numbers);
-                }
+                Some((table, _)) => self.contents.kept.add_states(keyword, names, &table.numbers),
                 // They are comments of another program.
                 None => self.contents.kept.comments.extend((0..).zip(names).map(|(at, text)| {
                     format!("comment {name} {at} {}", String::from_utf8_lossy(text))
@@ -291,10 +287,7 @@ impl Rows<'_> {
             })
             .flatten();
         let found = if property.list.is_none() {
-            let usual = match property.scalar.is_whole() {
-                true => Value::Int(0),
-                false => Value::Real(0.0),
-            };
+            let usual = if property.scalar.is_whole() { Value::Int(0) } else { Value::Real(0.0) };
             Some((kind, declared(kind).unwrap_or(usual), 1))
         } else if let (Some(each), Some(default)) = (of_corners, declared(ElementKind::Halfedge))
             && default.attribute_type().width() == each
@@ -342,10 +335,7 @@ pub(super) fn usual_default(name: &str) -> Option<Value> {
 
 /// The index given by a number; an invalid one becomes [`MISSING`].
 fn index(number: f64) -> u32 {
-    match number.fract() == 0.0 && number >= 0.0 {
-        true => number as u32,
-        false => MISSING,
-    }
+    if number.fract() == 0.0 && number >= 0.0 { number as u32 } else { MISSING }
 }
 
 /// The default of a value of the given number of reals.

@@ -279,8 +279,7 @@ impl Head {
 
 /// A name without control characters, for a line.
 fn line(name: &[u8]) -> String {
-    let text = String::from_utf8_lossy(name);
-    text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect()
+    String::from_utf8_lossy(name).chars().map(|c| if c.is_control() { ' ' } else { c }).collect()
 }
 
 /// The numbers of a column, element by element.
@@ -315,10 +314,7 @@ fn write_rows(
 ) -> io::Result<()> {
     let mut first = 0;
     for row in 0..rows {
-        let corners = match ends.get(row) {
-            Some(&end) => first..end,
-            None => 0..0,
-        };
+        let corners = ends.get(row).map_or(0..0, |&end| first..end);
         for (place, property) in properties.iter().enumerate() {
             let numbers = match property.rows {
                 Rows::One => &property.numbers[row..=row],
@@ -344,10 +340,7 @@ fn write_rows(
             }
         }
         first = corners.end.max(first);
-        match encoding {
-            Encoding::Ascii => printer.end_line()?,
-            _ => printer.hand_on()?,
-        }
+        if encoding == Encoding::Ascii { printer.end_line()? } else { printer.hand_on()? }
     }
     Ok(())
 }

@@ -18,11 +18,8 @@ pub(in super::super) unsafe extern "C" fn stale(context: *mut Context) -> i64 {
     let stale = |context: &mut Context, run: &mut Run<'_>| {
         let base = context.call(run).base;
         let Machine { stack, drains, .. } = &mut *run.machine;
-        let Some(w) = Window::at(stack, base) else {
-            return Ok(LEAVE);
-        };
-        let next = drains.next_stale(run.mesh, |variable| w.id(variable));
-        Ok(next.map_or(NONE, i64::from))
+        let Some(w) = Window::at(stack, base) else { return Ok(LEAVE) };
+        Ok(drains.next_stale(run.mesh, |variable| w.id(variable)).map_or(NONE, i64::from))
     };
     // SAFETY: as for all stubs.
     unsafe { within_guarded(context, stale) }

@@ -13,8 +13,7 @@ use crate::rewrite::{Inst, Machine, Message, Walk, access, families, lookahead, 
 /// As for all stubs.
 pub(in super::super) unsafe extern "C" fn begin(context: *mut Context) -> i64 {
     let begin = |context: &mut Context, run: &mut Run<'_>| {
-        let call = context.call(run);
-        run.machine.clear_buffers(&call);
+        run.machine.clear_buffers(&context.call(run));
         context.find_lists(run, context.first_of_lists());
         Ok(0)
     };
@@ -29,9 +28,7 @@ pub(in super::super) unsafe extern "C" fn begin(context: *mut Context) -> i64 {
 pub(in super::super) unsafe extern "C" fn fill(context: *mut Context, inst: i64) -> i64 {
     let fill = |context: &mut Context, run: &mut Run<'_>| {
         let call = context.call(run);
-        let Some(instruction) = call.code.insts.get(inst as usize) else {
-            return Ok(LEAVE);
-        };
+        let Some(instruction) = call.code.insts.get(inst as usize) else { return Ok(LEAVE) };
         let filled = match *instruction {
             Inst::BufferNew { kind, cycle, buffer } => {
                 let [cycle, to] = [cycle, buffer].map(|buffer| context.list_at(run, buffer));
@@ -63,9 +60,7 @@ fn new_members(
 ) -> Result<bool, Message> {
     let count = run.machine.buffers.get(cycle).map_or(0, |list| list.len());
     let Machine { buffers, drains, memory: limit, .. } = &mut *run.machine;
-    let Some(list) = buffers.get_mut(to) else {
-        return Err(Message::Malformed);
-    };
+    let Some(list) = buffers.get_mut(to) else { return Err(Message::Malformed) };
     list.clear();
     memory::for_list(buffers, to, count, (&*run.mesh, drains, *limit))?;
     let is_done = context.append(run, access::counts_of(kind, count));
@@ -151,9 +146,7 @@ pub(in super::super) unsafe extern "C" fn collect(
         let buffer = which as u16;
         let walk = if which >> 16 == 0 { Walk::Loop } else { Walk::Star };
         let at = context.list_at(run, buffer);
-        let Some(list) = run.machine.buffers.get_mut(at) else {
-            return Ok(LEAVE);
-        };
+        let Some(list) = run.machine.buffers.get_mut(at) else { return Ok(LEAVE) };
         let (before, mut list) = (list.len(), list.grow());
         let walked = access::collect(run.mesh, walk, [from as u32, until as u32], &mut list);
         if walked.is_err() {
@@ -188,9 +181,7 @@ pub(in super::super) unsafe extern "C" fn hold(
         };
         let has_room = memory::for_list(lists, at, memory::HELD, (&*run.mesh, drains, *limit));
         let slots = stack.get(first..first + usize::from(width));
-        let (Some(slots), Ok(())) = (slots, has_room) else {
-            return Ok(LEAVE);
-        };
+        let (Some(slots), Ok(())) = (slots, has_room) else { return Ok(LEAVE) };
         let mut list = lists[at].grow();
         list.extend([header as u64, element as u64]);
         list.extend_from_slice(slots);

@@ -85,8 +85,7 @@ pub(super) fn guarded(
     act: impl FnOnce(&mut Context, &mut Run<'_>) -> Result<i64, Trap>,
 ) -> impl FnOnce(&mut Context, &mut Run<'_>) -> Result<i64, Trap> {
     |context, run| {
-        let acted = catch_unwind(AssertUnwindSafe(|| act(context, run)));
-        acted.unwrap_or_else(|panic| {
+        catch_unwind(AssertUnwindSafe(|| act(context, run))).unwrap_or_else(|panic| {
             run.panic = Some(panic);
             Ok(LEAVE)
         })
@@ -170,9 +169,7 @@ pub(super) unsafe extern "C" fn tick(context: *mut Context, inst: i64) -> i64 {
 /// As for all stubs.
 pub(super) unsafe extern "C" fn turn(context: *mut Context, inst: i64) -> i64 {
     let turn = |context: &mut Context, run: &mut Run<'_>| {
-        let Some(Inst::Turn { depth, .. }) = run.inst(context, inst) else {
-            return Ok(LEAVE);
-        };
+        let Some(Inst::Turn { depth, .. }) = run.inst(context, inst) else { return Ok(LEAVE) };
         let Run { machine, mesh, watch, .. } = run;
         if machine.progress.look_at_turn(*watch, depth).is_break() {
             return Err(failed(context, run, inst, Message::Interrupted));
@@ -210,8 +207,7 @@ pub(super) unsafe extern "C" fn answer(context: *mut Context, inst: i64) -> i64 
         else {
             return Ok(LEAVE);
         };
-        let asked = ask(run.mesh, *question, &mut window, [*to, *first, *second]);
-        Ok(asked.map_or(LEAVE, |()| 0))
+        Ok(ask(run.mesh, *question, &mut window, [*to, *first, *second]).map_or(LEAVE, |()| 0))
     };
     // SAFETY: as for all stubs.
     unsafe { within_unsettled(context, guarded(answer)) }
@@ -362,13 +358,9 @@ pub(super) unsafe extern "C" fn erase(context: *mut Context, span: i64) -> i64 {
         let call = context.call(run);
         let (first, end) = (span as u32 as usize, (span >> 32) as usize);
         let Run { machine, mesh, .. } = run;
-        let Some(window) = Window::at(&mut machine.stack, call.base) else {
-            return Ok(LEAVE);
-        };
+        let Some(window) = Window::at(&mut machine.stack, call.base) else { return Ok(LEAVE) };
         for inst in call.code.insts.get(first..end).unwrap_or_default() {
-            let Inst::Erase { kind, element } = *inst else {
-                return Ok(LEAVE);
-            };
+            let Inst::Erase { kind, element } = *inst else { return Ok(LEAVE) };
             let id = window.id(element);
             if !machine.drains.is_empty() {
                 machine.drains.erased(mesh, kind, id);
