@@ -167,7 +167,7 @@ fn given_dart(figure: &Figure) -> Option<Dart> {
 fn place_blocks(figure: &Figure, part: &[usize], places: &mut [Option<DVec2>]) {
     let among = |node: usize| part.contains(&node);
     let all = blocks(&figure.before, part);
-    let Some((first, nodes)) = all.iter().next() else {
+    let Some((first, nodes)) = all.first() else {
         return place_part(figure, &figure.before, part, &[], places);
     };
     let nodes = if all.len() == 1 { part } else { nodes };

@@ -170,10 +170,10 @@ fn ends_without_edge(drawing: &Drawing, halfedge: NameId) -> Option<[NameId; 2]>
     }
     let joins = |[from, to]: [NameId; 2]| [from, to] == ends || [to, from] == ends;
     for other in rule.names_of(Kind::Halfedge) {
-        if drawing.before.mention(other).is_some() {
-            if joins([drawing.origin_before(other)?, drawing.target_before(other)?]) {
-                return None;
-            }
+        if drawing.before.mention(other).is_some()
+            && joins([drawing.origin_before(other)?, drawing.target_before(other)?])
+        {
+            return None;
         }
         if drawing.after.mention(other).is_some() {
             let after = [drawing.origin_after(other)?, drawing.target_after(other)?];
