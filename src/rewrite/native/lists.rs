@@ -298,15 +298,15 @@ impl Translator<'_, '_> {
             self.b.def_var(variable, value);
             variable
         });
-        let [head, first, second, back, last, met, full] = [(); 7].map(|()| self.b.create_block());
+        let [head, forth, unmet, turn, back, met, full] = [(); 7].map(|()| self.b.create_block());
         self.b.set_cold_block(full);
         self.b.ins().jump(head, &[]);
 
         self.b.switch_to_block(head);
         let [place, end] = [count, rest].map(|variable| self.b.use_var(variable));
         let has_room = self.b.ins().icmp(IntCC::UnsignedLessThan, place, end);
-        self.b.ins().brif(has_room, first, &[], full, &[]);
-        self.b.switch_to_block(first);
+        self.b.ins().brif(has_room, forth, &[], full, &[]);
+        self.b.switch_to_block(forth);
         let spoke = self.b.use_var(ahead);
         self.set_slot(start, place, spoke);
         let place = self.b.ins().iadd_imm_s(place, 1);
@@ -318,16 +318,16 @@ impl Translator<'_, '_> {
         self.b.def_var(ahead, next);
         let end_of_rest = self.b.use_var(behind);
         let is_over = self.b.ins().icmp(IntCC::Equal, next, end_of_rest);
-        self.b.ins().brif(is_over, met, &[], second, &[]);
-        self.b.switch_to_block(second);
+        self.b.ins().brif(is_over, met, &[], unmet, &[]);
+        self.b.switch_to_block(unmet);
         // Without end, if it comes back first.
         let is_back = self.b.ins().icmp(IntCC::Equal, next, from);
-        self.b.ins().brif(is_back, full, &[], back, &[]);
+        self.b.ins().brif(is_back, full, &[], turn, &[]);
 
-        self.b.switch_to_block(back);
+        self.b.switch_to_block(turn);
         let has_room = self.b.ins().icmp(IntCC::UnsignedLessThan, place, end);
-        self.b.ins().brif(has_room, last, &[], full, &[]);
-        self.b.switch_to_block(last);
+        self.b.ins().brif(has_room, back, &[], full, &[]);
+        self.b.switch_to_block(back);
         let record = self.record(ElementKind::Halfedge, end_of_rest);
         let twin = self.leads(record, HalfedgeField::Twin);
         let record = self.record(ElementKind::Halfedge, twin);

@@ -2,7 +2,7 @@
 
 use crate::source::Span;
 use crate::syntax::token::{Token, TokenKind as T};
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 use std::ops::Range;
 
 /// A set of places in a program, as bits.
@@ -25,6 +25,8 @@ pub(super) struct Item<'t> {
     pub tokens: Vec<Token>,
     vertices: HashSet<&'t str>,
     rims: HashSet<&'t str>,
+    /// The parts of the text in which a variable of each name is visible.
+    variables: HashMap<&'t str, Vec<Range<u32>>>,
 }
 
 impl<'t> Item<'t> {
@@ -36,7 +38,8 @@ impl<'t> Item<'t> {
         let vertices = targets.chain(loop_beginnings(tokens).map(word)).collect();
         let rims = tokens.windows(2).filter(|pair| matches!(pair[0].kind, T::Hole | T::Loop));
         let rims = rims.map(|pair| word(&pair[1])).collect();
-        Self { text, tokens: tokens.to_vec(), vertices, rims }
+        let variables = visible_variables(tokens, word);
+        Self { text, tokens: tokens.to_vec(), vertices, rims, variables }
     }
 
     pub(super) fn token(&self, at: usize) -> Option<&Token> {
@@ -79,19 +82,12 @@ impl<'t> Item<'t> {
 
     /// True if the name at a token is that of a variable that a block around declares before.
     pub(super) fn is_variable(&self, at: usize) -> bool {
-        let mut closed = 0_usize;
-        (1..at).rev().any(|before| {
-            match self.kind(before) {
-                Some(T::RightBrace) => closed += 1,
-                Some(T::LeftBrace) => closed = closed.saturating_sub(1),
-                Some(T::Let | T::Var) if closed == 0 => {
-                    let is_bound = self.kind(before - 1) == Some(T::If);
-                    return !is_bound && self.word(before + 1) == self.word(at);
-                }
-                _ => {}
-            }
-            false
-        })
+        let (Some(token), Some(visible)) = (self.token(at), self.variables.get(self.word(at)))
+        else {
+            return false;
+        };
+        let begun = visible.partition_point(|part| part.start <= token.span.start);
+        begun.checked_sub(1).is_some_and(|last| visible[last].contains(&token.span.start))
     }
 
     /// The end of the name that begins at a token, if there is one.
@@ -182,6 +178,43 @@ fn loop_beginnings(tokens: &[Token]) -> impl Iterator<Item = &Token> {
         let listed = |token: &&Token| token.kind.is_name() || token.kind == T::Comma;
         tokens[at..].iter().take_while(listed).filter(|token| token.kind.is_name())
     })
+}
+
+/// For each name, the text from a `let` or `var` of it to the end of the block around, in order;
+/// without those of an `if let`.
+fn visible_variables<'t>(
+    tokens: &[Token],
+    word: impl Fn(&Token) -> &'t str,
+) -> HashMap<&'t str, Vec<Range<u32>>> {
+    let mut all: HashMap<&str, Vec<Range<u32>>> = HashMap::new();
+    let mut blocks = vec![Vec::new()];
+    for at in 1..tokens.len() {
+        match tokens[at].kind {
+            T::LeftBrace => blocks.push(Vec::new()),
+            T::RightBrace => {
+                for name in blocks.pop().unwrap_or_default() {
+                    if let Some(visible) = all.get_mut(name).and_then(|visible| visible.last_mut())
+                    {
+                        visible.end = tokens[at].span.start;
+                    }
+                }
+                if blocks.is_empty() {
+                    blocks.push(Vec::new());
+                }
+            }
+            T::Let | T::Var if tokens[at - 1].kind != T::If => {
+                let name = tokens.get(at + 1).map_or("", &word);
+                let visible = all.entry(name).or_default();
+                let is_new = visible.last().is_none_or(|last| last.end < u32::MAX);
+                if let (true, Some(block)) = (is_new, blocks.last_mut()) {
+                    visible.push(tokens[at].span.end..u32::MAX);
+                    block.push(name);
+                }
+            }
+            _ => {}
+        }
+    }
+    all
 }
 
 /// True if a statement certainly continues after a token.
