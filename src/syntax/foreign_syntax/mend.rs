@@ -74,6 +74,7 @@ pub fn mend(text: &str, tokens: &[Token]) -> Mended {
             found.push(told);
         }
         braces.pass(item.tokens[at].kind);
+        item.pass(at);
         at += 1;
     }
     found.sort_by_key(|found| (found.span.start, found.span.end));

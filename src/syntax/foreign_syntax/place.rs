@@ -25,8 +25,10 @@ pub(super) struct Item<'t> {
     pub tokens: Vec<Token>,
     vertices: HashSet<&'t str>,
     rims: HashSet<&'t str>,
-    /// The parts of the text in which a variable of each name is visible.
-    variables: HashMap<&'t str, Vec<Range<u32>>>,
+    /// The variables that each block declares that is open where the item is read.
+    blocks: Vec<Vec<&'t str>>,
+    /// The number of visible variables of each name.
+    visible: HashMap<&'t str, usize>,
 }
 
 impl<'t> Item<'t> {
@@ -38,8 +40,8 @@ impl<'t> Item<'t> {
         let vertices = targets.chain(loop_beginnings(tokens).map(word)).collect();
         let rims = tokens.windows(2).filter(|pair| matches!(pair[0].kind, T::Hole | T::Loop));
         let rims = rims.map(|pair| word(&pair[1])).collect();
-        let variables = visible_variables(tokens, word);
-        Self { text, tokens: tokens.to_vec(), vertices, rims, variables }
+        let (blocks, visible) = (vec![Vec::new()], HashMap::new());
+        Self { text, tokens: tokens.to_vec(), vertices, rims, blocks, visible }
     }
 
     pub(super) fn token(&self, at: usize) -> Option<&Token> {
@@ -80,14 +82,31 @@ impl<'t> Item<'t> {
         self.rims.contains(word)
     }
 
-    /// True if the name at a token is that of a variable that a block around declares before.
+    /// True if the name at a token, where the item is read, is that of a variable that a block around
+    /// has declared.
     pub(super) fn is_variable(&self, at: usize) -> bool {
-        let (Some(token), Some(visible)) = (self.token(at), self.variables.get(self.word(at)))
-        else {
-            return false;
-        };
-        let begun = visible.partition_point(|part| part.start <= token.span.start);
-        begun.checked_sub(1).is_some_and(|last| visible[last].contains(&token.span.start))
+        self.visible.get(self.word(at)).is_some_and(|&count| count > 0)
+    }
+
+    /// Reads past a token.
+    pub(super) fn pass(&mut self, at: usize) {
+        let is_bound = at.checked_sub(1).and_then(|before| self.kind(before)) == Some(T::If);
+        match self.kind(at) {
+            Some(T::LeftBrace) => self.blocks.push(Vec::new()),
+            Some(T::RightBrace) => {
+                for name in self.blocks.pop().unwrap_or_default() {
+                    self.visible.entry(name).and_modify(|count| *count -= 1);
+                }
+            }
+            Some(T::Let | T::Var) if !is_bound => {
+                let name = self.word(at + 1);
+                if let Some(block) = self.blocks.last_mut() {
+                    block.push(name);
+                    *self.visible.entry(name).or_default() += 1;
+                }
+            }
+            _ => {}
+        }
     }
 
     /// The end of the name that begins at a token, if there is one.
@@ -178,43 +197,6 @@ fn loop_beginnings(tokens: &[Token]) -> impl Iterator<Item = &Token> {
         let listed = |token: &&Token| token.kind.is_name() || token.kind == T::Comma;
         tokens[at..].iter().take_while(listed).filter(|token| token.kind.is_name())
     })
-}
-
-/// For each name, the text from a `let` or `var` of it to the end of the block around, in order;
-/// without those of an `if let`.
-fn visible_variables<'t>(
-    tokens: &[Token],
-    word: impl Fn(&Token) -> &'t str,
-) -> HashMap<&'t str, Vec<Range<u32>>> {
-    let mut all: HashMap<&str, Vec<Range<u32>>> = HashMap::new();
-    let mut blocks = vec![Vec::new()];
-    for at in 1..tokens.len() {
-        match tokens[at].kind {
-            T::LeftBrace => blocks.push(Vec::new()),
-            T::RightBrace => {
-                for name in blocks.pop().unwrap_or_default() {
-                    if let Some(visible) = all.get_mut(name).and_then(|visible| visible.last_mut())
-                    {
-                        visible.end = tokens[at].span.start;
-                    }
-                }
-                if blocks.is_empty() {
-                    blocks.push(Vec::new());
-                }
-            }
-            T::Let | T::Var if tokens[at - 1].kind != T::If => {
-                let name = tokens.get(at + 1).map_or("", &word);
-                let visible = all.entry(name).or_default();
-                let is_new = visible.last().is_none_or(|last| last.end < u32::MAX);
-                if let (true, Some(block)) = (is_new, blocks.last_mut()) {
-                    visible.push(tokens[at].span.end..u32::MAX);
-                    block.push(name);
-                }
-            }
-            _ => {}
-        }
-    }
-    all
 }
 
 /// True if a statement certainly continues after a token.
