@@ -4,7 +4,7 @@
 //! that call it. Functions that call each other in a cycle without a written result type return
 //! nothing.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashMap};
 use std::rc::Rc;
 
 use crate::diagnostic::Diagnostic;
@@ -106,30 +106,29 @@ impl<'t> Functions<'t> {
 
     /// The functions, among those that are left, that call each other in one circle.
     fn circle(&self, left: &[usize]) -> Vec<usize> {
-        let mut all = left.iter().map(|&at| (at, self.reached(at)));
-        let Some((first, reached)) = all.find(|(at, reached)| reached.contains(at)) else {
+        let calls = |at| self.open_calls(at).collect();
+        let mut all = left.iter().map(|&at| (at, reached(at, calls)));
+        let Some((first, called)) = all.find(|(at, called)| called.contains(at)) else {
             return left.to_vec();
         };
-        let is_in_it = |at: &usize| reached.contains(at) && self.reached(*at).contains(&first);
+        let mut callers: HashMap<usize, Vec<usize>> = HashMap::new();
+        for &at in &called {
+            self.open_calls(at).for_each(|called| callers.entry(called).or_default().push(at));
+        }
+        let calling = reached(first, |at| callers.get(&at).cloned().unwrap_or_default());
+        let is_in_it = |at: &usize| called.contains(at) && calling.contains(at);
         left.iter().copied().filter(is_in_it).collect()
     }
 
-    /// The functions with an open result type on which that of a function depends.
-    fn reached(&self, at: usize) -> BTreeSet<usize> {
-        let mut reached = BTreeSet::new();
-        let mut open = vec![at];
-        while let Some(next) = open.pop() {
-            let calls = self.items[next].found.calls.iter().copied();
-            let calls = calls.filter(|&called| self.items[called].signature.result == Value::Open);
-            open.extend(calls.filter(|&called| reached.insert(called)));
-        }
-        reached
+    /// The functions that a function calls and whose result type is not known yet.
+    fn open_calls(&self, at: usize) -> impl Iterator<Item = usize> {
+        let calls = self.items[at].found.calls.iter().copied();
+        calls.filter(|&called| self.items[called].signature.result == Value::Open)
     }
 
     /// True if a function calls one whose result type is not known yet.
     fn waits(&self, at: usize) -> bool {
-        let mut calls = self.items[at].found.calls.iter();
-        calls.any(|&called| self.items[called].signature.result == Value::Open)
+        self.open_calls(at).next().is_some()
     }
 
     fn resolve_one(&mut self, at: usize, ops: &[Signature], cycles: bool) {
@@ -177,4 +176,13 @@ impl<'t> Functions<'t> {
     pub(super) fn into_resolved(self) -> Vec<Function> {
         self.items.into_iter().filter_map(|item| item.resolved).collect()
     }
+}
+
+/// What can be reached from a place in one step or more.
+fn reached(start: usize, steps: impl Fn(usize) -> Vec<usize>) -> BTreeSet<usize> {
+    let (mut all, mut open) = (BTreeSet::new(), vec![start]);
+    while let Some(next) = open.pop() {
+        open.extend(steps(next).into_iter().filter(|&step| all.insert(step)));
+    }
+    all
 }

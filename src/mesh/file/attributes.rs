@@ -15,7 +15,7 @@ use glam::{DVec2, DVec3};
 
 use super::corners::OfCorner;
 use super::format::FileFormat;
-use super::kept::MISSING;
+use super::kept::{MISSING, State};
 use super::mesh_file::MeshFile;
 use super::{msh, obj, off, stl};
 use crate::mesh::attribute::{AttributeType, ColumnId, Value};
@@ -185,9 +185,7 @@ impl MeshFile {
             FileFormat::Msh => place == 1,
             _ => false,
         };
-        // As `State::KEYWORDS`.
-        let words = ["objects", "groups", "materials", "smoothing groups"];
-        let lost = words.into_iter().enumerate().filter(|(place, _)| !is_held(*place));
+        let lost = State::NAMED.into_iter().enumerate().filter(|(place, _)| !is_held(*place));
         lost.filter(|(place, _)| has(*place)).map(|(_, word)| word).collect()
     }
 

@@ -62,6 +62,10 @@ impl State {
     /// The keywords of the statements that make up a state, in the order in which they are written.
     pub(super) const KEYWORDS: [&'static str; 4] = ["o", "g", "usemtl", "s"];
 
+    /// What these statements name, in the plural.
+    pub(super) const NAMED: [&'static str; 4] =
+        ["objects", "groups", "materials", "smoothing groups"];
+
     pub(super) const EMPTY: Self = Self([MISSING; 4]);
 }
 

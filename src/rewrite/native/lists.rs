@@ -8,6 +8,7 @@ use std::mem::offset_of;
 use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::types::I64;
 use cranelift_codegen::ir::{Block, InstBuilder, Value};
+use cranelift_frontend::Variable;
 
 use super::access::size_of_value;
 use super::context::Context;
@@ -260,15 +261,7 @@ impl Translator<'_, '_> {
         let has_room = self.b.ins().icmp(IntCC::UnsignedLessThan, place, room);
         self.b.ins().brif(has_room, here, &[], full, &[]);
         self.b.switch_to_block(here);
-        let halfedge = self.b.use_var(at);
-        self.set_slot(start, place, halfedge);
-        let place = self.b.ins().iadd_imm_s(place, 1);
-        self.b.def_var(count, place);
-        let record = self.record(ElementKind::Halfedge, halfedge);
-        let lives = self.is_not_dead(ElementKind::Halfedge, record);
-        self.or_fault(lives);
-        let next = self.step_of_walk(walk, record);
-        self.b.def_var(at, next);
+        let next = self.gather(walk, start, [at, count]);
         let is_over = self.b.ins().icmp(IntCC::Equal, next, until);
         let goes_on = self.b.create_block();
         self.b.ins().brif(is_over, done, &[], goes_on, &[]);
@@ -307,15 +300,7 @@ impl Translator<'_, '_> {
         let has_room = self.b.ins().icmp(IntCC::UnsignedLessThan, place, end);
         self.b.ins().brif(has_room, forth, &[], full, &[]);
         self.b.switch_to_block(forth);
-        let spoke = self.b.use_var(ahead);
-        self.set_slot(start, place, spoke);
-        let place = self.b.ins().iadd_imm_s(place, 1);
-        self.b.def_var(count, place);
-        let record = self.record(ElementKind::Halfedge, spoke);
-        let lives = self.is_not_dead(ElementKind::Halfedge, record);
-        self.or_fault(lives);
-        let next = self.step_of_walk(Walk::Star, record);
-        self.b.def_var(ahead, next);
+        let next = self.gather(Walk::Star, start, [ahead, count]);
         let end_of_rest = self.b.use_var(behind);
         let is_over = self.b.ins().icmp(IntCC::Equal, next, end_of_rest);
         self.b.ins().brif(is_over, met, &[], unmet, &[]);
@@ -325,6 +310,7 @@ impl Translator<'_, '_> {
         self.b.ins().brif(is_back, full, &[], turn, &[]);
 
         self.b.switch_to_block(turn);
+        let place = self.b.use_var(count);
         let has_room = self.b.ins().icmp(IntCC::UnsignedLessThan, place, end);
         self.b.ins().brif(has_room, back, &[], full, &[]);
         self.b.switch_to_block(back);
@@ -358,6 +344,20 @@ impl Translator<'_, '_> {
 
         self.b.switch_to_block(full);
         self.collect_by_stub((Walk::Star, buffer), [from, until], on);
+    }
+
+    /// Puts the halfedge `at` into slot `count`, advances both, and returns the next halfedge.
+    fn gather(&mut self, walk: Walk, start: Value, [at, count]: [Variable; 2]) -> Value {
+        let (halfedge, place) = (self.b.use_var(at), self.b.use_var(count));
+        self.set_slot(start, place, halfedge);
+        let place = self.b.ins().iadd_imm_s(place, 1);
+        self.b.def_var(count, place);
+        let record = self.record(ElementKind::Halfedge, halfedge);
+        let lives = self.is_not_dead(ElementKind::Halfedge, record);
+        self.or_fault(lives);
+        let next = self.step_of_walk(walk, record);
+        self.b.def_var(at, next);
+        next
     }
 
     /// Lets a stub collect the halfedges of a walk, of which nothing has been appended.
