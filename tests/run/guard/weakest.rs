@@ -23,19 +23,20 @@ struct Pair<'o> {
     level: Level,
     guarded: Plan,
     bare: Plan,
+    machine: Machine,
 }
 
 impl<'o> Pair<'o> {
     fn new(op: &'o Op, level: Level) -> Self {
-        Self { op, level, guarded: op.guarded(level.name()), bare: op.bare() }
+        let (guarded, bare) = (op.guarded(level.name()), op.bare());
+        Self { op, level, guarded, bare, machine: Machine::default() }
     }
 
     /// One place; the result, if the guard lets it pass.
-    fn compare(&self, mesh: &Mesh, args: &[u64], tally: &mut Tally) -> Option<Mesh> {
-        let mut machine = Machine::default();
+    fn compare(&mut self, mesh: &Mesh, args: &[u64], tally: &mut Tally) -> Option<Mesh> {
         let (mut literal, mut careful) = (mesh.clone(), mesh.clone());
-        let matched = machine.apply(&mut literal, &self.bare, args).unwrap();
-        let outcome = machine.apply(&mut careful, &self.guarded, args).unwrap();
+        let matched = self.machine.apply(&mut literal, &self.bare, args).unwrap();
+        let outcome = self.machine.apply(&mut careful, &self.guarded, args).unwrap();
         let name = self.op.name;
         if matches!(matched, Outcome::Refused { .. }) {
             assert!(matches!(outcome, Outcome::Refused { .. }), "{name}");
@@ -101,13 +102,13 @@ fn dump(mesh: &Mesh, args: &[u64]) -> String {
 /// Everywhere on the meshes, and on those that a few random steps lead to.
 fn battle(level: Level) {
     let mut dice = Dice(7 + level as u64);
-    let pairs: Vec<Pair> = OPS.iter().map(|op| Pair::new(op, level)).collect();
+    let mut pairs: Vec<Pair> = OPS.iter().map(|op| Pair::new(op, level)).collect();
     let mut tallies: Vec<Tally> = OPS.iter().map(|_| Tally::default()).collect();
     for mut mesh in meshes(level, &mut dice) {
         for round in 0..4 {
             shuffle_pointers(&mut mesh, &mut dice);
             let mut results = Vec::new();
-            for (pair, tally) in pairs.iter().zip(&mut tallies) {
+            for (pair, tally) in pairs.iter_mut().zip(&mut tallies) {
                 let mut results_of_op = Vec::new();
                 for args in pair.arguments(&mesh) {
                     results_of_op.extend(pair.compare(&mesh, &args, tally));
@@ -244,7 +245,7 @@ fn guards_are_weakest_whatever_the_kinds_of_loops() {
                     continue;
                 };
                 kept += 1;
-                let pair = Pair { op, level, guarded, bare };
+                let mut pair = Pair { op, level, guarded, bare, machine: Machine::default() };
                 for _ in 0..24 {
                     let mesh = &meshes[dice.below(meshes.len())];
                     for args in pair.arguments(mesh) {
