@@ -176,7 +176,7 @@ pub const MEANINGS: &[(&str, &str)] = &[
     ),
     (
         "patch",
-        "of a face: as `ears`, such that the triangles bend the least, with each other and with the faces around",
+        "of a face: as `ears`, such that the triangles bend little, with each other and with the faces around",
     ),
     (
         "level",

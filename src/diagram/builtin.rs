@@ -329,7 +329,7 @@ const FUNCTIONS: &[(&str, &str, &[Overload])] = &[
     ),
     (
         "angle",
-        "the angle between two directions, or of the corner where a halfedge starts, in radians; of a corner of a hole, in the hole",
+        "the angle between two directions, or of the corner where a halfedge starts, in radians; of a corner of a hole, in the hole; at most half a turn, zero if a direction has no length",
         &[of(&[X, X], REAL, Builtin::Angle), of(&[H], REAL, Builtin::AngleCorner)],
     ),
     (

@@ -379,7 +379,7 @@ pub enum Collection {
     FaceEdges(Expr),
     /// `f.ears`, the order in which corners are cut off, the best shaped first
     FaceEars(Expr),
-    /// `f.patch`, the same for the triangulation that bends the least
+    /// `f.patch`, the same for a triangulation that bends little
     FacePatch(Expr),
     /// `e.vertices`
     EdgeVertices(Expr),

@@ -21,8 +21,8 @@ pub use expression::{
     Access, Attribute, Binary, Collection, Expr, ExprKind, Fold, FoldFunction, Pointer, Type, Unary,
 };
 pub use op::{
-    Alias, Assignment, Cycle, Edge, Example, Kind, Loop, LoopItem, LoopKind, Name, NameId, Op,
-    Param, Property, Ref, Require, Role, Rule, Side, Spoke, Star, free_name,
+    Alias, Assignment, Broken, Cycle, Edge, Example, Kind, Loop, LoopItem, LoopKind, Name, NameId,
+    Op, Param, Property, Ref, Require, Role, Rule, Side, Spoke, Star, free_name,
 };
 pub use reassign::{Operand, Reassignment, Write};
 pub use unroll::{Naming, Unrolled};

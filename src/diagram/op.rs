@@ -254,6 +254,8 @@ pub struct Rule {
     pub label: Option<String>,
     /// The mesh of the example, if this is not a rule of a program but an example of an op.
     pub example: Option<Example>,
+    /// The way in which it breaks a mesh, if this is not a rule of a program but a counterexample.
+    pub broken: Option<Broken>,
     /// All its names, in order of first mention: elements, paths and fans.
     pub names: Vec<Name>,
     /// The index of its families, if it has any.
@@ -343,6 +345,16 @@ pub struct Example {
     /// The positions of the vertices before and after, by name, if the mesh is flat and no two of
     /// them coincide; y points up.
     pub places: [Vec<Option<[f64; 2]>>; 2],
+}
+
+/// What is known of a counterexample beyond its drawing: loops and edges that are broken cannot be
+/// drawn whole.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Broken {
+    /// The reason why the mesh after is not valid, in words.
+    pub verdict: String,
+    /// The halfedges whose pointers are the same before and after.
+    pub unchanged: Vec<NameId>,
 }
 
 /// `alias v2 v3`: any two of these names may stand for one element.

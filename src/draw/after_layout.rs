@@ -25,6 +25,10 @@ const FLAT: f64 = 0.15;
 /// The places of the nodes on the side `after`; nodes that it does not show keep theirs.
 pub(super) fn places_after(figure: &Figure, before: &[Option<DVec2>]) -> Vec<Option<DVec2>> {
     let all_stay = || placed(figure, before, before.to_vec());
+    // What is broken is seen best where it was whole.
+    if figure.drawing.rule.broken.is_some() {
+        return all_stay();
+    }
     if let Some(moved) = moved_on_mesh(figure, before) {
         return placed(figure, before, moved);
     }

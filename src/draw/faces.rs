@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use super::curve::{area, inside, mean};
+use super::curve::{Curve, area, inside, mean};
 use super::figure::Orbit;
 use super::hatch::{hatch, ticks};
 use super::label_boxes::Spot;
@@ -41,7 +41,8 @@ impl Panel<'_> {
         let group = self.group(orbit.face);
         let outline = self.outline(orbit);
         let is_hole = orbit.kind == LoopKind::Hole;
-        let is_inside = area(&outline) > 0.0;
+        let is_closed = self.side.is_closed(&orbit.darts);
+        let is_inside = is_closed && area(&outline) > 0.0;
         let islands = if is_inside { self.islands(&outline) } else { Vec::new() };
         if is_inside && !is_hole {
             self.groups[group].fill(Path::around(&outline), Ink::Face);
@@ -50,7 +51,16 @@ impl Panel<'_> {
             }
         }
         if is_hole {
-            let lines = if is_inside { hatch(&outline, &islands) } else { ticks(&outline) };
+            let lines = match (is_closed, is_inside) {
+                (true, true) => hatch(&outline, &islands),
+                (true, false) => {
+                    let first = outline.first();
+                    ticks(&Curve::through(outline.iter().chain(first).copied()))
+                }
+                (false, _) => {
+                    orbit.darts.iter().flat_map(|&dart| ticks(&self.along(dart))).collect()
+                }
+            };
             self.hatched.push(Hatched { group, outline: outline.clone(), is_around: !is_inside });
             for line in lines {
                 let stroke = Stroke::solid(Ink::Muted, 0.9);

@@ -102,6 +102,17 @@ impl Side {
         nodes
     }
 
+    /// True if each dart of a loop begins where the one before it ends: not always, if a mesh is
+    /// broken.
+    pub fn is_closed(&self, darts: &[Dart]) -> bool {
+        let ends = |dart: &Dart| {
+            let [from, to] = self.strands[dart.strand].ends();
+            if dart.forward { [from, to] } else { [to, from] }
+        };
+        let next = darts.iter().cycle().skip(1);
+        darts.iter().zip(next).all(|(dart, next)| ends(dart)[1] == ends(next)[0])
+    }
+
     /// The loop that each dart lies in.
     pub fn loop_of(&self) -> Vec<Option<usize>> {
         let mut of = vec![None; 2 * self.strands.len()];

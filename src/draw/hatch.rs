@@ -46,10 +46,8 @@ pub(super) fn hatch(outline: &[DVec2], islands: &[Vec<DVec2>]) -> Vec<Curve> {
     lines
 }
 
-/// Short lines along the outside of a polygon that is surrounded by a hole.
-pub(super) fn ticks(outline: &[DVec2]) -> Vec<Curve> {
-    let Some(&first) = outline.first() else { return Vec::new() };
-    let around = Curve::through(outline.iter().copied().chain([first]));
+/// Short lines on the left of a curve, such as the outside of a polygon that a hole surrounds.
+pub(super) fn ticks(around: &Curve) -> Vec<Curve> {
     let count = (around.length() / APART).floor().min(4000.0) as usize;
     let tick = |step: usize| {
         let (at, way) = around.at((step as f64 + 0.5) * APART);

@@ -135,8 +135,8 @@ pub(super) fn name(text: &str, size: f64) -> Label {
     let stem = text.trim_end_matches('\'');
     let primes = text.len() - stem.len();
     let letters = stem.trim_end_matches(|c: char| c.is_ascii_digit());
-    // A name of digits only, or an empty one, has nothing to be a subscript of.
-    let (letters, digits) = match letters.is_empty() {
+    // A number, alone or behind a word, is no subscript.
+    let (letters, digits) = match letters.is_empty() || letters.ends_with(' ') {
         true => (stem, ""),
         false => stem.split_at(letters.len()),
     };

@@ -53,9 +53,10 @@ pub(super) struct Hatched {
 impl Hatched {
     /// True if it may cover a place.
     fn reaches(&self, at: DVec2) -> bool {
+        let is_inside = inside(at, &self.outline);
         match self.is_around {
-            true => sides(&self.outline).any(|side| distance(at, side) < TICKS),
-            false => inside(at, &self.outline),
+            true => !is_inside && sides(&self.outline).any(|side| distance(at, side) < TICKS),
+            false => is_inside,
         }
     }
 }
@@ -261,6 +262,7 @@ impl<'a> Panel<'a> {
 /// A name as a part of an id: `h'` and `h[i+1]` become `h-prime` and `h-i-plus-1`.
 fn id_word(text: &str) -> String {
     text.replace('-', "-minus-")
+        .replace(' ', "-")
         .replace('\'', "-prime")
         .replace('+', "-plus-")
         .replace('[', "-")

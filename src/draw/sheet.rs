@@ -30,6 +30,9 @@ const APART: f64 = 14.0;
 const GROWTH: f64 = 1.15;
 const TRIES: usize = 8;
 
+/// The distance from the captions to the verdict on a counterexample.
+const VERDICT: f64 = 30.0;
+
 /// The gap between two columns, and the minimum number of rules for two columns.
 const GUTTER: f64 = 84.0;
 const MANY: usize = 4;
@@ -77,6 +80,7 @@ fn drawn(op: &Op, columns: usize) -> Picture {
             return sheet.finish();
         }
         let height = beside.iter().map(|(_, row)| row.high - row.low).fold(0.0, f64::max);
+        let has_verdict = beside.iter().any(|(_, row)| row.verdict.is_some());
         for (column, (below, row)) in beside.into_iter().enumerate() {
             let left = MARGIN + column as f64 * (sheet.column() + GUTTER);
             // Rows beside each other are centered at the same height.
@@ -87,7 +91,7 @@ fn drawn(op: &Op, columns: usize) -> Picture {
             }
             sheet.row(&op.name, &below, row, DVec2::new(left, top));
         }
-        sheet.y += height + 64.0;
+        sheet.y += height + if has_verdict { 64.0 + VERDICT } else { 64.0 };
     }
 }
 
@@ -113,6 +117,8 @@ struct Row {
     statuses: BTreeSet<Status>,
     crossings: usize,
     is_tidy: bool,
+    /// The way in which it breaks a mesh, if it is a counterexample.
+    verdict: Option<String>,
 }
 
 impl Row {
@@ -162,7 +168,8 @@ impl Row {
         let seen = sides.iter().filter(|side| side.low != side.high);
         let low = seen.clone().map(|side| side.low.y).reduce(f64::min).unwrap_or(0.0);
         let high = seen.map(|side| side.high.y).reduce(f64::max).unwrap_or(0.0);
-        Self { sides, low, high, statuses, crossings, is_tidy }
+        let verdict = rule.broken.as_ref().map(|broken| broken.verdict.replace('`', ""));
+        Self { sides, low, high, statuses, crossings, is_tidy, verdict }
     }
 }
 
@@ -322,6 +329,7 @@ impl Sheet {
 
     fn row(&mut self, op: &str, below: &[String], row: Row, at: DVec2) {
         let height = row.high - row.low;
+        let between = self.between;
         let middle = at.y + height / 2.0;
         let mut left = at.x;
         for (side, half) in row.sides.into_iter().enumerate() {
@@ -329,11 +337,11 @@ impl Sheet {
             left += self.widths[side] + self.between;
             if half.low == half.high {
                 let at = DVec2::new(center, middle);
-                self.words("nothing", Style::Italic, CAPTION, Ink::Muted, at);
+                self.words("nothing", Style::Italic, CAPTION, Ink::Muted, at, between);
             }
             let caption = ["before", "after"][side];
             let caption_at = DVec2::new(center, at.y + height + 24.0);
-            self.words(caption, Style::Upright, CAPTION, Ink::Muted, caption_at);
+            self.words(caption, Style::Upright, CAPTION, Ink::Muted, caption_at, between);
             let by = DVec2::new(center - half.low.midpoint(half.high).x, at.y - row.low);
             self.picture.groups.extend(half.groups.into_iter().map(|group| group.moved(by)));
             let moved = |text: TextBox| TextBox {
@@ -348,10 +356,15 @@ impl Sheet {
         self.arrow(DVec2::new(from, middle), DVec2::new(to, middle));
         let center = (from + to) / 2.0;
         let above = DVec2::new(center, middle - 20.0);
-        self.words(op, Style::Italic, LETTERS, Ink::Of(Status::Kept), above);
+        self.words(op, Style::Italic, LETTERS, Ink::Of(Status::Kept), above, between);
         for (nth, line) in below.iter().enumerate() {
             let at = DVec2::new(center, middle + 21.0 + 19.0 * nth as f64);
-            self.words(line, Style::Upright, CAPTION, Ink::Muted, at);
+            self.words(line, Style::Upright, CAPTION, Ink::Muted, at, between);
+        }
+        if let Some(verdict) = row.verdict {
+            let width = self.column();
+            let at = DVec2::new(at.x + width / 2.0, at.y + height + 24.0 + VERDICT);
+            self.words(&verdict, Style::Upright, CAPTION, Ink::Of(Status::Kept), at, width);
         }
         self.picture.crossings += row.crossings;
         self.statuses.extend(row.statuses);
@@ -366,10 +379,11 @@ impl Sheet {
         self.picture.groups.push(group);
     }
 
-    fn words(&mut self, text: &str, style: Style, size: f64, ink: Ink, at: DVec2) {
-        // A long name is made smaller, so that it does not cover the figures.
+    /// Writes a line of words. A long one is made smaller, so that it is no wider than `room` and
+    /// does not cover the figures.
+    fn words(&mut self, text: &str, style: Style, size: f64, ink: Ink, at: DVec2, room: f64) {
         let mut label = words(text, style, size);
-        let most = self.between / 2.0 - 6.0;
+        let most = room / 2.0 - 6.0;
         if label.half.x > most {
             label = words(text, style, size * most / label.half.x);
         }
@@ -413,7 +427,7 @@ impl Sheet {
             harpoon(&mut group, &line, status);
             self.picture.groups.push(group);
             let middle = at + DVec2::new(38.0 + label.half.x, 0.0);
-            self.words(status.word(), Style::Upright, CAPTION, Ink::Muted, middle);
+            self.words(status.word(), Style::Upright, CAPTION, Ink::Muted, middle, self.between);
             x += 38.0 + 2.0 * label.half.x + 30.0;
         }
         self.picture.size = DVec2::new(width + 2.0 * MARGIN, self.y + 22.0);

@@ -47,8 +47,11 @@ pub fn text_op(op: &Op) -> String {
 fn text_rule(rule: &Rule) -> String {
     let rule = rule.to_draw();
     let figure = Figure::new(Drawing::new(&rule));
-    let unit = places(&figure);
-    let (low, high) = bounds(unit.iter().flatten().copied());
+    let places = places(&figure).map(|unit| unit.iter().map(|&at| at * RADIUS).collect::<Vec<_>>());
+    let before = Panel::new(&figure, None, &places[0], "");
+    let after = Panel::new(&figure, Some(&before), &places[1], "");
+    let curves = before.curves.iter().chain(&after.curves).flat_map(Curve::points);
+    let (low, high) = bounds(places.iter().flatten().chain(curves).map(|&at| at / RADIUS));
     let size = (high - low).max(DVec2::splat(0.01));
     // A whole number of rows, so that slanted lines are even.
     let rows = (WIDTH / size.x * SLIM.y).clamp(UNIT[0] * SLIM.y, UNIT[1] * SLIM.y);
@@ -59,9 +62,6 @@ fn text_rule(rule: &Rule) -> String {
     let margin = (longest.max().unwrap_or(0) / 2 + 1).max(3) as f64;
     let grid = Grid { scale: scale / RADIUS, by: DVec2::new(margin, 2.0) - low * scale };
     let size = (size * scale).min(MOST) + DVec2::new(2.0 * margin + 2.0, 5.0);
-    let places = unit.map(|unit| unit.iter().map(|&at| at * RADIUS).collect::<Vec<_>>());
-    let before = Panel::new(&figure, None, &places[0], "");
-    let after = Panel::new(&figure, Some(&before), &places[1], "");
     let [before, after] = [before, after].map(|panel| {
         let mut canvas = Canvas::new(size);
         canvas.side(&panel, &grid);

@@ -58,6 +58,7 @@ pub(super) fn resolve_rule(
     let mut rule = Rule {
         label: rule.name.as_ref().map(|name| name.text.clone()),
         example: None,
+        broken: None,
         params: params.collect(),
         result,
         before: drawn_before,

@@ -3,6 +3,7 @@
 //! `UPDATE=1` rewrites the pictures of the examples; inspect them afterwards.
 
 mod colours;
+mod counterexamples;
 mod examples;
 mod loops;
 mod meshes;

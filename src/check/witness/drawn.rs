@@ -1,12 +1,15 @@
 //! A counterexample as a drawing: the whole mesh before, and what became of it.
 //!
-//! Elements have the names of the rule they were found with; those without a name get numbers.
+//! Elements have the names of the rule they were found with; those without a name get numbers,
+//! faces and holes with the word.
 //! `after` is written down as it is, even if broken: a loop continues until it comes back to a
 //! halfedge it has met, an edge is a halfedge and its twin.
 
 use super::Counterexample;
-use crate::diagram::{Edge, Loop, LoopItem, LoopKind, Name, NameId, Op, Ref, Role, Rule, Side};
-use crate::mesh::{Element, HalfedgeId, Mesh};
+use crate::diagram::{
+    Broken, Edge, Loop, LoopItem, LoopKind, Name, NameId, Op, Ref, Role, Rule, Side,
+};
+use crate::mesh::{Element, ElementKind, FaceId, HalfedgeId, Mesh};
 use crate::source::Span;
 
 impl Counterexample {
@@ -24,8 +27,10 @@ impl Counterexample {
         };
         let created = listed(&self.after, &self.before);
         let erased = listed(&self.before, &self.after);
+        let broken = Broken { verdict: self.verdict.clone(), unchanged: writer.unchanged() };
         let rule = Rule {
             label: self.rule.clone(),
+            broken: Some(broken),
             names: writer.names,
             before,
             after,
@@ -55,7 +60,7 @@ impl Writer<'_> {
         let mut named = named.filter(|(_, elements)| elements.as_slice() == [element]);
         let text = named.next().map(|(text, _)| text.clone());
         self.names.push(Name {
-            text: text.unwrap_or_else(|| element.index.to_string()),
+            text: text.unwrap_or_else(|| self.numbered(element)),
             kind: element.kind.into(),
             named: true,
             role: Role::Single,
@@ -63,6 +68,35 @@ impl Writer<'_> {
         });
         self.elements.push(element);
         Ref::unwritten(NameId(self.names.len() as u32 - 1))
+    }
+
+    /// The number of an element, after the word for a face or hole: edges may have the same.
+    fn numbered(&self, element: Element) -> String {
+        let Element { kind, index } = element;
+        let face = FaceId(index);
+        match kind {
+            ElementKind::Face if self.example.before.face_alive(face) => {
+                let is_hole = self.example.before.is_hole(face);
+                format!("{} {index}", if is_hole { "hole" } else { "face" })
+            }
+            ElementKind::Face => format!("face {index}"),
+            _ => index.to_string(),
+        }
+    }
+
+    /// The halfedges with the same pointers before and after.
+    fn unchanged(&self) -> Vec<NameId> {
+        let pointers = |mesh: &Mesh, half| {
+            let ends = || (mesh.vertex(half), mesh.edge(half), mesh.face(half));
+            mesh.halfedge_alive(half).then(|| (mesh.next(half), mesh.twin(half), ends()))
+        };
+        let is_same = |element: &Element| {
+            let half = HalfedgeId(element.index);
+            element.kind == ElementKind::Halfedge
+                && pointers(&self.example.before, half) == pointers(&self.example.after, half)
+        };
+        let elements = self.elements.iter().zip(0..);
+        elements.filter(|(element, _)| is_same(element)).map(|(_, at)| NameId(at)).collect()
     }
 
     fn side(&mut self, mesh: &Mesh) -> Side {

@@ -5,12 +5,20 @@ use crate::rewrite::{Assembler, ElementField, HalfedgeField, Inst, Label, Questi
 
 use super::pointer::{ask, first, load};
 
-/// The angle between two vectors.
+/// The angle between two vectors; zero if one of them is.
+pub(super) fn between(asm: &mut Assembler, left: Reg, right: Reg, to: Reg) -> Inst {
+    let [sine, cosine] = sine_and_cosine(asm, left, right);
+    arc(asm, sine, cosine, to)
+}
+
+/// The angle with this sine and cosine, times a positive number.
 ///
 /// The arc tangent of sine over cosine is exact near 0 and a half turn, where the arc cosine is
 /// not.
-pub(super) fn between(asm: &mut Assembler, left: Reg, right: Reg, to: Reg) -> Inst {
-    let [sine, cosine] = sine_and_cosine(asm, left, right);
+fn arc(asm: &mut Assembler, sine: Reg, cosine: Reg, to: Reg) -> Inst {
+    // Negative zero would be half a turn.
+    let zero = asm.constant_real(0.0);
+    asm.emit(Inst::AddReal { to: cosine, left: cosine, right: zero });
     Inst::Atan2Real { to, left: sine, right: cosine }
 }
 
@@ -148,7 +156,7 @@ fn dihedral(asm: &mut Assembler, place: u32, edge: Reg, to: Reg) {
     asm.emit(Inst::LessReal { to: is_concave, left: turn, right: zero });
     let condition = is_concave;
     asm.emit(Inst::Select { to: sine, condition, then: concave, otherwise: sine });
-    let (left, right) = (sine, cosine);
-    asm.emit(Inst::Atan2Real { to, left, right });
+    let angle = arc(asm, sine, cosine, to);
+    asm.emit(angle);
     asm.bind(end);
 }

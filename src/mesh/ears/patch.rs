@@ -1,24 +1,26 @@
-//! Patches: the triangulation of a hole that bends the least.
+//! Patches: triangulations of holes that bend little.
 //!
-//! P. Liepa, "Filling holes in meshes", 2003, section 3: dynamic programming finds, of all
-//! triangulations of a polygon, the one whose largest angle between neighbouring triangles, those
-//! around the hole included, is the least; of these, the one with the least area. Remaining ties,
-//! as in a flat hole, go to the one whose worst triangle has the largest smallest angle. The time
-//! is cubic in the number of sides: large holes get the best-shaped [ears](super) instead.
+//! P. Liepa, "Filling holes in meshes", 2003, section 3: dynamic programming builds a triangulation
+//! of a polygon from those of runs of its corners, short ones first. Of each run it keeps the one
+//! whose largest angle between neighbouring triangles, those around the hole included, is the
+//! least; of these, the one with the least area. Remaining ties, as in a flat hole, go to the one
+//! whose worst triangle has the largest smallest angle. Since only one triangulation of each run is
+//! kept, a triangle beyond its chord may bend more than with another one. The time is cubic in the
+//! number of sides: large holes get the best-shaped [ears](super) instead.
 
 use glam::DVec3;
 
 use crate::mesh::connectivity::Mesh;
 use crate::mesh::id::{FaceId, HalfedgeId};
 
-/// The largest number of sides for which all triangulations are considered.
+/// The largest number of sides of a patch.
 const MOST_SIDES: usize = 50;
 
 impl Mesh {
     /// The corners of a face in an order in which they can be cut off until three are left, such
-    /// that the triangles bend as little as possible, with each other and with the faces around;
-    /// the order of [`Mesh::ears`] for a face of more than 50 sides. A corner is given as the
-    /// halfedge that starts there.
+    /// that the triangles bend little, with each other and with the faces around; the order of
+    /// [`Mesh::ears`] for a face of more than 50 sides. A corner is given as the halfedge that
+    /// starts there.
     pub fn patch(&self, f: FaceId) -> Vec<HalfedgeId> {
         let sides: Vec<_> = self.face_halfedges(f).take(MOST_SIDES + 1).collect();
         match sides.len() {

@@ -1,7 +1,8 @@
 //! What expressions are worth.
 
 use super::*;
-use hedgerow::mesh::shape;
+use glam::DVec3;
+use hedgerow::mesh::{Polygons, shape};
 
 /// Each line of a script that prints an expression, and what it should print.
 fn check(mesh: &mut Mesh, cases: &[(&str, &str)]) {
@@ -110,6 +111,7 @@ fn vectors() {
             ("length(vec3(3, 4, 0)), normalize(vec3(0, 0, 9))", "5 (0, 0, 1)"),
             ("distance(vec3(0, 0, 0), vec3(0, 3, 4))", "5"),
             ("angle(vec3(1, 0, 0), vec3(2, 0, 0))", "0"),
+            ("angle(vec3(0, 0, 0), vec3(-1, -1, -1))", "0"),
             ("normalize(vec3(1e-320, 0, 0)), normalize(vec3(0))", "(1, 0, 0) (0, 0, 0)"),
             (
                 "normalize(vec3(0 / 0, 1, 0)), normalize(vec2(1, infinity))",
@@ -230,6 +232,19 @@ fn angles() {
       }
       print count(abs(dihedral_angle(e)) > 0.1 for e in edges) > 10";
     assert_eq!(printed(&mut shape::grid(4, 4), body), ["true"]);
+    // A face without an area has no normal, and the surface does not turn at it, wherever the other
+    // face looks.
+    let body = "
+      let e = argmax(if boundary(e) { 0 } else { 1 } for e in edges)
+      print dihedral_angle(e)
+      for v in vertices { v.position = -v.position }
+      for e in edges { assert dihedral_angle(e) == 0 }";
+    let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, -1.0], [0.0, 1.0, -1.0], [0.5, 0.0, -0.5]];
+    for turned in [[[2, 1, 0], [0, 1, 3]], [[0, 1, 2], [1, 0, 3]]] {
+        let triangles = Polygons::from_triangles(&turned);
+        let mut mesh = Mesh::from_polygons(&corners.map(DVec3::from), &triangles).unwrap();
+        assert_eq!(printed(&mut mesh, body), ["0"]);
+    }
     // Gauss and Bonnet: the angle defects add up; and triangles by their cotangents.
     let body = "
       let turn = atan2(0.0, -1.0)

@@ -1,0 +1,92 @@
+//! Pictures of counterexamples: they show what is broken as it is.
+
+use hedgerow::analysis::Analysis;
+use hedgerow::draw::{draw_op, fates};
+use hedgerow::source::Sources;
+
+use super::overlap;
+
+/// Checks what becomes of names in the first counterexample of a program, and what its picture says.
+fn check(program: &str, fates_of: &[(&str, &str)], verdict: &str, tell: &[&str]) {
+    let mut sources = Sources::new();
+    let file = sources.add("broken.hedge".to_string(), program.to_string());
+    let analysis = Analysis::of(&sources, file);
+    let op = analysis.counterexamples[0].drawn();
+    let rule = fates(&op.rules[0]);
+    for (name, fate) in fates_of {
+        assert_eq!(rule.get(name), Some(fate), "{name}: {rule:?}");
+    }
+    let picture = draw_op(&op);
+    let texts = picture.texts();
+    for told in tell.iter().chain([&verdict]) {
+        assert!(texts.iter().any(|text| text.text == *told), "`{told}` is not in the picture");
+    }
+    for (at, a) in texts.iter().enumerate() {
+        let covers = texts[..at].iter().any(|b| overlap(a, b));
+        assert!(!covers, "`{}` covers another text", a.text);
+    }
+    // What is broken is seen best where it was whole: vertices have their names at one height.
+    let heights = |name: &str| {
+        let of = texts.iter().filter(|text| text.text == name);
+        of.map(|text| text.from[1].round()).collect::<Vec<_>>()
+    };
+    if let [before, after] = heights("v0")[..] {
+        assert!((before - after).abs() < 2.0, "v0 moves from {before} to {after}");
+    }
+}
+
+#[test]
+fn halfedges_that_were_forgotten_are_kept() {
+    let program = "
+        op flip(e: edge) {
+          before {
+            face f0: v0 -a-> v1 -b-> v2 -c-> v0
+            face f1: v1 -d-> v0 -g-> v3 -h-> v1
+            edge e: a | d
+          }
+          after {
+            face f0: v3 -a-> v2 -c-> v0 -g-> v3
+            edge e: a | d
+          }
+        }";
+    let fates = [
+        ("a", "reassigned"),
+        ("b", "kept"),
+        ("c", "reassigned"),
+        ("d", "kept"),
+        ("g", "reassigned"),
+        ("h", "kept"),
+    ];
+    check(program, &fates, "b.next is c, but c.prev is a", &["hole 2", "f0", "f1"]);
+}
+
+#[test]
+fn what_points_at_an_erased_halfedge_is_kept() {
+    let program = "
+        op erase_face(f: face) {
+          before { face f: v0 -a-> v1 -b-> v2 -x-> v0 }
+          after { erase f a b x }
+        }";
+    let fates = [("a", "erased"), ("f", "erased"), ("3", "kept"), ("v0", "kept")];
+    check(program, &fates, "the twin of the undrawn twin of a is a, which is erased", &["hole 1"]);
+}
+
+#[test]
+fn what_a_new_halfedge_lacks_is_told() {
+    let program = "
+        op split(e: edge) -> m {
+          before {
+            loop f0: v0 -a-> v1 =P=> v0
+            loop f1: v1 -d-> v0 =Q=> v1
+            edge e: a | d
+          }
+          after {
+            new m p q
+            loop f0: v0 -a-> m -p-> v1 =P=> v0
+            loop f1: v1 -d-> m -q-> v0 =Q=> v1
+            edge e: a | q
+            m.position = (v0.position + v1.position) / 2
+          }
+        }";
+    check(program, &[("p", "new"), ("m", "new"), ("a", "reassigned")], "p.twin is not set", &["m"]);
+}
