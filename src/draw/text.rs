@@ -27,6 +27,8 @@ const RADIUS: f64 = 250.0;
 const FAN: DVec2 = DVec2::new(4.5, 2.0);
 /// The text between the two sides.
 const BETWEEN: &str = "    =>    ";
+/// The number of columns beyond which the sides stand one below the other.
+const COLUMNS: usize = 100;
 
 /// Draws an operation as text.
 pub fn text_op(op: &Op) -> String {
@@ -72,21 +74,33 @@ fn text_rule(rule: &Rule) -> String {
     let rows = (0..before.len()).find(is_used).unwrap_or(0)
         ..(0..before.len()).rfind(is_used).map_or(0, |last| last + 1);
     let [before, after] = [&before[rows.clone()], &after[rows]];
-    let width = before.iter().map(|line| line.chars().count()).max().unwrap_or(0);
-    let middle = before.len() / 2;
-    let mut text = String::new();
-    for (row, (before, after)) in before.iter().zip(after).enumerate() {
-        let gap = " ".repeat(width - before.chars().count());
-        let between = if row == middle { BETWEEN.to_string() } else { " ".repeat(BETWEEN.len()) };
-        let line = format!("{before}{gap}{between}{after}");
-        text.push_str(line.trim_end());
-        text.push('\n');
-    }
+    let [width, other] = [before, after]
+        .map(|lines| lines.iter().map(|line| line.chars().count()).max().unwrap_or(0));
+    let mut text = if width + BETWEEN.len() + other > COLUMNS {
+        let between = ["", BETWEEN.trim_end(), ""].map(str::to_string);
+        [trimmed(before), &between, trimmed(after)].concat().join("\n")
+    } else {
+        let middle = before.len() / 2;
+        let beside = before.iter().zip(after).enumerate().map(|(row, (before, after))| {
+            let between = if row == middle { BETWEEN } else { "" };
+            let line = format!("{before:width$}{between:0$}{after}", BETWEEN.len());
+            line.trim_end().to_string()
+        });
+        beside.collect::<Vec<_>>().join("\n")
+    };
+    text.push('\n');
     let told = [("new", Status::New), ("erase", Status::Erased)];
     let told = told.map(|(word, status)| (word, told_names(&figure, status)));
     let told = told.iter().filter(|(_, names)| !names.is_empty());
     let told: String = told.map(|(word, names)| format!("{word} {names}\n")).collect();
     if told.is_empty() { text } else { format!("{text}\n{told}") }
+}
+
+/// Lines without the empty ones around them.
+fn trimmed(lines: &[String]) -> &[String] {
+    let first = lines.iter().position(|line| !line.is_empty()).unwrap_or(0);
+    let last = lines.iter().rposition(|line| !line.is_empty()).map_or(0, |last| last + 1);
+    lines.get(first..last).unwrap_or_default()
 }
 
 /// The names with a status, of a family only the first; elements without a name are counted.

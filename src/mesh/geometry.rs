@@ -1,9 +1,10 @@
 //! Lengths, areas, normals and centers.
 //!
 //! All are defined for any mesh: what has no length, area or direction gives zero, never a NaN from
-//! a division by zero. Only what is not finite gives NaN. Faces need be neither flat nor convex; area
-//! and normal come from the vector area (Newell's method), which is half the sum of the cross products
-//! along the loop.
+//! a division by zero. Only what is not finite gives NaN, or products that are not: coordinates
+//! should be between 1e-150 and 1e150. Faces need be neither flat nor convex; area and normal come
+//! from the vector area (Newell's method), which is half the sum of the cross products along the
+//! loop.
 
 use glam::DVec3;
 
