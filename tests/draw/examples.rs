@@ -212,3 +212,20 @@ fn a_picture_is_an_image() {
         assert!(draw_op(&op).png(1e9).is_err());
     }
 }
+
+#[test]
+fn text_drawings_are_whole_and_fit_into_a_terminal() {
+    let mut stacked = 0;
+    for (stem, op) in shipped_ops() {
+        let text = text_op(&op);
+        let is_told =
+            |line: &&str| ["new ", "erase ", &op.name].iter().any(|of| line.starts_with(of));
+        for line in text.lines().filter(|line| !is_told(line)) {
+            let name = format!("{stem}::{}\n{text}", op.name);
+            assert!(line.chars().count() <= 100, "wide: {name}");
+            assert!(line.is_empty() || line.starts_with(' '), "cut off: {name}");
+        }
+        stacked += usize::from(text.lines().any(|line| line.trim() == "=>"));
+    }
+    assert!(stacked > 2, "only {stacked} have their sides one below the other");
+}
