@@ -18,13 +18,28 @@ impl Panel<'_> {
         let in_faces = |at: usize| {
             self.side.loops.iter().any(|orbit| {
                 let is_beside = orbit.darts.iter().any(|dart| dart.strand == at);
-                orbit.kind != LoopKind::Hole && is_beside && area(&self.outline(orbit)) > 0.0
+                orbit.kind != LoopKind::Hole
+                    && is_beside
+                    && self.encloses(orbit, &self.outline(orbit))
             })
         };
         match at {
             Some(at) if in_faces(at) => Ink::Face,
             _ => Ink::Paper,
         }
+    }
+
+    /// True if a face or hole lies within its outline: the loop closes and is not the outside.
+    fn encloses(&self, orbit: &Orbit, outline: &[DVec2]) -> bool {
+        self.side.is_closed(&orbit.darts) && area(outline) > 0.0
+    }
+
+    /// The outline as one curve; that of a loop that does not close in pieces.
+    fn borders(&self, orbit: &Orbit, outline: &[DVec2]) -> Vec<Curve> {
+        if self.side.is_closed(&orbit.darts) {
+            return vec![Curve::through(outline.iter().chain(outline.first()).copied())];
+        }
+        orbit.darts.iter().map(|&dart| self.along(dart)).collect()
     }
 
     fn outline(&self, orbit: &Orbit) -> Vec<DVec2> {
@@ -41,8 +56,7 @@ impl Panel<'_> {
         let group = self.group(orbit.face);
         let outline = self.outline(orbit);
         let is_hole = orbit.kind == LoopKind::Hole;
-        let is_closed = self.side.is_closed(&orbit.darts);
-        let is_inside = is_closed && area(&outline) > 0.0;
+        let is_inside = self.encloses(orbit, &outline);
         let islands = if is_inside { self.islands(&outline) } else { Vec::new() };
         if is_inside && !is_hole {
             self.groups[group].fill(Path::around(&outline), Ink::Face);
@@ -51,15 +65,9 @@ impl Panel<'_> {
             }
         }
         if is_hole {
-            let lines = match (is_closed, is_inside) {
-                (true, true) => hatch(&outline, &islands),
-                (true, false) => {
-                    let first = outline.first();
-                    ticks(&Curve::through(outline.iter().chain(first).copied()))
-                }
-                (false, _) => {
-                    orbit.darts.iter().flat_map(|&dart| ticks(&self.along(dart))).collect()
-                }
+            let lines = match is_inside {
+                true => hatch(&outline, &islands),
+                false => self.borders(orbit, &outline).iter().flat_map(ticks).collect(),
             };
             self.hatched.push(Hatched { group, outline: outline.clone(), is_around: !is_inside });
             for line in lines {
@@ -82,7 +90,7 @@ impl Panel<'_> {
     /// The place inside a loop with the most room for its name; `None` if the loop is the outside.
     pub(super) fn middle(&self, orbit: &Orbit) -> Option<DVec2> {
         let outline = self.outline(orbit);
-        if area(&outline) <= 0.0 {
+        if !self.encloses(orbit, &outline) {
             return None;
         }
         let spots = inner_spots(&outline, &self.islands(&outline));

@@ -329,7 +329,6 @@ impl Sheet {
 
     fn row(&mut self, op: &str, below: &[String], row: Row, at: DVec2) {
         let height = row.high - row.low;
-        let between = self.between;
         let middle = at.y + height / 2.0;
         let mut left = at.x;
         for (side, half) in row.sides.into_iter().enumerate() {
@@ -337,11 +336,11 @@ impl Sheet {
             left += self.widths[side] + self.between;
             if half.low == half.high {
                 let at = DVec2::new(center, middle);
-                self.words("nothing", Style::Italic, CAPTION, Ink::Muted, at, between);
+                self.words("nothing", Style::Italic, CAPTION, Ink::Muted, at);
             }
             let caption = ["before", "after"][side];
             let caption_at = DVec2::new(center, at.y + height + 24.0);
-            self.words(caption, Style::Upright, CAPTION, Ink::Muted, caption_at, between);
+            self.words(caption, Style::Upright, CAPTION, Ink::Muted, caption_at);
             let by = DVec2::new(center - half.low.midpoint(half.high).x, at.y - row.low);
             self.picture.groups.extend(half.groups.into_iter().map(|group| group.moved(by)));
             let moved = |text: TextBox| TextBox {
@@ -356,15 +355,21 @@ impl Sheet {
         self.arrow(DVec2::new(from, middle), DVec2::new(to, middle));
         let center = (from + to) / 2.0;
         let above = DVec2::new(center, middle - 20.0);
-        self.words(op, Style::Italic, LETTERS, Ink::Of(Status::Kept), above, between);
+        self.words(op, Style::Italic, LETTERS, Ink::Of(Status::Kept), above);
         for (nth, line) in below.iter().enumerate() {
             let at = DVec2::new(center, middle + 21.0 + 19.0 * nth as f64);
-            self.words(line, Style::Upright, CAPTION, Ink::Muted, at, between);
+            self.words(line, Style::Upright, CAPTION, Ink::Muted, at);
         }
         if let Some(verdict) = row.verdict {
             let width = self.column();
             let at = DVec2::new(at.x + width / 2.0, at.y + height + 24.0 + VERDICT);
-            self.words(&verdict, Style::Upright, CAPTION, Ink::Of(Status::Kept), at, width);
+            self.words_within(
+                width,
+                &verdict,
+                (Style::Upright, CAPTION),
+                Ink::Of(Status::Kept),
+                at,
+            );
         }
         self.picture.crossings += row.crossings;
         self.statuses.extend(row.statuses);
@@ -379,9 +384,21 @@ impl Sheet {
         self.picture.groups.push(group);
     }
 
-    /// Writes a line of words. A long one is made smaller, so that it is no wider than `room` and
-    /// does not cover the figures.
-    fn words(&mut self, text: &str, style: Style, size: f64, ink: Ink, at: DVec2, room: f64) {
+    /// Writes words that fit between the figures.
+    fn words(&mut self, text: &str, style: Style, size: f64, ink: Ink, at: DVec2) {
+        self.words_within(self.between, text, (style, size), ink, at);
+    }
+
+    /// Writes words; what is wider than `room` is made smaller, so that it does not cover the
+    /// figures.
+    fn words_within(
+        &mut self,
+        room: f64,
+        text: &str,
+        (style, size): (Style, f64),
+        ink: Ink,
+        at: DVec2,
+    ) {
         let mut label = words(text, style, size);
         let most = room / 2.0 - 6.0;
         if label.half.x > most {
@@ -427,7 +444,7 @@ impl Sheet {
             harpoon(&mut group, &line, status);
             self.picture.groups.push(group);
             let middle = at + DVec2::new(38.0 + label.half.x, 0.0);
-            self.words(status.word(), Style::Upright, CAPTION, Ink::Muted, middle, self.between);
+            self.words(status.word(), Style::Upright, CAPTION, Ink::Muted, middle);
             x += 38.0 + 2.0 * label.half.x + 30.0;
         }
         self.picture.size = DVec2::new(width + 2.0 * MARGIN, self.y + 22.0);

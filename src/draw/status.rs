@@ -53,18 +53,20 @@ impl Status {
                 || before.face(item) != after.face(item)
                 || drawing.origin_before(item) != drawing.origin_after(item)
         };
-        let changed = match (drawing.rule.kind(name), &drawing.rule.broken) {
-            (Kind::Halfedge, Some(broken)) => !broken.unchanged.contains(&name),
-            (Kind::Halfedge, None) => {
-                item(name)
-                    || before.twin(name) != after.twin(name)
-                    || before.edge(name) != after.edge(name)
-            }
-            (Kind::Path, _) => item(name),
-            (Kind::Fan, _) => before.star_of_spoke(name) != after.star_of_spoke(name),
-            (Kind::Edge, _) => edge_moves(drawing, name),
-            (Kind::Face, _) => loop_changes(drawing, name),
-            (Kind::Vertex, _) => {
+        let changed = match drawing.rule.kind(name) {
+            Kind::Halfedge => match &drawing.rule.broken {
+                Some(broken) => !broken.unchanged.contains(&name),
+                None => {
+                    item(name)
+                        || before.twin(name) != after.twin(name)
+                        || before.edge(name) != after.edge(name)
+                }
+            },
+            Kind::Path => item(name),
+            Kind::Fan => before.star_of_spoke(name) != after.star_of_spoke(name),
+            Kind::Edge => edge_moves(drawing, name),
+            Kind::Face => loop_changes(drawing, name),
+            Kind::Vertex => {
                 drawing.rule.assignments.iter().any(|assignment| assignment.target.name == name)
             }
         };

@@ -4,6 +4,8 @@
 //! is its name as the language writes it, `*S`, beside its vertex. The lines below list what is new
 //! and what is erased.
 
+use std::ops::Range;
+
 use glam::DVec2;
 
 use super::curve::{Curve, bounds, direction, left, mean};
@@ -70,9 +72,7 @@ fn text_rule(rule: &Rule) -> String {
         canvas.lines()
     });
     // Rows above and below that are empty on both sides are omitted.
-    let is_used = |row: &usize| !before[*row].is_empty() || !after[*row].is_empty();
-    let rows = (0..before.len()).find(is_used).unwrap_or(0)
-        ..(0..before.len()).rfind(is_used).map_or(0, |last| last + 1);
+    let rows = used(before.len(), |row| !before[*row].is_empty() || !after[*row].is_empty());
     let [before, after] = [&before[rows.clone()], &after[rows]];
     let [width, other] = [before, after]
         .map(|lines| lines.iter().map(|line| line.chars().count()).max().unwrap_or(0));
@@ -96,11 +96,15 @@ fn text_rule(rule: &Rule) -> String {
     if told.is_empty() { text } else { format!("{text}\n{told}") }
 }
 
+/// The rows from the first to the last one that is used.
+fn used(count: usize, is_used: impl Fn(&usize) -> bool) -> Range<usize> {
+    let first = (0..count).find(&is_used).unwrap_or(0);
+    first..(0..count).rfind(&is_used).map_or(first, |last| last + 1)
+}
+
 /// Lines without the empty ones around them.
 fn trimmed(lines: &[String]) -> &[String] {
-    let first = lines.iter().position(|line| !line.is_empty()).unwrap_or(0);
-    let last = lines.iter().rposition(|line| !line.is_empty()).map_or(0, |last| last + 1);
-    lines.get(first..last).unwrap_or_default()
+    &lines[used(lines.len(), |row| !lines[*row].is_empty())]
 }
 
 /// The names with a status, of a family only the first; elements without a name are counted.

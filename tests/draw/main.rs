@@ -23,6 +23,18 @@ fn overlap(a: &TextBox, b: &TextBox) -> bool {
     (0..2).all(|axis| a.to[axis] > b.from[axis] && b.to[axis] > a.from[axis])
 }
 
+/// Checks that no two texts of a picture overlap; returns the number of pairs.
+fn check_apart(texts: &[TextBox], name: &str) -> usize {
+    let mut pairs = 0;
+    for (at, a) in texts.iter().enumerate() {
+        for b in &texts[..at] {
+            assert!(!overlap(a, b), "{name}: `{}` covers `{}`", a.text, b.text);
+            pairs += 1;
+        }
+    }
+    pairs
+}
+
 fn folder(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join(name)
 }

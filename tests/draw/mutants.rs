@@ -3,7 +3,7 @@
 use hedgerow::diagram::{NameId, Op, Ref, Rule, Side, Spoke};
 use hedgerow::draw::{draw_op, text_op};
 
-use super::{example_ops, ops_of, overlap};
+use super::{check_apart, example_ops, ops_of};
 use support::dice::Dice;
 
 /// A name of the same kind, so that the diagram is still one the resolver could make.
@@ -138,11 +138,7 @@ fn odd_patterns_have_pictures() {
         let picture = draw_op(&op);
         assert!(picture.size().iter().all(|side| side.is_finite()), "{}", op.name);
         assert!(!picture.svg().contains("NaN"), "{}", op.name);
-        let texts = picture.texts();
-        for (at, a) in texts.iter().enumerate() {
-            let covers = texts[..at].iter().any(|b| overlap(a, b));
-            assert!(!covers, "`{}` of {} covers another text", a.text, op.name);
-        }
+        check_apart(picture.texts(), &op.name);
         if let Some(folder) = std::env::var_os("PICTURES") {
             let path = std::path::Path::new(&folder).join(format!("odd-{}.png", op.name));
             std::fs::write(path, picture.png(2.0).expect("small enough")).expect("a folder");

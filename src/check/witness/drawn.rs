@@ -73,12 +73,9 @@ impl Writer<'_> {
     /// The number of an element, after the word for a face or hole: edges may have the same.
     fn numbered(&self, element: Element) -> String {
         let Element { kind, index } = element;
-        let face = FaceId(index);
+        let is_hole = || self.example.before.get_is_hole(FaceId(index)) == Some(true);
         match kind {
-            ElementKind::Face if self.example.before.face_alive(face) => {
-                let is_hole = self.example.before.is_hole(face);
-                format!("{} {index}", if is_hole { "hole" } else { "face" })
-            }
+            ElementKind::Face if is_hole() => format!("hole {index}"),
             ElementKind::Face => format!("face {index}"),
             _ => index.to_string(),
         }
