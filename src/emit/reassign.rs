@@ -146,7 +146,7 @@ impl Reassign<'_, '_, '_> {
         let language = self.names.language;
         let (last, others) = items.split_last().expect("an operand has items");
         others.iter().rev().fold(end(*last), |term, &item| {
-            language.choice(&self.names.empty(item), &term, &end(item))
+            language.choice(&self.names.empty(item), [term, end(item)])
         })
     }
 

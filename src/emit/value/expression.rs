@@ -38,7 +38,7 @@ impl Names<'_> {
             }
             ExprKind::If(condition, then, otherwise) => {
                 let condition = self.value(condition)?;
-                language.choice(&condition, &self.value(then)?, &self.value(otherwise)?)
+                language.choice(&condition, [self.value(then)?, self.value(otherwise)?])
             }
             ExprKind::Fold(fold) => {
                 let elements = around(&fold.collection, expr.span)?;

@@ -7,9 +7,6 @@ use crate::emit::cpp::support::{qualified, with_pointers};
 use crate::emit::language::Language;
 use crate::emit::names::{Attribute, IndexLoop, invoked};
 
-/// From here on a number is written as a `long long` in C++.
-const SHORT: i64 = 1 << 15;
-
 /// The name of a pointer where it has to be unique among the pointers of all kinds of elements.
 pub(in crate::emit) fn unique(pointer: Pointer) -> &'static str {
     match pointer {
@@ -22,15 +19,28 @@ pub(in crate::emit) fn unique(pointer: Pointer) -> &'static str {
 
 impl Language<'_> {
     pub(super) fn int(self, value: i64) -> Term {
-        let negative = |text| Term::of(text, Precedence::Prefix, []);
-        match (value, self.is_rust()) {
-            (i64::MIN, false) => Term::whole("(-9223372036854775807LL - 1)"),
-            // Computations with larger ones could overflow an `int`.
-            (SHORT.., false) => Term::whole(format!("{value}LL")),
-            (0.., _) => Term::whole(value.to_string()),
-            (_, true) => negative(value.to_string()),
-            (_, false) => negative(format!("-{}", self.int(-value).text)),
+        if value == i64::MIN && !self.is_rust() {
+            return Term::whole("(-9223372036854775807LL - 1)");
         }
+        let precedence = if value < 0 { Precedence::Prefix } else { Precedence::Whole };
+        let number = Term::of(value.to_string(), precedence, []);
+        match i32::try_from(value) {
+            Ok(_) => Term { is_literal: true, ..number },
+            Err(_) => self.typed(number),
+        }
+    }
+
+    /// An int with its type. A literal has that of what it is computed with; of a literal alone, it
+    /// would have 32 bits.
+    fn typed(self, int: Term) -> Term {
+        let text = format!("{}{}", int.text, if self.is_rust() { "_i64" } else { "LL" });
+        Term { text, is_literal: false, ..int }
+    }
+
+    /// Two values of one type, so that not both are literals.
+    fn typed_pair(self, [left, right]: [Term; 2]) -> [Term; 2] {
+        let both = left.is_literal && right.is_literal;
+        [if both { self.typed(left) } else { left }, right]
     }
 
     pub(super) fn real(self, value: f64) -> Term {
@@ -72,7 +82,8 @@ impl Language<'_> {
     }
 
     /// `condition ? then : otherwise`
-    pub fn choice(self, condition: &Term, then: &Term, otherwise: &Term) -> Term {
+    pub fn choice(self, condition: &Term, [then, otherwise]: [Term; 2]) -> Term {
+        let [then, otherwise] = &self.typed_pair([then, otherwise]);
         let precedence = if self.is_rust() { Precedence::Choice } else { Precedence::Or };
         let [test, chosen] = [condition, then].map(|part| part.at(precedence));
         let other = &otherwise.text;
@@ -97,14 +108,15 @@ impl Language<'_> {
 
     pub(super) fn negative(self, of: &Term) -> Term {
         // In brackets if it has a sign itself: `--x` would mean something else.
-        Term::of(format!("-{}", of.at(Precedence::Whole)), Precedence::Prefix, [of])
+        let negative = Term::of(format!("-{}", of.at(Precedence::Whole)), Precedence::Prefix, [of]);
+        Term { is_literal: of.is_literal, ..negative }
     }
 
     /// An operator between two values, of which the left one has this type.
     pub(super) fn binary(self, operator: Binary, ty: Type, sides: [Term; 2]) -> Term {
         let name = if is_wide(ty) { format!("of.{operator:?}") } else { format!("{operator:?}") };
         match spelling(self, &name, ty) {
-            "" => Term::infix(operator, sides),
+            "" => Term::infix(operator, self.typed_pair(sides)),
             _ => self.call_of(&name, (ty, 0), &sides),
         }
     }
@@ -126,7 +138,6 @@ impl Language<'_> {
         let (precedence, inner) = match (self.style, name) {
             (None, "MixReal") => (Precedence::Sum, Precedence::Product),
             (None, "of.Negate") => (Precedence::Prefix, Precedence::Choice),
-            (None, "Div" | "Mod") => (Precedence::Whole, Precedence::Whole),
             (_, "Remainder") => (Precedence::Product, Precedence::Choice),
             // After a call that ends with a type, `<` would begin generic arguments.
             (None, _) if spelling.ends_with("as i64") => (Precedence::Compare, Precedence::Choice),

@@ -30,8 +30,10 @@ pub(in crate::emit) struct Term {
     pub names: BTreeSet<String>,
     /// The name that it is, or of the list of which it is an entry; `None` for what is computed.
     pub root: Option<String>,
+    /// Whether it is a number without a type: an int literal.
+    pub(super) is_literal: bool,
     /// Its negation, if that is not just a `not` in front of it.
-    negated: Option<(String, Precedence)>,
+    pub(super) negated: Option<(String, Precedence)>,
 }
 
 impl Term {
@@ -42,7 +44,7 @@ impl Term {
         parts: impl IntoIterator<Item = &'t Term>,
     ) -> Self {
         let names = parts.into_iter().flat_map(|part| &part.names).cloned().collect();
-        Self { text: text.into(), precedence, names, root: None, negated: None }
+        Self { text: text.into(), precedence, names, ..Self::default() }
     }
 
     /// A text that needs no brackets anywhere, and has no names.
@@ -104,7 +106,7 @@ impl Term {
         let not = || (format!("!{}", self.at(Whole)), Prefix);
         let (text, precedence) = self.negated.clone().unwrap_or_else(not);
         let negated = Some((self.text, self.precedence));
-        Self { text, precedence, negated, names: self.names, root: None }
+        Self { text, precedence, negated, names: self.names, ..Self::default() }
     }
 
     /// The text, in brackets if it binds less tightly than `precedence`.

@@ -35,11 +35,11 @@ pub fn divide(mesh: &mut Mesh, e: EdgeId, n: i64) -> Option<VertexId> {
 fn twos(_mesh: &Mesh, n: i64) -> i64 {
     let mut rest = n;
     let mut count: i64 = 0;
-    while ((rest % 2 + 2) % 2) == 0 {
+    while floor_mod(rest, 2) == 0 {
         if rest == 0 {
             break;
         }
-        rest = rest / 2 - i64::from(rest % 2 != 0 && (rest < 0) != (2 < 0));
+        rest = floor_div(rest, 2);
         count = count + 1;
     }
     count
@@ -120,6 +120,17 @@ fn attribute<T: Attribute>(mesh: &Mesh, column: ColumnId, element: u32) -> T {
 fn set_attribute<T: Attribute>(mesh: &mut Mesh, column: ColumnId, element: u32, value: T) {
     mesh.note_value(column, element);
     mesh.values_mut(column).expect("a column of this type")[element as usize] = value;
+}
+
+/// `a / b`, rounded down.
+fn floor_div(a: i64, b: i64) -> i64 {
+    a / b - i64::from(a % b != 0 && (a < 0) != (b < 0))
+}
+
+/// The remainder of `a / b`, with the sign of `b`.
+fn floor_mod(a: i64, b: i64) -> i64 {
+    let rest = a.wrapping_rem(b);
+    if rest != 0 && (rest < 0) != (b < 0) { rest + b } else { rest }
 }
 
 /// Runs the steps; undoes them if one refuses, or the mesh does not have the level in the end.
