@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::rc::Rc;
 
 use crate::source::{FileId, Source};
-use crate::syntax::{Parsed, parse, parse_again};
+use crate::syntax::{Parsed, parse};
 
 /// The last parse result of each file, with its text at that time.
 #[derive(Clone, Debug, Default)]
@@ -13,16 +13,15 @@ pub(super) struct Readings {
 }
 
 impl Readings {
-    /// The parse of a file. An unchanged file is not parsed again, and of a changed one only what
-    /// has changed.
+    /// The parse of a file. An unchanged file is not parsed again.
     pub(super) fn read(&mut self, file: FileId, source: &Source) -> Rc<Parsed> {
         let text = source.text();
-        let read = match self.known.get(&file) {
-            Some((known, parsed)) if known == text => return Rc::clone(parsed),
-            Some((known, parsed)) => parse_again(file, text, known, parsed),
-            None => parse(file, text),
-        };
-        let read = Rc::new(read);
+        if let Some((known, parsed)) = self.known.get(&file)
+            && known == text
+        {
+            return Rc::clone(parsed);
+        }
+        let read = Rc::new(parse(file, text));
         self.known.insert(file, (text.to_owned(), Rc::clone(&read)));
         read
     }

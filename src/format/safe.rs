@@ -5,7 +5,7 @@ use super::file::formatted;
 use super::words::Words;
 use crate::diagnostic::Diagnostic;
 use crate::source::FileId;
-use crate::syntax::{Lexed, Parsed, lex, parse, parse_again};
+use crate::syntax::{Lexed, Parsed, lex, parse};
 use std::fmt;
 
 /// A formatted text.
@@ -47,7 +47,7 @@ impl std::error::Error for Refusal {}
 pub fn format(file: FileId, source: &str) -> Result<Formatted, Refusal> {
     let parsed = parse(file, source);
     let (text, _) = kept(file, source, &parsed)?;
-    let twice = formatted(&text, &parse_again(file, &text, source, &parsed));
+    let twice = formatted(&text, &parse(file, &text));
     if twice != text {
         let place = text.bytes().zip(twice.bytes()).take_while(|(one, other)| one == other).count();
         return Err(Refusal::NotStable(place));

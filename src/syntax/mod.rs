@@ -14,15 +14,13 @@ pub mod tree;
 
 mod parts;
 
-mod shift;
-
 pub mod foreign_syntax;
 
 mod parse;
 
 pub use foreign_syntax::written_elsewhere;
 pub use lex::{Comment, CommentKind, Lexed, lex};
-pub use parse::{Parsed, parse, parse_again};
+pub use parse::{Parsed, parse};
 pub use parts::Part;
 pub use token::{Token, TokenKind};
 

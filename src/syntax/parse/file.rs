@@ -1,6 +1,5 @@
 //! A whole file: its items, their doc comments, and the diagnostics.
 
-use super::again::Known;
 use super::cut::cut;
 use super::depth::{DEEPEST, too_deep};
 use super::failure::Failure;
@@ -32,15 +31,10 @@ pub struct Parsed {
 
 /// Parses any text, in time linear in its length.
 pub fn parse(file: FileId, text: &str) -> Parsed {
-    parse_with(file, text, &Known::default())
-}
-
-/// The same, reusing known items.
-pub(super) fn parse_with(file: FileId, text: &str, known: &Known) -> Parsed {
     let Lexed { tokens, comments, mut diagnostics, wrong } = lex(file, text);
     let (mut misread, mut mended) = (Vec::new(), Vec::new());
     let report = (&mut diagnostics, &mut misread, &mut mended);
-    let items = items(text, (&tokens, &comments, &wrong), report, known);
+    let items = items(text, (&tokens, &comments, &wrong), report);
     let tree = File { docs: file_docs(text, &tokens, &comments), items, misread };
     diagnostics.extend(divisors_in_comments(text, &tokens, &comments));
     diagnostics.sort_by_key(|diagnostic| diagnostic.span().start);
@@ -52,7 +46,6 @@ fn items(
     text: &str,
     (tokens, comments, wrong): (&[Token], &[Comment], &[Span]),
     (diagnostics, misread, mended): (&mut Vec<Diagnostic>, &mut Vec<Span>, &mut Vec<Span>),
-    known: &Known,
 ) -> Vec<Item> {
     let grammar = item();
     let mut reading = Reading { text, grammar: &grammar, diagnostics, misread, mended };
@@ -62,11 +55,6 @@ fn items(
         let first = tokens[range.start].span;
         let before = range.start.checked_sub(1).map(|at| tokens[at].span);
         let whole = first.to(tokens[range.end - 1].span);
-        if let Some(mut item) = known.item(text, whole) {
-            document(&mut item, docs.of_item(before, first));
-            items.push(item);
-            continue;
-        }
         let first = wrong.partition_point(|wrong| wrong.start < whole.start);
         if wrong.get(first).is_some_and(|wrong| wrong.start < whole.end) {
             reading.misread.push(whole);

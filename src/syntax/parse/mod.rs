@@ -5,7 +5,6 @@
 //! overflow the stack, and the time is linear in the text. Within an item, a statement that cannot
 //! be read is skipped and becomes `Broken` in the tree.
 
-mod again;
 mod file;
 
 mod cut;
@@ -35,5 +34,4 @@ mod foreign_syntax;
 
 mod input;
 
-pub use again::parse_again;
 pub use file::{Parsed, parse};

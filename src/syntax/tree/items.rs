@@ -43,6 +43,21 @@ pub enum Item {
 }
 
 impl Item {
+    /// The span of the whole item.
+    pub fn span(&self) -> Span {
+        match self {
+            Item::Use(item) => item.span,
+            Item::Attr(item) => item.span,
+            Item::Fn(item) => item.span,
+            Item::Op(item) => item.span,
+            Item::Script(item) => item.span,
+            Item::Test(item) => item.span,
+            Item::Broken(span) => *span,
+        }
+    }
+}
+
+impl Item {
     /// The op, if it is one.
     pub(crate) fn op(&self) -> Option<&Op> {
         match self {

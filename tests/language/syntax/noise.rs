@@ -3,7 +3,7 @@
 use hedgerow::diagnostic::{Rendering, render};
 use hedgerow::source::{FileId, Sources};
 use hedgerow::syntax::tree::{Item, Op};
-use hedgerow::syntax::{Parsed, TokenKind, parse, parse_again};
+use hedgerow::syntax::{Parsed, TokenKind, parse};
 use support::dice::Dice;
 
 const PAGES: [&str; 2] = [include_str!("drawings.md"), include_str!("scripts.md")];
@@ -92,64 +92,6 @@ fn a_broken_item_never_hides_the_next() {
         assert!(sides.iter().all(|side| side.statements.len() == 1), "{text}");
     }
     assert!(broken > 1000, "only {broken} texts were broken");
-}
-
-#[test]
-fn a_text_read_again_is_read_as_if_for_the_first_time() {
-    let whole = format!("{}{UNTOUCHED}", inputs().join("\n"));
-    let mut dice = Dice(0xD1B5_4A32_D192_ED03);
-    let (mut text, mut earlier) = (whole.clone(), parse(FileId(0), &whole));
-    let mut whole_items = 0;
-    for round in 0..120 {
-        let next = match round % 3 {
-            0 => whole.clone(),
-            _ => mutate(&text, &mut dice),
-        };
-        let again = parse_again(FileId(0), &next, &text, &earlier);
-        let anew = parse(FileId(0), &next);
-        assert_eq!(again.tree, anew.tree, "{next}");
-        assert_eq!(again.diagnostics, anew.diagnostics, "{next}");
-        let items = anew.tree.items.iter();
-        whole_items += items.filter(|item| !matches!(item, Item::Broken(_))).count();
-        (text, earlier) = (next, again);
-    }
-    assert!(whole_items > 1000, "only {whole_items} items to find again");
-}
-
-/// As above, with several programs in the words of other languages on one line, of which a piece
-/// goes: what is told of an item may depend on those beside it.
-#[test]
-fn foreign_syntax_read_again_is_read_as_if_for_the_first_time() {
-    let pages =
-        [include_str!("../files/elsewhere.md"), include_str!("../files/students.md")].join("");
-    let fences = pages.split("```hedge\n").skip(1);
-    let programs: Vec<&str> = fences.map(|rest| rest.split("```").next().unwrap()).collect();
-    let mut dice = Dice(0x5851_F42D_4C95_7F2D);
-    let (mut told, mut items) = (0, 0);
-    for _ in 0..1500 {
-        let parts = [(); 3].map(|()| programs[dice.below(programs.len())].trim());
-        let mut text = parts.join([" ", "}", " { "][dice.below(3)]).replace('\n', " ");
-        for _ in 0..3 {
-            let Parsed { tree, tokens, .. } = parse(FileId(0), &text);
-            let cut = match tree.items.get(dice.below(2 * tree.items.len())) {
-                Some(item) => item.span().range(),
-                None => {
-                    let (first, count) = (dice.below(tokens.len()), dice.below(12));
-                    let cut = tokens[first..].iter().take(count).map(|token| token.span.range());
-                    cut.reduce(|cut, token| cut.start..token.end).unwrap_or(0..0)
-                }
-            };
-            let next = format!("{}{}", &text[..cut.start], &text[cut.end..]);
-            let again = parse_again(FileId(0), &next, &text, &parse(FileId(0), &text));
-            let anew = parse(FileId(0), &next);
-            assert_eq!(again.tree, anew.tree, "{text}\n---\n{next}");
-            assert_eq!(again.diagnostics, anew.diagnostics, "{text}\n---\n{next}");
-            told += anew.diagnostics.len();
-            items += anew.tree.items.len();
-            text = next;
-        }
-    }
-    assert!(told > 1000 && items > 2000, "{told} {items}");
 }
 
 #[test]
