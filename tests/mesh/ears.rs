@@ -161,3 +161,62 @@ fn a_flat_face_is_cut_into_good_shapes() {
     corners.dedup();
     assert_eq!(corners.len(), 3, "each corner goes once");
 }
+
+/// The pairs of neighbouring triangles of a filled hole that bend by more than a right angle.
+fn folds(mesh: &Mesh, hole: FaceId, order: &[HalfedgeId]) -> usize {
+    let mut left: Vec<_> = mesh.face_halfedges(hole).collect();
+    assert_eq!(order.len(), left.len() - 3);
+    let place = |h: HalfedgeId| mesh.position(mesh.vertex(h));
+    // The normals on the other sides of what is left.
+    let across = |&h: &HalfedgeId| mesh.normal(mesh.face(mesh.twin(h)));
+    let mut beyond: Vec<_> = left.iter().map(across).collect();
+    let mut folds = 0;
+    for at in 0..=order.len() {
+        let count = left.len();
+        let corner =
+            order.get(at).map_or(0, |corner| left.iter().position(|h| h == corner).unwrap());
+        let [before, after] = [count - 1, 1].map(|by| (corner + by) % count);
+        let [a, b, c] = [before, corner, after].map(|at| place(left[at]));
+        let normal = (b - a).cross(c - a).normalize();
+        let sides = if count == 3 { vec![before, corner, after] } else { vec![before, corner] };
+        folds += sides.into_iter().filter(|&side| normal.dot(beyond[side]) < 0.0).count();
+        beyond[before] = normal;
+        left.remove(corner);
+        beyond.remove(corner);
+    }
+    folds
+}
+
+/// An open cylinder of quads whose upper rim is given, bottom first.
+fn cylinder(rim: &[DVec3]) -> (Mesh, FaceId) {
+    let count = rim.len() as u32;
+    let foot = rim.iter().map(|at| DVec3::new(at.x, at.y, -9.0));
+    let places: Vec<_> = foot.chain(rim.iter().copied()).collect();
+    let wall = |at: u32| vec![at, (at + 1) % count, (at + 1) % count + count, at + count];
+    let polygons: Polygons = (0..count).map(wall).collect();
+    let mesh = Mesh::from_polygons(&places, &polygons).unwrap();
+    let is_rim = |f: &FaceId| mesh.is_hole(*f) && mesh.face_vertices(*f).any(|v| v.0 >= count);
+    let hole = mesh.faces().find(is_rim).unwrap();
+    (mesh, hole)
+}
+
+#[test]
+fn large_holes_are_filled_without_folds() {
+    let places = |count: usize, place: fn(f64, usize) -> DVec3| -> Vec<_> {
+        let angle = |at: usize| std::f64::consts::TAU * at as f64 / count as f64;
+        (0..count).map(|at| place(angle(at), at)).collect()
+    };
+    // The rim of a saddle, and a flat one with deep notches.
+    let saddle = |angle: f64, _| DVec3::new(angle.cos(), angle.sin(), (2.0 * angle).sin());
+    let notched = |angle: f64, at| {
+        let radius = if at % 2 == 0 { 1.0 } else { 0.8 };
+        DVec3::new(radius * angle.cos(), radius * angle.sin(), 0.0)
+    };
+    for count in [52, 100, 128, 129, 200, 257, 1000, 5000] {
+        for rim in [places(count, saddle), places(count, notched)] {
+            let (mesh, hole) = cylinder(&rim);
+            let order = mesh.patch(hole);
+            assert_eq!(folds(&mesh, hole, &order), 0, "{count}");
+        }
+    }
+}

@@ -6,28 +6,138 @@
 //! least; of these, the one with the least area. Remaining ties, as in a flat hole, go to the one
 //! whose worst triangle has the largest smallest angle. Since only one triangulation of each run is
 //! kept, a triangle beyond its chord may bend more than with another one. The time is cubic in the
-//! number of sides: large holes get the best-shaped [ears](super) instead.
+//! number of sides, so of a large hole a polygon of some of its corners is filled first, and then
+//! what is left between each side of the polygon and the hole; if its rim is too uneven for that, the
+//! hole gets the best-shaped [ears](super).
+
+use std::collections::HashMap;
+use std::ops::Range;
 
 use glam::DVec3;
 
 use crate::mesh::connectivity::Mesh;
 use crate::mesh::id::{FaceId, HalfedgeId};
 
-/// The largest number of sides of a patch.
-const MOST_SIDES: usize = 50;
+/// The largest number of sides of a hole that is filled as a whole, in about 20 ms.
+const MOST_SIDES: usize = 128;
+
+/// The same of what is left between a polygon and the hole.
+const MOST_BESIDE: usize = 16;
 
 impl Mesh {
     /// The corners of a face in an order in which they can be cut off until three are left, such
-    /// that the triangles bend little, with each other and with the faces around; the order of
-    /// [`Mesh::ears`] for a face of more than 50 sides. A corner is given as the halfedge that
-    /// starts there.
+    /// that the triangles bend little, with each other and with the faces around. A corner is given
+    /// as the halfedge that starts there. A face of more than 128 sides is filled in parts, or as by
+    /// [`Mesh::ears`] if that bends less.
     pub fn patch(&self, f: FaceId) -> Vec<HalfedgeId> {
-        let sides: Vec<_> = self.face_halfedges(f).take(MOST_SIDES + 1).collect();
-        match sides.len() {
-            0..=3 => Vec::new(),
-            4..=MOST_SIDES => Ways::new(self, &sides).order(),
-            _ => self.ears(f),
+        let sides: Vec<_> = self.face_halfedges(f).collect();
+        if sides.len() < 4 {
+            return Vec::new();
         }
+        let last = sides.last().and_then(|&side| self.normal_across(side));
+        let mut order = self.filling(&sides, last, MOST_SIDES);
+        // The last triangle is left over.
+        order.pop();
+        if sides.len() <= MOST_SIDES {
+            return order;
+        }
+        let all = [order, self.ears(f)];
+        all.into_iter().min_by_key(|order| self.bends(&sides, order)).unwrap_or_default()
+    }
+
+    /// The corners of a polygon in an order in which all of its triangles can be cut off. Its sides
+    /// are those of a hole, except perhaps the last one; `closing` is the normal of the triangle
+    /// beyond that.
+    fn filling(
+        &self,
+        corners: &[HalfedgeId],
+        closing: Option<DVec3>,
+        most: usize,
+    ) -> Vec<HalfedgeId> {
+        if corners.len() < 3 {
+            return Vec::new();
+        }
+        let runs = self.runs(corners, corners.len().div_ceil(most));
+        let beyond = runs.iter().map(|run| {
+            let normals = corners[run.clone()].iter().filter_map(|&side| self.normal_across(side));
+            normals.reduce(|sum, normal| sum + normal).and_then(DVec3::try_normalize)
+        });
+        let beyond: Vec<_> = beyond.chain([closing]).collect();
+        let starts = runs.iter().map(|run| corners[run.start]);
+        let some: Vec<_> = starts.chain(corners.last().copied()).collect();
+        let ways = Ways::new(self, &some, &beyond);
+        let mut order = Vec::with_capacity(corners.len() - 2);
+        let triangles = ways.triangles();
+        for &[first, third, last] in &triangles {
+            let normal = ways.normals[first * some.len() + last];
+            for [from, to] in [[first, third], [third, last]] {
+                if to - from == 1 {
+                    let beside = &corners[runs[from].start..=runs[from].end];
+                    order.extend(self.filling(beside, normal, MOST_BESIDE));
+                }
+            }
+        }
+        order.extend(triangles.iter().map(|&[_, third, _]| some[third]));
+        order
+    }
+
+    /// The sides of a polygon, without the last one, in runs of at most `most`; shorter ones where
+    /// the ends would be joined by a second edge.
+    fn runs(&self, corners: &[HalfedgeId], most: usize) -> Vec<Range<usize>> {
+        let are_joined = |start: usize, end: usize| {
+            let ends = [start, end].map(|at| self.get_vertex(corners[at]));
+            matches!(ends, [Some(v), Some(w)] if self.adjacent(v, w))
+        };
+        let (mut runs, mut start) = (Vec::new(), 0);
+        while start < corners.len() - 1 {
+            let mut end = (start + most).min(corners.len() - 1);
+            while end > start + 1 && 2 * (end - start) > most && are_joined(start, end) {
+                end -= 1;
+            }
+            runs.push(start..end);
+            start = end;
+        }
+        runs
+    }
+
+    /// How much a filling bends: the number of pairs of neighbours with more than a right angle
+    /// between their normals, and the sum over all pairs.
+    fn bends(&self, sides: &[HalfedgeId], order: &[HalfedgeId]) -> (usize, i64) {
+        let count = sides.len();
+        let places: Vec<_> = sides.iter().map(|&h| self.place(h)).collect();
+        let numbers: HashMap<_, _> = sides.iter().copied().zip(0..).collect();
+        let mut beyond: Vec<_> = sides.iter().map(|&side| self.normal_across(side)).collect();
+        let mut next: Vec<_> = (1..count).chain([0]).collect();
+        let mut prev: Vec<_> = [count - 1].into_iter().chain(0..count - 1).collect();
+        let (mut folds, mut total, mut left) = (0, 0, 0);
+        let corners = order.iter().filter_map(|corner| numbers.get(corner).copied());
+        for corner in corners.map(Some).chain([None]) {
+            // At the end a triangle is left.
+            let at = corner.unwrap_or(left);
+            let (before, after) = (prev[at], next[at]);
+            let [a, b, c] = [before, at, after].map(|at| places[at]);
+            let normal = (b - a).cross(c - a).normalize_or_zero();
+            let third = if corner.is_none() { beyond[after] } else { None };
+            for other in [beyond[before], beyond[at], third].into_iter().flatten() {
+                let bend = bend(normal, other);
+                folds += usize::from(bend > 1_000_000);
+                total += bend;
+            }
+            beyond[before] = Some(normal);
+            (next[before], prev[after], left) = (after, before, before);
+        }
+        (folds, total)
+    }
+
+    /// The position of the origin of a halfedge.
+    fn place(&self, h: HalfedgeId) -> DVec3 {
+        self.get_vertex(h).and_then(|v| self.get_position(v)).unwrap_or(DVec3::ZERO)
+    }
+
+    /// The normal of the face across a side, unless that is a hole.
+    fn normal_across(&self, side: HalfedgeId) -> Option<DVec3> {
+        let face = self.get_face(self.get_twin(side)?)?;
+        (!self.get_is_hole(face)?).then(|| self.normal(face))
     }
 }
 
@@ -60,7 +170,7 @@ impl Fault {
 /// The best triangulation of each run of corners, from a first to a last one that a chord joins.
 struct Ways<'m> {
     mesh: &'m Mesh,
-    sides: &'m [HalfedgeId],
+    corners: &'m [HalfedgeId],
     places: Vec<DVec3>,
     /// The pairwise distances of the corners.
     distances: Vec<f64>,
@@ -70,26 +180,28 @@ struct Ways<'m> {
     faults: Vec<Fault>,
     /// The third corner of the triangle at the chord.
     thirds: Vec<usize>,
-    /// The normal of that triangle; for two adjacent corners, that of the face across, if there is
-    /// one.
+    /// The normal of that triangle; for two adjacent corners, that beyond the side, if there is one.
     normals: Vec<Option<DVec3>>,
+    /// The normal beyond the last side.
+    closing: Option<DVec3>,
 }
 
 impl<'m> Ways<'m> {
-    fn new(mesh: &'m Mesh, sides: &'m [HalfedgeId]) -> Self {
-        let count = sides.len();
-        let place = |&h: &HalfedgeId| mesh.get_vertex(h).and_then(|v| mesh.get_position(v));
-        let places: Vec<_> = sides.iter().map(|h| place(h).unwrap_or(DVec3::ZERO)).collect();
+    /// `beyond` are the normals beyond the sides.
+    fn new(mesh: &'m Mesh, corners: &'m [HalfedgeId], beyond: &[Option<DVec3>]) -> Self {
+        let count = corners.len();
+        let places: Vec<_> = corners.iter().map(|&h| mesh.place(h)).collect();
         let around: f64 = (0..count).map(|at| places[at].distance(places[(at + 1) % count])).sum();
         let mut ways = Self {
             mesh,
-            sides,
+            corners,
             places,
             distances: vec![0.0; count * count],
             grain: around * around * 1e-12,
             faults: vec![Fault::NONE; count * count],
             thirds: vec![0; count * count],
             normals: vec![None; count * count],
+            closing: beyond[count - 1],
         };
         for first in 0..count {
             for last in 0..count {
@@ -98,7 +210,7 @@ impl<'m> Ways<'m> {
             }
         }
         for first in 0..count - 1 {
-            ways.normals[first * count + first + 1] = ways.across(first);
+            ways.normals[first * count + first + 1] = beyond[first];
         }
         for length in 2..count {
             for first in 0..count - length {
@@ -108,21 +220,14 @@ impl<'m> Ways<'m> {
         ways
     }
 
-    /// The normal of the face across a side, unless that is a hole.
-    fn across(&self, side: usize) -> Option<DVec3> {
-        let twin = self.mesh.get_twin(self.sides[side])?;
-        let face = self.mesh.get_face(twin)?;
-        (!self.mesh.get_is_hole(face)?).then(|| self.mesh.normal(face))
-    }
-
     fn choose(&mut self, first: usize, last: usize) {
-        let count = self.sides.len();
+        let count = self.corners.len();
         let is_whole = last - first == count - 1;
-        let joined = match [first, last].map(|at| self.mesh.get_vertex(self.sides[at])) {
+        let joined = match [first, last].map(|at| self.mesh.get_vertex(self.corners[at])) {
             [Some(v), Some(w)] if !is_whole => u32::from(self.mesh.adjacent(v, w)),
             _ => 0,
         };
-        let outside = is_whole.then(|| self.across(last)).flatten();
+        let outside = self.closing.filter(|_| is_whole);
         let mut best: Option<(Fault, usize, DVec3)> = None;
         let [a, c] = [first, last].map(|at| self.places[at]);
         let chord = self.distances[first * count + last];
@@ -162,23 +267,21 @@ impl<'m> Ways<'m> {
         }
     }
 
-    /// The third corner of each triangle, after those of the triangles across its sides. The
-    /// triangle at the last side is left over.
-    fn order(&self) -> Vec<HalfedgeId> {
-        let count = self.sides.len();
-        let mut order = Vec::with_capacity(count - 2);
+    /// The first, third and last corner of each triangle, after those across its sides.
+    fn triangles(&self) -> Vec<[usize; 3]> {
+        let count = self.corners.len();
+        let mut triangles = Vec::with_capacity(count - 2);
         let mut open = vec![[0, count - 1]];
         // In the reverse order: each triangle before those across its sides.
         while let Some([first, last]) = open.pop() {
             if last - first > 1 {
                 let third = self.thirds[first * count + last];
-                order.push(self.sides[third]);
+                triangles.push([first, third, last]);
                 open.extend([[first, third], [third, last]]);
             }
         }
-        order.reverse();
-        order.pop();
-        order
+        triangles.reverse();
+        triangles
     }
 }
 
