@@ -143,7 +143,7 @@ pub(super) fn name_of(here: &str, path: &str) -> String {
         }
     }
     let root = if rooted { "/" } else { "" };
-    format!("{root}{}", steps.join("/"))
+    library::outside(format!("{root}{}", steps.join("/")))
 }
 
 /// An existing path with a spelling similar to that of `path`, which does not exist. `name` is the

@@ -11,4 +11,4 @@
 
 mod shelf;
 
-pub use shelf::{FOLDER, LibraryFile, file, files, target, targets};
+pub use shelf::{FOLDER, LibraryFile, file, files, outside, target, targets};

@@ -76,3 +76,8 @@ pub fn file(name: &str) -> Option<LibraryFile> {
         [file.name, shorter, shortest].contains(&name)
     })
 }
+
+/// The name of a file that is not of the library, even where its folder has the name of the library.
+pub fn outside(name: String) -> String {
+    if name.starts_with(FOLDER) { format!("./{name}") } else { name }
+}

@@ -51,7 +51,7 @@ impl Program {
             let message = format!("cannot read `{shown}`: {why}");
             Error::nowhere("missing-file", message, &Arc::default())
         })?;
-        Self::parse_with(&shown, &text, &mut Disk)
+        Self::parse_with(&library::outside(shown), &text, &mut Disk)
     }
 
     /// Reads a program from a text. The name is used in messages, and the files that the program

@@ -23,6 +23,21 @@ fn a_used_file_lies_beside_the_one_that_uses_it() {
 }
 
 #[test]
+fn a_folder_may_have_the_name_of_the_library() {
+    let bench = Bench::new();
+    std::fs::create_dir(bench.path("std")).unwrap();
+    bench.write("std/triangle.hedge", "use \"smooth.hedge\"\nscript go() { hello() }\n");
+    bench.write("std/smooth.hedge", "script hello() { print \"hello\" }\n");
+    bench.write("mesh.obj", TETRAHEDRON);
+    for program in ["std/triangle.hedge::go", "./std/triangle.hedge::go"] {
+        let said = bench.run(&["run", program, "mesh.obj"]);
+        assert!(said.code == 0 && said.out.starts_with("hello"), "{said:?}");
+    }
+    bench.write("used.hedge", "use \"./std/smooth.hedge\"\nscript main() { hello() }\n");
+    assert!(bench.run(&["run", "used.hedge", "mesh.obj"]).out.starts_with("hello"));
+}
+
+#[test]
 fn tests_are_run_and_told() {
     let bench = Bench::new();
     let said = bench.run(&["test", "std/triangle.hedge"]);
