@@ -329,8 +329,7 @@ fn loops_of_the_library_are_for_several_threads() {
         }
     }
     assert!(loops > 15, "{loops}");
-    // Its keys ask operations.
-    assert_eq!(others.into_iter().collect::<Vec<_>>(), ["std/planar_cleanup.hedge"]);
+    assert!(others.is_empty(), "{others:?}");
 }
 
 #[test]
