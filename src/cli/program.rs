@@ -42,7 +42,10 @@ pub(super) fn read(path: &Path) -> Result<Program, Failure> {
         };
         Failure::usage(format!("cannot read `{shown}`: {why}{advice}"))
     })?;
-    Ok(Program::of(of_library.map_or_else(|| library::outside(shown), |file| file.name.to_owned()), text))
+    Ok(Program::of(
+        of_library.map_or_else(|| library::outside(shown), |file| file.name.to_owned()),
+        text,
+    ))
 }
 
 impl Program {
