@@ -32,6 +32,49 @@ pub(super) struct Drains {
     /// The number of drains that are computing a key whose reads are noted.
     recording: usize,
     walk: WalkBack,
+    /// The tables of a drain of some elements that is closed, so that the next one needs no time
+    /// that grows with the mesh.
+    spare: Tables,
+}
+
+/// The elements of a drain, and the tables of these by number.
+#[derive(Debug, Default)]
+struct Tables {
+    /// The elements that belong to the drain, in order; `None` if all do, including those created
+    /// in the loop.
+    members: Option<Vec<u32>>,
+    /// By number, whether an element is a member.
+    is_member: Vec<bool>,
+    queue: Queue,
+    stale: Stale,
+}
+
+impl Tables {
+    /// The memory that they take, in bytes.
+    fn bytes(&self) -> usize {
+        let members = self.members.as_ref().map_or(0, Vec::capacity) * size_of::<u32>();
+        members + self.is_member.capacity() + self.stale.bytes() + self.queue.bytes()
+    }
+
+    /// Makes these elements the members.
+    fn take(&mut self, some: &[u64], capacity: usize) {
+        let ids = some.iter().filter_map(|&id| u32::try_from(id).ok());
+        let mut members: Vec<_> = ids.filter(|&id| (id as usize) < capacity).collect();
+        members.sort_unstable();
+        members.dedup();
+        self.is_member.resize(capacity.max(self.is_member.len()), false);
+        members.iter().for_each(|&id| self.is_member[id as usize] = true);
+        self.members = Some(members);
+    }
+
+    /// Empties the tables of some elements.
+    fn clear(&mut self) {
+        for id in self.members.take().unwrap_or_default() {
+            self.is_member[id as usize] = false;
+            self.queue.forget(id);
+        }
+        while self.stale.pop().is_some() {}
+    }
 }
 
 /// The way in which a drain finds the elements whose keys may have changed.
@@ -55,11 +98,7 @@ const MOST_IDLE: u32 = 16;
 #[derive(Debug)]
 struct Drain {
     of: Elements,
-    /// By number, whether an element belongs to the drain; `None` if all do, including those
-    /// created in the loop.
-    members: Option<Vec<bool>>,
-    queue: Queue,
-    stale: Stale,
+    tables: Tables,
     changes: Changes,
     lookahead: Lookahead,
     /// The number of turns since a key was computed.
@@ -71,26 +110,23 @@ struct Drain {
 impl Drain {
     /// The memory that the drain takes, in bytes.
     fn bytes(&self) -> usize {
-        let members = self.members.as_ref().map_or(0, Vec::capacity);
         let changes = match &self.changes {
             Changes::Noted(readers) => readers.bytes(),
             Changes::Walked { written, .. } => written.capacity() * size_of::<Written>(),
         };
-        members + self.stale.bytes() + self.queue.bytes() + changes
+        self.tables.bytes() + changes
     }
 
     fn new(
         of: Elements,
-        members: Option<Vec<bool>>,
+        tables: Tables,
         paths: Option<Arc<Paths>>,
         columns: &[Option<ColumnId>],
     ) -> Self {
         let lookahead = Lookahead::new(paths.as_deref(), columns);
         Self {
             of,
-            members,
-            queue: Queue::default(),
-            stale: Stale::default(),
+            tables,
             changes: match paths {
                 Some(paths) => Changes::Walked { paths, written: Vec::new() },
                 None => Changes::Noted(Box::default()),
@@ -102,9 +138,9 @@ impl Drain {
     }
 
     fn touch(&mut self, place: Place) {
-        let Self { changes: Changes::Noted(readers), stale, .. } = self else { return };
-        readers.take(place, |reader| stale.push(reader));
-        readers.take(Place::Whole, |reader| stale.push(reader));
+        let Self { changes: Changes::Noted(readers), tables, .. } = self else { return };
+        readers.take(place, |reader| tables.stale.push(reader));
+        readers.take(Place::Whole, |reader| tables.stale.push(reader));
     }
 
     /// Notes that fields of an element are about to be written.
@@ -131,23 +167,36 @@ impl Drain {
         if let Changes::Walked { written, .. } = &mut self.changes {
             written.clear();
         }
+        let Self { of, tables: Tables { members, is_member, stale, .. }, .. } = self;
         // Stale elements are taken from the end.
-        for id in (0..mesh.capacity(self.of.kind()) as u32).rev() {
-            if self.is_member(mesh, id) {
-                self.stale.push(id);
+        match members {
+            None => {
+                let ids = (0..mesh.capacity(of.kind()) as u32).rev();
+                ids.filter(|&id| lives(mesh, *of, id)).for_each(|id| stale.push(id));
+            }
+            Some(members) => {
+                let ids = members.iter().copied().rev();
+                let ids = ids.filter(|&id| is_member[id as usize] && lives(mesh, *of, id));
+                ids.for_each(|id| stale.push(id));
             }
         }
+    }
+
+    /// The most elements that it may have.
+    fn size(&self, mesh: &Mesh) -> usize {
+        self.tables.members.as_ref().map_or(mesh.capacity(self.of.kind()), Vec::len)
     }
 
     /// Makes the elements stale that the walk back from what was written finds. `held` returns the
     /// element that a variable holds.
     fn walk_back(&mut self, mesh: &Mesh, walk: &mut WalkBack, held: impl Fn(Reg) -> u32) {
+        let most = self.size(mesh);
         let Changes::Walked { paths, written } = &mut self.changes else { return };
         if written.is_empty() {
             return;
         }
         // After more writes than there are elements, walking back takes longer than recomputing.
-        if written.len() > mesh.capacity(self.of.kind()) {
+        if written.len() > most {
             return self.make_all_stale(mesh);
         }
         let found = walk.candidates(mesh, paths, written, held);
@@ -157,7 +206,7 @@ impl Drain {
             Candidates::These(ids) => {
                 for &id in ids.iter().rev() {
                     if self.is_member(mesh, id) {
-                        self.stale.push(id);
+                        self.tables.stale.push(id);
                     }
                 }
             }
@@ -165,15 +214,15 @@ impl Drain {
     }
 
     fn is_member(&self, mesh: &Mesh, id: u32) -> bool {
-        let member = |members: &Vec<bool>| members.get(id as usize) == Some(&true);
-        lives(mesh, self.of, id) && self.members.as_ref().is_none_or(member)
+        let Tables { members, is_member, .. } = &self.tables;
+        lives(mesh, self.of, id) && (members.is_none() || is_member.get(id as usize) == Some(&true))
     }
 }
 
 impl Drains {
     /// The memory that the drains take, in bytes.
     pub(super) fn bytes(&self) -> usize {
-        self.all.iter().map(Drain::bytes).sum()
+        self.all.iter().map(Drain::bytes).sum::<usize>() + self.spare.bytes()
     }
 
     /// Whether the memory is to be checked now, after the last key.
@@ -237,19 +286,19 @@ impl Drains {
 
     /// A single drain that notes reads, for questions outside of any loop.
     pub(super) fn alone(of: Elements) -> Self {
-        Self { all: vec![Drain::new(of, None, None, &[])], ..Self::default() }
+        Self { all: vec![Drain::new(of, Tables::default(), None, &[])], ..Self::default() }
     }
 
     /// Makes an element of the innermost drain stale.
     pub(super) fn make_stale(&mut self, id: u32) {
         if let Some(drain) = self.all.last_mut() {
-            drain.stale.push(id);
+            drain.tables.stale.push(id);
         }
     }
 
     /// Removes and returns the next stale element, living or not.
     pub(super) fn pop_stale(&mut self) -> Option<u32> {
-        self.all.last_mut()?.stale.pop()
+        self.all.last_mut()?.tables.stale.pop()
     }
 
     /// Begins to note reads for an element of the innermost drain; `None` ends that.
@@ -270,23 +319,23 @@ impl Drains {
         paths: Option<Arc<Paths>>,
         columns: &[Option<ColumnId>],
     ) {
-        let capacity = mesh.capacity(of.kind());
-        let members = some.map(|some| {
-            let mut members = vec![false; capacity];
-            for &id in some {
-                if let Some(member) = members.get_mut(id as usize) {
-                    *member = true;
-                }
-            }
-            members
-        });
-        self.all.push(Drain::new(of, members, paths, columns));
+        let mut tables = Tables::default();
+        if let Some(some) = some {
+            tables = std::mem::take(&mut self.spare);
+            tables.take(some, mesh.capacity(of.kind()));
+        }
+        self.all.push(Drain::new(of, tables, paths, columns));
         self.make_all_stale(mesh);
     }
 
     /// Closes the innermost drain.
     pub(super) fn close(&mut self) {
-        self.all.pop();
+        if let Some(Drain { mut tables, .. }) = self.all.pop()
+            && tables.members.is_some()
+        {
+            tables.clear();
+            self.spare = tables;
+        }
         self.count_recording();
     }
 
@@ -302,14 +351,15 @@ impl Drains {
     pub(super) fn next_stale(&mut self, mesh: &Mesh, held: impl Fn(Reg) -> u32) -> Option<u32> {
         let drain = self.all.last_mut()?;
         drain.walk_back(mesh, &mut self.walk, held);
-        while let Some(id) = drain.stale.pop() {
-            drain.stale.soon().for_each(|next| drain.queue.prefetch_around(next));
+        while let Some(id) = drain.tables.stale.pop() {
+            let Tables { queue, stale, .. } = &drain.tables;
+            stale.soon().for_each(|next| queue.prefetch_around(next));
             if drain.is_member(mesh, id) {
                 drain.reading = Some(id);
                 self.recording += usize::from(drain.is_noted());
                 return Some(id);
             }
-            drain.queue.forget(id);
+            drain.tables.queue.forget(id);
         }
         None
     }
@@ -336,7 +386,7 @@ impl Drains {
     #[cfg_attr(not(feature = "native"), expect(dead_code))]
     pub(super) fn make_none_stale(&mut self) {
         if let Some(drain) = self.all.last_mut() {
-            drain.stale = Stale::default();
+            drain.tables.stale = Stale::default();
         }
     }
 
@@ -350,7 +400,7 @@ impl Drains {
             return Err(Message::KeyNotANumber);
         }
         self.computed = self.computed.wrapping_add(1);
-        drain.queue.set(id, key);
+        drain.tables.queue.set(id, key);
         drain.idle = 0;
         Ok(())
     }
@@ -363,7 +413,8 @@ impl Drains {
 
     /// The element of the innermost drain with the least key.
     pub(super) fn least(&mut self, mesh: &Mesh) -> Option<u32> {
-        let Drain { of, queue, stale, lookahead, idle, .. } = self.all.last_mut()?;
+        let Drain { of, tables, lookahead, idle, .. } = self.all.last_mut()?;
+        let Tables { queue, stale, .. } = tables;
         // Where no key changes, the surroundings of elements are hardly used.
         if *idle < MOST_IDLE {
             *idle += 1;
@@ -375,9 +426,9 @@ impl Drains {
     /// Removes that element from the queue.
     pub(super) fn take(&mut self) {
         if let Some(drain) = self.all.last_mut()
-            && let Some(id) = drain.queue.least()
+            && let Some(id) = drain.tables.queue.least()
         {
-            drain.queue.remove(id);
+            drain.tables.queue.remove(id);
         }
     }
 
@@ -426,11 +477,12 @@ impl Drains {
             if drain.of.kind() != kind {
                 continue;
             }
-            drain.queue.forget(id);
-            match drain.members.as_mut().map(|all| all.get_mut(id as usize)) {
-                None => drain.stale.push(id),
-                Some(Some(member)) => *member = false,
-                Some(None) => {}
+            let Tables { members, is_member, queue, stale } = &mut drain.tables;
+            queue.forget(id);
+            match is_member.get_mut(id as usize) {
+                _ if members.is_none() => stale.push(id),
+                Some(member) => *member = false,
+                None => {}
             }
         }
     }
@@ -439,8 +491,8 @@ impl Drains {
     pub(super) fn flipped(&mut self, mesh: &Mesh, face: u32) {
         self.write(mesh, ElementKind::Face, face, Fields::HOLE);
         for drain in self.notified() {
-            if drain.of.kind() == ElementKind::Face && drain.members.is_none() {
-                drain.stale.push(face);
+            if drain.of.kind() == ElementKind::Face && drain.tables.members.is_none() {
+                drain.tables.stale.push(face);
             }
         }
     }
@@ -455,7 +507,7 @@ impl Drains {
                 drain.write(mesh, kind, id, Fields::ATTRIBUTES);
             }
             if drain.of.kind() == kind {
-                drain.stale.push(id);
+                drain.tables.stale.push(id);
             }
         }
     }

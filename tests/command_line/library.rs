@@ -129,8 +129,9 @@ fn what_keeps_the_keys_of_a_drain_is_told() {
     bench.write("mesh.obj", TETRAHEDRON);
     let told = |arguments: &[&str]| bench.run(arguments).out;
     let simplify = ["run", "std/simplify.hedge", "mesh.obj", "--set", "faces_left=4", "-v"];
-    let line = "std/simplify.hedge:147:3: keys of `drain` are updated incrementally\n";
-    assert!(told(&simplify).contains(line), "{}", told(&simplify));
+    let said = told(&simplify);
+    let line = said.lines().find(|line| line.starts_with("std/simplify.hedge:")).unwrap();
+    assert!(line.ends_with(":3: keys of `drain` are updated incrementally"), "{said}");
     assert!(told(&simplify).contains(" to compile native code)"), "{}", told(&simplify));
     bench.write(
         "own.hedge",

@@ -179,7 +179,7 @@ fn folds(mesh: &Mesh, hole: FaceId, order: &[HalfedgeId]) -> usize {
         let [a, b, c] = [before, corner, after].map(|at| place(left[at]));
         let normal = (b - a).cross(c - a).normalize();
         let sides = if count == 3 { vec![before, corner, after] } else { vec![before, corner] };
-        folds += sides.into_iter().filter(|&side| normal.dot(beyond[side]) < 0.0).count();
+        folds += sides.into_iter().filter(|&side| normal.dot(beyond[side]) < -1e-9).count();
         beyond[before] = normal;
         left.remove(corner);
         beyond.remove(corner);

@@ -319,7 +319,11 @@ fn all_ends(what: &What, item: &Item, at: usize) -> Vec<usize> {
                 operand_end(item, at).filter(is_last).into_iter().collect()
             }
             Class::Next => Vec::new(),
-            Class::End => item.ends_line(at).then_some(at).into_iter().collect(),
+            Class::End => {
+                // The head of a loop goes on with its condition, on whichever line that stands.
+                let ends = item.ends_line(at) && item.kind(at) != Some(T::Where);
+                ends.then_some(at).into_iter().collect()
+            }
             Class::Sign => {
                 let goes_on = matches!(item.word(at), "-" | "+" | "(");
                 goes_on.then_some(at).into_iter().collect()
