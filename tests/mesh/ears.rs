@@ -162,7 +162,7 @@ fn a_flat_face_is_cut_into_good_shapes() {
     assert_eq!(corners.len(), 3, "each corner goes once");
 }
 
-/// The pairs of neighbouring triangles of a filled hole that bend by more than a right angle.
+/// The pairs of neighbouring triangles of a filled hole that bend by more than 134 degrees.
 fn folds(mesh: &Mesh, hole: FaceId, order: &[HalfedgeId]) -> usize {
     let mut left: Vec<_> = mesh.face_halfedges(hole).collect();
     assert_eq!(order.len(), left.len() - 3);
@@ -179,7 +179,7 @@ fn folds(mesh: &Mesh, hole: FaceId, order: &[HalfedgeId]) -> usize {
         let [a, b, c] = [before, corner, after].map(|at| place(left[at]));
         let normal = (b - a).cross(c - a).normalize();
         let sides = if count == 3 { vec![before, corner, after] } else { vec![before, corner] };
-        folds += sides.into_iter().filter(|&side| normal.dot(beyond[side]) < -1e-9).count();
+        folds += sides.into_iter().filter(|&side| normal.dot(beyond[side]) < -0.7).count();
         beyond[before] = normal;
         left.remove(corner);
         beyond.remove(corner);
