@@ -32,9 +32,9 @@ pub(super) struct Drains {
     /// The number of drains that are computing a key whose reads are noted.
     recording: usize,
     walk: WalkBack,
-    /// The tables of a drain of some elements that is closed, so that the next one needs no time
-    /// that grows with the mesh.
-    spare: Tables,
+    /// The empty tables of drains of some elements that have ended, so that the next ones need no
+    /// time that grows with the mesh.
+    spare: Vec<Tables>,
 }
 
 /// The elements of a drain, and the tables of these by number.
@@ -222,7 +222,7 @@ impl Drain {
 impl Drains {
     /// The memory that the drains take, in bytes.
     pub(super) fn bytes(&self) -> usize {
-        self.all.iter().map(Drain::bytes).sum::<usize>() + self.spare.bytes()
+        self.all.iter().map(Drain::bytes).chain(self.spare.iter().map(Tables::bytes)).sum()
     }
 
     /// Whether the memory is to be checked now, after the last key.
@@ -234,6 +234,7 @@ impl Drains {
     /// Closes all drains.
     pub(super) fn clear(&mut self) {
         self.all.clear();
+        self.spare.clear();
         self.muted = 0;
         self.recording = 0;
     }
@@ -275,7 +276,12 @@ impl Drains {
 
     /// Closes all but the outermost `open` drains.
     pub(super) fn leave(&mut self, open: usize) {
-        self.all.truncate(open);
+        for Drain { mut tables, .. } in self.all.drain(open.min(self.all.len())..) {
+            if tables.members.is_some() {
+                tables.clear();
+                self.spare.push(tables);
+            }
+        }
         self.count_recording();
     }
 
@@ -321,7 +327,7 @@ impl Drains {
     ) {
         let mut tables = Tables::default();
         if let Some(some) = some {
-            tables = std::mem::take(&mut self.spare);
+            tables = self.spare.pop().unwrap_or_default();
             tables.take(some, mesh.capacity(of.kind()));
         }
         self.all.push(Drain::new(of, tables, paths, columns));
@@ -330,13 +336,7 @@ impl Drains {
 
     /// Closes the innermost drain.
     pub(super) fn close(&mut self) {
-        if let Some(Drain { mut tables, .. }) = self.all.pop()
-            && tables.members.is_some()
-        {
-            tables.clear();
-            self.spare = tables;
-        }
-        self.count_recording();
+        self.leave(self.all.len().saturating_sub(1));
     }
 
     /// Makes all elements of the innermost drain stale.

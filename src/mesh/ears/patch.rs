@@ -7,11 +7,10 @@
 //! whose worst triangle has the largest smallest angle. Since only one triangulation of each run is
 //! kept, a triangle beyond its chord may bend more than with another one. The time is cubic in the
 //! number of sides, so of a large hole a polygon of some of its corners is filled first, and then
-//! what is left between each side of the polygon and the hole; if its rim is too uneven for that, the
-//! hole gets the best-shaped [ears](super).
+//! each triangle of that anew, with all of its corners; if the rim is too uneven for that, the hole
+//! gets the best-shaped [ears](super).
 
 use std::collections::HashMap;
-use std::ops::Range;
 
 use glam::DVec3;
 
@@ -21,7 +20,7 @@ use crate::mesh::id::{FaceId, HalfedgeId};
 /// The largest number of sides of a hole that is filled as a whole, in about 20 ms.
 const MOST_SIDES: usize = 128;
 
-/// The same of what is left between a polygon and the hole.
+/// The same of a triangle with the corners between its own.
 const MOST_BESIDE: usize = 16;
 
 impl Mesh {
@@ -34,79 +33,76 @@ impl Mesh {
         if sides.len() < 4 {
             return Vec::new();
         }
-        let last = sides.last().and_then(|&side| self.normal_across(side));
-        let mut order = self.filling(&sides, last, MOST_SIDES);
+        let beyond: Vec<_> = sides.iter().map(|&side| self.normal_across(side)).collect();
+        let mut order = self.filling(&sides, &beyond, MOST_SIDES);
         // The last triangle is left over.
         order.pop();
         if sides.len() <= MOST_SIDES {
             return order;
         }
         let all = [order, self.ears(f)];
-        all.into_iter().min_by_key(|order| self.bends(&sides, order)).unwrap_or_default()
+        all.into_iter()
+            .min_by_key(|order| self.bends(&sides, beyond.clone(), order))
+            .unwrap_or_default()
     }
 
-    /// The corners of a polygon in an order in which all of its triangles can be cut off. Its sides
-    /// are those of a hole, except perhaps the last one; `closing` is the normal of the triangle
-    /// beyond that.
+    /// The corners of a polygon in an order in which all of its triangles can be cut off. `beyond`
+    /// are the normals beyond its sides.
+    ///
+    /// Of more than `most` corners some are chosen at equal distances; then each triangle of these is
+    /// filled anew, with the corners that lie between its own.
     fn filling(
         &self,
         corners: &[HalfedgeId],
-        closing: Option<DVec3>,
+        beyond: &[Option<DVec3>],
         most: usize,
     ) -> Vec<HalfedgeId> {
-        if corners.len() < 3 {
+        let Some(end) = corners.len().checked_sub(1).filter(|&end| end > 1) else {
             return Vec::new();
-        }
-        let runs = self.runs(corners, corners.len().div_ceil(most));
-        let beyond = runs.iter().map(|run| {
-            let normals = corners[run.clone()].iter().filter_map(|&side| self.normal_across(side));
+        };
+        let step = corners.len().div_ceil(most);
+        let chosen: Vec<_> = (0..end).step_by(step).chain([end]).collect();
+        let sides = chosen.windows(2).map(|ends| {
+            let normals = beyond[ends[0]..ends[1]].iter().copied().flatten();
             normals.reduce(|sum, normal| sum + normal).and_then(DVec3::try_normalize)
         });
-        let beyond: Vec<_> = beyond.chain([closing]).collect();
-        let starts = runs.iter().map(|run| corners[run.start]);
-        let some: Vec<_> = starts.chain(corners.last().copied()).collect();
-        let ways = Ways::new(self, &some, &beyond);
+        let sides: Vec<_> = sides.chain([beyond[end]]).collect();
+        let some: Vec<_> = chosen.iter().map(|&at| corners[at]).collect();
+        let ways = Ways::new(self, &some, &sides);
         let mut order = Vec::with_capacity(corners.len() - 2);
-        let triangles = ways.triangles();
-        for &[first, third, last] in &triangles {
-            let normal = ways.normals[first * some.len() + last];
+        for ([first, third, last], above) in ways.triangles() {
+            if step == 1 {
+                order.push(corners[third]);
+                continue;
+            }
+            let (mut inner, mut normals) = (Vec::new(), Vec::new());
             for [from, to] in [[first, third], [third, last]] {
                 if to - from == 1 {
-                    let beside = &corners[runs[from].start..=runs[from].end];
-                    order.extend(self.filling(beside, normal, MOST_BESIDE));
+                    inner.extend(&corners[chosen[from]..chosen[to]]);
+                    normals.extend(&beyond[chosen[from]..chosen[to]]);
+                } else {
+                    inner.push(some[from]);
+                    normals.push(ways.normal(from, to));
                 }
             }
+            inner.push(some[last]);
+            normals.push(above);
+            order.extend(self.filling(&inner, &normals, MOST_BESIDE));
         }
-        order.extend(triangles.iter().map(|&[_, third, _]| some[third]));
         order
-    }
-
-    /// The sides of a polygon, without the last one, in runs of at most `most`; shorter ones where
-    /// the ends would be joined by a second edge.
-    fn runs(&self, corners: &[HalfedgeId], most: usize) -> Vec<Range<usize>> {
-        let are_joined = |start: usize, end: usize| {
-            let ends = [start, end].map(|at| self.get_vertex(corners[at]));
-            matches!(ends, [Some(v), Some(w)] if self.adjacent(v, w))
-        };
-        let (mut runs, mut start) = (Vec::new(), 0);
-        while start < corners.len() - 1 {
-            let mut end = (start + most).min(corners.len() - 1);
-            while end > start + 1 && 2 * (end - start) > most && are_joined(start, end) {
-                end -= 1;
-            }
-            runs.push(start..end);
-            start = end;
-        }
-        runs
     }
 
     /// How much a filling bends: the number of pairs of neighbours with more than a right angle
     /// between their normals, and the sum over all pairs.
-    fn bends(&self, sides: &[HalfedgeId], order: &[HalfedgeId]) -> (usize, i64) {
+    fn bends(
+        &self,
+        sides: &[HalfedgeId],
+        mut beyond: Vec<Option<DVec3>>,
+        order: &[HalfedgeId],
+    ) -> (usize, i64) {
         let count = sides.len();
         let places: Vec<_> = sides.iter().map(|&h| self.place(h)).collect();
         let numbers: HashMap<_, _> = sides.iter().copied().zip(0..).collect();
-        let mut beyond: Vec<_> = sides.iter().map(|&side| self.normal_across(side)).collect();
         let mut next: Vec<_> = (1..count).chain([0]).collect();
         let mut prev: Vec<_> = [count - 1].into_iter().chain(0..count - 1).collect();
         let (mut folds, mut total, mut left) = (0, 0, 0);
@@ -267,17 +263,24 @@ impl<'m> Ways<'m> {
         }
     }
 
-    /// The first, third and last corner of each triangle, after those across its sides.
-    fn triangles(&self) -> Vec<[usize; 3]> {
+    /// The normal beyond a chord or side.
+    fn normal(&self, first: usize, last: usize) -> Option<DVec3> {
+        self.normals[first * self.corners.len() + last]
+    }
+
+    /// The first, third and last corner of each triangle, after those across its two other sides,
+    /// with the normal beyond the side from the first to the last.
+    fn triangles(&self) -> Vec<([usize; 3], Option<DVec3>)> {
         let count = self.corners.len();
         let mut triangles = Vec::with_capacity(count - 2);
-        let mut open = vec![[0, count - 1]];
+        let mut open = vec![([0, count - 1], self.closing)];
         // In the reverse order: each triangle before those across its sides.
-        while let Some([first, last]) = open.pop() {
+        while let Some(([first, last], above)) = open.pop() {
             if last - first > 1 {
                 let third = self.thirds[first * count + last];
-                triangles.push([first, third, last]);
-                open.extend([[first, third], [third, last]]);
+                triangles.push(([first, third, last], above));
+                let normal = self.normal(first, last);
+                open.extend([([first, third], normal), ([third, last], normal)]);
             }
         }
         triangles.reverse();
