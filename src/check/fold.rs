@@ -31,12 +31,11 @@ pub(super) fn fold_pairs<'a>(
         for pair in distinct_names::pairs(&Drawing::new(&other.rule)) {
             let mut pair = pair.map(|name| fold.name(name, name));
             pair.sort_unstable();
-            if !folded.contains(&pair) {
-                folded.push(pair);
-            }
+            folded.push(pair);
         }
     }
     folded.sort_unstable();
+    folded.dedup();
     folded
 }
 
@@ -59,8 +58,8 @@ pub(super) fn add_obligation(
     because: Option<&'static str>,
     found: &mut Vec<Obligation>,
 ) {
-    let key = |statement: &Statement| statement.without_origin();
-    let known = found.iter_mut().find(|known| key(&known.statement) == key(&statement));
+    let wanted = statement.without_origin();
+    let known = found.iter_mut().find(|known| known.statement.without_origin() == wanted);
     match known {
         Some(known) if because.is_none() => known.because = None,
         Some(_) => {}
