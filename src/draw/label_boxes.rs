@@ -54,13 +54,17 @@ impl Room {
         let half = half + AIR;
         let lines =
             self.lines.iter().filter(|(segment, width)| touches(*segment, at, half + *width));
-        boxes + ON_LINE * (lines.count().min(6) as f64)
+        boxes + ON_LINE * (lines.take(6).count() as f64)
     }
 
     /// The spot with the lowest total cost.
     pub fn best(&self, label: &Label, spots: &[Spot]) -> Spot {
         let mut best = Spot { at: DVec2::ZERO, cost: f64::MAX };
         for spot in spots {
+            // Boxes and lines only add to the cost.
+            if spot.cost >= best.cost - 1e-9 {
+                continue;
+            }
             let cost = spot.cost + self.cost(spot.at, label);
             if cost < best.cost - 1e-9 {
                 best = Spot { cost, ..*spot };
@@ -96,8 +100,13 @@ impl Room {
 
 /// True if a segment touches a box.
 fn touches([a, b]: [DVec2; 2], center: DVec2, half: DVec2) -> bool {
-    let (mut low, mut high) = (0.0_f64, 1.0_f64);
     let (from, along) = (a - center, b - a);
+    // Most segments are far away.
+    let [near, far] = [from.min(from + along), from.max(from + along)];
+    if near.cmpgt(half).any() || far.cmplt(-half).any() {
+        return false;
+    }
+    let (mut low, mut high) = (0.0_f64, 1.0_f64);
     for (from, along, half) in [(from.x, along.x, half.x), (from.y, along.y, half.y)] {
         if along.abs() < 1e-12 {
             if from.abs() > half {

@@ -205,8 +205,8 @@ impl<'m> Ways<'m> {
                     ways.places[first].distance(ways.places[last]);
             }
         }
-        for first in 0..count - 1 {
-            ways.normals[first * count + first + 1] = beyond[first];
+        for (first, &normal) in beyond.iter().enumerate().take(count - 1) {
+            ways.normals[first * count + first + 1] = normal;
         }
         for length in 2..count {
             for first in 0..count - length {
