@@ -101,7 +101,7 @@ impl Mesh {
                 if faces.contains(&face) || self.get_is_hole(face)? || !concerns(spoke) {
                     continue;
                 }
-                if !self.is_triangle(spoke) && self.face_vertices(face).any(|v| v == other) {
+                if !self.is_triangle(spoke) && self.has_corner(face, other) {
                     return Some(false);
                 }
                 let around_other = self.spokes(other).filter_map(|spoke| self.get_face(spoke));
@@ -134,6 +134,17 @@ impl Mesh {
     /// The corner before `h` in its loop.
     fn last_of(&self, h: HalfedgeId) -> Option<VertexId> {
         self.get_vertex(self.get_prev(h)?)
+    }
+
+    /// True if a vertex is a corner of a face. The smaller of the two, walked side by side, decides.
+    fn has_corner(&self, face: FaceId, v: VertexId) -> bool {
+        let (mut corners, mut spokes) = (self.face_vertices(face), self.spokes(v));
+        loop {
+            let (Some(corner), Some(spoke)) = (corners.next(), spokes.next()) else { return false };
+            if corner == v || self.get_face(spoke) == Some(face) {
+                return true;
+            }
+        }
     }
 
     /// True if two faces have the same corners, apart from `but`; false if `g` is a hole.
