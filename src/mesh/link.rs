@@ -5,16 +5,11 @@
 //! link of `ab` only, `Lk a ∩ Lk b = Lk ab`, a boundary being coned off to one further vertex. For
 //! polygons the condition is stated by its purpose: the result is simple again.
 
-use std::collections::BTreeSet;
-
 use super::connectivity::Mesh;
 use super::id::{EdgeId, FaceId, HalfedgeId, VertexId};
 
 /// Stars up to this size are compared without sorting.
 const SMALL_STAR: usize = 24;
-
-/// Faces of up to this number of corners are compared without sorting.
-const SMALL_FACE: usize = 32;
 
 /// The elements on one side of an edge.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -153,15 +148,8 @@ impl Mesh {
             return false;
         }
         let others = |face| self.face_vertices(face).filter(move |v| !but.contains(v));
-        // Side by side, so that the smaller face decides whether they have as many.
-        if !others(f).map(drop).eq(others(g).map(drop)) {
-            return false;
-        }
-        if others(f).nth(SMALL_FACE).is_none() {
-            return others(f).all(|v| others(g).any(|w| v == w));
-        }
-        let [one, other] = [f, g].map(|face| others(face).collect::<BTreeSet<_>>());
-        one.is_subset(&other)
+        // Mostly the first corner decides; those of both are counted last.
+        others(f).all(|v| self.has_corner(g, v)) && others(f).map(drop).eq(others(g).map(drop))
     }
 
     /// The number of common neighbors, or some number above `enough`.
