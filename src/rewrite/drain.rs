@@ -12,11 +12,10 @@
 use std::sync::Arc;
 
 use super::access::lives;
+use super::drain_tables::Tables;
 use super::lookahead::Lookahead;
 use super::paths::{Candidates, Fields, Paths, WalkBack, Written};
-use super::queue::Queue;
 use super::readers::{Place, Readers};
-use super::stale::Stale;
 use super::{Elements, Message, Reg};
 use crate::mesh::{ColumnId, ElementKind, HalfedgeId, Mesh};
 
@@ -35,46 +34,6 @@ pub(super) struct Drains {
     /// The empty tables of drains of some elements that have ended, so that the next ones need no
     /// time that grows with the mesh.
     spare: Vec<Tables>,
-}
-
-/// The elements of a drain, and the tables of these by number.
-#[derive(Debug, Default)]
-struct Tables {
-    /// The elements that belong to the drain, in order; `None` if all do, including those created
-    /// in the loop.
-    members: Option<Vec<u32>>,
-    /// By number, whether an element is a member.
-    is_member: Vec<bool>,
-    queue: Queue,
-    stale: Stale,
-}
-
-impl Tables {
-    /// The memory that they take, in bytes.
-    fn bytes(&self) -> usize {
-        let members = self.members.as_ref().map_or(0, Vec::capacity) * size_of::<u32>();
-        members + self.is_member.capacity() + self.stale.bytes() + self.queue.bytes()
-    }
-
-    /// Makes these elements the members.
-    fn take(&mut self, some: &[u64], capacity: usize) {
-        let ids = some.iter().filter_map(|&id| u32::try_from(id).ok());
-        let mut members: Vec<_> = ids.filter(|&id| (id as usize) < capacity).collect();
-        members.sort_unstable();
-        members.dedup();
-        self.is_member.resize(capacity.max(self.is_member.len()), false);
-        members.iter().for_each(|&id| self.is_member[id as usize] = true);
-        self.members = Some(members);
-    }
-
-    /// Empties the tables of some elements.
-    fn clear(&mut self) {
-        for id in self.members.take().unwrap_or_default() {
-            self.is_member[id as usize] = false;
-            self.queue.forget(id);
-        }
-        while self.stale.pop().is_some() {}
-    }
 }
 
 /// The way in which a drain finds the elements whose keys may have changed.
@@ -167,19 +126,7 @@ impl Drain {
         if let Changes::Walked { written, .. } = &mut self.changes {
             written.clear();
         }
-        let Self { of, tables: Tables { members, is_member, stale, .. }, .. } = self;
-        // Stale elements are taken from the end.
-        match members {
-            None => {
-                let ids = (0..mesh.capacity(of.kind()) as u32).rev();
-                ids.filter(|&id| lives(mesh, *of, id)).for_each(|id| stale.push(id));
-            }
-            Some(members) => {
-                let ids = members.iter().copied().rev();
-                let ids = ids.filter(|&id| is_member[id as usize] && lives(mesh, *of, id));
-                ids.for_each(|id| stale.push(id));
-            }
-        }
+        self.tables.make_all_stale(mesh, self.of);
     }
 
     /// The most elements that it may have.
@@ -214,8 +161,7 @@ impl Drain {
     }
 
     fn is_member(&self, mesh: &Mesh, id: u32) -> bool {
-        let Tables { members, is_member, .. } = &self.tables;
-        lives(mesh, self.of, id) && (members.is_none() || is_member.get(id as usize) == Some(&true))
+        lives(mesh, self.of, id) && self.tables.has(id)
     }
 }
 
@@ -386,7 +332,7 @@ impl Drains {
     #[cfg_attr(not(feature = "native"), expect(dead_code))]
     pub(super) fn make_none_stale(&mut self) {
         if let Some(drain) = self.all.last_mut() {
-            drain.tables.stale = Stale::default();
+            drain.tables.stale = Default::default();
         }
     }
 
@@ -477,13 +423,7 @@ impl Drains {
             if drain.of.kind() != kind {
                 continue;
             }
-            let Tables { members, is_member, queue, stale } = &mut drain.tables;
-            queue.forget(id);
-            match is_member.get_mut(id as usize) {
-                _ if members.is_none() => stale.push(id),
-                Some(member) => *member = false,
-                None => {}
-            }
+            drain.tables.created(id);
         }
     }
 

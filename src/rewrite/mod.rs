@@ -34,6 +34,7 @@ mod attribute;
 mod bounded;
 pub mod distinct;
 mod drain;
+mod drain_tables;
 pub mod families;
 mod key_paths;
 mod known_level;

@@ -55,9 +55,7 @@ impl Item {
             Item::Broken(span) => *span,
         }
     }
-}
 
-impl Item {
     /// The op, if it is one.
     pub(crate) fn op(&self) -> Option<&Op> {
         match self {
