@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::paths::{Paths, Unbounded};
-use super::{Call, Code, Function, Inst, reads};
+use super::{Call, Code, Function, Inst, Plan, reads};
 
 /// The place where a drain begins: the operation, the function, the instruction.
 type Place = (Option<u16>, Option<u16>, usize);
@@ -23,7 +23,7 @@ impl KeyPaths {
         if let Some((_, known)) = self.0.iter().find(|(known, _)| *known == place) {
             return known.clone();
         }
-        let paths = reads::paths(call.code, call.functions, at).ok().map(Arc::new);
+        let paths = reads::paths(call.code, call.functions, call.plans, at).ok().map(Arc::new);
         self.0.push((place, paths.clone()));
         paths
     }
@@ -31,8 +31,12 @@ impl KeyPaths {
 
 /// For each drain in a code, the instruction that opens it and, if its stale keys are not found by
 /// walking back from what was written, the reason.
-pub fn drains(code: &Code, functions: &[Function]) -> Vec<(usize, Option<Unbounded>)> {
+pub fn drains(
+    code: &Code,
+    functions: &[Function],
+    plans: &[Option<Plan>],
+) -> Vec<(usize, Option<Unbounded>)> {
     let opens = |(_, inst): &(usize, &Inst)| matches!(inst, Inst::DrainOpen { .. });
     let all = code.insts.iter().enumerate().filter(opens);
-    all.map(|(at, _)| (at, reads::paths(code, functions, at).err())).collect()
+    all.map(|(at, _)| (at, reads::paths(code, functions, plans, at).err())).collect()
 }

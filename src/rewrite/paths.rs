@@ -50,8 +50,8 @@ pub enum Unbounded {
     Recursion,
     /// It takes random numbers.
     Random,
-    /// It asks an operation.
-    Asks,
+    /// It asks an operation that consists of steps.
+    Steps,
     /// It does more than compute a value.
     Effects,
 }
@@ -63,7 +63,7 @@ impl fmt::Display for Unbounded {
             Self::WholeMesh => "the key reads all of the mesh",
             Self::Recursion => "a function in the key calls itself",
             Self::Random => "the key takes random numbers",
-            Self::Asks => "the key asks an op",
+            Self::Steps => "the key asks an op that consists of steps",
             Self::Effects => "the key does more than to compute a value",
         })
     }
@@ -159,7 +159,7 @@ struct Place {
 }
 
 /// The tree of the paths of a key, or of a question.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Paths {
     places: Vec<Place>,
     /// The nodes where something is read, by kind.

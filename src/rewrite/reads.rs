@@ -8,6 +8,7 @@
 //! point: then the key has no tree.
 
 use std::collections::BTreeMap;
+use std::mem;
 
 use super::inst::computation;
 use super::paths::{Fields, Node, Paths, START, Unbounded};
@@ -18,8 +19,13 @@ use crate::mesh::ElementKind;
 const MOST_WORK: usize = 50_000;
 
 /// The paths of the key of the drain that the instruction at `open` begins; `functions` are those
-/// that the code may call.
-pub(super) fn paths(code: &Code, functions: &[Function], open: usize) -> Result<Paths, Unbounded> {
+/// that the code may call, `plans` the operations that it may ask.
+pub(super) fn paths(
+    code: &Code,
+    functions: &[Function],
+    plans: &[Option<Plan>],
+    open: usize,
+) -> Result<Paths, Unbounded> {
     let Some(Inst::DrainOpen { of, .. }) = code.insts.get(open) else {
         return Err(Unbounded::Effects);
     };
@@ -29,7 +35,7 @@ pub(super) fn paths(code: &Code, functions: &[Function], open: usize) -> Result<
         _ => None,
     };
     let (at, element) = key.filter_map(first).next().ok_or(Unbounded::Effects)?;
-    let mut reads = Reads::new(of.kind(), functions);
+    let mut reads = Reads::new(of.kind(), functions, plans);
     let mut state = State::default();
     state.set(element, vec![START]);
     reads.follow(code, at + 1, state)?;
@@ -50,7 +56,7 @@ pub(super) fn question_paths(
     if plan.steps.is_some() {
         return Err(Unbounded::Effects);
     }
-    let mut reads = Reads { is_question: true, ..Reads::new(kind, &plan.code.functions) };
+    let mut reads = Reads { is_question: true, ..Reads::new(kind, &plan.code.functions, &[]) };
     let mut state = State::default();
     for param in 0..plan.params.iter().sum::<u16>() {
         let node = match usize::from(param) == slot {
@@ -150,6 +156,7 @@ pub(super) fn unite(all: &mut Nodes, more: &[Node]) -> bool {
 pub(super) struct Reads<'c> {
     pub(super) paths: Paths,
     functions: &'c [Function],
+    plans: &'c [Option<Plan>],
     /// The stack of running functions, the innermost last.
     running: Vec<u16>,
     work: usize,
@@ -158,9 +165,9 @@ pub(super) struct Reads<'c> {
 }
 
 impl<'c> Reads<'c> {
-    fn new(kind: ElementKind, functions: &'c [Function]) -> Self {
+    fn new(kind: ElementKind, functions: &'c [Function], plans: &'c [Option<Plan>]) -> Self {
         let paths = Paths::new(kind);
-        Self { paths, functions, running: Vec::new(), work: 0, is_question: false }
+        Self { paths, functions, plans, running: Vec::new(), work: 0, is_question: false }
     }
 
     /// Runs code up to the key, the answer or the ends of the function; returns the nodes that the
@@ -331,7 +338,10 @@ impl<'c> Reads<'c> {
             Inst::Random { .. } | Inst::RandomInt { .. } | Inst::BufferShuffle { .. } => {
                 return Err(Unbounded::Random);
             }
-            Inst::Try { .. } => return Err(Unbounded::Asks),
+            Inst::Try { op, args, to, .. } => {
+                self.ask_operation(state, op, args)?;
+                state.set(to, Nodes::new());
+            }
             Inst::PreviewClear
             | Inst::PreviewUndo
             | Inst::PreviewNew { .. }
@@ -379,17 +389,46 @@ impl<'c> Reads<'c> {
         if self.running.contains(&function) {
             return Err(Unbounded::Recursion);
         }
-        let mut inner = State::default();
-        for part in 0..called.params {
-            let nodes = self.nodes(state, Reg(args.0.wrapping_add(part)))?;
-            inner.set(Reg(part), nodes);
-        }
-        for buffer in 0..called.code.buffers {
-            inner.set_buffer(buffer, Nodes::new());
-        }
+        let inner = self.called(state, args, called.params, &called.code)?;
         self.running.push(function);
         let value = self.follow(&called.code, 0, inner);
         self.running.pop();
         value
+    }
+
+    /// Notes the reads of the question whether an operation would be applied.
+    fn ask_operation(&mut self, state: &State, op: u16, args: Reg) -> Result<(), Unbounded> {
+        let plan = self.plans.get(usize::from(op)).and_then(Option::as_ref);
+        let plan = plan.filter(|plan| plan.steps.is_none()).ok_or(Unbounded::Steps)?;
+        let inner = self.called(state, args, plan.params.iter().sum(), &plan.code)?;
+        let mut question = Reads {
+            paths: mem::take(&mut self.paths),
+            functions: &plan.code.functions,
+            plans: &[],
+            running: Vec::new(),
+            work: self.work,
+            is_question: true,
+        };
+        let answer = question.follow(&plan.code, 0, inner);
+        (self.paths, self.work) = (question.paths, question.work);
+        answer.map(drop)
+    }
+
+    /// The state in which a code that is called with arguments in slots from `args` begins.
+    fn called(
+        &mut self,
+        state: &State,
+        args: Reg,
+        params: u16,
+        code: &Code,
+    ) -> Result<State, Unbounded> {
+        let mut inner = State::default();
+        for part in 0..params {
+            inner.set(Reg(part), self.nodes(state, Reg(args.0.wrapping_add(part)))?);
+        }
+        for buffer in 0..code.buffers {
+            inner.set_buffer(buffer, Nodes::new());
+        }
+        Ok(inner)
     }
 }

@@ -182,7 +182,7 @@ impl Prepared {
         };
         let mut drains = Vec::new();
         for code in called {
-            for (at, why) in rewrite::drains(code, functions) {
+            for (at, why) in rewrite::drains(code, functions, &self.plans) {
                 let place = code.place(at).and_then(|place| places(code).get(place as usize));
                 drains.push((place.copied().unwrap_or(self.span), why));
             }

@@ -93,7 +93,7 @@ impl Compiled {
             return None;
         }
         // Keys without paths need the machine, which notes their reads.
-        let drains = key_paths::drains(code, text.surroundings.functions);
+        let drains = key_paths::drains(code, text.surroundings.functions, plans);
         if drains.iter().any(|(_, why)| why.is_some()) {
             return None;
         }
