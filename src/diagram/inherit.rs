@@ -3,7 +3,8 @@
 //!
 //! A new face takes the value of the face whose halfedge it has now, or else that of a face beside
 //! it; a new edge that of the only edge that lay between the faces that those at its sides come
-//! from; a new halfedge that of the corner where it starts, in the face that its own comes from.
+//! from, or, beside a new hole, that of the edge to which its other halfedge belonged; a new
+//! halfedge that of the corner where it starts, in the face that its own comes from.
 //! Anything else has the default.
 
 use super::{
@@ -66,7 +67,10 @@ impl Drawing<'_> {
         let rule = self.rule;
         let source = match rule.kind(created.name) {
             Kind::Face => self.origin(created),
-            Kind::Edge => self.edge_between(self.sides(created)?),
+            Kind::Edge => match self.sides(created) {
+                Some(sides) => self.edge_between(sides),
+                None => self.edge_of_rim(created),
+            },
             Kind::Halfedge => {
                 let (orbit, item) = self.after.loop_item(created.name)?;
                 let origin = self.origin(rule.moved(orbit.face, created, item.item))?;
@@ -150,6 +154,23 @@ impl Drawing<'_> {
         let edge = found.next().filter(|_| found.next().is_none())?;
         let is_one_of_many = rule.is_single(one) && !rule.is_single(edge);
         (!is_one_of_many && !same(one, other)).then_some(edge)
+    }
+
+    /// The edge in `before` of the halfedge that a new edge has beside a hole.
+    fn edge_of_rim(&self, edge: Ref) -> Option<Ref> {
+        let drawn = self.after.edge_statement(edge.name)?;
+        let [a, b] = drawn.halfedges.map(|half| self.rule.moved(half, edge, drawn.edge));
+        let is_outside = |half: Ref| {
+            self.after.loop_item(half.name).is_some_and(|(orbit, _)| orbit.kind == LoopKind::Hole)
+        };
+        let inside = match [is_outside(a), is_outside(b)] {
+            [true, false] => b,
+            [false, true] => a,
+            _ => return None,
+        };
+        let was = self.before.pairing(inside.name)?;
+        let own = was.halfedges.into_iter().find(|half| half.name == inside.name)?;
+        Some(self.rule.moved(was.edge, inside, own))
     }
 
     /// The halfedge of a face in `before` that starts at a vertex.

@@ -125,3 +125,37 @@ fn an_assignment_stands_and_the_default_is_for_the_rest() {
     let mut session = Session::new(&program, shape::tetrahedron());
     session.run(&program.script("go").unwrap(), ()).unwrap();
 }
+
+/// Both edges along a cut are marked as the one that is cut.
+#[test]
+fn an_edge_that_is_cut_open_is_marked_on_both_sides() {
+    let text = r#"
+        attr seam: edge int = inherited(0)
+        op slit(e: edge) -> x {
+          before {
+            face f: v0 -a-> v1 =P=> v0
+            edge e: a | d
+          }
+          after {
+            new x p q e1
+            face f: v0 -a-> v1 =P=> v0
+            hole x: v1 -p-> v0 -q-> v1
+            edge e: a | p
+            edge e1: d | q
+          }
+        }
+        script go() {
+          var n = 1
+          for e in edges {
+            e.seam = n
+            n = n + 1
+            must slit(e)
+          }
+          assert count(edges) == 12
+          assert all(e.seam > 0 and boundary(e) for e in edges)
+          assert all(count(o.seam == e.seam for o in edges) == 2 for e in edges)
+        }"#;
+    let program = Program::parse("slit", text).unwrap();
+    let mut session = Session::new(&program, shape::tetrahedron());
+    session.run(&program.script("go").unwrap(), ()).unwrap();
+}
