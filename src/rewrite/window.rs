@@ -91,14 +91,25 @@ impl<'a> Window<'a> {
     }
 }
 
+/// The number of slots by which the stack grows. What it has beyond the first window is enough for
+/// most calls, and less than what is allocated in huge pages.
+const MORE: usize = 1 << 14;
+
 /// Makes the stack long enough for a window at `base`.
 #[inline]
 pub(super) fn reserve(stack: &mut Vec<u64>, base: usize) {
-    let wanted = base + SLOTS;
+    if stack.len() < base + SLOTS {
+        grow(stack, SLOTS + base.max(1).next_multiple_of(MORE));
+    }
+}
+
+#[cold]
+fn grow(stack: &mut Vec<u64>, length: usize) {
     if stack.is_empty() {
-        // Memory that is zero as it comes.
-        *stack = vec![0; wanted];
-    } else if stack.len() < wanted {
-        stack.resize(wanted, 0);
+        // Memory that is zero as it comes, and is not taken before it is used.
+        *stack = vec![0; length];
+    } else {
+        stack.reserve_exact(length - stack.len());
+        stack.resize(length, 0);
     }
 }

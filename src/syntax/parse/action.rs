@@ -21,11 +21,12 @@ pub(super) struct Code<'t> {
 
 /// The rules for blocks and for expressions, which contain each other.
 pub(super) fn code<'t>() -> Code<'t> {
-    let mut block = Recursive::declare();
-    let expression = expression(block.clone().boxed());
-    let code = Code { block: block.clone().boxed(), expression };
-    block.define(braces(action(&code)));
-    code
+    let block = recursive(|block| {
+        let expression = expression(block.clone().boxed());
+        braces(action(&Code { block: block.boxed(), expression }))
+    });
+    let block = block.boxed();
+    Code { expression: expression(block.clone()), block }
 }
 
 /// `{ … }`; if the closing brace is missing, the end of the item closes the block.
