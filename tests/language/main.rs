@@ -9,6 +9,7 @@ mod format;
 mod grammar;
 mod layers;
 mod library;
+mod memory;
 mod resolve;
 mod source;
 mod syntax;
