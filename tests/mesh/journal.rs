@@ -62,7 +62,7 @@ fn wander(mesh: &mut Mesh, plans: &[Plan], dice: &mut Dice) -> usize {
     let mut taken = 0;
     for _ in 0..1 + dice.below(6) {
         let plan = &plans[dice.below(plans.len())];
-        // One of them takes two elements.
+        // Some of them take two elements.
         let at =
             [element(mesh, plan, dice), dice.below(mesh.capacity(ElementKind::Halfedge)) as u64];
         let outcome = machine.apply(mesh, plan, &at);
