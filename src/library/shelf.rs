@@ -35,7 +35,9 @@ const FILES: &[LibraryFile] = &[
     LibraryFile { name: "std/random.hedge", text: include_str!("std/random.hedge") },
     LibraryFile { name: "std/repair.hedge", text: include_str!("std/repair.hedge") },
     LibraryFile { name: "std/components.hedge", text: include_str!("std/components.hedge") },
+    LibraryFile { name: "std/curvature.hedge", text: include_str!("std/curvature.hedge") },
     LibraryFile { name: "std/delete.hedge", text: include_str!("std/delete.hedge") },
+    LibraryFile { name: "std/distance.hedge", text: include_str!("std/distance.hedge") },
     LibraryFile { name: "std/scotty3d.hedge", text: include_str!("std/scotty3d.hedge") },
 ];
 
