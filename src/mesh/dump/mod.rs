@@ -36,6 +36,7 @@ mod write;
 pub use error::{DumpError, DumpReason};
 pub use read::read_dump;
 pub use write::write_dump;
+pub(super) use write::write_table;
 
 /// Tables and names, as in a file.
 #[derive(Clone, Debug, Default)]

@@ -1,5 +1,7 @@
 //! Writing a dump.
 
+use std::io::{self, Write};
+
 use glam::DVec3;
 
 use super::Dump;
@@ -9,23 +11,35 @@ use crate::mesh::id::{Element, ElementKind};
 
 /// The text of a dump.
 pub fn write_dump(dump: &Dump) -> String {
-    let mut lines: Vec<String> = Vec::new();
-    let remarks = dump.remarks.iter().flat_map(|remark| remark.lines());
-    lines.extend(remarks.map(|line| format!("# {line}")));
+    let mut text = Vec::new();
+    match write_parts(&mut text, dump) {
+        Ok(()) => String::from_utf8_lossy(&text).into_owned(),
+        Err(_) => String::new(), // memory takes every text
+    }
+}
+
+fn write_parts(output: &mut dyn Write, dump: &Dump) -> io::Result<()> {
+    for line in dump.remarks.iter().flat_map(|remark| remark.lines()) {
+        writeln!(output, "# {line}")?;
+    }
     for (name, mesh) in &dump.meshes {
-        lines.push(format!("mesh {name}"));
-        write_mesh(mesh, &mut lines);
+        write_table(output, name, mesh)?;
     }
     for (name, elements) in &dump.names {
         let kind = elements.first().map_or(ElementKind::Halfedge, |first| first.kind);
         let ids: String = elements.iter().map(|of| format!(" {}", of.index)).collect();
-        lines.push(format!("name {name} {kind}{ids}"));
+        writeln!(output, "name {name} {kind}{ids}")?;
     }
-    lines.push(String::new());
-    lines.join("\n")
+    Ok(())
 }
 
-fn write_mesh(mesh: &Mesh, lines: &mut Vec<String>) {
+/// Writes the table of a mesh. The output should be buffered.
+pub(in crate::mesh) fn write_table(
+    output: &mut dyn Write,
+    name: &str,
+    mesh: &Mesh,
+) -> io::Result<()> {
+    writeln!(output, "mesh {name}")?;
     let id = |element: Element| match element.index {
         u32::MAX => "-".into(),
         index => index.to_string(),
@@ -33,11 +47,12 @@ fn write_mesh(mesh: &Mesh, lines: &mut Vec<String>) {
     for vertex in mesh.vertices() {
         let half = id(mesh.vertex_halfedge(vertex).into());
         let DVec3 { x, y, z } = mesh.position(vertex);
-        lines.push(format!("vertex {} halfedge {half} at {x} {y} {z}", vertex.0));
+        writeln!(output, "vertex {} halfedge {half} at {x} {y} {z}", vertex.0)?;
     }
     for half in mesh.halfedges() {
         let record = mesh.halfedge(half);
-        lines.push(format!(
+        writeln!(
+            output,
             "halfedge {} next {} prev {} twin {} vertex {} edge {} face {}",
             half.0,
             id(record.next.into()),
@@ -46,33 +61,38 @@ fn write_mesh(mesh: &Mesh, lines: &mut Vec<String>) {
             id(record.vertex.into()),
             id(record.edge.into()),
             id(record.face.into()),
-        ));
+        )?;
     }
     for edge in mesh.edges() {
         let half = id(mesh.edge_halfedge(edge).into());
-        lines.push(format!("edge {} halfedge {half}", edge.0));
+        writeln!(output, "edge {} halfedge {half}", edge.0)?;
     }
     for face in mesh.faces() {
         let half = id(mesh.face_halfedge(face).into());
         let word = if mesh.is_hole(face) { "hole" } else { "face" };
-        lines.push(format!("{word} {} halfedge {half}", face.0));
+        writeln!(output, "{word} {} halfedge {half}", face.0)?;
     }
-    for (id, column) in mesh.sayable_columns() {
-        write_column(mesh, id, column, lines);
-    }
+    let mut columns = mesh.sayable_columns();
+    columns.try_for_each(|(id, column)| write_column(output, mesh, id, column))
 }
 
 /// A column, with a line for each living element whose value is not the default.
-fn write_column(mesh: &Mesh, id: ColumnId, column: &Column, lines: &mut Vec<String>) {
+fn write_column(
+    output: &mut dyn Write,
+    mesh: &Mesh,
+    id: ColumnId,
+    column: &Column,
+) -> io::Result<()> {
     let (name, ty) = (column.name(), column.attribute_type());
     let default = column.default_value();
-    lines.push(format!("attribute {} {name} {ty} {}", id.kind, words(default)));
+    writeln!(output, "attribute {} {name} {ty} {}", id.kind, words(default))?;
     for index in 0..mesh.capacity(id.kind) as u32 {
         let value = mesh.value(id, index);
         if let Some(value) = value.filter(|value| !value.is_identical(default)) {
-            lines.push(format!("value {index} {}", words(value)));
+            writeln!(output, "value {index} {}", words(value))?;
         }
     }
+    Ok(())
 }
 
 /// A value as its numbers, matrices column by column.

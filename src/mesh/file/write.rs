@@ -10,7 +10,7 @@ use super::mesh_file::MeshFile;
 use super::replace::replace_file_unless;
 use super::{msh, obj, off, ply, stl};
 use crate::mesh::connectivity::Mesh;
-use crate::mesh::dump::{Dump, write_dump};
+use crate::mesh::dump::write_table;
 use crate::mesh::level::{Level, validate_level};
 
 /// Writes a mesh to `path`, in the format given by its ending, completely or not at all. A symbolic
@@ -92,10 +92,6 @@ fn write_ready(
         FileFormat::Stl => stl::write(output, file, &numbers),
         FileFormat::Off => off::write(output, file, &numbers).map_err(FileReason::Io),
         FileFormat::Msh => msh::write(output, file, &numbers),
-        FileFormat::Halfedges => {
-            let meshes = vec![("mesh".into(), file.mesh.clone())];
-            let text = write_dump(&Dump { meshes, ..Dump::default() });
-            output.write_all(text.as_bytes()).map_err(FileReason::Io)
-        }
+        FileFormat::Halfedges => write_table(output, "mesh", &file.mesh).map_err(FileReason::Io),
     }
 }
