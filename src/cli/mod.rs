@@ -58,8 +58,10 @@ pub fn main() -> ExitCode {
             {
                 return ended(script::help(&script));
             }
+            let wants_json = words.iter().any(|word| word == "--format=json")
+                || words.windows(2).any(|words| words == ["--format", "json"]);
             if let Some(advice) = advice::advice(&error, &words) {
-                return ended(Err(Failure::usage(advice)));
+                return ended_as(wants_json, Err(Failure::usage(advice)));
             }
             suggest_set(&mut error);
             // Help and version are not failures.
@@ -68,7 +70,12 @@ pub fn main() -> ExitCode {
                 return ended(Ok(()));
             }
             let _ = error.print();
-            return ExitCode::from(2);
+            let text = error.to_string();
+            let ends = ["\n\nUsage:", "\n\nFor more information"].map(|end| text.find(end));
+            let why = &text[..ends.into_iter().flatten().min().unwrap_or(text.len())];
+            let failure = Failure::usage(why.strip_prefix("error: ").unwrap_or(why));
+            let told = if wants_json { failure.tell_json() } else { Ok(()) };
+            return ended(told.and(Err(Failure::Silent(2.into()))));
         }
     };
     if let Some(threads) = arguments.command.threads() {
@@ -92,10 +99,7 @@ pub fn main() -> ExitCode {
         Command::Learn(arguments) => learn::learn(&arguments),
         Command::Std(arguments) => library::std(&arguments),
     };
-    ended(match done {
-        Err(failure) if answers_json => failure.tell_json().and(Err(failure)),
-        done => done,
-    })
+    ended_as(answers_json, done)
 }
 
 /// Suggests `--set` for an unexpected argument of the form `NAME=VALUE`.
@@ -109,6 +113,14 @@ fn suggest_set(error: &mut clap::Error) {
         let tip = ContextValue::StyledStrs(vec![tip.into()]);
         error.insert(ContextKind::Suggested, tip);
     }
+}
+
+/// The exit code of a command; prints its failure, and also in JSON if that is wanted.
+fn ended_as(wants_json: bool, done: Result<(), Failure>) -> ExitCode {
+    ended(match done {
+        Err(failure) if wants_json => failure.tell_json().and(Err(failure)),
+        done => done,
+    })
 }
 
 /// The exit code of a command; prints its failure.

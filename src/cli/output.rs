@@ -8,6 +8,7 @@ use std::sync::Mutex;
 use serde::Serialize;
 
 use super::failure::Failure;
+use super::interrupt;
 use crate::diagnostic::{Diagnostic, Rendering, render, shown};
 use crate::source::Sources;
 
@@ -45,8 +46,10 @@ pub(super) fn complain_json(data: &impl Serialize) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Writes a result to standard output, as it is.
+/// Writes a result to standard output, as it is; Ctrl-C ends the process then, since a pipe may
+/// block until it is read.
 pub(super) fn pour(bytes: &[u8]) -> Result<(), Failure> {
+    interrupt::end_at_once();
     let mut out = stdout().lock();
     match out.write_all(bytes).and_then(|()| out.flush()) {
         Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {

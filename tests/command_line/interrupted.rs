@@ -117,6 +117,14 @@ fn a_pipe_without_a_reader_is_left_at_once() {
     let bench = Bench::new();
     bench.write("m.obj", SQUARE);
     bench.write("s.hedge", "script s() { print \"begun\" }");
+    // More than a pipe holds, whose reader does not read.
+    let mut command = bench.command(&["convert", "icosphere(6)", "-"]);
+    let mut child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    let mut out = BufReader::new(child.stdout.take().unwrap());
+    out.read_line(&mut String::new()).unwrap();
+    let sent = Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
+    assert!(sent.success());
+    assert_eq!(child.wait().unwrap().code(), Some(130));
     for pipe in ["p.obj", "p.halfedges"] {
         let made = Command::new("mkfifo").arg(bench.path(pipe)).status();
         assert!(made.unwrap().success());

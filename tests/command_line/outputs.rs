@@ -73,6 +73,14 @@ fn a_folder_that_is_closed() {
     fs::set_permissions(&folder, fs::Permissions::from_mode(0o755)).unwrap();
 }
 
+/// The file may be written, but no other one can be made beside it.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_folder_that_takes_no_new_file() {
+    let bench = Bench::with_square();
+    fail(&bench, "/proc/self/comm", "can be made in the folder `/proc/self`");
+}
+
 #[cfg(unix)]
 #[test]
 fn a_file_that_is_protected_stays_as_it_is() {

@@ -88,6 +88,22 @@ fn settings() {
     bench.fails(1, &both, "give `faces_left` or `ratio`, not both");
 }
 
+#[test]
+fn in_json_bad_usage_is_an_error_too() {
+    let bench = Bench::with_square();
+    for (arguments, words) in [
+        (&["info", "--format", "json", "--threads", "0", "square.obj"][..], "--threads"),
+        (&["info", "--format=json"], "required arguments"),
+        (&["run", "--format", "json", "x.hedge", "square.obj", "n=1"], "--set n=1"),
+    ] {
+        let said = bench.run(arguments);
+        assert_eq!(said.code, 2, "{said:?}");
+        let told: serde_json::Value = serde_json::from_str(&said.out).unwrap();
+        assert!(told["error"].as_str().unwrap().contains(words), "{said:?}");
+        assert!(said.err.starts_with("error: "), "{said:?}");
+    }
+}
+
 /// A pillow of two triangles with one edge contracted is two faces between two vertices.
 #[test]
 fn of_several_edges_between_two_vertices_one_is_chosen() {

@@ -24,10 +24,17 @@ pub enum FileReason {
     Io(io::Error),
     /// The folder to write to does not exist.
     NoFolder(String),
+    /// The folder to write to takes no new file.
+    ClosedFolder {
+        folder: String,
+        error: io::Error,
+    },
     /// The file to write is protected.
     ReadOnly,
     /// The ending of the name is that of no format.
     UnknownEnding(String),
+    /// The file is compressed.
+    Compressed,
     /// Vertices of halfedge tables were to be merged.
     MergedTables,
     /// The file violates its format, in words.
@@ -51,6 +58,9 @@ pub enum FileReason {
     /// The format cannot hold the mesh, for this reason, in words.
     Unheld(String),
 }
+
+/// Endings of the names of compressed files.
+const PACKED: [&str; 5] = ["gz", "bz2", "xz", "zst", "zip"];
 
 /// A line, and what is wrong.
 pub(super) type Failure = (Option<u32>, FileReason);
@@ -333,6 +343,16 @@ impl fmt::Display for FileReason {
             Self::Io(error) => write!(f, "{error}"),
             Self::ReadOnly => f.write_str("the file is read-only"),
             Self::NoFolder(folder) => write!(f, "the folder `{folder}` does not exist"),
+            Self::ClosedFolder { folder, error } => write!(
+                f,
+                "no new file, which would replace this one when it is complete, can be made in the \
+                 folder `{folder}`: {}",
+                error.kind() // the error itself names the new file
+            ),
+            Self::Compressed => f.write_str("it is compressed: unpack it first"),
+            Self::UnknownEnding(end) if PACKED.contains(&end.to_ascii_lowercase().as_str()) => {
+                write!(f, "no compressed mesh (`.{end}`) is read or written: unpack it first")
+            }
             Self::UnknownEnding(end) => write!(
                 f,
                 "no mesh is read from or written to `.{end}`: name it {}",
@@ -385,7 +405,7 @@ impl FileReason {
 impl std::error::Error for FileError {
     fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
         match &self.reason {
-            FileReason::Io(error) => Some(error),
+            FileReason::Io(error) | FileReason::ClosedFolder { error, .. } => Some(error),
             _ => None,
         }
     }

@@ -1,6 +1,7 @@
 //! Atomic writing of a file.
 //!
 //! The text goes to a new file in the same folder, which replaces the old one when it is complete.
+//! So the new file belongs to who writes it, and other hard links to the old one still lead there.
 
 use std::fs;
 use std::io::{self, BufWriter, Write};
@@ -13,8 +14,8 @@ use super::error::FileReason;
 /// Writes a file completely or not at all. `write` writes its contents.
 ///
 /// # Errors
-/// [`FileReason::NoFolder`], [`FileReason::ReadOnly`], [`FileReason::Io`], and the errors of
-/// `write`; the old file, if there was one, is unchanged.
+/// [`FileReason::NoFolder`], [`FileReason::ClosedFolder`], [`FileReason::ReadOnly`],
+/// [`FileReason::Io`], and the errors of `write`; the old file, if there was one, is unchanged.
 pub fn replace_file(
     path: &Path,
     write: impl Fn(&mut dyn Write) -> Result<(), FileReason>,
@@ -40,17 +41,7 @@ pub(super) fn replace_file_unless(
         write(&mut output)?;
         return output.flush().map_err(FileReason::Io);
     }
-    let target = followed(path).map_err(FileReason::Io)?;
-    let old = fs::metadata(&target).ok();
-    expect_writable(path)?;
-    let folder = match target.parent() {
-        Some(folder) if !folder.as_os_str().is_empty() => folder,
-        _ => Path::new("."),
-    };
-    if !folder.is_dir() {
-        return Err(FileReason::NoFolder(folder.display().to_string()));
-    }
-    let mut file = new_file(folder).map_err(FileReason::Io)?;
+    let (target, mut file) = begin(path)?;
     {
         let output = Unless { output: file.as_file_mut(), stops };
         let mut output = BufWriter::with_capacity(1 << 16, output);
@@ -62,7 +53,7 @@ pub(super) fn replace_file_unless(
     if stops() {
         return Err(FileReason::Io(stopped()));
     }
-    if let Some(old) = old {
+    if let Ok(old) = fs::metadata(&target) {
         file.as_file().set_permissions(old.permissions()).map_err(FileReason::Io)?;
     }
     file.persist(&target).map_err(|failed| FileReason::Io(failed.error))?;
@@ -90,12 +81,38 @@ fn stopped() -> io::Error {
     io::Error::other("interrupted")
 }
 
-/// Checks that a file may be written, if it exists. A protected file could be replaced all the
-/// same, which its owner does not want.
+/// Checks that a file may be written: the new one that would replace it is made, and removed.
 ///
 /// # Errors
-/// [`FileReason::ReadOnly`] and [`FileReason::Io`].
+/// As for [`replace_file`].
 pub fn expect_writable(path: &Path) -> Result<(), FileReason> {
+    match fs::metadata(path) {
+        Ok(old) if !old.is_file() => Ok(()),
+        _ => begin(path).map(drop),
+    }
+}
+
+/// The file that a path leads to, through links, and a new one in the same folder.
+fn begin(path: &Path) -> Result<(PathBuf, NamedTempFile), FileReason> {
+    let target = followed(path).map_err(FileReason::Io)?;
+    expect_unprotected(&target)?;
+    let folder = match target.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
+    };
+    let name = || folder.display().to_string();
+    if !folder.is_dir() {
+        return Err(FileReason::NoFolder(name()));
+    }
+    match new_file(folder) {
+        Ok(file) => Ok((target, file)),
+        Err(error) => Err(FileReason::ClosedFolder { folder: name(), error }),
+    }
+}
+
+/// Checks that a file may be written, if it exists. A protected file could be replaced all the
+/// same, which its owner does not want.
+fn expect_unprotected(path: &Path) -> Result<(), FileReason> {
     let Some(old) = fs::metadata(path).ok().filter(fs::Metadata::is_file) else { return Ok(()) };
     if old.permissions().readonly() {
         return Err(FileReason::ReadOnly);
