@@ -262,7 +262,7 @@ fn off_and_msh_hold_what_they_can() {
 }
 
 /// A triangle in a file of MuJoCo, with normals and texture coordinates.
-fn of_mujoco() -> Vec<u8> {
+pub(super) fn of_mujoco() -> Vec<u8> {
     let mut bytes: Vec<u8> = [3i32, 3, 3, 1].iter().flat_map(|x| x.to_le_bytes()).collect();
     let positions = [0.0f32, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0];
     let normals = [0.0f32, 0.0, 1.0].repeat(3);
@@ -439,6 +439,15 @@ fn what_is_there_of_a_damaged_file_is_kept_on_demand() {
             "the file ends where a vertex of a face should stand",
             [4, 1],
             1,
+        ),
+        (
+            FileFormat::Off,
+            b"STCNOFF\n4 3 0\n0 0 0 0 0 1 1 0 0 1 0 0\n1 x 0\n0 1 0 0 0 1 1 0 0 1 0 0\n\
+              1 1 0 0 0 1 1 0 0 1 0 0\n3 0 2 3\n3 0 1 y 0 0\n3 0 1 2\n"
+                .to_vec(),
+            "t:4: `x` stands where a coordinate should",
+            [3, 1],
+            2,
         ),
         (
             FileFormat::Off,

@@ -8,6 +8,7 @@ mod displaced;
 mod dump;
 mod ears;
 mod files;
+mod formats;
 #[cfg(target_os = "linux")]
 mod huge_pages;
 mod journal;

@@ -4,6 +4,8 @@ use std::fmt;
 use std::path::Path;
 
 use super::error::FileReason;
+use super::scan::without_mark;
+use super::{msh, off, stl};
 
 /// A format of mesh files.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -51,29 +53,20 @@ impl FileFormat {
     /// The format of a file without a name, from its first bytes and its length; OBJ if no other
     /// format matches.
     pub fn of_bytes(bytes: &[u8]) -> Self {
-        let count =
-            bytes.get(80..84).and_then(|count| count.try_into().ok()).map(u32::from_le_bytes);
-        let begins = bytes.trim_ascii_start();
-        let word = begins.split(u8::is_ascii_whitespace).next().unwrap_or_default();
-        let is_line = |line: &[u8]| line.starts_with(b"mesh ");
-        if count.is_some_and(|count| bytes.len() as u64 == 84 + 50 * u64::from(count)) {
-            Self::Stl
-        } else if word.eq_ignore_ascii_case(b"ply") {
-            Self::Ply
-        } else if word.eq_ignore_ascii_case(b"solid") {
-            Self::Stl
-        } else if word.ends_with(b"OFF") {
-            Self::Off
-        } else if word == b"$MeshFormat" {
-            Self::Msh
-        } else if begins
-            .split(|&b| b == b'\n')
-            .find(|line| !line.starts_with(b"#"))
-            .is_some_and(is_line)
-        {
-            Self::Halfedges
-        } else {
-            Self::Obj
+        let lines = without_mark(bytes).split(|&b| b == b'\n').map(<[u8]>::trim_ascii);
+        let line = lines.into_iter().find(|line| !line.is_empty() && !line.starts_with(b"#"));
+        let line = line.unwrap_or_default();
+        let word = line.split(u8::is_ascii_whitespace).next().unwrap_or_default();
+        match word {
+            _ if stl::is_whole(bytes) => Self::Stl,
+            _ if word.eq_ignore_ascii_case(b"ply") => Self::Ply,
+            _ if word.eq_ignore_ascii_case(b"solid") => Self::Stl,
+            _ if off::is_head(word) => Self::Off,
+            [b'$', ..] => Self::Msh,
+            b"mesh" => Self::Halfedges,
+            _ if msh::is_of_mujoco(bytes) => Self::Msh,
+            _ if stl::is_likely(bytes) => Self::Stl,
+            _ => Self::Obj,
         }
     }
 

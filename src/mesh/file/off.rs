@@ -2,10 +2,10 @@
 //! (colours) and `N` (normals) for what follows the coordinates of each vertex.
 //!
 //! Numbers are in free form, except for those after the corners of a face: the rest of that line is
-//! its colour. Colours have 3 or 4 numbers, up to 1 or up to 255. No crate reads them. With the
-//! prefix `4`, a last coordinate divides the others: if it is 0, the position is not finite. With
-//! `n`, the head gives the number of coordinates, of which the first three are used. Binary files
-//! are rejected.
+//! its colour. Colours have 3 or 4 numbers, up to 1 or up to 255; those of faces are up to 255 if
+//! none has a point, and all are written with one. No crate reads them. With the prefix `4`, a last
+//! coordinate divides the others: if it is 0, the position is not finite. With `n`, the head gives
+//! the number of coordinates, of which the first three are used. Binary files are rejected.
 
 use std::io::{self, Write};
 
@@ -62,7 +62,7 @@ impl Head {
 
     /// The head given by the first word of a file; `None` if it is another word.
     fn of(word: &[u8]) -> Option<Self> {
-        let mut rest = word.strip_suffix(b"OFF")?;
+        let mut rest = word.strip_suffix(b"OFF").or_else(|| word.strip_suffix(b"off"))?;
         let mut head = Self::PLAIN;
         let mut is_many = false;
         for (prefix, flag) in [
@@ -83,11 +83,26 @@ impl Head {
     }
 }
 
+/// True if a file may begin with this word.
+pub(super) fn is_head(word: &[u8]) -> bool {
+    word.starts_with(b"appearance")
+        || word.first().is_some_and(u8::is_ascii_digit)
+        || Head::of(without_number(word)).is_some()
+}
+
+/// A word without the digits at its end: in the files of ModelNet, `OFF` has no blank behind it.
+fn without_number(word: &[u8]) -> &[u8] {
+    let digits = word.iter().rev().take_while(|byte| byte.is_ascii_digit()).count();
+    &word[..word.len() - digits]
+}
+
 /// Colours as in the file: four numbers for each element.
 #[derive(Default)]
 struct Colors {
     reals: Vec<f64>,
     has_alpha: bool,
+    /// True if a number has a point.
+    has_point: bool,
     bare: usize,
 }
 
@@ -111,7 +126,8 @@ impl Colors {
         ];
         contents.kept.note_count(what, self.bare);
         let most = self.reals.iter().copied().fold(0.0, f64::max);
-        let scale = if most > 1.0 { 255.0 } else { 1.0 };
+        let is_of_bytes = most > 1.0 || (kind == ElementKind::Face && !self.has_point);
+        let scale = if is_of_bytes { 255.0 } else { 1.0 };
         let channel = |value: f64| if value.is_nan() { 1.0 } else { value / scale };
         let (rows, _) = self.reals.as_chunks::<4>();
         let color = rows.iter().flat_map(|row| [row[0], row[1], row[2]].map(channel)).collect();
@@ -150,17 +166,26 @@ impl<'t> Reader<'t> {
             return Ok(Head::PLAIN);
         }
         let line = self.scanner.line();
-        let mut word = self.scanner.word().unwrap_or_default();
+        let mut word = self.head_word();
         if word.starts_with(b"appearance") {
             self.pass_over_braces(word)?;
             let what = ["description of the appearance", "descriptions of the appearance"];
             self.contents.kept.note(what, line);
             if self.scanner.next_line() {
-                word = self.scanner.word().unwrap_or_default();
+                word = self.head_word();
             }
         }
         let unknown = || format!("`{}` is not `OFF`, with a prefix or without", shown(word));
         Head::of(word).ok_or_else(unknown)
+    }
+
+    /// The next word, without a number that sticks to its end.
+    fn head_word(&mut self) -> &'t [u8] {
+        let rest = self.scanner.rest();
+        let ends = |byte: &u8| byte.is_ascii_whitespace() || *byte == b'#';
+        let word = without_number(rest.split(ends).next().unwrap_or_default());
+        self.scanner.skip(word.len());
+        word
     }
 
     /// Skips everything up to the end of the braces that a word or those after it open.
@@ -215,7 +240,16 @@ impl<'t> Reader<'t> {
 
     fn vertices(&mut self, count: usize, head: Head) -> Result<(), String> {
         let mut rows = VertexRows::default();
-        let read = (0..count).try_for_each(|_| self.vertex(head, &mut rows));
+        let read = (0..count).try_for_each(|_| {
+            let read = self.vertex(head, &mut rows);
+            if !self.pass_over(read)? {
+                // The other vertices keep their numbers.
+                self.contents.positions.push(DVec3::NAN);
+                self.contents.vertex_lines.push(self.scanner.line());
+                rows.push_none(head);
+            }
+            Ok(())
+        });
         let VertexRows { normals, textures, colors, divided } = rows;
         let mut add = |name, default, reals: Vec<f64>| {
             if !reals.is_empty() {
@@ -240,6 +274,18 @@ impl<'t> Reader<'t> {
             kept.note_count(what, self.contents.positions.len());
         }
         read
+    }
+
+    /// Whether an element was read. If it was not, skips the rest of its line; fails at the end of
+    /// the file.
+    fn pass_over(&mut self, read: Result<(), String>) -> Result<bool, String> {
+        let Err(words) = read else { return Ok(true) };
+        if self.scanner.is_at_end() {
+            return Err(words);
+        }
+        self.contents.damage.add(Some(self.scanner.line()), || words);
+        self.scanner.end_line();
+        Ok(false)
     }
 
     fn vertex(&mut self, head: Head, rows: &mut VertexRows) -> Result<(), String> {
@@ -284,13 +330,17 @@ impl<'t> Reader<'t> {
         let (mut corners, mut ends) = (Vec::new(), Vec::with_capacity(count));
         let mut colors = Colors::default();
         let read = (0..count).try_for_each(|_| {
-            let before = corners.len();
-            let face = self.face(&mut corners, &mut colors);
-            match face {
-                Ok(()) => ends.push(corners.len()),
-                Err(_) => corners.truncate(before),
+            let (before, line) = (corners.len(), self.scanner.line());
+            let read = self.face(&mut corners, &mut colors);
+            if read.is_err() {
+                corners.truncate(before);
             }
-            face
+            if !self.pass_over(read)? {
+                self.contents.face_lines.push(line);
+                colors.push(&[]);
+            }
+            ends.push(corners.len());
+            Ok(())
         });
         if read.is_ok() {
             self.contents.kept.note_lines_behind(&mut self.scanner, "face", 0);
@@ -318,9 +368,19 @@ impl<'t> Reader<'t> {
             corners.push(if is_known { index as u32 } else { MISSING });
         }
         let mut color = Vec::new();
-        while color.len() < 4 && self.scanner.next_word() {
-            color.push(self.next("a colour")?);
+        let behind = self.scanner.rest();
+        while color.len() < 4
+            && let Some(number) = self.scanner.number()
+        {
+            let Ok(number) = number else {
+                let what = ["face with a word behind it", "faces with a word behind them"];
+                self.contents.kept.note(what, line);
+                break;
+            };
+            color.push(number);
         }
+        let read = behind.len() - self.scanner.rest().len();
+        colors.has_point |= behind[..read].contains(&b'.');
         self.contents.face_lines.push(line);
         if color.len() < 3 && !color.is_empty() {
             let what = [
@@ -343,6 +403,17 @@ struct VertexRows {
     colors: Colors,
     /// The number of vertices whose last coordinate is not 1.
     divided: usize,
+}
+
+impl VertexRows {
+    /// Adds the values of a vertex that has none.
+    fn push_none(&mut self, head: Head) {
+        self.normals.extend([0.0; 3].iter().filter(|_| head.normal));
+        self.textures.extend([0.0; 2].iter().filter(|_| head.texture));
+        if head.color {
+            self.colors.push(&[]);
+        }
+    }
 }
 
 /// The columns that a file can hold: normals, colours, alphas and texture coordinates of vertices,
@@ -376,9 +447,17 @@ pub(super) fn write(
     }
     let [vertices, faces] = [numbers.vertex_order.len(), numbers.face_order.len()];
     printer.word(&format!("OFF\n{vertices} {faces} {}\n", file.mesh.edge_count()));
-    let value = |printer: &mut Printer, column: Option<ColumnId>, index: u32| {
-        if let Some(value) = column.and_then(|column| file.mesh.value(column, index)) {
+    let get = |column: Option<ColumnId>, index| file.mesh.value(column?, index);
+    let value = |printer: &mut Printer, column, index: u32| {
+        if let Some(value) = get(column, index) {
             printer.reals(value.reals());
+        }
+    };
+    // Parts of a colour without a point would be from 0 to 255.
+    let part = |printer: &mut Printer, column, index: u32| {
+        for &real in get(column, index).iter().flat_map(Value::reals) {
+            printer.reals(&[real]);
+            printer.word(if real.fract() == 0.0 { ".0" } else { "" });
         }
     };
     for &v in &numbers.vertex_order {
@@ -386,10 +465,10 @@ pub(super) fn write(
         printer.real(x);
         printer.reals(&rest);
         value(&mut printer, normal, v.0);
-        value(&mut printer, color, v.0);
+        part(&mut printer, color, v.0);
         match alpha {
-            Some(_) => value(&mut printer, alpha, v.0),
-            None if color.is_some() => printer.word(" 1"),
+            Some(_) => part(&mut printer, alpha, v.0),
+            None if color.is_some() => printer.word(" 1.0"),
             None => {}
         }
         value(&mut printer, uv, v.0);
@@ -401,8 +480,8 @@ pub(super) fn write(
             printer.bytes(b" ");
             printer.int(i64::from(numbers.vertex(v).unwrap_or(1)) - 1);
         }
-        value(&mut printer, face_color, f.0);
-        value(&mut printer, face_alpha, f.0);
+        part(&mut printer, face_color, f.0);
+        part(&mut printer, face_alpha, f.0);
         printer.end_line()?;
     }
     printer.flush()

@@ -76,7 +76,7 @@ fn read_source(
         // A text that does not fit into memory would not fit as a mesh.
         Vec::<u8>::new().try_reserve_exact(bytes)?;
         source.by_ref().take(2).read_to_end(&mut text)?;
-        if is_big_endian(format, &text).is_none() {
+        if is_big_endian(format, &text).is_none() && text != GZIP {
             let contents = obj::read(text.as_slice().chain(source), bytes)?;
             return Ok(build((name, format), Ok(contents), repair, reorder));
         }
@@ -118,6 +118,9 @@ fn read_text(
     repair: Option<Repair>,
     reorder: bool,
 ) -> Result<MeshFile, FileError> {
+    if text.starts_with(GZIP) {
+        return Err(error(name, (None, FileReason::Compressed)));
+    }
     let decoded = decode(format, text);
     let text = decoded.as_deref().unwrap_or(text);
     let contents = match format {
@@ -136,6 +139,9 @@ fn read_text(
     build((name, format), contents, repair, reorder)
 }
 
+/// The first bytes of a file that `gzip` compressed.
+const GZIP: &[u8] = &[0x1f, 0x8b];
+
 /// The UTF-8 text of a file in UTF-16, which some programs write; `None` for other files.
 fn decode(format: FileFormat, text: &[u8]) -> Option<Vec<u8>> {
     let is_big = is_big_endian(format, text)?;
@@ -147,14 +153,17 @@ fn decode(format: FileFormat, text: &[u8]) -> Option<Vec<u8>> {
     let text: String = char::decode_utf16(letters)
         .map(|letter| letter.unwrap_or(char::REPLACEMENT_CHARACTER))
         .collect();
-    Some(text.into_bytes())
+    let text = text.into_bytes();
+    // A binary file may begin with any bytes.
+    (format != FileFormat::Stl || stl::is_text(&text)).then_some(text)
 }
 
 /// Whether a UTF-16 text is big-endian; `None` for other texts.
 fn is_big_endian(format: FileFormat, text: &[u8]) -> Option<bool> {
     match (format, text) {
-        (FileFormat::Obj | FileFormat::Off | FileFormat::Ply, [0xfe, 0xff, ..]) => Some(true),
-        (FileFormat::Obj | FileFormat::Off | FileFormat::Ply, [0xff, 0xfe, ..]) => Some(false),
+        (FileFormat::Msh | FileFormat::Halfedges, _) => None,
+        (_, [0xfe, 0xff, ..]) => Some(true),
+        (_, [0xff, 0xfe, ..]) => Some(false),
         _ => None,
     }
 }

@@ -17,7 +17,7 @@ pub(super) struct Scanner<'t> {
 
 impl<'t> Scanner<'t> {
     pub(super) fn new(text: &'t [u8]) -> Self {
-        let text = text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text);
+        let text = without_mark(text);
         Self { text, at: 0, line: 1, continues: false, comments_stick: false }
     }
 
@@ -261,6 +261,11 @@ impl<'t> Scanner<'t> {
         }
         Cow::Owned(joined)
     }
+}
+
+/// A text without its byte order mark.
+pub(super) fn without_mark(text: &[u8]) -> &[u8] {
+    text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text)
 }
 
 /// The advice for a word that would be a number with a point in place of its comma.

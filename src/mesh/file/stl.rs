@@ -17,7 +17,7 @@ use super::error::{Damage, Failure, FileReason};
 use super::format::Encoding;
 use super::mesh_file::{MeshFile, WrittenNumbers};
 use super::print::Printer;
-use super::scan::{Scanner, no_number, shown};
+use super::scan::{Scanner, no_number, shown, without_mark};
 use crate::mesh::id::VertexId;
 use crate::mesh::polygons::Polygons;
 use crate::mesh::repair::merge_equal;
@@ -27,25 +27,58 @@ const TRIANGLE: usize = 50;
 
 /// Reads a file.
 pub(super) fn read(text: &[u8]) -> Result<Contents, Failure> {
-    let claimed = text.get(80..HEADER).and_then(|count| count.try_into().ok());
-    let claimed = claimed.map_or(0, u32::from_le_bytes) as usize;
-    let fits =
-        claimed.checked_mul(TRIANGLE).is_some_and(|size| size == text.len().saturating_sub(HEADER));
-    let start = text.trim_ascii_start();
-    let is_text = start.get(..5).is_some_and(|word| word.eq_ignore_ascii_case(b"solid"));
+    let claimed = claimed(text);
+    let Some(head) = text.get(..HEADER) else {
+        return match is_text(text) {
+            true => Ok(read_text(text)),
+            false => Err(no_file("it is too short")),
+        };
+    };
     // Many binary files begin with `solid`, and some have bytes after the triangles.
-    if text.len() >= HEADER && (fits || !is_text || text[..HEADER].contains(&0)) {
+    if is_whole(text) || head.contains(&0) {
         Ok(read_binary(text, claimed))
-    } else if is_text {
+    } else if is_text(text) {
         Ok(read_text(text))
+    } else if head[80..].iter().all(|byte| byte.is_ascii_graphic() || byte.is_ascii_whitespace()) {
+        // Such letters are no number of triangles.
+        Err(no_file("it is a text that does not begin with `solid`"))
     } else {
-        Err((None, FileReason::Malformed("this is no STL file: it is too short".into())))
+        Ok(read_binary(text, claimed))
     }
+}
+
+/// The number of triangles that the header declares.
+fn claimed(text: &[u8]) -> usize {
+    let claimed = text.get(80..HEADER).and_then(|count| count.try_into().ok());
+    claimed.map_or(0, u32::from_le_bytes) as usize
+}
+
+/// True if a file is binary, and as long as its header declares.
+pub(super) fn is_whole(text: &[u8]) -> bool {
+    text.len().checked_sub(HEADER) == claimed(text).checked_mul(TRIANGLE)
+}
+
+/// True if a file is binary, for all that its header tells: letters there would declare too much.
+pub(super) fn is_likely(text: &[u8]) -> bool {
+    let room = text.len().saturating_sub(HEADER) / TRIANGLE;
+    (1..=room).contains(&claimed(text))
+}
+
+/// True if a text, after its byte order mark, begins as an STL file does.
+pub(super) fn is_text(text: &[u8]) -> bool {
+    let start = without_mark(text).trim_ascii_start();
+    start.get(..5).is_some_and(|word| word.eq_ignore_ascii_case(b"solid"))
+}
+
+fn no_file(why: &str) -> Failure {
+    (None, FileReason::Malformed(format!("this is no STL file: {why}")))
 }
 
 fn read_binary(text: &[u8], claimed: usize) -> Contents {
     let (all, _) = text[HEADER..].as_chunks::<TRIANGLE>();
-    let triangles = &all[..claimed.min(all.len())];
+    // Programs that do not know the number in advance leave a 0.
+    let is_counted = claimed > 0 || all.is_empty();
+    let triangles = if is_counted { &all[..claimed.min(all.len())] } else { all };
     let mut points = Vec::with_capacity(triangles.len() * 3);
     let mut tagged = 0;
     for triangle in triangles {
@@ -63,11 +96,11 @@ fn read_binary(text: &[u8], claimed: usize) -> Contents {
     ];
     contents.kept.note_count(tags, tagged);
     let rest = &text[HEADER + triangles.len() * TRIANGLE..];
-    if claimed <= all.len() {
+    if claimed <= all.len() && is_counted {
         contents.kept.note_bytes_behind(rest, "triangle that the header declares");
     }
     contents.encoding = Encoding::LittleEndian;
-    if claimed > all.len() {
+    if claimed > all.len() || !is_counted {
         contents.damage.add(None, || {
             let room = all.len();
             format!("its header declares {claimed} triangles, and there is room for {room}")

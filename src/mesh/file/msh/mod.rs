@@ -14,6 +14,7 @@ mod mujoco;
 mod read;
 mod write;
 
+pub(super) use mujoco::is_of_mujoco;
 pub(super) use read::read;
 pub(super) use write::{is_held, write};
 

@@ -14,6 +14,11 @@ use crate::mesh::polygons::Polygons;
 
 const HEAD: usize = 16;
 
+/// True if a file is a MuJoCo file.
+pub(in crate::mesh::file) fn is_of_mujoco(text: &[u8]) -> bool {
+    read(text).is_some()
+}
+
 /// Reads a file; `None` if it is not a MuJoCo file.
 pub(super) fn read(text: &[u8]) -> Option<Contents> {
     let (head, body) = text.split_first_chunk::<HEAD>()?;

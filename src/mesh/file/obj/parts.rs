@@ -6,6 +6,7 @@
 //! what precedes them. A relative index may refer to an earlier block; such a block is parsed again
 //! once what precedes it is known.
 
+use std::collections::HashSet;
 use std::io::{self, Read};
 use std::sync::{Mutex, PoisonError};
 
@@ -156,12 +157,9 @@ impl Reader {
         for (face, place, name) in std::mem::take(&mut self.states) {
             self.contents.kept.enter_state(face, place, &name);
         }
-        for library in std::mem::take(&mut self.libraries) {
-            let libraries = &mut self.contents.kept.libraries;
-            if !libraries.contains(&library) {
-                libraries.push(library);
-            }
-        }
+        let mut known = HashSet::new();
+        self.libraries.retain(|library| known.insert(library.clone()));
+        self.contents.kept.libraries = std::mem::take(&mut self.libraries);
         self.add_columns();
         let mut contents = self.contents;
         // They become the positions of the mesh.

@@ -1,0 +1,118 @@
+//! Files as their formats mean them: what other programs wrote is understood, and what is written
+//! means the same to them.
+
+use glam::DVec3;
+use hedgerow::mesh::{
+    ElementKind, Encoding, FileFormat, Mesh, MeshFile, Repair, Value, read_mesh_from, shape,
+};
+
+use crate::files::{of_mujoco, read, write};
+
+/// A text as bytes of UTF-8 with a byte order mark, and of UTF-16 in both orders.
+fn marked(text: &str) -> [Vec<u8>; 3] {
+    let text = format!("\u{feff}{text}");
+    let letters = || text.encode_utf16();
+    [
+        text.clone().into_bytes(),
+        letters().flat_map(u16::to_le_bytes).collect(),
+        letters().flat_map(u16::to_be_bytes).collect(),
+    ]
+}
+
+fn text(format: FileFormat, file: &MeshFile) -> String {
+    String::from_utf8(write(format, file)).unwrap()
+}
+
+fn value(mesh: &Mesh, kind: ElementKind, name: &str, index: u32) -> Option<Value> {
+    mesh.value(mesh.find_column(kind, name)?, index)
+}
+
+fn repaired(format: FileFormat, bytes: &[u8]) -> Result<MeshFile, String> {
+    read_mesh_from("t", format, bytes, Some(Repair::default())).map_err(|error| error.to_string())
+}
+
+#[test]
+fn text_is_no_binary_stl() {
+    let mut file = MeshFile::from_mesh(shape::icosahedron());
+    file.encoding = Encoding::Ascii;
+    let stl = text(FileFormat::Stl, &file);
+    for bytes in marked(&stl) {
+        let file = read(FileFormat::Stl, &bytes).unwrap();
+        assert_eq!((file.mesh.vertex_count(), file.mesh.face_count()), (12, 20));
+    }
+    // Numbers of triangles made of letters are no damage that a repair passes over.
+    for other in [&stl["solid hedgerow".len()..], &"<!DOCTYPE html>\n".repeat(30)] {
+        let told = "t: this is no STL file: it is a text that does not begin with `solid`";
+        assert_eq!(read(FileFormat::Stl, other.as_bytes()).unwrap_err(), told);
+        assert_eq!(repaired(FileFormat::Stl, other.as_bytes()).unwrap_err(), told);
+    }
+    // A program that did not know their number in advance.
+    file.encoding = Encoding::LittleEndian;
+    let mut bytes = write(FileFormat::Stl, &file);
+    bytes[80..84].fill(0);
+    let told = "t: its header declares 0 triangles, and there is room for 20";
+    assert_eq!(read(FileFormat::Stl, &bytes).unwrap_err(), told);
+    assert_eq!(repaired(FileFormat::Stl, &bytes).unwrap().mesh.face_count(), 20);
+}
+
+#[test]
+fn colours_of_off_have_a_point_or_are_bytes() {
+    let mut mesh = shape::icosahedron();
+    let red = Value::Vec3(DVec3::X);
+    for kind in [ElementKind::Vertex, ElementKind::Face] {
+        mesh.add_column(kind, "color", red).unwrap();
+    }
+    let written = text(FileFormat::Off, &MeshFile::from_mesh(mesh));
+    assert_eq!(written.matches(" 1.0 0.0 0.0 1.0\n").count(), 12, "{written}");
+    assert_eq!(written.matches(" 1.0 0.0 0.0\n").count(), 20, "{written}");
+    let off = |colour: &str| {
+        let head = "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
+        let text = format!("{head}3 0 1 2 {colour}\n3 0 2 3 0 0 1\n");
+        let file = read(FileFormat::Off, text.as_bytes()).unwrap();
+        (value(&file.mesh, ElementKind::Face, "color", 0), file.losses())
+    };
+    assert_eq!(off("1 0 0"), (Some(Value::Vec3(DVec3::X / 255.0)), vec![]));
+    assert_eq!(off("1.0 0 0"), (Some(red), vec![]));
+    assert_eq!(off("1 0. 0 1"), (Some(red), vec![]));
+    assert_eq!(off("255 0 0"), (Some(red), vec![]));
+    assert_eq!(off("255 0 0 oops").1, ["1 face with a word behind it, first in line 7"]);
+}
+
+#[test]
+fn heads_of_off_are_taken_as_they_are_found() {
+    let body = "0 0 0\n1 0 0\n1 1 0\n3 0 1 2\n";
+    for head in ["OFF3 1 0\n", "off\n3 1 0\n", "COFF3 1 0\n", "3 1 0\n", "# c\n\nOFF 3 1\n"] {
+        let bytes = format!("{head}{body}").into_bytes();
+        assert_eq!(read(FileFormat::Off, &bytes).unwrap().mesh.face_count(), 1, "{head}");
+        assert_eq!(FileFormat::of_bytes(&bytes), FileFormat::Off, "{head}");
+    }
+}
+
+#[test]
+fn formats_are_known_by_their_first_bytes() {
+    let file = MeshFile::from_mesh(shape::icosahedron());
+    let mut stl = write(FileFormat::Stl, &file);
+    stl.extend([0; 3]);
+    let msh = [b"$Comments\nx\n$EndComments\n", &write(FileFormat::Msh, &file)[..]].concat();
+    let halfedges = [b"# c\n\n", &write(FileFormat::Halfedges, &file)[..]].concat();
+    let ply = [b"\xef\xbb\xbf", &write(FileFormat::Ply, &file)[..]].concat();
+    let cases = [
+        (FileFormat::Stl, stl),
+        (FileFormat::Msh, msh),
+        (FileFormat::Msh, of_mujoco()),
+        (FileFormat::Halfedges, halfedges),
+        (FileFormat::Ply, ply),
+        (FileFormat::Obj, write(FileFormat::Obj, &file)),
+        (FileFormat::Obj, b"mtllib a\n".to_vec()),
+        (FileFormat::Obj, Vec::new()),
+    ];
+    for (format, bytes) in cases {
+        assert_eq!(FileFormat::of_bytes(&bytes), format);
+    }
+    for format in FileFormat::ALL {
+        let packed = read(format, b"\x1f\x8b\x08\0").unwrap_err();
+        assert_eq!(packed, "t: it is compressed: unpack it first");
+    }
+    let ending = FileFormat::of(std::path::Path::new("a.obj.gz")).unwrap_err().to_string();
+    assert_eq!(ending, "no compressed mesh (`.gz`) is read or written: unpack it first");
+}
