@@ -450,6 +450,23 @@ fn what_is_there_of_a_damaged_file_is_kept_on_demand() {
             2,
         ),
         (
+            FileFormat::Msh,
+            b"$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n\
+              $EndNodes\n$Elements\n4\n1 2 0 1 2 3\n2 2 0 1 2"
+                .to_vec(),
+            "t:13: the file ends where a number should stand",
+            [3, 1],
+            1,
+        ),
+        (
+            FileFormat::Msh,
+            b"$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n"
+                .to_vec(),
+            "the section `$Nodes` does not end",
+            [3, 0],
+            1,
+        ),
+        (
             FileFormat::Off,
             b"COFF\n4 2 0\n0 0 0 1 0 0\n1 0 0 1 1 1\n0 1 0".to_vec(),
             "the file ends where",

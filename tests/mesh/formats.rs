@@ -116,3 +116,51 @@ fn formats_are_known_by_their_first_bytes() {
     let ending = FileFormat::of(std::path::Path::new("a.obj.gz")).unwrap_err().to_string();
     assert_eq!(ending, "no compressed mesh (`.gz`) is read or written: unpack it first");
 }
+
+#[test]
+fn groups_of_gmsh_keep_their_numbers() {
+    let old = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n3\n2 30 \"inlet\"\n\
+        2 7 \"wall\"\n2 9 \"wall\"\n$EndPhysicalNames\n$Nodes\n5\n10 0 0 0\n20 1 0 0\n30 1 1 0\n\
+        40 0 1 0\n50 -1 0 0\n$EndNodes\n$Elements\n4\n1 2 2 7 1 10 20 30\n2 2 2 30 1 10 30 40\n\
+        3 2 2 5 1 10 40 50\n4 2 2 9 1 10 50 20\n$EndElements\n";
+    let new = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$PhysicalNames\n1\n2 7 \"wall\"\n\
+        $EndPhysicalNames\n$Entities\n0 0 2 0\n1 0 0 0 1 1 0 1 7 0\n2 0 0 0 1 1 0 1 5 0\n\
+        $EndEntities\n$Nodes\n1 4 1 4\n2 1 0 4\n1\n2\n3\n4\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n$EndNodes\n\
+        $Elements\n2 2 1 2\n2 1 2 1\n1 1 2 3\n2 2 2 1\n2 1 3 4\n$EndElements\n";
+    let told = "1 group with the name of another one, which its number is now, first in line 8";
+    for (msh, losses) in [(old, vec![told]), (new, vec![])] {
+        let mut file = read(FileFormat::Msh, msh.as_bytes()).unwrap();
+        assert_eq!(file.losses(), losses);
+        let written = text(FileFormat::Msh, &file);
+        let back = read(FileFormat::Msh, written.as_bytes()).unwrap();
+        assert_eq!(text(FileFormat::Msh, &back), written);
+        if msh == old {
+            assert!(
+                written.contains("$PhysicalNames\n2\n2 7 \"wall\"\n2 30 \"inlet\"\n"),
+                "{written}"
+            );
+            for element in ["1 2 2 7 2 1 2 3", "2 2 2 30 3 ", "3 2 2 5 4 ", "4 2 2 9 5 "] {
+                assert!(written.contains(&format!("\n{element}")), "{written}");
+            }
+        } else {
+            assert!(written.contains("$PhysicalNames\n1\n2 7 \"wall\"\n"), "{written}");
+            assert!(written.contains(" 1 7 0\n") && written.contains(" 1 5 0\n"), "{written}");
+        }
+        // Groups of an OBJ file get the numbers that are free.
+        let obj = text(FileFormat::Obj, &file).replace("g wall", "g rim");
+        file = read(FileFormat::Obj, obj.as_bytes()).unwrap();
+        assert!(text(FileFormat::Msh, &file).contains("\n2 1 \"rim\"\n"), "{obj}");
+    }
+}
+
+#[test]
+fn sections_of_gmsh_without_values_take_no_memory() {
+    let head = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n1\n1 0 0 0\n$EndNodes\n";
+    let section = |name: &str, values: &str| {
+        format!("$NodeData\n1\n\"{name}\"\n1\n0\n3\n0\n1\n{values}\n$EndNodeData\n")
+    };
+    let msh = [head, &section("none", "0"), &section("one", "1\n1 5")].concat();
+    let file = read(FileFormat::Msh, msh.as_bytes()).unwrap();
+    let names: Vec<_> = file.mesh.sayable_columns().map(|(_, column)| column.name()).collect();
+    assert_eq!(names, ["one"]);
+}

@@ -1,5 +1,6 @@
 //! Statements of a file that the mesh cannot represent, kept to be written back.
 
+use std::collections::HashMap;
 use std::fmt;
 
 use super::scan::Scanner;
@@ -17,6 +18,8 @@ pub(super) struct Kept {
     pub(super) comments: Vec<String>,
     /// The operands of `o`, `g`, `usemtl` and `s`, which states refer to by index.
     pub(super) names: Vec<Vec<u8>>,
+    /// The numbers of the physical groups of a Gmsh file, by name.
+    pub(super) group_numbers: HashMap<Vec<u8>, i64>,
     /// The states, each with the index of the face at which it starts.
     pub(super) states: Vec<(u32, State)>,
     pub(super) texture: Rows,

@@ -22,7 +22,13 @@ pub(in crate::mesh::file) fn read(text: &[u8]) -> Result<Contents, Failure> {
     let mut reader = Reader::new(text);
     let read = reader.file();
     let line = reader.is_text.then(|| reader.scanner.line());
-    read.map_err(|words| (line, FileReason::Malformed(words)))?;
+    match read {
+        // What was read so far can be kept.
+        Err(words) if reader.scanner.is_at_end() && !reader.contents.positions.is_empty() => {
+            reader.contents.damage.add(line, || words);
+        }
+        read => read.map_err(|words| (line, FileReason::Malformed(words)))?,
+    }
     Ok(reader.finish())
 }
 
@@ -110,6 +116,7 @@ impl<'t> Reader<'t> {
         let end = [b"$End", section].concat();
         let found = self.scanner.rest().windows(end.len()).position(|window| window == end);
         let Some(at) = found else {
+            self.scanner.skip(self.scanner.rest().len());
             return Err(format!("the section `${}` does not end", shown(section)));
         };
         // Lines are counted only in text; binary data may contain any bytes.
@@ -155,15 +162,20 @@ impl<'t> Reader<'t> {
     }
 
     fn names(&mut self) -> Answer<()> {
-        for _ in 0..self.text_count(4)? {
-            if !self.scanner.next_line() {
-                break;
-            }
+        for _ in 0..self.text_count()? {
             let (dimension, tag) = (self.text_number()?, self.text_number()? as i64);
             let text = self.scanner.text();
             let name = text.strip_prefix(b"\"").and_then(|name| name.strip_suffix(b"\""));
-            if dimension == 2.0 {
-                self.names.insert(tag, name.unwrap_or(&text).to_vec());
+            let name = name.unwrap_or(&text).to_vec();
+            let numbers = &mut self.contents.kept.group_numbers;
+            if dimension == 2.0 && *numbers.entry(name.clone()).or_insert(tag) == tag {
+                self.names.insert(tag, name);
+            } else if dimension == 2.0 {
+                let what = [
+                    "group with the name of another one, which its number is now",
+                    "groups with the names of others, which their numbers are now",
+                ];
+                self.contents.kept.note(what, self.scanner.line());
             }
             self.scanner.end_line();
         }
@@ -173,7 +185,7 @@ impl<'t> Reader<'t> {
     fn entities(&mut self) -> Answer<()> {
         let mut counts = [0; 4];
         for count in &mut counts {
-            *count = self.count(5)?;
+            *count = self.size()?;
         }
         for (dimension, count) in counts.into_iter().enumerate() {
             for _ in 0..count {
@@ -181,14 +193,14 @@ impl<'t> Reader<'t> {
                 for _ in 0..if dimension == 0 { 3 } else { 6 } {
                     self.real()?;
                 }
-                for at in 0..self.count(1)? {
+                for at in 0..self.size()? {
                     let group = self.int()?;
                     if dimension == 2 && at == 0 {
                         self.surfaces.insert(tag, group);
                     }
                 }
                 if dimension > 0 {
-                    for _ in 0..self.count(1)? {
+                    for _ in 0..self.size()? {
                         self.int()?;
                     }
                 }
@@ -199,13 +211,13 @@ impl<'t> Reader<'t> {
 
     fn nodes(&mut self) -> Answer<()> {
         if self.version == MshVersion::V2 {
-            for _ in 0..self.text_count(8)? {
+            for _ in 0..self.text_count()? {
                 let tag = self.int()?;
                 self.node(tag as u64)?;
             }
             return Ok(());
         }
-        let blocks = self.count(7)?;
+        let blocks = self.size()?;
         for _ in 0..3 {
             self.size()?;
         }
@@ -213,7 +225,7 @@ impl<'t> Reader<'t> {
             let dimension = self.int()?;
             self.int()?;
             let is_parametric = self.int()? != 0;
-            let count = self.count(8)?;
+            let count = self.size()?;
             let tags = (0..count).map(|_| self.size()).collect::<Answer<Vec<_>>>()?;
             for tag in tags {
                 self.node(tag)?;
@@ -238,7 +250,7 @@ impl<'t> Reader<'t> {
         if self.version == MshVersion::V2 {
             return self.elements_of_version_2();
         }
-        let blocks = self.count(7)?;
+        let blocks = self.size()?;
         for _ in 0..3 {
             self.size()?;
         }
@@ -246,7 +258,7 @@ impl<'t> Reader<'t> {
             let dimension = self.int()?;
             let entity = self.int()?;
             let element = self.int()?;
-            let count = self.count(2)?;
+            let count = self.size()?;
             let group = self.surfaces.get(&entity).copied().filter(|_| dimension == 2);
             let nodes = node_count(element)?;
             for _ in 0..count {
@@ -258,7 +270,7 @@ impl<'t> Reader<'t> {
     }
 
     fn elements_of_version_2(&mut self) -> Answer<()> {
-        let mut left = self.text_count(4)?;
+        let mut left = self.text_count()?;
         while left > 0 {
             // In text, each element has a head of its own; in binary files, each block of elements.
             let first = self.int()?;
@@ -336,19 +348,21 @@ impl<'t> Reader<'t> {
     fn data(&mut self, kind: ElementKind) -> Answer<()> {
         let line = self.scanner.line();
         let mut name = String::new();
-        for at in 0..self.text_count(1)? {
-            self.scanner.next_line();
+        for at in 0..self.text_count()? {
+            if !self.scanner.next_line() {
+                return Err("the file ends where a text should stand".into());
+            }
             let text = self.scanner.text();
             if at == 0 {
                 name = String::from_utf8_lossy(&text).trim_matches('"').to_owned();
             }
             self.scanner.end_line();
         }
-        for _ in 0..self.text_count(1)? {
+        for _ in 0..self.text_count()? {
             self.text_number()?;
         }
         let mut ints = [0; 3];
-        for at in 0..self.text_count(1)? {
+        for at in 0..self.text_count()? {
             let number = self.text_number()?;
             if let Some(int) = ints.get_mut(at) {
                 *int = number as usize;
@@ -356,6 +370,9 @@ impl<'t> Reader<'t> {
         }
         self.scanner.end_line();
         let [_, width, count] = ints;
+        if count == 0 {
+            return Ok(()); // a value for each node would take far more room than the file
+        }
         let default = match width {
             1 => Value::Real(0.0),
             3 => Value::Vec3(DVec3::ZERO),
@@ -365,14 +382,14 @@ impl<'t> Reader<'t> {
             },
             _ => return Err(format!("values of {width} numbers: 1, 3 and 9 are read")),
         };
-        let (places, rows) = match kind {
-            ElementKind::Vertex => (&self.nodes, self.contents.positions.len()),
-            _ => (&self.elements, self.ends.len()),
+        let rows = match kind {
+            ElementKind::Vertex => self.contents.positions.len(),
+            _ => self.ends.len(),
         };
-        let places = places.clone();
         let mut reals = vec![0.0; rows * width];
         for _ in 0..count {
             let tag = self.int()? as u64;
+            let places = if kind == ElementKind::Vertex { &self.nodes } else { &self.elements };
             let place = places.get(&tag).map(|&place| place as usize * width);
             for at in 0..width {
                 let real = self.real()?;
@@ -399,6 +416,8 @@ impl<'t> Reader<'t> {
     fn finish(self) -> Contents {
         let mut contents = self.contents;
         let kept = &mut contents.kept;
+        let mut corners = self.corners;
+        corners.truncate(self.ends.last().copied().unwrap_or(0)); // the file may end within one
         let others = [
             "element that is neither a triangle nor a quad",
             "elements that are neither triangles nor quads",
@@ -414,7 +433,7 @@ impl<'t> Reader<'t> {
         kept.note_count(unpaired, self.unpaired);
         contents.msh_version = self.version;
         contents.encoding = Encoding::Ascii;
-        contents.polygons = Polygons::of_parts(self.corners, self.ends);
+        contents.polygons = Polygons::of_parts(corners, self.ends);
         contents
     }
 }
@@ -432,36 +451,19 @@ impl Reader<'_> {
         }
     }
 
-    /// A count, as text, of things that take at least `least` bytes each.
-    fn text_count(&mut self, least: usize) -> Answer<usize> {
-        let number = self.text_number()?;
-        let count = self.expect_room(number, least)?;
+    /// A count, which is text in a binary file, too.
+    fn text_count(&mut self) -> Answer<usize> {
+        let count = self.text_number()? as usize;
         if !self.is_text {
             self.scanner.end_line();
         }
         Ok(count)
     }
 
-    /// As `text_count`, but binary in a binary file.
-    fn count(&mut self, least: usize) -> Answer<usize> {
-        let number = self.size()?;
-        self.expect_room(number as f64, least)
-    }
-
-    fn expect_room(&self, count: f64, least: usize) -> Answer<usize> {
-        let left = self.scanner.rest().len();
-        if count >= 0.0 && count * least as f64 <= left as f64 + 1.0 {
-            return Ok(count as usize);
-        }
-        Err(format!("{count} entries are declared, but only {left} bytes follow"))
-    }
-
     fn bytes<const N: usize>(&mut self) -> Answer<[u8; N]> {
-        let Some(&bytes) = self.scanner.rest().first_chunk::<N>() else {
-            return Err("the file ends where a number should stand".into());
-        };
+        let bytes = self.scanner.rest().first_chunk::<N>().copied();
         self.scanner.skip(N);
-        Ok(bytes)
+        bytes.ok_or_else(|| "the file ends where a number should stand".to_owned())
     }
 
     fn int(&mut self) -> Answer<i64> {

@@ -1,5 +1,6 @@
 //! Writing a file.
 
+use std::collections::{HashMap, HashSet};
 use std::io::{self, Write};
 
 use crate::mesh::attribute::AttributeType;
@@ -33,20 +34,37 @@ pub(in crate::mesh::file) fn write(
     Writer::new(output, file, numbers).write().map_err(FileReason::Io)
 }
 
+/// Gives each group its number in the Gmsh file that was read, or else the one that it has for a
+/// name, or else the next that is free.
+fn numbered<'n>(names: Vec<&'n [u8]>, known: &HashMap<Vec<u8>, i64>) -> Vec<(&'n [u8], i64)> {
+    let own = |name: &[u8]| known.get(name).copied().or_else(|| number_of(name));
+    let taken: HashSet<i64> = names.iter().filter_map(|name| own(name)).collect();
+    let mut free = (1..).filter(|number| !taken.contains(number));
+    let number = |name| own(name).or_else(|| free.next()).unwrap_or(0);
+    let numbers: Vec<i64> = names.iter().copied().map(number).collect();
+    names.into_iter().zip(numbers).collect()
+}
+
+/// The number that the name of a group is.
+fn number_of(name: &[u8]) -> Option<i64> {
+    let number: i32 = std::str::from_utf8(name).ok()?.parse().ok()?;
+    (number != 0 && number.to_string().as_bytes() == name).then_some(number.into())
+}
+
 struct Writer<'w> {
     printer: Printer<'w>,
     file: &'w MeshFile,
     numbers: &'w WrittenNumbers,
-    /// The names of the groups; the number of a group is its index, from 1.
-    names: Vec<&'w [u8]>,
-    /// The group of each face, 0 for none.
+    /// The physical groups: names and numbers.
+    names: Vec<(&'w [u8], i64)>,
+    /// The group of each face by its index from 1, 0 for none.
     groups: Vec<usize>,
 }
 
 impl<'w> Writer<'w> {
     fn new(output: &'w mut dyn Write, file: &'w MeshFile, numbers: &'w WrittenNumbers) -> Self {
         let mut names: Vec<&[u8]> = Vec::new();
-        let mut known = std::collections::HashMap::new();
+        let mut known = HashMap::new();
         let states = file.states_of(&numbers.face_order);
         let mut group = |at: usize| {
             let state = states.get(at).copied().flatten();
@@ -59,6 +77,7 @@ impl<'w> Writer<'w> {
             })
         };
         let groups = (0..numbers.face_order.len()).map(&mut group).collect();
+        let names = numbered(names, &file.kept.group_numbers);
         Self { printer: Printer::new(output), file, numbers, names, groups }
     }
 
@@ -66,9 +85,11 @@ impl<'w> Writer<'w> {
         let is_old = self.file.msh_version == MshVersion::V2;
         let version = if is_old { "2.2" } else { "4.1" };
         self.printer.word(&format!("$MeshFormat\n{version} 0 8\n$EndMeshFormat\n"));
-        if !self.names.is_empty() {
-            self.printer.word(&format!("$PhysicalNames\n{}\n", self.names.len()));
-            for (number, name) in (1..).zip(&self.names) {
+        let mut named = self.names.clone();
+        named.retain(|&(name, number)| number_of(name) != Some(number));
+        if !named.is_empty() {
+            self.printer.word(&format!("$PhysicalNames\n{}\n", named.len()));
+            for (name, number) in named {
                 let text = String::from_utf8_lossy(name);
                 let name = text.replace(|c: char| c == '"' || c.is_control(), "_");
                 self.printer.word(&format!("2 {number} \"{name}\"\n"));
@@ -82,6 +103,11 @@ impl<'w> Writer<'w> {
         }
         self.write_values()?;
         self.printer.flush()
+    }
+
+    /// The number of the group with an index from 1; 0 for none.
+    fn number(&self, group: usize) -> i64 {
+        group.checked_sub(1).map_or(0, |at| self.names[at].1)
     }
 
     fn position(&mut self, at: usize) {
@@ -111,7 +137,8 @@ impl<'w> Writer<'w> {
         for at in 0..faces {
             let (face, group) = (self.numbers.face_order[at], self.groups[at]);
             let element = self.file.mesh.face_size(face) - 1;
-            self.printer.word(&format!("{} {element} 2 {group} {}", at + 1, group + 1));
+            let number = self.number(group);
+            self.printer.word(&format!("{} {element} 2 {number} {}", at + 1, group + 1));
             self.corners(face);
             self.printer.end_line()?;
         }
@@ -121,15 +148,15 @@ impl<'w> Writer<'w> {
 
     fn write_new(&mut self) -> io::Result<()> {
         let (vertices, faces) = (self.numbers.vertex_order.len(), self.numbers.face_order.len());
-        // One surface for each group, and one for the faces without a group; the number of a
-        // surface is that of its group plus one.
+        // One surface for the faces without a group, and one for each group.
         let [low, high] = self.bounds();
         self.printer.word(&format!("$Entities\n0 0 {} 0\n", self.names.len() + 1));
         for group in 0..=self.names.len() {
             self.printer.int(group as i64 + 1);
             self.printer.reals(&low);
             self.printer.reals(&high);
-            let physical = if group == 0 { " 0".to_owned() } else { format!(" 1 {group}") };
+            let number = self.number(group);
+            let physical = if group == 0 { " 0".to_owned() } else { format!(" 1 {number}") };
             self.printer.word(&format!("{physical} 0\n"));
         }
         let blocks = usize::from(vertices > 0);
