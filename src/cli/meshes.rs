@@ -13,9 +13,9 @@ use super::{files, interrupt};
 use crate::analysis::{Analysis, is_program};
 use crate::diagnostic::all_of;
 use crate::mesh::{
-    Dump, FileError, FileFormat, FileReason, Loss, LostValues, Mesh, MeshFile, Places, Repair,
-    Unset, WrittenNumbers, expect_writable, open_file, read_dump, read_mesh, read_mesh_from,
-    read_mesh_reordered, write_mesh_to, write_mesh_unless,
+    BareFaces, Dump, FileError, FileFormat, FileReason, Loss, LostValues, Mesh, MeshFile, Places,
+    Repair, Unset, WrittenNumbers, expect_writable, open_file, read_dump, read_mesh,
+    read_mesh_from, read_mesh_reordered, write_mesh_to, write_mesh_unless,
 };
 use crate::resolve::{TestMesh, is_shape};
 use crate::run;
@@ -211,10 +211,12 @@ pub(super) fn write(
     let bare = match format {
         FileFormat::Obj | FileFormat::Ply | FileFormat::Halfedges => file.bare_faces(),
         // They hold neither texture coordinates nor normals of corners.
-        FileFormat::Stl | FileFormat::Off | FileFormat::Msh => [0; 2],
+        FileFormat::Stl | FileFormat::Off | FileFormat::Msh => [BareFaces::default(); 2],
     };
-    if format != FileFormat::Obj {
-        file.bring_all();
+    match format {
+        FileFormat::Obj => {}
+        FileFormat::Ply => file.bring_colors(),
+        _ => file.bring_all(),
     }
     let gathered = file.gather(format);
     if let Some(encoding) = encoding.encoding {
@@ -260,10 +262,12 @@ pub(super) fn write(
     let lost = file.lost_groups(format);
     if !lost.is_empty() {
         complain(&format!(
-            "warning: {shown} cannot hold the {} of the mesh; an .obj or .ply file can",
-            all_of(lost)
+            "warning: {shown} cannot hold the {} of the mesh; {} file can",
+            all_of(lost.clone()),
+            if lost.contains(&"texture files") { "a .ply" } else { "an .obj or .ply" }
         ));
     }
+    tell_overruled(path, format, file);
     for loss in file.losses() {
         complain(&format!("warning: {shown}: of the mesh that was read: {loss}"));
     }
@@ -319,19 +323,42 @@ fn tell_lost_vertices(path: &Path, format: FileFormat, file: &MeshFile) {
     }
 }
 
-/// Warns about faces whose new corners do not have the texture coordinates or normals that the file
-/// that was read has.
-fn tell_bare(path: &Path, format: FileFormat, bare: [usize; 2]) {
+/// Warns about faces without the texture coordinates or normals that others of the file that was
+/// read have.
+fn tell_bare(path: &Path, format: FileFormat, bare: [BareFaces; 2]) {
     let shown = path.display();
-    let [texture, normals, rest] = match format {
-        FileFormat::Obj => ["texture coordinates (`vt`)", "normals (`vn`)", ""],
-        _ => ["texture coordinates", "normals", ": they are zero there"],
+    let kinds = match format {
+        FileFormat::Obj => ["texture coordinates (`vt`)", "normals (`vn`)"],
+        _ => ["texture coordinates", "normals"],
     };
-    for (count, kind) in bare.into_iter().zip([texture, normals]) {
-        if count > 0 {
+    let is_zero = format == FileFormat::Halfedges;
+    let rest = if is_zero { ": they are zero there" } else { "" };
+    for (BareFaces { new, partial, without }, kind) in bare.into_iter().zip(kinds) {
+        let tell = |count: usize, which: &str, what: String| {
             let (faces, have) = if count == 1 { ("face", "has") } else { ("faces", "have") };
+            if count > 0 {
+                complain(&format!("warning: {shown}: {count} {faces}{which} {have} {what}"));
+            }
+        };
+        tell(new, " with new corners", format!("no {kind} any more{rest}"));
+        match is_zero {
+            true => tell(partial + without, "", format!("no {kind} at some corners{rest}")),
+            false => tell(partial, "", format!("{kind} at some corners alone, which are left out")),
+        }
+    }
+}
+
+/// Warns about faces that an OBJ file gives the object or the material of the face before.
+fn tell_overruled(path: &Path, format: FileFormat, file: &MeshFile) {
+    if format != FileFormat::Obj {
+        return;
+    }
+    for (count, what) in file.overruled_faces().into_iter().zip(["an object", "a material"]) {
+        if count > 0 {
+            let (shown, faces) = (path.display(), if count == 1 { "face" } else { "faces" });
             complain(&format!(
-                "warning: {shown}: {count} {faces} with new corners {have} no {kind} any more{rest}"
+                "warning: {shown}: {count} {faces} without {what} will have that of the face before; \
+                 a .ply file can hold such faces"
             ));
         }
     }

@@ -80,10 +80,10 @@ pub use dump::{Dump, DumpError, DumpReason, read_dump, write_dump};
 pub use equality::{equal_up_to_renumbering, same_connectivity, same_up_to_renumbering};
 pub use faults::{FaultKind, Faults};
 pub use file::{
-    Encoding, FileError, FileFaultKind, FileFaults, FileFormat, FileReason, Loss, LostValues,
-    Material, MeshFile, MshVersion, WantedAttribute, WrittenNumbers, expect_writable, open_file,
-    read_mesh, read_mesh_from, read_mesh_reordered, replace_file, write_mesh, write_mesh_to,
-    write_mesh_unless,
+    BareFaces, Encoding, FileError, FileFaultKind, FileFaults, FileFormat, FileReason, Loss,
+    LostValues, Material, MeshFile, MshVersion, WantedAttribute, WrittenNumbers, expect_writable,
+    open_file, read_mesh, read_mesh_from, read_mesh_reordered, replace_file, write_mesh,
+    write_mesh_to, write_mesh_unless,
 };
 pub use geometry::direction;
 pub use history::History;

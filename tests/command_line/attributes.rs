@@ -240,6 +240,13 @@ fn what_of_a_file_is_lost_is_told() {
     }
     let said = bench.run(&[split.as_slice(), &["-o", "n.ply"]].concat());
     for words in [
+        "4 faces with new corners have no texture coordinates any more\n",
+        "4 faces with new corners have no normals any more\n",
+    ] {
+        assert!(said.err.contains(words), "{}", said.err);
+    }
+    let said = bench.run(&[split.as_slice(), &["-o", "n.halfedges"]].concat());
+    for words in [
         "4 faces with new corners have no texture coordinates any more: they are zero there\n",
         "4 faces with new corners have no normals any more: they are zero there\n",
     ] {

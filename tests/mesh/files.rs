@@ -450,6 +450,18 @@ fn what_is_there_of_a_damaged_file_is_kept_on_demand() {
             2,
         ),
         (
+            FileFormat::Ply,
+            head.replace("made by hand\n", "")
+                .replace("face 1", "face 3")
+                .replace("1 0 0 0 1 0\n", "\n1 x 0\n0 1 0\n")
+                .replace("vertex 3", "vertex 4")
+                .replace("3 0 1 2", "1 1 0\n3 0 2 3\n3 0 y 2 1\n3 0 1 2")
+                .into(),
+            "t:11: `x` is not a number",
+            [3, 1],
+            2,
+        ),
+        (
             FileFormat::Msh,
             b"$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n\
               $EndNodes\n$Elements\n4\n1 2 0 1 2 3\n2 2 0 1 2"

@@ -164,3 +164,81 @@ fn sections_of_gmsh_without_values_take_no_memory() {
     let names: Vec<_> = file.mesh.sayable_columns().map(|(_, column)| column.name()).collect();
     assert_eq!(names, ["one"]);
 }
+
+#[test]
+fn properties_of_ply_keep_their_values_whatever_else_there_is() {
+    let names = "s t u v a-b a_b color red green blue";
+    let properties: String =
+        names.split(' ').map(|name| format!("property float {name}\n")).collect();
+    let ply = format!(
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n\
+         property float z\n{properties}element face 1\nproperty list uchar int vertex_indices\n\
+         end_header\n{}3 0 1 2\n",
+        ["0 0", "1 0", "0 1"].map(|at| format!("{at} 0 1 2 3 4 5 6 7 8 9 10\n")).concat()
+    );
+    let mut file = read(FileFormat::Ply, ply.as_bytes()).unwrap();
+    let told = [
+        "1 vertex attribute that is `color_` now, since another is `color`",
+        "1 vertex attribute that is `a_b_` now, since another is `a_b`",
+    ];
+    assert_eq!(file.losses(), told);
+    for _ in 0..2 {
+        let at = |name| value(&file.mesh, ElementKind::Vertex, name, 0);
+        assert_eq!(at("uv"), Some(Value::Vec2(glam::DVec2::new(1.0, 2.0))));
+        assert_eq!(at("color"), Some(Value::Vec3(DVec3::new(8.0, 9.0, 10.0))));
+        for (name, real) in [("u", 3.0), ("v", 4.0), ("a_b_", 5.0), ("a_b", 6.0), ("color_", 7.0)] {
+            assert_eq!(at(name), Some(Value::Real(real)), "{name}");
+        }
+        file = read(FileFormat::Ply, &write(FileFormat::Ply, &file)).unwrap();
+    }
+}
+
+#[test]
+fn faces_without_texture_coordinates_and_normals_stay_without() {
+    let points = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+    for (rows, corner) in [
+        ("vt 0.5 0.5\nvn 0 0 1\n", "1/1"),
+        ("vt 0.5 0.5 1\nvn 0 0 1\n", "1/1"),
+        ("vt 0.5 0.5\n", "1/"),
+        ("vn 0 0 1\n", "/1"),
+    ] {
+        let face = format!("f 1/{corner} 2/{corner} 3/{corner}\n").replace("/ ", " ");
+        let obj = format!("{points}{rows}{}f 1 3 4\n", face.replace("/\n", "\n"));
+        let mut file = read(FileFormat::Obj, obj.as_bytes()).unwrap();
+        assert_eq!(text(FileFormat::Obj, &file), obj);
+        for encoding in [Encoding::Ascii, Encoding::BigEndian] {
+            file.encoding = encoding;
+            let ply = read(FileFormat::Ply, &write(FileFormat::Ply, &file)).unwrap();
+            assert_eq!(text(FileFormat::Obj, &ply), obj);
+            assert_eq!(ply.losses(), [""; 0]);
+            let [texture, normals] = ply.bare_faces();
+            assert_eq!(texture.without, usize::from(rows.contains("vt")));
+            assert_eq!(normals.without, usize::from(rows.contains("vn")));
+        }
+    }
+    let part = format!("{points}vt 0 0\nvn 0 0 1\nf 1/1/1 2/1/1 3\nf 1/1 3/1 4/1\n");
+    let [texture, normals] = read(FileFormat::Obj, part.as_bytes()).unwrap().bare_faces();
+    assert_eq!([texture.new, texture.partial, texture.without], [0, 1, 0]);
+    assert_eq!([normals.new, normals.partial, normals.without], [0, 1, 1]);
+}
+
+#[test]
+fn names_are_bytes() {
+    let obj = b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\ng caf\xe9\nf 1 2 3\ng caf\xe8\nf 1 3 4\n";
+    let file = read(FileFormat::Obj, obj).unwrap();
+    let ply = read(FileFormat::Ply, &write(FileFormat::Ply, &file)).unwrap();
+    assert_eq!(write(FileFormat::Obj, &ply), obj);
+}
+
+#[test]
+fn what_an_obj_file_cannot_take_back_is_told() {
+    let ply = "ply\nformat ascii 1.0\ncomment TextureFile a.png\ncomment object 0 A\n\
+        comment material 0 red\nelement vertex 4\nproperty float x\nproperty float y\n\
+        property float z\nelement face 2\nproperty list uchar int vertex_indices\n\
+        property int object\nproperty int material\nend_header\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n\
+        3 0 1 2 0 -1\n3 0 2 3 -1 0\n";
+    let file = read(FileFormat::Ply, ply.as_bytes()).unwrap();
+    assert_eq!(file.overruled_faces(), [1, 0]);
+    assert_eq!(file.lost_groups(FileFormat::Obj), ["texture files"]);
+    assert_eq!(file.lost_groups(FileFormat::Ply), [""; 0]);
+}

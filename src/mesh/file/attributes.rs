@@ -91,7 +91,7 @@ impl MeshFile {
     }
 
     /// Makes columns of all texture coordinates and normals of the file, at its corners, and of the
-    /// colours of its materials.
+    /// colours of its materials ([`MeshFile::bring_colors`]).
     pub fn bring_all(&mut self) {
         let uv = match self.kept.texture.width {
             0..3 => Value::Vec2(DVec2::ZERO),
@@ -100,6 +100,11 @@ impl MeshFile {
         self.bring((ElementKind::Halfedge, "uv", uv));
         let normal = Value::Vec3(DVec3::ZERO);
         self.bring((ElementKind::Halfedge, "normal", normal));
+        self.bring_colors();
+    }
+
+    /// Makes a column of the colours of the materials of the file.
+    pub fn bring_colors(&mut self) {
         self.bring((ElementKind::Face, "color", Value::Vec3(DVec3::ONE)));
     }
 
@@ -173,8 +178,8 @@ impl MeshFile {
         told
     }
 
-    /// What a file of a format cannot hold of the objects, groups, materials and smoothing groups of
-    /// the file that was read, in the plural.
+    /// What a file of a format cannot hold of the objects, groups, materials, smoothing groups and
+    /// texture files of the file that was read, in the plural.
     pub fn lost_groups(&self, format: FileFormat) -> Vec<&'static str> {
         let has = |place: usize| match place {
             2 if !self.kept.libraries.is_empty() => true,
@@ -186,7 +191,13 @@ impl MeshFile {
             _ => false,
         };
         let lost = State::NAMED.into_iter().enumerate().filter(|(place, _)| !is_held(*place));
-        lost.filter(|(place, _)| has(*place)).map(|(_, word)| word).collect()
+        let mut lost: Vec<_> =
+            lost.filter(|(place, _)| has(*place)).map(|(_, word)| word).collect();
+        let names_texture = |comment: &Vec<u8>| comment.starts_with(b"comment TextureFile");
+        if format != FileFormat::Ply && self.kept.comments.iter().any(names_texture) {
+            lost.push("texture files");
+        }
+        lost
     }
 
     /// The number of vertices that a file of a format cannot distinguish from another one, since

@@ -8,7 +8,7 @@ use super::error::{Damage, Failure, FileFaults, FileReason, Strays};
 use super::format::{Encoding, MshVersion};
 use super::kept::{Kept, MISSING};
 use super::mesh_file::MeshFile;
-use crate::mesh::attribute::{AttributeType, Value};
+use crate::mesh::attribute::{AttributeType, ColumnId, Value};
 use crate::mesh::build_error::BuildError;
 use crate::mesh::connectivity::Mesh;
 use crate::mesh::faults::Faults;
@@ -67,9 +67,29 @@ impl FileColumn {
         }
     }
 
+    /// Adds the column to a mesh, without its values. A name that another has gets underscores.
+    fn add(&self, mesh: &mut Mesh, kind: ElementKind, kept: &mut Kept) -> Option<ColumnId> {
+        let mut name = self.name.clone();
+        while mesh.find_column(kind, &name).is_some() {
+            name.push('_');
+        }
+        if name != self.name {
+            let what =
+                format!("{kind} attribute that is `{name}` now, since another is `{}`", self.name);
+            kept.note_count([&what; 2], 1);
+        }
+        mesh.add_column(kind, &name, self.default).ok()
+    }
+
     /// Sets the values of the elements, from id 0 on, to those at the given places of the file.
-    fn give(&self, mesh: &mut Mesh, kind: ElementKind, places: impl Iterator<Item = u32>) {
-        let Ok(column) = mesh.add_column(kind, &self.name, self.default) else { return };
+    fn give(
+        &self,
+        mesh: &mut Mesh,
+        kind: ElementKind,
+        kept: &mut Kept,
+        places: impl Iterator<Item = u32>,
+    ) {
+        let Some(column) = self.add(mesh, kind, kept) else { return };
         for (index, place) in (0..).zip(places) {
             if let Some(value) = self.value(place) {
                 mesh.put_value(column, index, value);
@@ -161,7 +181,7 @@ impl Contents {
                 ElementKind::Halfedge => self.polygons.corners().len(),
                 ElementKind::Edge => continue,
             };
-            column.give(&mut mesh, column.kind, 0..count as u32);
+            column.give(&mut mesh, column.kind, &mut self.kept, 0..count as u32);
         }
         if self.kept.needs_polygons() {
             self.kept.corners = self.polygons;
@@ -180,22 +200,25 @@ impl Contents {
             numbers[vertex as usize] = slot;
         }
         self.give_edges(&mut mesh, |v| numbers.get(v as usize).copied().unwrap_or(MISSING));
+        let kept = &mut self.kept;
         for column in &self.columns {
             match column.kind {
                 ElementKind::Vertex if !column.is_alike(&places, corners, &vertices, &mesh) => {
                     // Vertices with different values have become one: the corners keep the values.
                     let places = places.iter().map(|&place| corners[place as usize]);
-                    column.give(&mut mesh, ElementKind::Halfedge, places);
+                    column.give(&mut mesh, ElementKind::Halfedge, kept, places);
                     let what =
                         format!("vertex attribute `{}`, which the corners have now", column.name);
-                    self.kept.note_count([&what; 2], 1);
+                    kept.note_count([&what; 2], 1);
                 }
                 ElementKind::Vertex => {
-                    column.give(&mut mesh, column.kind, vertices.iter().copied());
+                    column.give(&mut mesh, column.kind, kept, vertices.iter().copied());
                 }
-                ElementKind::Face => column.give(&mut mesh, column.kind, faces.iter().copied()),
+                ElementKind::Face => {
+                    column.give(&mut mesh, column.kind, kept, faces.iter().copied());
+                }
                 ElementKind::Halfedge => {
-                    column.give(&mut mesh, column.kind, places.iter().copied());
+                    column.give(&mut mesh, column.kind, kept, places.iter().copied());
                 }
                 ElementKind::Edge => {}
             }
@@ -234,9 +257,7 @@ impl Contents {
         let find = |&[v, w]: &[u32; 2]| known.get(&sorted(slot(v), slot(w))).copied();
         let edges: Vec<Option<EdgeId>> = self.edges.iter().map(find).collect();
         for column in self.columns.iter().filter(|column| column.kind == ElementKind::Edge) {
-            let Ok(id) = mesh.add_column(ElementKind::Edge, &column.name, column.default) else {
-                continue;
-            };
+            let Some(id) = column.add(mesh, ElementKind::Edge, &mut self.kept) else { continue };
             for (place, edge) in (0..).zip(&edges) {
                 if let (Some(edge), Some(value)) = (edge, column.value(place)) {
                     mesh.put_value(id, edge.0, value);

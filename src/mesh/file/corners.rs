@@ -60,7 +60,7 @@ pub(super) enum Corners<'o> {
 impl<'o> Corners<'o> {
     pub(super) fn of(obj: &'o MeshFile, what: OfCorner, faces: &[FaceId]) -> Self {
         let Some(column) = obj.written_column(what) else {
-            return Self::Kept { obj, what, new: obj.new_rows(what, faces) };
+            return Self::kept(obj, what, faces);
         };
         let mesh = &obj.mesh;
         let is_flat = mesh.values::<DVec2>(column).is_some();
@@ -83,6 +83,11 @@ impl<'o> Corners<'o> {
             places[h.index()] = place;
         }
         Self::Values { rows, places }
+    }
+
+    /// The rows of the file, whatever columns there are.
+    pub(super) fn kept(obj: &'o MeshFile, what: OfCorner, faces: &[FaceId]) -> Self {
+        Self::Kept { obj, what, new: obj.new_rows(what, faces) }
     }
 
     pub(super) fn rows(&self) -> &Rows {
@@ -111,26 +116,44 @@ impl<'o> Corners<'o> {
     }
 }
 
+/// The numbers of faces that have no texture coordinates, or no normals, at some of their corners,
+/// although others have them at all.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct BareFaces {
+    /// Those of new corners.
+    pub new: usize,
+    /// Those that have them at other corners, as in the file.
+    pub partial: usize,
+    /// Those that have none, as in the file.
+    pub without: usize,
+}
+
 impl MeshFile {
-    /// The number of faces that are written without texture coordinates (`vt`), and without normals
-    /// (`vn`), although the file had some: there are none for their new corners.
-    pub fn bare_faces(&self) -> [usize; 2] {
+    /// The faces without texture coordinates at all corners, and those without normals.
+    pub fn bare_faces(&self) -> [BareFaces; 2] {
         OfCorner::ALL.map(|what| {
+            let mut bare = BareFaces::default();
             let kept = self.kept_corners(what);
             if kept.is_empty() || self.written_column(what).is_some() {
-                return 0;
+                return bare;
             }
             let all_had_one = kept.iter().all(|&row| row != MISSING);
             let is_face = |&f: &FaceId| !self.mesh.is_hole(f);
             let faces: Vec<_> = self.mesh.faces().filter(is_face).collect();
             let corners = Corners::of(self, what, &faces);
-            let is_bare = |&f: &FaceId| {
-                let mut sides = self.mesh.face_halfedges(f);
-                let mut had =
-                    || self.face_number(f).is_none() || sides.any(|h| corners.row(h).is_some());
-                !corners.cover(&self.mesh, f) && (all_had_one || had())
-            };
-            faces.iter().filter(|f| is_bare(f)).count()
+            for f in faces.into_iter().filter(|&f| !corners.cover(&self.mesh, f)) {
+                let sides = || self.mesh.face_halfedges(f);
+                let is_new = self.face_number(f).is_none();
+                let has = all_had_one || sides().any(|h| corners.row(h).is_some());
+                if is_new || has && sides().any(|h| self.corner(h).is_none()) {
+                    bare.new += 1;
+                } else if has {
+                    bare.partial += 1;
+                } else {
+                    bare.without += 1;
+                }
+            }
+            bare
         })
     }
 

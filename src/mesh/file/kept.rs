@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 use std::fmt;
 
+use super::corners::OfCorner;
 use super::scan::Scanner;
 use crate::mesh::polygons::Polygons;
 
@@ -15,7 +16,7 @@ pub(super) struct Kept {
     /// The operands of `mtllib`.
     pub(super) libraries: Vec<Vec<u8>>,
     /// The lines `comment` and `obj_info` of a PLY file.
-    pub(super) comments: Vec<String>,
+    pub(super) comments: Vec<Vec<u8>>,
     /// The operands of `o`, `g`, `usemtl` and `s`, which states refer to by index.
     pub(super) names: Vec<Vec<u8>>,
     /// The numbers of the physical groups of a Gmsh file, by name.
@@ -136,6 +137,14 @@ impl Kept {
         if !rest.trim_ascii().is_empty() {
             let what = ["byte", "bytes"].map(|word| format!("{word} behind the last {element}"));
             self.note_count(what, rest.len());
+        }
+    }
+
+    /// The texture coordinates or normals, and the row of each corner.
+    pub(super) fn at_corners(&mut self, what: OfCorner) -> (&mut Rows, &mut Vec<u32>) {
+        match what {
+            OfCorner::Texture => (&mut self.texture, &mut self.corner_texture),
+            OfCorner::Normal => (&mut self.normals, &mut self.corner_normals),
         }
     }
 

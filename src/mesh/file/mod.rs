@@ -40,6 +40,7 @@ mod stl;
 mod write;
 
 pub use attributes::WantedAttribute;
+pub use corners::BareFaces;
 pub use error::{FileError, FileFaultKind, FileFaults, FileReason};
 pub use format::{Encoding, FileFormat, MshVersion};
 pub use lost_values::{Loss, LostValues};

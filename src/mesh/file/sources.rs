@@ -25,6 +25,20 @@ impl MeshFile {
         faces.iter().map(state).collect()
     }
 
+    /// The numbers of faces without an object, and without a material, that follow one that has it:
+    /// in an OBJ file, which cannot take it back, they have it too.
+    pub fn overruled_faces(&self) -> [usize; 2] {
+        [0, 2].map(|place| {
+            let is_missing = |state: &State| state.0[place] == MISSING;
+            if self.kept.states.iter().all(|(_, state)| !is_missing(state)) {
+                return 0;
+            }
+            let states = self.states_of(&self.written_numbers().face_order);
+            let follow = states.iter().flatten().skip_while(|state| is_missing(state));
+            follow.filter(|state| is_missing(state)).count()
+        })
+    }
+
     /// For each slot, the face that a face was cut from, by its place among those that were read.
     fn sources(&self) -> Vec<u32> {
         let mut sources = vec![MISSING; self.mesh.capacity(ElementKind::Face)];

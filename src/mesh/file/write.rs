@@ -63,8 +63,7 @@ fn ready(format: FileFormat, file: &MeshFile) -> Result<Cow<'_, MeshFile>, FileR
             return Err(FileReason::NotPolygons(below_simple(&file.mesh)));
         }
     }
-    let wants_corners = matches!(format, FileFormat::Ply | FileFormat::Halfedges);
-    Ok(match wants_corners && file.kept.has_corners() {
+    Ok(match format == FileFormat::Halfedges && file.kept.has_corners() {
         false => Cow::Borrowed(file),
         true => {
             let mut file = file.clone();

@@ -27,6 +27,15 @@ impl Table {
         self.numbers.truncate(if is_list { self.ends.last().copied().unwrap_or(0) } else { rows });
     }
 
+    /// Adds a row without a value, so that those behind it keep their numbers.
+    fn push_none(&mut self, is_list: bool) {
+        if is_list {
+            self.ends.push(self.numbers.len());
+        } else {
+            self.numbers.push(f64::NAN);
+        }
+    }
+
     /// The length of the lists, if it is the same for all.
     pub(super) fn common_length(&self) -> Option<usize> {
         let first = *self.ends.first()?;
@@ -56,6 +65,11 @@ impl<'t> Body<'t> {
             lines: header.lines,
             is_cut_off: false,
         }
+    }
+
+    /// The line in the file, if it is a text.
+    fn line(&self) -> Option<u32> {
+        (self.encoding == Encoding::Ascii).then(|| self.lines + self.scanner.line())
     }
 
     fn left(&self) -> usize {
@@ -92,10 +106,22 @@ impl<'t> Body<'t> {
         if element.properties.is_empty() {
             return Ok(tables);
         }
+        let is_text = self.encoding == Encoding::Ascii;
         for row in 0..element.count {
-            if !self.row(element, &mut tables)? {
-                let is_text = self.encoding == Encoding::Ascii;
-                damage.add(is_text.then(|| self.lines + self.scanner.line()), || {
+            let is_whole = match self.row(element, &mut tables) {
+                Err((line, FileReason::Malformed(words))) if is_text => {
+                    damage.add(line, || words);
+                    self.scanner.end_line();
+                    for (property, table) in element.properties.iter().zip(&mut tables) {
+                        table.truncate(row, property.list.is_some());
+                        table.push_none(property.list.is_some());
+                    }
+                    continue;
+                }
+                read => read?,
+            };
+            if !is_whole {
+                damage.add(self.line(), || {
                     let name = shown(element.name.as_bytes());
                     format!("the file ends within {name} {} of {}", row + 1, element.count)
                 });
@@ -138,7 +164,7 @@ impl<'t> Body<'t> {
                     Some(length) if length >= 0.0 && length.fract() == 0.0 => length as usize,
                     Some(length) => {
                         let words = format!("{length} is not a length of a list");
-                        return Err((None, FileReason::Malformed(words)));
+                        return Err((self.line(), FileReason::Malformed(words)));
                     }
                     None => return Ok(false),
                 },
@@ -188,11 +214,7 @@ impl<'t> Body<'t> {
         }
         match self.scanner.number() {
             Some(Ok(number)) => Ok(Some(number)),
-            Some(Err(word)) => {
-                let words = no_number(word);
-                let line = Some(self.lines + self.scanner.line());
-                Err((line, FileReason::Malformed(words)))
-            }
+            Some(Err(word)) => Err((self.line(), FileReason::Malformed(no_number(word)))),
             None => Ok(None),
         }
     }

@@ -1,5 +1,7 @@
 //! The head of a file.
 
+use std::collections::HashMap;
+
 use crate::mesh::attribute::{AttributeType, Value};
 use crate::mesh::file::error::{Damage, Failure, FileReason};
 use crate::mesh::file::format::Encoding;
@@ -104,10 +106,7 @@ impl Element {
 
 /// The declaration of an attribute in a comment.
 pub(super) struct Declared {
-    pub(super) kind: ElementKind,
     pub(super) name: String,
-    /// The property that has its values, by whose name it is found.
-    pub(super) property: String,
     pub(super) default: Value,
 }
 
@@ -116,12 +115,13 @@ pub(super) struct Declared {
 pub(super) struct Header {
     pub(super) encoding: Encoding,
     pub(super) elements: Vec<Element>,
-    pub(super) declared: Vec<Declared>,
+    /// The attributes of each kind, by the names of the properties that have their values.
+    pub(super) declared: [HashMap<String, Declared>; 4],
     /// The names of objects, groups, materials and smoothing groups, by number.
     pub(super) names: [Vec<Vec<u8>>; 4],
     pub(super) libraries: Vec<Vec<u8>>,
     /// The other comments, and the lines `obj_info`.
-    pub(super) comments: Vec<String>,
+    pub(super) comments: Vec<Vec<u8>>,
     /// The length in bytes, and the number of lines.
     pub(super) length: usize,
     pub(super) lines: u32,
@@ -156,7 +156,7 @@ impl Header {
                 _ if header.lines == 1 => false,
                 [] => true,
                 ["obj_info", ..] => {
-                    header.comments.push(line.trim().to_owned());
+                    header.comments.push(rest[..end].trim_ascii().to_vec());
                     true
                 }
                 ["format", name, _] => {
@@ -164,7 +164,7 @@ impl Header {
                     header.set_format(name)
                 }
                 ["comment", ..] => {
-                    header.comment(line.trim());
+                    header.comment(rest[..end].trim_ascii());
                     true
                 }
                 ["element", name, _] if header.elements.iter().any(|it| it.name == *name) => {
@@ -225,28 +225,34 @@ impl Header {
     }
 
     /// Reads a comment: one of the declarations that this module writes, or one to keep.
-    fn comment(&mut self, line: &str) {
-        let text = line["comment".len()..].trim();
-        let (word, rest) = text.split_once(' ').unwrap_or((text, ""));
-        if word == "mtllib" {
-            self.libraries.push(rest.as_bytes().to_vec());
-        } else if word == "attribute"
-            && let Some(declared) = declared(rest)
+    fn comment(&mut self, line: &[u8]) {
+        let (word, rest) = first_word(line["comment".len()..].trim_ascii());
+        let text = String::from_utf8_lossy(rest);
+        if word == b"mtllib" {
+            self.libraries.push(rest.to_vec());
+        } else if word == b"attribute"
+            && let Some((kind, property, declared)) = declared(&text)
         {
-            self.declared.push(declared);
-        } else if let Some(place) = STATES.iter().position(|state| *state == word)
-            && let (number, name) = rest.split_once(' ').unwrap_or((rest, ""))
-            && number.parse() == Ok(self.names[place].len())
+            self.declared[kind as usize].entry(property).or_insert(declared);
+        } else if let Some(place) = STATES.iter().position(|state| state.as_bytes() == word)
+            && let (number, name) = first_word(rest)
+            && number == self.names[place].len().to_string().as_bytes()
         {
-            self.names[place].push(name.as_bytes().to_vec());
+            self.names[place].push(name.to_vec());
         } else {
-            self.comments.push(line.to_owned());
+            self.comments.push(line.to_vec());
         }
     }
 }
 
+/// The first word of a text, and what follows the blank behind it.
+fn first_word(text: &[u8]) -> (&[u8], &[u8]) {
+    let end = text.iter().position(|&byte| byte == b' ').unwrap_or(text.len());
+    (&text[..end], text.get(end + 1..).unwrap_or_default())
+}
+
 /// `KIND NAME TYPE DEFAULT`, or with ` as PROPERTY`.
-fn declared(text: &str) -> Option<Declared> {
+fn declared(text: &str) -> Option<(ElementKind, String, Declared)> {
     let words: Vec<&str> = text.split_ascii_whitespace().collect();
     let [kind, name, ty, default @ ..] = words.as_slice() else { return None };
     let (default, property) = match default {
@@ -263,6 +269,6 @@ fn declared(text: &str) -> Option<Declared> {
             Value::from_reals(ty, &reals)?
         }
     };
-    let (name, property) = ((*name).to_owned(), (*property).to_owned());
-    Some(Declared { kind, name, property, default })
+    let name = (*name).to_owned();
+    Some((kind, (*property).to_owned(), Declared { name, default }))
 }

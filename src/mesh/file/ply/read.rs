@@ -8,6 +8,7 @@ use super::body::{Body, Table};
 use super::header::{Declared, Element, Header, Property, STATES, Scalar};
 use crate::mesh::attribute::{AttributeType, Value};
 use crate::mesh::file::contents::{Contents, FileColumn};
+use crate::mesh::file::corners::OfCorner;
 use crate::mesh::file::error::{Failure, FileReason};
 use crate::mesh::file::kept::MISSING;
 use crate::mesh::file::scan::shown;
@@ -88,6 +89,14 @@ const TOGETHER: [(&str, &[&str]); 8] = [
     ("alpha", &["alpha"]),
 ];
 
+/// The lists at the corners of faces that are kept beside the mesh, with the numbers that each
+/// corner has.
+const AT_CORNERS: [(&str, OfCorner, usize); 3] = [
+    ("texcoord", OfCorner::Texture, 2),
+    ("uv", OfCorner::Texture, 3),
+    ("normal", OfCorner::Normal, 3),
+];
+
 impl Rows<'_> {
     /// Takes the table of the property with the given name, if there is one.
     fn take(&mut self, name: &str, list: bool) -> Option<(Table, Scalar)> {
@@ -155,16 +164,21 @@ impl Rows<'_> {
         let Some(Table { numbers, ends }) = self.corner_lists("faces")? else { return Ok(()) };
         let corners: Vec<u32> = numbers.into_iter().map(index).collect();
         self.states();
-        self.texture(&ends);
+        AT_CORNERS.into_iter().for_each(|at_corners| self.at_corners(at_corners, &ends));
         self.columns(ElementKind::Face, &ends);
         self.contents.polygons = Polygons::of_parts(corners, ends);
         Ok(())
     }
 
-    /// Reads texture coordinates at the corners; an empty list stands for none.
-    fn texture(&mut self, ends: &[usize]) {
-        let Some(place) = self.place("texcoord", true) else { return };
-        if self.find_declared(ElementKind::Halfedge, "texcoord").is_some() {
+    /// Reads texture coordinates or normals at the corners; an empty list stands for none.
+    fn at_corners(&mut self, (name, what, width): (&str, OfCorner, usize), ends: &[usize]) {
+        let Some(place) = self.place(name, true) else { return };
+        let are_declared = |kind| self.find_declared(kind, name).is_some();
+        let has_parts = |&(attribute, parts): &(&str, &[&str])| {
+            attribute == name && parts.iter().all(|part| self.place(part, false).is_some())
+        };
+        let are_of_faces = are_declared(ElementKind::Face) && !TOGETHER.iter().any(has_parts);
+        if are_declared(ElementKind::Halfedge) || are_of_faces {
             return; // they are an attribute by themselves
         }
         let table = &self.tables[place];
@@ -172,28 +186,29 @@ impl Rows<'_> {
         let (mut start, mut first) = (0, 0);
         for (&end, &corners) in table.ends.iter().zip(ends) {
             let (numbers, corners) = (end - start, corners - first);
-            is_fitting &= numbers == 0 || numbers == 2 * corners;
+            is_fitting &= numbers == 0 || numbers == width * corners;
             (start, first) = (end, first + corners);
         }
-        if !is_fitting {
+        let (rows, of_corners) = self.contents.kept.at_corners(what);
+        if !is_fitting || !of_corners.is_empty() {
             return;
         }
-        let kept = &mut self.contents.kept;
         let Table { numbers, ends: lists } = std::mem::take(&mut self.tables[place]);
-        kept.texture.width = 2;
+        rows.width = width;
         let mut known = HashMap::new();
         let (mut start, mut first) = (0, 0);
         for (&end, &corners) in lists.iter().zip(ends) {
             for corner in 0..corners - first {
-                kept.corner_texture.push(match end - start {
+                of_corners.push(match end - start {
                     0 => MISSING,
                     _ => {
-                        let row =
-                            [numbers[start + 2 * corner], numbers[start + 2 * corner + 1], 0.0];
-                        let next = kept.texture.rows.len() as u32;
+                        let mut row = [0.0; 3];
+                        let first = start + width * corner;
+                        row[..width].copy_from_slice(&numbers[first..first + width]);
+                        let next = rows.rows.len() as u32;
                         let place = *known.entry(row.map(f64::to_bits)).or_insert(next);
                         if place == next {
-                            kept.texture.rows.push(row);
+                            rows.rows.push(row);
                         }
                         place
                     }
@@ -213,9 +228,11 @@ impl Rows<'_> {
             match self.take(name, false) {
                 Some((table, _)) => self.contents.kept.add_states(keyword, names, &table.numbers),
                 // They are comments of another program.
-                None => self.contents.kept.comments.extend((0..).zip(names).map(|(at, text)| {
-                    format!("comment {name} {at} {}", String::from_utf8_lossy(text))
-                })),
+                None => {
+                    self.contents.kept.comments.extend((0..).zip(names).map(|(at, text)| {
+                        [format!("comment {name} {at} ").as_bytes(), text].concat()
+                    }))
+                }
             }
         }
     }
@@ -239,12 +256,17 @@ impl Rows<'_> {
 
     /// Makes columns of the remaining tables. `corners` has the ends of the polygons.
     fn columns(&mut self, kind: ElementKind, corners: &[usize]) {
+        let mut known = Vec::new();
         for (name, parts) in TOGETHER {
             let places: Option<Vec<_>> = parts.iter().map(|part| self.place(part, false)).collect();
             let Some(places) = places else { continue };
+            if known.contains(&name) {
+                continue; // others are this attribute, and these stay single numbers
+            }
             if parts.iter().any(|part| self.find_declared(kind, part).is_some()) {
                 continue; // they are attributes by themselves
             }
+            known.push(name);
             let rows = self.tables[places[0]].numbers.len();
             let scale = match name {
                 "color" | "alpha" => self.element.properties[places[0]].scalar.greatest(),
@@ -262,7 +284,10 @@ impl Rows<'_> {
                 self.contents.columns.push(FileColumn::new(kind, name, default, reals));
             }
         }
-        for place in 0..self.tables.len() {
+        // A name that an attribute cannot have does not take that of another one.
+        let mut places: Vec<usize> = (0..self.tables.len()).collect();
+        places.sort_by_key(|&place| !self.element.properties[place].name.chars().all(is_of_name));
+        for place in places {
             let table = std::mem::take(&mut self.tables[place]);
             if !table.numbers.is_empty() {
                 self.column(kind, place, table, corners);
@@ -272,7 +297,7 @@ impl Rows<'_> {
 
     fn column(&mut self, kind: ElementKind, place: usize, table: Table, corners: &[usize]) {
         let property = &self.element.properties[place];
-        let said = |c: char| if c.is_alphanumeric() || c == '_' { c } else { '_' };
+        let said = |c: char| if is_of_name(c) { c } else { '_' };
         let name: String = property.name.chars().map(said).collect();
         let said_so = |kind| self.find_declared(kind, &property.name);
         let declared = |kind| said_so(kind).map(|declared| declared.default);
@@ -317,9 +342,13 @@ impl Rows<'_> {
 
     /// The attribute that is declared for a property.
     fn find_declared(&self, kind: ElementKind, property: &str) -> Option<&Declared> {
-        let mut all = self.header.declared.iter();
-        all.find(|declared| declared.kind == kind && declared.property == property)
+        self.header.declared[kind as usize].get(property)
     }
+}
+
+/// True if a name of an attribute may have a character.
+fn is_of_name(c: char) -> bool {
+    c.is_alphanumeric() || c == '_'
 }
 
 /// The default of an attribute that other programs know, where none is declared.

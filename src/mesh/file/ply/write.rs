@@ -6,11 +6,12 @@ use std::io::{self, Write};
 use super::header::{STATES, Scalar};
 use super::read::usual_default;
 use crate::mesh::attribute::{AttributeType, Column, ColumnId, Value};
+use crate::mesh::file::corners::{Corners, OfCorner};
 use crate::mesh::file::format::Encoding;
-use crate::mesh::file::kept::MISSING;
+use crate::mesh::file::kept::{MISSING, Rows as Table};
 use crate::mesh::file::mesh_file::{MeshFile, WrittenNumbers};
 use crate::mesh::file::print::{Printer, one_nan};
-use crate::mesh::id::ElementKind;
+use crate::mesh::id::{ElementKind, FaceId};
 
 /// A property to be written: its numbers, and how they are divided into rows.
 struct Property {
@@ -27,6 +28,8 @@ enum Rows {
     Alike(usize),
     /// Lists with this many numbers for each corner of a face.
     Corners(usize),
+    /// Lists with these ends.
+    Lists(Vec<usize>),
 }
 
 /// Writes a mesh.
@@ -37,8 +40,8 @@ pub(in crate::mesh::file) fn write(
 ) -> io::Result<()> {
     let mesh = &file.mesh;
     // They come before the declarations, which number their names in order.
-    let comments = file.kept.comments.iter().map(|comment| format!("{comment}\n"));
-    let mut head = Head { text: comments.collect() };
+    let comments = file.kept.comments.iter().flat_map(|comment| [comment, &b"\n"[..]]);
+    let mut head = Head { text: comments.collect::<Vec<_>>().concat() };
     let mut vertices = Vec::new();
     let at = numbers.vertex_order.iter().flat_map(|&v| mesh.position(v).to_array()).collect();
     together(&mut vertices, &["x", "y", "z"], at, None);
@@ -58,6 +61,9 @@ pub(in crate::mesh::file) fn write(
     let (scalar, rows) = (Scalar::I32, Rows::Corners(1));
     faces.push(Property { name, scalar, numbers: corners, rows });
     head.states(&mut faces, file, numbers);
+    for what in OfCorner::ALL {
+        faces.extend(at_corners(file, what, &numbers.face_order));
+    }
     let order: Vec<u32> = numbers.face_order.iter().map(|f| f.0).collect();
     let kinds = [(ElementKind::Face, &order[..]), (ElementKind::Halfedge, &halfedges)];
     head.columns(&mut faces, file, &kinds);
@@ -81,6 +87,7 @@ pub(in crate::mesh::file) fn write(
     ];
     let longest = faces.iter().map(|property| match property.rows {
         Rows::Corners(each) => each,
+        Rows::Lists(_) => 3,
         _ => 0,
     });
     let sides = numbers.face_order.iter().map(|&f| mesh.face_size(f)).max().unwrap_or(0);
@@ -91,12 +98,38 @@ pub(in crate::mesh::file) fn write(
     };
     let text = head.finish(file.encoding, length, &elements);
     let mut printer = Printer::new(output);
-    printer.word(&text);
+    printer.bytes(&text);
     for (_, count, properties) in elements {
         let rows = if properties.is_empty() { 0 } else { count };
         write_rows(&mut printer, file.encoding, length, properties, rows, &ends)?;
     }
     printer.flush()
+}
+
+/// The texture coordinates or normals that are kept beside the mesh, if there are any: a list for
+/// each face, empty if it has none.
+fn at_corners(file: &MeshFile, what: OfCorner, faces: &[FaceId]) -> Option<Property> {
+    let mesh = &file.mesh;
+    if mesh.find_column(ElementKind::Halfedge, what.name()).is_some() {
+        return None;
+    }
+    let corners = Corners::kept(file, what, faces);
+    let Table { rows, width } = corners.rows();
+    let (name, width) = match (what, width) {
+        (OfCorner::Texture, 0..3) => ("texcoord", 2),
+        (OfCorner::Texture, _) => ("uv", 3),
+        (OfCorner::Normal, _) => ("normal", 3),
+    };
+    let (mut numbers, mut ends) = (Vec::new(), Vec::with_capacity(faces.len()));
+    for &f in faces {
+        if corners.cover(mesh, f) {
+            let row = |h| rows.get(corners.row(h)? as usize);
+            numbers.extend(mesh.face_halfedges(f).filter_map(row).flat_map(|row| &row[..width]));
+        }
+        ends.push(numbers.len());
+    }
+    let (name, scalar) = (name.to_owned(), smallest(&numbers));
+    (!numbers.is_empty()).then_some(Property { name, scalar, numbers, rows: Rows::Lists(ends) })
 }
 
 /// Adds properties whose numbers are interleaved, row by row.
@@ -124,6 +157,8 @@ fn smallest(numbers: &[f64]) -> Scalar {
 fn usual(kind: ElementKind, column: &Column) -> &'static [&'static str] {
     match (kind, column.name(), column.attribute_type()) {
         (ElementKind::Halfedge, "uv", AttributeType::Vec2) => &["texcoord"],
+        (ElementKind::Halfedge, "uv", AttributeType::Vec3) => &["uv"],
+        (ElementKind::Halfedge, "normal", AttributeType::Vec3) => &["normal"],
         (ElementKind::Halfedge | ElementKind::Edge, ..) => &[],
         (_, "normal", AttributeType::Vec3) => &["nx", "ny", "nz"],
         (_, "color", AttributeType::Vec3) => &["red", "green", "blue"],
@@ -136,7 +171,7 @@ fn usual(kind: ElementKind, column: &Column) -> &'static [&'static str] {
 
 /// The comments of a head, collected so far.
 struct Head {
-    text: String,
+    text: Vec<u8>,
 }
 
 impl Head {
@@ -158,12 +193,13 @@ impl Head {
         taken.extend(columns().flat_map(|(_, _, usual, _)| usual).map(|&name| name.to_owned()));
         for (id, column, usual, order) in columns() {
             let (kind, ty, numbers) = (id.kind, column.attribute_type(), numbers(file, id, order));
-            if let ["texcoord"] = usual {
-                if column.default_value().reals() != [0.0; 2] {
-                    self.declare(kind, column, "texcoord");
+            if let (ElementKind::Halfedge, [name]) = (kind, usual) {
+                if !column.default_value().is_identical(ty.zero()) {
+                    self.declare(kind, column, name);
                 }
-                let (name, scalar) = ("texcoord".to_owned(), smallest(&numbers));
-                properties.push(Property { name, scalar, numbers, rows: Rows::Corners(2) });
+                let (name, scalar) = ((*name).to_owned(), smallest(&numbers));
+                let rows = Rows::Corners(ty.width());
+                properties.push(Property { name, scalar, numbers, rows });
             } else if !usual.is_empty() {
                 let default = column.default_value();
                 if !usual_default(column.name()).is_some_and(|usual| usual.is_identical(default)) {
@@ -208,17 +244,21 @@ impl Head {
             _ => default.reals().iter().map(|real| format!(" {real}")).collect(),
         };
         let (name, ty) = (column.name(), column.attribute_type());
-        self.text += &format!("comment attribute {kind} {name} {ty}{shown}");
-        if name != property {
-            self.text += &format!(" as {property}");
-        }
-        self.text += "\n";
+        let behind = if name == property { String::new() } else { format!(" as {property}") };
+        self.line(&format!("comment attribute {kind} {name} {ty}{shown}{behind}"), b"");
+    }
+
+    /// Adds a line that ends with a name, without the control characters of this.
+    fn line(&mut self, text: &str, name: &[u8]) {
+        self.text.extend_from_slice(text.as_bytes());
+        self.text.extend(name.iter().map(|&b| if b.is_ascii_control() { b' ' } else { b }));
+        self.text.push(b'\n');
     }
 
     /// Adds objects, groups, materials and smoothing groups: numbers, and comments that name them.
     fn states(&mut self, faces: &mut Vec<Property>, file: &MeshFile, numbers: &WrittenNumbers) {
         for library in &file.kept.libraries {
-            self.text += &format!("comment mtllib {}\n", line(library));
+            self.line("comment mtllib ", library);
         }
         let states = file.states_of(&numbers.face_order);
         if states.is_empty() {
@@ -243,7 +283,7 @@ impl Head {
                 continue;
             }
             for (number, value) in known.into_iter().enumerate() {
-                self.text += &format!("comment {name} {number} {}\n", line(value));
+                self.line(&format!("comment {name} {number} "), value);
             }
             let (scalar, rows) = (Scalar::I32, Rows::One);
             faces.push(Property { name: name.to_owned(), scalar, numbers: values, rows });
@@ -255,31 +295,27 @@ impl Head {
         encoding: Encoding,
         length: Scalar,
         elements: &[(&str, usize, &Vec<Property>)],
-    ) -> String {
+    ) -> Vec<u8> {
         let format = match encoding {
             Encoding::Ascii => "ascii",
             Encoding::LittleEndian => "binary_little_endian",
             Encoding::BigEndian => "binary_big_endian",
         };
-        let mut text = format!("ply\nformat {format} 1.0\n{}", self.text);
+        let mut text = String::new();
         for (name, count, properties) in elements.iter().filter(|(_, _, p)| !p.is_empty()) {
             text += &format!("element {name} {count}\n");
             for Property { name, scalar, rows, .. } in *properties {
                 let list = match rows {
                     Rows::One => String::new(),
                     Rows::Alike(_) => "list uchar ".to_owned(),
-                    Rows::Corners(_) => format!("list {} ", length.name()),
+                    Rows::Corners(_) | Rows::Lists(_) => format!("list {} ", length.name()),
                 };
                 text += &format!("property {list}{} {name}\n", scalar.name());
             }
         }
-        text + "end_header\n"
+        let head = format!("ply\nformat {format} 1.0\n");
+        [head.as_bytes(), &self.text, text.as_bytes(), b"end_header\n"].concat()
     }
-}
-
-/// A name without control characters, for a line.
-fn line(name: &[u8]) -> String {
-    String::from_utf8_lossy(name).chars().map(|c| if c.is_control() { ' ' } else { c }).collect()
 }
 
 /// The numbers of a column, element by element.
@@ -316,10 +352,14 @@ fn write_rows(
     for row in 0..rows {
         let corners = ends.get(row).map_or(0..0, |&end| first..end);
         for (place, property) in properties.iter().enumerate() {
-            let numbers = match property.rows {
+            let numbers = match &property.rows {
                 Rows::One => &property.numbers[row..=row],
                 Rows::Alike(length) => &property.numbers[row * length..(row + 1) * length],
                 Rows::Corners(each) => &property.numbers[corners.start * each..corners.end * each],
+                Rows::Lists(ends) => {
+                    let first = row.checked_sub(1).map_or(0, |before| ends[before]);
+                    &property.numbers[first..ends[row]]
+                }
             };
             if place > 0 && encoding == Encoding::Ascii {
                 printer.bytes(b" ");
