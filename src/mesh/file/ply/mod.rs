@@ -10,7 +10,8 @@
 //! | `nx ny nz`, `red green blue` (whole numbers divided by their greatest), `s t` or `u v` | `normal`, `color`, `uv` of the vertex or face |
 //! | a number `NAME` | `NAME: … int` or `real` |
 //! | a list `NAME` of always 2, 3, 4, 9 or 16 numbers | `NAME: … vec2`, `vec3`, `vec4`, `mat3`, `mat4` |
-//! | a list `texcoord` of a face; a list `NAME` of 1, 2, … for each of its corners | `uv: halfedge vec2`; `NAME: halfedge …` |
+//! | lists `texcoord` (2 numbers for each corner), `uv` and `normal` (3) of a face, empty if it has none | as `vt` and `vn` in OBJ |
+//! | a list `NAME` of a face of 1, 2, … numbers for each of its corners | `NAME: halfedge …` |
 //! | numbers of the element `edge`, after `vertex1 vertex2` | `NAME: edge …` |
 //! | `object`, `group`, `material`, `smoothing` of a face, where comments name their values | as `o`, `g`, `usemtl`, `s` in OBJ |
 //!
@@ -18,6 +19,7 @@
 //! `comment attribute KIND NAME TYPE DEFAULT`, as in halfedge tables, and ` as PROPERTY` behind it
 //! where another property has the name; `comment material 0 NAME` and the like; `comment mtllib
 //! NAME`. Other comments and `obj_info` are kept. Reals are written with 32 bits where that is exact.
+//! If two properties would be attributes of one name, the second gets an underscore.
 
 mod body;
 mod header;
