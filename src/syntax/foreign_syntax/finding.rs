@@ -1,7 +1,7 @@
 //! Foreign syntax that was found in one place.
 
 use super::pattern::{Class, What};
-use super::place::{CODE, HEAD, Item};
+use super::place::{CODE, HEAD, Item, PARAMETERS};
 use super::table::{Form, Piece};
 use super::types::type_meant;
 use super::value::operand_end;
@@ -93,7 +93,7 @@ impl<'t> Match<'t, '_> {
 
     /// The name in this language of a foreign type in a hole, in the head of an item or in a block.
     fn renamed(&self, hole: &str, range: Range<usize>) -> Option<&'static str> {
-        let is_type = hole == "t" && matches!(self.form.place, HEAD | CODE);
+        let is_type = hole == "t" && matches!(self.form.place, HEAD | PARAMETERS | CODE);
         is_type.then(|| type_meant(self.item.slice(range)))?
     }
 

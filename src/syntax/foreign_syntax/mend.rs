@@ -55,7 +55,8 @@ pub fn mend(text: &str, tokens: &[Token]) -> Mended {
     let mut at = 0;
     while let Some(kind) = item.kind(at) {
         let place = braces.place();
-        let known = matching(&item, at, place, braces.begins(&item, at)).filter(|_| left > 0);
+        let known = matching(&item, at, braces.places(&item, at), braces.begins(&item, at))
+            .filter(|_| left > 0);
         if let Some((number, parts)) = known {
             let hit = Match { form: &forms()[number], item: &item, parts };
             found.push(hit.found(number));
@@ -85,12 +86,12 @@ pub fn mend(text: &str, tokens: &[Token]) -> Mended {
 fn matching(
     item: &Item,
     at: usize,
-    place: Places,
+    places: Places,
     begins: bool,
 ) -> Option<(usize, Vec<Range<usize>>)> {
     forms_from(item.word(at)).iter().find_map(|&number| {
         let form = &forms()[number];
-        let parts = (form.place & place != 0).then(|| form.seen().matched(item, at, begins))??;
+        let parts = (form.place & places != 0).then(|| form.seen().matched(item, at, begins))??;
         parts.last().is_some_and(|last| last.end > at).then_some((number, parts))
     })
 }

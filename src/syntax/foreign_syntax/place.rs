@@ -16,6 +16,8 @@ pub(super) const PARTS: Places = 2;
 pub(super) const DRAWING: Places = 4;
 /// In a block of statements.
 pub(super) const CODE: Places = 8;
+/// Among the parameters of an item.
+pub(super) const PARAMETERS: Places = 16;
 /// Anywhere.
 pub(super) const ANY: Places = HEAD | PARTS | DRAWING | CODE;
 
@@ -225,6 +227,17 @@ impl Braces {
     /// The current place.
     pub(super) fn place(&self) -> Places {
         self.open.last().copied().unwrap_or(HEAD)
+    }
+
+    /// The current place, with that of parameters if one can begin behind a token.
+    pub(super) fn places(&self, item: &Item, at: usize) -> Places {
+        let declares = |kind| matches!(kind, Some(T::Op | T::Fn | T::Script));
+        let is_head = self.open.is_empty() && declares(self.word);
+        let begins = match item.kind(at) {
+            Some(T::LeftParen) => at.checked_sub(2).is_some_and(|at| declares(item.kind(at))),
+            _ => self.parentheses == [1],
+        };
+        self.place() | if is_head && begins { PARAMETERS } else { 0 }
     }
 
     /// True if a statement can begin at a token.

@@ -3,6 +3,7 @@
 
 use super::place::{DRAWING, Places};
 use crate::source::Span;
+use crate::syntax::is_name;
 use crate::syntax::token::TokenKind as T;
 
 /// The replacement of a foreign sign.
@@ -53,6 +54,11 @@ pub(super) fn sign(written: &str, span: Span, around: Around) -> Sign {
             says: "a comment begins with `//` and ends with its line".to_owned(),
             fix: Some(comment(written, span, &around)),
         },
+        '\'' if is_at_no_name(written, &around) => Sign {
+            kind: keyword(written),
+            says: format!("`{written}` means nothing here"),
+            fix: None,
+        },
         '\'' if around.place == DRAWING || !written[1..].ends_with('\'') => {
             let name = written.trim_matches('\'');
             Sign {
@@ -91,6 +97,18 @@ pub(super) fn sign(written: &str, span: Span, around: Around) -> Sign {
         },
         _ => Sign { kind: None, says: format!("`{written}` means nothing here"), fix: None },
     }
+}
+
+/// True if what a prime is attached to in front can be no name.
+fn is_at_no_name(written: &str, around: &Around) -> bool {
+    let is_drawn = around.place == DRAWING;
+    keyword(written).is_some() || is_drawn && !is_name(written.trim_matches('\''))
+}
+
+/// The keyword to which a prime is attached in front.
+fn keyword(written: &str) -> Option<T> {
+    let word = written.strip_prefix('\'')?;
+    T::KEYWORDS.iter().find(|(keyword, _)| *keyword == word).map(|&(_, kind)| kind)
 }
 
 /// The message on a point with digits behind it that touches what stands before it on its line.

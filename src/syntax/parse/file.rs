@@ -1,10 +1,12 @@
 //! A whole file: its items, their doc comments, and the diagnostics.
 
+use super::certain::keep_certain;
 use super::cut::cut;
 use super::depth::{DEEPEST, too_deep};
 use super::failure::Failure;
 use super::input::{self, Rule, Source};
 use super::item::item;
+use super::leftover::brace_too_many;
 use super::report::{Around, report_all};
 use crate::diagnostic::Diagnostic;
 use crate::source::{FileId, Span};
@@ -31,10 +33,19 @@ pub struct Parsed {
 
 /// Parses any text, in time linear in its length.
 pub fn parse(file: FileId, text: &str) -> Parsed {
+    parsed(file, text, true)
+}
+
+/// The same, without trying its fixes.
+pub(super) fn parse_once(file: FileId, text: &str) -> Parsed {
+    parsed(file, text, false)
+}
+
+fn parsed(file: FileId, text: &str, tries: bool) -> Parsed {
     let Lexed { tokens, comments, mut diagnostics, wrong } = lex(file, text);
     let (mut misread, mut mended) = (Vec::new(), Vec::new());
     let report = (&mut diagnostics, &mut misread, &mut mended);
-    let items = items(text, (&tokens, &comments, &wrong), report);
+    let items = items(text, (&tokens, &comments, &wrong), report, tries);
     let tree = File { docs: file_docs(text, &tokens, &comments), items, misread };
     diagnostics.extend(divisors_in_comments(text, &tokens, &comments));
     diagnostics.sort_by_key(|diagnostic| diagnostic.span().start);
@@ -46,9 +57,10 @@ fn items(
     text: &str,
     (tokens, comments, wrong): (&[Token], &[Comment], &[Span]),
     (diagnostics, misread, mended): (&mut Vec<Diagnostic>, &mut Vec<Span>, &mut Vec<Span>),
+    tries: bool,
 ) -> Vec<Item> {
     let grammar = item();
-    let mut reading = Reading { text, grammar: &grammar, diagnostics, misread, mended };
+    let mut reading = Reading { text, grammar: &grammar, diagnostics, misread, mended, tries };
     let mut docs = Docs { text, comments, next: 0 };
     let mut items = Vec::new();
     for range in cut(text, tokens) {
@@ -107,6 +119,8 @@ struct Reading<'t, 'g> {
     diagnostics: &'g mut Vec<Diagnostic>,
     misread: &'g mut Vec<Span>,
     mended: &'g mut Vec<Span>,
+    /// True if fixes are tried.
+    tries: bool,
 }
 
 impl<'t> Reading<'t, '_> {
@@ -126,6 +140,15 @@ impl<'t> Reading<'t, '_> {
         if failures.is_empty() {
             return vec![(first, as_it_is.unwrap_or(Item::Broken(whole)))];
         }
+        if let Some(item) = as_it_is.as_ref()
+            && let (own, behind) = split_after(tokens, item)
+            && failures.iter().all(|failure| item.span().end <= failure.span.start)
+            && let Some(told) = brace_too_many(own, behind)
+        {
+            self.misread.push(self::whole(behind));
+            self.diagnostics.push(told);
+            return as_it_is.map(|item| (first, item)).into_iter().collect();
+        }
         let Mended { tokens: mended, found } = mend(self.text, tokens);
         let wrong = failures.iter().map(|failure| failure.span);
         let wrong = wrong.chain(found.iter().map(|found| found.span));
@@ -136,6 +159,7 @@ impl<'t> Reading<'t, '_> {
             return vec![(first, as_it_is.unwrap_or(Item::Broken(whole)))];
         }
         self.mended.push(whole);
+        let known = self.diagnostics.len();
         let mut items = Vec::new();
         // The replaced tokens do not live as long as the text, so they need their own grammar.
         let grammar = item();
@@ -166,6 +190,9 @@ impl<'t> Reading<'t, '_> {
             self.diagnostics.extend(tell(self.text, found));
             items.push((first, Item::Broken(whole)));
         }
+        if self.tries {
+            keep_certain(self.text, whole, &mut self.diagnostics[known..]);
+        }
         items
     }
 }
@@ -192,10 +219,16 @@ fn whole(tokens: &[Token]) -> Span {
 /// item that they begin with, those behind it.
 fn misread(tokens: &[Token], item: Option<&Item>, mut wrong: impl Iterator<Item = Span>) -> Span {
     let end = item.map_or(0, |item| item.span().end);
-    let (read, behind) = tokens.split_at(tokens.partition_point(|token| token.span.start < end));
+    let (read, behind) = item.map_or((&[][..], tokens), |item| split_after(tokens, item));
     let is_closed = read.last().is_some_and(|last| last.kind == T::RightBrace);
     let is_behind = is_closed && !behind.is_empty() && wrong.all(|wrong| end <= wrong.start);
     whole(if is_behind { behind } else { tokens })
+}
+
+/// The tokens of an item, and those behind it.
+fn split_after<'t>(tokens: &'t [Token], item: &Item) -> (&'t [Token], &'t [Token]) {
+    let end = item.span().end;
+    tokens.split_at(tokens.partition_point(|token| token.span.start < end))
 }
 
 /// True if an error only follows from a finding: on the same line as the foreign syntax, or after

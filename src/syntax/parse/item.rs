@@ -28,7 +28,8 @@ pub(super) fn item<'t>() -> Rule<'t, Item> {
         file_use().map(Item::Use),
     ));
     let item = item.labelled(Phrase::Item).as_context();
-    let leftover = end().recover_with(via_parser(recover::rest().ignored()));
+    let rest = recover::rest().repeated().at_least(1);
+    let leftover = end().recover_with(via_parser(rest));
     item.recover_with(via_parser(recover::rest().map(Item::Broken))).then_ignore(leftover).boxed()
 }
 

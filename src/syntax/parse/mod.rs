@@ -30,7 +30,11 @@ mod report;
 
 mod unclosed;
 
+mod leftover;
+
 mod foreign_syntax;
+
+mod certain;
 
 mod input;
 

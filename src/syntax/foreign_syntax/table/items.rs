@@ -1,11 +1,13 @@
 //! Heads of items: declarations in the syntax of other languages.
 
 use super::{Line, TYPED, fixed, sure, told};
+use crate::syntax::foreign_syntax::place::PARAMETERS;
 
 const CONSTANT: &str = "values stand in items: a constant is a function, `fn k() { 3 }`, a setting a parameter with a default, `script go(k: real = 3)`";
 const ATTRIBUTE: &str = "an attribute is `attr $n: $k $t`";
 const ARROW: &str = "what is returned stands behind an arrow: `-> $t`";
 const QUOTED: &str = "a test has a name in quotes: `test \"…\" { … }`";
+const STATEMENTS: &str = "statements stand in a script: `script go() { … }`";
 const NO_TYPES: &str =
     "there are no types of one's own: values are kept at elements, `attr weight: edge real = 0`";
 
@@ -134,9 +136,10 @@ pub(super) const LINES: &[Line] = &[
     told(
         "^for/if/while/repeat/drain/update/print/assert/must $l:inside { $b:inside }",
         "",
-        "statements stand in a script: `script go() { … }`",
+        STATEMENTS,
     ),
-    told("^print/assert/must $l:line", "", "statements stand in a script: `script go() { … }`"),
+    told("^print/assert/must $l:line", "", STATEMENTS),
+    told("^$n ( $a:inside ) $:end", "", STATEMENTS),
     told(
         "^class/struct/enum/interface/namespace/module/trait/impl/mesh/object $n:part { $b:inside }",
         "",
@@ -185,11 +188,13 @@ pub(super) const LINES: &[Line] = &[
     sure("$o=(/, const", "$o", "parameters have no `const`"),
     sure("$t:word & $n", "$t $n", "there are no references: an element is handed over as it is"),
     sure("$t:word & ~&", "$t", "there are no references: an element is handed over as it is"),
-    sure("$o=(/, $t:word * $n", "$o$n: $t", TYPED),
+    sure("$o=(/, $t:word * $n", "$o$n: $t", TYPED).at(PARAMETERS),
     sure("$c=: & $t:word", "$c $t", "there are no references: an element is handed over as it is"),
-    sure("$o=(/, $n $t=edge/face/vertex/halfedge/real/int/bool/vec2/vec3", "$o$n: $t", TYPED),
-    sure("$o=(/, $n = $t=edge/face/vertex/halfedge/real/int/bool/vec2/vec3", "$o$n: $t", TYPED),
-    sure("$o=(/, $t:word $n", "$o$n: $t", TYPED),
+    sure("$o=(/, $n $t=edge/face/vertex/halfedge/real/int/bool/vec2/vec3", "$o$n: $t", TYPED)
+        .at(PARAMETERS),
+    sure("$o=(/, $n = $t=edge/face/vertex/halfedge/real/int/bool/vec2/vec3", "$o$n: $t", TYPED)
+        .at(PARAMETERS),
+    sure("$o=(/, $t:word $n", "$o$n: $t", TYPED).at(PARAMETERS),
     sure(") : $t:word {", ") -> $t {", ARROW),
     sure(") => $t:word {", ") -> $t {", ARROW),
     sure(") $t=real/int/bool/vec3/float/double {", ") -> $t {", ARROW),
