@@ -30,6 +30,11 @@ impl Reader for Disk {
         read_program(path)
     }
 
+    fn identity(&mut self, name: &str) -> String {
+        let path = Path::new(name).canonicalize();
+        path.map_or_else(|_| name.to_owned(), |path| path.display().to_string())
+    }
+
     fn beside(&mut self, name: &str) -> Vec<String> {
         let folder = Path::new(name).parent().unwrap_or(Path::new(""));
         let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };

@@ -1,12 +1,14 @@
 //! The files of a program: found by `use`, each once.
 //!
 //! A path is looked up beside the file that uses it; one that begins with `std/` is a file of the
-//! [library](crate::library). Files are accessed through a [`Reader`], which gives texts for names.
+//! [library](crate::library). Files are accessed through a [`Reader`], which gives texts for names,
+//! and says which names are of the same file.
 //! No file may use itself, directly or through others.
 
 use std::collections::btree_map::Entry;
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, HashMap, HashSet};
 use std::rc::Rc;
+use std::vec::IntoIter;
 
 use strsim::damerau_levenshtein;
 
@@ -25,6 +27,11 @@ pub trait Reader {
     /// # Errors
     /// The reason, in words: "there is no such file".
     fn read(&mut self, name: &str) -> Result<String, String>;
+
+    /// The one name of a file, by whatever path it is reached.
+    fn identity(&mut self, name: &str) -> String {
+        name.to_owned()
+    }
 
     /// The names of the programs beside a file, for suggestions.
     fn beside(&mut self, name: &str) -> Vec<String>;
@@ -72,7 +79,11 @@ pub(super) fn fetch(
     readings: &mut Readings,
 ) -> Absent {
     let mut absent = Absent::new();
-    let mut seen = vec![root];
+    for file in sources.ids() {
+        let own = identity(sources.get(file).name(), reader);
+        sources.name(file, own);
+    }
+    let mut seen = HashSet::from([root]);
     let mut open = vec![root];
     while let Some(file) = open.pop() {
         let source = sources.get(file);
@@ -82,13 +93,10 @@ pub(super) fn fetch(
             let name = name_of(&here, &path);
             let found = match sources.find(&name) {
                 Some(file) => Ok(file),
-                None => text_of(&name, reader).map(|text| sources.add(name.clone(), text)),
+                None => find_or_add(sources, &name, reader),
             };
             match found {
-                Ok(file) if !seen.contains(&file) => {
-                    seen.push(file);
-                    open.push(file);
-                }
+                Ok(file) if seen.insert(file) => open.push(file),
                 Ok(_) => {}
                 Err(why) => {
                     let meant = meant(&path, &name, reader);
@@ -98,6 +106,28 @@ pub(super) fn fetch(
         }
     }
     absent
+}
+
+/// The file of a name that is new: one that is known under another, or one that is read now.
+fn find_or_add(
+    sources: &mut Sources,
+    name: &str,
+    reader: &mut dyn Reader,
+) -> Result<FileId, String> {
+    let own = identity(name, reader);
+    let file = match sources.find(&own) {
+        Some(file) => file,
+        None => sources.add(name, text_of(name, reader)?),
+    };
+    sources.name(file, name);
+    sources.name(file, own);
+    Ok(file)
+}
+
+/// The one name of a file, by whatever path it is used.
+fn identity(name: &str, reader: &mut dyn Reader) -> String {
+    let own = library::file(name).filter(|_| name.starts_with(FOLDER));
+    own.map_or_else(|| reader.identity(name), |file| file.name.to_owned())
 }
 
 fn text_of(name: &str, reader: &mut dyn Reader) -> Result<String, String> {
@@ -127,11 +157,12 @@ fn is_program(text: &str) -> bool {
 
 /// The name of the file that `path` refers to in the file `here`.
 pub(super) fn name_of(here: &str, path: &str) -> String {
-    if path.starts_with(FOLDER) || path.starts_with('/') {
+    if path.starts_with(FOLDER) {
         return path.to_owned();
     }
     let folder = here.rsplit_once('/').map_or("", |(folder, _)| folder);
-    let rooted = here.starts_with('/');
+    let folder = if path.starts_with('/') { "/" } else { folder };
+    let rooted = here.starts_with('/') || path.starts_with('/');
     let mut steps: Vec<&str> = folder.split('/').filter(|step| !step.is_empty()).collect();
     for step in path.split('/') {
         match step {
@@ -139,6 +170,7 @@ pub(super) fn name_of(here: &str, path: &str) -> String {
             ".." if steps.last().is_some_and(|last| *last != "..") => {
                 steps.pop();
             }
+            ".." if rooted => {}
             step => steps.push(step),
         }
     }
@@ -273,64 +305,76 @@ pub(super) struct Parts {
     pub parts: Vec<Part>,
     pub diagnostics: Vec<Diagnostic>,
     places: HashMap<FileId, usize>,
-    /// The files that are being visited, each but the root with the `use` that led to it.
-    open: Vec<(FileId, Option<Span>)>,
+}
+
+/// A file whose `use` are being followed.
+struct Open {
+    file: FileId,
+    place: usize,
+    /// The `use` that led to it, but for the root.
+    way: Option<Span>,
+    uses: IntoIter<(String, Span)>,
 }
 
 impl Parts {
     /// Collects the files of the program `root` from `sources`.
     pub fn of(sources: &Sources, root: FileId, absent: &Absent, readings: &mut Readings) -> Self {
         let mut parts = Self::default();
-        parts.visit(sources, root, absent, readings);
-        parts
-    }
-
-    fn visit(
-        &mut self,
-        sources: &Sources,
-        file: FileId,
-        absent: &Absent,
-        readings: &mut Readings,
-    ) -> usize {
-        let parsed = readings.read(file, sources.get(file));
-        let paths = uses(&parsed);
-        let place = self.parts.len();
-        self.places.insert(file, place);
-        self.parts.push(Part { file, parsed, uses: Vec::new(), lacks: false });
-        if self.open.is_empty() {
-            self.open.push((file, None));
-        }
-        for (path, span) in paths {
-            let name = name_of(sources.get(file).name(), &path);
-            let Some(used) = sources.find(&name) else {
-                // If the path is not even a text, that has been reported.
-                let mut told = self.parts[place].parsed.diagnostics.iter();
-                if !told.any(|told| told.span() == span) {
-                    let missing = absent.get(&name);
-                    self.diagnostics.push(missing_file(&path, &name, span, missing));
-                }
-                self.parts[place].lacks = true;
+        let mut open = vec![parts.open(sources, root, None, readings)];
+        while let Some(last) = open.last_mut() {
+            let Some((path, span)) = last.uses.next() else {
+                open.pop();
                 continue;
             };
-            if let Some(at) = self.open.iter().position(|(open, _)| *open == used) {
-                self.diagnostics.push(cycle(sources, &self.open[at..], span));
+            let place = last.place;
+            let name = name_of(sources.get(last.file).name(), &path);
+            let Some(used) = sources.find(&name) else {
+                parts.misses(place, missing_file(&path, &name, span, absent.get(&name)));
+                continue;
+            };
+            let known = parts.places.get(&used).copied();
+            let at = known.and_then(|_| open.iter().position(|open| open.file == used));
+            if let Some(at) = at {
+                parts.diagnostics.push(cycle(sources, &open[at..], span));
                 continue;
             }
-            let used = match self.places.get(&used) {
-                Some(&place) => place,
-                None => {
-                    self.open.push((used, Some(span)));
-                    let place = self.visit(sources, used, absent, readings);
-                    self.open.pop();
-                    place
-                }
-            };
-            let uses = &mut self.parts[place].uses;
+            let used = known.unwrap_or_else(|| {
+                open.push(parts.open(sources, used, Some(span), readings));
+                parts.parts.len() - 1
+            });
+            let uses = &mut parts.parts[place].uses;
             if !uses.contains(&used) {
                 uses.push(used);
             }
         }
-        place
+        parts
+    }
+
+    /// Adds a file.
+    fn open(
+        &mut self,
+        sources: &Sources,
+        file: FileId,
+        way: Option<Span>,
+        readings: &mut Readings,
+    ) -> Open {
+        let parsed = readings.read(file, sources.get(file));
+        let uses = uses(&parsed).into_iter();
+        let place = self.parts.len();
+        self.places.insert(file, place);
+        self.parts.push(Part { file, parsed, uses: Vec::new(), lacks: false });
+        Open { file, place, way, uses }
+    }
+
+    /// Notes that a part uses a file that could not be read.
+    fn misses(&mut self, place: usize, missing: Diagnostic) {
+        let part = &mut self.parts[place];
+        part.lacks = true;
+        // If the path is not even a text, that has been reported.
+        let mut told = part.parsed.diagnostics.iter();
+        if !told.any(|told| told.span() == missing.span()) {
+            self.diagnostics.push(missing);
+        }
     }
 }
 
@@ -386,8 +430,8 @@ pub(super) fn broken_file(name: &str, used: Span, errors: &[&Diagnostic]) -> Dia
 }
 
 /// The error that the last file of a chain uses the first.
-fn cycle(sources: &Sources, chain: &[(FileId, Option<Span>)], last: Span) -> Diagnostic {
-    let names = chain.iter().map(|(file, _)| sources.get(*file).name());
+fn cycle(sources: &Sources, chain: &[Open], last: Span) -> Diagnostic {
+    let names = chain.iter().map(|open| sources.get(open.file).name());
     let names: Vec<_> = names.map(|name| format!("`{name}`")).collect();
     let message = match names.as_slice() {
         [only] => format!("{only} uses itself"),
@@ -397,11 +441,8 @@ fn cycle(sources: &Sources, chain: &[(FileId, Option<Span>)], last: Span) -> Dia
         [] => "the file uses itself".to_owned(),
     };
     let mut error = Diagnostic::error("cyclic-use", message, last);
-    for (_, span) in chain.iter().skip(1) {
-        error = match span {
-            Some(span) => error.label(*span, "used here"),
-            None => error,
-        };
+    for way in chain.iter().skip(1).filter_map(|open| open.way) {
+        error = error.label(way, "used here");
     }
     error.note("what both files need can stand in a third")
 }

@@ -120,6 +120,10 @@ impl Reader for Files {
         }
     }
 
+    fn identity(&mut self, name: &str) -> String {
+        self.rest.borrow_mut().identity(name)
+    }
+
     fn beside(&mut self, name: &str) -> Vec<String> {
         let mut names = self.rest.borrow_mut().beside(name);
         let folder = name.rsplit_once('/').map_or("", |(folder, _)| folder);

@@ -446,6 +446,10 @@ impl Reader for Files<'_> {
         self.files.get(name).map_or_else(|| self.rest.read(name), |text| Ok(text.clone()))
     }
 
+    fn identity(&mut self, name: &str) -> String {
+        self.rest.identity(name)
+    }
+
     fn beside(&mut self, name: &str) -> Vec<String> {
         let mut names = self.rest.beside(name);
         names.extend(self.files.keys().cloned());

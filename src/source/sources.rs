@@ -1,5 +1,7 @@
 //! The texts that a run reads.
 
+use std::collections::HashMap;
+
 use super::{FileId, LineTable, Span};
 
 /// One text, its name and its lines.
@@ -39,6 +41,8 @@ impl Source {
 #[derive(Clone, Debug, Default)]
 pub struct Sources {
     files: Vec<Source>,
+    /// The files by all of their names.
+    named: HashMap<String, FileId>,
 }
 
 impl Sources {
@@ -52,8 +56,15 @@ impl Sources {
         let text = text.into();
         let lines = LineTable::new(&text);
         let name = name.into();
+        let file = FileId(self.files.len() as u32);
+        self.name(file, name.clone());
         self.files.push(Source { name, text, lines });
-        FileId((self.files.len() - 1) as u32)
+        file
+    }
+
+    /// Lets a text be found by another name, too, if no other has it.
+    pub fn name(&mut self, file: FileId, name: impl Into<String>) {
+        self.named.entry(name.into()).or_insert(file);
     }
 
     /// The text with the given id, which must come from [`Sources::add`] of this collection.
@@ -63,7 +74,7 @@ impl Sources {
 
     /// The first text with the given name.
     pub fn find(&self, name: &str) -> Option<FileId> {
-        self.ids().find(|&file| self.get(file).name() == name)
+        self.named.get(name).copied()
     }
 
     /// The ids of all texts.

@@ -97,3 +97,20 @@ fn an_op_in_steps_has_only_so_many_reasons_to_refuse() {
     // What calls one that has no plan has none, and that is nothing new to tell.
     assert_eq!(told.len(), 1);
 }
+
+/// Each file uses the next.
+#[test]
+fn a_chain_of_files_may_be_long() {
+    const COUNT: usize = 4_000;
+    let mut sources = Sources::new();
+    let text = |at: usize| match at + 1 < COUNT {
+        true => format!("use \"f{}.hedge\"\n", at + 1),
+        false => "fn last() { 1 }\n".to_owned(),
+    };
+    let files: Vec<_> =
+        (0..COUNT).map(|at| sources.add(format!("f{at}.hedge"), text(at))).collect();
+    let started = Instant::now();
+    let analysis = Analysis::with(&mut sources, files[0], &mut Nowhere);
+    assert!(analysis.is_sound());
+    assert!(started.elapsed() < Duration::from_secs(60), "{:?}", started.elapsed());
+}

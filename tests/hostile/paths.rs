@@ -75,3 +75,31 @@ fn the_server_reads_programs_only() {
     assert!(Disk.read(&name(folder.path().join("b.txt").as_os_str())).is_err());
     assert!(Disk.read(&name(folder.path().as_os_str())).is_err());
 }
+
+/// Links can give a file any number of paths, and a path can leave a folder and come back.
+#[test]
+fn a_file_is_read_once_by_whatever_path() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name);
+    for link in ["A", "B"] {
+        std::os::unix::fs::symlink(".", at(link)).unwrap();
+    }
+    fs::create_dir(at("sub")).unwrap();
+    fs::write(at("half.hedge"), "fn half(x: real) { x / 2 }\n").unwrap();
+    let whole = folder.path().canonicalize().unwrap().display().to_string();
+    let paths = ["half.hedge", "A/half.hedge", "sub/../B/A/half.hedge"].map(str::to_owned);
+    let whole = [format!("{whole}/half.hedge"), format!("{whole}/sub/../half.hedge")];
+    let paths = [&paths[..], &whole, &[format!("/../..{}", whole[0])]].concat();
+    let uses: String = paths.iter().map(|path| format!("use \"{path}\"\n")).collect();
+    let text = format!("{uses}fn quarter(x: real) {{ half(half(x)) }}\n");
+    fs::write(at("root.hedge"), text).unwrap();
+    let told = hedgerow(folder.path(), &["check", "root.hedge"]);
+    assert!(!told.contains("error"), "{told}");
+    fs::write(at("loop.hedge"), "use \"A/loop.hedge\"\nuse \"B/loop.hedge\"\n").unwrap();
+    let told = hedgerow(folder.path(), &["check", "loop.hedge"]);
+    assert!(told.contains("`loop.hedge` uses itself"), "{told}");
+    let text = "use \"std/triangle\"\nuse \"std/triangle.hedge\"\nscript s(e: edge) { split(e) }\n";
+    fs::write(at("std.hedge"), text).unwrap();
+    let told = hedgerow(folder.path(), &["check", "std.hedge"]);
+    assert!(!told.contains("error"), "{told}");
+}
