@@ -61,6 +61,7 @@ impl Server {
             return vec![(document, occurrences(document.snapshot(), offset))];
         };
         self.programs()
+            .filter(|document| has_word(document.text(), &shared.name))
             .map(|document| (document, mentions_of_shared(document.snapshot(), &shared)))
             .filter(|(_, mentions)| !mentions.is_empty())
             .collect()
@@ -109,14 +110,16 @@ impl Server {
         let to = params.new_name.trim();
         let edits = rename(document.snapshot(), offset, to).map_err(Refusal::failed)?;
         let mut changes = vec![(document, edits)];
+        let mut concerned = vec![document];
         if let Some(shared) = shared(document.snapshot(), offset) {
+            concerned = self.concerned(&shared.name, to);
             if !self.programs().any(|known| known.name() == shared.file) {
                 return Err(Refusal::failed(format!(
                     "`{}` is declared in `{}`: open that file to rename it everywhere",
                     shared.name, shared.file
                 )));
             }
-            for other in self.programs() {
+            for other in &concerned {
                 if other.uri() != document.uri() {
                     let edits = rename_shared(other.snapshot(), &shared, to);
                     changes.push((other, edits.map_err(Refusal::failed)?));
@@ -124,14 +127,23 @@ impl Server {
             }
         }
         changes.retain(|(_, edits)| !edits.is_empty());
-        self.try_renamed(&changes, to).map_err(Refusal::failed)?;
+        self.try_renamed(&changes, &concerned, to).map_err(Refusal::failed)?;
         Ok(Some(self.workspace_edit(&changes)))
     }
 
-    /// Tries a rename on the programs that it changes, and on those that use them.
+    /// The programs that may change when an item is renamed: those that contain its name. If one
+    /// contains the new name, the two may clash in any program that uses both.
+    fn concerned(&self, name: &str, to: &str) -> Vec<&Document> {
+        let is_new = !self.programs().any(|document| has_word(document.text(), to));
+        let may_change = |document: &&Document| !is_new || has_word(document.text(), name);
+        self.programs().filter(may_change).collect()
+    }
+
+    /// Tries a rename on the programs that it changes, and on those of the others that use them.
     fn try_renamed(
         &self,
         changes: &[(&Document, Vec<diagnostic::Edit>)],
+        concerned: &[&Document],
         to: &str,
     ) -> Result<(), String> {
         let texts = changes.iter().filter_map(|(document, edits)| {
@@ -139,7 +151,7 @@ impl Server {
             Some((document.name().to_owned(), applied(text, 0..text.len(), edits)?))
         });
         let texts: HashMap<String, String> = texts.collect();
-        for document in self.programs() {
+        for document in concerned {
             let snapshot = document.snapshot();
             let mut read = snapshot.used_names().chain([document.name().to_owned()]);
             if read.any(|name| texts.contains_key(&name)) {
@@ -181,4 +193,10 @@ impl Server {
         });
         WorkspaceEdit { document_changes: Some(changes.collect()), ..Default::default() }
     }
+}
+
+/// True if a text contains a name, with or without primes.
+fn has_word(text: &str, name: &str) -> bool {
+    let name = name.trim_end_matches('\'');
+    text.split(|letter: char| !letter.is_alphanumeric() && letter != '_').any(|word| word == name)
 }

@@ -91,6 +91,7 @@ impl Server {
         let item = params.text_document;
         let name = name(&item.uri);
         self.files.hold(&item.uri, &item.text);
+        self.workspace.opened(&name);
         let document = Document::new(item, self.client.encoding, self.files.clone());
         self.documents.open(document);
         self.file_changed(&name);

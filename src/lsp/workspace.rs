@@ -81,6 +81,11 @@ impl Workspace {
         changed.iter().for_each(|name| self.file_changed(name));
     }
 
+    /// Forgets a program, as it is open now.
+    pub(super) fn opened(&mut self, name: &str) {
+        self.closed.remove(name);
+    }
+
     /// Discards the snapshots of those that use a file of this name.
     pub(super) fn file_changed(&mut self, name: &str) {
         self.closed.values_mut().for_each(|document| document.file_changed(name));

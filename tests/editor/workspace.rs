@@ -1,6 +1,8 @@
 //! Names over the files of a workspace, open or not.
 
+use std::cell::Cell;
 use std::collections::BTreeMap;
+use std::rc::Rc;
 
 use hedgerow::analysis::Reader;
 use serde_json::{Value, json};
@@ -206,4 +208,67 @@ fn a_file_appears_that_only_a_used_file_looks_for() {
     assert_eq!(errors(&client), 1);
     give(&mut client, "c.hedge", "script c() { }\n");
     assert_eq!(errors(&client), 0);
+}
+
+/// The text that the server has read of a file when it was closed counts no longer.
+#[test]
+fn a_file_that_is_opened_later_is_not_there_twice() {
+    let mut client = editor(work());
+    client.open_as(OPS, "op flip(e: edge) { }\nop turn(e: edge) { }\n");
+    let params = json!({ "textDocument": { "uri": OPS }, "position": { "line": 0, "character": 4 },
+        "context": { "includeDeclaration": true } });
+    client.request("textDocument/references", params.clone()).unwrap();
+    let text = "use \"../lib/ops.hedge\"\n\nfn twice(x: real) { 2 * x }\n";
+    client.open_as(APP, text);
+    let found = client.request("textDocument/references", params).unwrap();
+    assert_eq!(places(&found), ["ops.hedge:0"]);
+    let rename = json!({ "textDocument": { "uri": APP }, "newName": "y",
+        "position": { "line": 2, "character": 9 } });
+    let edit = client.request("textDocument/rename", rename).unwrap();
+    let changes = edit["documentChanges"].as_array().unwrap();
+    assert_eq!(changes[0]["edits"].as_array().unwrap().len(), 2, "{edit}");
+}
+
+/// A disk that counts what is read.
+struct Counted(Shelf, Rc<Cell<usize>>);
+
+impl Reader for Counted {
+    fn read(&mut self, name: &str) -> Result<String, String> {
+        self.1.set(self.1.get() + 1);
+        self.0.read(name)
+    }
+
+    fn beside(&mut self, name: &str) -> Vec<String> {
+        self.0.beside(name)
+    }
+
+    fn under(&mut self, folder: &str) -> Vec<String> {
+        self.0.under(folder)
+    }
+}
+
+/// Of a chain of files, only those are analyzed that have the name.
+#[test]
+fn files_without_the_name_are_not_analyzed() {
+    const COUNT: usize = 40;
+    let text = |at: usize| {
+        let used = format!("use \"f{}.hedge\"\n", at + 1);
+        let used = if at + 1 < COUNT { used } else { "\n".to_owned() };
+        format!("{used}fn g{at}(x: real) {{ x }}\n")
+    };
+    let files = (0..COUNT).map(|at| (format!("/work/f{at}.hedge"), text(at)));
+    let reads = Rc::new(Cell::new(0));
+    let disk = Counted(Shelf(files.collect()), Rc::clone(&reads));
+    let mut client = Client::over(Box::new(disk), json!({ "workspaceFolders": work() }));
+    let uri = "file:///work/f0.hedge";
+    client.open_as(uri, &text(0));
+    let at = json!({ "line": 1, "character": 4 });
+    let params = json!({ "textDocument": { "uri": uri }, "position": at,
+        "context": { "includeDeclaration": true } });
+    let found = client.request("textDocument/references", params).unwrap();
+    assert_eq!(places(&found), ["f0.hedge:1"]);
+    let rename = json!({ "textDocument": { "uri": uri }, "position": at, "newName": "first" });
+    client.request("textDocument/rename", rename).unwrap();
+    let reads = reads.get();
+    assert!(reads < 6 * COUNT, "{reads} files are read");
 }
