@@ -82,6 +82,14 @@ impl Document {
         &self.text
     }
 
+    /// A text with the line ends of the document.
+    pub(super) fn with_own_line_ends(&self, text: &str) -> String {
+        match self.text.contains("\r\n") {
+            true => text.replace("\r\n", "\n").replace('\n', "\r\n"),
+            false => text.to_owned(),
+        }
+    }
+
     /// Applies changes in order: each refers to the text that the previous ones have made.
     pub(super) fn change(&mut self, version: i32, changes: Vec<TextDocumentContentChangeEvent>) {
         for change in changes {

@@ -169,7 +169,7 @@ impl Server {
         let edits = |document: &Document, edits: &[diagnostic::Edit]| -> Vec<TextEdit> {
             let edits = edits.iter().map(|edit| TextEdit {
                 range: document.range(edit.span),
-                new_text: edit.text.clone(),
+                new_text: document.with_own_line_ends(&edit.text),
             });
             edits.collect()
         };

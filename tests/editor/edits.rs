@@ -3,6 +3,7 @@
 use serde_json::{Value, json};
 
 use crate::client::{Client, URI, document};
+use crate::shown::{edited, edits};
 use support::dice::Dice;
 
 /// What people and cats type.
@@ -164,4 +165,32 @@ fn the_text_of_the_server_is_that_of_the_client() {
         }
     }
     assert!(done >= count / 3 * 3 && done > 0);
+}
+
+/// What is offered for a text has its line ends.
+#[test]
+fn a_change_keeps_the_line_ends() {
+    let text = "op turn(e: edge) {\n  rule one {\n    before { loop f: v0 -a-> v1 =P=> v0\n      \
+                edge e: a | d }\n    after { keep f e }\n  }\n  rule two {\n    before { edge e: a | d }\n    \
+                after { keep e }\n  }\n}\n";
+    let lines = |text: &str| text.matches('\n').count();
+    let ends = |text: &str| text.matches("\r\n").count();
+    for text in [text.to_owned(), text.replace('\n', "\r\n")] {
+        let mut client = Client::able("utf-8");
+        client.open(&text);
+        let at = json!({ "line": 1, "character": 8 });
+        let params = json!({ "textDocument": document(), "range": { "start": at, "end": at },
+            "context": { "diagnostics": [] } });
+        let offered = client.request("textDocument/codeAction", params).unwrap();
+        let split = offered
+            .as_array()
+            .unwrap()
+            .iter()
+            .find(|action| action["title"].as_str().unwrap().starts_with("split `one` out"));
+        let edits = edits(&split.expect("a rule can be split out")["edit"]);
+        let changed = edited(&text, &edits);
+        let expected = if text.contains('\r') { lines(&changed) } else { 0 };
+        assert_eq!(ends(&changed), expected, "{changed:?}");
+        assert_eq!(changed.matches('\r').count(), expected, "{changed:?}");
+    }
 }
