@@ -439,7 +439,7 @@ fn due(
 ) -> Vec<usize> {
     let is_ours = |of: FileId| !sources.get(of).name().starts_with(library::FOLDER);
     let mut attributes = program.attributes.iter();
-    let is_wanted = attributes.any(|attr| attr.default.is_none() && is_ours(attr.span.file));
+    let is_wanted = attributes.any(|attr| attr.lacks_default && is_ours(attr.span.file));
     let is_due = |of: FileId| of == file || is_wanted || is_ours(of);
     let own = (0..program.ops.len()).filter(|&at| is_due(program.ops[at].span.file));
     reached(program, functions, own.collect())

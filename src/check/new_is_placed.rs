@@ -55,7 +55,7 @@ fn without_default(rule: &Rule, kind: Kind) -> Vec<Access> {
     let Some(element) = kind.element_type() else { return Vec::new() };
     let declared = (0..).zip(rule.attributes.iter());
     let declared = declared
-        .filter(|(_, attribute)| attribute.element == element && attribute.default.is_none())
+        .filter(|(_, attribute)| attribute.element == element && attribute.lacks_default)
         .map(|(number, _)| Access::Declared(number));
     position.into_iter().chain(declared).collect()
 }

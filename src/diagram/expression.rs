@@ -290,8 +290,10 @@ pub struct Attribute {
     pub ty: Type,
     /// The place behind its type, where its default stands.
     pub behind: Span,
-    /// The constant that a new element gets. Without one, an op gives each new element its value.
+    /// The constant that a new element gets; `None` also if there is an error in it.
     pub default: Option<Expr>,
+    /// True if it is declared without a default: then an op gives each new element its value.
+    pub lacks_default: bool,
     /// True if a new element rather gets the value of what it [comes from](super::Rule::inherited).
     pub inherits: bool,
     /// True if it is temporary, and removed when the run is over.

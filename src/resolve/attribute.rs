@@ -23,7 +23,7 @@ pub(super) fn attributes(
         for item in &unit.tree.items {
             let Item::Attr(attr) = item else { continue };
             let resolved = attribute(attr, &declared[number], diagnostics);
-            if attr.default.is_some() && resolved.default.is_none() {
+            if !resolved.lacks_default && resolved.default.is_none() {
                 declared.iter_mut().for_each(|file| file.lose_attribute(&attr.name));
             }
             attributes.push(resolved);
@@ -57,6 +57,7 @@ fn attribute(
         ty: ty.unwrap_or(Type::Real),
         behind: attr.ty.span.after(),
         default: default.filter(|_| ty.is_some()),
+        lacks_default: attr.default.is_none(),
         inherits,
         private: attr.private,
     }

@@ -45,3 +45,22 @@ fn a_proof_is_kept_while_what_it_names_is_as_it_was() {
         assert_eq!(std::ptr::eq(proof, next.examined(0)), is_kept, "{is}");
     }
 }
+
+/// An error in a default is no reason to want a value of new elements: whether an op is proved does
+/// not depend on what was there before.
+#[test]
+fn a_default_with_an_error_is_a_default() {
+    let good =
+        "attr tag: vertex real = 0\nuse \"std/triangle.hedge\"\nscript s(e: edge) { split(e) }\n";
+    for wrong in ["0 0", "true", "nothing"] {
+        let wrong = good.replace("= 0", &format!("= {wrong}"));
+        let later = Snapshot::new("a.hedge", good, &mut Nowhere);
+        let split = |snapshot: &Snapshot| {
+            let at = snapshot.program().ops.iter().position(|op| op.name == "split").unwrap();
+            snapshot.examined(at).proved.is_some()
+        };
+        assert!(split(&later));
+        assert!(split(&later.next(&wrong, &mut Nowhere)), "{wrong}");
+        assert!(split(&Snapshot::new("a.hedge", &wrong, &mut Nowhere)), "{wrong}");
+    }
+}
