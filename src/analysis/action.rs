@@ -22,6 +22,6 @@ pub struct Action {
     pub purpose: Purpose,
     /// The replacements; they do not overlap.
     pub edits: Vec<Edit>,
-    /// The diagnostic that it is about.
+    /// The diagnostic that it resolves, if that is known.
     pub mends: Option<Diagnostic>,
 }

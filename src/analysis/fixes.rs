@@ -12,6 +12,7 @@ use super::names::SymbolId;
 use super::proposal::{Proposal, kind_of, written};
 use super::side::{draws_erased, mentions, subject};
 use super::snapshot::Snapshot;
+use super::soundness::resolves;
 use crate::diagnostic::{Diagnostic, Edit};
 use crate::diagram::Kind;
 use crate::source::Span;
@@ -47,16 +48,25 @@ pub(super) fn mending(snapshot: &Snapshot, part: &Range<usize>) -> Vec<Action> {
             });
         }
         for (title, edits) in proposals(snapshot, &told, part) {
-            actions.push(Action {
-                title,
-                purpose: Purpose::Proposal,
-                edits,
-                mends: Some(told.clone()),
-            });
+            let mends = accounts(snapshot, &told, &edits).then(|| told.clone());
+            actions.push(Action { title, purpose: Purpose::Proposal, edits, mends });
         }
     }
     actions
 }
+
+/// True if a proposal accounts for all that a diagnostic misses; of one about something else, it is
+/// known.
+fn accounts(snapshot: &Snapshot, told: &Diagnostic, edits: &[Edit]) -> bool {
+    if !MISSED.contains(&told.code) {
+        return true;
+    }
+    let op = snapshot.op_at(told.span().start as usize);
+    op.is_some_and(|(_, op)| resolves(snapshot, op, edits, told.code))
+}
+
+/// The codes of errors about names that `after` misses.
+const MISSED: [&str; 2] = ["unaccounted-name", "missing-reassignment"];
 
 fn proposals(snapshot: &Snapshot, told: &Diagnostic, part: &Range<usize>) -> Vec<Proposal> {
     if told.code == "property-not-kept" {
@@ -69,7 +79,7 @@ fn proposals(snapshot: &Snapshot, told: &Diagnostic, part: &Range<usize>) -> Vec
     let ends = |end: Option<&Side>| end.cloned();
     let Some(after) = ends(rule.after.as_ref()) else { return Vec::new() };
     match told.code {
-        "unaccounted-name" | "missing-reassignment" => {
+        code if MISSED.contains(&code) => {
             let names = pointed_at(snapshot, told, rule);
             account_for(snapshot, rule, &after, &names)
         }

@@ -28,6 +28,11 @@ impl Reader for Known<'_> {
         Ok(text.ok_or("it has not been read")?.to_owned())
     }
 
+    fn identity(&mut self, name: &str) -> String {
+        let known = self.sources.find(name).map(|file| self.sources.get(file).name());
+        known.unwrap_or(name).to_owned()
+    }
+
     fn beside(&mut self, _name: &str) -> Vec<String> {
         Vec::new()
     }
@@ -37,6 +42,21 @@ impl Reader for Known<'_> {
 pub(super) fn stays_sound(snapshot: &Snapshot, op: &Op, edits: &[Edit]) -> bool {
     let whole = op.span.range();
     let Some(rewritten) = applied(snapshot.text(), whole.clone(), edits) else { return false };
+    let is_sound = |op: &str| errors(snapshot, op).is_empty();
+    is_sound(&rewritten) || !is_sound(&snapshot.text()[whole])
+}
+
+/// True if edits inside an op that has errors leave none of a code, and bring none of other codes.
+pub(super) fn resolves(snapshot: &Snapshot, op: &Op, edits: &[Edit], code: &str) -> bool {
+    let rewritten = applied(snapshot.text(), op.span.range(), edits);
+    let Some(rewritten) = rewritten else { return false };
+    let known = snapshot.diagnostics_so_far();
+    let is_known = |left: &&str| known.iter().any(|told| told.is_error() && told.code == *left);
+    errors(snapshot, &rewritten).iter().all(|left| *left != code && is_known(left))
+}
+
+/// The codes of the errors of an op with another text.
+fn errors(snapshot: &Snapshot, op: &str) -> Vec<&'static str> {
     let mut context = String::new();
     for item in snapshot.items() {
         if matches!(item, Item::Use(_) | Item::Attr(_) | Item::Fn(_)) {
@@ -44,21 +64,16 @@ pub(super) fn stays_sound(snapshot: &Snapshot, op: &Op, edits: &[Edit]) -> bool 
             context.push('\n');
         }
     }
-    let is_sound = |op: &str| {
-        let text = format!("{context}{op}");
-        let name = snapshot.sources().get(snapshot.file()).name();
-        let alone = Snapshot::new(
-            name,
-            &text,
-            &mut Known { sources: snapshot.sources(), texts: &HashMap::new() },
-        );
-        let own = alone.program().ops.iter().enumerate();
-        let own = own.filter(|(_, op)| op.span.file == alone.file());
-        let told = alone.told().chain(own.flat_map(|(at, _)| &alone.examined(at).diagnostics));
-        let mut errors = told.filter(|told| told.is_error() && told.span().file == alone.file());
-        !errors.any(|told| told.span().end as usize > context.len())
-    };
-    is_sound(&rewritten) || !is_sound(&snapshot.text()[whole])
+    let text = format!("{context}{op}");
+    let name = snapshot.sources().get(snapshot.file()).name();
+    let mut known = Known { sources: snapshot.sources(), texts: &HashMap::new() };
+    let alone = Snapshot::new(name, &text, &mut known);
+    let own = alone.program().ops.iter().enumerate();
+    let own = own.filter(|(_, op)| op.span.file == alone.file());
+    let told = alone.told().chain(own.flat_map(|(at, _)| &alone.examined(at).diagnostics));
+    let errors = told.filter(|told| told.is_error() && told.span().file == alone.file());
+    let own = errors.filter(|told| told.span().end as usize > context.len());
+    own.map(|told| told.code).collect()
 }
 
 /// A part of a text, after edits; `None` if they overlap, or one lies outside of it.

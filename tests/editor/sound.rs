@@ -279,3 +279,26 @@ fn a_use_is_a_sure_fix_only_where_it_clashes_with_nothing() {
     }
     assert!(counts[0] > 5 && counts[1] == 0, "{counts:?}");
 }
+
+/// A diagnostic is given only with what removes it.
+#[test]
+fn what_is_about_an_error_removes_it() {
+    let text = "op flip(e: edge) {\n  before {\n    face f0: v0 -a-> v1 -b-> v2 -c-> v0\n    \
+                face f1: v1 -d-> v0 -g-> v3 -h-> v1\n    edge e: a | d\n  }\n  after {\n    \
+                face f1: v2 -d-> v3 -h-> v1 -b-> v2\n    edge e: a | d\n  }\n}\n";
+    let offset = text.find("c->").unwrap();
+    let snapshot = Snapshot::new("a.hedge", text, &mut Nowhere);
+    let offered = actions(&snapshot, offset..offset);
+    let (about, others): (Vec<_>, Vec<_>) =
+        offered.iter().partition(|action| action.mends.is_some());
+    for action in &about {
+        let changed = Snapshot::new("a.hedge", &applied(text, action), &mut Nowhere);
+        let code = action.mends.as_ref().unwrap().code;
+        let mut left = changed.diagnostics().into_iter();
+        assert!(!left.any(|left| left.code == code), "{}", action.title);
+    }
+    assert!(!about.is_empty());
+    let others: Vec<_> =
+        others.iter().filter(|action| action.purpose == Purpose::Proposal).collect();
+    assert!(others.len() > 1, "{others:?}");
+}
