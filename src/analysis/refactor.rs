@@ -1,6 +1,8 @@
 //! Refactorings: what `after` lacks, the inverse of an op, an alternative as an op of its own,
 //! `keep` for what stays as it is.
 
+use std::collections::HashSet;
+
 use super::action::{Action, Purpose};
 use super::cursor_context::{op_near, rule_near};
 use super::edits::{append, indentation, slice};
@@ -45,7 +47,12 @@ pub(super) fn rewriting(snapshot: &Snapshot, offset: usize) -> Vec<Action> {
             offer(title, split_out(snapshot, op, at, &own));
         }
     }
-    if op.name.span.touches(offset) || op.span.start as usize + 2 >= offset {
+    let is_proved = |op: &Op| {
+        let proved = snapshot.resolved(op).map(|at| snapshot.examined(at).proved.is_some());
+        proved == Some(true)
+    };
+    let is_here = op.name.span.touches(offset) || op.span.start as usize + 2 >= offset;
+    if is_here && is_proved(op) {
         let name = format!("un{}", op.name.text);
         let title = format!("write the inverse, `{name}`");
         offer(title, inverse(snapshot, op, &name));
@@ -95,16 +102,19 @@ fn keep_what_stays(snapshot: &Snapshot, rule: &Rule) -> Option<Vec<Edit>> {
         })
         .collect();
     let (first, rest) = same.split_first()?;
-    let names: Vec<_> = same
+    let mut names: Vec<_> = same
         .iter()
         .filter_map(|statement| subject(statement))
         .map(|name| name.to_string())
         .collect();
+    // What stands there twice is kept once.
+    let mut seen = HashSet::new();
+    names.retain(|name| seen.insert(name.clone()));
     let mut edits = vec![Edit { span: first.span(), text: format!("keep {}", names.join(" ")) }];
     for statement in rest {
         let span = statement.span();
         let before = &snapshot.text()[..span.start as usize];
-        let start = before.trim_end_matches([' ', '\t']).trim_end_matches('\n').len();
+        let start = before.trim_end_matches([' ', '\t']).trim_end_matches(['\n', '\r']).len();
         edits.push(Edit {
             span: Span::new(span.file, start, span.end as usize),
             text: String::new(),
@@ -126,7 +136,7 @@ fn split_out(snapshot: &Snapshot, op: &Op, at: usize, name: &str) -> Option<Vec<
     let head = head.replacen(&op.name.text, name, 1);
     let body = text[open..].replace("\n  ", "\n");
     let before = &snapshot.text()[..rule.span.start as usize];
-    let start = before.trim_end_matches([' ', '\t']).trim_end_matches('\n').len();
+    let start = before.trim_end_matches([' ', '\t']).trim_end_matches(['\n', '\r']).len();
     Some(vec![
         Edit {
             span: Span::new(rule.span.file, start, rule.span.end as usize),
