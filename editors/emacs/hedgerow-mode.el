@@ -16,9 +16,10 @@
 
 (defconst hedgerow-keywords
   '("use" "private" "attr" "fn" "op" "script" "test" "keeps" "rule" "before" "require" "guard"
-    "alias" "after" "face" "hole" "loop" "edge" "vertex" "each" "new" "keep" "erase" "let" "var" "if"
-    "else" "repeat" "parallel" "for" "in" "where" "while" "drain" "by" "update" "must" "can" "why"
-    "print" "assert" "return" "break" "continue" "and" "or" "not" "div" "mod" "true" "false"))
+    "alias" "after" "steps" "face" "hole" "loop" "edge" "vertex" "each" "new" "keep" "erase" "let"
+    "var" "if" "else" "repeat" "parallel" "for" "in" "where" "while" "drain" "by" "update" "must"
+    "can" "why" "print" "assert" "return" "break" "continue" "and" "or" "not" "div" "mod" "true"
+    "false"))
 
 (defvar hedgerow-mode-syntax-table
   (let ((table (make-syntax-table)))

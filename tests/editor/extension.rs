@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 use std::fs;
 
+use hedgerow::mesh::FileFormat;
 use hedgerow::source::FileId;
 use hedgerow::syntax::parse;
 use serde_json::{Value, json};
@@ -231,4 +232,11 @@ fn nothing_that_a_program_says_is_trusted() {
 #[test]
 fn a_test_is_named_as_a_filter() {
     assert!(sources().contains("[\"test\", path, `--filter=${name}`]"));
+}
+
+#[test]
+fn a_script_runs_on_every_mesh_that_can_be_read() {
+    let endings = FileFormat::ALL.map(|format| format!("\"{}\"", format.ending()));
+    let filters = format!("{{ Meshes: [{}] }}", endings.join(", "));
+    assert!(sources().contains(&filters), "{filters}");
 }

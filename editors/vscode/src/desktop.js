@@ -90,7 +90,7 @@ async function testHere() {
 
 /** Asks for a mesh and a place for the result. */
 async function runScript(path, name) {
-  const filters = { Meshes: ["obj"] };
+  const filters = { Meshes: ["obj", "ply", "stl", "off", "msh", "halfedges"] };
   const mesh = await vscode.window.showOpenDialog({ filters, title: "The mesh to run it on" });
   if (!mesh) return;
   const output = await vscode.window.showSaveDialog({ filters, title: "Where to write the result" });

@@ -156,3 +156,13 @@ fn every_keyword_is_named() {
         assert_eq!(scopes(&patterns, &primed)[0], "variable.other.hedgerow", "{primed}");
     }
 }
+
+#[test]
+fn emacs_colours_every_keyword() {
+    let mode = include_str!("../../../editors/emacs/hedgerow-mode.el");
+    let list =
+        mode.split("(defconst hedgerow-keywords").nth(1).unwrap().split("))").next().unwrap();
+    let listed: BTreeSet<_> = list.split('"').skip(1).step_by(2).collect();
+    let words = TokenKind::KEYWORDS.iter().map(|&(word, _)| word);
+    assert_eq!(listed, words.collect::<BTreeSet<_>>());
+}
