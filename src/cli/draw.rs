@@ -12,7 +12,7 @@ use super::output::{complain, complain_of, is_standard, say};
 use super::plan::show as show_plan;
 use super::program::{self, Program};
 use crate::analysis::{Analysis, Verdict, example, verdicts};
-use crate::diagnostic::{Severity, quoted};
+use crate::diagnostic::{Diagnostic, Severity, quoted};
 use crate::diagram::Op;
 use crate::draw::{Picture, Section, draw_op, draw_sheet, page, text_op};
 use crate::run::{Functions, calls_of_steps};
@@ -112,7 +112,10 @@ fn diagram(program: &Program, op: usize) -> Result<Cow<'_, Op>, Failure> {
     }
     let (resolved, plan) = (&analysis.program.ops[op], &analysis.plans[op]);
     let not_understood = || {
-        complain_of(&analysis.diagnostics, &program.sources);
+        let own: Vec<_> = errors(analysis, op).cloned().collect();
+        // What is wrong may lie outside of the op.
+        let told = if own.is_empty() { &analysis.diagnostics } else { &own };
+        complain_of(told, &program.sources);
         Failure::NotProved
     };
     match (&resolved.diagram, plan) {
@@ -156,27 +159,30 @@ fn sections(program: &Program, name: Option<&str>) -> Result<Vec<Section>, Failu
             },
             picture,
             verdict: told,
-            plan: plan.as_ref().map(|plan| show_plan(plan, false)),
+            plan: plan.as_ref().map(|plan| show_plan(plan, program, false)),
         }
     });
     Ok(sections.collect())
 }
 
-/// The reasons why an operation is not proved: the errors between its name and the next one, and
-/// what it calls that is not proved.
-fn failures(analysis: &Analysis, op: usize) -> Vec<String> {
+/// The errors of an operation: those between its name and the next one.
+fn errors(analysis: &Analysis, op: usize) -> impl Iterator<Item = &Diagnostic> {
     let name = analysis.program.ops[op].span;
     let ops = analysis.program.ops.iter().map(|op| op.span);
     let ops = ops.filter(|other| other.file == name.file && other.start > name.start);
     let end = ops.map(|op| op.start).min();
-    let errors = analysis.diagnostics.iter().filter(|diagnostic| {
+    analysis.diagnostics.iter().filter(move |diagnostic| {
         diagnostic.severity == Severity::Error
             && diagnostic.labels.first().is_some_and(|label| {
                 let at = label.span.start;
                 label.span.file == name.file && name.start <= at && end.is_none_or(|end| at < end)
             })
-    });
-    let errors = errors.map(|error| format!("error: {}", error.message));
+    })
+}
+
+/// The reasons why an operation is not proved: its errors, and what it calls that is not proved.
+fn failures(analysis: &Analysis, op: usize) -> Vec<String> {
+    let errors = errors(analysis, op).map(|error| format!("error: {}", error.message));
     let mut lines = vec!["not proved".to_string()];
     lines.extend(errors);
     lines.extend(unproved_steps(analysis, op));

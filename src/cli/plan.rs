@@ -160,10 +160,7 @@ fn show_steps(plan: &Plan, steps: &Steps, program: &Program) -> String {
 }
 
 fn tables(plans: &[&Plan], program: &Program, exhaustive: bool) -> String {
-    let shown = |plan: &&Plan| match &plan.steps {
-        Some(steps) => show_steps(plan, steps, program),
-        None => show(plan, exhaustive),
-    };
+    let shown = |plan: &&Plan| show(plan, program, exhaustive);
     plans.iter().map(shown).collect::<Vec<_>>().join("\n\n\n") + "\n"
 }
 
@@ -253,8 +250,11 @@ fn shown(stage: &Stage, exhaustive: bool) -> Stage {
     stage
 }
 
-/// The four phases of every rule.
-pub(super) fn show(plan: &Plan, exhaustive: bool) -> String {
+/// The four phases of every rule, or the calls of an op in steps.
+pub(super) fn show(plan: &Plan, program: &Program, exhaustive: bool) -> String {
+    if let Some(steps) = &plan.steps {
+        return show_steps(plan, steps, program);
+    }
     let stages = plan.stages.iter().map(|stage| show_stage(&plan.name, stage, exhaustive));
     let mut text = stages.collect::<Vec<_>>().join("\n\n");
     if plan.stages.iter().any(|stage| stage.reassign.iter().any(|row| !row.executed)) {

@@ -583,6 +583,20 @@ fn a_drawing_that_is_not_proved_is_told() {
 }
 
 #[test]
+fn what_is_wrong_in_other_ops_is_not_told() {
+    let bench = Bench::new();
+    let op = |name: &str, end: &str| {
+        format!(
+            "op {name}(f: face) {{ before {{ face f: v -h-> {end} =P=> v }} after {{ keep q_{name} }} }}\n"
+        )
+    };
+    bench.write("two.hedge", op("first", "w") + &op("second", "u"));
+    let said = bench.run(&["draw", "two.hedge::second", "-o", "x.svg"]);
+    assert_eq!(said.code, 1, "{said:?}");
+    assert!(said.err.contains("q_second") && !said.err.contains("q_first"), "{said:?}");
+}
+
+#[test]
 fn a_view_without_anything_to_see_is_told() {
     let bench = Bench::new();
     bench.write("flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n");

@@ -168,6 +168,9 @@ fn draw_writes_pictures() {
     assert!(text.contains("v0"), "{text}");
     let page = bench.succeeds(&["draw", &example("split.hedge"), "--html"]);
     assert!(page.contains("<svg") && page.contains("proved: "), "{page}");
+    bench.write("steps.hedge", "op lift(v: vertex) { steps { v.position = vec3(0, 0, 1) } }");
+    let page = bench.succeeds(&["draw", "steps.hedge", "--html"]);
+    assert!(page.contains("done in steps") && !page.contains("<pre></pre>"), "{page}");
     let before = bench.files();
     bench.fails(
         2,
