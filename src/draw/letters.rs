@@ -1,8 +1,9 @@
 //! Letters as outlines, so that a picture looks the same on machines without fonts.
 //!
 //! A line of `letters/italic.txt` and `letters/upright.txt` is a character's code, its width and
-//! its outline, in thousandths of an em, y up. There is no kerning and no hinting. A missing
-//! character is drawn as a box.
+//! its outline, in thousandths of an em, y up: those of ASCII, Latin-1 and the Greek alphabet, and a
+//! few signs. There is no kerning and no hinting. A missing character is left to the fonts of the
+//! viewer in an SVG, and is a box in a PNG.
 
 use glam::DVec2;
 use std::sync::LazyLock;
@@ -67,11 +68,20 @@ pub(super) struct Glyph {
     pub size: f64,
 }
 
-/// The outline of a letter at a thousand units to the em, y down.
-pub(super) fn letter(style: Style, code: char) -> Path {
+/// The outline of a letter at a thousand units to the em, y down; `None` if it is missing.
+pub(super) fn letter(style: Style, code: char) -> Option<Path> {
+    find(style, code)?;
     let mut setting = Setting::default();
     setting.add(code.encode_utf8(&mut [0; 4]), style, 1000.0, 0.0);
-    setting.path
+    Some(setting.path)
+}
+
+fn find(style: Style, code: char) -> Option<&'static Letter> {
+    let letters = match style {
+        Style::Italic => &*ITALIC,
+        Style::Upright => &*UPRIGHT,
+    };
+    letters.iter().find(|letter| letter.code == code)
 }
 
 /// A typeset text: its outline, with the center of its box at zero.
@@ -181,19 +191,18 @@ struct Setting {
 
 impl Setting {
     fn add(&mut self, text: &str, style: Style, size: f64, drop: f64) {
-        let letters = match style {
-            Style::Italic => &*ITALIC,
-            Style::Upright => &*UPRIGHT,
-        };
         let scale = size / 1000.0;
         for code in text.chars() {
             let x = self.x;
             self.glyphs.push(Glyph { style, code, at: DVec2::new(x, drop), size });
             let place = |p: &[f64]| DVec2::new(x + p[0] * scale, drop - p[1] * scale);
-            let Some(letter) = letters.iter().find(|letter| letter.code == code) else {
-                let corners = [[60., 0.], [60., 600.], [440., 600.], [440., 0.]];
+            let Some(letter) = find(style, code) else {
+                // East Asian characters fill a square.
+                let width = if code < '\u{1100}' { 600.0 } else { 1000.0 };
+                let right = width - 60.0;
+                let corners = [[60., 0.], [60., 600.], [right, 600.], [right, 0.]];
                 self.path.polygon(corners.map(|corner| place(&corner)));
-                self.x += 500.0 * scale;
+                self.x += width * scale;
                 continue;
             };
             for (step, numbers) in &letter.outline {

@@ -13,6 +13,7 @@ use glam::DVec2;
 use super::letters::{Glyph, Style, letter as outline};
 use super::shape::Picture;
 use super::steps::{Grain, data};
+use super::svg::escaped;
 
 /// A letter of a word: its style, its character, and, in tenths, its offset right and down from the
 /// first letter and its size.
@@ -52,9 +53,17 @@ impl<'a> Words<'a> {
         let mut text = String::from("<defs>\n");
         for (style, code) in letters {
             let grain = Grain { parts: em / 1000.0, measure: 1.0, slack: 1 };
-            let outline = data(&outline(style, code), grain);
             let id = letter_id(style, code);
-            let _ = writeln!(text, "<path id=\"{prefix}{id}\" d=\"{outline}\"/>");
+            let _ = match outline(style, code) {
+                Some(outline) => {
+                    let outline = data(&outline, grain);
+                    writeln!(text, "<path id=\"{prefix}{id}\" d=\"{outline}\"/>")
+                }
+                None => {
+                    let code = escaped(code.encode_utf8(&mut [0; 4]));
+                    writeln!(text, "<text id=\"{prefix}{id}\" font-size=\"{em}\">{code}</text>")
+                }
+            };
         }
         for (word, number) in &self.numbers {
             let _ = write!(text, "<g id=\"{prefix}w{number}\">");

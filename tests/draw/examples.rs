@@ -201,6 +201,34 @@ fn long_names_stand_at_their_arrows() {
     }
 }
 
+/// Names in other alphabets differ: Greek letters have outlines, others are texts.
+#[test]
+fn names_in_other_alphabets_can_be_read() {
+    let ops = ops_of(
+        "op größe(ε: edge) {
+          before {
+            face φ: α -η-> β -θ-> γ -ξ-> α
+            face 面: β -辺-> α -半-> δ -π-> β
+            edge ε: η | 辺
+          }
+          after {
+            face φ: δ -η-> γ -ξ-> α -半-> δ
+            face 面: γ -辺-> δ -π-> β -θ-> γ
+            edge ε: η | 辺
+          }
+        }",
+    );
+    let picture = draw_op(&ops[0]);
+    for svg in [picture.svg(), picture.compact_svg()] {
+        let letters = svg.split("</defs>").next().expect("definitions");
+        let outlines = letters.split(" d=\"").skip(1).filter_map(|rest| rest.split('"').next());
+        let outlines: Vec<_> = outlines.collect();
+        let once: BTreeSet<_> = outlines.iter().collect();
+        assert_eq!(outlines.len(), once.len(), "{letters}");
+        assert!(letters.contains(">面</text>"), "{letters}");
+    }
+}
+
 #[test]
 fn a_picture_is_an_image() {
     for (_, op) in example_ops().into_iter().take(3) {
