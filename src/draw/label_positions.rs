@@ -24,12 +24,17 @@ pub(super) fn beside(arrow: &Curve, label: &Label) -> Vec<Spot> {
         let aside = left(way);
         for (far, gap) in [7.5, 10.0, 14.0, 20.0].into_iter().enumerate() {
             // The support of the box, so that a slanted line does not touch its corner.
-            let clear = label.half.x * aside.x.abs() + label.half.y * aside.y.abs();
-            let clear = clear.min(reach(label.half, aside) + 4.0);
-            spots.push(Spot {
+            let clear = label.half.dot(aside.abs());
+            // Nearer, a corner of a long name may lie on the line or beyond its end.
+            let near = clear.min(reach(label.half, aside) + 4.0);
+            let spot = |clear: f64| Spot {
                 at: at + aside * (clear + gap - 2.0),
-                cost: 2.0 * place as f64 + 4.0 * far as f64,
-            });
+                cost: 2.0 * place as f64 + 4.0 * far as f64 + 0.2 * (clear - near),
+            };
+            spots.push(spot(near));
+            if clear > near {
+                spots.push(spot(clear));
+            }
         }
     }
     spots

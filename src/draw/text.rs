@@ -259,7 +259,8 @@ impl Canvas {
         }
     }
 
-    /// Writes a text centered at a place, or at the nearest free one up to `steps` away.
+    /// Writes a text centered at a place, or at the nearest free one up to `steps` away; further
+    /// away if there is none.
     fn write(&mut self, text: &str, at: DVec2, steps: i64) {
         let length = text.chars().count() as i64;
         let (x, y) = (at.x.round() as i64 - length / 2, at.y.round() as i64);
@@ -280,7 +281,13 @@ impl Canvas {
                 }
             }
         }
-        let Some((_, cells)) = best else { return };
+        let Some((_, cells)) = best else {
+            // A name must not be lost.
+            if steps < 12 {
+                self.write(text, at, steps + 3);
+            }
+            return;
+        };
         if let (Some(&first), Some(&last)) = (cells.first(), cells.last()) {
             self.clear([first, last]);
         }
