@@ -3,8 +3,9 @@
 //! A vertex keeps its place unless the operation moves it to one that the drawing determines, such
 //! as the midpoint of a collapsed edge. Nodes that are only in `after` are placed among the
 //! existing ones: at the position that an assignment gives, on an edge that they cut, or beside a
-//! vertex that they split. Where strands cross or loops are flat because vertices keep their places,
-//! the side is laid out anew if that is better.
+//! vertex that they split. Where strands cross, vertices coincide or loops are flat because
+//! vertices move or keep their places, the next best of these is taken: they keep them, or the side
+//! is laid out anew.
 
 use std::iter::once_with;
 
@@ -15,7 +16,7 @@ use super::components::parts;
 use super::curve::{Curve, area, crossings, mean};
 use super::example::moved_on_mesh;
 use super::figure::{Figure, Node};
-use super::layout::{NEAR, parts_in_a_row, pulls, settle, stretch};
+use super::layout::{NEAR, arrange, parts_in_a_row, pulls};
 use super::opened::{open_vertices, opened};
 use super::routing::{bend_beside, bend_paths};
 
@@ -103,8 +104,8 @@ fn moved(figure: &Figure, before: &[Option<DVec2>]) -> Option<Vec<Option<DVec2>>
     (places != before).then_some(places)
 }
 
-/// The number of pairs of strands that cross, plus the number of loops that are flat or turned
-/// inside out.
+/// The number of pairs of strands that cross and of vertices that look like one, plus the number of
+/// loops that are flat or turned inside out.
 fn faults(figure: &Figure, places: &[Option<DVec2>]) -> usize {
     let side = &figure.after;
     let at = |node: &usize| places[*node].unwrap_or_default();
@@ -112,7 +113,14 @@ fn faults(figure: &Figure, places: &[Option<DVec2>]) -> usize {
     let curves: Vec<_> = side.strands.iter().map(|of| curve(&of.nodes)).collect();
     let loops = side.loops.iter().map(|orbit| side.around(&orbit.darts));
     let outlines = loops.map(|nodes| nodes.iter().map(at).collect::<Vec<_>>());
-    crossings(&curves) + outlines.filter(|outline| area(outline) < FLAT).count()
+    let shown = side.shown.iter().flat_map(|&vertex| figure.nodes_of(vertex));
+    let shown: Vec<_> = shown.map(|node| at(&node)).collect();
+    let near = |nth: usize| {
+        shown[..nth].iter().filter(|other| shown[nth].distance(**other) < NEAR).count()
+    };
+    (0..shown.len()).map(near).sum::<usize>()
+        + crossings(&curves)
+        + outlines.filter(|outline| area(outline) < FLAT).count()
 }
 
 /// Places the nodes that have no place yet.
@@ -135,8 +143,7 @@ fn placed(
     bend_paths(figure, before, &mut places);
     let side = &figure.after;
     let mut all = places.clone();
-    settle(side, &mut all, &pulls(side));
-    stretch(side, &mut all, &|node| places[node].is_some());
+    arrange(side, &mut all, &pulls(side));
     for (place, at) in places.iter_mut().zip(&all) {
         *place = place.or(*at);
     }

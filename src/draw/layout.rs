@@ -16,6 +16,7 @@ use super::curve::{bounds, direction, mean};
 use super::example::flat;
 use super::family_sector::sector;
 use super::figure::{Dart, Figure, Node, Side};
+use super::hanging::{SPUR, hang};
 use super::outer::outside;
 use crate::diagram::{Drawing, Kind, NameId, Spoke};
 
@@ -23,8 +24,11 @@ use crate::diagram::{Drawing, Kind, NameId, Spoke};
 const SWEEPS: usize = 600;
 /// The length of a path, as a multiple of an edge's.
 const PATH_WEIGHT: f64 = 2.0;
-/// The length of a spur.
-const SPUR: f64 = 0.62;
+/// The greatest ratio of the parts of the outside on the two sides of an edge that divides it in
+/// halves.
+const EVEN: f64 = 1.5;
+/// How many times more strongly the loops beside parallel edges pull at their bends.
+const LENS: usize = 4;
 /// Nodes nearer to each other than this look like one.
 pub(super) const NEAR: f64 = 0.12;
 
@@ -266,8 +270,7 @@ fn place_part(
             all.push(Some(direction(angle) * 1.5));
         }
     }
-    settle(side, &mut all, &pulls);
-    stretch(side, &mut all, &|node| ring.contains(&node));
+    arrange(side, &mut all, &pulls);
     for &node in part {
         places[node] = all[node];
     }
@@ -282,7 +285,7 @@ fn center_of_star(side: &Side, part: &[usize]) -> Option<usize> {
 }
 
 /// Lengthens spurs, and edges from a vertex to itself, so that they are readable.
-pub(super) fn stretch(side: &Side, places: &mut [Option<DVec2>], is_fixed: &dyn Fn(usize) -> bool) {
+fn stretch(side: &Side, places: &mut [Option<DVec2>], is_fixed: &dyn Fn(usize) -> bool) {
     let degree = |node: usize| {
         side.strands.iter().flat_map(|strand| strand.ends()).filter(|&end| end == node).count()
     };
@@ -341,10 +344,20 @@ fn angles(figure: &Figure, side: &Side, outside: &[Dart], ring: &[usize]) -> Vec
     let span = |from: usize, steps: usize| -> f64 {
         (0..steps).map(|step| weights[(from + step) % count]).sum()
     };
+    // Edges all around have equal lengths rather than halves of unequal numbers; a path has any
+    // length.
+    let is_even = |below: usize| {
+        let (most, least) = (below.max(count - below), below.min(count - below));
+        let is_straight = |dart: &Dart| side.strands[dart.strand].nodes.len() == 2;
+        !outside.iter().all(is_straight) || most as f64 <= EVEN * least as f64
+    };
     let mut angles = vec![0.0; count];
     match (main, ends) {
         (Some(main), Some([from, to]))
-            if from != to && !is_outside(main) && given_dart(figure).is_some() =>
+            if from != to
+                && !is_outside(main)
+                && given_dart(figure).is_some()
+                && is_even((to + count - from) % count) =>
         {
             // Half a turn below it, half a turn above it.
             for (start, end, angle) in [(from, to, PI), (to, from, TAU)] {
@@ -379,9 +392,21 @@ pub(super) fn pulls(side: &Side) -> Vec<(usize, usize)> {
     pairs.map(|pair| (pair[0], pair[1])).collect()
 }
 
+/// Places the nodes without a place: those that hang at one node around it, the others among those
+/// that pull at them.
+pub(super) fn arrange(side: &Side, places: &mut Vec<Option<DVec2>>, pulls: &[(usize, usize)]) {
+    let fixed: Vec<_> = places.iter().map(Option::is_some).collect();
+    settle(side, places, pulls);
+    places.truncate(fixed.len());
+    hang(side, pulls, &|node| fixed[node], places);
+    let hung: Vec<_> = places.iter().map(Option::is_some).collect();
+    settle(side, places, pulls);
+    stretch(side, places, &|node| hung[node]);
+}
+
 /// Moves the nodes without a place to the centroid of the nodes that pull at them. Each loop gets a
 /// center, appended to `places`.
-pub(super) fn settle(side: &Side, places: &mut Vec<Option<DVec2>>, pulls: &[(usize, usize)]) {
+fn settle(side: &Side, places: &mut Vec<Option<DVec2>>, pulls: &[(usize, usize)]) {
     let mut pulls = pulls.to_vec();
     for orbit in &side.loops {
         let center = places.len();
@@ -393,6 +418,17 @@ pub(super) fn settle(side: &Side, places: &mut Vec<Option<DVec2>>, pulls: &[(usi
         if a != b {
             neighbors[a].push(b);
             neighbors[b].push(a);
+        }
+    }
+    // Parallel edges leave room for a loop between them.
+    let first = places.len() - side.loops.len();
+    for (center, orbit) in (first..).zip(&side.loops) {
+        let strands = || orbit.darts.iter().map(|dart| &side.strands[dart.strand].nodes);
+        let mut bends = strands().flat_map(|nodes| &nodes[1..nodes.len() - 1]);
+        if orbit.darts.len() > 2 || bends.any(|&bend| places[bend].is_some()) {
+            for nodes in strands().filter(|nodes| nodes.len() == 3) {
+                neighbors[nodes[1]].extend([center; LENS]);
+            }
         }
     }
     let is_free = |&node: &usize| places[node].is_none() && !neighbors[node].is_empty();

@@ -14,6 +14,7 @@ mod components;
 mod example;
 mod family_sector;
 mod figure;
+mod hanging;
 mod layout;
 mod opened;
 mod outer;

@@ -170,8 +170,7 @@ impl Scene<'_> {
     }
 }
 
-/// Bends what bends in `after` only: parallel strands apart, strands from a vertex to itself away
-/// from the middle.
+/// Bends what bends in `after` only: parallel strands apart.
 pub(super) fn bend_beside(figure: &Figure, places: &mut [Option<DVec2>]) {
     let side = &figure.after;
     let is_new = |node: &usize| {
@@ -179,38 +178,34 @@ pub(super) fn bend_beside(figure: &Figure, places: &mut [Option<DVec2>]) {
             && !figure.before.strands.iter().any(|strand| strand.nodes.contains(node))
     };
     let loops = side.loop_of();
-    let mut seen: Vec<([usize; 2], usize)> = Vec::new();
+    let mut taken: Vec<([usize; 2], f64)> = Vec::new();
     for (at, strand) in side.strands.iter().enumerate() {
         let bends = &strand.nodes[1..strand.nodes.len() - 1];
         let [from, to] = strand.ends();
         let (Some(a), Some(b)) = (places[from], places[to]) else { continue };
         let is_placed = strand.is_path && bends.iter().all(|&bend| places[bend].is_some());
-        if bends.is_empty() || is_placed || !bends.iter().all(is_new) {
+        if from == to || bends.is_empty() || is_placed || !bends.iter().all(is_new) {
             continue;
         }
+        // A strand with a loop on one side leaves it room; that between two edges is on both.
+        let beside = [2 * at, 2 * at + 1].map(|dart| loops[dart]);
+        let leaves = |of: usize| if side.loops[of].darts.len() > 2 { 1.0 } else { -1.0 };
+        let way = if from < to { 1.0 } else { -1.0 };
+        let sign = match beside {
+            [Some(of), None] => leaves(of),
+            [None, Some(of)] => -leaves(of),
+            _ => way,
+        };
+        // Of parallel strands each has its own place.
         let ends = [from.min(to), from.max(to)];
-        let before = seen.iter().filter(|(other, _)| *other == ends).count();
-        seen.push((ends, at));
-        if from == to {
-            let away = a.normalize_or(DVec2::X).rotate(DVec2::from_angle(before as f64 * 1.2));
-            for (&bend, angle) in bends.iter().zip([0.5, -0.5]) {
-                places[bend] = Some(a + away.rotate(DVec2::from_angle(angle)) * 0.6);
-            }
-        } else {
-            // Away from a loop on one side only; otherwise the signs alternate.
-            let drawn = [2 * at, 2 * at + 1].map(|dart| loops[dart].is_some());
-            let sign = match (drawn, before) {
-                ([true, false], 0) => -1.0,
-                ([false, true], 0) => 1.0,
-                (_, turn) if turn.is_multiple_of(2) => 1.0,
-                _ => -1.0,
-            };
-            let sign = if from < to || drawn[0] != drawn[1] { sign } else { -sign };
-            let away = left(b - a) * (sign * (0.22 + 0.22 * (before / 2) as f64));
-            for (place, &bend) in bends.iter().enumerate() {
-                let t = (place + 1) as f64 / (bends.len() + 1) as f64;
-                places[bend] = Some(a.lerp(b, t) + away);
-            }
+        let steps = (1..).flat_map(|step| [f64::from(step), -f64::from(step)]);
+        let mut steps = steps.map(|step| step * sign * way);
+        let Some(step) = steps.find(|&step| !taken.contains(&(ends, step))) else { continue };
+        taken.push((ends, step));
+        let away = left(b - a) * (step * way * 0.22);
+        for (place, &bend) in bends.iter().enumerate() {
+            let t = (place + 1) as f64 / (bends.len() + 1) as f64;
+            places[bend] = Some(a.lerp(b, t) + away);
         }
     }
 }

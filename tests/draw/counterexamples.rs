@@ -85,3 +85,37 @@ fn what_a_new_halfedge_lacks_is_told() {
         }";
     check(program, &[("p", "new"), ("m", "new"), ("a", "reassigned")], "p.twin is not set", &["m"]);
 }
+
+/// The loops on both sides of what was one edge do not cover each other.
+#[test]
+fn an_edge_that_comes_apart_leaves_its_loops_whole() {
+    let program = "
+        op flip(e: edge) {
+          before {
+            face f0: v0 -a-> v1 -b-> v2 -c-> v0
+            face f1: v1 -d-> v0 -g-> v3 -h-> v1
+            edge e:  a | d
+            edge eb: b | b'
+            edge ec: c | c'
+            edge eg: g | g'
+            edge eh: h | h'
+          }
+          after {
+            face f0: v3 -a-> v2 -b-> v0 -c-> v3
+            face f1: v2 -d-> v3 -g-> v1 -h-> v2
+            edge e:  a | d
+            edge eb: h | b'
+            edge ec: b | c'
+            edge eh: g | h'
+          }
+        }";
+    let mut sources = Sources::new();
+    let file = sources.add("broken.hedge".to_string(), program.to_string());
+    let picture = draw_op(&Analysis::of(&sources, file).counterexamples[0].drawn());
+    assert_eq!(picture.crossings(), 0);
+    // Those of `after` come last.
+    let texts = picture.texts();
+    let at = |name: &str| texts.iter().rfind(|text| text.text == name).map(|text| text.from[0]);
+    let [outer, inner, a] = ["g'", "c", "a"].map(|name| at(name).expect("a name of `after`"));
+    assert!(outer < inner && inner < a, "{outer}, {inner}, {a}");
+}
