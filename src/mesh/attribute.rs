@@ -132,6 +132,15 @@ macro_rules! attribute_types {
                 }
             }
 
+            /// The values at some places, in their order.
+            pub(super) fn gathered(&self, places: &[u32]) -> Self {
+                match self {
+                    $(Self::$variant(xs) => {
+                        Self::$variant(places.iter().map(|&place| xs[place as usize]).collect())
+                    })*
+                }
+            }
+
             /// Reserves room for `more` further values; false if there is no memory.
             pub(super) fn reserve(&mut self, more: usize) -> bool {
                 match self { $(Self::$variant(xs) => xs.try_reserve_exact(more).is_ok()),* }

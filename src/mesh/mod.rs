@@ -51,6 +51,7 @@ mod arrays;
 mod binary;
 mod build;
 mod build_error;
+mod compaction;
 mod dump;
 mod faults;
 mod file;

@@ -4,6 +4,7 @@ use glam::DVec3;
 use hedgerow::mesh::{
     ElementKind, FaceId, Mesh, Polygons, Value, VertexId, difference, equal_up_to_renumbering,
     identical, identical_but_for_scratch, same_connectivity, same_up_to_renumbering, shape,
+    validate,
 };
 
 #[test]
@@ -23,6 +24,29 @@ fn every_bit_counts_and_dead_slots_do_not() {
     c.add_column(ElementKind::Edge, "private 0 sharp", Value::Bool(true)).unwrap();
     c.add_column(ElementKind::Edge, "sharp", Value::Bool(false)).unwrap();
     assert!(!identical(&b, &c) && identical_but_for_scratch(&b, &c));
+}
+
+#[test]
+fn compaction_leaves_no_dead_slots() {
+    let mut mesh = shape::torus(5, 7);
+    let [gone, alone] = [mesh.add_vertex(), mesh.add_vertex()];
+    mesh.erase_vertex(gone);
+    mesh.set_position(alone, DVec3::ONE);
+    mesh.set_hole(FaceId(4), true);
+    let label = mesh.add_column(ElementKind::Face, "label", Value::Int(-1)).unwrap();
+    assert!(mesh.set_value(label, 4, Value::Int(4)) && mesh.set_value(label, 5, Value::Int(5)));
+    mesh.add_column(ElementKind::Face, "file:face", Value::Bool(true)).unwrap();
+    let small = mesh.compacted();
+    validate(&small).unwrap();
+    assert!(equal_up_to_renumbering(&mesh, &small) && identical(&small, &small.compacted()));
+    assert_eq!(small.capacity(ElementKind::Vertex), 36);
+    assert_eq!(small.position(VertexId(35)), DVec3::ONE);
+    // The hole comes last, and what is behind it moves up.
+    assert!(small.is_hole(FaceId(34)) && small.hole_count() == 1);
+    let values = small.values::<i64>(label).unwrap();
+    assert_eq!((values[34], values[4], values[3]), (4, 5, -1));
+    assert_eq!(small.column(label).unwrap().default_value(), Value::Int(-1));
+    assert_eq!(small.columns(ElementKind::Face).count(), 1);
 }
 
 #[test]
