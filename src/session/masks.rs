@@ -29,7 +29,49 @@ struct Kept {
     level: Level,
     asked: Asked,
     verdicts: Vec<Verdict>,
-    applies: Vec<bool>,
+    applies: Counted,
+}
+
+/// Truth values, and for each block of them how many are true.
+#[derive(Debug, Default)]
+struct Counted {
+    values: Vec<bool>,
+    counts: Vec<usize>,
+}
+
+impl Counted {
+    /// The number of values in a block.
+    const BLOCK: usize = 512;
+
+    fn resize(&mut self, len: usize) {
+        (len..self.values.len()).for_each(|at| self.set(at, false));
+        self.values.resize(len, false);
+        self.counts.resize(len.div_ceil(Self::BLOCK), 0);
+    }
+
+    fn set(&mut self, at: usize, value: bool) {
+        let count = &mut self.counts[at / Self::BLOCK];
+        let was = std::mem::replace(&mut self.values[at], value);
+        *count = *count + usize::from(value) - usize::from(was);
+    }
+
+    fn count(&self) -> usize {
+        self.counts.iter().sum()
+    }
+
+    /// The place of the true value that so many come before.
+    fn nth(&self, mut before: usize) -> Option<usize> {
+        let block = self.counts.iter().position(|&count| match before < count {
+            true => true,
+            false => {
+                before -= count;
+                false
+            }
+        })?;
+        let start = block * Self::BLOCK;
+        let mut places = (start..).zip(&self.values[start..]).filter(|&(_, &value)| value);
+        places.nth(before).map(|(place, _)| place)
+    }
 }
 
 impl Masks {
@@ -94,7 +136,7 @@ impl Session {
             level: self.known.level(),
             asked,
             verdicts: Vec::new(),
-            applies: Vec::new(),
+            applies: Counted::default(),
         });
         let current = self.bring_up_to_date(name);
         if current.is_err() {
@@ -110,7 +152,31 @@ impl Session {
     /// The mask is not kept (`unknown-mask`), or as for [`mask`](Self::mask).
     pub fn kept_mask(&mut self, mask: KeptMask) -> Result<&[bool], Error> {
         let at = self.bring_up_to_date(mask)?;
-        Ok(&self.masks.all[at].applies)
+        Ok(&self.masks.all[at].applies.values)
+    }
+
+    /// The number of elements at which the operation of a kept mask would be applied. It does not
+    /// look at each of them, unless they have to be computed again.
+    ///
+    /// # Errors
+    /// As for [`kept_mask`](Self::kept_mask).
+    pub fn kept_count(&mut self, mask: KeptMask) -> Result<usize, Error> {
+        let at = self.bring_up_to_date(mask)?;
+        Ok(self.masks.all[at].applies.count())
+    }
+
+    /// One of the elements at which the operation of a kept mask would be applied: the one at
+    /// `share` of the way through them, 0 the first, below 1; `None` if there are none. It does not
+    /// look at each of them, as for [`kept_count`](Self::kept_count).
+    ///
+    /// # Errors
+    /// As for [`kept_mask`](Self::kept_mask).
+    pub fn pick_kept(&mut self, mask: KeptMask, share: f64) -> Result<Option<usize>, Error> {
+        let at = self.bring_up_to_date(mask)?;
+        let applies = &self.masks.all[at].applies;
+        let count = applies.count();
+        let before = (share.clamp(0.0, 1.0) * count as f64) as usize;
+        Ok(applies.nth(before.min(count.saturating_sub(1))))
     }
 
     /// The current verdicts of a kept mask, as [`verdicts`](Self::verdicts) would return them.
@@ -162,7 +228,7 @@ impl Session {
         }
         let capacity = self.mesh.capacity(kind);
         verdicts.resize(capacity, Verdict::Gone);
-        applies.resize(capacity, false);
+        applies.resize(capacity);
         while let Some(id) = asked.next_stale(&self.mesh, &self.slots) {
             let verdict = match self.mesh.is_alive(kind, id) {
                 false => Verdict::Gone,
@@ -181,7 +247,7 @@ impl Session {
                 }
             };
             verdicts[id as usize] = verdict;
-            applies[id as usize] = verdict == Verdict::Applies;
+            applies.set(id as usize, verdict == Verdict::Applies);
         }
         Ok(())
     }

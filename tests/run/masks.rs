@@ -101,6 +101,10 @@ impl Wanderer {
             assert_eq!(kept, anew, "{} after {after}, first at {differs:?}", op.name());
             let can: Vec<bool> = anew.iter().map(|&one| one == Verdict::Applies).collect();
             assert_eq!(self.session.kept_mask(*mask).unwrap(), can);
+            let places: Vec<usize> = (0..can.len()).filter(|&at| can[at]).collect();
+            assert_eq!(self.session.kept_count(*mask).unwrap(), places.len());
+            let middle = self.session.pick_kept(*mask, 0.5).unwrap();
+            assert_eq!(middle, places.get(places.len() / 2).copied());
         }
     }
 
