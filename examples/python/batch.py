@@ -11,7 +11,9 @@ told by name with its message, and keeps nothing else from being done: a file th
 that the script refuses, or one at which the worker dies.
 
 The runners are `ray`, `processes`, `threads` (a script releases the interpreter's lock while it
-runs), and `auto`: Ray if it is installed, else processes.
+runs), and `auto`: Ray if it is installed, else processes. A mesh that goes to another process loses
+what its file says besides the mesh and its attributes, as materials and groups; with `threads` it is
+kept.
 """
 
 from __future__ import annotations

@@ -58,6 +58,8 @@ def _integers(array, what, error=MeshError):
 
 def polygons(faces):
     """Corners of faces one after the other, and where each face ends."""
+    if isinstance(faces, memoryview) or hasattr(faces, "__array__"):
+        faces = np.asarray(faces)
     if isinstance(faces, np.ndarray) and faces.dtype != object:
         array = faces
     else:
@@ -67,8 +69,8 @@ def polygons(faces):
         except TypeError:
             raise _wrong("faces are rows of corners, or lists of corners", MeshError) from None
         if len(faces) == 0 or (lengths != lengths[0]).any():
-            corners = np.concatenate([np.asarray(face) for face in faces]) if len(faces) else None
-            corners = np.zeros(0, np.int64) if corners is None or not corners.size else corners
+            filled = [np.asarray(face) for face in faces if len(face)]
+            corners = np.concatenate(filled) if filled else np.zeros(0, np.int64)
             if corners.ndim != 1:
                 raise _wrong("faces are rows of corners, or lists of corners", MeshError)
             return _integers(corners, "corners of faces"), np.cumsum(lengths)

@@ -101,6 +101,8 @@ class ElementTable:
         return self._mesh._attributes(self._kind)
 
     def __getattr__(self, name):
+        if name in self.__slots__:
+            raise AttributeError(f"this table has no `{name}` yet", name=name, obj=self)
         if name in _POINTERS[self._kind]:
             return _arrays.frozen(self._mesh._pointers(self._kind, name))
         article = "an" if self._kind == "edge" else "a"
@@ -116,10 +118,14 @@ class ElementTable:
                 yield number
 
     def __contains__(self, number):
-        """Whether a number is that of a living element; a text, whether it is an attribute."""
+        """Whether a number is that of a living element, of faces of one that is no hole; a text,
+        whether it is an attribute."""
         if isinstance(number, str):
             return number in self.attributes
-        return self._mesh._is_alive(self._kind, number)
+        try:
+            return self._mesh._is_alive(self._kind, number)
+        except OverflowError:
+            return False
 
     def __getitem__(self, name):
         if not isinstance(name, str):
@@ -150,7 +156,7 @@ class _ByName:
     _table = None
 
     def __getitem__(self, key):
-        return self._table[key] if self._names(key) else self._plain()[key]
+        return self._table[key] if self._names(key) else self._row(key)
 
     def __setitem__(self, key, values):
         if self._names(key):
@@ -159,7 +165,7 @@ class _ByName:
             super().__setitem__(key, values)
 
     def __contains__(self, key):
-        return key in self._table if self._names(key) else key in self._plain()
+        return key in self._table if self._names(key) else super().__contains__(key)
 
     def _names(self, key):
         return self._table is not None and isinstance(key, str)
@@ -170,6 +176,9 @@ class _Array(_ByName, np.ndarray):
 
     def _plain(self):
         return self.view(np.ndarray)
+
+    def _row(self, key):
+        return self._plain()[key]
 
     def __reduce__(self):
         return self._plain().__reduce__()
@@ -184,11 +193,10 @@ class _Array(_ByName, np.ndarray):
 class _List(_ByName, list):
     """Rows as a list of arrays."""
 
-    def _plain(self):
-        return list(self)
+    _row = list.__getitem__
 
     def __reduce__(self):
-        return list, (self._plain(),)
+        return list, (list(self),)
 
 
 def rows(values, table):

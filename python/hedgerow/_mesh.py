@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+import math
+import numbers
 import os
 import re
+import warnings
+from copy import deepcopy
 
 import numpy as np
 
@@ -43,14 +47,17 @@ class Trial:
         self._end(False)
 
     def _end(self, keeps):
-        if self._mark is None:
+        if not self._is_ended_by(keeps):
             raise RunError("this trial has not begun, or has ended", "unknown-mark")
-        mark, self._mark = self._mark, None
-        self._mesh._end_mark(mark, keeps)
+
+    def _is_ended_by(self, keeps):
+        """Ends the trial; false if it has ended before, maybe by one that it is within."""
+        ends = self._mark is not None and self._mesh._end_mark(self._mark, keeps)
+        self._mark = None
+        return ends
 
     def __exit__(self, error, *_):
-        if self._mark is not None:
-            self._end(False)
+        self._is_ended_by(False)
         return False
 
 
@@ -98,13 +105,17 @@ class Mesh(MeshTables, Measured):
         """The mesh of a file: ``.obj``, ``.ply``, ``.stl``, ``.off``, ``.msh`` or ``.halfedges``.
 
         What the file says besides (texture coordinates, groups, materials …) becomes attributes
-        where it can, or is kept and written back by :meth:`save`.
+        where it can, or is kept and written back by :meth:`save`: also by that of a :meth:`copy`, but
+        not after ``pickle``, :meth:`to_bytes` or :meth:`compact`.
         """
         return cls._of(MeshTables._read(os.fspath(path), _repair(repair)))
 
     @classmethod
     def _named(cls, name, *sizes):
-        return cls._of(MeshTables._shape(name, list(sizes)))
+        try:
+            return cls._of(MeshTables._shape(name, list(sizes)))
+        except OverflowError:
+            raise ValueError(f"`{name}` cannot be of sizes {list(sizes)}") from None
 
     @classmethod
     def tetrahedron(cls):
@@ -150,7 +161,7 @@ class Mesh(MeshTables, Measured):
     @classmethod
     def from_meshio(cls, other, *, repair=False):
         """The mesh of the triangles, quadrangles and polygons of a ``meshio.Mesh``; its data of
-        points becomes attributes of vertices."""
+        points becomes attributes of vertices, but for what a warning names."""
         blocks = [
             block.data
             for block in other.cells
@@ -160,13 +171,13 @@ class Mesh(MeshTables, Measured):
             raise MeshError("the meshio mesh has no triangles, quads or polygons", "no-mesh")
         faces = blocks[0] if len(blocks) == 1 else [face for block in blocks for face in block]
         mesh = cls(other.points, faces, repair=repair)
-        if not repair:
-            _bring(mesh, other.point_data.items())
+        _bring(mesh, other)
         return mesh
 
     @classmethod
     def from_pyvista(cls, other, *, repair=False):
-        """The mesh of a ``pyvista.PolyData``; its data of points becomes attributes of vertices."""
+        """The mesh of a ``pyvista.PolyData``; its data of points becomes attributes of vertices, but
+        for what a warning names."""
         if other.n_lines or other.n_strips:
             raise MeshError("the pyvista mesh has lines or strips: call `.triangulate()`", "no-mesh")
         if other.n_verts:
@@ -180,8 +191,7 @@ class Mesh(MeshTables, Measured):
                 faces.append(packed[at + 1 : at + 1 + packed[at]])
                 at += 1 + packed[at]
         mesh = cls(other.points, faces, repair=repair)
-        if not repair:
-            _bring(mesh, other.point_data.items())
+        _bring(mesh, other)
         return mesh
 
     # Where they go.
@@ -228,10 +238,9 @@ class Mesh(MeshTables, Measured):
     def _point_data(self):
         ids, table = self.vertex_ids, self.elements("vertex")
         return {
-            name: table[name][ids].reshape(len(ids), -1).squeeze(1)
-            if table[name].ndim == 1
-            else table[name][ids].reshape(len(ids), -1)
+            name: table[name][ids].reshape(len(ids), *[math.prod(shape)] * bool(shape))
             for name in table.attributes
+            for shape in [table[name].shape[1:]]
         }
 
     # What it is.
@@ -325,7 +334,8 @@ class Mesh(MeshTables, Measured):
         sides = len(corners) // len(ends)
         if sides * len(ends) == len(corners) and (ends == sides * np.arange(1, len(ends) + 1)).all():
             return corners.reshape(-1, sides)
-        return np.split(corners, ends[:-1])
+        ends = ends.tolist()
+        return [corners[start:end] for start, end in zip([0, *ends], ends)]
 
     def _triangles(self, who):
         faces = self._faces()
@@ -378,15 +388,20 @@ class Mesh(MeshTables, Measured):
 
     def copy(self):
         """Another mesh that is equal, number by number."""
-        return type(self)._of(self._copied())
+        made = type(self)._of(self._copied())
+        made.__dict__.update(self.__dict__)
+        return made
 
     __copy__ = copy
 
     def __deepcopy__(self, memo):
-        return self.copy()
+        made = memo[id(self)] = type(self)._of(self._copied())
+        made.__dict__.update(deepcopy(self.__dict__, memo))
+        return made
 
     def to_bytes(self):
-        """All of the mesh as bytes, with its numbers and attributes."""
+        """All of the mesh as bytes, with its numbers and attributes; as ``pickle`` has it. What its
+        file said besides, as materials and groups, is not among them: see :meth:`load`."""
         return self._packed()
 
     @classmethod
@@ -414,38 +429,9 @@ class Mesh(MeshTables, Measured):
 
     def compact(self):
         """The same mesh with numbers without gaps, and for its vertices and faces the numbers that
-        they had here: ``(mesh, vertices, faces)``. Attributes go along, but those of edges and
-        halfedges of a mesh that has two edges between the same vertices."""
-        vertices, faces = self.vertex_ids, self.face_ids
-        corners, ends = self._polygons(False)
-        made = type(self)._of(MeshTables(self._vertices().reshape(-1), corners, ends))
-        numbers = {"vertex": vertices, "face": faces}
-        numbers["halfedge"] = self._halfedges_of(made, vertices)
-        numbers["edge"] = self.halfedges.edge[numbers["halfedge"][made.edges.halfedge]]
-        for kind, old in numbers.items():
-            ours, theirs = self.elements(kind), made.elements(kind)
-            for name in ours.attributes:
-                values = ours[name]
-                new = np.zeros((theirs.size, *values.shape[1:]), values.dtype)
-                new[: len(old)] = values[old]
-                theirs[name] = new
-        return made, vertices, faces
-
-    def _halfedges_of(self, made, vertices):
-        """The halfedges here of those of a mesh that was made of the polygons."""
-
-        def ends(mesh, rows):
-            ids = mesh.halfedges.ids
-            start = mesh.halfedges.vertex[ids]
-            end = mesh.halfedges.vertex[mesh.halfedges.twin[ids]]
-            return ids, rows[start] * len(vertices) + rows[end]
-
-        rows = np.zeros(self._capacity("vertex"), np.int64)
-        rows[vertices] = np.arange(len(vertices))
-        ids, keys = ends(self, rows)
-        order = np.argsort(keys, kind="stable")
-        _, wanted = ends(made, np.arange(len(vertices)))
-        return ids[order][np.searchsorted(keys[order], wanted)]
+        they had here: ``(mesh, vertices, faces)``. All elements keep their order, but holes come
+        behind the faces. Attributes go along; what the file of the mesh said besides does not."""
+        return type(self)._of(self._compacted()), self.vertex_ids, self.face_ids
 
     def is_same(self, other, tolerance=0.0):
         """Whether both are the same but for the numbers of elements, and coordinates that differ by
@@ -472,21 +458,36 @@ class Mesh(MeshTables, Measured):
 
 def _repair(repair):
     """What the compiled part takes for a repair: nothing, a negative number, or a tolerance."""
-    if repair is False or repair is None:
+    if repair is None:
         return None
-    if repair is True:
-        return -1.0
+    if isinstance(repair, (bool, np.bool_)):
+        return -1.0 if repair else None
+    if not isinstance(repair, numbers.Real):
+        raise TypeError(f"`repair` is a bool or a tolerance, not {type(repair).__name__}")
     tolerance = float(repair)
     if not (tolerance >= 0.0 and np.isfinite(tolerance)):
         raise ArgumentError("the tolerance of a repair is a number from 0", "wrong-argument")
     return tolerance
 
 
-def _bring(mesh, data):
-    """Brings data of points that can be attributes."""
-    for name, values in data:
-        name = "".join(c if c.isalnum() else "_" for c in str(name))
+def _bring(mesh, other):
+    """Brings the data of the points of another mesh that the mesh was made of, and warns of data that
+    cannot be attributes: a repair has changed the points, values are of no type of attributes, or
+    another name has become the same one."""
+    is_same = np.array_equal(mesh._vertices().reshape(-1), _arrays.coordinates(other.points))
+    left_out = []
+    for name, values in other.point_data.items():
+        word = re.sub(r"\W|^(?=\d)|^$", "_", str(name))
+        values = np.asarray(values)
+        if values.ndim == 2 and values.shape[1] == 1:
+            values = values[:, 0]
         try:
-            mesh[name or "_"] = values
+            if word in mesh or not is_same:
+                left_out.append(name)
+            else:
+                mesh[word] = values
         except ArgumentError:
-            pass
+            left_out.append(name)
+    if left_out:
+        told = ", ".join(f"`{name}`" for name in left_out)
+        warnings.warn(f"this data of points has not become attributes: {told}", stacklevel=3)

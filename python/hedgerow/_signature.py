@@ -47,7 +47,10 @@ def signature(parameters, options, result):
         is_late = _is_late(all_of_it, one.default)
         place = kind.KEYWORD_ONLY if is_late else kind.POSITIONAL_OR_KEYWORD
         annotation = _TYPES.get(one.type, one.type)
-        all_of_it.append(kind(one.name, place, default=_default(one.default), annotation=annotation))
+        made = kind("name", place, default=_default(one.default), annotation=annotation)
+        # A name that Python has a keyword for, as `lambda`, is one as well, which `inspect` refuses.
+        made._name = one.name
+        all_of_it.append(made)
     all_of_it += [kind(name, kind.KEYWORD_ONLY, default=None) for name in options]
     annotation = inspect.Signature.empty if result is None else _TYPES.get(result, result)
     return inspect.Signature(all_of_it, return_annotation=annotation)

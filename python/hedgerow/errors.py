@@ -8,6 +8,7 @@ after the step that it is at.
 
 from __future__ import annotations
 
+import errno
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
@@ -20,6 +21,7 @@ __all__ = [
     "Error",
     "FileError",
     "MeshError",
+    "MissingFileError",
     "ProgramError",
     "RunError",
 ]
@@ -73,9 +75,27 @@ class RunError(Error, RuntimeError):
 
 
 class FileError(Error, OSError):
-    """A file cannot be read or written, or what is in it is not a mesh; the text names the line."""
+    """A file cannot be read or written, or what is in it is not a mesh; the text names the file and the
+    line, and is the ``strerror``."""
+
+    def __init__(
+        self,
+        text: str,
+        code: str = "",
+        diagnostics: Iterable[dict[str, Any]] = (),
+        report: Report | None = None,
+    ) -> None:
+        super().__init__(text, code, diagnostics, report)
+        # `OSError` has taken the arguments for those of its own.
+        self.errno = errno.ENOENT if isinstance(self, FileNotFoundError) else None
+        self.strerror = text
+        del self.filename
 
     __str__ = Error.__str__
+
+
+class MissingFileError(FileError, FileNotFoundError):
+    """A :class:`FileError`: there is no such file, or no such folder to write to."""
 
 
 class BusyError(Error, RuntimeError):

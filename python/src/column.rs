@@ -48,7 +48,10 @@ pub fn column(array: &Bound<'_, PyAny>, ty: &str) -> PyResult<ColumnData> {
     let known = AttributeType::ALL.iter().find(|known| known.name() == ty);
     Ok(match known {
         Some(AttributeType::Bool) => {
-            ColumnData::Bool(values(&array.extract::<PyReadonlyArray1<'_, bool>>()?)?)
+            // The byte of a bool of numpy may be any, that of one here is 0 or 1.
+            let bytes = array.call_method1("view", ("uint8",))?;
+            let bytes = values(&bytes.extract::<PyReadonlyArray1<'_, u8>>()?)?;
+            ColumnData::Bool(bytes.into_iter().map(|byte| byte != 0).collect())
         }
         Some(AttributeType::Int) => {
             ColumnData::Int(values(&array.extract::<PyReadonlyArray1<'_, i64>>()?)?)

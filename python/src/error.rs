@@ -3,7 +3,10 @@
 //! The classes are those of `hedgerow.errors`; each carries what was rendered, the stable code, and
 //! the diagnostics as data.
 
+use std::io::ErrorKind;
+
 use hedgerow::diagnostic::Diagnostic;
+use hedgerow::mesh::FileReason;
 use hedgerow::source::Sources;
 use hedgerow::{Error, Report};
 use pyo3::IntoPyObjectExt;
@@ -21,6 +24,7 @@ pub enum Kind {
     Mesh,
     Run,
     File,
+    MissingFile,
     Busy,
 }
 
@@ -32,6 +36,7 @@ impl Kind {
             Self::Mesh => "MeshError",
             Self::Run => "RunError",
             Self::File => "FileError",
+            Self::MissingFile => "MissingFileError",
             Self::Busy => "BusyError",
         }
     }
@@ -39,7 +44,7 @@ impl Kind {
 
 /// The exception of something wrong in a program.
 pub fn in_program(py: Python<'_>, error: &Error) -> PyErr {
-    let kind = if error.code() == "missing-file" { Kind::File } else { Kind::Program };
+    let kind = if error.code() == "missing-file" { Kind::MissingFile } else { Kind::Program };
     told(py, kind, error)
 }
 
@@ -57,6 +62,16 @@ pub fn in_call(py: Python<'_>, error: &Error) -> PyErr {
         _ => Kind::Run,
     };
     told(py, kind, error)
+}
+
+/// The exception of a file that cannot be read or written.
+pub fn of_file(py: Python<'_>, reason: &FileReason, message: String) -> PyErr {
+    let kind = match reason {
+        FileReason::NoFolder(_) => Kind::MissingFile,
+        FileReason::Io(error) if error.kind() == ErrorKind::NotFound => Kind::MissingFile,
+        _ => Kind::File,
+    };
+    saying(py, kind, "bad-file", message)
 }
 
 /// An exception that says one thing.

@@ -72,6 +72,14 @@ macro_rules! item {
                 bytes.fold(7, |hash, byte| hash * 31 % 1_000_003 + isize::from(byte))
             }
 
+            // Python's collector finds the cycle of a program and its items.
+            fn __traverse__(
+                &self,
+                visit: pyo3::gc::PyVisit<'_>,
+            ) -> Result<(), pyo3::gc::PyTraverseError> {
+                visit.call(&self.program)
+            }
+
             fn __repr__(&self) -> String {
                 format!(concat!("<", $word, " {}>"), self.item.name())
             }

@@ -2,7 +2,8 @@
 
 use hedgerow::KeptMask;
 use numpy::PyArray1;
-use pyo3::exceptions::PyIndexError;
+use pyo3::exceptions::{PyIndexError, PyOverflowError};
+use pyo3::gc::{PyTraverseError, PyVisit};
 use pyo3::prelude::*;
 
 use super::error::in_call;
@@ -26,25 +27,6 @@ impl LiveMask {
         let mask = state.session.kept_mask(self.kept);
         mask.map(look).map_err(|error| in_call(py, &error))
     }
-}
-
-/// The number of true ones.
-fn count(mask: &[bool]) -> usize {
-    mask.iter().map(|&can| usize::from(can)).sum()
-}
-
-/// The place of the true one that so many come before.
-fn nth(mask: &[bool], mut before: usize) -> Option<usize> {
-    const SIZE: usize = 64;
-    for (chunk, part) in mask.chunks(SIZE).enumerate() {
-        let there = count(part);
-        if before < there {
-            let mut places = part.iter().enumerate().filter(|&(_, &can)| can);
-            return places.nth(before).map(|(place, _)| chunk * SIZE + place);
-        }
-        before -= there;
-    }
-    None
 }
 
 #[pymethods]
@@ -80,16 +62,15 @@ impl LiveMask {
 
     /// At how many elements it would be applied.
     fn count(&self, py: Python<'_>) -> PyResult<usize> {
-        self.with(py, count)
+        let mut state = self.mesh.get().hold(py)?;
+        state.session.kept_count(self.kept).map_err(|error| in_call(py, &error))
     }
 
     /// The number of one of these elements: the one at `share` of the way through them, 0 the
     /// first, below 1; `None` if there are none. With a random number it is a random one.
     fn pick(&self, py: Python<'_>, share: f64) -> PyResult<Option<usize>> {
-        self.with(py, |mask| {
-            let all = count(mask);
-            nth(mask, ((share.clamp(0.0, 1.0) * all as f64) as usize).min(all.max(1) - 1))
-        })
+        let mut state = self.mesh.get().hold(py)?;
+        state.session.pick_kept(self.kept, share).map_err(|error| in_call(py, &error))
     }
 
     /// At how many elements it would be applied, as an array tells.
@@ -99,7 +80,7 @@ impl LiveMask {
 
     /// Whether there is an element at which it would be applied.
     fn any(&self, py: Python<'_>) -> PyResult<bool> {
-        self.with(py, |mask| mask.contains(&true))
+        Ok(self.count(py)? > 0)
     }
 
     /// Whether it would be applied at all elements; it is not at numbers of erased ones.
@@ -143,8 +124,12 @@ impl LiveMask {
         self.array(py)?.bitnot()
     }
 
-    fn __getitem__(&self, py: Python<'_>, number: usize) -> PyResult<bool> {
-        let found = self.with(py, |mask| mask.get(number).copied())?;
+    fn __getitem__(&self, py: Python<'_>, number: &Bound<'_, PyAny>) -> PyResult<bool> {
+        let place = match number.extract::<usize>() {
+            Err(error) if error.is_instance_of::<PyOverflowError>(py) => usize::MAX,
+            place => place?,
+        };
+        let found = self.with(py, |mask| mask.get(place).copied())?;
         found.ok_or_else(|| PyIndexError::new_err(format!("there is no element {number}")))
     }
 
@@ -153,7 +138,11 @@ impl LiveMask {
     }
 
     fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
-        self.with(py, |mask| format!("<live mask, {} of {}>", count(mask), mask.len()))
+        Ok(format!("<live mask, {} of {}>", self.count(py)?, self.__len__(py)?))
+    }
+
+    fn __traverse__(&self, visit: PyVisit<'_>) -> Result<(), PyTraverseError> {
+        visit.call(&self.mesh)
     }
 }
 

@@ -5,11 +5,11 @@ use std::sync::{Mutex, MutexGuard, OnceLock, TryLockError};
 
 use hedgerow::mesh::glam::DVec3;
 use hedgerow::mesh::{
-    ColumnId, ElementKind, Mesh, MeshFile, Polygons, Repair, Repaired, highest_level,
+    ColumnId, ElementKind, FaceId, Mesh, MeshFile, Polygons, Repair, Repaired, highest_level,
     identical_but_for_scratch, read_bytes, read_mesh, same_up_to_renumbering, shape, validate,
     write_bytes, write_mesh,
 };
-use hedgerow::{KeptMask, Mark, Op, Program, Session};
+use hedgerow::{KeptMask, Op, Program, Session};
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::exceptions::{PyKeyError, PyValueError};
 use pyo3::prelude::*;
@@ -18,7 +18,7 @@ use pyo3::types::{PyBytes, PyDict};
 use super::array::values;
 use super::column::{column, flat};
 use super::element::kind;
-use super::error::{Kind, in_call, saying};
+use super::error::{Kind, in_call, of_file, saying};
 use super::pointers::{ends, holes, living, pointers, polygons};
 use super::watch::Signals;
 
@@ -28,12 +28,15 @@ pub struct MeshTables {
     state: Mutex<State>,
 }
 
+/// A state of a mesh that can be restored.
+#[pyclass(frozen, module = "hedgerow._hedgerow")]
+pub struct Mark(hedgerow::Mark);
+
 /// The state of a mesh.
 pub struct State {
     pub session: Session,
     /// The masks that are kept for operations that were asked near something.
     near: Vec<(Op, KeptMask)>,
-    marks: Vec<Mark>,
     /// The other contents of the file that it comes from, if there is one; without the mesh.
     file: Option<MeshFile>,
 }
@@ -51,7 +54,7 @@ impl State {
     fn new(mesh: Mesh) -> Self {
         let mut session = Session::new(no_program(), mesh);
         session.watch(Signals::default());
-        Self { session, near: Vec::new(), marks: Vec::new(), file: None }
+        Self { session, near: Vec::new(), file: None }
     }
 
     fn mesh(&self) -> &Mesh {
@@ -169,8 +172,7 @@ impl MeshTables {
             file.bring_all();
             Ok::<_, hedgerow::mesh::FileError>(file)
         });
-        let mut file =
-            read.map_err(|error| saying(py, Kind::File, "bad-file", error.to_string()))?;
+        let mut file = read.map_err(|error| of_file(py, &error.reason, error.to_string()))?;
         let mut state = State::new(std::mem::take(&mut file.mesh));
         state.file = Some(file);
         Ok(Self { state: Mutex::new(state) })
@@ -187,7 +189,7 @@ impl MeshTables {
         file.mesh = state.session.copy_mesh();
         drop(state);
         let written = py.detach(|| write_mesh(&path, &file));
-        written.map_err(|error| saying(py, Kind::File, "bad-file", error.to_string()))
+        written.map_err(|error| of_file(py, &error.reason, error.to_string()))
     }
 
     /// A small mesh of a name: `cube`, `icosphere`, `grid` …
@@ -232,11 +234,15 @@ impl MeshTables {
         Ok(self.hold(py)?.mesh().hole_count())
     }
 
+    /// Whether a number is that of a living element; a hole is no face.
     #[pyo3(name = "_is_alive")]
     fn is_alive(&self, py: Python<'_>, of: &str, number: i64) -> PyResult<bool> {
-        let kind = kind(of)?;
-        let number = u32::try_from(number).ok();
-        Ok(number.is_some_and(|number| self.state_alive(py, kind, number).unwrap_or(false)))
+        let (state, kind) = (self.hold(py)?, kind(of)?);
+        let mesh = state.mesh();
+        Ok(u32::try_from(number).is_ok_and(|number| match kind {
+            ElementKind::Face => mesh.get_is_hole(FaceId(number)) == Some(false),
+            _ => mesh.is_alive(kind, number),
+        }))
     }
 
     /// The level of the mesh: `map`, `surface` or `simple`.
@@ -412,6 +418,14 @@ impl MeshTables {
         Ok(Self { state: Mutex::new(State { file, ..State::new(mesh) }) })
     }
 
+    /// The same mesh with numbers without gaps.
+    #[pyo3(name = "_compacted")]
+    fn compacted(&self, py: Python<'_>) -> PyResult<Self> {
+        let state = self.hold(py)?;
+        let mesh = state.mesh();
+        Ok(Self::with(py.detach(|| mesh.compacted())))
+    }
+
     /// All of the mesh as bytes.
     #[pyo3(name = "_packed")]
     fn packed<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
@@ -452,32 +466,19 @@ impl MeshTables {
         Ok(py.detach(|| same_up_to_renumbering(ours, theirs, tolerance)))
     }
 
-    /// Marks the state of the mesh; the number of the mark.
+    /// Marks the state of the mesh.
     #[pyo3(name = "_mark")]
-    fn mark(&self, py: Python<'_>) -> PyResult<usize> {
-        let mut state = self.hold(py)?;
-        let mark = state.session.mark();
-        state.marks.push(mark);
-        Ok(state.marks.len() - 1)
+    fn mark(&self, py: Python<'_>) -> PyResult<Mark> {
+        Ok(Mark(self.hold(py)?.session.mark()))
     }
 
-    /// Ends a mark and all later ones; whether what was done since stays.
+    /// Ends a mark and all later ones; `keeps` tells whether what was done since stays. Returns
+    /// false, and does nothing, if the mark has ended before.
     #[pyo3(name = "_end_mark")]
-    fn end_mark(&self, py: Python<'_>, mark: usize, keeps: bool) -> PyResult<()> {
+    fn end_mark(&self, py: Python<'_>, mark: &Bound<'_, Mark>, keeps: bool) -> PyResult<bool> {
         let mut state = self.hold(py)?;
-        let Some(&known) = state.marks.get(mark) else {
-            let message = "this trial has ended".to_owned();
-            return Err(saying(py, Kind::Run, "unknown-mark", message));
-        };
-        state.marks.truncate(mark);
-        let session = &mut state.session;
-        let done = py.detach(|| if keeps { session.keep(known) } else { session.undo(known) });
-        done.map_err(|error| in_call(py, &error))
-    }
-}
-
-impl MeshTables {
-    fn state_alive(&self, py: Python<'_>, kind: ElementKind, number: u32) -> PyResult<bool> {
-        Ok(self.hold(py)?.mesh().is_alive(kind, number))
+        let (session, Mark(mark)) = (&mut state.session, mark.get());
+        let done = py.detach(|| if keeps { session.keep(*mark) } else { session.undo(*mark) });
+        Ok(done.is_ok())
     }
 }

@@ -11,7 +11,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
 use super::element::kind;
-use super::error::{Kind, saying};
+use super::error::of_file;
 use super::mesh::{MeshTables, column_of};
 
 /// The pixels of a picture of a mesh, seen from a direction, with an attribute of its vertices in
@@ -53,9 +53,7 @@ pub fn picture_sizes() -> (u32, u32) {
 pub fn write_file(py: Python<'_>, path: PathBuf, bytes: &[u8]) -> PyResult<()> {
     let written =
         py.detach(|| replace_file(&path, |output| output.write_all(bytes).map_err(FileReason::Io)));
-    written.map_err(|reason| {
-        saying(py, Kind::File, "bad-file", format!("{}: {reason}", path.display()))
-    })
+    written.map_err(|reason| of_file(py, &reason, format!("{}: {reason}", path.display())))
 }
 
 /// Draws a mesh with an attribute, given by the kind of its elements and its name.

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use hedgerow::mesh::FileFormat;
 use pyo3::IntoPyObjectExt;
 use pyo3::exceptions::{PyAttributeError, PyKeyError};
+use pyo3::gc::{PyTraverseError, PyVisit};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 
@@ -16,7 +17,7 @@ use super::script::Script;
 /// The form that `pickle` takes: a maker, and its arguments.
 pub type Reduced<'py, A> = PyResult<(Bound<'py, PyAny>, A)>;
 
-/// A program that is proved and compiled: its operations, scripts and functions are attributes.
+// A program that is proved and compiled: its operations, scripts and functions are attributes. It has no doc comment: `__doc__` is that of its file and of what it has.
 #[pyclass(frozen, module = "hedgerow")]
 pub struct Program {
     program: hedgerow::Program,
@@ -169,6 +170,28 @@ impl Program {
 
     fn __hash__(&self) -> usize {
         self.program.texts().iter().map(|(_, text)| text.len()).sum()
+    }
+
+    fn __traverse__(&self, visit: PyVisit<'_>) -> Result<(), PyTraverseError> {
+        visit.call(&self.known)
+    }
+
+    /// What the file says of itself, then its scripts and operations, each with its comment.
+    #[getter]
+    fn __doc__(this: &Bound<'_, Self>) -> PyResult<String> {
+        let me = this.get();
+        let text = me.program.texts().swap_remove(0).1;
+        let lines = text.lines().map_while(|line| line.strip_prefix("//!"));
+        let mut told = vec![lines.map(str::trim_start).collect::<Vec<_>>().join("\n")];
+        for name in me.scripts().into_iter().chain(me.ops()) {
+            let item = Self::find(this, &name)?.expect("a program has what it lists");
+            told.push(item.getattr("__doc__")?.extract()?);
+        }
+        if let functions @ [_, ..] = &*me.functions() {
+            told.push(format!("Functions: {}", functions.join(", ")));
+        }
+        told.retain(|part| !part.is_empty());
+        Ok(told.join("\n\n"))
     }
 
     fn __repr__(&self) -> String {

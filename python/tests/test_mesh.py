@@ -1,4 +1,4 @@
-"""Meshes: arrays in and out, attributes, copies, files, trials."""
+"""Meshes: arrays in and out, attributes, copies, trials."""
 
 import copy
 import pickle
@@ -170,6 +170,22 @@ def test_attributes_of_rows(ops, sphere):
         np.copy(corners, subok=True)["label"]
 
 
+def test_bools_of_any_byte(ops, sphere):
+    sphere.edges["crease"] = np.full(sphere.edges.size, 4, np.uint8).view(bool)
+    program = hedgerow.program("attr crease: edge bool fn creased(e: edge) -> bool { e.crease == true }")
+    assert program.creased(sphere).all()
+    assert sphere.edges["crease"].view(np.uint8).max() == 1
+    assert pickle.loads(pickle.dumps(sphere)) == sphere
+
+
+def test_rows_of_many_polygons():
+    vertices, faces = Mesh.grid(30).arrays()
+    mixed = Mesh(vertices, [*faces[:-1], faces[-1, :3], faces[-1, [0, 2, 3]]])
+    rows = mixed.faces
+    assert [row.tolist() for row in rows] == [*faces[:-1].tolist(), *(row.tolist() for row in rows[-2:])]
+    assert len(rows[-1]) == 3 and rows[0] is rows[0] and rows[:2][1] is rows[1]
+
+
 def test_attributes_of_programs(ops, sphere):
     ops.count_hits(sphere)
     ops.count_hits(sphere)
@@ -260,8 +276,21 @@ def test_trials(ops, sphere):
     outer, inner = sphere.trial(), sphere.trial()
     outer.__enter__(), inner.__enter__()
     outer.keep()
+    # A trial that has ended undoes nothing that others have done since.
+    others = [sphere.trial() for _ in range(2)]
+    for other in others:
+        other.__enter__()
+    ops.split(sphere, 6)
+    before = sphere.to_bytes()
     with pytest.raises(hedgerow.RunError, match="has ended"):
         inner.undo()
+    assert sphere.to_bytes() == before
+    for other in reversed(others):
+        other.keep()
+    with sphere.trial() as outer, sphere.trial():
+        ops.split(sphere, 7)
+        outer.keep()
+    assert sphere.to_bytes() != before
 
 
 def test_compact(ops, sphere, rng):
@@ -292,6 +321,34 @@ def test_compact(ops, sphere, rng):
         assert by_ends(small, straight, getattr(small, kind), name) == mine
 
 
+def test_compact_keeps_holes_defaults_and_levels(ops):
+    mesh = Mesh.grid(3, triangles=True)
+    assert ops.collapse(mesh, 12)
+    faces = mesh.elements("face")
+    faces["label"] = np.arange(faces.size) + 100
+    hole = faces["label"][faces.is_hole]
+    small, _, numbers = mesh.compact()
+    theirs = small.elements("face")
+    assert theirs["label"].tolist() == [*(numbers + 100), *hole] and theirs.is_hole[-1]
+    assert small.is_same(mesh) and small.vertices.tolist() == mesh.vertices.tolist()
+    text = "attr label: face int = inherited(-1) script mark() { for f in faces { f.label = 7 } }"
+    sphere = Mesh.icosphere(1)
+    hedgerow.program(text).mark(sphere)
+    small = sphere.compact()[0]
+    for one in (sphere, small):
+        hedgerow.std.subdivide.loop_subdivide(one)
+    assert small == sphere
+    # Two edges between the same vertices.
+    flip = hedgerow.program("""op flip(e: edge) {
+      before { face f: a -p-> b -q-> c -r-> a  face g: b -s-> a -t-> d -u-> b  edge e: p | s }
+      after { face f: d -p-> c -r-> a -t-> d  face g: c -s-> d -u-> b -q-> c  edge e: p | s }
+    }""").flip
+    double = Mesh.tetrahedron()
+    assert flip(double, 0) and double.level() != "simple"
+    double.edges["rank"] = np.arange(6)
+    assert double.compact()[0] == double
+
+
 def test_iterating_while_elements_go(ops, sphere):
     seen, gone = [], set()
     for edge in sphere.edges:
@@ -302,53 +359,6 @@ def test_iterating_while_elements_go(ops, sphere):
         if len(seen) == 20:
             break
     assert gone and len(set(seen)) == 20
-
-
-@pytest.mark.parametrize("ending", ["obj", "ply", "off", "msh", "halfedges", "stl"])
-def test_files(tmp_path, ending, sphere):
-    path = tmp_path / f"mesh.{ending}"
-    sphere.save(path)
-    back = Mesh.load(str(path))
-    assert back.is_same(sphere, 1e-6)
-
-
-def test_files_keep_what_they_hold(tmp_path):
-    path = tmp_path / "a.obj"
-    path.write_text(
-        "g left\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n"
-    )
-    mesh = Mesh.load(path)
-    assert mesh.halfedges["uv"][mesh.halfedges.face == 0].tolist() == [[0, 0], [1, 0], [0, 1]]
-    mesh.copy().save(tmp_path / "b.obj")
-    text = (tmp_path / "b.obj").read_text()
-    assert "vt 1 0" in text and "g left" in text
-
-
-def test_files_that_fail(tmp_path, sphere):
-    for name, text in [("a.obj", "f 1 2 3\n"), ("a.xyz", ""), ("b.ply", "nonsense")]:
-        (tmp_path / name).write_text(text)
-        with pytest.raises(hedgerow.FileError, match=name):
-            Mesh.load(tmp_path / name)
-    with pytest.raises(hedgerow.FileError):
-        Mesh.load(tmp_path / "none.obj")
-    with pytest.raises(OSError):
-        sphere.save(tmp_path / "no" / "folder.obj")
-
-
-def test_files_without_a_vertex(tmp_path):
-    noise = np.random.default_rng(0).integers(128, 256, 2000).astype(np.uint8).tobytes()
-    for text in (b"", b"once upon a time\n", noise):
-        (tmp_path / "a.obj").write_bytes(text)
-        for repair in (False, True):
-            with pytest.raises(hedgerow.FileError, match=r"a\.obj: .*is it an OBJ file\?"):
-                Mesh.load(tmp_path / "a.obj", repair=repair)
-    # A list of no polygons is probably an accident; tables and bytes say that they are empty.
-    for ending in ("obj", "ply", "off", "msh", "stl"):
-        Mesh().save(tmp_path / f"none.{ending}")
-        with pytest.raises(hedgerow.FileError, match="there is no vertex in it"):
-            Mesh.load(tmp_path / f"none.{ending}")
-    Mesh().save(tmp_path / "none.halfedges")
-    assert Mesh.load(tmp_path / "none.halfedges") == Mesh() == Mesh.from_bytes(Mesh().to_bytes())
 
 
 NOT_MESHES = [
@@ -404,7 +414,61 @@ def test_wrong_attributes(sphere):
     assert sphere.to_bytes() == before
 
 
+def test_elements_that_there_are(ops):
+    mesh = Mesh.grid(2)
+    faces = mesh.elements("face")
+    assert [number in faces for number in range(-1, faces.size + 1)].count(True) == len(faces) == 4
+    assert all(face in faces for face in faces) and np.flatnonzero(faces.is_hole)[0] not in faces
+    assert 2**70 not in mesh.edges and -1 not in mesh.edges
+    asked = []
+
+    def ask(done, total):
+        for look in (lambda: 0 in mesh.edges, lambda: list(mesh.edges)):
+            with pytest.raises(hedgerow.BusyError):
+                look()
+        asked.append(done)
+        raise LookupError
+
+    with pytest.raises(LookupError):
+        ops.forever(mesh, progress=ask)
+    assert asked
+
+
+def test_tables_are_copied(sphere):
+    sphere.edges["rank"] = np.arange(sphere.edges.size)
+    for table in (copy.copy(sphere.edges), copy.deepcopy(sphere.edges), pickle.loads(pickle.dumps(sphere.edges))):
+        assert (table["rank"] == sphere.edges["rank"]).all() and len(table) == len(sphere.edges)
+
+
+def test_what_python_attaches_goes_along(sphere):
+    sphere.tag = [1]
+    assert copy.copy(sphere).tag is sphere.copy().tag is sphere.tag
+    deep = copy.deepcopy(sphere)
+    assert deep.tag == [1] and deep.tag is not sphere.tag and deep == sphere
+
+
+def test_sizes_out_of_range():
+    for make in (lambda: Mesh.icosphere(-1), lambda: Mesh.icosphere(99), lambda: Mesh.grid(2**33, 1)):
+        with pytest.raises(ValueError, match="cannot be of sizes"):
+            make()
+
+
+def test_faces_of_every_kind():
+    class Rows:
+        def __array__(self, dtype=None, copy=None):
+            return F
+
+    for faces in (memoryview(F), Rows(), iter(F.tolist()), list(F)):
+        assert (Mesh(V, faces).faces == F).all()
+    with pytest.raises(hedgerow.MeshError, match="corners"):
+        Mesh(V, [[0, 1, 2], []])
+
+
 def test_repair():
+    assert Mesh(V / 10, F, repair=np.True_) == Mesh(V / 10, F, repair=True)
+    assert Mesh(V, F, repair=np.False_) == Mesh(V, F) and Mesh(V, F, repair=np.float32(0.1)).face_count == 2
+    with pytest.raises(TypeError, match="`repair` is a bool or a tolerance, not str"):
+        Mesh(V, F, repair="yes")
     soup = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 0], [0, 1, 0], [-1, 0, 0]], float)
     with pytest.raises(hedgerow.MeshError):
         Mesh(soup, [[0, 1, 2], [0, 1, 2]])
@@ -413,60 +477,3 @@ def test_repair():
     for wrong in (-1.0, float("nan")):
         with pytest.raises(hedgerow.ArgumentError):
             Mesh(soup, [[0, 1, 2]], repair=wrong)
-
-
-def test_measures(ops, tmp_path):
-    cube, grid = Mesh.cube(), Mesh.grid(2, 3)
-    side = np.ptp(cube.vertices[:, 0])
-    assert cube.area == pytest.approx(6 * side**2) and cube.volume == pytest.approx(side**3)
-    assert (cube.bounds == [cube.vertices.min(0), cube.vertices.max(0)]).all()
-    assert (cube.euler_number, cube.component_count, cube.is_watertight) == (2, 1, True)
-    assert (grid.euler_number, grid.volume, grid.is_watertight) == (1, None, False)
-    assert (grid.face_normals == [[0, 0, 1]] * 6).all() and (grid.vertex_normals == [[0, 0, 1]] * 12).all()
-    outward = (cube.face_normals * cube.vertices[cube.faces].mean(1)).sum(1)
-    assert (outward > 0).all() and cube.vertex_normals.shape == (8, 3)
-    empty = Mesh()
-    assert (empty.area, empty.volume, empty.bounds, empty.euler_number) == (0, None, None, 0)
-    assert empty.face_normals.shape == empty.vertex_normals.shape == (0, 3) and not empty.is_watertight
-    told = grid.info()
-    assert (told["vertices"], told["faces"], told["holes"], told["level"]) == (12, 6, 1, "simple")
-    measures = told["measures"]
-    assert measures["area"] == grid.area and measures["face_sizes"] == [{"size": 4, "count": 6}]
-    # Rows are those of vertices and faces, also after some have gone.
-    sphere = Mesh.icosphere(1)
-    assert ops.collapse(sphere, 3)
-    assert len(sphere.vertex_normals) == 41 and len(sphere.face_normals) == 78
-    other = sphere.compact()[0]
-    assert np.allclose(sphere.vertex_normals, other.vertex_normals) and np.allclose(sphere.area, other.area)
-
-
-def test_measures_agree_with_trimesh(sphere):
-    pytest.importorskip("trimesh")
-    other = sphere.to_trimesh()
-    for name in ("area", "volume", "bounds", "euler_number", "is_watertight", "face_normals"):
-        assert np.allclose(getattr(sphere, name), getattr(other, name)), name
-
-
-def test_other_libraries(sphere):
-    trimesh = pytest.importorskip("trimesh")
-    there = sphere.to_trimesh()
-    assert isinstance(there, trimesh.Trimesh) and there.is_watertight
-    assert Mesh.from_trimesh(there) == sphere
-    with pytest.raises(hedgerow.MeshError, match="wants triangles"):
-        Mesh.cube().to_trimesh()
-
-
-def test_meshio(sphere):
-    pytest.importorskip("meshio")
-    sphere["heat"] = np.arange(sphere.vertex_count, dtype=float)
-    assert Mesh.from_meshio(sphere.to_meshio()) == sphere
-    mixed = Mesh([*V.tolist(), [2, 0.5, 0]], [[0, 1, 2, 3], (1, 4, 2)])
-    assert Mesh.from_meshio(mixed.to_meshio()).is_same(mixed)
-
-
-def test_pyvista(sphere):
-    pytest.importorskip("pyvista")
-    sphere["heat"] = np.arange(sphere.vertex_count, dtype=float)
-    assert Mesh.from_pyvista(sphere.to_pyvista()) == sphere
-    mixed = Mesh([*V.tolist(), [2, 0.5, 0]], [[0, 1, 2, 3], (1, 4, 2)])
-    assert Mesh.from_pyvista(mixed.to_pyvista()) == mixed

@@ -1,11 +1,13 @@
 """Programs, operations, scripts and functions as Python has them."""
 
+import gc
 import inspect
 import pickle
 import pydoc
 import signal
 import threading
 import time
+import weakref
 from pathlib import Path
 
 import numpy as np
@@ -288,8 +290,45 @@ def test_live_masks(ops, rng):
     ops.move(mesh)
     mesh.positions = mesh.positions * 2
     assert (np.asarray(live[0]) == ops.flip.can(mesh)).all()
-    with pytest.raises(IndexError):
-        live[0][10**6]
+    for number in (10**6, -1, 2**70):
+        with pytest.raises(IndexError, match=f"no element {number}"):
+            live[0][number]
+
+
+def test_picks_of_a_live_mask(ops, rng):
+    mesh = Mesh.grid(20, 20, triangles=True)
+    live = ops.flip.live(mesh)
+    for _ in range(5):
+        numbers = live.numbers()
+        shares = (np.arange(len(numbers)) + 0.5) / len(numbers)
+        assert [live.pick(share) for share in shares] == numbers.tolist()
+        ops.flip(mesh, rng.choice(numbers))
+    with mesh.trial():
+        ops.split(mesh, 7)
+        assert live.count() == len(live.numbers())
+    assert live.count() == ops.flip.can(mesh).sum() and ops.flip.live(Mesh()).pick(0.5) is None
+
+
+def test_programs_and_live_masks_are_collected(sphere):
+    program = hedgerow.program('use "std/triangle.hedge" script s() { } fn f(e: edge) -> int { 1 }')
+    for item in (program.flip, program.s, program.f):
+        assert program in gc.get_referents(item)
+    assert any(program.flip in known.values() for known in gc.get_referents(program) if type(known) is dict)
+    mesh = sphere.copy()
+    mesh.mask = program.flip.live(mesh)
+    gone = weakref.ref(mesh)
+    del mesh
+    gc.collect()
+    assert gone() is None
+
+
+def test_help_of_a_program(ops):
+    told = ops.__doc__
+    assert "Moves all vertices." in told and "move(mesh" in told and "flip(mesh" in told
+    assert hedgerow.std.remesh.__doc__.startswith("Isotropic remeshing")
+    # A name may be a keyword of Python.
+    assert "lambda: float = 0.63" in str(inspect.signature(hedgerow.std.smooth.taubin))
+    assert "Functions: excess, gain" in pydoc.render_doc(ops, renderer=pydoc.plaintext)
 
 
 
