@@ -237,10 +237,11 @@ class Mesh(MeshTables, Measured):
 
     def _point_data(self):
         ids, table = self.vertex_ids, self.elements("vertex")
+        data = {name: table[name][ids] for name in table.attributes}
+        # A matrix becomes a row of numbers.
         return {
-            name: table[name][ids].reshape(len(ids), *[math.prod(shape)] * bool(shape))
-            for name in table.attributes
-            for shape in [table[name].shape[1:]]
+            name: values.reshape(len(ids), math.prod(values.shape[1:])) if values.ndim > 1 else values
+            for name, values in data.items()
         }
 
     # What it is.

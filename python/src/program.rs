@@ -17,7 +17,8 @@ use super::script::Script;
 /// The form that `pickle` takes: a maker, and its arguments.
 pub type Reduced<'py, A> = PyResult<(Bound<'py, PyAny>, A)>;
 
-// A program that is proved and compiled: its operations, scripts and functions are attributes. It has no doc comment: `__doc__` is that of its file and of what it has.
+// A program that is proved and compiled: its operations, scripts and functions are attributes. It
+// has no doc comment: `__doc__` is that of its file and of what it has.
 #[pyclass(frozen, module = "hedgerow")]
 pub struct Program {
     program: hedgerow::Program,
@@ -184,8 +185,9 @@ impl Program {
         let lines = text.lines().map_while(|line| line.strip_prefix("//!"));
         let mut told = vec![lines.map(str::trim_start).collect::<Vec<_>>().join("\n")];
         for name in me.scripts().into_iter().chain(me.ops()) {
-            let item = Self::find(this, &name)?.expect("a program has what it lists");
-            told.push(item.getattr("__doc__")?.extract()?);
+            if let Some(item) = Self::find(this, &name)? {
+                told.push(item.getattr("__doc__")?.extract()?);
+            }
         }
         if let functions @ [_, ..] = &*me.functions() {
             told.push(format!("Functions: {}", functions.join(", ")));

@@ -162,7 +162,8 @@ impl Piece {
 
     /// Places it at its root, in a direction, within an angle.
     fn place(&self, root: DVec2, way: f64, within: f64, unit: f64, places: &mut [Option<DVec2>]) {
-        let count = (self.0.len() + 1) as f64;
+        let len = self.0.len() + 1;
+        let count = len as f64;
         let along = direction(way);
         let spot = |at: usize| match self.radius() {
             _ if at == 0 => root,
@@ -175,7 +176,6 @@ impl Piece {
                 root + along.rotate(turned * DVec2::new(1.0, narrow)) * (radius * unit)
             }
         };
-        let len = self.0.len() + 1;
         for (at, (node, pieces)) in self.0.iter().enumerate().map(|(at, node)| (at + 1, node)) {
             let place = spot(at);
             places[*node] = Some(place);

@@ -57,16 +57,13 @@ pub(super) fn question_paths(
         return Err(Unbounded::Effects);
     }
     let mut reads = Reads { is_question: true, ..Reads::new(kind, &plan.code.functions, &[]) };
-    let mut state = State::default();
+    let mut state = State::at_start(&plan.code);
     for param in 0..plan.params.iter().sum::<u16>() {
         let node = match usize::from(param) == slot {
             true => START,
             false => reads.paths.variable(Reg(param))?,
         };
         state.set(Reg(param), vec![node]);
-    }
-    for buffer in 0..plan.code.buffers {
-        state.set_buffer(buffer, Nodes::new());
     }
     reads.follow(&plan.code, 0, state)?;
     reads.paths.finish();
@@ -85,6 +82,13 @@ const BUFFERS: u32 = 1 << 16;
 const PREVIEW: u32 = 2 << 16;
 
 impl State {
+    /// The state at the start of a code: its buffers are empty.
+    fn at_start(code: &Code) -> Self {
+        let mut state = Self::default();
+        (0..code.buffers).for_each(|buffer| state.set_buffer(buffer, Nodes::new()));
+        state
+    }
+
     pub(super) fn set(&mut self, reg: Reg, nodes: Nodes) {
         self.0.insert(u32::from(reg.0), nodes);
     }
@@ -422,12 +426,9 @@ impl<'c> Reads<'c> {
         params: u16,
         code: &Code,
     ) -> Result<State, Unbounded> {
-        let mut inner = State::default();
+        let mut inner = State::at_start(code);
         for part in 0..params {
             inner.set(Reg(part), self.nodes(state, Reg(args.0.wrapping_add(part)))?);
-        }
-        for buffer in 0..code.buffers {
-            inner.set_buffer(buffer, Nodes::new());
         }
         Ok(inner)
     }

@@ -61,12 +61,12 @@ impl Counted {
 
     /// The place of the true value that so many come before.
     fn nth(&self, mut before: usize) -> Option<usize> {
-        let block = self.counts.iter().position(|&count| match before < count {
-            true => true,
-            false => {
-                before -= count;
+        let block = self.counts.iter().position(|&count| match before.checked_sub(count) {
+            Some(rest) => {
+                before = rest;
                 false
             }
+            None => true,
         })?;
         let start = block * Self::BLOCK;
         let mut places = (start..).zip(&self.values[start..]).filter(|&(_, &value)| value);

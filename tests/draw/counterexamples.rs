@@ -1,17 +1,22 @@
 //! Pictures of counterexamples: they show what is broken as it is.
 
 use hedgerow::analysis::Analysis;
+use hedgerow::diagram::Op;
 use hedgerow::draw::{draw_op, fates};
 use hedgerow::source::Sources;
 
 use super::check_apart;
 
-/// Checks what becomes of names in the first counterexample of a program, and what its picture says.
-fn check(program: &str, fates_of: &[(&str, &str)], verdict: &str, tell: &[&str]) {
+/// The first counterexample of a program, as an operation.
+fn counterexample(program: &str) -> Op {
     let mut sources = Sources::new();
     let file = sources.add("broken.hedge".to_string(), program.to_string());
-    let analysis = Analysis::of(&sources, file);
-    let op = analysis.counterexamples[0].drawn();
+    Analysis::of(&sources, file).counterexamples[0].drawn()
+}
+
+/// Checks what becomes of names in the first counterexample of a program, and what its picture says.
+fn check(program: &str, fates_of: &[(&str, &str)], verdict: &str, tell: &[&str]) {
+    let op = counterexample(program);
     let rule = fates(&op.rules[0]);
     for (name, fate) in fates_of {
         assert_eq!(rule.get(name), Some(fate), "{name}: {rule:?}");
@@ -109,9 +114,7 @@ fn an_edge_that_comes_apart_leaves_its_loops_whole() {
             edge eh: g | h'
           }
         }";
-    let mut sources = Sources::new();
-    let file = sources.add("broken.hedge".to_string(), program.to_string());
-    let picture = draw_op(&Analysis::of(&sources, file).counterexamples[0].drawn());
+    let picture = draw_op(&counterexample(program));
     assert_eq!(picture.crossings(), 0);
     // Those of `after` come last.
     let texts = picture.texts();
