@@ -4,7 +4,8 @@ use std::fmt::Display;
 use std::path::PathBuf;
 use std::str::FromStr;
 
-use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap::{Args, Parser, Subcommand, ValueEnum, ValueHint};
+use clap_complete::Shell;
 
 use super::option_groups::{
     EncodingArguments, EngineArguments, LevelName, RepairArguments, ThreadArguments,
@@ -60,6 +61,8 @@ pub(super) enum Command {
     Learn(LearnArguments),
     /// List the standard library, print a file of it, or copy it out
     Std(StdArguments),
+    /// Print the completions of a shell: `source <(hedgerow completions bash)`
+    Completions(CompletionsArguments),
 }
 
 impl Command {
@@ -132,7 +135,7 @@ pub(super) struct CheckArguments {
 #[command(after_help = "Behind FILE::SCRIPT, --help is about the script and its parameters.")]
 pub(super) struct RunArguments {
     /// A program, and the script in it if there are several
-    #[arg(value_name = "FILE[::SCRIPT]")]
+    #[arg(value_hint = ValueHint::FilePath, value_name = "FILE[::SCRIPT]")]
     pub script: String,
     /// The mesh to run it on (.obj, .ply, .stl, .off, .msh or
     /// .halfedges); - is standard input
@@ -191,7 +194,7 @@ pub(super) struct RunArguments {
 #[derive(Debug, Args)]
 pub(super) struct ApplyArguments {
     /// A program and an operation in it
-    #[arg(value_name = "FILE::OP")]
+    #[arg(value_hint = ValueHint::FilePath, value_name = "FILE::OP")]
     pub op: String,
     /// The mesh (.obj, .ply, .stl, .off, .msh or .halfedges)
     pub mesh: PathBuf,
@@ -226,7 +229,7 @@ pub(super) struct PlanArguments {
     /// A program, and an operation in it; without one, as data or code
     /// all of them, of a file that only uses others those that its
     /// scripts call
-    #[arg(value_name = "FILE[::OP]", verbatim_doc_comment)]
+    #[arg(value_hint = ValueHint::FilePath, value_name = "FILE[::OP]", verbatim_doc_comment)]
     pub op: String,
     /// Form in which to show it
     #[arg(long = "as", value_enum, value_name = "KIND", default_value_t)]
@@ -313,7 +316,7 @@ pub(super) struct ExplainArguments {
 #[derive(Debug, Args)]
 pub(super) struct DrawArguments {
     /// A program, and the operation in it if there are several
-    #[arg(value_name = "FILE[::OP]")]
+    #[arg(value_hint = ValueHint::FilePath, value_name = "FILE[::OP]")]
     pub op: String,
     /// File for the picture (.svg or .png)
     #[arg(short, long)]
@@ -439,6 +442,12 @@ pub(super) struct LearnArguments {
     /// Write the lesson's program to the file, to begin with
     #[arg(long, requires = "file")]
     pub start: bool,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct CompletionsArguments {
+    /// The shell that asks
+    pub shell: Shell,
 }
 
 /// A parser of whole numbers from `least` to `most`.

@@ -10,6 +10,7 @@ mod aliases;
 mod apply;
 mod arguments;
 mod check;
+mod completions;
 mod convert;
 mod counts;
 mod draw;
@@ -98,6 +99,7 @@ pub fn main() -> ExitCode {
         Command::Play(arguments) => play::play(&arguments),
         Command::Learn(arguments) => learn::learn(&arguments),
         Command::Std(arguments) => library::std(&arguments),
+        Command::Completions(arguments) => completions::completions(&arguments),
     };
     ended_as(answers_json, done)
 }

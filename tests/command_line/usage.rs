@@ -22,6 +22,26 @@ fn no_such_command() {
 }
 
 #[test]
+fn completions_name_every_command_and_complete_files() {
+    let bench = Bench::new();
+    let help = bench.succeeds(&["--help"]);
+    let listed = help.lines().skip_while(|line| *line != "Commands:").skip(1);
+    let commands = listed.map_while(|line| line.split_whitespace().next());
+    let commands: Vec<_> = commands.collect();
+    assert!(commands.len() > 10);
+    for shell in ["bash", "elvish", "fish", "powershell", "zsh"] {
+        let script = bench.succeeds(&["completions", shell]);
+        for command in &commands {
+            assert!(script.contains(command), "{command} is not completed in {shell}");
+        }
+    }
+    let zsh = bench.succeeds(&["completions", "zsh"]);
+    let ops = zsh.lines().filter(|line| line.contains("_files") && line.contains("operation"));
+    assert!(ops.count() > 0);
+    bench.fails(2, &["completions", "tcsh"], "bash, elvish, fish, powershell, zsh");
+}
+
+#[test]
 fn no_such_operation_or_script() {
     let bench = Bench::with_square();
     let flip = example("flip.hedge");
