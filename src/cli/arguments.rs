@@ -61,7 +61,7 @@ pub(super) enum Command {
     Learn(LearnArguments),
     /// List the standard library, print a file of it, or copy it out
     Std(StdArguments),
-    /// Print the completions of a shell: `source <(hedgerow completions bash)`
+    /// Print the completions of a shell
     Completions(CompletionsArguments),
 }
 
@@ -414,7 +414,7 @@ impl TestArguments {
 pub(super) struct StdArguments {
     /// A file of the library: std/triangle.hedge, or triangle
     pub name: Option<String>,
-    /// Copy it, or all files, to a folder; a single one also to a file (.hedge)
+    /// Copy it, or all files, to a folder; one also to a file (.hedge)
     #[arg(long, value_name = "DIR|FILE")]
     pub copy: Option<PathBuf>,
 }
@@ -446,7 +446,8 @@ pub(super) struct LearnArguments {
 
 #[derive(Debug, Args)]
 pub(super) struct CompletionsArguments {
-    /// The shell that asks
+    /// The shell: `source <(hedgerow completions bash)`
+    #[arg(value_name = "bash|elvish|fish|powershell|zsh", hide_possible_values = true)]
     pub shell: Shell,
 }
 

@@ -12,6 +12,7 @@ use super::files;
 use super::output::{complain, complain_of, say, say_exactly, table};
 use super::program::{self, Program};
 use crate::analysis::{Analysis, read_program};
+use crate::diagnostic::quoted;
 use crate::emit::{NotEmitted, Selection, Style, cpp, rust};
 use crate::library;
 use crate::mesh::Level;
@@ -34,6 +35,7 @@ pub(super) fn plan(arguments: &PlanArguments) -> Result<(), Failure> {
     if ops.is_empty() {
         program::find_op(&program, None)?;
     }
+    expect_named(arguments, &program, &ops)?;
     let plans = ops.iter().map(|&op| program.analysis.plans[op].as_ref());
     let Some(plans) = plans.collect::<Option<Vec<_>>>() else {
         complain_of(&program.analysis.diagnostics, &program.sources);
@@ -106,6 +108,23 @@ fn style(arguments: &PlanArguments) -> Result<Style, Failure> {
     }
     style.check().map_err(Failure::usage)?;
     Ok(style)
+}
+
+/// Refuses a `--style function.OP=NAME` for an operation that is not emitted.
+fn expect_named(
+    arguments: &PlanArguments,
+    program: &Program,
+    ops: &[usize],
+) -> Result<(), Failure> {
+    let ops = ops.iter().map(|&op| program.analysis.program.ops[op].name.as_str());
+    let named = arguments.style.iter().filter_map(|text| text.strip_prefix("function."));
+    for (op, _) in named.filter_map(|rest| rest.split_once('=')) {
+        if !ops.clone().any(|emitted| emitted == op) {
+            let ops = quoted(ops);
+            return Err(Failure::usage(format!("no operation `{op}` is emitted; there is {ops}")));
+        }
+    }
+    Ok(())
 }
 
 /// All ops of a file; if it has none, those that its scripts call, or else those of the files that

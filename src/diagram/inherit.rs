@@ -8,8 +8,16 @@
 //! Anything else has the default.
 
 use super::{
-    Access, Assignment, Drawing, Expr, ExprKind, Kind, LoopKind, NameId, Ref, Role, Rule, View,
+    Access, Assignment, Drawing, Expr, ExprKind, Kind, LoopKind, NameId, Pointer, Ref, Role, Rule,
+    Type, View,
 };
+
+/// The element in `before` from which a new one inherits.
+enum Source {
+    Drawn(Ref),
+    /// The first halfedge of a path, behind a drawn one.
+    Next(Ref),
+}
 
 impl Rule {
     /// The assignments by which new elements inherit.
@@ -27,7 +35,14 @@ impl Rule {
                 let access = Access::Declared(number);
                 let has_it = attribute.inherits && attribute.element == element;
                 if has_it && !self.sets(target.name, access) {
-                    let source = Box::new(value(element, self.element(source)));
+                    let source = match source {
+                        Source::Drawn(drawn) => self.element(drawn),
+                        Source::Next(drawn) => {
+                            let drawn = value(Type::Halfedge, self.element(drawn));
+                            ExprKind::Follow(Pointer::Next, Box::new(drawn))
+                        }
+                    };
+                    let source = Box::new(value(element, source));
                     let value = value(attribute.ty, ExprKind::Read(access, source));
                     all.push(Assignment { target, attribute: access, value, span: target.span });
                 }
@@ -62,24 +77,24 @@ impl Rule {
 }
 
 impl Drawing<'_> {
-    /// The element in `before` from which a new one inherits.
-    fn source(&self, created: Ref) -> Option<Ref> {
+    fn source(&self, created: Ref) -> Option<Source> {
         let rule = self.rule;
         let source = match rule.kind(created.name) {
-            Kind::Face => self.origin(created),
-            Kind::Edge => match self.sides(created) {
+            Kind::Face => Source::Drawn(self.origin(created)?),
+            Kind::Edge => Source::Drawn(match self.sides(created) {
                 Some(sides) => self.edge_between(sides),
                 None => self.edge_of_rim(created),
-            },
+            }?),
             Kind::Halfedge => {
                 let (orbit, item) = self.after.loop_item(created.name)?;
                 let origin = self.origin(rule.moved(orbit.face, created, item.item))?;
-                self.corner(rule.moved(item.from, created, item.item), origin)
+                self.corner(rule.moved(item.from, created, item.item), origin)?
             }
-            _ => None,
+            _ => return None,
         };
+        let (Source::Drawn(drawn) | Source::Next(drawn)) = source;
         // An element that is there once cannot take over the values of several.
-        source.filter(|source| !rule.is_single(created) || rule.is_single(*source))
+        (!rule.is_single(created) || rule.is_single(drawn)).then_some(source)
     }
 
     /// The face in `before` that a face in `after` comes from.
@@ -173,15 +188,27 @@ impl Drawing<'_> {
         Some(self.rule.moved(was.edge, inside, own))
     }
 
-    /// The halfedge of a face in `before` that starts at a vertex.
-    fn corner(&self, vertex: Ref, face: Ref) -> Option<Ref> {
+    /// The halfedge of a face in `before` that starts at a vertex; best a drawn one.
+    fn corner(&self, vertex: Ref, face: Ref) -> Option<Source> {
         let rule = self.rule;
         let orbit = self.before.loop_of_face(face.name)?;
-        orbit.items.iter().find_map(|item| {
+        let is_drawn = |item: Ref| rule.kind(item.name) == Kind::Halfedge;
+        let corners = orbit.items.iter().enumerate().filter_map(|(at, item)| {
             let moved = |mention: Ref| rule.moved(mention, vertex, item.from);
             let is_there = item.from.name == vertex.name && same(moved(orbit.face), face);
-            let is_halfedge = rule.kind(item.item.name) == Kind::Halfedge;
-            (is_there && is_halfedge).then(|| moved(item.item))
+            is_there.then(|| (at, moved(item.item)))
+        });
+        let drawn = corners.clone().find(|(_, item)| is_drawn(*item));
+        drawn.map(|(_, item)| Source::Drawn(item)).or_else(|| {
+            corners.clone().find_map(|(at, path)| {
+                let before = match at.checked_sub(1) {
+                    Some(before) => &orbit.items[before],
+                    // The last of another period with `each`.
+                    None => orbit.items.last().filter(|_| !orbit.each)?,
+                };
+                let before = rule.moved(before.item, path, orbit.items[at].item);
+                is_drawn(before).then_some(Source::Next(before))
+            })
         })
     }
 }

@@ -14,6 +14,7 @@ use super::reserved::{is_reserved, plain, unreserved};
 use super::value::Term;
 use crate::diagram::{self, Access, Kind, NameId, Op, Role, Rule, Type};
 use crate::resolve::Body;
+use crate::source::Span;
 
 /// The name of a function of the program in code: in C++ it must differ from those of the support
 /// functions.
@@ -59,6 +60,8 @@ pub(super) struct Attribute {
     pub element: Type,
     /// The type of its values.
     pub ty: Type,
+    /// The place of its default in the program.
+    pub default: Option<Span>,
 }
 
 /// The words for one name of a drawing.
@@ -160,6 +163,7 @@ impl<'s> Names<'s> {
                 name,
                 element: declared.element,
                 ty: declared.ty,
+                default: declared.default.as_ref().map(|value| value.span),
             };
             self.attributes.push(attribute);
         }

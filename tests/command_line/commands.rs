@@ -439,8 +439,23 @@ fn info_describes_a_mesh() {
 fn every_line_of_help_fits_a_terminal() {
     let bench = Bench::new();
     for command in [
-        "", "check", "run", "apply", "plan", "draw", "view", "explain", "info", "test", "play",
+        "",
+        "check",
+        "run",
+        "apply",
+        "plan",
+        "draw",
+        "view",
+        "explain",
+        "info",
+        "test",
+        "play",
         "learn",
+        "std",
+        "lsp",
+        "fmt",
+        "convert",
+        "completions",
     ] {
         let arguments = [command, "--help"];
         let arguments = arguments.into_iter().filter(|word| !word.is_empty());

@@ -148,6 +148,11 @@ fn what_cannot_be_emitted_has_a_place() {
     assert!(said.err.contains("text.hedge:3:11"), "{}", said.err);
     assert_eq!(said.out, "");
     bench.fails(2, &["plan", &flip(), "--as", "cpp", "--style", "x=y"], "a style has no `x`");
+    bench.fails(
+        2,
+        &["plan", &flip(), "--as", "cpp", "--style", "function.flop=turn"],
+        "no operation `flop` is emitted; there is `flip`",
+    );
     bench.fails(2, &["plan", &flip(), "--style", "fields"], "--as cpp");
     bench.fails(
         2,

@@ -38,17 +38,17 @@ fn an_attribute_is_no_member_that_the_mesh_class_or_another_attribute_has() {
         }";
     let all = |pos| {
         [
-            "face: bool boundary_2",
-            "face: long long class_",
-            "face: long long class_2",
+            "face: bool boundary_2, by default false",
+            "face: long long class_, by default 0",
+            "face: long long class_2, by default 0",
             pos,
-            "vertex: long long class_",
+            "vertex: long long class_, by default 0",
         ]
     };
-    assert_eq!(members(program, &Style::default()), all("vertex: Vec3 pos"));
+    assert_eq!(members(program, &Style::default()), all("vertex: Vec3 pos, by default vec3(0)"));
     let mut accessors = Style::default();
     accessors.set("accessors").unwrap();
-    assert_eq!(members(program, &accessors), all("vertex: Vec3 pos_2"));
+    assert_eq!(members(program, &accessors), all("vertex: Vec3 pos_2, by default vec3(0)"));
 }
 
 /// Headers of two programs may stand in one file, and object files of both in one program.

@@ -48,7 +48,7 @@ fn a_text_is_no_value_in_pointer_code() {
 #[test]
 fn what_only_a_run_can_do_is_said() {
     for (statement, what, place) in [
-        ("if can g(v) { }", "an op that is only asked", "can g(v)"),
+        ("if can g(v) { }", "`can` or `why`", "can g(v)"),
         ("if random() < 0.5 { g(v) }", "a random number", "random()"),
         ("if chosen() == 1 { g(v) }", "a random number", "random(3)"),
         (

@@ -126,6 +126,43 @@ fn an_assignment_stands_and_the_default_is_for_the_rest() {
     session.run(&program.script("go").unwrap(), ()).unwrap();
 }
 
+/// A corner is found by its name, or as the start of a path behind a name
+#[test]
+fn a_halfedge_inherits_from_the_corner_where_a_path_begins() {
+    let text = r#"
+        attr uv: halfedge vec3 = inherited(vec3(9))
+        op chord(f: face, h: halfedge) {
+          before { face f: v0 -h-> v1 =P=> v0 }
+          after {
+            new x y k g
+            face f: v0 -h-> v1 -x-> v0
+            face g: v0 -y-> v1 =P=> v0
+            edge k: x | y
+          }
+        }
+        op dig(f: face, h: halfedge) {
+          before { face f: v1 =P=> v0 -h-> v1 }
+          after {
+            new x y k g
+            face f: v0 -h-> v1 -x-> v0
+            face g: v1 =P=> v0 -y-> v1
+            edge k: x | y
+          }
+        }
+        script act(last: bool) {
+          for h in halfedges { h.uv = h.vertex.position }
+          for h in halfedges where not hole(h.face) {
+            if last { must dig(h.face, h) } else { must chord(h.face, h) }
+          }
+          for h in halfedges { assert h.uv == h.vertex.position }
+        }"#;
+    let program = Program::parse("chord", text).unwrap();
+    for last in [false, true] {
+        let mut session = Session::new(&program, shape::grid(2, 2));
+        session.run(&program.script("act").unwrap(), [("last", last)]).unwrap();
+    }
+}
+
 /// Both edges along a cut are marked as the one that is cut.
 #[test]
 fn an_edge_that_is_cut_open_is_marked_on_both_sides() {

@@ -1,6 +1,6 @@
 //! A routine as C++: the classic function over a pointer-based halfedge mesh.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::style::Style;
 use super::support;
@@ -27,9 +27,16 @@ pub fn cpp(selection: &Selection<'_>, style: &Style) -> Result<String, NotEmitte
         signature.given = signature.given.take().filter(|_| can_give);
         signature.result = signature.result.or(signature.given.as_ref().map(|given| given.ty));
     }
+    if let Some(why) = is_contradictory(style, &ops) {
+        return Err(of_style(selection, why));
+    }
     let fields = called.iter().chain(&ops).flat_map(|item| &item.attributes).map(|attribute| {
         let (element, ty) = (attribute.element.word(), language.ty(attribute.ty));
-        format!("//   {element}: {ty} {}\n", attribute.name)
+        let default = attribute.default.map(|span| {
+            let words = selection.sources.slice(span).split_whitespace();
+            format!(", by default {}", words.collect::<Vec<_>>().join(" "))
+        });
+        format!("//   {element}: {ty} {}{}\n", attribute.name, default.unwrap_or_default())
     });
     let fields = fields.collect();
     let outside = called.iter().map(|item| {
@@ -47,11 +54,35 @@ pub fn cpp(selection: &Selection<'_>, style: &Style) -> Result<String, NotEmitte
     let body = shown.collect::<Vec<_>>().join("\n");
     let needed = CPP.needed(&format!("{outside}{body}"), "hedgerow::");
     if let Some(why) = is_blind(style, &outside, &needed) {
-        let first = selection.ops.first().and_then(|&op| selection.program.ops.get(op));
-        let span = first.map_or(Span::default(), |op| op.span);
-        return Err(NotEmitted { why: Some(why), ..NotEmitted::new("this style", span) });
+        return Err(of_style(selection, why));
     }
     Ok(file(style, &fields, &outside, &needed, &body))
+}
+
+/// The refusal of a style that cannot compile with a selection.
+fn of_style(selection: &Selection<'_>, why: String) -> NotEmitted {
+    let first = selection.ops.first().and_then(|&op| selection.program.ops.get(op));
+    let span = first.map_or(Span::default(), |op| op.span);
+    NotEmitted { why: Some(why), ..NotEmitted::new("this style", span) }
+}
+
+/// The reason why a style names no functions for these operations: one name for all of them, or
+/// the same name twice.
+fn is_contradictory(style: &Style, ops: &[Item]) -> Option<String> {
+    let other = style.name("function");
+    if !other.is_empty() && ops.len() > 1 {
+        return Some(format!(
+            "`function={other}` names one operation, and there are {}: `function.{}={other}` names one of them",
+            ops.len(),
+            ops[0].signature.declared
+        ));
+    }
+    let mut named = BTreeMap::new();
+    ops.iter().map(|op| &op.signature).find_map(|head| {
+        let name = style.function(&head.declared).unwrap_or(&head.name);
+        let first = named.insert(name, &head.declared)?;
+        Some(format!("`{first}` and `{}` would both be called `{name}`", head.declared))
+    })
 }
 
 /// The reason why the functions beside the operations cannot compile: the mesh that the style

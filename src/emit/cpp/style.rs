@@ -76,7 +76,7 @@ impl Style {
     /// # Errors
     /// The first line that is not understood, numbered from 1, and the reason.
     pub fn set_lines(&mut self, text: &str) -> Result<(), (usize, StyleError)> {
-        for (at, line) in text.lines().enumerate() {
+        for (at, line) in text.trim_start_matches('\u{feff}').lines().enumerate() {
             let line = line.trim();
             if !line.is_empty() && !line.starts_with("//") {
                 self.set(line).map_err(|error| (at + 1, error))?;
@@ -90,6 +90,15 @@ impl Style {
     /// # Errors
     /// [`StyleError`] for patterns that contradict each other.
     pub fn check(&self) -> Result<(), StyleError> {
+        let mut pointers = BTreeMap::new();
+        for pointer in ["next", "prev", "twin", "vertex", "edge", "face"] {
+            let name = self.name(pointer);
+            if let Some(other) = pointers.insert(name, pointer).filter(|_| !name.is_empty()) {
+                return Err(StyleError(format!(
+                    "`{other}` and `{pointer}` of a halfedge are both `{name}`"
+                )));
+            }
+        }
         let mut code = self.code().filter(|_| self.is_member());
         match code.find(|(_, pattern)| free_words(pattern).iter().any(|(word, _)| *word == "mesh"))
         {

@@ -60,7 +60,7 @@ impl Names<'_> {
                 language.invoke(&name, &self.values(args)?)
             }
             ExprKind::Text(_) => return Err(not_emitted("a text")),
-            ExprKind::Try(..) => return Err(not_emitted("an op that is only asked")),
+            ExprKind::Try(..) => return Err(not_emitted("`can` or `why`")),
             ExprKind::Let(..) => return Err(not_emitted("a block within a value")),
             ExprKind::Member(..) => return Err(not_emitted("a name with an index")),
         })

@@ -160,6 +160,10 @@ fn a_style_that_cannot_compile_is_refused() {
         (&["result=maybe"], "`result` is one of `bool` and `given`"),
         (&["function.flip=a::b"], "`a::b` is not a C++ name"),
         (&["member=yes", "Vertex=Ref", "Face=Ref"], "`Vertex` and `Face` are one type"),
+        (&["next=twin"], "`next` and `twin` of a halfedge are both `twin`"),
+        (&["prev=prev", "vertex=prev"], "`prev` and `vertex` of a halfedge are both `prev`"),
+        (&["function.flip=inset"], "`flip` and `inset` would both be called `inset`"),
+        (&["function=all"], "`function=all` names one operation, and there are"),
     ] {
         let told = emitted(styles).expect_err(why);
         assert!(told.contains(why), "{styles:?}: {told}");

@@ -1,10 +1,11 @@
 // Elements have these attributes:
-//   vertex: double weight
+//   vertex: double weight, by default 0
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <tuple>
@@ -104,6 +105,9 @@ inline bool is_finite(Vec3 a) {
 /// a / b, rounded down.
 inline long long floor_div(long long a, long long b) {
   if (b == 0) throw std::domain_error("division by zero");
+  if (b == -1 && a == std::numeric_limits<long long>::min()) {
+    throw std::overflow_error("the quotient does not fit");
+  }
   return a / b - (a % b != 0 && (a < 0) != (b < 0));
 }
 #endif
@@ -111,7 +115,12 @@ inline long long floor_div(long long a, long long b) {
 #ifndef HEDGEROW_floor_mod
 #define HEDGEROW_floor_mod
 /// The remainder of a / b, with the sign of b.
-inline long long floor_mod(long long a, long long b) { return a - b * hedgerow::floor_div(a, b); }
+inline long long floor_mod(long long a, long long b) {
+  if (b == 0) throw std::domain_error("division by zero");
+  if (b == -1) return 0;
+  const long long rest = a % b;
+  return rest != 0 && (rest < 0) != (b < 0) ? rest + b : rest;
+}
 #endif
 
 #ifndef HEDGEROW_Refused

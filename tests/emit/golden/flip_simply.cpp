@@ -28,7 +28,7 @@ class Preview {
     T element{};
     int number = 0;
     Seen() = default;
-    Seen(T element) : element(element) {}
+    Seen(T one) : element(one) {}
     bool operator==(const Seen& other) const {
       return number == other.number && (number != 0 || element == other.element);
     }

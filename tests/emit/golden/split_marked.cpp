@@ -1,9 +1,9 @@
 // Elements have these attributes:
-//   edge: bool fresh
-//   face: long long class_
-//   halfedge: double mark
-//   vertex: Vec3 tint
-//   vertex: double weight
+//   edge: bool fresh, by default false
+//   face: long long class_, by default 0
+//   halfedge: double mark, by default 0
+//   vertex: Vec3 tint, by default vec3(0)
+//   vertex: double weight, by default 0
 
 #include <cmath>
 #include <optional>

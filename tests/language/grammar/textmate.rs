@@ -4,8 +4,9 @@
 //! that this reads, and a test holds the grammar to it.
 
 use super::programs::{files, of_pages};
+use hedgerow::diagram::Type;
 use hedgerow::source::FileId;
-use hedgerow::syntax::{TokenKind, parse};
+use hedgerow::syntax::{Token, TokenKind, parse};
 use regex::{Captures, Regex};
 use serde_json::Value;
 use std::collections::{BTreeMap, BTreeSet};
@@ -119,9 +120,16 @@ fn every_token_of_every_program_is_coloured_as_what_it_is() {
             let scope = &scopes[token.span.start as usize];
             // Behind a dot and as a type, a keyword is a word; a soft one may be a name, and
             // `hole(f)` is called.
+            let declares = |after: &Token| {
+                let between = &text[token.span.range().end..after.span.range().start];
+                after.kind.is_keyword() && between.trim().is_empty() && !between.contains('\n')
+            };
+            let is_name = token.kind.is_soft()
+                && (token.kind != TokenKind::Private
+                    || !parsed.tokens.get(at + 1).is_some_and(declares));
             let is_word = before == Some(TokenKind::Dot)
                 || scope.starts_with("storage.type")
-                || token.kind.is_soft() && scope.starts_with("variable")
+                || is_name && scope.starts_with("variable")
                 || token.kind == TokenKind::Hole && scope.starts_with("entity");
             let kind =
                 if is_word && token.kind.is_wordlike() { TokenKind::Word } else { token.kind };
@@ -154,6 +162,18 @@ fn every_keyword_is_named() {
         assert!(fits, "`{word}` is coloured `{scope}`");
         let primed = format!("{word}'");
         assert_eq!(scopes(&patterns, &primed)[0], "variable.other.hedgerow", "{primed}");
+    }
+}
+
+#[test]
+fn every_type_is_coloured() {
+    let patterns = patterns();
+    for ty in Type::ALL {
+        let text = format!("fn f(x: {ty}) -> {ty} {{ }}", ty = ty.word());
+        let scopes = scopes(&patterns, &text);
+        for (at, word) in text.match_indices(ty.word()).filter(|(at, _)| *at > 4) {
+            assert_eq!(scopes[at], "storage.type.hedgerow", "{word} in {text}");
+        }
     }
 }
 
