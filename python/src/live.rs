@@ -148,10 +148,6 @@ impl LiveMask {
 
 impl Drop for LiveMask {
     fn drop(&mut self) {
-        Python::attach(|py| {
-            if let Ok(mut state) = self.mesh.get().hold(py) {
-                state.session.drop_mask(self.kept);
-            }
-        });
+        Python::attach(|py| self.mesh.get().drop_mask(py, self.kept));
     }
 }

@@ -1,7 +1,7 @@
 //! Meshes.
 
 use std::path::PathBuf;
-use std::sync::{Mutex, MutexGuard, OnceLock, TryLockError};
+use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError, TryLockError};
 
 use hedgerow::mesh::glam::DVec3;
 use hedgerow::mesh::{
@@ -26,6 +26,8 @@ use super::watch::Signals;
 #[pyclass(frozen, subclass, name = "Mesh", module = "hedgerow._hedgerow")]
 pub struct MeshTables {
     state: Mutex<State>,
+    /// The masks that were given up while something ran on the mesh.
+    dropped: Mutex<Vec<KeptMask>>,
 }
 
 /// A state of a mesh that can be restored.
@@ -78,18 +80,35 @@ impl State {
 impl MeshTables {
     /// The mesh, unless something runs on it.
     pub fn hold(&self, py: Python<'_>) -> PyResult<Held<'_>> {
-        match self.state.try_lock() {
-            Ok(state) => Ok(state),
-            Err(TryLockError::Poisoned(state)) => Ok(state.into_inner()),
+        let mut state = match self.state.try_lock() {
+            Ok(state) => state,
+            Err(TryLockError::Poisoned(state)) => state.into_inner(),
             Err(TryLockError::WouldBlock) => {
                 let message = "something runs on this mesh, here or in another thread";
-                Err(saying(py, Kind::Busy, "mesh-busy", message.to_owned()))
+                return Err(saying(py, Kind::Busy, "mesh-busy", message.to_owned()));
             }
-        }
+        };
+        self.dropped().drain(..).for_each(|mask| state.session.drop_mask(mask));
+        Ok(state)
+    }
+
+    /// Gives a mask up, now or, while something runs on the mesh, when that is done.
+    pub fn drop_mask(&self, py: Python<'_>, mask: KeptMask) {
+        self.dropped().push(mask);
+        // What holds the mesh, if anything, is followed by another that does.
+        let _ = self.hold(py);
+    }
+
+    fn dropped(&self) -> MutexGuard<'_, Vec<KeptMask>> {
+        self.dropped.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn of(state: State) -> Self {
+        Self { state: Mutex::new(state), dropped: Mutex::default() }
     }
 
     fn with(mesh: Mesh) -> Self {
-        Self { state: Mutex::new(State::new(mesh)) }
+        Self::of(State::new(mesh))
     }
 
     fn no_mesh(py: Python<'_>, error: impl std::fmt::Display) -> PyErr {
@@ -175,7 +194,7 @@ impl MeshTables {
         let mut file = read.map_err(|error| of_file(py, &error.reason, error.to_string()))?;
         let mut state = State::new(std::mem::take(&mut file.mesh));
         state.file = Some(file);
-        Ok(Self { state: Mutex::new(state) })
+        Ok(Self::of(state))
     }
 
     /// Writes the mesh to a file.
@@ -415,15 +434,15 @@ impl MeshTables {
         let file = state.file.clone();
         let session = &mut state.session;
         let mesh = py.detach(move || session.copy_mesh());
-        Ok(Self { state: Mutex::new(State { file, ..State::new(mesh) }) })
+        Ok(Self::of(State { file, ..State::new(mesh) }))
     }
 
     /// The same mesh with numbers without gaps.
     #[pyo3(name = "_compacted")]
     fn compacted(&self, py: Python<'_>) -> PyResult<Self> {
-        let state = self.hold(py)?;
-        let mesh = state.mesh();
-        Ok(Self::with(py.detach(|| mesh.compacted())))
+        let mut state = self.hold(py)?;
+        let session = &mut state.session;
+        Ok(Self::with(py.detach(move || session.copy_mesh().compacted())))
     }
 
     /// All of the mesh as bytes.

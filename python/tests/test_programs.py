@@ -309,6 +309,41 @@ def test_picks_of_a_live_mask(ops, rng):
     assert live.count() == ops.flip.can(mesh).sum() and ops.flip.live(Mesh()).pick(0.5) is None
 
 
+def test_asking_leaves_the_mesh_as_it_was():
+    flip, mesh = hedgerow.std.planar_triangle.flip, Mesh.grid(3, 3, triangles=True)
+    before, other = mesh.to_bytes(), mesh.copy()
+    live = flip.live(mesh)
+    for ask in (lambda: flip.can(mesh, 0), lambda: flip.why(mesh, 0), lambda: flip.can(mesh), live.count):
+        ask()
+        assert mesh == other and mesh.elements("vertex").attributes == {} and mesh.to_bytes() == before
+    # Nor does it tell what new elements have.
+    labelled = hedgerow.program('use "std/polygon.hedge" attr label: face int = inherited(7)')
+    made = []
+    for asks in (False, True):
+        mesh = Mesh.cube()
+        mesh.faces["label"] = np.arange(6)
+        if asks:
+            labelled.split.can(mesh, 5)
+            live = labelled.split.live(mesh)
+        hedgerow.std.polygon.split(mesh, 5)
+        if asks:
+            assert (live.array == labelled.split.can(mesh)).all()
+        made.append(mesh.to_bytes())
+    assert made[0] == made[1]
+
+
+def test_a_mask_may_be_given_up_while_something_runs(ops, sphere):
+    kept = [ops.flip.live(sphere)]
+
+    def look(*_):
+        kept.clear()
+        raise LookupError
+
+    with pytest.raises(LookupError):
+        ops.forever(sphere, progress=look)
+    assert not kept and ops.flip(sphere, 3) and ops.flip.live(sphere).count() == ops.flip.can(sphere).sum()
+
+
 def test_programs_and_live_masks_are_collected(sphere):
     program = hedgerow.program('use "std/triangle.hedge" script s() { } fn f(e: edge) -> int { 1 }')
     for item in (program.flip, program.s, program.f):

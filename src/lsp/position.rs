@@ -49,6 +49,9 @@ impl Encoding {
 #[derive(Clone, Debug)]
 pub struct Lines {
     starts: Vec<usize>,
+    /// The end of each character that has more bytes than units, and how many more all have up to
+    /// there: so a column is found without counting the characters before it.
+    surplus: Vec<(usize, usize)>,
     encoding: Encoding,
 }
 
@@ -59,7 +62,13 @@ impl Lines {
             byte == b'\n' || byte == b'\r' && bytes.get(at + 1) != Some(&b'\n')
         });
         let starts = std::iter::once(0).chain(ends.map(|(at, _)| at + 1));
-        Self { starts: starts.collect(), encoding }
+        let mut sum = 0;
+        let surplus = text.char_indices().filter_map(|(at, character)| {
+            let more = character.len_utf8() - encoding.units(character);
+            sum += more;
+            (more > 0).then_some((at + character.len_utf8(), sum))
+        });
+        Self { starts: starts.collect(), surplus: surplus.collect(), encoding }
     }
 
     /// The byte at a position.
@@ -86,13 +95,14 @@ impl Lines {
     pub fn position(&self, text: &str, offset: usize) -> Position {
         let offset = text.floor_char_boundary(offset);
         let line = self.starts.partition_point(|&start| start <= offset) - 1;
-        let start = self.starts[line];
-        let before = &text[start..offset];
-        let character = match self.encoding {
-            Encoding::Utf8 => before.len(),
-            encoding => before.chars().map(|character| encoding.units(character)).sum(),
-        };
+        let character = self.units_before(offset) - self.units_before(self.starts[line]);
         Position { line: narrow(line), character: narrow(character) }
+    }
+
+    /// The units of the text before a byte that begins a character.
+    fn units_before(&self, offset: usize) -> usize {
+        let longer = self.surplus.partition_point(|&(end, _)| end <= offset);
+        offset - longer.checked_sub(1).map_or(0, |last| self.surplus[last].1)
     }
 
     /// The range between two bytes.

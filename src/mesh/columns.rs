@@ -21,14 +21,24 @@ impl Mesh {
                 false => Err(ColumnConflict { kind, name: name.to_owned(), has, wanted }),
             };
         }
+        let id = self.append_column(kind, name, default);
+        self.note_added(id);
+        Ok(id)
+    }
+
+    /// Adds a column of a new name, without a note in the journal: what is rolled back leaves it.
+    pub(crate) fn append_column(
+        &mut self,
+        kind: ElementKind,
+        name: &str,
+        default: Value,
+    ) -> ColumnId {
         let mut data = default.column(self.capacity(kind));
         // Room for as many values as the tables have room for elements.
         data.reserve(self.reserved(kind));
         let columns = &mut self.columns[kind as usize].0;
         columns.push(Column { name: name.to_owned(), default, data });
-        let id = ColumnId { kind, place: columns.len() as u32 - 1 };
-        self.note_added(id);
-        Ok(id)
+        ColumnId { kind, place: columns.len() as u32 - 1 }
     }
 
     /// Sets the value that new elements get. Returns false, and changes nothing, if the type is not
@@ -148,7 +158,7 @@ impl Mesh {
     }
 
     /// Exchanges the default of a column with `default`.
-    pub(super) fn swap_default(&mut self, id: ColumnId, default: &mut Value) {
+    pub(crate) fn swap_default(&mut self, id: ColumnId, default: &mut Value) {
         if let Some(column) = self.column_mut(id) {
             std::mem::swap(&mut column.default, default);
         }

@@ -3,14 +3,22 @@
 //! Before a run each attribute that the code uses gets a column, or takes over the one of its name
 //! that the mesh already has. Scratch attributes have names that no file can contain, and are
 //! removed after the run.
+//!
+//! A question leaves the mesh as it is: an attribute that the mesh lacks has a *stand-in* meanwhile,
+//! a column with such a name, all of whose values are the default. It may stay for the next question
+//! until the mesh has the attribute itself.
 
 use super::lower::Names;
 use crate::compile::lower;
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Attribute, Type};
-use crate::mesh::{ColumnId, ElementKind, Mesh, Value, WantedAttribute};
+use crate::mesh::{Column, ColumnConflict, ColumnId, ElementKind, Mesh, Value, WantedAttribute};
 use crate::rewrite::{Assembler, Code, Inst, Machine, Unwatched};
 use crate::source::Span;
+
+/// The columns of attributes on a mesh, by their numbers, and the defaults that some of them have in
+/// the program but not on the mesh.
+pub(crate) type ToAsk = (Vec<Option<ColumnId>>, Vec<(ColumnId, Value)>);
 
 /// The columns that a run needs, by the numbers of the attributes.
 #[derive(Clone, Debug, Default)]
@@ -21,6 +29,8 @@ pub(crate) struct Columns(Vec<Option<Needed>>);
 struct Needed {
     kind: ElementKind,
     name: String,
+    /// The name of the column that stands in for it.
+    stand_in: String,
     /// The value of a new element.
     default: Value,
     private: bool,
@@ -58,13 +68,15 @@ impl Columns {
             let kind = attribute.element.element_kind().filter(|_| used);
             let needed = kind.map(|kind| {
                 let name = &attribute.name;
+                let default = default(attribute)?;
                 Ok(Needed {
                     kind,
                     name: match attribute.private {
                         true => format!("private {number} {name}"),
                         false => name.clone(),
                     },
-                    default: default(attribute)?,
+                    stand_in: format!("{}{default:?}", stand_in(name)),
+                    default,
                     private: attribute.private,
                     written,
                     span: attribute.span,
@@ -96,16 +108,43 @@ impl Columns {
     pub(crate) fn bind(&self, mesh: &mut Mesh) -> Result<Vec<Option<ColumnId>>, Diagnostic> {
         let bind = |needed: &Needed| {
             let (kind, name, default) = (needed.kind, &needed.name, needed.default);
-            let column = mesh.add_column(kind, name, default).map_err(|conflict| {
-                let message = format!("{conflict} on this mesh");
-                Diagnostic::error("attribute-conflict", message, needed.span)
-            })?;
+            let column = mesh.add_column(kind, name, default).map_err(|c| needed.conflict(&c))?;
             // A column that was already there may have another default; its type is the same.
             let _ = mesh.set_default(column, default);
             Ok(column)
         };
         let mut bind = bind;
         self.0.iter().map(|needed| needed.as_ref().map(&mut bind)).map(Option::transpose).collect()
+    }
+
+    /// Finds the columns on a mesh that stays as it is, but for scratch attributes and stand-ins.
+    ///
+    /// # Errors
+    /// As for [`bind`](Self::bind).
+    pub(crate) fn bind_to_ask(&self, mesh: &mut Mesh) -> Result<ToAsk, Diagnostic> {
+        let mut defaults = Vec::new();
+        let mut bind = |needed: &Needed| {
+            let Needed { kind, name, stand_in, default, private, .. } = needed;
+            if !private && mesh.find_column(*kind, name).is_none() {
+                let known = mesh.find_column(*kind, stand_in);
+                return Ok(known.unwrap_or_else(|| mesh.append_column(*kind, stand_in, *default)));
+            }
+            let column = mesh.add_column(*kind, name, *default);
+            let column = column.map_err(|conflict| needed.conflict(&conflict))?;
+            let has = mesh.column(column).map(Column::default_value);
+            if has.is_some_and(|has| !has.is_identical(*default)) {
+                defaults.push((column, *default));
+            }
+            Ok(column)
+        };
+        let columns = self.0.iter().map(|needed| needed.as_ref().map(&mut bind).transpose());
+        Ok((columns.collect::<Result<_, _>>()?, defaults))
+    }
+
+    /// Removes the stand-ins for the attributes. Returns whether there were any.
+    pub(crate) fn replace_stand_ins(&self, mesh: &mut Mesh) -> bool {
+        let public = self.0.iter().flatten().filter(|needed| !needed.private);
+        public.fold(false, |any, needed| any | replace_stand_in(mesh, needed.kind, &needed.name))
     }
 
     /// Resets the scratch attributes that the code may have written to their defaults.
@@ -125,6 +164,42 @@ impl Columns {
             }
         }
     }
+}
+
+impl Needed {
+    fn conflict(&self, conflict: &ColumnConflict) -> Diagnostic {
+        let message = format!("{conflict} on this mesh");
+        Diagnostic::error("attribute-conflict", message, self.span)
+    }
+}
+
+/// The beginning of the names of all stand-ins.
+const STANDS_IN: &str = "for ";
+
+/// The beginning of the names of the stand-ins for an attribute, which end with the default.
+fn stand_in(name: &str) -> String {
+    format!("{STANDS_IN}{name} ")
+}
+
+/// Removes the stand-ins for an attribute from a mesh. Returns whether there were any.
+pub(crate) fn replace_stand_in(mesh: &mut Mesh, kind: ElementKind, name: &str) -> bool {
+    remove(mesh, kind, &stand_in(name))
+}
+
+/// Removes all stand-ins from a mesh.
+pub(crate) fn remove_stand_ins(mesh: &mut Mesh) {
+    for kind in ElementKind::ALL {
+        remove(mesh, kind, STANDS_IN);
+    }
+}
+
+/// Removes the columns whose names begin so. Returns whether there were any.
+fn remove(mesh: &mut Mesh, kind: ElementKind, beginning: &str) -> bool {
+    let begins = |(_, column): &(ColumnId, &Column)| column.name().starts_with(beginning);
+    let found: Vec<_> = mesh.columns(kind).filter(begins).map(|(id, _)| id).collect();
+    // The last first, since those behind one that is removed have other ids afterwards.
+    found.iter().rev().for_each(|&id| mesh.remove_column(id));
+    !found.is_empty()
 }
 
 /// The initial value of an attribute: its default, or zero.

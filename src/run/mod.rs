@@ -32,7 +32,7 @@ mod testing;
 pub(crate) use apply::UNKNOWN_REASON;
 pub use apply::{Application, Applied, apply, arguments, attributes};
 pub use argument::Argument;
-pub(crate) use columns::Columns;
+pub(crate) use columns::{Columns, remove_stand_ins, replace_stand_in};
 pub use function::Functions;
 pub(crate) use prepare::prepare_function;
 pub use prepare::{Prepared, prepare};

@@ -4,6 +4,7 @@
 
 use super::{Error, Session};
 use crate::mesh::{ColumnData, ElementKind, glam::DVec3};
+use crate::run::replace_stand_in;
 
 impl Session {
     /// Sets the values of an attribute, one for each slot of a kind, alive or dead. If there is no
@@ -29,6 +30,9 @@ impl Session {
             self.wrong("attribute-conflict", format!("{conflict} on this mesh"))
         })?;
         self.mesh.set_values(column, values);
+        if replace_stand_in(&mut self.mesh, kind, name) {
+            self.engine.unbind();
+        }
         self.masks.forget();
         Ok(())
     }

@@ -1,7 +1,7 @@
 //! The engine: what calls of one program need besides the mesh, kept between calls.
 
 use super::Program;
-use crate::mesh::{ColumnId, Mesh};
+use crate::mesh::{ColumnId, Mesh, Value};
 use crate::rewrite::Machine;
 use crate::run::Columns;
 
@@ -11,10 +11,30 @@ pub(super) struct Engine {
     pub(super) machine: Machine,
     /// The columns of the attributes in the mesh, by attribute number.
     pub(super) columns: Vec<Option<ColumnId>>,
-    /// Whether the columns of each operation, script or function are on the mesh, by its number.
-    pub(super) bound_ops: Vec<bool>,
-    pub(super) bound_scripts: Vec<bool>,
-    pub(super) bound_functions: Vec<bool>,
+    /// The columns whose defaults on the mesh are others than those of the program, with these.
+    pub(super) defaults: Vec<(ColumnId, Value)>,
+    /// For what the columns of each operation, script or function are known, by its number.
+    pub(super) bound_ops: Vec<Bound>,
+    pub(super) bound_scripts: Vec<Bound>,
+    pub(super) bound_functions: Vec<Bound>,
+}
+
+/// For what the columns of an item are known.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Bound {
+    /// For nothing.
+    No,
+    /// To ask: the mesh may lack attributes, and have other defaults.
+    ToAsk,
+    /// To change the mesh, which has the attributes and their defaults.
+    ToChange,
+}
+
+impl Bound {
+    /// What it takes to run something that changes the mesh, or does not.
+    pub(super) fn to_run(changes: bool) -> Self {
+        if changes { Self::ToChange } else { Self::ToAsk }
+    }
 }
 
 impl Engine {
@@ -23,19 +43,21 @@ impl Engine {
         Self {
             machine: Machine::new(&analysis.plans),
             columns: vec![None; analysis.program.attributes.len()],
-            bound_ops: vec![false; analysis.program.ops.len()],
-            bound_scripts: vec![false; analysis.program.scripts.len()],
-            bound_functions: vec![false; analysis.program.functions.len()],
+            defaults: Vec::new(),
+            bound_ops: vec![Bound::No; analysis.program.ops.len()],
+            bound_scripts: vec![Bound::No; analysis.program.scripts.len()],
+            bound_functions: vec![Bound::No; analysis.program.functions.len()],
             program: program.clone(),
         }
     }
 
     /// Forgets the columns, which must be looked up again.
     pub(super) fn unbind(&mut self) {
-        self.bound_ops.fill(false);
-        self.bound_scripts.fill(false);
-        self.bound_functions.fill(false);
+        self.bound_ops.fill(Bound::No);
+        self.bound_scripts.fill(Bound::No);
+        self.bound_functions.fill(Bound::No);
         self.columns.fill(None);
+        self.defaults.clear();
     }
 
     /// Removes the scratch attributes of the program from a mesh.

@@ -1,5 +1,6 @@
 //! Masks that are kept up to date while operations change the mesh.
 
+use super::engine::Bound;
 use super::questions::Free;
 use super::{Arguments, Error, Op, Session, Verdict, new_name};
 use crate::mesh::{Bookmark, ElementKind, Level, Mesh};
@@ -208,24 +209,32 @@ impl Session {
     fn ask_again(&mut self, kept: &mut Kept) -> Result<(), Error> {
         let current = self.engine.program.clone();
         self.use_program(&kept.op.program);
-        let done = self.ask_stale(kept);
+        let ready = self.make_mask_ready(kept);
+        let done = ready.and_then(|()| self.with_own_defaults(|session| session.ask_stale(kept)));
         self.use_program(&current);
         done
     }
 
-    fn ask_stale(&mut self, kept: &mut Kept) -> Result<(), Error> {
-        let Kept { op, values, at, kind, slot, level, asked, verdicts, applies, .. } = kept;
-        let (at, kind, slot) = (*at, *kind, *slot);
+    fn make_mask_ready(&mut self, kept: &mut Kept) -> Result<(), Error> {
+        let Kept { op, values, at, kind, level, asked, .. } = kept;
+        let (at, kind) = (*at, *kind);
         let application = op.application()?;
         let first = self.mesh.elements(kind).next();
         if let Some(first) = first {
             self.values.clone_from(values);
             self.values[at] = Some(Argument::Element(kind, first));
-            self.make_ready(op, application)?;
+            self.make_ready(op, application, Bound::ToAsk)?;
         }
         if std::mem::replace(level, self.known.level()) != self.known.level() {
             asked.forget();
         }
+        Ok(())
+    }
+
+    fn ask_stale(&mut self, kept: &mut Kept) -> Result<(), Error> {
+        let Kept { op, kind, slot, asked, verdicts, applies, .. } = kept;
+        let (kind, slot) = (*kind, *slot);
+        let application = op.application()?;
         let capacity = self.mesh.capacity(kind);
         verdicts.resize(capacity, Verdict::Gone);
         applies.resize(capacity);

@@ -1,5 +1,6 @@
 //! Questions about whether operations would be applied; nothing is written.
 
+use super::engine::Bound;
 use super::{Arguments, Error, Op, Reason, Session, Verdict};
 use crate::compile::width;
 use crate::mesh::{Element, ElementKind};
@@ -110,10 +111,8 @@ impl Session {
 
     /// The refusal, if the operation would refuse, with the number of its reason if that is known.
     fn ask(&mut self, op: &Op, arguments: impl Arguments) -> Result<Option<Option<u16>>, Error> {
-        let application = self.enter(op, arguments)?;
-        let plan = application.plan();
-        let Self { engine, mesh, slots, watch, .. } = self;
-        let asked = engine.machine.ask(mesh, plan, slots, &mut **watch);
+        let application = self.enter(op, arguments, Bound::ToAsk)?;
+        let asked = self.with_own_defaults(|session| session.ask_at(application));
         match asked.map_err(|trap| self.trapped(application, trap))? {
             Outcome::Applied { .. } => Ok(None),
             Outcome::Refused { reason } => Ok(Some(reason)),
@@ -131,16 +130,22 @@ impl Session {
         let living: Vec<u32> = self.mesh.elements(kind).collect();
         let Some(&first) = living.first() else { return Ok(answers) };
         self.values[at] = Some(Argument::Element(kind, first));
-        self.make_ready(op, application)?;
-        let plan = application.plan();
-        for id in living {
-            self.slots[slot] = u64::from(id);
-            let Self { engine, mesh, slots, watch, .. } = &mut *self;
-            let asked = engine.machine.ask(mesh, plan, slots, &mut **watch);
-            let asked = asked.map_err(|trap| self.trapped_at(application, trap, (kind, id)))?;
-            answers[id as usize] = answer(op.verdict(asked));
-        }
-        Ok(answers)
+        self.make_ready(op, application, Bound::ToAsk)?;
+        self.with_own_defaults(|session| {
+            for id in living {
+                session.slots[slot] = u64::from(id);
+                let asked = session.ask_at(application);
+                let trapped = |trap| session.trapped_at(application, trap, (kind, id));
+                answers[id as usize] = answer(op.verdict(asked.map_err(trapped)?));
+            }
+            Ok(answers)
+        })
+    }
+
+    /// Asks whether an operation would be applied where the slots tell.
+    fn ask_at(&mut self, application: &Application) -> Result<Outcome, Trap> {
+        let Self { engine, mesh, slots, watch, .. } = self;
+        engine.machine.ask(mesh, application.plan(), slots, &mut **watch)
     }
 
     /// Takes the arguments, and finds the parameter that ranges over all elements.

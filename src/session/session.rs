@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use super::engine::Engine;
+use super::engine::{Bound, Engine};
 use super::level::Known;
 use super::marks::Marks;
 use super::masks::Masks;
@@ -24,8 +24,11 @@ use crate::run::{self, Application, Argument, Columns, Failure, Prepared, Report
 ///
 /// # Attributes
 ///
-/// The attributes of the program are added to the mesh when something that uses them is called, and
-/// stay there: [`Mesh::find_column`] and [`Mesh::values`] read them. Scratch attributes have their
+/// The attributes of the program are added to the mesh when something that uses them and may change
+/// the mesh is called, and stay there: [`Mesh::find_column`] and [`Mesh::values`] read them. Their
+/// defaults are then those of the program. Questions, kept masks, and functions and scripts that do
+/// not change the mesh add no attribute and leave the defaults as they are; what they need meanwhile
+/// is on [`mesh`](Self::mesh) as scratch columns, and on no copy. Scratch attributes have their
 /// defaults at the start of each call.
 ///
 /// # What fails
@@ -131,17 +134,22 @@ impl Session {
     /// The mesh, without scratch attributes. What was written since open marks is kept.
     pub fn into_mesh(mut self) -> Mesh {
         let mut mesh = std::mem::take(&mut self.mesh);
-        mesh.keep_all();
-        self.engine.release(&mut mesh);
+        self.clean(&mut mesh);
         mesh
     }
 
     /// A copy of the mesh, without scratch attributes and without marks.
     pub fn copy_mesh(&self) -> Mesh {
         let mut mesh = self.mesh.clone();
-        mesh.keep_all();
-        self.engine.release(&mut mesh);
+        self.clean(&mut mesh);
         mesh
+    }
+
+    /// Makes a mesh that nothing runs on: without marks and scratch columns.
+    fn clean(&self, mesh: &mut Mesh) {
+        mesh.keep_all();
+        self.engine.release(mesh);
+        run::remove_stand_ins(mesh);
     }
 
     /// Another session with the same mesh. It has no marks.
@@ -205,7 +213,7 @@ impl Session {
     pub fn apply(&mut self, op: &Op, arguments: impl Arguments) -> Result<Outcome, Error> {
         self.created.clear();
         self.erased.clear();
-        let application = self.enter(op, arguments)?;
+        let application = self.enter(op, arguments, Bound::ToChange)?;
         self.engine.machine.remember_created();
         let plan = application.plan();
         let gone = ElementKind::ALL.map(|kind| self.mesh.erased(kind).len());
@@ -276,8 +284,10 @@ impl Session {
         self.expect_own(&script.program)?;
         let prepared = script.prepared()?;
         self.give(prepared, arguments)?;
-        if !std::mem::replace(&mut self.engine.bound_scripts[script.index], true) {
-            self.bind(prepared.columns())?;
+        let wanted = Bound::to_run(prepared.changes());
+        if self.engine.bound_scripts[script.index] < wanted {
+            self.bind(prepared.columns(), wanted)?;
+            self.engine.bound_scripts[script.index] = wanted;
         }
         let code = self.filled(prepared)?;
         self.go((prepared, &code), watch)
@@ -321,7 +331,13 @@ impl Session {
         self.engine.machine.forget_created();
         self.engine.machine.clear_counts();
         self.engine.machine.trust_level(self.known.level());
-        let outcome = self.engine.machine.run(&mut self.mesh, code, &self.slots, watch);
+        let mut run = |session: &mut Self| {
+            session.engine.machine.run(&mut session.mesh, code, &session.slots, watch)
+        };
+        let outcome = match prepared.changes() {
+            true => run(self),
+            false => self.with_own_defaults(run),
+        };
         self.known.leave(self.engine.machine.level());
         prepared.columns().clear(&mut self.mesh);
         let report = run::report(prepared, self.engine.machine.counts());
@@ -339,11 +355,12 @@ impl Session {
         &mut self,
         op: &'o Op,
         arguments: impl Arguments,
+        wanted: Bound,
     ) -> Result<&'o Application, Error> {
         self.expect_own(&op.program)?;
         let application = op.application()?;
         self.give(application.parameters(), arguments)?;
-        self.make_ready(op, application)?;
+        self.make_ready(op, application, wanted)?;
         Ok(application)
     }
 
@@ -367,7 +384,12 @@ impl Session {
     }
 
     /// Fills the slots of an operation from its values, and checks the level and binds the columns.
-    pub(super) fn make_ready(&mut self, op: &Op, application: &Application) -> Result<(), Error> {
+    pub(super) fn make_ready(
+        &mut self,
+        op: &Op,
+        application: &Application,
+        wanted: Bound,
+    ) -> Result<(), Error> {
         let parameters = application.parameters();
         // No operation takes a text.
         let mut texts = Vec::new();
@@ -378,8 +400,9 @@ impl Session {
         if has < plan.level {
             application.expect_level(&self.mesh).map_err(|error| self.error(error))?;
         }
-        if !std::mem::replace(&mut self.engine.bound_ops[op.index], true) {
-            self.bind(application.columns())?;
+        if self.engine.bound_ops[op.index] < wanted {
+            self.bind(application.columns(), wanted)?;
+            self.engine.bound_ops[op.index] = wanted;
         }
         self.engine.machine.trust_level(has);
         if !all_given {
@@ -395,9 +418,24 @@ impl Session {
         Ok(())
     }
 
-    pub(super) fn bind(&mut self, columns: &Columns) -> Result<(), Error> {
-        match columns.bind(&mut self.mesh) {
-            Ok(places) => {
+    pub(super) fn bind(&mut self, columns: &Columns, wanted: Bound) -> Result<(), Error> {
+        let bound = match wanted {
+            Bound::ToChange => {
+                if columns.replace_stand_ins(&mut self.mesh) {
+                    self.engine.unbind();
+                    self.masks.forget();
+                }
+                columns.bind(&mut self.mesh).map(|places| (places, Vec::new()))
+            }
+            Bound::No | Bound::ToAsk => columns.bind_to_ask(&mut self.mesh),
+        };
+        match bound {
+            Ok((places, defaults)) => {
+                for own in defaults {
+                    if self.engine.defaults.iter().all(|known| known.0 != own.0) {
+                        self.engine.defaults.push(own);
+                    }
+                }
                 for (known, place) in self.engine.columns.iter_mut().zip(places) {
                     *known = place.or(*known);
                 }
@@ -409,6 +447,21 @@ impl Session {
                 self.engine.unbind();
                 Err(self.error(conflict))
             }
+        }
+    }
+
+    /// Asks something while the attributes have the defaults of the program, and gives the mesh its
+    /// own ones back.
+    pub(super) fn with_own_defaults<T>(&mut self, ask: impl FnOnce(&mut Self) -> T) -> T {
+        self.exchange_defaults();
+        let answer = ask(self);
+        self.exchange_defaults();
+        answer
+    }
+
+    fn exchange_defaults(&mut self) {
+        for (column, default) in &mut self.engine.defaults {
+            self.mesh.swap_default(*column, default);
         }
     }
 

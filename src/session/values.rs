@@ -1,5 +1,6 @@
 //! Functions, called once or at all elements.
 
+use super::engine::Bound;
 use super::questions::free_parameter;
 use super::{Arguments, Error, Function, Session};
 use crate::diagram::Type;
@@ -151,7 +152,9 @@ impl Session {
         self.take_value(runs, &mut values, first as usize);
         let known = self.known;
         let mark = self.mesh.open_journal();
-        let done = self.look_everywhere((runs, slot), living, &mut values, watch);
+        let done = self.with_own_defaults(|session| {
+            session.look_everywhere((runs, slot), living, &mut values, watch)
+        });
         self.mesh.keep(mark);
         self.known = known;
         done.map(|()| values)
@@ -197,8 +200,10 @@ impl Session {
         let prepared = function.prepared()?;
         self.give(prepared, arguments)?;
         self.known.seek(prepared.wanted(), &self.mesh);
-        if !std::mem::replace(&mut self.engine.bound_functions[function.index], true) {
-            self.bind(prepared.columns())?;
+        let wanted = Bound::to_run(prepared.changes());
+        if self.engine.bound_functions[function.index] < wanted {
+            self.bind(prepared.columns(), wanted)?;
+            self.engine.bound_functions[function.index] = wanted;
         }
         Ok(prepared)
     }

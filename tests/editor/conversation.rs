@@ -114,6 +114,24 @@ fn nobody_is_shown_the_same_twice() {
 }
 
 #[test]
+fn columns_of_a_long_line_are_found_at_once() {
+    const COUNT: usize = 50_000;
+    // `𝄞` is four bytes, two UTF-16 units and one character.
+    for (encoding, width) in [("utf-8", 4), ("utf-16", 2), ("utf-32", 1)] {
+        let mut client = Client::able(encoding);
+        let [begins, ends] = ["if \"𝄞\" { ", "}"].map(|part| part.repeat(COUNT));
+        client.open(&format!("script s() {{ {begins}{ends} // 𝄞"));
+        let method = "textDocument/semanticTokens/full";
+        let tokens = client.request(method, json!({ "textDocument": document() })).unwrap();
+        let tokens = tokens["data"].as_array().unwrap();
+        // `script s`, for each `if` a word and a text, and the comment.
+        assert_eq!(tokens.len(), 5 * (2 + 2 * COUNT + 1), "{encoding}");
+        let starts = tokens.chunks(5).map(|token| token[1].as_u64().unwrap());
+        assert_eq!(starts.sum::<u64>(), 14 + (9 + width) * COUNT as u64, "{encoding}");
+    }
+}
+
+#[test]
 fn changes_of_one_notification_follow_each_other() {
     let at = |line: u32, character: u32| json!({ "line": line, "character": character });
     // `𝄞` is four bytes, two UTF-16 units and one character.

@@ -334,3 +334,84 @@ fn what_is_written_around_stars_that_would_be_joined_is_asked_again() {
         assert!(pairs.len() > 8 && refused == pairs.len(), "{refused} of {}", pairs.len());
     }
 }
+
+/// Asks in all ways, of an operation and of a function that reads `label`.
+fn ask_of_labels(session: &mut Session, program: &Program) {
+    let (new_label, told) = (program.op("new_label").unwrap(), program.function("told").unwrap());
+    session.use_program(program);
+    let applies = |session: &mut Session| session.can(&new_label, FaceId(0)).unwrap();
+    assert!(applies(session) && applies(session));
+    assert_eq!(session.why(&new_label, FaceId(0)).unwrap(), None);
+    assert!(session.matched(&new_label, FaceId(0)).unwrap().is_ok());
+    let mask = session.mask(&new_label, ()).unwrap();
+    assert!(mask.iter().all(|&can| can));
+    let kept = session.keep_mask(&new_label, ()).unwrap();
+    assert_eq!(session.kept_mask(kept).unwrap(), mask);
+    session.call(&told, FaceId(0)).unwrap();
+    session.values(&told, (), &mut hedgerow::Unwatched).unwrap();
+    session.run(&program.script("say").unwrap(), ()).unwrap();
+}
+
+#[test]
+fn asking_leaves_the_mesh_as_it_was() {
+    // Whether `new_label` applies is told by a face that it makes itself.
+    let labels = |default: i64| {
+        let text = format!(
+            "use \"std/polygon.hedge\"
+            attr label: face int = {default}
+            fn told(f: face) -> int {{ f.label }}
+            script say() {{ for f in faces {{ print f.label }} }}
+            op new_label(f: face) {{
+              steps {{
+                let v = must inset_vertex(f)
+                require any(g.label == {default} for g in v.faces)
+              }}
+            }}
+            op relabel(f: face) {{
+              before {{ face f: v -a-> w =P=> v }}
+              after {{
+                face f: v -a-> w =P=> v
+                f.label = f.label + 1
+              }}
+            }}"
+        );
+        Program::parse("labels.hedge", &text).unwrap()
+    };
+    let (seven, nine) = (labels(7), labels(9));
+    let label = |session: &Session, face: u32| {
+        let column = session.mesh().find_column(ElementKind::Face, "label")?;
+        session.mesh().value(column, face)
+    };
+    // There is no such attribute before, in between, and after.
+    let mut session = Session::new(&seven, shape::cube());
+    ask_of_labels(&mut session, &seven);
+    ask_of_labels(&mut session, &nine);
+    let mark = session.mark();
+    ask_of_labels(&mut session, &seven);
+    session.undo(mark).unwrap();
+    assert!(identical(&session.copy_mesh(), &shape::cube()));
+    assert_eq!(session.mesh().sayable_columns().count(), 0);
+    // What changes the mesh brings it, and kept masks follow.
+    session.use_program(&seven);
+    let told = seven.function("told").unwrap();
+    assert_eq!(session.call(&told, FaceId(0)).unwrap(), Some(Argument::Int(7)));
+    session.use_program(&nine);
+    assert!(session.apply(&nine.op("relabel").unwrap(), FaceId(0)).unwrap().is_applied());
+    assert_eq!([0, 1].map(|face| label(&session, face)), [10, 9].map(|n| Some(Value::Int(n))));
+    session.use_program(&seven);
+    assert_eq!(session.call(&told, FaceId(0)).unwrap(), Some(Argument::Int(10)));
+    // The default stays what it was.
+    let before = session.copy_mesh();
+    ask_of_labels(&mut session, &seven);
+    assert!(identical(&session.copy_mesh(), &before));
+    let column = session.mesh().find_column(ElementKind::Face, "label").unwrap();
+    assert_eq!(session.mesh().column(column).unwrap().default_value(), Value::Int(9));
+    // Values that are set by hand take the place of those that were asked about.
+    session.remove_attribute(ElementKind::Face, "label");
+    ask_of_labels(&mut session, &seven);
+    let values = hedgerow::mesh::ColumnData::Int(vec![3; 6]);
+    session.set_attribute(ElementKind::Face, "label", values).unwrap();
+    assert_eq!(session.call(&told, FaceId(0)).unwrap(), Some(Argument::Int(3)));
+    ask_of_labels(&mut session, &nine);
+    assert_eq!(label(&session, 5), Some(Value::Int(3)));
+}
