@@ -181,8 +181,16 @@ export class Bench {
     if (this.#isExample) return
     find('where').textContent = ''
     if (!find('places').checked || !this.op || find('apply').disabled) return this.scene.clearMarks()
+    let values
+    try {
+      values = given('op-fields', this.op)
+    } catch (error) {
+      this.scene.clearMarks()
+      find('where').textContent = error.message
+      return
+    }
     const { json, bytes } = await this.#engine.ask(
-      { ask: 'places', op: this.op.name, given: given('op-fields', this.op) })
+      { ask: 'places', op: this.op.name, given: values })
     if (json.error) {
       this.scene.clearMarks()
       find('where').textContent = json.error.split('\n')[0].replace(/^error\[[\w-]+\]: /, '')
@@ -323,6 +331,7 @@ export class Bench {
     find('stop').hidden = false
     find('run').disabled = true
     this.say(`${script.name} is running`)
+    this.#scrubber()
     const started = performance.now()
     try {
       const { json } = await this.#ask(

@@ -132,6 +132,12 @@ export class Editor {
     return this.view.state.doc.toString()
   }
 
+  /** Replaces the whole text, which can be undone. */
+  replace(text) {
+    const changes = { from: 0, to: this.view.state.doc.length, insert: text }
+    this.view.dispatch({ changes, userEvent: 'input' })
+  }
+
   /** Goes to a place of the text. */
   go(offset) {
     this.view.dispatch({

@@ -100,13 +100,17 @@ export class LocalEngine {
   #base
   onProgress = () => {}
   onRestart = async () => {}
+  /** Called with an error when messages do not arrive any more. */
+  onEnded = () => {}
 
   constructor(base) {
     this.#base = base
   }
 
   async #post(path, body) {
-    const response = await fetch(this.#base + path, { method: 'POST', body })
+    const response = await fetch(this.#base + path, { method: 'POST', body }).catch(() => {
+      throw new Error('hedgerow play has ended; start it again, and save what is here')
+    })
     if (response.status === 410) throw new Error(await response.text())
     if (!response.ok) throw new Error(`${response.status}: hedgerow play has ended`)
     return new Uint8Array(await response.arrayBuffer())
@@ -120,7 +124,7 @@ export class LocalEngine {
         for (const message of JSON.parse(decoder.decode(answers))) {
           this.#handlers.forEach(handler => handler(JSON.stringify(message)))
         }
-      })
+      }).catch(error => this.onEnded(error))
     },
     subscribe: handler => this.#handlers.add(handler),
     unsubscribe: handler => this.#handlers.delete(handler),
@@ -130,8 +134,8 @@ export class LocalEngine {
     const asked = this.#post('ask', pack(json, bytes))
     if (json.ask !== 'run' && json.ask !== 'seek') return unpack(await asked)
     const timer = setInterval(async () => {
-      const { json: told } = unpack(await this.#post('progress', ''))
-      this.onProgress(told.done, told.total)
+      const told = await this.#post('progress', '').then(unpack, () => null)
+      if (told) this.onProgress(told.json.done, told.json.total)
     }, 200)
     try {
       return unpack(await asked)

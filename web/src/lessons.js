@@ -4,11 +4,12 @@ import { marked } from 'marked'
 import { find, inline, make } from './dom.js'
 
 const KEY = 'hedgerow-lessons'
+const TEXTS = 'hedgerow-lesson-texts'
 
 export class Lessons {
   list = []
   current = null
-  #texts = new Map()
+  #texts = new Map(Object.entries(stored(TEXTS) ?? {}))
   #engine
   #editor
   #open
@@ -22,7 +23,7 @@ export class Lessons {
     find('lesson-next').addEventListener('click', () => this.#step(1))
     find('lesson-back').addEventListener('click', () => this.#step(-1))
     find('lesson-close').addEventListener('click', () => this.close())
-    find('lesson-again').addEventListener('click', () => this.#open(this.current, this.current.program))
+    find('lesson-again').addEventListener('click', () => this.#replace(this.current.program))
   }
 
   async load() {
@@ -31,11 +32,12 @@ export class Lessons {
   }
 
   get solved() {
-    try {
-      return new Set(JSON.parse(localStorage.getItem(KEY) ?? '[]'))
-    } catch {
-      return new Set()
-    }
+    return new Set(stored(KEY) ?? [])
+  }
+
+  /** The name of the program of the lesson. */
+  get file() {
+    return this.current && `lesson_${this.current.name}.hedge`
   }
 
   /** The first lesson that is not solved. */
@@ -47,7 +49,7 @@ export class Lessons {
   start(name) {
     const lesson = this.list.find(lesson => lesson.name === name)
     if (!lesson) return
-    this.#keep()
+    this.keep()
     this.current = lesson
     const number = this.list.indexOf(lesson) + 1
     this.#toggle(true)
@@ -65,18 +67,30 @@ export class Lessons {
     list.replaceChildren(...mistakes.map(({ title, text, program }) => {
       const attempt = make('button', { type: 'button' }, 'Try it')
       attempt.setAttribute('aria-label', `try the mistake: ${title}`)
-      attempt.addEventListener('click', () => this.#open(lesson, program))
+      attempt.addEventListener('click', () => this.#replace(program))
       return make('section', {}, make('h3', {}, inline(title)), make('p', {}, inline(text)), attempt)
     }))
     this.#open(lesson, this.#texts.get(name) ?? lesson.program)
     find('lesson').scrollTop = 0
   }
 
-  /** What has been written in a lesson is there when somebody comes back. */
-  #keep() {
-    if (this.current && this.#editor.name === `lesson_${this.current.name}.hedge`) {
-      this.#texts.set(this.current.name, this.#editor.text)
-    }
+  /** Another text in place of what has been written, which can be undone. */
+  #replace(program) {
+    this.keep()
+    const file = this.#editor.files.named(this.file)
+    if (!file) return this.#open(this.current, program)
+    if (this.#editor.files.shown !== file) this.#editor.show(file)
+    this.#editor.replace(program)
+  }
+
+  /** Keeps what has been written in a lesson, and is no mistake that was tried, until one comes back. */
+  keep() {
+    const { current } = this
+    const text = current && this.#editor.files.named(this.file)?.text
+    if (text === undefined || text === null) return
+    if (current.mistakes.some(mistake => mistake.program === text)) return
+    this.#texts.set(current.name, text)
+    store(TEXTS, Object.fromEntries(this.#texts))
   }
 
   #tellSolved() {
@@ -88,7 +102,7 @@ export class Lessons {
   onSolved = () => {}
 
   close() {
-    this.#keep()
+    this.keep()
     this.current = null
     this.#toggle(false)
   }
@@ -111,9 +125,7 @@ export class Lessons {
     const verdict = find('lesson-verdict')
     if (json.solved) {
       const solved = this.solved.add(lesson.name)
-      try {
-        localStorage.setItem(KEY, JSON.stringify([...solved]))
-      } catch { /* Nothing is kept where the browser keeps nothing. */ }
+      store(KEY, [...solved])
       const rest = this.list.length - solved.size
       const more = rest > 0 ? `${rest} to go.` : 'That was the last one.'
       verdict.replaceChildren(make('p', { className: 'proved' }, `Solved. ${more}`))
@@ -128,4 +140,18 @@ export class Lessons {
           make('pre', { tabIndex: 0 }, lines.join('\n')))] : []))
     }
   }
+}
+
+function stored(key) {
+  try {
+    return JSON.parse(localStorage.getItem(key))
+  } catch {
+    return null
+  }
+}
+
+function store(key, value) {
+  try {
+    localStorage.setItem(key, JSON.stringify(value))
+  } catch { /* Nothing is kept where the browser keeps nothing. */ }
 }

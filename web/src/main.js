@@ -7,7 +7,7 @@ import { LocalEngine, WasmEngine } from './engine.js'
 import { Lessons } from './lessons.js'
 import { Panes } from './panes.js'
 import { showProblems } from './problems.js'
-import { fragment, kept, keep, shared } from './share.js'
+import { earlier, fragment, kept, keep, setAside, shared } from './share.js'
 import EXAMPLES from 'examples'
 
 const local = document.querySelector('meta[name=hedgerow-local]')?.content
@@ -27,7 +27,7 @@ const lessons = new Lessons(engine, editor, (lesson, program) => {
   for (const { name } of [...editor.files.files]) {
     if (name.startsWith('lesson_')) editor.files.remove(name)
   }
-  editor.open(`lesson_${lesson.name}.hedge`, program, { isPassing: true })
+  editor.open(lessons.file, program, { isPassing: true })
   bench.doing(() => bench.openShape(lesson.mesh))()
   panes.choose('diagram')
 })
@@ -45,7 +45,33 @@ async function changed() {
   await bench.program(placed(name), editor.text, Object.fromEntries(others))
   panes.refresh()
   markChanged()
-  if (!lessons.current && !local) keep(work())
+  lessons.keep()
+  if (!local) keepWork()
+}
+
+/** The texts of a link, which stay its own until they are changed. */
+let linked
+const texts = () => JSON.stringify(editor.files.files.map(({ name, text }) => [name, text]).sort())
+
+/** Keeps what is open, except for a lesson, which is kept with its like. */
+function keepWork() {
+  if (linked === texts()) return
+  if (linked) {
+    linked = undefined
+    history.replaceState(null, '', location.pathname + location.search)
+    if (setAside()) {
+      listPrograms()
+      tell('your earlier work is in the list of programs')
+    }
+  }
+  const own = work(file => file.name !== lessons.file)
+  if (own.files.length) keep(own)
+}
+
+/** Opens what a link shares, beside what has been changed. */
+function openLink(given) {
+  given.files.toReversed().forEach(([name, text]) => editor.open(unchanged(name), text))
+  linked = texts()
 }
 
 let moved
@@ -116,8 +142,12 @@ function newProgram() {
 function openProgram(name, text, isSaved = false) {
   const open = editor.files.named(name)
   if (open?.isChanged && isSaved) return editor.show(open)
-  const free = open?.isChanged ? freeName(name.replace(/\.hedge$/, '')) : name
-  editor.open(free, text, { isSaved, isPassing: true })
+  editor.open(unchanged(name), text, { isSaved, isPassing: true })
+}
+
+/** A name under which no changed program is open. */
+function unchanged(name) {
+  return editor.files.named(name)?.isChanged ? freeName(name.replace(/\.hedge$/, '')) : name
 }
 
 const programs = {}
@@ -125,7 +155,9 @@ async function chooseProgram(choice) {
   const [sort, name] = [choice.slice(0, choice.indexOf(':')), choice.slice(choice.indexOf(':') + 1)]
   if (sort === 'lesson') return lessons.start(name)
   lessons.close()
-  if (sort === 'folder') {
+  if (sort === 'earlier') {
+    earlier()?.files.toReversed().forEach(([name, text]) => editor.open(unchanged(name), text))
+  } else if (sort === 'folder') {
     const { json } = await engine.open(name)
     if (json.error) throw new Error(json.error)
     openProgram(name, json.text, true)
@@ -154,6 +186,7 @@ async function listPrograms() {
   const none = make('option', { value: '', hidden: true }, 'of your own')
   find('program').replaceChildren(none,
     ...group('folder', sorted('folder')),
+    ...group('before the link', earlier() ? ['earlier:your earlier work'] : []),
     ...group('lessons', Object.keys(titles), key => titles[key]),
     ...group('examples', sorted('example')),
     ...group('library', sorted('library')))
@@ -162,11 +195,11 @@ async function listPrograms() {
 
 // Saving and sharing.
 
-/** All open programs, the one that is shown first, and the mesh if it has a name. */
-function work() {
+/** The open programs, the one that is shown first, and the mesh if it has a name. */
+function work(isOf = () => true) {
   const { files, shown } = editor.files
-  const all = [shown, ...files.filter(file => file !== shown)].filter(Boolean)
-  return { files: all.map(file => [file.name.split('/').at(-1), file.text]), mesh: bench.shape }
+  const all = [shown, ...files.filter(file => file !== shown)].filter(Boolean).filter(isOf)
+  return { files: all.map(file => [file.name, file.text]), mesh: bench.shape }
 }
 
 /** Says something about the page for a while. */
@@ -180,6 +213,7 @@ function tell(text, kind = 'proved') {
 
 async function share() {
   history.replaceState(null, '', await fragment(work()))
+  linked = texts()
   const without = bench.shape ? '' : '; your mesh is not in it'
   try {
     await navigator.clipboard.writeText(location.href)
@@ -230,9 +264,15 @@ function wire() {
   bench.onRestart = () => changed()
   bench.onPrograms = async files => {
     lessons.close()
-    for (const file of files) editor.open(file.name, await file.text())
+    for (const file of files) editor.open(unchanged(file.name), await file.text())
   }
   lessons.onSolved = () => listPrograms()
+  window.addEventListener('hashchange', bench.doing(async () => {
+    const given = await shared(location.hash)
+    if (!given) return
+    lessons.close()
+    openLink(given)
+  }))
   editor.files.onWanted = async uri => {
     const name = decodeURIComponent(uri).match(/std\/[\w.]+$/)?.[0]
     if (!name || !programs[`library:${name}`]) return false
@@ -242,6 +282,10 @@ function wire() {
   if (local) {
     window.addEventListener('focus', bench.doing(listPrograms))
     window.addEventListener('pagehide', event => event.persisted || engine.close())
+    window.addEventListener('beforeunload', event => {
+      if (editor.files.files.some(file => file.isChanged)) event.preventDefault()
+    })
+    engine.onEnded = error => bench.say(error.message, 'rejected')
     document.addEventListener('keydown', event => {
       if (event.key !== 's' || !(event.ctrlKey || event.metaKey)) return
       event.preventDefault()
@@ -269,12 +313,16 @@ async function begin() {
   } catch (error) {
     damage = error.message
   }
-  given ??= local ? null : kept()
+  const own = given || local ? null : kept()
   if (started?.program) await chooseProgram(`folder:${started.program}`)
-  else if (given) given.files.toReversed().forEach(([name, text]) => editor.open(name, text))
+  else if (given) openLink(given)
+  else if (own) own.files.toReversed().forEach(([name, text]) => editor.open(name, text))
   else await chooseProgram('example:flip.hedge')
   if (started?.mesh) await bench.openFile(started.mesh)
-  else await bench.openShape([...SHAPES, 'bunny'].includes(given?.mesh) ? given.mesh : 'icosphere')
+  else {
+    const mesh = (given ?? own)?.mesh
+    await bench.openShape([...SHAPES, 'bunny'].includes(mesh) ? mesh : 'icosphere')
+  }
   if (damage) bench.say(damage, 'rejected')
   document.body.dataset.ready = 'true'
 }

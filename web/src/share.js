@@ -2,6 +2,7 @@
 // this browser until the next time.
 
 const KEY = 'hedgerow-work'
+const EARLIER = 'hedgerow-earlier-work'
 
 async function through(bytes, stream) {
   const response = new Response(new Blob([bytes]).stream().pipeThrough(stream))
@@ -40,9 +41,25 @@ export function keep(work) {
 }
 
 /** What was open the last time. */
-export function kept() {
+export const kept = () => read(KEY)
+
+/** What was kept before a link was opened and changed. */
+export const earlier = () => read(EARLIER)
+
+/** Puts what is kept aside, and says whether it could. */
+export function setAside() {
   try {
-    return sound(JSON.parse(localStorage.getItem(KEY)))
+    const own = localStorage.getItem(KEY)
+    if (own) localStorage.setItem(EARLIER, own)
+    return Boolean(own)
+  } catch {
+    return false
+  }
+}
+
+function read(key) {
+  try {
+    return sound(JSON.parse(localStorage.getItem(key)))
   } catch {
     return null
   }

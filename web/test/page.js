@@ -200,6 +200,97 @@ test('a program is shared by its address and opened again', async () => {
   await damaged.context().close()
 })
 
+/** Puts a program of one line into the editor. */
+const put = async (of, words) => {
+  await of.locator('.cm-content').press('Control+a')
+  await of.keyboard.insertText(`// ${words}`)
+}
+const reloaded = async of => {
+  await of.reload()
+  await of.waitForSelector('body[data-ready]', { timeout: 60_000 })
+  return of.locator('.cm-content').innerText()
+}
+const untilKept = (of, words) => of.waitForFunction(
+  words => localStorage.getItem('hedgerow-work')?.includes(words), words)
+
+test('what is written after sharing, or before a link is opened, is there again', async () => {
+  const own = await open('')
+  await put(own, 'first')
+  await untilKept(own, '// first')
+  await own.locator('#share').click()
+  await own.waitForFunction(() => location.hash.startsWith('#p='))
+  const link = new URL(own.url()).hash
+  await put(own, 'first and second')
+  await untilKept(own, 'second')
+  assert.equal(new URL(own.url()).hash, '')
+  assert.match(await reloaded(own), /second/)
+  // A link is shown beside what is changed, and what was kept remains until it is changed, too.
+  await put(own, 'third')
+  await untilKept(own, 'third')
+  await own.evaluate(hash => { location.hash = hash }, link)
+  await own.waitForFunction(() => !document.querySelector('.cm-content').innerText.includes('third'))
+  assert.equal(await own.locator('#files .file').count(), 2)
+  assert.doesNotMatch(await reloaded(own), /second|third/)
+  assert.match(await own.evaluate(() => localStorage.getItem('hedgerow-work')), /third/)
+  await put(own, 'fourth')
+  await untilKept(own, 'fourth')
+  await own.selectOption('#program', 'earlier:your earlier work')
+  await own.waitForFunction(() => document.querySelector('.cm-content').innerText.includes('third'))
+  await own.context().close()
+})
+
+test('what is written in a lesson is there again, and beside it all else', async () => {
+  const own = await open('')
+  await put(own, 'mine')
+  await untilKept(own, '// mine')
+  await own.selectOption('#program', 'lesson:09_link')
+  await put(own, 'learnt')
+  await own.waitForFunction(() => localStorage.getItem('hedgerow-lesson-texts')?.includes('// learnt'))
+  await own.locator('#lesson-again').click()
+  assert.doesNotMatch(await own.locator('.cm-content').innerText(), /learnt/)
+  await own.locator('.cm-content').press('Control+z')
+  assert.match(await own.locator('.cm-content').innerText(), /learnt/)
+  await own.locator('#mistakes summary').click()
+  await own.locator('#mistakes button').first().click()
+  await own.locator('#lesson-next').click()
+  await own.locator('#lesson-back').click()
+  assert.match(await own.locator('.cm-content').innerText(), /learnt/)
+  assert.match(await reloaded(own), /mine/)
+  await own.selectOption('#program', 'lesson:09_link')
+  assert.match(await own.locator('.cm-content').innerText(), /learnt/)
+  await own.context().close()
+})
+
+test('a field that does not hold a value of its type is told, with what stands there', async () => {
+  const own = await open('')
+  await own.locator('.cm-content').press('Control+a')
+  await own.keyboard.insertText(`script go(x: real, n: int, p: vec3, b: bool) { print "{x} {n} {p.x + p.y + p.z} {b}" }\n`)
+  const field = name => own.locator(`#script-fields [name=${name}]`)
+  await field('b').waitFor()
+  await field('b').selectOption('true')
+  const run = async (x, n, p) => {
+    for (const [name, text] of Object.entries({ x, n, p })) await field(name).fill(text)
+    await own.locator('#run').click()
+  }
+  const says = (id, words) => own.waitForFunction(
+    ([id, words]) => document.getElementById(id).innerText.includes(words), [id, words])
+  await run('1/2', '7', 'vec3(1, 2, 3)')
+  await says('report', '0.5 7 6 true')
+  for (const [x, n, p, told] of [
+    ['0,5', '7', '1 2 3', 'x is a number, as 0.5 or 1/2, not "0,5"'],
+    ['1/2/4', '7', '1 2 3', 'not "1/2/4"'],
+    ['1', '9007199254740993', '1 2 3', 'n is a whole number, not "9007199254740993"'],
+    ['1', '7', '1, 2', 'p is 3 numbers, not "1, 2"'],
+  ]) {
+    await run(x, n, p)
+    await says('said', told)
+    assert.equal(await own.locator('#report').innerText(), '')
+  }
+  await run('1', '7', '(1, 2, 3)')
+  await says('report', '1 7 6 true')
+  await own.context().close()
+})
+
 test('files are dropped, repaired and saved', async () => {
   const file = (name, body) => ({ name, mimeType: 'text/plain', buffer: Buffer.from(body) })
   await page.locator('#file').setInputFiles(file('tri.obj', 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n'))

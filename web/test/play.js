@@ -75,7 +75,11 @@ test('the files of a folder are listed, opened, used and saved', { skip, timeout
     // The page again, and a second one beside it: as on first load.
     const second = await browser.newPage()
     await second.goto(address)
+    // What is not saved is asked about.
+    const asked = []
+    page.on('dialog', dialog => asked.push(dialog.type()) && dialog.accept())
     await page.reload()
+    assert.deepEqual(asked, ['beforeunload'])
     for (const again of [page, second]) {
       await again.waitForSelector('body[data-ready]')
       await again.selectOption('#program', 'folder:part.hedge')
