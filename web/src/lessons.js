@@ -32,7 +32,7 @@ export class Lessons {
   }
 
   get solved() {
-    return new Set(stored(KEY) ?? [])
+    return new Set([stored(KEY) ?? []].flat())
   }
 
   /** The name of the program of the lesson. */

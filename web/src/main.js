@@ -49,17 +49,18 @@ async function changed() {
   if (!local) keepWork()
 }
 
-/** The texts of a link, which stay its own until they are changed. */
+/** The texts of the link in the address, which are not kept until they are changed. */
 let linked
-const texts = () => JSON.stringify(editor.files.files.map(({ name, text }) => [name, text]).sort())
+const texts = (files = work().files) => JSON.stringify(files.toSorted())
 
 /** Keeps what is open, except for a lesson, which is kept with its like. */
 function keepWork() {
   if (linked === texts()) return
   if (linked) {
-    linked = undefined
     history.replaceState(null, '', location.pathname + location.search)
-    if (setAside()) {
+    const isOther = kept() && texts(kept().files) !== linked
+    linked = undefined
+    if (isOther && setAside()) {
       listPrograms()
       tell('your earlier work is in the list of programs')
     }

@@ -49,9 +49,8 @@ export const earlier = () => read(EARLIER)
 /** Puts what is kept aside, and says whether it could. */
 export function setAside() {
   try {
-    const own = localStorage.getItem(KEY)
-    if (own) localStorage.setItem(EARLIER, own)
-    return Boolean(own)
+    localStorage.setItem(EARLIER, localStorage.getItem(KEY))
+    return true
   } catch {
     return false
   }

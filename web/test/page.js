@@ -223,6 +223,7 @@ test('what is written after sharing, or before a link is opened, is there again'
   await put(own, 'first and second')
   await untilKept(own, 'second')
   assert.equal(new URL(own.url()).hash, '')
+  assert.equal(await own.locator('#program [value^=earlier]').count(), 0)
   assert.match(await reloaded(own), /second/)
   // A link is shown beside what is changed, and what was kept remains until it is changed, too.
   await put(own, 'third')
