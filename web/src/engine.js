@@ -100,7 +100,7 @@ export class LocalEngine {
   #base
   onProgress = () => {}
   onRestart = async () => {}
-  /** Called with an error when messages do not arrive any more. */
+  /** Called once, with an error, when messages do not arrive any more. */
   onEnded = () => {}
 
   constructor(base) {
@@ -124,7 +124,10 @@ export class LocalEngine {
         for (const message of JSON.parse(decoder.decode(answers))) {
           this.#handlers.forEach(handler => handler(JSON.stringify(message)))
         }
-      }).catch(error => this.onEnded(error))
+      }).catch(error => {
+        this.onEnded(error)
+        this.onEnded = () => {}
+      })
     },
     subscribe: handler => this.#handlers.add(handler),
     unsubscribe: handler => this.#handlers.delete(handler),

@@ -34,7 +34,7 @@ function value(name, text, type) {
   if (type === 'text') return text
   const size = { vec2: 2, vec3: 3, vec4: 4, mat3: 9, mat4: 16 }[type]
   const numbers = size
-    ? text.replace(/^(?:\w+\s*)?\((.*)\)$/, '$1').trim().split(/\s*,\s*|\s+/).map(number)
+    ? text.replace(RegExp(`^(?:${type}\\s*)?\\((.*)\\)$`), '$1').trim().split(/\s*,\s*|\s+/).map(number)
     : [number(text)]
   const isWhole = type !== 'real' && !size
   if (numbers.length !== (size ?? 1)

@@ -46,19 +46,19 @@ async function changed() {
   panes.refresh()
   markChanged()
   lessons.keep()
-  if (!local) keepWork()
+  keepWork()
 }
 
 /** The texts of the link in the address, which are not kept until they are changed. */
 let linked
 const texts = (files = work().files) => JSON.stringify(files.toSorted())
 
-/** Keeps what is open, except for a lesson, which is kept with its like. */
+/** Keeps what is open, except for a lesson, which is kept with its like; on this machine, nothing. */
 function keepWork() {
   if (linked === texts()) return
   if (linked) {
     history.replaceState(null, '', location.pathname + location.search)
-    const isOther = kept() && texts(kept().files) !== linked
+    const isOther = !local && kept() && texts(kept().files) !== linked
     linked = undefined
     if (isOther && setAside()) {
       listPrograms()
@@ -66,7 +66,7 @@ function keepWork() {
     }
   }
   const own = work(file => file.name !== lessons.file)
-  if (own.files.length) keep(own)
+  if (own.files.length && !local) keep(own)
 }
 
 /** Opens what a link shares, beside what has been changed. */
@@ -317,7 +317,13 @@ async function begin() {
   const own = given || local ? null : kept()
   if (started?.program) await chooseProgram(`folder:${started.program}`)
   else if (given) openLink(given)
-  else if (own) own.files.toReversed().forEach(([name, text]) => editor.open(name, text))
+  else if (own) {
+    for (const [name, text] of own.files.toReversed()) {
+      editor.open(name, text)
+      editor.files.shown.kept = programs[`example:${name}`] ?? ''
+    }
+    markChanged()
+  }
   else await chooseProgram('example:flip.hedge')
   if (started?.mesh) await bench.openFile(started.mesh)
   else {

@@ -225,12 +225,16 @@ test('what is written after sharing, or before a link is opened, is there again'
   assert.equal(new URL(own.url()).hash, '')
   assert.equal(await own.locator('#program [value^=earlier]').count(), 0)
   assert.match(await reloaded(own), /second/)
+  // What is there again is not replaced by an example of its name.
+  await own.selectOption('#program', 'example:flip.hedge')
+  assert.equal(await own.locator('#files .file').count(), 2)
+  await own.locator('#files .file').first().click()
   // A link is shown beside what is changed, and what was kept remains until it is changed, too.
   await put(own, 'third')
   await untilKept(own, 'third')
   await own.evaluate(hash => { location.hash = hash }, link)
   await own.waitForFunction(() => !document.querySelector('.cm-content').innerText.includes('third'))
-  assert.equal(await own.locator('#files .file').count(), 2)
+  assert.equal(await own.locator('#files .file').count(), 3)
   assert.doesNotMatch(await reloaded(own), /second|third/)
   assert.match(await own.evaluate(() => localStorage.getItem('hedgerow-work')), /third/)
   await put(own, 'fourth')
@@ -282,6 +286,7 @@ test('a field that does not hold a value of its type is told, with what stands t
     ['1/2/4', '7', '1 2 3', 'not "1/2/4"'],
     ['1', '9007199254740993', '1 2 3', 'n is a whole number, not "9007199254740993"'],
     ['1', '7', '1, 2', 'p is 3 numbers, not "1, 2"'],
+    ['1', '7', 'mat3(1, 2, 3)', 'p is 3 numbers'],
   ]) {
     await run(x, n, p)
     await says('said', told)
