@@ -96,7 +96,7 @@ impl MeshTables {
     pub fn drop_mask(&self, py: Python<'_>, mask: KeptMask) {
         self.dropped().push(mask);
         // What holds the mesh, if anything, is followed by another that does.
-        let _ = self.hold(py);
+        drop(self.hold(py));
     }
 
     fn dropped(&self) -> MutexGuard<'_, Vec<KeptMask>> {

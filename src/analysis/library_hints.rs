@@ -50,14 +50,15 @@ fn name_files(told: &mut Diagnostic, sources: &Sources) {
         [] if told.code == "unknown-function" => told.clone().note(format!(
             "the library has one in {first}; to use it, write `{line}` at the head of the file"
         )),
-        [] if is_welcome(first.trim_matches('`'), sources) => {
+        [] if is_welcome(first.trim_matches('`'), source.name(), sources) => {
             let (place, text) = head(source.text(), span, &line);
             let told = told.clone().note(format!("the library has it in {first}"));
             told.fix(format!("insert `{line}`"), place, text)
         }
         [] => told.clone().note(format!(
-            "the library has it in {first}, which cannot be used as it is: it declares a name that \
-             there is already, or makes elements without an attribute that has no default"
+            "the library has it in {first}, which cannot be used as it is: it declares an attribute \
+             that there is already, or a name that is also in another file that is used, or makes \
+             elements without an attribute that has no default"
         )),
         _ => told.clone().note(format!(
             "the library has one in {}; to use the first, write `{line}` at the head of the file",
@@ -66,15 +67,21 @@ fn name_files(told: &mut Diagnostic, sources: &Sources) {
     };
 }
 
-/// True if a file of the library can be used as it is: it declares no name that is taken, and the
-/// program has no attribute without a default, which the elements that it creates would lack.
-fn is_welcome(name: &str, sources: &Sources) -> bool {
+/// True if a program can use a file of the library as it is: no other file that it uses declares one
+/// of its names, which would be ambiguous then, and the program declares no attribute of it, and none
+/// without a default, which the elements that it creates would lack. The ops and functions of the
+/// program hide those of the file.
+fn is_welcome(name: &str, program: &str, sources: &Sources) -> bool {
     let Some(file) = library::file(name) else { return false };
     let theirs: BTreeSet<&str> = declared(file.text).map(|(_, name)| name).collect();
     let others = sources.ids().map(|file| sources.get(file)).filter(|other| other.name() != name);
-    let mut ours = others.flat_map(|other| declared(other.text()));
-    !ours.any(|(line, name)| {
-        theirs.contains(name) || line.starts_with("attr ") && !line.contains('=')
+    let mut ours = others.flat_map(|other| {
+        let hides = other.name() == program;
+        declared(other.text()).map(move |(line, name)| (line, name, hides))
+    });
+    !ours.any(|(line, name, hides)| {
+        let is_attribute = line.starts_with("attr ") || line.starts_with("private ");
+        theirs.contains(name) && (is_attribute || !hides) || is_attribute && !line.contains('=')
     })
 }
 

@@ -60,7 +60,7 @@ pub enum Message {
     OutOfRange,
     /// A walk does not end, which happens on a broken mesh only.
     Endless,
-    /// The program's own text.
+    /// There is nothing to take the mean, the minimum or the maximum of.
     Said(String),
     /// An assertion does not hold.
     Asserted {

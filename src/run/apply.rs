@@ -3,7 +3,9 @@
 use std::sync::{Arc, OnceLock};
 
 use super::columns::Columns;
-use super::report::{Failure, diagnostic, expect_level, failure, highest_between, level_of_steps};
+use super::report::{
+    Failure, code, diagnostic, expect_level, failure, highest_between, level_of_steps,
+};
 use super::steps::with_steps;
 use super::{Argument, Prepared, prepare};
 use crate::compile::width;
@@ -224,7 +226,7 @@ impl Application {
                 }
                 Ok(()) => Diagnostic::error("below-level", message, span).note(why.clone()),
             },
-            _ => Diagnostic::error("run-time-error", message, span),
+            _ => Diagnostic::error(code(&trap), message, span),
         }
     }
 

@@ -141,6 +141,14 @@ impl Columns {
         Ok((columns.collect::<Result<_, _>>()?, defaults))
     }
 
+    /// True if a mesh lacks one of the attributes, or has another default for it.
+    pub(crate) fn are_new_to(&self, mesh: &Mesh) -> bool {
+        self.public().any(|(kind, name, default)| {
+            let column = mesh.find_column(kind, name).and_then(|id| mesh.column(id));
+            column.is_none_or(|column| !column.default_value().is_identical(default))
+        })
+    }
+
     /// Removes the stand-ins for the attributes. Returns whether there were any.
     pub(crate) fn replace_stand_ins(&self, mesh: &mut Mesh) -> bool {
         let public = self.0.iter().flatten().filter(|needed| !needed.private);

@@ -25,8 +25,6 @@ pub struct Functions {
     pub(super) applies: Vec<Vec<(usize, Span)>>,
     /// By number, the functions that each calls itself.
     pub(super) calls: Vec<Vec<usize>>,
-    /// By number, the numbers of the places of assertions of each, in order.
-    pub(super) assertions: Vec<Vec<u32>>,
     /// By number, whether the code is missing.
     missing: Vec<bool>,
     calls_ops: Arc<[bool]>,
@@ -58,11 +56,10 @@ impl Functions {
         for Beginning { name, span, params, lower } in functions.chain(scripts) {
             let mut lowered = rewrite::Function { name, params, ..rewrite::Function::default() };
             let (mut applies, mut calls) = (Vec::new(), Vec::new());
-            let (mut assertions, mut missing) = (Vec::new(), true);
+            let mut missing = true;
             if let Some(lower) = lower {
                 let lowering = lower(Known { texts: &texts, calls_ops: &all.calls_ops });
                 (applies, calls) = (lowering.called, lowering.functions);
-                assertions = lowering.assertions;
                 lowered.places = lowering.names.places;
                 match lowering.asm.finish() {
                     Ok(finished) => {
@@ -80,7 +77,6 @@ impl Functions {
             code.push(lowered);
             all.applies.push(applies);
             all.calls.push(calls);
-            all.assertions.push(assertions);
             all.missing.push(missing);
         }
         all.code = code.into();

@@ -34,8 +34,6 @@ pub(super) struct Lowering<'p> {
     pub(super) functions: Vec<usize>,
     /// By number, whether each function of the program may call an operation.
     pub(super) calls_ops: Arc<[bool]>,
-    /// The numbers of the places of assertions, in order.
-    pub(super) assertions: Vec<u32>,
     /// The reasons for which an operation in steps may itself refuse.
     pub(super) refusals: Vec<Refusal>,
     /// The target of the jump where it refuses.
@@ -175,7 +173,6 @@ impl<'p> Lowering<'p> {
             called: effects.ops.into_iter().collect(),
             calls_ops: Arc::clone(known.calls_ops),
             functions: effects.functions.into_iter().map(|number| number as usize).collect(),
-            assertions: Vec::new(),
             visited: Vec::new(),
             ending: Ending::Script,
         };

@@ -33,8 +33,6 @@ pub struct Prepared {
     pub(super) seed: u64,
     /// The places in the source where the code can trap, by number.
     pub(super) places: Vec<Span>,
-    /// The numbers of the places of assertions, in order.
-    pub(super) assertions: Vec<u32>,
     /// The operations that it may call, in the order of the program.
     pub(super) called: Vec<usize>,
     /// Their names; those of several with one name have the words for their files before them.
@@ -131,7 +129,6 @@ pub(super) fn prepare_script(
         functions,
         seed: 0,
         places: lowering.names.places,
-        assertions: lowering.assertions,
         memory: usize::MAX,
         engine: Engine::default(),
         names: program.names_of_ops(called.iter().copied()),

@@ -154,7 +154,7 @@ pub(crate) fn diagnostic(prepared: &Prepared, trap: Trap, machine: Option<&Machi
         Some(((_, span), calls)) => (*span, calls),
         None => (prepared.span, known.as_slice()),
     };
-    let mut diagnostic = Diagnostic::error(code(prepared, &trap), trap.to_string(), first);
+    let mut diagnostic = Diagnostic::error(code(&trap), trap.to_string(), first);
     match &trap.message {
         Message::Asserted { values, .. } if !values.is_empty() => {
             diagnostic = diagnostic.note(values.clone());
@@ -228,7 +228,7 @@ fn span(prepared: &Prepared, site: &Site) -> Option<Span> {
 }
 
 /// The stable code of a failure.
-pub(super) fn code(prepared: &Prepared, trap: &Trap) -> &'static str {
+pub(super) fn code(trap: &Trap) -> &'static str {
     match &trap.message {
         Message::Gone(_) => "element-gone",
         Message::Missing(_) => "no-element",
@@ -239,10 +239,8 @@ pub(super) fn code(prepared: &Prepared, trap: &Trap) -> &'static str {
         Message::KeyNotANumber => "key-not-a-number",
         Message::NoRoom(_) | Message::NoMemory(_) => "no-room",
         Message::Endless => "broken-mesh",
-        Message::Said(_) | Message::Asserted { .. } => match asserted(prepared, trap) {
-            true => "assertion-failed",
-            false => "aggregate-of-nothing",
-        },
+        Message::Said(_) => "aggregate-of-nothing",
+        Message::Asserted { .. } => "assertion-failed",
         Message::Refused { .. } => "op-refused",
         Message::BelowLevel { .. } => "below-level",
         Message::Unproved => "unproved-op",
@@ -250,15 +248,4 @@ pub(super) fn code(prepared: &Prepared, trap: &Trap) -> &'static str {
         Message::TooDeep => "calls-too-deep",
         Message::WildPointer(_) | Message::OutOfRange | Message::Malformed => "machine-error",
     }
-}
-
-fn asserted(prepared: &Prepared, trap: &Trap) -> bool {
-    let Some(Site { op, function, place: Some(place) }) = trap.trace.first() else { return false };
-    let assertions = match (function, op) {
-        (Some(function), _) => prepared.functions.assertions.get(usize::from(*function)),
-        (None, None) => Some(&prepared.assertions),
-        // An operation has no assertions.
-        (None, Some(_)) => None,
-    };
-    assertions.is_some_and(|assertions| assertions.binary_search(place).is_ok())
 }

@@ -183,7 +183,6 @@ impl Lowering<'_> {
     fn fail(&mut self, reason: &str, span: Span) {
         let text = self.asm.text(reason);
         let place = self.names.place(span);
-        self.assertions.push(place);
         self.asm.trap_at(place, Inst::FailShowing { text });
     }
 }

@@ -143,7 +143,7 @@ impl Session {
     }
 
     /// Asks whether an operation would be applied where the slots tell.
-    fn ask_at(&mut self, application: &Application) -> Result<Outcome, Trap> {
+    pub(super) fn ask_at(&mut self, application: &Application) -> Result<Outcome, Trap> {
         let Self { engine, mesh, slots, watch, .. } = self;
         engine.machine.ask(mesh, application.plan(), slots, &mut **watch)
     }

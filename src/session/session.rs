@@ -213,7 +213,18 @@ impl Session {
     pub fn apply(&mut self, op: &Op, arguments: impl Arguments) -> Result<Outcome, Error> {
         self.created.clear();
         self.erased.clear();
-        let application = self.enter(op, arguments, Bound::ToChange)?;
+        let application = self.enter(op, arguments, Bound::ToAsk)?;
+        if self.engine.bound_ops[op.index] < Bound::ToChange {
+            // A refusal brings no attribute and no default.
+            if application.columns().are_new_to(&self.mesh) {
+                let asked = self.with_own_defaults(|session| session.ask_at(application));
+                let asked = asked.map_err(|trap| self.trapped(application, trap))?;
+                if let rewrite::Outcome::Refused { reason } = asked {
+                    return Ok(Outcome::Refused(op.reason(reason)));
+                }
+            }
+            self.make_ready(op, application, Bound::ToChange)?;
+        }
         self.engine.machine.remember_created();
         let plan = application.plan();
         let gone = ElementKind::ALL.map(|kind| self.mesh.erased(kind).len());

@@ -1,7 +1,9 @@
 //! Scripts that do not come to their end.
 
 use super::*;
+use hedgerow::mesh::VertexId;
 use hedgerow::mesh::shape;
+use hedgerow::{Program, Session};
 use std::ops::ControlFlow;
 
 /// The code, the message and the words at the labels of a failure.
@@ -16,6 +18,31 @@ fn failure(body: &str) -> (String, String, Vec<String>) {
     let labels = diagnostic.labels.iter();
     let words = labels.map(|label| sources.slice(label.span).to_owned());
     (diagnostic.code.to_owned(), diagnostic.message, words.collect())
+}
+
+/// A failure in an operation has its own code, whether a script or `apply` calls it.
+#[test]
+fn a_failure_in_an_operation_has_its_code() {
+    for (step, code) in [
+        ("assert degree(v) == 1", "assertion-failed"),
+        ("let x = 1 div (degree(v) - degree(v))", "division-by-zero"),
+        (
+            "let x = mean(degree(w) for w in v.neighbors where degree(w) > 9)",
+            "aggregate-of-nothing",
+        ),
+        ("v.position = vec3(1 / 0)", "not-finite"),
+    ] {
+        let text = format!(
+            "op act(v: vertex) {{ steps {{ {step} }} }}
+            script main() {{ for v in vertices {{ act(v) }} }}"
+        );
+        let program = Program::parse("act.hedge", &text).unwrap();
+        let mut session = Session::new(&program, shape::icosphere(0));
+        let failed = session.apply(&program.op("act").unwrap(), VertexId(0)).unwrap_err();
+        assert_eq!(failed.code(), code);
+        let failed = session.run(&program.script("main").unwrap(), ()).unwrap_err();
+        assert_eq!(failed.code(), code);
+    }
 }
 
 #[test]
