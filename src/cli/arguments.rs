@@ -370,7 +370,7 @@ pub(super) struct ViewArguments {
 
 #[derive(Debug, Args)]
 pub(super) struct FmtArguments {
-    /// Programs (.hedge), formatted where they are; - formats standard input to standard output
+    /// Programs (.hedge), formatted where they are; - is standard input
     #[arg(required = true, value_name = "FILE")]
     pub files: Vec<PathBuf>,
     /// Change nothing; exit code 1 if something is not formatted
@@ -414,7 +414,7 @@ impl TestArguments {
 pub(super) struct StdArguments {
     /// A file of the library: std/triangle.hedge, or triangle
     pub name: Option<String>,
-    /// Copy it, or all files, to a folder; one also to a file (.hedge)
+    /// Copy to a folder; a single one also to a file (.hedge)
     #[arg(long, value_name = "DIR|FILE")]
     pub copy: Option<PathBuf>,
 }
@@ -446,8 +446,10 @@ pub(super) struct LearnArguments {
 
 #[derive(Debug, Args)]
 pub(super) struct CompletionsArguments {
-    /// The shell: `source <(hedgerow completions bash)`
-    #[arg(value_name = "bash|elvish|fish|powershell|zsh", hide_possible_values = true)]
+    /// bash, elvish, fish, powershell or zsh
+    ///
+    /// `source <(hedgerow completions bash)` completes in the shell that runs it
+    #[arg(value_name = "SHELL", hide_possible_values = true)]
     pub shell: Shell,
 }
 
