@@ -448,7 +448,7 @@ pub(super) struct LearnArguments {
 pub(super) struct CompletionsArguments {
     /// bash, elvish, fish, powershell or zsh
     ///
-    /// `source <(hedgerow completions bash)` completes in the shell that runs it
+    /// `source <(hedgerow completions bash)` makes bash complete
     #[arg(value_name = "SHELL", hide_possible_values = true)]
     pub shell: Shell,
 }
