@@ -106,15 +106,14 @@ impl Columns {
     /// # Errors
     /// The mesh has a column of the same name with values of another type.
     pub(crate) fn bind(&self, mesh: &mut Mesh) -> Result<Vec<Option<ColumnId>>, Diagnostic> {
-        let bind = |needed: &Needed| {
+        let mut bind = |needed: &Needed| {
             let (kind, name, default) = (needed.kind, &needed.name, needed.default);
             let column = mesh.add_column(kind, name, default).map_err(|c| needed.conflict(&c))?;
             // A column that was already there may have another default; its type is the same.
             let _ = mesh.set_default(column, default);
             Ok(column)
         };
-        let mut bind = bind;
-        self.0.iter().map(|needed| needed.as_ref().map(&mut bind)).map(Option::transpose).collect()
+        self.0.iter().map(|needed| needed.as_ref().map(&mut bind).transpose()).collect()
     }
 
     /// Finds the columns on a mesh that stays as it is, but for scratch attributes and stand-ins.
@@ -151,8 +150,7 @@ impl Columns {
 
     /// Removes the stand-ins for the attributes. Returns whether there were any.
     pub(crate) fn replace_stand_ins(&self, mesh: &mut Mesh) -> bool {
-        let public = self.0.iter().flatten().filter(|needed| !needed.private);
-        public.fold(false, |any, needed| any | replace_stand_in(mesh, needed.kind, &needed.name))
+        self.public().fold(false, |any, (kind, name, _)| any | replace_stand_in(mesh, kind, name))
     }
 
     /// Resets the scratch attributes that the code may have written to their defaults.

@@ -1,6 +1,7 @@
 //! The engine: what calls of one program need besides the mesh, kept between calls.
 
 use super::Program;
+use super::binding::Bound;
 use crate::mesh::{ColumnId, Mesh, Value};
 use crate::rewrite::Machine;
 use crate::run::Columns;
@@ -17,24 +18,6 @@ pub(super) struct Engine {
     pub(super) bound_ops: Vec<Bound>,
     pub(super) bound_scripts: Vec<Bound>,
     pub(super) bound_functions: Vec<Bound>,
-}
-
-/// For what the columns of an item are known.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Bound {
-    /// For nothing.
-    No,
-    /// To ask: the mesh may lack attributes, and have other defaults.
-    ToAsk,
-    /// To change the mesh, which has the attributes and their defaults.
-    ToChange,
-}
-
-impl Bound {
-    /// What it takes to run something that changes the mesh, or does not.
-    pub(super) fn to_run(changes: bool) -> Self {
-        if changes { Self::ToChange } else { Self::ToAsk }
-    }
 }
 
 impl Engine {

@@ -1,6 +1,6 @@
 //! Masks that are kept up to date while operations change the mesh.
 
-use super::engine::Bound;
+use super::binding::Bound;
 use super::questions::Free;
 use super::{Arguments, Error, Op, Session, Verdict, new_name};
 use crate::mesh::{Bookmark, ElementKind, Level, Mesh};

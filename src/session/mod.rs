@@ -16,6 +16,7 @@ mod attributes;
 mod outcome;
 mod values;
 
+mod binding;
 mod engine;
 mod level;
 mod marks;

@@ -1,6 +1,6 @@
 //! Questions about whether operations would be applied; nothing is written.
 
-use super::engine::Bound;
+use super::binding::Bound;
 use super::{Arguments, Error, Op, Reason, Session, Verdict};
 use crate::compile::width;
 use crate::mesh::{Element, ElementKind};

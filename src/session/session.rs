@@ -2,7 +2,8 @@
 
 use std::borrow::Cow;
 
-use super::engine::{Bound, Engine};
+use super::binding::Bound;
+use super::engine::Engine;
 use super::level::Known;
 use super::marks::Marks;
 use super::masks::Masks;
@@ -10,7 +11,7 @@ use super::{Arguments, Error, Given, Op, Outcome, Program, Script};
 use crate::diagnostic::Diagnostic;
 use crate::mesh::{Element, ElementKind, Mesh};
 use crate::rewrite::{self, Code, Machine, Trap, Unwatched, Watch};
-use crate::run::{self, Application, Argument, Columns, Failure, Prepared, Report};
+use crate::run::{self, Application, Argument, Failure, Prepared, Report};
 
 /// A mesh on which operations and scripts of one program are called.
 ///
@@ -296,10 +297,7 @@ impl Session {
         let prepared = script.prepared()?;
         self.give(prepared, arguments)?;
         let wanted = Bound::to_run(prepared.changes());
-        if self.engine.bound_scripts[script.index] < wanted {
-            self.bind(prepared.columns(), wanted)?;
-            self.engine.bound_scripts[script.index] = wanted;
-        }
+        self.bind(prepared.columns(), wanted, |engine| &mut engine.bound_scripts[script.index])?;
         let code = self.filled(prepared)?;
         self.go((prepared, &code), watch)
     }
@@ -411,10 +409,7 @@ impl Session {
         if has < plan.level {
             application.expect_level(&self.mesh).map_err(|error| self.error(error))?;
         }
-        if self.engine.bound_ops[op.index] < wanted {
-            self.bind(application.columns(), wanted)?;
-            self.engine.bound_ops[op.index] = wanted;
-        }
+        self.bind(application.columns(), wanted, |engine| &mut engine.bound_ops[op.index])?;
         self.engine.machine.trust_level(has);
         if !all_given {
             self.engine.machine.forget_created();
@@ -427,53 +422,6 @@ impl Session {
             }
         }
         Ok(())
-    }
-
-    pub(super) fn bind(&mut self, columns: &Columns, wanted: Bound) -> Result<(), Error> {
-        let bound = match wanted {
-            Bound::ToChange => {
-                if columns.replace_stand_ins(&mut self.mesh) {
-                    self.engine.unbind();
-                    self.masks.forget();
-                }
-                columns.bind(&mut self.mesh).map(|places| (places, Vec::new()))
-            }
-            Bound::No | Bound::ToAsk => columns.bind_to_ask(&mut self.mesh),
-        };
-        match bound {
-            Ok((places, defaults)) => {
-                for own in defaults {
-                    if self.engine.defaults.iter().all(|known| known.0 != own.0) {
-                        self.engine.defaults.push(own);
-                    }
-                }
-                for (known, place) in self.engine.columns.iter_mut().zip(places) {
-                    *known = place.or(*known);
-                }
-                self.engine.machine.use_columns(self.engine.columns.clone());
-                Ok(())
-            }
-            Err(conflict) => {
-                // It is unknown which of the columns are on the mesh.
-                self.engine.unbind();
-                Err(self.error(conflict))
-            }
-        }
-    }
-
-    /// Asks something while the attributes have the defaults of the program, and gives the mesh its
-    /// own ones back.
-    pub(super) fn with_own_defaults<T>(&mut self, ask: impl FnOnce(&mut Self) -> T) -> T {
-        self.exchange_defaults();
-        let answer = ask(self);
-        self.exchange_defaults();
-        answer
-    }
-
-    fn exchange_defaults(&mut self) {
-        for (column, default) in &mut self.engine.defaults {
-            self.mesh.swap_default(*column, default);
-        }
     }
 
     pub(super) fn trapped(&self, application: &Application, trap: Trap) -> Error {

@@ -1,6 +1,6 @@
 //! Functions, called once or at all elements.
 
-use super::engine::Bound;
+use super::binding::Bound;
 use super::questions::free_parameter;
 use super::{Arguments, Error, Function, Session};
 use crate::diagram::Type;
@@ -201,10 +201,8 @@ impl Session {
         self.give(prepared, arguments)?;
         self.known.seek(prepared.wanted(), &self.mesh);
         let wanted = Bound::to_run(prepared.changes());
-        if self.engine.bound_functions[function.index] < wanted {
-            self.bind(prepared.columns(), wanted)?;
-            self.engine.bound_functions[function.index] = wanted;
-        }
+        let index = function.index;
+        self.bind(prepared.columns(), wanted, |engine| &mut engine.bound_functions[index])?;
         Ok(prepared)
     }
 

@@ -2,6 +2,7 @@
 
 import { marked } from 'marked'
 import { find, inline, make } from './dom.js'
+import { store, stored } from './storage.js'
 
 const KEY = 'hedgerow-lessons'
 const TEXTS = 'hedgerow-lesson-texts'
@@ -140,18 +141,4 @@ export class Lessons {
           make('pre', { tabIndex: 0 }, lines.join('\n')))] : []))
     }
   }
-}
-
-function stored(key) {
-  try {
-    return JSON.parse(localStorage.getItem(key))
-  } catch {
-    return null
-  }
-}
-
-function store(key, value) {
-  try {
-    localStorage.setItem(key, JSON.stringify(value))
-  } catch { /* Nothing is kept where the browser keeps nothing. */ }
 }

@@ -55,8 +55,8 @@ const texts = (files = work().files) => JSON.stringify(files.toSorted())
 
 /** Keeps what is open, except for a lesson, which is kept with its like; on this machine, nothing. */
 function keepWork() {
-  if (linked === texts()) return
   if (linked) {
+    if (linked === texts()) return
     history.replaceState(null, '', location.pathname + location.search)
     const isOther = !local && kept() && texts(kept().files) !== linked
     linked = undefined
@@ -65,8 +65,9 @@ function keepWork() {
       tell('your earlier work is in the list of programs')
     }
   }
+  if (local) return
   const own = work(file => file.name !== lessons.file)
-  if (own.files.length && !local) keep(own)
+  if (own.files.length) keep(own)
 }
 
 /** Opens what a link shares, beside what has been changed. */

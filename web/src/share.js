@@ -1,6 +1,8 @@
 // Programs as part of an address: compressed, in the fragment, which no server ever sees. And kept in
 // this browser until the next time.
 
+import { store, stored } from './storage.js'
+
 const KEY = 'hedgerow-work'
 const EARLIER = 'hedgerow-earlier-work'
 
@@ -34,38 +36,20 @@ export async function shared(fragment) {
 }
 
 /** Keeps what is open in this browser, where it can be. */
-export function keep(work) {
-  try {
-    localStorage.setItem(KEY, JSON.stringify(work))
-  } catch { /* Nothing is kept where the browser keeps nothing. */ }
-}
+export const keep = work => store(KEY, work)
 
 /** What was open the last time. */
-export const kept = () => read(KEY)
+export const kept = () => sound(stored(KEY))
 
 /** What was kept before a link was opened and changed. */
-export const earlier = () => read(EARLIER)
+export const earlier = () => sound(stored(EARLIER))
 
 /** Puts what is kept aside, and says whether it could. */
-export function setAside() {
-  try {
-    localStorage.setItem(EARLIER, localStorage.getItem(KEY))
-    return true
-  } catch {
-    return false
-  }
-}
-
-function read(key) {
-  try {
-    return sound(JSON.parse(localStorage.getItem(key)))
-  } catch {
-    return null
-  }
-}
+export const setAside = () => store(EARLIER, stored(KEY))
 
 /** Programs with their names, at least one; nothing if it is something else. */
 function sound(work) {
-  const files = work?.files?.filter?.(file => file.length === 2 && file.every(it => typeof it === 'string'))
+  const files = work?.files?.filter?.(file =>
+    Array.isArray(file) && file.length === 2 && file.every(it => typeof it === 'string'))
   return files?.length ? { files, mesh: String(work.mesh ?? '') } : null
 }

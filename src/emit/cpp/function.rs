@@ -79,7 +79,7 @@ fn is_contradictory(style: &Style, ops: &[Item]) -> Option<String> {
     }
     let mut named = BTreeMap::new();
     ops.iter().map(|op| &op.signature).find_map(|head| {
-        let name = style.function(&head.declared).unwrap_or(&head.name);
+        let name = style.name_of(head, Part::Selected);
         let first = named.insert(name, &head.declared)?;
         Some(format!("`{first}` and `{}` would both be called `{name}`", head.declared))
     })

@@ -50,12 +50,7 @@ impl Printer<'_> {
     fn open(&mut self, style: &Style, item: &Item, (used, first): (&BTreeSet<String>, usize)) {
         let (head, mesh) = (&item.signature, style.name("mesh"));
         let is_function = matches!(item.body, ItemBody::Function(_));
-        let other = style.name("function");
-        let name = match style.function(&head.declared) {
-            Some(name) if !self.is_beside() => name,
-            _ if self.part == Part::Alone && !other.is_empty() => other,
-            _ => &head.name,
-        };
+        let name = style.name_of(head, self.part);
         let named = |ty: &str, name: &str| match is_function || used.contains(name) {
             true => format!("{ty} {name}"),
             false => format!("{ty} /*{name}*/"),

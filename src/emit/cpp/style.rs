@@ -5,7 +5,9 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::pattern::{Form, PATTERNS, StyleError, free_words, is_word, not_a_name, understand};
 use crate::diagram::Kind;
+use crate::emit::item::Signature;
 use crate::emit::language::filled;
+use crate::emit::print::Part;
 
 /// The names of the types of elements.
 pub(super) const ELEMENTS: [&str; 4] = ["Vertex", "Halfedge", "Edge", "Face"];
@@ -169,6 +171,16 @@ impl Style {
     /// The name that a target gives to an operation, if any.
     pub fn function(&self, op: &str) -> Option<&str> {
         self.functions.get(op).map(String::as_str)
+    }
+
+    /// The name of the function for an operation, or for what one calls.
+    pub(in crate::emit) fn name_of<'n>(&'n self, head: &'n Signature, part: Part) -> &'n str {
+        let other = self.name("function");
+        match self.function(&head.declared) {
+            Some(name) if part != Part::Called => name,
+            _ if part == Part::Alone && !other.is_empty() => other,
+            _ => &head.name,
+        }
     }
 
     /// True if a target names operations, so that others do not belong to it.
