@@ -111,7 +111,7 @@ impl Workbench {
                 if to == 0 {
                     return Ok(before.clone());
                 }
-                let mut session = Session::new(&self.program, before.clone());
+                let mut session = self.session_of(before.clone());
                 let arguments = last.arguments.clone();
                 let ran = run(&mut session, &last.script, arguments, wanted, host);
                 if let Some(error) = ran.error.filter(|_| ran.applied < to) {

@@ -64,6 +64,8 @@ pub struct Workbench {
     pub(super) last_run: Option<LastRun>,
     /// The most bytes of its history.
     pub(super) most_history: usize,
+    /// The limit of the memory of the mesh and of lists, in bytes.
+    memory: usize,
 }
 
 impl Default for Workbench {
@@ -79,6 +81,7 @@ impl Default for Workbench {
             is_chosen: false,
             last_run: None,
             most_history: MOST_HISTORY,
+            memory: usize::MAX,
         }
     }
 }
@@ -97,6 +100,13 @@ impl Workbench {
     /// fit are recomputed by running it again.
     pub fn limit_history(&mut self, bytes: usize) {
         self.most_history = bytes;
+    }
+
+    /// Limits the memory, in bytes, for the mesh and for lists: a run that needs more fails. There is
+    /// no limit at first.
+    pub fn limit_memory(&mut self, bytes: usize) {
+        self.memory = bytes;
+        self.session.limit_memory(bytes);
     }
 
     /// Answers a question.
@@ -170,7 +180,14 @@ impl Workbench {
     }
 
     pub(super) fn set(&mut self, mesh: Mesh) {
-        self.session = Session::new(&self.program, mesh);
+        self.session = self.session_of(mesh);
+    }
+
+    /// A session of the program, with the limit of memory.
+    pub(super) fn session_of(&self, mesh: Mesh) -> Session {
+        let mut session = Session::new(&self.program, mesh);
+        session.limit_memory(self.memory);
+        session
     }
 
     fn travel(&mut self, way: fn(&mut Past, Mesh) -> Mesh) -> Message {

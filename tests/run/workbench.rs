@@ -308,6 +308,22 @@ fn a_mesh_that_changes_is_seen_to_grow_as_long_as_it_can_be_shown() {
 }
 
 #[test]
+fn a_run_that_needs_too_much_memory_fails_and_what_is_there_stays() {
+    let mut workbench = Workbench::default();
+    workbench.limit_memory(1 << 20);
+    let text = "use \"std/subdivide.hedge\" script grow() { loop_subdivide(9) }";
+    let program = json!({ "ask": "program", "name": "p.hedge", "text": text });
+    assert_eq!(ask(&mut workbench, program)["sound"], true);
+    let run = json!({ "ask": "run", "script": "grow" });
+    for _ in 0..2 {
+        let failed = ask(&mut workbench, run.clone());
+        assert!(failed["failed"].as_str().is_some_and(|why| why.contains("memory")), "{failed}");
+        let counts = ask(&mut workbench, json!({ "ask": "undo" }))["counts"].clone();
+        assert_eq!(counts["vertices"], 162);
+    }
+}
+
+#[test]
 fn code_counterexamples_and_files() {
     let mut workbench = with_program();
     for (language, word) in [("cpp", "twin"), ("rust", "pub fn")] {

@@ -473,12 +473,12 @@ export class Bench {
       if (total) Object.assign(find('progress'), { max: total, value: done })
       else find('progress').removeAttribute('value')
     }
-    this.#engine.onRestart = async () => {
+    this.#engine.onRestart = async why => {
       await this.onRestart()
       const { name, bytes, repair, isFile } = this.#source
       if (isFile) await this.openFile(name, bytes, repair)
       else await this.openShape(name)
-      this.say('stopped: the mesh is as it was opened')
+      this.say(`${why}: the mesh is as it was opened`, why === 'stopped' ? 'note' : 'rejected')
     }
   }
 }

@@ -62,6 +62,11 @@ export class Editor {
     this.view = new EditorView({ parent })
     this.files.view = this.view
     this.files.onShown = file => this.show(file)
+    this.connect(transport)
+  }
+
+  /** Tells a new server of all files. */
+  connect(transport) {
     this.#client.connect(transport)
   }
 

@@ -33,24 +33,45 @@ export class WasmEngine {
   #handlers = new Set()
   #waiting = new Map()
   #next = 0
+  #failures = 0
   /** Called with how far a script is. */
   onProgress = () => {}
-  /** Called when a run was stopped and the workbench is an empty one again. */
+  /** Called when the workbench is an empty one again, with why. */
   onRestart = async () => {}
+  /** Called when the language server is a new one, which knows no file. */
+  onServerRestart = () => {}
+  /** Called, with an error, when one of both answers no more. */
+  onEnded = () => {}
 
   /** `worker` starts a worker; without a server there is a workbench only. */
   constructor(module, worker, hasServer = true) {
     this.#module = module
     this.#worker = worker
-    this.#server = hasServer && this.#start(message => {
-      for (const text of message.lsp) this.#handlers.forEach(handler => handler(text))
-    })
+    if (hasServer) this.#serve()
     this.#runner = this.#start(message => this.#answered(message))
   }
 
   static async load(url) {
     const worker = () => new Worker(new URL('worker.js', import.meta.url), { type: 'module' })
     return new WasmEngine(await WebAssembly.compileStreaming(fetch(url)), worker)
+  }
+
+  #serve() {
+    this.#server = this.#start(({ lsp, failed }) => {
+      if (failed) return this.#failed(this.#server, 'the language server', failed)
+      for (const text of lsp) this.#handlers.forEach(handler => handler(text))
+    })
+  }
+
+  /** A new worker takes the place of one whose instance has failed: that answers nothing any more. */
+  #failed(worker, name, why) {
+    worker.terminate()
+    if (++this.#failures > 3) {
+      return this.onEnded(new Error(`${name} fails again and again (${why}): reload the page`))
+    }
+    if (worker === this.#runner) return this.stop(`${name} has failed (${why})`)
+    this.#serve()
+    this.onServerRestart()
   }
 
   #start(heard) {
@@ -62,10 +83,9 @@ export class WasmEngine {
 
   #answered(message) {
     if (message.progress) return this.onProgress(...message.progress)
-    const waiting = this.#waiting.get(message.id)
+    if (message.failed) return this.#failed(this.#runner, 'the workbench', message.failed)
+    this.#waiting.get(message.id)?.resolve(unpack(message.answer))
     this.#waiting.delete(message.id)
-    if (message.failed) waiting?.reject(new Error(message.failed))
-    else waiting?.resolve(unpack(message.answer))
   }
 
   lsp = {
@@ -84,12 +104,12 @@ export class WasmEngine {
   }
 
   /** Ends what runs. The workbench is lost with its worker; who listens fills a new one. */
-  async stop() {
+  async stop(why = 'stopped') {
     this.#runner.terminate()
-    for (const { reject } of this.#waiting.values()) reject(new Error('stopped'))
+    for (const { reject } of this.#waiting.values()) reject(new Error(why))
     this.#waiting.clear()
     this.#runner = this.#start(message => this.#answered(message))
-    await this.onRestart()
+    await this.onRestart(why)
   }
 }
 

@@ -281,19 +281,20 @@ function wire() {
     editor.open(name.split('/').at(-1), programs[`library:${name}`])
     return true
   }
+  engine.onEnded = error => bench.say(error.message, 'rejected')
   if (local) {
     window.addEventListener('focus', bench.doing(listPrograms))
     window.addEventListener('pagehide', event => event.persisted || engine.close())
     window.addEventListener('beforeunload', event => {
       if (editor.files.files.some(file => file.isChanged)) event.preventDefault()
     })
-    engine.onEnded = error => bench.say(error.message, 'rejected')
     document.addEventListener('keydown', event => {
       if (event.key !== 's' || !(event.ctrlKey || event.metaKey)) return
       event.preventDefault()
       bench.doing(saveBack)()
     })
   } else {
+    engine.onServerRestart = () => editor.connect(engine.lsp)
     // Once loaded, the page needs no network; a browser that knows no service worker has its cache.
     navigator.serviceWorker?.register('offline.js').catch(() => {})
   }

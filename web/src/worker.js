@@ -23,13 +23,12 @@ const host = {
 }
 
 function answer(message) {
-  if (message.lsp) {
-    const answers = call(new TextEncoder().encode(`[${message.lsp}]`), 'lsp')
-    const messages = JSON.parse(new TextDecoder().decode(answers))
-    postMessage({ lsp: messages.map(message => JSON.stringify(message)) })
-    return
-  }
   try {
+    if (message.lsp) {
+      const answers = call(new TextEncoder().encode(`[${message.lsp}]`), 'lsp')
+      const messages = JSON.parse(new TextDecoder().decode(answers))
+      return postMessage({ lsp: messages.map(message => JSON.stringify(message)) })
+    }
     const answer = call(message.question, 'ask')
     postMessage({ id: message.id, answer }, [answer.buffer])
   } catch (error) {

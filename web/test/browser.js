@@ -30,9 +30,10 @@ export async function end() {
 
 export const server = () => served
 
-/** The page, ready. */
-export async function open(fragment, options = {}) {
+/** The page, ready; `prepare` may change its context before. */
+export async function open(fragment, options = {}, prepare = async () => {}) {
   const context = await browser.newContext({ viewport: { width: 1440, height: 900 }, ...options })
+  await prepare(context)
   const opened = await context.newPage()
   opened.on('pageerror', error => faults.push(String(error)))
   opened.on('console', message => message.type() === 'error' && faults.push(message.text()))

@@ -373,6 +373,43 @@ test('a script that does not end is stopped, and the mesh is there again', async
   await own.context().close()
 })
 
+/** In a worker: lets an instance fail at an edit, or at a run, that names a trap. */
+function failing() {
+  const { instantiate } = WebAssembly
+  WebAssembly.instantiate = async (...of) => {
+    const { exports } = await instantiate(...of)
+    let [at, length] = [0, 0]
+    const take = wanted => at = exports.take(length = wanted)
+    const unless = (pattern, answer) => () => {
+      const message = new TextDecoder().decode(new Uint8Array(exports.memory.buffer, at, length))
+      if (pattern.test(message)) throw new WebAssembly.RuntimeError('unreachable')
+      return answer()
+    }
+    const { memory, lsp, ask } = exports
+    const failing = { lsp: unless(/didChange.*trap/, lsp), ask: unless(/"run".*trap/, ask) }
+    return { exports: { memory, take, ...failing } }
+  }
+}
+
+test('where the language server or the workbench fails, a new one takes its place', async () => {
+  const own = await open('', { serviceWorkers: 'block' }, context =>
+    context.route('**/worker.js', async route => {
+      const answer = await route.fetch()
+      await route.fulfill({ response: answer, body: `(${failing})();${await answer.text()}` })
+    }))
+  await own.locator('.cm-content').click()
+  await own.keyboard.press('Control+a')
+  await own.keyboard.insertText('script trap() { print missing }\n')
+  await own.waitForFunction(() => /missing/.test(document.getElementById('problems').textContent))
+  await own.keyboard.press('Control+a')
+  await own.keyboard.insertText('script trap() { print 1 }\n')
+  await own.waitForFunction(() => document.getElementById('script').value === 'trap')
+  await own.locator('#run').click()
+  await own.waitForFunction(() => /workbench has failed.*as it was opened/.test(document.getElementById('said').textContent))
+  await own.waitForFunction(() => /162 vertices/.test(document.getElementById('counts').textContent))
+  await own.context().close()
+})
+
 test('programs use each other, and a name leads to the file that declares it', async () => {
   const own = await open('')
   const file = (name, body) => ({ name, mimeType: 'text/plain', buffer: Buffer.from(body) })

@@ -8,6 +8,7 @@ use std::thread;
 
 use super::folder::Folder;
 use crate::analysis::{Disk, Reader};
+use crate::cli::memory;
 use crate::lsp::Server;
 use crate::play::{Host, Message, Workbench};
 
@@ -34,6 +35,7 @@ impl Engine {
         let mut host = Local { run: Arc::clone(&run), folder };
         thread::spawn(move || {
             let mut workbench = Workbench::default();
+            workbench.limit_memory(memory::usual());
             for (question, reply) in questions {
                 host.run.is_stopped.store(false, Ordering::SeqCst);
                 // A page that has disconnected needs no answer.

@@ -13,6 +13,10 @@ use hedgerow::analysis::{Nowhere, Reader};
 use hedgerow::lsp::Server;
 use hedgerow::play::{Host, Message, Workbench};
 
+/// The memory for a mesh and lists, in bytes. Of the 4 GiB of an instance, the rest is for the
+/// history of a run, for undo, and for what is shown.
+const MEMORY: usize = 1 << 30;
+
 struct State {
     /// The message that is taken in, and the one that is given.
     input: Vec<u8>,
@@ -72,7 +76,11 @@ pub extern "C" fn lsp() -> *const u8 {
 #[unsafe(no_mangle)]
 pub extern "C" fn ask() -> *const u8 {
     STATE.with_borrow_mut(|state| {
-        let workbench = state.workbench.get_or_insert_default();
+        let workbench = state.workbench.get_or_insert_with(|| {
+            let mut workbench = Workbench::default();
+            workbench.limit_memory(MEMORY);
+            workbench
+        });
         let answer = match Message::read(&state.input) {
             Ok(question) => workbench.answer(question, &mut Page),
             Err(why) => Message::error(why),
