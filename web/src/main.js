@@ -8,6 +8,7 @@ import { Lessons } from './lessons.js'
 import { Panes } from './panes.js'
 import { showProblems } from './problems.js'
 import { earlier, fragment, kept, keep, setAside, shared } from './share.js'
+import { isElsewhere } from './storage.js'
 import EXAMPLES from 'examples'
 
 const local = document.querySelector('meta[name=hedgerow-local]')?.content
@@ -67,7 +68,10 @@ function keepWork() {
   }
   if (local) return
   const own = work(file => file.name !== lessons.file)
-  if (own.files.length) keep(own)
+  if (!own.files.length || keep(own) || !isElsewhere) return
+  if (editor.files.files.some(file => file.isChanged)) {
+    tell('another tab is open and keeps its programs: those here are not kept', 'rejected')
+  }
 }
 
 /** Opens what a link shares, beside what has been changed. */

@@ -244,6 +244,22 @@ test('what is written after sharing, or before a link is opened, is there again'
   await own.context().close()
 })
 
+test('of two tabs the second does not overwrite what the first keeps, until that is closed', async () => {
+  const first = await open('')
+  const second = await first.context().newPage()
+  await second.goto(first.url())
+  await second.waitForSelector('body[data-ready]')
+  await put(first, 'one')
+  await untilKept(first, '// one')
+  await put(second, 'two')
+  await second.waitForFunction(() => /another tab/.test(document.getElementById('shared').textContent))
+  assert.match(await second.evaluate(() => localStorage.getItem('hedgerow-work')), /one/)
+  await first.close()
+  await put(second, 'three')
+  await untilKept(second, '// three')
+  await second.context().close()
+})
+
 test('what is written in a lesson is there again, and beside it all else', async () => {
   const own = await open('')
   await put(own, 'mine')
