@@ -16,7 +16,6 @@ pub enum Fate {
     Moved,
     /// It is created.
     New,
-    /// It is erased.
     Erased,
     /// It is drawn in `before`; `after` does not account for it.
     Forgotten,
@@ -25,7 +24,6 @@ pub enum Fate {
 }
 
 impl Fate {
-    /// The fate in words.
     pub fn word(self) -> &'static str {
         match self {
             Fate::Kept => "kept",
@@ -52,15 +50,11 @@ pub struct Pointer {
 /// An element of a drawing.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Element {
-    /// Its name.
     pub name: String,
-    /// Its kind.
     pub kind: Kind,
     /// True if it is a halfedge known only as the twin of one that is drawn.
     pub is_outer: bool,
-    /// Its fate.
     pub fate: Fate,
-    /// Its pointers.
     pub pointers: Vec<Pointer>,
     /// The rule, where it has a name.
     pub rule: Option<String>,

@@ -8,7 +8,6 @@ use crate::resolve::{function_words, signatures};
 pub struct Word {
     /// The ways to write it: `degree(vertex) -> int`, a line for each way.
     pub forms: Vec<String>,
-    /// Its meaning.
     pub meaning: &'static str,
 }
 

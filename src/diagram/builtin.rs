@@ -109,7 +109,6 @@ pub enum Extent {
 pub struct Overload {
     /// The types it takes.
     pub wanted: &'static [Wanted],
-    /// The type of its result.
     pub result: Type,
     /// The function.
     pub builtin: Builtin,

@@ -134,11 +134,8 @@ impl From<ElementKind> for Type {
 /// A typed expression.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Expr {
-    /// Its type.
     pub ty: Type,
-    /// Its kind.
     pub kind: ExprKind,
-    /// Its place in the source.
     pub span: Span,
 }
 
@@ -183,16 +180,12 @@ impl Expr {
     }
 }
 
-/// The kind of an expression.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ExprKind {
     /// A truth value.
     Bool(bool),
-    /// An int.
     Int(i64),
-    /// A real.
     Real(f64),
-    /// A text.
     Text(String),
     /// A drawn element of the rule (in operations only).
     Element(NameId),
@@ -278,11 +271,9 @@ pub enum Access {
 /// An attribute that a program declares.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Attribute {
-    /// Its name.
     pub name: String,
     /// The span of its name.
     pub span: Span,
-    /// The lines of its doc comment.
     pub docs: Vec<String>,
     /// The type of the elements that have it.
     pub element: Type,
@@ -357,13 +348,10 @@ pub enum Binary {
 pub enum Collection {
     /// `vertices`, `halfedges`, `edges`, `faces` (without holes), `holes`: all of the mesh.
     Vertices,
-    /// All halfedges.
     Halfedges,
-    /// All edges.
     Edges,
     /// All faces that are not holes.
     Faces,
-    /// All holes.
     Holes,
     /// `v.halfedges`: its spokes, counterclockwise.
     VertexHalfedges(Expr),
@@ -426,11 +414,9 @@ impl Collection {
 /// An aggregate over a collection.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fold {
-    /// The function of the values.
     pub function: FoldFunction,
     /// The variable's number, among the script's (or op's) variables.
     pub variable: u32,
-    /// The collection it runs over.
     pub collection: Collection,
     /// The condition that selects elements.
     pub filter: Option<Expr>,

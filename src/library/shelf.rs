@@ -3,12 +3,10 @@
 /// The prefix of the names of all files of the library.
 pub const FOLDER: &str = "std/";
 
-/// A file of the library.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct LibraryFile {
     /// Its name, as `use` writes it: `std/triangle.hedge`.
     pub name: &'static str,
-    /// Its text.
     pub text: &'static str,
 }
 
@@ -53,7 +51,6 @@ impl LibraryFile {
 const TARGETS: &[LibraryFile] =
     &[LibraryFile { name: "std/scotty3d.target", text: include_str!("std/scotty3d.target") }];
 
-/// All targets.
 pub fn targets() -> impl Iterator<Item = LibraryFile> {
     TARGETS.iter().copied()
 }

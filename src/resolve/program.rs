@@ -74,7 +74,6 @@ impl Program {
 /// An operation, possibly only partly resolved.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Op {
-    /// Its name.
     pub name: String,
     /// The span of its name.
     pub span: Span,
@@ -100,7 +99,6 @@ pub struct Op {
 /// An op that calls other ops as one transaction: all or nothing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Steps {
-    /// Its doc comment.
     pub docs: Vec<String>,
     /// The conditions that are tested first, in order.
     pub requires: Vec<diagram::Require>,
@@ -115,11 +113,9 @@ pub struct Steps {
 /// A function, possibly only partly resolved.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Function {
-    /// Its name.
     pub name: String,
     /// The span of its name.
     pub span: Span,
-    /// Its doc comment.
     pub docs: Vec<String>,
     /// Its parameters: variables 0, 1, … of the function.
     pub params: Vec<Param>,
@@ -138,24 +134,19 @@ pub struct Body {
     pub block: Block,
 }
 
-/// A script.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Script {
-    /// Its name.
     pub name: String,
     /// The span of its name.
     pub span: Span,
-    /// Its doc comment.
     pub docs: Vec<String>,
     /// Its parameters: variables 0, 1, … of the script.
     pub params: Vec<Param>,
     /// All its variables, parameters first.
     pub variables: Vec<Variable>,
-    /// Its statements.
     pub body: Block,
 }
 
-/// A test.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Test {
     /// The mesh that it starts with.
@@ -166,7 +157,6 @@ pub struct Test {
     pub script: Script,
 }
 
-/// A mesh of a test.
 #[derive(Clone, Debug, PartialEq)]
 pub enum TestMesh {
     /// An empty mesh: nothing has been kept there yet.
@@ -180,9 +170,7 @@ pub enum TestMesh {
 /// A variable of a script.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Variable {
-    /// Its name.
     pub name: String,
-    /// Its type.
     pub ty: Type,
     /// The place of its declaration.
     pub span: Span,
@@ -191,12 +179,9 @@ pub struct Variable {
 /// Statements in order.
 pub type Block = Vec<Statement>;
 
-/// A statement.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Statement {
-    /// Its kind.
     pub kind: StatementKind,
-    /// Its place in the source.
     pub span: Span,
 }
 
@@ -273,8 +258,6 @@ pub enum Visit {
 /// A piece of the output of `print`; pieces are printed one after the other.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Print {
-    /// A text.
     Text(String),
-    /// A value.
     Value(Expr, Digits),
 }

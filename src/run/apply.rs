@@ -159,7 +159,6 @@ impl Application {
         made.clone()
     }
 
-    /// Its plan.
     pub fn plan(&self) -> &Plan {
         self.plans[self.op].as_ref().expect("only a proved operation is applied")
     }

@@ -10,7 +10,6 @@ use crate::lower::{Hoisted, hoist};
 use crate::source::Span;
 
 impl Names<'_> {
-    /// The term of an expression.
     pub fn value(&mut self, expr: &Expr) -> Result<Term, NotEmitted> {
         let language = self.language;
         let not_emitted = |what| NotEmitted::new(what, expr.span);

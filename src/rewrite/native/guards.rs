@@ -56,7 +56,6 @@ fn is_about_star(condition: OrbitCondition) -> bool {
 }
 
 impl Guard {
-    /// All guards of a code.
     pub(super) fn all(code: &Code) -> Vec<Self> {
         let clears = |(at, inst): (usize, &Inst)| matches!(inst, Inst::PreviewClear).then_some(at);
         let starts = code.insts.iter().enumerate().filter_map(clears);
