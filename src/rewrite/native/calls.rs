@@ -131,7 +131,7 @@ impl Translator<'_, '_> {
     }
 
     pub(super) fn call_by_machine(&mut self, inst: &Inst) {
-        self.execute_by(stubs::calls::call as *const () as usize, inst);
+        self.execute_by(stubs::call as *const () as usize, inst);
     }
 
     /// A function that may be called directly, if it was compiled for what this code expects.
@@ -199,7 +199,7 @@ impl Translator<'_, '_> {
 
         self.b.switch_to_block(refused);
         let number = self.b.ins().iconst(I64, i64::from(op));
-        self.call_stub(stubs::calls::refused as *const () as usize, &[number]);
+        self.call_stub(stubs::refused as *const () as usize, &[number]);
         let zero = self.b.ins().iconst(I64, 0);
         self.set_whole(applied, zero);
         self.b.ins().jump(on, &[]);
@@ -352,7 +352,7 @@ impl Translator<'_, '_> {
         self.b.ins().brif(failed, trapped, &[], on, &[]);
         self.b.switch_to_block(trapped);
         let number = self.b.ins().iconst(I64, self.at as i64);
-        self.call_stub(stubs::calls::left as *const () as usize, &[number]);
+        self.call_stub(stubs::left as *const () as usize, &[number]);
         self.b.ins().jump(self.leave, &[]);
         self.go_on(on);
     }

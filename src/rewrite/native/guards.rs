@@ -12,7 +12,7 @@ use cranelift_codegen::ir::{InstBuilder, Value};
 use super::access::{first, pointer};
 use super::compile::entries;
 use super::facts::jumps;
-use super::stubs::guards;
+use super::stubs;
 use super::translate::{Region, Translator};
 use crate::mesh::tables::{DEAD, FaceState, Tables};
 use crate::mesh::{ElementKind, OrbitCondition};
@@ -195,7 +195,7 @@ impl Translator<'_, '_> {
                 _ => None,
             }
         });
-        pairs.take(guards::MOST_ASKED).collect()
+        pairs.take(stubs::MOST_ASKED).collect()
     }
 
     /// Asks all these conditions by one call of a stub.
@@ -203,10 +203,10 @@ impl Translator<'_, '_> {
         let packed = all
             .iter()
             .rev()
-            .fold(0, |packed, asked| packed << guards::BITS | (asked.condition as i64 + 1));
+            .fold(0, |packed, asked| packed << stubs::BITS | (asked.condition as i64 + 1));
         let packed = self.b.ins().iconst(I64, packed);
         let (vertex, at) = (self.id(vertex), self.b.ins().iconst(I64, self.at as i64));
-        let stub = guards::foresee_star as *const () as usize;
+        let stub = stubs::foresee_star as *const () as usize;
         let count = self.call_stub(stub, &[packed, vertex, at]);
         self.leave_restored_if_negative(count);
         for (at, asked) in (0..).zip(all) {
@@ -222,7 +222,7 @@ impl Translator<'_, '_> {
     fn foresee(&mut self, condition: OrbitCondition, elements: [Reg; 2]) -> Value {
         let number = self.b.ins().iconst(I64, condition as i64);
         let [element, at] = elements.map(|reg| self.id(reg));
-        let stub = guards::foresee as *const () as usize;
+        let stub = stubs::foresee as *const () as usize;
         let holds = self.call_stub(stub, &[number, element, at]);
         self.or_fault_if_negative(holds);
         holds
@@ -258,7 +258,7 @@ impl Translator<'_, '_> {
             Inst::PreviewUndo => self.put_back(&self.set.clone()),
             Inst::PreviewClear => {
                 self.set.clear();
-                self.call_stub(guards::clear as *const () as usize, &[]);
+                self.call_stub(stubs::clear_preview as *const () as usize, &[]);
             }
             _ => {}
         }
@@ -355,7 +355,7 @@ impl Translator<'_, '_> {
         let all = &code.insts[first..end];
         all.iter().for_each(|inst| self.spill_operands(inst));
         let span = self.b.ins().iconst(I64, (first | end << 32) as i64);
-        let done = self.call_stub(guards::set as *const () as usize, &[span]);
+        let done = self.call_stub(stubs::set_preview as *const () as usize, &[span]);
         // The stub has restored the values of the preview before the trap.
         self.leave_restored_if_negative(done);
         all.iter().for_each(|inst| self.reload_written(inst));

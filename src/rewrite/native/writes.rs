@@ -13,7 +13,7 @@ use cranelift_codegen::ir::{Block, InstBuilder, Value};
 use super::Variant;
 use super::access::{TABLES, first, pointer, size_of_value, table};
 use super::context::Context;
-use super::stubs::{self, drains};
+use super::stubs;
 use super::translate::{Region, Translator};
 use crate::mesh::tables::{FaceState, Tables};
 use crate::mesh::{AttributeType, ElementKind};
@@ -34,7 +34,7 @@ impl Translator<'_, '_> {
                     let number = this.b.ins().iconst(I64, field as i64);
                     [number, this.id(halfedge), this.b.ins().uextend(I64, value)]
                 };
-                let stub = stubs::writes::pointer as *const () as usize;
+                let stub = stubs::pointer_set as *const () as usize;
                 self.tell(ElementKind::Halfedge, Fields::pointer(field), stub, args);
                 let flags = self.flags(region);
                 self.b.ins().store(flags, value, record, offset as i32);
@@ -46,7 +46,7 @@ impl Translator<'_, '_> {
                     let number = this.b.ins().iconst(I64, of as i64);
                     [number, this.id(element), this.b.ins().uextend(I64, value)]
                 };
-                let stub = stubs::writes::first as *const () as usize;
+                let stub = stubs::first_set as *const () as usize;
                 self.tell(of.kind(), Fields::FIRST, stub, args);
                 let (region, offset) = first(of);
                 let flags = self.flags(region);
@@ -69,7 +69,7 @@ impl Translator<'_, '_> {
                 self.living(ElementKind::Vertex, vertex);
                 let finite = self.is_finite(value);
                 self.or_fault(finite);
-                let stub = stubs::writes::position as *const () as usize;
+                let stub = stubs::position_set as *const () as usize;
                 self.tell(ElementKind::Vertex, Fields::POSITION, stub, |this| [this.id(vertex)]);
                 let (place, flags) = (self.position(vertex), self.flags(Region::Position));
                 for (at, part) in (0..).zip(self.vector(value)) {
@@ -85,7 +85,7 @@ impl Translator<'_, '_> {
                     let number = this.b.ins().iconst(I64, i64::from(attribute));
                     [number, this.id(element)]
                 };
-                let stub = stubs::writes::value as *const () as usize;
+                let stub = stubs::value_set as *const () as usize;
                 self.tell(kind, Fields::attribute(attribute), stub, args);
                 let flags = self.flags(Region::Values);
                 if ty == AttributeType::Bool {
@@ -140,22 +140,22 @@ impl Translator<'_, '_> {
             }
             Inst::DrainStale { to, otherwise } => {
                 self.spill_for_drain();
-                let found = self.call_stub(drains::stale as *const () as usize, &[]);
+                let found = self.call_stub(stubs::next_stale as *const () as usize, &[]);
                 self.element_or(found, to, otherwise);
             }
             Inst::DrainKey { key } => {
                 let (number, key) = (self.b.ins().iconst(I64, self.at as i64), self.real(key));
                 let signature = self.signature(&[I64, I64, F64], &[I64]);
-                let stub = drains::key as *const () as usize;
+                let stub = stubs::set_key as *const () as usize;
                 let done = self.call(stub, signature, &[self.context, number, key])[0];
                 self.leave_if_negative(done);
             }
             Inst::DrainLeast { to, otherwise } => {
-                let found = self.call_stub(drains::least as *const () as usize, &[]);
+                let found = self.call_stub(stubs::least as *const () as usize, &[]);
                 self.element_or(found, to, otherwise);
             }
             Inst::DrainTake => {
-                let done = self.call_stub(drains::take as *const () as usize, &[]);
+                let done = self.call_stub(stubs::take_least as *const () as usize, &[]);
                 self.leave_if_negative(done);
             }
             _ => return false,
@@ -191,7 +191,7 @@ impl Translator<'_, '_> {
 
     /// Sets a register to the element that a stub has returned; jumps if there is none.
     fn element_or(&mut self, found: Value, to: Reg, otherwise: Label) {
-        let is_none = self.b.ins().icmp_imm_s(IntCC::Equal, found, drains::NONE);
+        let is_none = self.b.ins().icmp_imm_s(IntCC::Equal, found, stubs::NONE);
         self.jump_if(is_none, otherwise);
         self.leave_if_negative(found);
         self.set_whole(to, found);
