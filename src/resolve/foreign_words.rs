@@ -291,7 +291,7 @@ fn calculated(word: &str) -> Option<Here> {
 /// The function that C calls with an `f` behind its name: `sqrtf`.
 fn of_floats(word: &str) -> Option<Here> {
     let name = word.strip_suffix('f')?;
-    let (ours, _) = functions().find(|(ours, _)| *ours == name)?;
+    let ours = functions().find(|ours| *ours == name)?;
     let of_reals =
         |way: &Overload| way.wanted.iter().all(|wanted| *wanted == Wanted::Is(Type::Real));
     overloads(name).iter().all(of_reals).then_some(Written(ours))
