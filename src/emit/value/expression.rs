@@ -2,7 +2,9 @@
 
 use super::language::is_wide;
 use super::term::Term;
-use crate::diagram::{Access, Binary, Builtin, Collection, Expr, ExprKind, Rule, Type, Unary};
+use crate::diagram::{
+    Access, Around, Binary, Builtin, Collection, Expr, ExprKind, Rule, Type, Unary,
+};
 use crate::emit::NotEmitted;
 use crate::emit::names::Names;
 use crate::emit::routine::Statement;
@@ -187,22 +189,23 @@ pub(in crate::emit) fn around(
     collection: &Collection,
     span: Span,
 ) -> Result<(&'static str, &Expr), NotEmitted> {
-    let name = match collection {
-        Collection::VertexHalfedges(_) => "VertexHalfedges",
-        Collection::VertexEdges(_) => "VertexEdges",
-        Collection::VertexFaces(_) => "VertexFaces",
-        Collection::VertexNeighbors(_) => "VertexNeighbors",
-        Collection::FaceHalfedges(_) => "FaceHalfedges",
-        Collection::FaceVertices(_) => "FaceVertices",
-        Collection::FaceEdges(_) => "FaceEdges",
-        Collection::EdgeVertices(_) => "EdgeVertices",
-        Collection::EdgeFaces(_) => "EdgeFaces",
-        Collection::FaceEars(_) => "`ears` of a face",
-        Collection::FacePatch(_) => "the `patch` of a face",
-        _ => "a sequence of the whole mesh",
+    let Collection::Around(around, base) = collection else {
+        return Err(NotEmitted::new("a sequence of the whole mesh", span));
     };
-    let base = collection.base().filter(|_| !name.contains(' '));
-    Ok((name, base.ok_or_else(|| NotEmitted::new(name, span))?))
+    let name = match around {
+        Around::VertexHalfedges => "VertexHalfedges",
+        Around::VertexEdges => "VertexEdges",
+        Around::VertexFaces => "VertexFaces",
+        Around::VertexNeighbors => "VertexNeighbors",
+        Around::FaceHalfedges => "FaceHalfedges",
+        Around::FaceVertices => "FaceVertices",
+        Around::FaceEdges => "FaceEdges",
+        Around::EdgeVertices => "EdgeVertices",
+        Around::EdgeFaces => "EdgeFaces",
+        Around::FaceEars => return Err(NotEmitted::new("`ears` of a face", span)),
+        Around::FacePatch => return Err(NotEmitted::new("the `patch` of a face", span)),
+    };
+    Ok((name, base))
 }
 
 /// The size of the positions of a mesh: emitted code takes them to be no larger.
