@@ -2,14 +2,11 @@
 
 use super::language::is_wide;
 use super::term::Term;
-use crate::diagram::{
-    Access, Around, Binary, Builtin, Collection, Expr, ExprKind, Rule, Type, Unary,
-};
+use crate::diagram::{Access, Binary, Builtin, Expr, ExprKind, Rule, Type, Unary};
 use crate::emit::NotEmitted;
 use crate::emit::names::Names;
 use crate::emit::routine::Statement;
 use crate::lower::{Hoisted, hoist};
-use crate::source::Span;
 
 impl Names<'_> {
     pub fn value(&mut self, expr: &Expr) -> Result<Term, NotEmitted> {
@@ -41,10 +38,7 @@ impl Names<'_> {
                 let condition = self.value(condition)?;
                 language.choice(&condition, [self.value(then)?, self.value(otherwise)?])
             }
-            ExprKind::Fold(fold) => {
-                let elements = around(&fold.collection, expr.span)?;
-                self.aggregate(fold, expr.ty, elements)?
-            }
+            ExprKind::Fold(fold) => self.aggregate(fold, expr)?,
             ExprKind::Call(builtin, _) if builtin.is_random() => {
                 return Err(not_emitted("a random number"));
             }
@@ -182,30 +176,6 @@ fn wanted(part: &Expr) -> &'static str {
         ExprKind::Call(Builtin::DegreeVertex | Builtin::DegreeFace, _) => "degree",
         _ => "part",
     }
-}
-
-/// The name of the elements around another, and that one; other collections are not emitted.
-pub(in crate::emit) fn around(
-    collection: &Collection,
-    span: Span,
-) -> Result<(&'static str, &Expr), NotEmitted> {
-    let Collection::Around(around, base) = collection else {
-        return Err(NotEmitted::new("a sequence of the whole mesh", span));
-    };
-    let name = match around {
-        Around::VertexHalfedges => "VertexHalfedges",
-        Around::VertexEdges => "VertexEdges",
-        Around::VertexFaces => "VertexFaces",
-        Around::VertexNeighbors => "VertexNeighbors",
-        Around::FaceHalfedges => "FaceHalfedges",
-        Around::FaceVertices => "FaceVertices",
-        Around::FaceEdges => "FaceEdges",
-        Around::EdgeVertices => "EdgeVertices",
-        Around::EdgeFaces => "EdgeFaces",
-        Around::FaceEars => return Err(NotEmitted::new("`ears` of a face", span)),
-        Around::FacePatch => return Err(NotEmitted::new("the `patch` of a face", span)),
-    };
-    Ok((name, base))
 }
 
 /// The size of the positions of a mesh: emitted code takes them to be no larger.
