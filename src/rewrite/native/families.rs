@@ -72,8 +72,7 @@ impl Translator<'_, '_> {
                     let record = this.record(ElementKind::Halfedge, id);
                     let lives = this.is_not_dead(ElementKind::Halfedge, record);
                     this.or_fault(lives);
-                    let flags = this.flags(region);
-                    this.b.ins().store(flags, value, record, offset as i32);
+                    this.store(region, value, record, offset);
                 });
                 self.b.ins().jump(on, &[]);
             }

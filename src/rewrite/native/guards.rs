@@ -31,7 +31,7 @@ pub(super) struct Guard {
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Set {
     /// One with this address.
-    Here { before: Value, place: Value, offset: i32, region: Region },
+    Here { before: Value, place: Value, offset: usize, region: Region },
     /// A pointer of each halfedge in a buffer; all had the same value.
     Along { before: Value, slots: (Value, Value), field: HalfedgeField },
 }
@@ -275,10 +275,9 @@ impl Translator<'_, '_> {
     }
 
     fn set_here(&mut self, value: Value, place: Value, offset: usize, region: Region) {
-        let (flags, offset) = (self.flags(region), offset as i32);
         let ty = self.b.func.dfg.value_type(value);
-        let before = self.b.ins().load(ty, flags, place, offset);
-        self.b.ins().store(flags, value, place, offset);
+        let before = self.load(ty, region, place, offset);
+        self.store(region, value, place, offset);
         self.set.push(Set::Here { before, place, offset, region });
     }
 
@@ -295,15 +294,14 @@ impl Translator<'_, '_> {
         let zero = self.b.ins().iconst(I64, 0);
         let first = self.slot(start, zero);
         let first = self.record(ElementKind::Halfedge, first);
-        let flags = self.flags(region);
-        let shared = self.b.ins().load(I32, flags, first, offset as i32);
+        let shared = self.load(I32, region, first, offset);
         self.b.def_var(before, shared);
         self.each_below(count, |this, at| {
             let id = this.slot(start, at);
             let record = this.record(ElementKind::Halfedge, id);
             let lives = this.is_not_dead(ElementKind::Halfedge, record);
             this.or_fault(lives);
-            let own = this.b.ins().load(I32, flags, record, offset as i32);
+            let own = this.load(I32, region, record, offset);
             let is_shared = this.b.ins().icmp(IntCC::Equal, own, shared);
             this.or_fault(is_shared);
         });
@@ -319,8 +317,7 @@ impl Translator<'_, '_> {
         self.each_below(count, |this, at| {
             let id = this.slot(start, at);
             let place = this.place(ElementKind::Halfedge, id);
-            let flags = this.flags(region);
-            this.b.ins().store(flags, value, place, offset as i32);
+            this.store(region, value, place, offset);
         });
     }
 
@@ -329,8 +326,7 @@ impl Translator<'_, '_> {
         for set in all.iter().rev() {
             match *set {
                 Set::Here { before, place, offset, region } => {
-                    let flags = self.flags(region);
-                    self.b.ins().store(flags, before, place, offset);
+                    self.store(region, before, place, offset);
                 }
                 Set::Along { before, slots, field } => self.store_along(field, slots, before),
             }

@@ -383,16 +383,15 @@ impl Translator<'_, '_> {
 
     /// A part of a list.
     pub(super) fn in_list(&mut self, list: Value, offset: usize) -> Value {
-        let flags = self.flags(Region::Lists);
-        self.b.ins().load(I64, flags, list, offset as i32)
+        self.load(I64, Region::Lists, list, offset)
     }
 
     /// Appends slots to a list that has `count` slots, and room for these.
     fn append_to(&mut self, list: Value, count: Value, slots: &[Value]) {
         let start = self.in_list(list, List::START);
-        let (place, flags) = (self.place_of_slot(start, count), self.flags(Region::Slots));
+        let place = self.place_of_slot(start, count);
         for (at, slot) in (0..).zip(slots) {
-            self.b.ins().store(flags, *slot, place, at * size_of::<u64>() as i32);
+            self.store(Region::Slots, *slot, place, at * size_of::<u64>());
         }
         let count = self.b.ins().iadd_imm_s(count, slots.len() as i64);
         self.set_count(list, count);
@@ -405,19 +404,18 @@ impl Translator<'_, '_> {
     }
 
     pub(super) fn slot(&mut self, start: Value, index: Value) -> Value {
-        let (place, flags) = (self.place_of_slot(start, index), self.flags(Region::Slots));
-        self.b.ins().load(I64, flags, place, 0)
+        let place = self.place_of_slot(start, index);
+        self.load(I64, Region::Slots, place, 0)
     }
 
     pub(super) fn set_slot(&mut self, start: Value, index: Value, value: Value) {
-        let (place, flags) = (self.place_of_slot(start, index), self.flags(Region::Slots));
-        self.b.ins().store(flags, value, place, 0);
+        let place = self.place_of_slot(start, index);
+        self.store(Region::Slots, value, place, 0);
     }
 
     /// Sets the number of slots of a list.
     pub(super) fn set_count(&mut self, list: Value, count: Value) {
-        let flags = self.flags(Region::Lists);
-        self.b.ins().store(flags, count, list, List::COUNT as i32);
+        self.store(Region::Lists, count, list, List::COUNT);
     }
 
     fn place_of_slot(&mut self, start: Value, index: Value) -> Value {
