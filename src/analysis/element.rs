@@ -1,6 +1,6 @@
 //! An element of a drawing: its pointers before and after, and its fate.
 
-use super::names::{List, Role, SideName, SymbolId, SymbolKind};
+use super::names::{List, Role, SymbolId, SymbolKind};
 use super::side::{ElementRef, Sketch};
 use super::snapshot::Snapshot;
 use crate::diagram::Kind;
@@ -135,15 +135,6 @@ pub fn listed(snapshot: &Snapshot, symbol: SymbolId, rule: Span) -> (bool, bool)
     };
     let is_in = |list| mentions().any(|mention| mention.role == Role::Listed(list));
     (is_in(List::New), is_in(List::Erase))
-}
-
-/// The place where a side of a rule mentions a name in its statements.
-pub fn drawn_on(snapshot: &Snapshot, symbol: SymbolId, side: SideName, rule: Span) -> Option<Span> {
-    let mut mentions = snapshot.names().mentions_of(symbol);
-    let found = mentions.find(|mention| {
-        mention.role == Role::Drawn(side) && rule.touches(mention.span.start as usize)
-    })?;
-    Some(found.span)
 }
 
 fn pointers(kind: Kind, word: &str, sides: &[Sketch; 2]) -> Vec<Pointer> {
