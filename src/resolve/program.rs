@@ -46,25 +46,24 @@ impl Program {
         ops.iter().map(name).collect()
     }
 
-    /// The variables and the statements of all functions, ops in steps, scripts and tests.
-    fn bodies(&self) -> impl Iterator<Item = (&Vec<Variable>, &Block)> {
+    /// The bodies of all functions, ops in steps, scripts and tests.
+    fn bodies(&self) -> impl Iterator<Item = &Body> {
         let functions = self.functions.iter().filter_map(|of| of.body.as_ref());
         let steps = self.ops.iter().filter_map(|op| Some(&op.steps.as_ref()?.body));
-        let bodies = functions.chain(steps).map(|body| (&body.variables, &body.block));
         let tests = self.tests.iter().map(|test| &test.script);
-        let scripts = self.scripts.iter().chain(tests);
-        bodies.chain(scripts.map(|script| (&script.variables, &script.body)))
+        let scripts = self.scripts.iter().chain(tests).map(|script| &script.body);
+        functions.chain(steps).chain(scripts)
     }
 
     /// The variables, parameters included, of all functions, ops in steps, scripts and tests.
     pub fn variables(&self) -> impl Iterator<Item = &Variable> {
-        self.bodies().flat_map(|(variables, _)| variables)
+        self.bodies().flat_map(|body| &body.variables)
     }
 
     /// All statements of functions, ops in steps, scripts and tests, those inside others, too.
     pub fn statements(&self) -> Vec<&Statement> {
         let mut all = Vec::new();
-        for statement in self.bodies().flat_map(|(_, block)| block) {
+        for statement in self.bodies().flat_map(|body| &body.block) {
             statement.each(&mut |inner| all.push(inner));
         }
         all
@@ -125,7 +124,7 @@ pub struct Function {
     pub body: Option<Body>,
 }
 
-/// The body of a function.
+/// The body of a function, script or op in steps.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Body {
     /// All its variables, parameters first.
@@ -142,9 +141,7 @@ pub struct Script {
     pub docs: Vec<String>,
     /// Its parameters: variables 0, 1, … of the script.
     pub params: Vec<Param>,
-    /// All its variables, parameters first.
-    pub variables: Vec<Variable>,
-    pub body: Block,
+    pub body: Body,
 }
 
 #[derive(Clone, Debug, PartialEq)]
