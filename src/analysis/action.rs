@@ -18,7 +18,6 @@ pub enum Purpose {
 pub struct Action {
     /// The change, as an imperative.
     pub title: String,
-    /// Its purpose.
     pub purpose: Purpose,
     /// The replacements; they do not overlap.
     pub edits: Vec<Edit>,

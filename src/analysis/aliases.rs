@@ -9,7 +9,6 @@ use crate::diagram::{NameId, Rule};
 /// The outcomes of aliasing names of one rule.
 #[derive(Clone, Debug, Serialize)]
 pub struct RuleAliases {
-    /// The op.
     pub op: String,
     /// The rule, where it has a name.
     pub rule: Option<String>,

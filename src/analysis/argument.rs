@@ -6,7 +6,6 @@ use crate::check::Argument;
 /// The argument for one alternative of an operation.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct RuleArgument {
-    /// The op.
     pub op: String,
     /// The alternative, where it has a name.
     pub rule: Option<String>,

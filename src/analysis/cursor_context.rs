@@ -56,25 +56,18 @@ pub enum Start {
 /// The next part that a drawing wants.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Wanted {
-    /// A statement.
     Statement,
-    /// A face.
     Face,
-    /// An edge.
     Edge,
-    /// A vertex of a loop.
     LoopVertex,
     /// The vertex of a vertex statement.
     StarVertex,
-    /// A halfedge of a loop.
     LoopHalfedge,
     /// A path of a loop.
     Path,
-    /// A halfedge of an edge.
     EdgeHalfedge,
     /// A spoke, or a statement.
     Spoke,
-    /// A fan.
     Fan,
     /// Something new, or a statement.
     New,

@@ -1,6 +1,6 @@
 //! An element of a drawing: its pointers before and after, and its fate.
 
-use super::names::{List, Role, SideName, SymbolId, SymbolKind};
+use super::names::{List, Role, SymbolId, SymbolKind};
 use super::side::{ElementRef, Sketch};
 use super::snapshot::Snapshot;
 use crate::diagram::Kind;
@@ -16,7 +16,6 @@ pub enum Fate {
     Moved,
     /// It is created.
     New,
-    /// It is erased.
     Erased,
     /// It is drawn in `before`; `after` does not account for it.
     Forgotten,
@@ -25,7 +24,6 @@ pub enum Fate {
 }
 
 impl Fate {
-    /// The fate in words.
     pub fn word(self) -> &'static str {
         match self {
             Fate::Kept => "kept",
@@ -52,15 +50,11 @@ pub struct Pointer {
 /// An element of a drawing.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Element {
-    /// Its name.
     pub name: String,
-    /// Its kind.
     pub kind: Kind,
     /// True if it is a halfedge known only as the twin of one that is drawn.
     pub is_outer: bool,
-    /// Its fate.
     pub fate: Fate,
-    /// Its pointers.
     pub pointers: Vec<Pointer>,
     /// The rule, where it has a name.
     pub rule: Option<String>,
@@ -141,15 +135,6 @@ pub fn listed(snapshot: &Snapshot, symbol: SymbolId, rule: Span) -> (bool, bool)
     };
     let is_in = |list| mentions().any(|mention| mention.role == Role::Listed(list));
     (is_in(List::New), is_in(List::Erase))
-}
-
-/// The place where a side of a rule mentions a name in its statements.
-pub fn drawn_on(snapshot: &Snapshot, symbol: SymbolId, side: SideName, rule: Span) -> Option<Span> {
-    let mut mentions = snapshot.names().mentions_of(symbol);
-    let found = mentions.find(|mention| {
-        mention.role == Role::Drawn(side) && rule.touches(mention.span.start as usize)
-    })?;
-    Some(found.span)
 }
 
 fn pointers(kind: Kind, word: &str, sides: &[Sketch; 2]) -> Vec<Pointer> {

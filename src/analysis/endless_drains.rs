@@ -1,7 +1,7 @@
 //! Loops that may never end: a `drain` takes the elements that its own body adds, too.
 
 use crate::diagnostic::Diagnostic;
-use crate::diagram::{Collection, ExprKind, Kind, Rule};
+use crate::diagram::{Elements, ExprKind, Kind, Rule};
 use crate::resolve::{Block, Program, ResolvedOp, Statement, StatementKind};
 
 /// A warning for each `drain` without `while` that adds an element for every one it takes.
@@ -12,7 +12,9 @@ pub(super) fn endless_drains(program: &Program) -> Vec<Diagnostic> {
         else {
             continue;
         };
-        let Some(kind) = drained(collection) else { continue };
+        // Those around an element are listed once; whether an op adds a hole is not asked.
+        let Some(of) = collection.all().filter(|of| *of != Elements::Holes) else { continue };
+        let kind = Kind::from(of.kind());
         // A key that differs from case to case may be infinite, and then is not taken.
         let mut is_plain = true;
         key.each(&mut |part| {
@@ -29,17 +31,6 @@ pub(super) fn endless_drains(program: &Program) -> Vec<Diagnostic> {
         warnings.push(warning.note("`while` in its head ends it: `drain … by … while … { … }`"));
     }
     warnings
-}
-
-/// The kind of elements that are drained, if new ones join them.
-fn drained(collection: &Collection) -> Option<Kind> {
-    match collection {
-        Collection::Vertices => Some(Kind::Vertex),
-        Collection::Halfedges => Some(Kind::Halfedge),
-        Collection::Edges => Some(Kind::Edge),
-        Collection::Faces => Some(Kind::Face),
-        _ => None,
-    }
 }
 
 /// An op that is called in every turn, and leaves more elements of a kind than it finds.

@@ -39,7 +39,6 @@ fn kept(edit: &Edit, all: &[Edit], sources: &Sources) -> Option<Edit> {
     (!lost.is_empty()).then(|| Edit { span, text: lines.collect() })
 }
 
-/// The comments of a text.
 fn comments(text: &str) -> Vec<&str> {
     let lexed = lex(FileId::default(), text);
     lexed.comments.iter().filter_map(|comment| text.get(comment.span.range())).collect()

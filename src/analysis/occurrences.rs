@@ -38,7 +38,6 @@ fn called_elsewhere(snapshot: &Snapshot, name: &str) -> Option<Span> {
 pub struct Shared {
     /// The file that declares it, by its name in the sources.
     pub file: String,
-    /// Its name.
     pub name: String,
     /// The place of its name in the file.
     pub place: Range<usize>,

@@ -5,41 +5,28 @@ use super::snapshot::Snapshot;
 use crate::source::Span;
 use crate::syntax::tree::{Ident, Item, Op, Rule, Side, Statement};
 
-/// The kind of an entry of the outline.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EntryKind {
-    /// An op.
     Op,
-    /// A rule of an op.
     Rule,
     /// `before` or `after`.
     Side,
-    /// A statement of a side.
     Statement,
-    /// A script.
     Script,
-    /// A function.
     Function,
-    /// An attribute.
     Attribute,
-    /// A test.
     Test,
 }
 
 /// An entry of the outline.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Entry {
-    /// Its name.
     pub name: String,
     /// A detail that is worth seeing beside it; may be empty.
     pub detail: String,
-    /// Its kind.
     pub kind: EntryKind,
-    /// Its span.
     pub span: Span,
-    /// The span of its name.
     pub name_span: Span,
-    /// The entries inside of it.
     pub children: Vec<Entry>,
 }
 

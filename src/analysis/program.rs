@@ -19,7 +19,6 @@ use crate::syntax::tree::split_qualified;
 /// The analysis of one file, and of those it uses.
 #[derive(Clone, Debug)]
 pub struct Analysis {
-    /// The file.
     pub file: FileId,
     /// The files whose items can be named in it: itself first, then those it uses.
     pub seen: Vec<FileId>,

@@ -53,7 +53,6 @@ impl ElementRef {
 /// A halfedge or path of a loop.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Drawn {
-    /// The halfedge or path.
     pub item: ElementRef,
     /// The face or hole.
     pub face: ElementRef,
@@ -70,16 +69,13 @@ pub struct Drawn {
 /// A pair of twins.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Pair {
-    /// The edge.
     pub edge: ElementRef,
-    /// Its halfedges.
     pub halfedges: [ElementRef; 2],
 }
 
 /// A vertex statement.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Spokes {
-    /// The vertex.
     pub vertex: ElementRef,
     /// Its spokes and fans, as they are written.
     pub spokes: Vec<ElementRef>,

@@ -133,7 +133,6 @@ impl Snapshot {
         }
     }
 
-    /// The text.
     pub fn text(&self) -> &str {
         self.sources.get(self.file).text()
     }
@@ -195,12 +194,10 @@ impl Snapshot {
         has || std::iter::once((self.file, &self.parsed.tree)).chain(self.used()).any(looks)
     }
 
-    /// Its items.
     pub fn items(&self) -> &[Item] {
         &self.parsed.tree.items
     }
 
-    /// Its names.
     pub fn names(&self) -> &Names {
         self.names.get_or_init(|| Names::of(&self.parsed.tree, &self.fields))
     }
@@ -306,7 +303,6 @@ impl Snapshot {
         })
     }
 
-    /// The properties that an op keeps.
     fn keeps(&self, op: usize) -> Vec<Property> {
         self.examined(op).proved.as_ref().map(Proved::keeps).unwrap_or_default()
     }

@@ -56,7 +56,6 @@ pub struct Marks {
 pub struct Coloured {
     /// The word. Only a text that is not closed or a comment with a lone `\r` may span lines.
     pub span: Span,
-    /// Its class.
     pub class: Class,
     /// Its modifiers.
     pub marks: Marks,

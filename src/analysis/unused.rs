@@ -12,7 +12,6 @@ use crate::syntax::tree::Item;
 pub struct Unused {
     /// The place of its declaration.
     pub span: Span,
-    /// The name.
     pub name: String,
     /// The kind of thing it names, in a word.
     pub what: &'static str,

@@ -73,7 +73,6 @@ pub struct RuleVerdict {
 /// The level that is kept on a mesh of a higher level.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct KeepsOnly {
-    /// The level.
     pub level: Level,
     /// The number of tests that `guard simple` would add.
     pub untested: usize,
@@ -93,7 +92,6 @@ impl KeepsOnly {
 /// The verdict on a guard.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct GuardVerdict {
-    /// Its level.
     pub level: Level,
     /// The tests that run before anything is written.
     pub tests: Vec<String>,

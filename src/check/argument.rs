@@ -13,7 +13,6 @@ use crate::diagram::{Drawing, Edge, Kind, Loop, NameId, Ref, Rule, Side};
 /// The argument for one law.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Argument {
-    /// The law.
     pub law: &'static str,
     /// The reasons why it holds, one per line.
     pub lines: Vec<String>,

@@ -41,7 +41,6 @@ pub(super) struct Arc {
 /// An arc from `Out(P)` to `In(P)` of a path that may be empty also stands for the empty path.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Arrangement {
-    /// The arcs.
     pub arcs: Vec<Arc>,
     /// For each path that starts at the vertex, where its first spoke belongs.
     pub first_spokes: Vec<(NameId, Lies)>,

@@ -84,7 +84,6 @@ impl<'a> Case<'a> {
         self.label(lies, self.drawing.origin_before(path)?)
     }
 
-    /// The problems of this case.
     pub fn problems(&self) -> Vec<Problem> {
         if let Some(arc) = self.cut {
             return vec![self.cut_arc(arc)];

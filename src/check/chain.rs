@@ -33,7 +33,6 @@ impl Chain {
 pub(super) struct Corner {
     /// The vertex.
     pub vertex: NameId,
-    /// Its chains.
     pub chains: Vec<Chain>,
 }
 

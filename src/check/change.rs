@@ -5,13 +5,10 @@ use crate::diagram::{Kind, LoopKind, Ref, Rule, Side};
 /// The change of the numbers of elements.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize)]
 pub struct Change {
-    /// Vertices.
     pub vertices: i64,
-    /// Edges.
     pub edges: i64,
     /// Faces that are not holes.
     pub faces: i64,
-    /// Holes.
     pub holes: i64,
     /// Loops of which the drawing does not say whether they are faces or holes.
     pub loops: i64,

@@ -10,7 +10,8 @@ use std::collections::BTreeSet;
 use super::guard::Obligation;
 use super::matching::{Claim, Step};
 use crate::diagram::{
-    Builtin, Collection, Drawing, Expr, ExprKind, Extent, Kind, LoopItem, NameId, Ref, Spoke, Type,
+    Around, Builtin, Collection, Drawing, Expr, ExprKind, Extent, Kind, LoopItem, NameId, Ref,
+    Spoke, Type,
 };
 
 /// The quantities that the time grows with; empty if it is constant.
@@ -100,11 +101,9 @@ impl Cost<'_> {
 
     fn of_collection(&self, collection: &Collection) -> Option<String> {
         match collection {
-            Collection::EdgeVertices(_) | Collection::EdgeFaces(_) => None,
-            collection => match collection.base() {
-                Some(base) => self.around(base),
-                None => Some("the whole mesh".into()),
-            },
+            Collection::All(_) => Some("the whole mesh".into()),
+            Collection::Around(Around::EdgeVertices | Around::EdgeFaces, _) => None,
+            Collection::Around(_, base) => self.around(base),
         }
     }
 

@@ -21,7 +21,6 @@ const MOST_OPEN: usize = 2;
 /// A tier: the remedies of a rule that are equally simple.
 pub(super) type Tier = fn(&Rule) -> Vec<Remedy>;
 
-/// All tiers.
 pub(super) const TIERS: [Tier; 6] = [
     accounted_for,
     |rule| exchanged(rule, Kind::Vertex),

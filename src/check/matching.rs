@@ -12,7 +12,6 @@ use crate::diagram::{LoopKind, NameId, Pointer, Rule};
 /// A name, or an end of a path, that is bound.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Bound {
-    /// An element.
     Element(NameId),
     /// The first halfedge of a path; of an empty one, what follows it.
     First(NameId),
@@ -50,9 +49,7 @@ pub enum Source {
 pub enum Step {
     /// A parameter whose element is drawn binds the name.
     Parameter {
-        /// The number of the parameter.
         parameter: usize,
-        /// The name.
         name: NameId,
     },
     /// The halfedge to begin with at an edge, vertex or face that a parameter gives; if
@@ -76,12 +73,9 @@ pub enum Step {
     },
     /// Binds a name.
     Bind {
-        /// The name.
         name: Bound,
-        /// Its source.
         source: Source,
     },
-    /// Tests a claim.
     Test(Claim),
 }
 
@@ -107,7 +101,6 @@ pub enum Claim {
     /// If the vertex of the halfedge is the same as another one, the halfedge is one of the spokes
     /// that the statement of that one lists.
     Listed {
-        /// The halfedge.
         halfedge: NameId,
         /// Its vertex, and the one that has a statement.
         vertices: [NameId; 2],
@@ -131,7 +124,6 @@ pub enum Claim {
 }
 
 impl Bound {
-    /// The name.
     pub fn name(self) -> NameId {
         match self {
             Bound::Element(name) | Bound::First(name) | Bound::Last(name) => name,

@@ -108,7 +108,6 @@ fn reject(op: &Op, rule: &Rule, broken: Broken) -> Rejected {
     Rejected { diagnostics: mend::add_fixes(rule, broken.problems, laws), outcome }
 }
 
-/// The problems of a rule.
 fn problems(op: &Op, rule: &Rule) -> Vec<Problem> {
     match prove(op, rule) {
         Ok(proof) => proof.refuses_everywhere(rule).map(Problem::from).into_iter().collect(),

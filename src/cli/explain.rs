@@ -50,7 +50,7 @@ pub(super) fn explain(arguments: &ExplainArguments) -> Result<(), Failure> {
         Failure::usage(format!("there is no diagnostic and no word `{asked}`; {advice}"))
     })?;
     // `outer` begins `outer halfedge`.
-    for (phrase, meaning) in MEANINGS {
+    for (phrase, meaning) in MEANINGS.iter() {
         if phrase.split_once(' ').is_some_and(|(first, _)| first == asked) {
             text += &format!("\n\n{phrase}: {meaning}");
         }

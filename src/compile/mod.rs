@@ -23,7 +23,5 @@ mod index_loop;
 mod registers;
 mod run;
 
-pub use expression::{
-    Orbit, Scope, arguments, copy, each, elements, lower, lower_into, narrow, width,
-};
+pub use expression::{Orbit, Scope, arguments, copy, each, lower, lower_into, narrow, width};
 pub use operation::compile;

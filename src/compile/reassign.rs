@@ -17,7 +17,6 @@ pub(super) struct Reassign<'o, 's, 'd, 'r> {
     pub registers: Registers,
     pub collected: &'d Collected,
     pub values: &'d [Value<'d>],
-    /// The target of the writes.
     pub target: WriteTarget,
     pub rows: &'r mut Vec<Row>,
 }

@@ -16,7 +16,6 @@ pub(super) enum Home {
     /// In a buffer, with a slot for each index of the cycle; this is the member `shift` after the
     /// index.
     Member {
-        /// The buffer.
         buffer: u16,
         /// The shift of the index.
         shift: i16,
@@ -143,7 +142,6 @@ impl Registers {
         }
     }
 
-    /// The register of an element.
     pub fn element(&self, asm: &mut Assembler, name: NameId) -> Reg {
         self.read(asm, self.home(name))
     }

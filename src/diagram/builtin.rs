@@ -1,5 +1,5 @@
-//! The builtin functions of the language: their words, meanings, overloads, and the part of the
-//! mesh that they traverse.
+//! The builtin functions of the language: their words, overloads, and the part of the mesh
+//! that they traverse.
 //!
 //! Each row of the table is a word. Register code and emitted code are chosen by the [`Builtin`] of
 //! a call.
@@ -109,7 +109,6 @@ pub enum Extent {
 pub struct Overload {
     /// The types it takes.
     pub wanted: &'static [Wanted],
-    /// The type of its result.
     pub result: Type,
     /// The function.
     pub builtin: Builtin,
@@ -119,7 +118,7 @@ pub struct Overload {
 impl Builtin {
     /// The part of the mesh that it traverses.
     pub fn extent(self) -> Extent {
-        let mut ways = FUNCTIONS.iter().flat_map(|(_, _, ways)| *ways);
+        let mut ways = FUNCTIONS.iter().flat_map(|(_, ways)| *ways);
         ways.find(|way| way.builtin == self).map_or(Extent::Bounded, |way| way.extent)
     }
 
@@ -131,14 +130,16 @@ impl Builtin {
 
 /// The overloads of a function; empty if there is no such function.
 pub fn overloads(name: &str) -> &'static [Overload] {
-    let found = FUNCTIONS.iter().find(|(known, ..)| *known == name);
-    found.map_or(&[], |(.., overloads)| overloads)
+    let found = FUNCTIONS.iter().find(|(known, _)| *known == name);
+    found.map_or(&[], |(_, overloads)| overloads)
 }
 
-/// The functions, each with its meaning.
-pub fn functions() -> impl Iterator<Item = (&'static str, &'static str)> {
-    FUNCTIONS.iter().map(|(name, meaning, _)| (*name, *meaning))
+/// The names of the functions.
+pub fn functions() -> impl Iterator<Item = &'static str> {
+    FUNCTIONS.iter().map(|(name, _)| *name)
 }
+
+use Builtin::*;
 
 const BOOL: Type = Type::Bool;
 const INT: Type = Type::Int;
@@ -178,222 +179,118 @@ const fn along_sides(wanted: &'static [Wanted], result: Type, builtin: Builtin) 
     Overload { extent: Extent::Sides, ..of(wanted, result, builtin) }
 }
 
-/// The functions by name, each with its meaning and its overloads. The constructors and the
+/// The functions by name, each with its overloads. The constructors and the
 /// aggregates are not among them.
-const FUNCTIONS: &[(&str, &str, &[Overload])] = &[
-    (
-        "degree",
-        "how many spokes a vertex has, or corners a face",
-        &[around(&[V], INT, Builtin::DegreeVertex), around(&[F], INT, Builtin::DegreeFace)],
-    ),
+const FUNCTIONS: &[(&str, &[Overload])] = &[
+    ("degree", &[around(&[V], INT, DegreeVertex), around(&[F], INT, DegreeFace)]),
     (
         "boundary",
-        "as a property: the holes keep their number and their vertices; as a function: whether an element lies on a hole",
         &[
-            around(&[V], BOOL, Builtin::BoundaryVertex),
-            of(&[H], BOOL, Builtin::BoundaryHalfedge),
-            of(&[E], BOOL, Builtin::BoundaryEdge),
-            of(&[F], BOOL, Builtin::IsHole),
+            around(&[V], BOOL, BoundaryVertex),
+            of(&[H], BOOL, BoundaryHalfedge),
+            of(&[E], BOOL, BoundaryEdge),
+            of(&[F], BOOL, IsHole),
         ],
     ),
-    (
-        "hole",
-        "a boundary loop: a cycle of `next` with nothing in it; as a function: whether a face is one",
-        &[of(&[F], BOOL, Builtin::IsHole)],
-    ),
-    ("adjacent", "whether an edge joins two vertices", &[around(&[V, V], BOOL, Builtin::Adjacent)]),
-    (
-        "link_condition",
-        "whether contracting an edge, and the triangles at it, leaves a simple mesh of polygons simple",
-        &[at_ends(&[E], BOOL, Builtin::LinkCondition)],
-    ),
-    (
-        "star_shaped",
-        "whether the border of the faces at both ends of an edge has a kernel, from which all of it is seen; false if one of them lies on a hole",
-        &[at_ends(&[E], BOOL, Builtin::StarShaped)],
-    ),
-    (
-        "kernel_centroid",
-        "the centroid of that kernel, where one vertex for both ends turns no triangle over; not finite if there is none",
-        &[at_ends(&[E], VEC3, Builtin::KernelCentroid)],
-    ),
+    ("hole", &[of(&[F], BOOL, IsHole)]),
+    ("adjacent", &[around(&[V, V], BOOL, Adjacent)]),
+    ("link_condition", &[at_ends(&[E], BOOL, LinkCondition)]),
+    ("star_shaped", &[at_ends(&[E], BOOL, StarShaped)]),
+    ("kernel_centroid", &[at_ends(&[E], VEC3, KernelCentroid)]),
     (
         "length",
-        "the length of an edge, a halfedge or a vector",
         &[
-            of(&[E], REAL, Builtin::LengthEdge),
-            of(&[H], REAL, Builtin::LengthHalfedge),
-            of(&[X], REAL, Builtin::LengthVector),
-            of(&[X2], REAL, Builtin::LengthVector),
-            of(&[X4], REAL, Builtin::LengthVector),
+            of(&[E], REAL, LengthEdge),
+            of(&[H], REAL, LengthHalfedge),
+            of(&[X], REAL, LengthVector),
+            of(&[X2], REAL, LengthVector),
+            of(&[X4], REAL, LengthVector),
         ],
     ),
-    ("area", "the area of a face", &[around(&[F], REAL, Builtin::Area)]),
-    (
-        "normal",
-        "the unit normal of a face, or at a vertex; zero where there is no area",
-        &[around(&[F], VEC3, Builtin::NormalFace), around(&[V], VEC3, Builtin::NormalVertex)],
-    ),
-    (
-        "centroid",
-        "the mean of the corners of a face, or of the ends of an edge",
-        &[around(&[F], VEC3, Builtin::CentroidFace), of(&[E], VEC3, Builtin::CentroidEdge)],
-    ),
-    ("midpoint", "the middle of an edge", &[of(&[E], VEC3, Builtin::CentroidEdge)]),
+    ("area", &[around(&[F], REAL, Area)]),
+    ("normal", &[around(&[F], VEC3, NormalFace), around(&[V], VEC3, NormalVertex)]),
+    ("centroid", &[around(&[F], VEC3, CentroidFace), of(&[E], VEC3, CentroidEdge)]),
+    ("midpoint", &[of(&[E], VEC3, CentroidEdge)]),
     (
         "mix",
-        "from the first towards the second, by the third, from 0 to 1",
         &[
-            of(&[R, R, R], REAL, Builtin::MixReal),
-            of(&[X, X, R], VEC3, Builtin::MixVector),
-            of(&[X2, X2, R], VEC2, Builtin::MixVector),
-            of(&[X4, X4, R], VEC4, Builtin::MixVector),
+            of(&[R, R, R], REAL, MixReal),
+            of(&[X, X, R], VEC3, MixVector),
+            of(&[X2, X2, R], VEC2, MixVector),
+            of(&[X4, X4, R], VEC4, MixVector),
         ],
     ),
-    (
-        "dot",
-        "the scalar product",
-        &[
-            of(&[X, X], REAL, Builtin::Dot),
-            of(&[X2, X2], REAL, Builtin::Dot),
-            of(&[X4, X4], REAL, Builtin::Dot),
-        ],
-    ),
-    (
-        "cross",
-        "the vector product",
-        &[of(&[X, X], VEC3, Builtin::Cross), of(&[X2, X2], REAL, Builtin::CrossPlane)],
-    ),
+    ("dot", &[of(&[X, X], REAL, Dot), of(&[X2, X2], REAL, Dot), of(&[X4, X4], REAL, Dot)]),
+    ("cross", &[of(&[X, X], VEC3, Cross), of(&[X2, X2], REAL, CrossPlane)]),
     (
         "normalize",
-        "the same direction, with length 1",
-        &[
-            of(&[X], VEC3, Builtin::Normalize),
-            of(&[X2], VEC2, Builtin::Normalize),
-            of(&[X4], VEC4, Builtin::Normalize),
-        ],
+        &[of(&[X], VEC3, Normalize), of(&[X2], VEC2, Normalize), of(&[X4], VEC4, Normalize)],
     ),
-    (
-        "distance",
-        "how far two points are apart",
-        &[of(&[P, P], REAL, Builtin::Distance), of(&[X2, X2], REAL, Builtin::Distance)],
-    ),
-    (
-        "outer",
-        "a column times a row: a matrix",
-        &[of(&[X, X], MAT3, Builtin::Outer), of(&[X4, X4], MAT4, Builtin::Outer)],
-    ),
-    (
-        "transpose",
-        "the matrix whose columns are the rows",
-        &[of(&[M3], MAT3, Builtin::Transpose), of(&[M4], MAT4, Builtin::Transpose)],
-    ),
-    (
-        "determinant",
-        "the determinant of a matrix",
-        &[of(&[M3], REAL, Builtin::Determinant), of(&[M4], REAL, Builtin::Determinant)],
-    ),
-    (
-        "inverse",
-        "the inverse of a matrix; of a singular one it is not a number",
-        &[of(&[M3], MAT3, Builtin::Inverse), of(&[M4], MAT4, Builtin::Inverse)],
-    ),
-    (
-        "solve",
-        "the vector that a matrix takes to another; of a singular one it is not a number",
-        &[of(&[M3, X], VEC3, Builtin::Solve), of(&[M4, X4], VEC4, Builtin::Solve)],
-    ),
+    ("distance", &[of(&[P, P], REAL, Distance), of(&[X2, X2], REAL, Distance)]),
+    ("outer", &[of(&[X, X], MAT3, Outer), of(&[X4, X4], MAT4, Outer)]),
+    ("transpose", &[of(&[M3], MAT3, Transpose), of(&[M4], MAT4, Transpose)]),
+    ("determinant", &[of(&[M3], REAL, Determinant), of(&[M4], REAL, Determinant)]),
+    ("inverse", &[of(&[M3], MAT3, Inverse), of(&[M4], MAT4, Inverse)]),
+    ("solve", &[of(&[M3, X], VEC3, Solve), of(&[M4, X4], VEC4, Solve)]),
     (
         "is_nan",
-        "whether a component is not a number",
         &[
-            of(&[R], BOOL, Builtin::IsNan),
-            of(&[X2], BOOL, Builtin::IsNan),
-            of(&[X], BOOL, Builtin::IsNan),
-            of(&[X4], BOOL, Builtin::IsNan),
-            of(&[M3], BOOL, Builtin::IsNan),
-            of(&[M4], BOOL, Builtin::IsNan),
+            of(&[R], BOOL, IsNan),
+            of(&[X2], BOOL, IsNan),
+            of(&[X], BOOL, IsNan),
+            of(&[X4], BOOL, IsNan),
+            of(&[M3], BOOL, IsNan),
+            of(&[M4], BOOL, IsNan),
         ],
     ),
     (
         "is_finite",
-        "whether all components are finite",
         &[
-            of(&[R], BOOL, Builtin::IsFinite),
-            of(&[X2], BOOL, Builtin::IsFinite),
-            of(&[X], BOOL, Builtin::IsFinite),
-            of(&[X4], BOOL, Builtin::IsFinite),
-            of(&[M3], BOOL, Builtin::IsFinite),
-            of(&[M4], BOOL, Builtin::IsFinite),
+            of(&[R], BOOL, IsFinite),
+            of(&[X2], BOOL, IsFinite),
+            of(&[X], BOOL, IsFinite),
+            of(&[X4], BOOL, IsFinite),
+            of(&[M3], BOOL, IsFinite),
+            of(&[M4], BOOL, IsFinite),
         ],
     ),
-    (
-        "angle",
-        "the angle between two directions, or of the corner where a halfedge starts, in radians; of a corner of a hole, in the hole; at most half a turn, zero if a direction has no length",
-        &[of(&[X, X], REAL, Builtin::Angle), of(&[H], REAL, Builtin::AngleCorner)],
-    ),
-    (
-        "cotangent",
-        "the cotangent of the angle opposite to a halfedge in its triangle, in a larger face as seen from the corner before it, zero in a hole: `(cotangent(h) + cotangent(h.twin)) / 2` is the weight of an edge",
-        &[of(&[H], REAL, Builtin::Cotangent)],
-    ),
-    (
-        "dihedral_angle",
-        "the angle between the normals at an edge, positive where it stands out",
-        &[along_sides(&[E], REAL, Builtin::DihedralAngle)],
-    ),
-    (
-        "abs",
-        "the size without the sign",
-        &[of(&[I], INT, Builtin::AbsInt), of(&[R], REAL, Builtin::AbsReal)],
-    ),
+    ("angle", &[of(&[X, X], REAL, Angle), of(&[H], REAL, AngleCorner)]),
+    ("cotangent", &[of(&[H], REAL, Cotangent)]),
+    ("dihedral_angle", &[along_sides(&[E], REAL, DihedralAngle)]),
+    ("abs", &[of(&[I], INT, AbsInt), of(&[R], REAL, AbsReal)]),
     (
         "min",
-        "the smaller of two, of vectors in each component, or the least over a sequence",
         &[
-            of(&[I, I], INT, Builtin::MinInt),
-            of(&[R, R], REAL, Builtin::MinReal),
-            of(&[X, X], VEC3, Builtin::MinVector),
-            of(&[X2, X2], VEC2, Builtin::MinVector),
-            of(&[X4, X4], VEC4, Builtin::MinVector),
+            of(&[I, I], INT, MinInt),
+            of(&[R, R], REAL, MinReal),
+            of(&[X, X], VEC3, MinVector),
+            of(&[X2, X2], VEC2, MinVector),
+            of(&[X4, X4], VEC4, MinVector),
         ],
     ),
     (
         "max",
-        "the larger of two, of vectors in each component, or the greatest over a sequence",
         &[
-            of(&[I, I], INT, Builtin::MaxInt),
-            of(&[R, R], REAL, Builtin::MaxReal),
-            of(&[X, X], VEC3, Builtin::MaxVector),
-            of(&[X2, X2], VEC2, Builtin::MaxVector),
-            of(&[X4, X4], VEC4, Builtin::MaxVector),
+            of(&[I, I], INT, MaxInt),
+            of(&[R, R], REAL, MaxReal),
+            of(&[X, X], VEC3, MaxVector),
+            of(&[X2, X2], VEC2, MaxVector),
+            of(&[X4, X4], VEC4, MaxVector),
         ],
     ),
-    (
-        "clamp",
-        "the first, but no less than the second and no more than the third",
-        &[of(&[I, I, I], INT, Builtin::ClampInt), of(&[R, R, R], REAL, Builtin::ClampReal)],
-    ),
-    ("sqrt", "the square root", &[of(&[R], REAL, Builtin::Sqrt)]),
-    ("sin", "the sine of an angle in radians", &[of(&[R], REAL, Builtin::Sin)]),
-    ("cos", "the cosine of an angle in radians", &[of(&[R], REAL, Builtin::Cos)]),
-    ("tan", "the tangent of an angle in radians", &[of(&[R], REAL, Builtin::Tan)]),
-    ("asin", "the angle with this sine", &[of(&[R], REAL, Builtin::Asin)]),
-    ("acos", "the angle with this cosine", &[of(&[R], REAL, Builtin::Acos)]),
-    (
-        "atan2",
-        "the angle of the direction with this y and this x",
-        &[of(&[R, R], REAL, Builtin::Atan2)],
-    ),
-    ("exp", "e to the power of a number", &[of(&[R], REAL, Builtin::Exp)]),
-    ("log", "the natural logarithm", &[of(&[R], REAL, Builtin::Log)]),
-    ("pow", "the first to the power of the second", &[of(&[R, R], REAL, Builtin::Pow)]),
-    ("floor", "the whole number below, as a real", &[of(&[R], REAL, Builtin::Floor)]),
-    ("ceil", "the whole number above, as a real", &[of(&[R], REAL, Builtin::Ceil)]),
-    ("round", "the nearest int, of two the even one", &[of(&[R], INT, Builtin::Round)]),
-    (
-        "random",
-        "a random number: `random()` a real from 0 up to 1, `random(n)` an int from 0 up to n; `--seed` says which",
-        &[of(&[], REAL, Builtin::Random), of(&[I], INT, Builtin::RandomInt)],
-    ),
+    ("clamp", &[of(&[I, I, I], INT, ClampInt), of(&[R, R, R], REAL, ClampReal)]),
+    ("sqrt", &[of(&[R], REAL, Sqrt)]),
+    ("sin", &[of(&[R], REAL, Sin)]),
+    ("cos", &[of(&[R], REAL, Cos)]),
+    ("tan", &[of(&[R], REAL, Tan)]),
+    ("asin", &[of(&[R], REAL, Asin)]),
+    ("acos", &[of(&[R], REAL, Acos)]),
+    ("atan2", &[of(&[R, R], REAL, Atan2)]),
+    ("exp", &[of(&[R], REAL, Exp)]),
+    ("log", &[of(&[R], REAL, Log)]),
+    ("pow", &[of(&[R, R], REAL, Pow)]),
+    ("floor", &[of(&[R], REAL, Floor)]),
+    ("ceil", &[of(&[R], REAL, Ceil)]),
+    ("round", &[of(&[R], INT, Round)]),
+    ("random", &[of(&[], REAL, Random), of(&[I], INT, RandomInt)]),
 ];

@@ -10,7 +10,6 @@ use crate::source::Span;
 /// A rule with an index of its two sides.
 #[derive(Clone, Debug)]
 pub struct Drawing<'a> {
-    /// The rule.
     pub rule: &'a Rule,
     /// The side before.
     pub before: View<'a>,
@@ -194,7 +193,6 @@ impl<'a> View<'a> {
         self.statement[mention.name.index()].get_or_insert(statement);
     }
 
-    /// The side.
     pub fn side(&self) -> &'a Side {
         self.side
     }
@@ -209,7 +207,6 @@ impl<'a> View<'a> {
         self.side.loops.get(self.statement[face.index()]?)
     }
 
-    /// The edge statement of an edge.
     pub fn edge_statement(&self, edge: NameId) -> Option<&'a Edge> {
         self.side.edges.get(self.statement[edge.index()]?)
     }

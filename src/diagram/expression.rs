@@ -5,7 +5,7 @@
 
 use super::op::without_article;
 use super::{Builtin, NameId};
-use crate::mesh::ElementKind;
+use crate::mesh::{ElementKind, Elements};
 use crate::source::Span;
 
 /// The type of a value.
@@ -134,11 +134,8 @@ impl From<ElementKind> for Type {
 /// A typed expression.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Expr {
-    /// Its type.
     pub ty: Type,
-    /// Its kind.
     pub kind: ExprKind,
-    /// Its place in the source.
     pub span: Span,
 }
 
@@ -183,16 +180,12 @@ impl Expr {
     }
 }
 
-/// The kind of an expression.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ExprKind {
     /// A truth value.
     Bool(bool),
-    /// An int.
     Int(i64),
-    /// A real.
     Real(f64),
-    /// A text.
     Text(String),
     /// A drawn element of the rule (in operations only).
     Element(NameId),
@@ -278,11 +271,9 @@ pub enum Access {
 /// An attribute that a program declares.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Attribute {
-    /// Its name.
     pub name: String,
     /// The span of its name.
     pub span: Span,
-    /// The lines of its doc comment.
     pub docs: Vec<String>,
     /// The type of the elements that have it.
     pub element: Type,
@@ -355,70 +346,61 @@ pub enum Binary {
 /// The elements a loop or an aggregate runs over.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Collection {
-    /// `vertices`, `halfedges`, `edges`, `faces` (without holes), `holes`: all of the mesh.
-    Vertices,
-    /// All halfedges.
-    Halfedges,
-    /// All edges.
-    Edges,
-    /// All faces that are not holes.
-    Faces,
-    /// All holes.
-    Holes,
-    /// `v.halfedges`: its spokes, counterclockwise.
-    VertexHalfedges(Expr),
-    /// `v.edges`
-    VertexEdges(Expr),
-    /// `v.faces`, without holes
-    VertexFaces(Expr),
-    /// `v.neighbors`
-    VertexNeighbors(Expr),
-    /// `f.halfedges`
-    FaceHalfedges(Expr),
-    /// `f.vertices`
-    FaceVertices(Expr),
-    /// `f.edges`
-    FaceEdges(Expr),
-    /// `f.ears`, the order in which corners are cut off, the best shaped first
-    FaceEars(Expr),
-    /// `f.patch`, the same for a triangulation that bends little
-    FacePatch(Expr),
-    /// `e.vertices`
-    EdgeVertices(Expr),
-    /// `e.faces`, without holes
-    EdgeFaces(Expr),
+    /// Those of the whole mesh: `vertices`.
+    All(Elements),
+    /// Those around an element: `v.halfedges`.
+    Around(Around, Expr),
+}
+
+/// The elements around an element.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Around {
+    /// The spokes of a vertex, counterclockwise.
+    VertexHalfedges,
+    VertexEdges,
+    /// Without holes.
+    VertexFaces,
+    VertexNeighbors,
+    FaceHalfedges,
+    FaceVertices,
+    FaceEdges,
+    /// The order in which corners are cut off, the best shaped first.
+    FaceEars,
+    /// The same for a triangulation that bends little.
+    FacePatch,
+    EdgeVertices,
+    /// Without holes.
+    EdgeFaces,
 }
 
 impl Collection {
+    /// The elements of the whole mesh; `None` for those around an element.
+    pub fn all(&self) -> Option<Elements> {
+        match self {
+            Self::All(of) => Some(*of),
+            Self::Around(..) => None,
+        }
+    }
+
     /// The element that it lies around; `None` for one of the whole mesh.
     pub fn base(&self) -> Option<&Expr> {
-        use Collection::*;
         match self {
-            Vertices | Halfedges | Edges | Faces | Holes => None,
-            VertexHalfedges(base)
-            | VertexEdges(base)
-            | VertexFaces(base)
-            | VertexNeighbors(base)
-            | FaceHalfedges(base)
-            | FaceVertices(base)
-            | FaceEdges(base)
-            | FaceEars(base)
-            | FacePatch(base)
-            | EdgeVertices(base)
-            | EdgeFaces(base) => Some(base),
+            Self::All(_) => None,
+            Self::Around(_, base) => Some(base),
         }
     }
 
     /// The type of its elements.
     pub fn element(&self) -> Type {
-        use Collection::*;
+        use Around::*;
         match self {
-            Vertices | VertexNeighbors(_) | FaceVertices(_) | EdgeVertices(_) => Type::Vertex,
-            Halfedges | VertexHalfedges(_) | FaceHalfedges(_) | FaceEars(_) | FacePatch(_) => {
-                Type::Halfedge
-            }
-            Edges | VertexEdges(_) | FaceEdges(_) => Type::Edge,
-            Faces | Holes | VertexFaces(_) | EdgeFaces(_) => Type::Face,
+            Self::All(of) => of.kind().into(),
+            Self::Around(around, _) => match around {
+                VertexNeighbors | FaceVertices | EdgeVertices => Type::Vertex,
+                VertexHalfedges | FaceHalfedges | FaceEars | FacePatch => Type::Halfedge,
+                VertexEdges | FaceEdges => Type::Edge,
+                VertexFaces | EdgeFaces => Type::Face,
+            },
         }
     }
 }
@@ -426,11 +408,9 @@ impl Collection {
 /// An aggregate over a collection.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fold {
-    /// The function of the values.
     pub function: FoldFunction,
     /// The variable's number, among the script's (or op's) variables.
     pub variable: u32,
-    /// The collection it runs over.
     pub collection: Collection,
     /// The condition that selects elements.
     pub filter: Option<Expr>,

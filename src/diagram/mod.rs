@@ -18,7 +18,8 @@ mod visit;
 pub use builtin::{Builtin, Extent, Overload, Wanted, functions, overloads};
 pub use drawing::{Drawing, View};
 pub use expression::{
-    Access, Attribute, Binary, Collection, Expr, ExprKind, Fold, FoldFunction, Pointer, Type, Unary,
+    Access, Around, Attribute, Binary, Collection, Expr, ExprKind, Fold, FoldFunction, Pointer,
+    Type, Unary,
 };
 pub use op::{
     Alias, Assignment, Broken, Cycle, Edge, Example, Kind, Loop, LoopItem, LoopKind, Name, NameId,
@@ -27,4 +28,4 @@ pub use op::{
 pub use reassign::{Operand, Reassignment, Write};
 pub use unroll::{Naming, Unrolled};
 
-pub use crate::mesh::Level;
+pub use crate::mesh::{Elements, Level};

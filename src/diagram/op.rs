@@ -9,11 +9,8 @@ use crate::source::Span;
 /// The kind of element or run that a name of a diagram stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Kind {
-    /// A vertex.
     Vertex,
-    /// A halfedge.
     Halfedge,
-    /// An edge.
     Edge,
     /// A face, a hole, or either.
     Face,
@@ -84,7 +81,6 @@ impl From<ElementKind> for Kind {
 pub struct NameId(pub u32);
 
 impl NameId {
-    /// The index.
     pub fn index(self) -> usize {
         self.0 as usize
     }
@@ -95,7 +91,6 @@ impl NameId {
 pub struct Name {
     /// The word, or a description if there is no name: "the path of `f0`".
     pub text: String,
-    /// Its kind.
     pub kind: Kind,
     /// True if the author gave the name.
     pub named: bool,
@@ -105,7 +100,6 @@ pub struct Name {
     pub span: Span,
 }
 
-/// A word without its article.
 pub(super) fn without_article(a_word: &'static str) -> &'static str {
     a_word.split_once(' ').map_or(a_word, |(_, word)| word)
 }
@@ -113,7 +107,6 @@ pub(super) fn without_article(a_word: &'static str) -> &'static str {
 /// The number of elements or runs that a name stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Role {
-    /// One.
     Single,
     /// One for each index: `h[i]`.
     Family,
@@ -121,7 +114,6 @@ pub enum Role {
     Member {
         /// The family, by its number in the rule with families.
         family: NameId,
-        /// Its index.
         index: u32,
     },
 }
@@ -143,11 +135,9 @@ impl Name {
 /// One mention of a name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Ref {
-    /// The name.
     pub name: NameId,
     /// The summand of the subscript: 1 in `h[i+1]`. Zero where there is none.
     pub shift: i32,
-    /// The place of the mention.
     pub span: Span,
 }
 
@@ -166,21 +156,15 @@ impl Ref {
 /// An operation: alternatives over the same parameters.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Op {
-    /// Its name.
     pub name: String,
-    /// The span of its name.
     pub name_span: Span,
-    /// The lines of its doc comment.
     pub docs: Vec<String>,
-    /// Its parameters.
     pub params: Vec<Param>,
-    /// The type of its result, if it has one.
     pub result: Option<Type>,
     /// The properties it claims to keep, and where.
     pub keeps: Vec<(Property, Span)>,
     /// The alternatives, tried in order.
     pub rules: Vec<Rule>,
-    /// The whole item.
     pub span: Span,
 }
 
@@ -213,7 +197,6 @@ impl Property {
         Property::Level(Level::Simple),
     ];
 
-    /// The level, if it is one.
     pub fn level(self) -> Option<Level> {
         match self {
             Self::Level(level) => Some(level),
@@ -237,11 +220,9 @@ impl Property {
 /// A parameter of an operation or script.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Param {
-    /// Its name.
     pub name: String,
     /// The span of its name.
     pub span: Span,
-    /// Its type.
     pub ty: Type,
     /// Its default, which refers to nothing but earlier parameters.
     pub default: Option<Expr>,
@@ -250,7 +231,6 @@ pub struct Param {
 /// One alternative.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Rule {
-    /// Its name, if it has one.
     pub label: Option<String>,
     /// The mesh of the example, if this is not a rule of a program but an example of an op.
     pub example: Option<Example>,
@@ -263,27 +243,19 @@ pub struct Rule {
     /// For each parameter of the op, the name it binds; `None` for a value, or for an element this
     /// rule does not draw. A family is bound at index 0.
     pub params: Vec<Option<NameId>>,
-    /// The name it returns.
     pub result: Option<Ref>,
-    /// The drawing before.
     pub before: Side,
-    /// The conditions, in order.
     pub requires: Vec<Require>,
     /// The level that the mesh has, and must have again afterwards.
     pub guard: Option<(Level, Span)>,
     /// Names that may stand for one element.
     pub aliases: Vec<Alias>,
-    /// The drawing after.
     pub after: Side,
-    /// The elements that are created.
     pub created: Vec<Ref>,
-    /// The elements that are erased.
     pub erased: Vec<Ref>,
-    /// The attributes that are set.
     pub assignments: Vec<Assignment>,
     /// All attributes that the program declares, by number.
     pub attributes: Arc<[Attribute]>,
-    /// The whole rule.
     pub span: Span,
 }
 
@@ -298,7 +270,6 @@ impl Rule {
         }
     }
 
-    /// A name by its id.
     pub fn name(&self, id: NameId) -> &Name {
         &self.names[id.index()]
     }
@@ -315,7 +286,6 @@ impl Rule {
         self.name(id).quoted()
     }
 
-    /// The kind of a name.
     pub fn kind(&self, id: NameId) -> Kind {
         self.name(id).kind
     }
@@ -326,12 +296,10 @@ impl Rule {
         self.aliases.iter().any(|alias| lists(alias, left) && lists(alias, right))
     }
 
-    /// All names.
     pub fn ids(&self) -> impl Iterator<Item = NameId> + use<> {
         (0..self.names.len() as u32).map(NameId)
     }
 
-    /// All names of one kind.
     pub fn names_of(&self, kind: Kind) -> impl Iterator<Item = NameId> + '_ {
         self.ids().filter(move |&id| self.kind(id) == kind)
     }
@@ -362,7 +330,6 @@ pub struct Broken {
 pub struct Alias {
     /// The names, all of one kind.
     pub names: Vec<Ref>,
-    /// The whole statement.
     pub span: Span,
 }
 
@@ -406,9 +373,7 @@ pub enum LoopKind {
 /// A cycle of `next`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Loop {
-    /// The loops that it stands for.
     pub kind: LoopKind,
-    /// The face.
     pub face: Ref,
     /// Its halfedges and paths, in order; the last ends at the origin of the first. With `each` one
     /// period of them, or in an unrolled rule all of them.
@@ -417,7 +382,6 @@ pub struct Loop {
     pub each: bool,
     /// The vertex written at the end; in a valid drawing, the origin of the first item.
     pub end: Ref,
-    /// The whole statement.
     pub span: Span,
 }
 
@@ -438,23 +402,18 @@ impl Loop {
 pub struct LoopItem {
     /// The vertex it leaves.
     pub from: Ref,
-    /// The halfedge or path.
     pub item: Ref,
 }
 
 /// A pair of `twin`s.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Edge {
-    /// The edge.
     pub edge: Ref,
-    /// Its halfedges.
     pub halfedges: [Ref; 2],
-    /// The whole statement.
     pub span: Span,
 }
 
 impl Edge {
-    /// The names of its halfedges.
     pub(crate) fn halfedge_names(&self) -> [NameId; 2] {
         self.halfedges.map(|half| half.name)
     }
@@ -463,13 +422,11 @@ impl Edge {
 /// A cycle of spokes, counterclockwise.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Star {
-    /// The vertex.
     pub vertex: Ref,
     /// Its spokes; with `each` one period of them, or in an unrolled rule all of them.
     pub spokes: Vec<Spoke>,
     /// True if it is drawn with `each`.
     pub each: bool,
-    /// The whole statement.
     pub span: Span,
 }
 
@@ -487,7 +444,6 @@ impl Star {
 /// A spoke or a run of spokes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Spoke {
-    /// One halfedge.
     Halfedge(Ref),
     /// `*S`, the fan `S`.
     Fan(Ref),
@@ -496,7 +452,6 @@ pub enum Spoke {
 }
 
 impl Spoke {
-    /// The halfedge, if it is one.
     pub fn halfedge(&self) -> Option<NameId> {
         match self {
             Spoke::Halfedge(half) => Some(half.name),
@@ -510,23 +465,18 @@ impl Spoke {
 pub struct Require {
     /// The condition; its names are those of the rule.
     pub condition: Expr,
-    /// The reason for a refusal.
     pub reason: String,
     /// In an unrolled rule, the value of the free index.
     pub index: Option<u32>,
-    /// The whole statement.
     pub span: Span,
 }
 
 /// `v.position = …`
 #[derive(Clone, Debug, PartialEq)]
 pub struct Assignment {
-    /// The element.
     pub target: Ref,
-    /// The attribute.
     pub attribute: super::Access,
     /// The value, of the attribute's type.
     pub value: Expr,
-    /// The whole statement.
     pub span: Span,
 }

@@ -62,12 +62,10 @@ impl Curve {
         }))
     }
 
-    /// Its points.
     pub fn points(&self) -> &[DVec2] {
         &self.points
     }
 
-    /// Its segments.
     pub fn segments(&self) -> impl Iterator<Item = [DVec2; 2]> + '_ {
         self.points.windows(2).map(|pair| [pair[0], pair[1]])
     }
@@ -77,7 +75,6 @@ impl Curve {
         self.segments().any(|a| other.segments().any(|b| cross(a, b)))
     }
 
-    /// Its length.
     pub fn length(&self) -> f64 {
         self.segments().map(|[a, b]| (b - a).length()).sum()
     }

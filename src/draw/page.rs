@@ -9,9 +9,7 @@ use super::svg::escaped;
 /// An operation on a page.
 #[derive(Clone, Debug, Default)]
 pub struct Section {
-    /// Its name.
     pub name: String,
-    /// The lines of its doc comment.
     pub docs: Vec<String>,
     /// Its picture, if its diagrams can be read.
     pub picture: Option<Picture>,

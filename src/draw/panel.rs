@@ -205,7 +205,6 @@ impl<'a> Panel<'a> {
         self.groups[group].write(label, at, ink);
     }
 
-    /// The status of a name.
     pub fn status(&self, name: NameId) -> Status {
         Status::of(&self.figure.drawing, name)
     }
@@ -245,7 +244,6 @@ impl<'a> Panel<'a> {
         self.texts.push(Text { group, name: of, label, spots, ground });
     }
 
-    /// The curve of a dart.
     pub fn along(&self, dart: Dart) -> Curve {
         let curve = &self.curves[dart.strand];
         if dart.forward { curve.clone() } else { curve.reversed() }

@@ -23,7 +23,6 @@ pub(super) enum Step {
 /// A path to fill or to stroke.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Path {
-    /// Its steps.
     pub steps: Vec<Step>,
 }
 
@@ -56,7 +55,6 @@ impl Path {
         }
     }
 
-    /// The path along a curve.
     pub fn along(curve: &Curve) -> Self {
         let mut path = Self::default();
         path.move_to(curve.points()[0]);
@@ -108,7 +106,6 @@ impl Path {
         path.turned(label.rotation())
     }
 
-    /// A circle.
     pub fn circle(center: DVec2, radius: f64) -> Self {
         let mut path = Self::default();
         // Eight parabolas have no visible deviation from a circle.
@@ -203,9 +200,7 @@ impl Ink {
 /// The way a path is drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Paint {
-    /// Filled.
     Fill(Ink),
-    /// Stroked.
     Stroke(Stroke),
 }
 
@@ -310,7 +305,6 @@ impl Group {
 /// A text of a picture, and the box it fills; a slanted text fills several side by side.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TextBox {
-    /// The text.
     pub text: String,
     /// Its upper left corner.
     pub from: [f64; 2],

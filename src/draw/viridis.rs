@@ -59,7 +59,6 @@ impl Range {
         [self.low, self.high]
     }
 
-    /// The colour of a number.
     pub fn colour(self, number: f64) -> [u8; 3] {
         let wide = self.high - self.low;
         viridis(if wide > 0.0 { (number - self.low) / wide } else { 0.5 })

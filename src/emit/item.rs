@@ -46,9 +46,7 @@ pub(super) enum ItemBody {
 /// One alternative of a drawn operation.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Alternative {
-    /// Its name, if it has one.
     pub label: Option<String>,
-    /// Its statements.
     pub body: Vec<Statement>,
 }
 
@@ -99,13 +97,10 @@ pub(super) fn parameters(
 /// The signature of an operation or function.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Signature {
-    /// Its name.
     pub name: String,
     /// Its name in the program.
     pub declared: String,
-    /// The lines of its doc comment.
     pub docs: Vec<String>,
-    /// Its parameters.
     pub params: Vec<Parameter>,
     /// The type of its result; an operation without one returns whether it applied.
     pub result: Option<Type>,

@@ -54,7 +54,6 @@ pub use selection::Selection;
 pub struct NotEmitted {
     /// The part: "a text".
     pub what: String,
-    /// Its place in the source.
     pub span: Span,
     /// The reason, if it is not just that there is no code for it.
     pub why: Option<String>,

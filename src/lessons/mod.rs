@@ -14,12 +14,10 @@ mod judge;
 
 pub use judge::{Rejection, judge, judge_file};
 
-/// A lesson.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Lesson {
     /// Its number and a word, `03_flip`, to name it by.
     pub name: &'static str,
-    /// Its title.
     pub title: &'static str,
     /// The name of the mesh to try it on.
     pub mesh: &'static str,
@@ -101,7 +99,6 @@ impl Lesson {
         })
     }
 
-    /// The number of the lesson.
     pub fn number(&self) -> u32 {
         self.name.split('_').next().and_then(|number| number.parse().ok()).unwrap_or(0)
     }

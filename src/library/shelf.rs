@@ -3,42 +3,41 @@
 /// The prefix of the names of all files of the library.
 pub const FOLDER: &str = "std/";
 
-/// A file of the library.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct LibraryFile {
     /// Its name, as `use` writes it: `std/triangle.hedge`.
     pub name: &'static str,
-    /// Its text.
     pub text: &'static str,
 }
 
-const FILES: &[LibraryFile] = &[
-    LibraryFile { name: "std/triangle.hedge", text: include_str!("std/triangle.hedge") },
-    LibraryFile { name: "std/polygon.hedge", text: include_str!("std/polygon.hedge") },
-    LibraryFile { name: "std/map.hedge", text: include_str!("std/map.hedge") },
-    LibraryFile { name: "std/planar.hedge", text: include_str!("std/planar.hedge") },
-    LibraryFile {
-        name: "std/planar_triangle.hedge",
-        text: include_str!("std/planar_triangle.hedge"),
-    },
-    LibraryFile { name: "std/planar_quad.hedge", text: include_str!("std/planar_quad.hedge") },
-    LibraryFile {
-        name: "std/planar_cleanup.hedge",
-        text: include_str!("std/planar_cleanup.hedge"),
-    },
-    LibraryFile { name: "std/subdivide.hedge", text: include_str!("std/subdivide.hedge") },
-    LibraryFile { name: "std/dual.hedge", text: include_str!("std/dual.hedge") },
-    LibraryFile { name: "std/remesh.hedge", text: include_str!("std/remesh.hedge") },
-    LibraryFile { name: "std/simplify.hedge", text: include_str!("std/simplify.hedge") },
-    LibraryFile { name: "std/triangulate.hedge", text: include_str!("std/triangulate.hedge") },
-    LibraryFile { name: "std/smooth.hedge", text: include_str!("std/smooth.hedge") },
-    LibraryFile { name: "std/random.hedge", text: include_str!("std/random.hedge") },
-    LibraryFile { name: "std/repair.hedge", text: include_str!("std/repair.hedge") },
-    LibraryFile { name: "std/components.hedge", text: include_str!("std/components.hedge") },
-    LibraryFile { name: "std/curvature.hedge", text: include_str!("std/curvature.hedge") },
-    LibraryFile { name: "std/delete.hedge", text: include_str!("std/delete.hedge") },
-    LibraryFile { name: "std/distance.hedge", text: include_str!("std/distance.hedge") },
-    LibraryFile { name: "std/scotty3d.hedge", text: include_str!("std/scotty3d.hedge") },
+/// Files of the library: the names, and the texts beside this file.
+macro_rules! files {
+    ($($name:literal),* $(,)?) => {
+        &[$(LibraryFile { name: $name, text: include_str!($name) }),*]
+    };
+}
+
+const FILES: &[LibraryFile] = files![
+    "std/triangle.hedge",
+    "std/polygon.hedge",
+    "std/map.hedge",
+    "std/planar.hedge",
+    "std/planar_triangle.hedge",
+    "std/planar_quad.hedge",
+    "std/planar_cleanup.hedge",
+    "std/subdivide.hedge",
+    "std/dual.hedge",
+    "std/remesh.hedge",
+    "std/simplify.hedge",
+    "std/triangulate.hedge",
+    "std/smooth.hedge",
+    "std/random.hedge",
+    "std/repair.hedge",
+    "std/components.hedge",
+    "std/curvature.hedge",
+    "std/delete.hedge",
+    "std/distance.hedge",
+    "std/scotty3d.hedge",
 ];
 
 impl LibraryFile {
@@ -50,10 +49,8 @@ impl LibraryFile {
 }
 
 /// The mesh classes for which C++ is emitted: style files.
-const TARGETS: &[LibraryFile] =
-    &[LibraryFile { name: "std/scotty3d.target", text: include_str!("std/scotty3d.target") }];
+const TARGETS: &[LibraryFile] = files!["std/scotty3d.target"];
 
-/// All targets.
 pub fn targets() -> impl Iterator<Item = LibraryFile> {
     TARGETS.iter().copied()
 }

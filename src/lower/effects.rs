@@ -97,7 +97,6 @@ impl AllEffects {
         changed
     }
 
-    /// The effects of a function.
     pub fn function(&self, number: u32) -> Option<&Effects> {
         self.functions.get(number as usize)
     }

@@ -16,7 +16,6 @@ pub struct Guard {
     pub reads: Option<PreviewReads>,
 }
 
-/// A test of a guard.
 #[derive(Clone, Debug)]
 pub struct GuardTest {
     pub question: Question,

@@ -29,7 +29,6 @@ pub(super) struct DiagramParams {
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub(super) struct Diagram {
-    /// Its name.
     name: String,
     /// The picture.
     svg: String,

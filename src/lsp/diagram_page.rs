@@ -21,7 +21,6 @@ const PATIENCE: Duration = Duration::from_secs(5);
 pub(super) struct Shown {
     /// The name of the op.
     pub(super) title: String,
-    /// The verdict.
     pub(super) verdict: String,
     /// The picture.
     pub(super) svg: String,
@@ -34,7 +33,6 @@ struct Current {
     shown: Shown,
 }
 
-/// The page.
 #[derive(Debug)]
 pub(super) struct DiagramPage {
     address: SocketAddr,
@@ -62,7 +60,6 @@ impl DiagramPage {
         Ok(Self { address, current })
     }
 
-    /// The address of the page.
     pub(super) fn address(&self) -> String {
         format!("http://{}/", self.address)
     }

@@ -11,7 +11,6 @@ use lsp_server::{Message, Notification};
 /// A command of `hedgerow` to run.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Subprocess {
-    /// Its arguments.
     pub arguments: Vec<String>,
 }
 

@@ -47,6 +47,39 @@ impl ElementKind {
     }
 }
 
+/// The elements that a loop over the whole mesh visits.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Elements {
+    Vertices,
+    Halfedges,
+    Edges,
+    /// The faces that are not holes.
+    Faces,
+    Holes,
+}
+
+impl Elements {
+    /// All elements of a kind, except holes.
+    pub(crate) fn of(kind: ElementKind) -> Self {
+        match kind {
+            ElementKind::Vertex => Self::Vertices,
+            ElementKind::Halfedge => Self::Halfedges,
+            ElementKind::Edge => Self::Edges,
+            ElementKind::Face => Self::Faces,
+        }
+    }
+
+    /// The kind of the elements.
+    pub fn kind(self) -> ElementKind {
+        match self {
+            Self::Vertices => ElementKind::Vertex,
+            Self::Halfedges => ElementKind::Halfedge,
+            Self::Edges => ElementKind::Edge,
+            Self::Faces | Self::Holes => ElementKind::Face,
+        }
+    }
+}
+
 impl fmt::Display for ElementKind {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.name())

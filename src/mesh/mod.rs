@@ -88,6 +88,8 @@ pub use file::{
 };
 pub use geometry::direction;
 pub use history::History;
+#[doc(hidden)]
+pub use id::Elements;
 pub use id::{EdgeId, Element, ElementKind, FaceId, HalfedgeId, OtherKind, VertexId};
 pub use identical::{identical, identical_but_for_scratch};
 pub use invalid::Invalid;

@@ -10,6 +10,75 @@ use super::connectivity::Mesh;
 use super::id::{EdgeId, ElementKind, FaceId, HalfedgeId, VertexId};
 use super::records::{FaceState, HalfedgeRecord};
 
+/// Defines the readers and the writer of each pointer of a halfedge.
+macro_rules! pointers_of_halfedges {
+    ($($(#[$doc:meta])* $pointer:ident, $get:ident, $set:ident: $id:ty;)*) => {
+        impl Mesh {$(
+            $(#[$doc])*
+            #[inline]
+            pub fn $pointer(&self, h: HalfedgeId) -> $id {
+                self.halfedge(h).$pointer
+            }
+
+            /// The same for any id: `None` if it is out of range or erased.
+            #[inline]
+            pub fn $get(&self, h: HalfedgeId) -> Option<$id> {
+                Some(self.get_halfedge(h)?.$pointer)
+            }
+
+            #[inline]
+            pub fn $set(&mut self, h: HalfedgeId, $pointer: $id) {
+                self.halfedge_mut(h).$pointer = $pointer;
+            }
+        )*}
+    };
+}
+
+pointers_of_halfedges! {
+    next, get_next, set_next: HalfedgeId;
+    prev, get_prev, set_prev: HalfedgeId;
+    twin, get_twin, set_twin: HalfedgeId;
+    /// The origin.
+    vertex, get_vertex, set_vertex: VertexId;
+    edge, get_edge, set_edge: EdgeId;
+    face, get_face, set_face: FaceId;
+}
+
+/// Defines the readers and the writer of the halfedge of a vertex, edge or face, which is in a
+/// column, and which a journal is told of by a method.
+macro_rules! pointers_to_halfedges {
+    ($($(#[$doc:meta])* $first:ident, $get:ident, $set:ident: $id:ty, $column:ident, $note:ident;)*) => {
+        impl Mesh {$(
+            $(#[$doc])*
+            #[inline]
+            pub fn $first(&self, of: $id) -> HalfedgeId {
+                self.$column[of.index()]
+            }
+
+            /// The same for any id: `None` if it is out of range or erased.
+            #[inline]
+            pub fn $get(&self, of: $id) -> Option<HalfedgeId> {
+                self.$column.get(of.index()).copied().filter(|h| *h != HalfedgeId::DEAD)
+            }
+
+            #[inline]
+            pub fn $set(&mut self, of: $id, h: HalfedgeId) {
+                if self.journal.is_open() {
+                    self.$note(of);
+                }
+                self.$column[of.index()] = h;
+            }
+        )*}
+    };
+}
+
+pointers_to_halfedges! {
+    /// A halfedge that starts at the vertex, or `NONE` when it is isolated.
+    vertex_halfedge, get_vertex_halfedge, set_vertex_halfedge: VertexId, vertices, note_vertex;
+    edge_halfedge, get_edge_halfedge, set_edge_halfedge: EdgeId, edges, note_edge;
+    face_halfedge, get_face_halfedge, set_face_halfedge: FaceId, faces, note_face;
+}
+
 /// Readers of ids known to be in range.
 impl Mesh {
     #[inline]
@@ -17,57 +86,10 @@ impl Mesh {
         &self.halfedges[h.index()]
     }
 
-    #[inline]
-    pub fn next(&self, h: HalfedgeId) -> HalfedgeId {
-        self.halfedge(h).next
-    }
-
-    #[inline]
-    pub fn prev(&self, h: HalfedgeId) -> HalfedgeId {
-        self.halfedge(h).prev
-    }
-
-    #[inline]
-    pub fn twin(&self, h: HalfedgeId) -> HalfedgeId {
-        self.halfedge(h).twin
-    }
-
-    /// The origin.
-    #[inline]
-    pub fn vertex(&self, h: HalfedgeId) -> VertexId {
-        self.halfedge(h).vertex
-    }
-
-    #[inline]
-    pub fn edge(&self, h: HalfedgeId) -> EdgeId {
-        self.halfedge(h).edge
-    }
-
-    #[inline]
-    pub fn face(&self, h: HalfedgeId) -> FaceId {
-        self.halfedge(h).face
-    }
-
     /// The vertex where the halfedge ends: the origin of its twin.
     #[inline]
     pub fn target(&self, h: HalfedgeId) -> VertexId {
         self.vertex(self.twin(h))
-    }
-
-    /// A halfedge that starts at `v`, or `NONE` when `v` is isolated.
-    #[inline]
-    pub fn vertex_halfedge(&self, v: VertexId) -> HalfedgeId {
-        self.vertices[v.index()]
-    }
-
-    #[inline]
-    pub fn edge_halfedge(&self, e: EdgeId) -> HalfedgeId {
-        self.edges[e.index()]
-    }
-
-    #[inline]
-    pub fn face_halfedge(&self, f: FaceId) -> HalfedgeId {
-        self.faces[f.index()]
     }
 
     #[inline]
@@ -89,57 +111,8 @@ impl Mesh {
     }
 
     #[inline]
-    pub fn get_next(&self, h: HalfedgeId) -> Option<HalfedgeId> {
-        Some(self.get_halfedge(h)?.next)
-    }
-
-    #[inline]
-    pub fn get_prev(&self, h: HalfedgeId) -> Option<HalfedgeId> {
-        Some(self.get_halfedge(h)?.prev)
-    }
-
-    #[inline]
-    pub fn get_twin(&self, h: HalfedgeId) -> Option<HalfedgeId> {
-        Some(self.get_halfedge(h)?.twin)
-    }
-
-    #[inline]
-    pub fn get_vertex(&self, h: HalfedgeId) -> Option<VertexId> {
-        Some(self.get_halfedge(h)?.vertex)
-    }
-
-    #[inline]
-    pub fn get_edge(&self, h: HalfedgeId) -> Option<EdgeId> {
-        Some(self.get_halfedge(h)?.edge)
-    }
-
-    #[inline]
-    pub fn get_face(&self, h: HalfedgeId) -> Option<FaceId> {
-        Some(self.get_halfedge(h)?.face)
-    }
-
-    #[inline]
     pub fn get_target(&self, h: HalfedgeId) -> Option<VertexId> {
         self.get_vertex(self.get_twin(h)?)
-    }
-
-    /// `Some(NONE)` for an isolated vertex.
-    #[inline]
-    pub fn get_vertex_halfedge(&self, v: VertexId) -> Option<HalfedgeId> {
-        let h = *self.vertices.get(v.index())?;
-        (h != HalfedgeId::DEAD).then_some(h)
-    }
-
-    #[inline]
-    pub fn get_edge_halfedge(&self, e: EdgeId) -> Option<HalfedgeId> {
-        let h = *self.edges.get(e.index())?;
-        (h != HalfedgeId::DEAD).then_some(h)
-    }
-
-    #[inline]
-    pub fn get_face_halfedge(&self, f: FaceId) -> Option<HalfedgeId> {
-        let h = *self.faces.get(f.index())?;
-        (h != HalfedgeId::DEAD).then_some(h)
     }
 
     #[inline]
@@ -162,60 +135,6 @@ impl Mesh {
             self.note_halfedge(h);
         }
         &mut self.halfedges[h.index()]
-    }
-
-    #[inline]
-    pub fn set_next(&mut self, h: HalfedgeId, next: HalfedgeId) {
-        self.halfedge_mut(h).next = next;
-    }
-
-    #[inline]
-    pub fn set_prev(&mut self, h: HalfedgeId, prev: HalfedgeId) {
-        self.halfedge_mut(h).prev = prev;
-    }
-
-    #[inline]
-    pub fn set_twin(&mut self, h: HalfedgeId, twin: HalfedgeId) {
-        self.halfedge_mut(h).twin = twin;
-    }
-
-    #[inline]
-    pub fn set_vertex(&mut self, h: HalfedgeId, origin: VertexId) {
-        self.halfedge_mut(h).vertex = origin;
-    }
-
-    #[inline]
-    pub fn set_edge(&mut self, h: HalfedgeId, edge: EdgeId) {
-        self.halfedge_mut(h).edge = edge;
-    }
-
-    #[inline]
-    pub fn set_face(&mut self, h: HalfedgeId, face: FaceId) {
-        self.halfedge_mut(h).face = face;
-    }
-
-    #[inline]
-    pub fn set_vertex_halfedge(&mut self, v: VertexId, h: HalfedgeId) {
-        if self.journal.is_open() {
-            self.note_vertex(v);
-        }
-        self.vertices[v.index()] = h;
-    }
-
-    #[inline]
-    pub fn set_edge_halfedge(&mut self, e: EdgeId, h: HalfedgeId) {
-        if self.journal.is_open() {
-            self.note_edge(e);
-        }
-        self.edges[e.index()] = h;
-    }
-
-    #[inline]
-    pub fn set_face_halfedge(&mut self, f: FaceId, h: HalfedgeId) {
-        if self.journal.is_open() {
-            self.note_face(f);
-        }
-        self.faces[f.index()] = h;
     }
 
     /// Turns a living face into a hole, or a hole into a face.

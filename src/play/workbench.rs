@@ -436,7 +436,6 @@ fn argument(value: &Value, ty: &str) -> Option<Argument> {
     })
 }
 
-/// The mesh of a name.
 fn named_shape(name: &str) -> Option<Mesh> {
     Some(match name {
         "tetrahedron" => shape::tetrahedron(),

@@ -11,5 +11,5 @@ pub(super) const CONSTRUCTORS: [Type; 5] =
 
 /// The names of all functions except the aggregates.
 pub(super) fn function_names() -> impl Iterator<Item = &'static str> {
-    functions().map(|(known, _)| known).chain(CONSTRUCTORS.map(Type::word)).chain([SHUFFLE])
+    functions().chain(CONSTRUCTORS.map(Type::word)).chain([SHUFFLE])
 }

@@ -47,7 +47,6 @@ pub(super) struct Named {
 pub(super) enum What {
     /// An operation.
     Op,
-    /// A function.
     Function,
     /// A script. Scripts are numbered after the functions.
     Script,

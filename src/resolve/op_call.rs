@@ -18,7 +18,6 @@ pub(super) struct Applied {
     args: Vec<Expr>,
     /// The name of the op.
     name: String,
-    /// Its result type.
     pub(super) result: Type,
     span: Span,
 }

@@ -46,25 +46,24 @@ impl Program {
         ops.iter().map(name).collect()
     }
 
-    /// The variables and the statements of all functions, ops in steps, scripts and tests.
-    fn bodies(&self) -> impl Iterator<Item = (&Vec<Variable>, &Block)> {
+    /// The bodies of all functions, ops in steps, scripts and tests.
+    fn bodies(&self) -> impl Iterator<Item = &Body> {
         let functions = self.functions.iter().filter_map(|of| of.body.as_ref());
         let steps = self.ops.iter().filter_map(|op| Some(&op.steps.as_ref()?.body));
-        let bodies = functions.chain(steps).map(|body| (&body.variables, &body.block));
         let tests = self.tests.iter().map(|test| &test.script);
-        let scripts = self.scripts.iter().chain(tests);
-        bodies.chain(scripts.map(|script| (&script.variables, &script.body)))
+        let scripts = self.scripts.iter().chain(tests).map(|script| &script.body);
+        functions.chain(steps).chain(scripts)
     }
 
     /// The variables, parameters included, of all functions, ops in steps, scripts and tests.
     pub fn variables(&self) -> impl Iterator<Item = &Variable> {
-        self.bodies().flat_map(|(variables, _)| variables)
+        self.bodies().flat_map(|body| &body.variables)
     }
 
     /// All statements of functions, ops in steps, scripts and tests, those inside others, too.
     pub fn statements(&self) -> Vec<&Statement> {
         let mut all = Vec::new();
-        for statement in self.bodies().flat_map(|(_, block)| block) {
+        for statement in self.bodies().flat_map(|body| &body.block) {
             statement.each(&mut |inner| all.push(inner));
         }
         all
@@ -74,7 +73,6 @@ impl Program {
 /// An operation, possibly only partly resolved.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Op {
-    /// Its name.
     pub name: String,
     /// The span of its name.
     pub span: Span,
@@ -100,7 +98,6 @@ pub struct Op {
 /// An op that calls other ops as one transaction: all or nothing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Steps {
-    /// Its doc comment.
     pub docs: Vec<String>,
     /// The conditions that are tested first, in order.
     pub requires: Vec<diagram::Require>,
@@ -115,11 +112,9 @@ pub struct Steps {
 /// A function, possibly only partly resolved.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Function {
-    /// Its name.
     pub name: String,
     /// The span of its name.
     pub span: Span,
-    /// Its doc comment.
     pub docs: Vec<String>,
     /// Its parameters: variables 0, 1, … of the function.
     pub params: Vec<Param>,
@@ -129,7 +124,7 @@ pub struct Function {
     pub body: Option<Body>,
 }
 
-/// The body of a function.
+/// The body of a function, script or op in steps.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Body {
     /// All its variables, parameters first.
@@ -138,24 +133,17 @@ pub struct Body {
     pub block: Block,
 }
 
-/// A script.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Script {
-    /// Its name.
     pub name: String,
     /// The span of its name.
     pub span: Span,
-    /// Its doc comment.
     pub docs: Vec<String>,
     /// Its parameters: variables 0, 1, … of the script.
     pub params: Vec<Param>,
-    /// All its variables, parameters first.
-    pub variables: Vec<Variable>,
-    /// Its statements.
-    pub body: Block,
+    pub body: Body,
 }
 
-/// A test.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Test {
     /// The mesh that it starts with.
@@ -166,7 +154,6 @@ pub struct Test {
     pub script: Script,
 }
 
-/// A mesh of a test.
 #[derive(Clone, Debug, PartialEq)]
 pub enum TestMesh {
     /// An empty mesh: nothing has been kept there yet.
@@ -180,9 +167,7 @@ pub enum TestMesh {
 /// A variable of a script.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Variable {
-    /// Its name.
     pub name: String,
-    /// Its type.
     pub ty: Type,
     /// The place of its declaration.
     pub span: Span,
@@ -191,12 +176,9 @@ pub struct Variable {
 /// Statements in order.
 pub type Block = Vec<Statement>;
 
-/// A statement.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Statement {
-    /// Its kind.
     pub kind: StatementKind,
-    /// Its place in the source.
     pub span: Span,
 }
 
@@ -273,8 +255,6 @@ pub enum Visit {
 /// A piece of the output of `print`; pieces are printed one after the other.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Print {
-    /// A text.
     Text(String),
-    /// A value.
     Value(Expr, Digits),
 }

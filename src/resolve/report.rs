@@ -74,7 +74,6 @@ impl Report {
         self.failed
     }
 
-    /// The diagnostics.
     pub(super) fn into_diagnostics(self) -> Vec<Diagnostic> {
         self.diagnostics
     }

@@ -11,7 +11,6 @@ use super::program::Variable;
 /// A variable, visible or not.
 #[derive(Clone, Debug)]
 pub(super) struct Local {
-    /// Its name.
     pub(super) name: String,
     /// The place of its declaration.
     pub(super) span: Span,
@@ -31,7 +30,6 @@ pub(super) enum Binding {
     },
     /// `let`, with the span of the keyword.
     Let(Span),
-    /// A parameter.
     Parameter,
     /// The variable of a loop, an aggregate or an `if let`.
     Head,

@@ -13,7 +13,7 @@ use super::declared::Declared;
 use super::depth::shallow_block;
 use super::effects::effects_of;
 use super::parameter::{Owner, parameters};
-use super::program::{Block, Script, Statement, StatementKind, Visit};
+use super::program::{Block, Body, Script, Statement, StatementKind, Visit};
 use super::report::Report;
 use super::return_value::Returns;
 use super::signature::{Effects, Parameter, Signature};
@@ -63,7 +63,7 @@ pub(super) fn resolve_script(
         return None;
     }
     let mut scripting = Scripting::beginning(&params, ops, declared, report);
-    let body = scripting.block(&script.body);
+    let block = scripting.block(&script.body);
     let scopes = scripting.typing.scopes;
     declared.meet_variables(&scopes);
     if report.failed() {
@@ -74,8 +74,7 @@ pub(super) fn resolve_script(
         span: script.name.span,
         docs: script.docs.clone(),
         params: params.iter().map(Parameter::param).collect(),
-        variables: scopes.into_variables()?,
-        body,
+        body: Body { variables: scopes.into_variables()?, block },
     })
 }
 

@@ -1,7 +1,7 @@
 //! Sequences of elements, and the aggregates over them.
 
 use crate::diagnostic::{Diagnostic, Edit, Fix, quoted};
-use crate::diagram::{Collection, Expr, ExprKind, Fold, FoldFunction, Type};
+use crate::diagram::{Around, Collection, Elements, Expr, ExprKind, Fold, FoldFunction, Type};
 use crate::source::Span;
 use crate::syntax::tree::{self, Ident};
 
@@ -28,21 +28,21 @@ fn counts_each(body: &tree::Expr, variable: &Ident) -> bool {
 
 /// The sequence of this name around an element.
 fn around(base: Expr, word: &str) -> Result<Collection, Expr> {
-    let make = match (base.ty, word) {
-        (Type::Vertex, "halfedges") => Collection::VertexHalfedges,
-        (Type::Vertex, "edges") => Collection::VertexEdges,
-        (Type::Vertex, "faces") => Collection::VertexFaces,
-        (Type::Vertex, "neighbors") => Collection::VertexNeighbors,
-        (Type::Face, "halfedges") => Collection::FaceHalfedges,
-        (Type::Face, "vertices") => Collection::FaceVertices,
-        (Type::Face, "edges") => Collection::FaceEdges,
-        (Type::Face, "ears") => Collection::FaceEars,
-        (Type::Face, "patch") => Collection::FacePatch,
-        (Type::Edge, "vertices") => Collection::EdgeVertices,
-        (Type::Edge, "faces") => Collection::EdgeFaces,
+    let around = match (base.ty, word) {
+        (Type::Vertex, "halfedges") => Around::VertexHalfedges,
+        (Type::Vertex, "edges") => Around::VertexEdges,
+        (Type::Vertex, "faces") => Around::VertexFaces,
+        (Type::Vertex, "neighbors") => Around::VertexNeighbors,
+        (Type::Face, "halfedges") => Around::FaceHalfedges,
+        (Type::Face, "vertices") => Around::FaceVertices,
+        (Type::Face, "edges") => Around::FaceEdges,
+        (Type::Face, "ears") => Around::FaceEars,
+        (Type::Face, "patch") => Around::FacePatch,
+        (Type::Edge, "vertices") => Around::EdgeVertices,
+        (Type::Edge, "faces") => Around::EdgeFaces,
         _ => return Err(base),
     };
-    Ok(make(base))
+    Ok(Collection::Around(around, base))
 }
 
 /// True if an expression names a sequence of the whole mesh or around an element.
@@ -66,7 +66,7 @@ impl Typing<'_> {
                 let word = name.ident.text.as_str();
                 let found = WHOLE_MESH.into_iter().find(|(known, _)| *known == word);
                 match found {
-                    Some((_, collection)) => self.whole_mesh(word, collection, expr.span),
+                    Some((_, of)) => self.whole_mesh(word, of, expr.span),
                     None => self.no_sequence(expr),
                 }
             }
@@ -88,9 +88,9 @@ impl Typing<'_> {
     }
 
     /// All elements of one kind; allowed in scripts only.
-    fn whole_mesh(&mut self, word: &str, collection: Collection, span: Span) -> Option<Collection> {
+    fn whole_mesh(&mut self, word: &str, of: Elements, span: Span) -> Option<Collection> {
         let message = match self.place {
-            Place::Script => return Some(collection),
+            Place::Script => return Some(Collection::All(of)),
             Place::Rule(_) => format!(
                 "an op cannot look at all `{word}` of the mesh, only at what is near its \
                  parameters"

@@ -1,14 +1,14 @@
 //! The names of sequences of elements and of the aggregates over them.
 
-use crate::diagram::{Collection, FoldFunction, Type};
+use crate::diagram::{Elements, FoldFunction, Type};
 
 /// The sequences of the whole mesh.
-pub(super) const WHOLE_MESH: [(&str, Collection); 5] = [
-    ("vertices", Collection::Vertices),
-    ("halfedges", Collection::Halfedges),
-    ("edges", Collection::Edges),
-    ("faces", Collection::Faces),
-    ("holes", Collection::Holes),
+pub(super) const WHOLE_MESH: [(&str, Elements); 5] = [
+    ("vertices", Elements::Vertices),
+    ("halfedges", Elements::Halfedges),
+    ("edges", Elements::Edges),
+    ("faces", Elements::Faces),
+    ("holes", Elements::Holes),
 ];
 
 pub(super) const FOLDS: [(&str, FoldFunction); 9] = [

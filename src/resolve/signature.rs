@@ -8,11 +8,9 @@ use super::program;
 /// A parameter, as far as it could be resolved.
 #[derive(Clone, Debug)]
 pub(super) struct Parameter {
-    /// Its name.
     pub(super) name: String,
     /// The span of its name.
     pub(super) span: Span,
-    /// Its type, if it is valid.
     pub(super) ty: Option<Type>,
     /// True if a call may leave it out.
     pub(super) optional: bool,
@@ -36,11 +34,8 @@ impl Parameter {
 /// The signature of an op, for its calls.
 #[derive(Clone, Debug)]
 pub(super) struct Signature {
-    /// Its name.
     pub(super) name: String,
-    /// Its parameters.
     pub(super) params: Vec<Parameter>,
-    /// Its result.
     pub(super) result: Value,
 }
 
@@ -64,24 +59,19 @@ impl Signature {
 /// The signature of a function, for its calls.
 #[derive(Clone, Debug)]
 pub(super) struct FunctionSignature {
-    /// Its name.
     pub(super) name: String,
     /// The span of its name.
     pub(super) span: Span,
-    /// Its parameters.
     pub(super) params: Vec<Parameter>,
     /// The type of its value.
     pub(super) result: Value,
-    /// Its side effects.
     pub(super) effects: Effects,
 }
 
 /// The result type of a function or an op.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Value {
-    /// Nothing.
     Nothing,
-    /// A value.
     Of(Type),
     /// To be determined by the body of the function.
     Open,

@@ -16,7 +16,7 @@ use crate::syntax::tree::{self, Action, ActionKind, BinaryOp, ExprKind, Ident};
 use super::declared::{Declared, duplicate};
 use super::depth::shallow_block;
 use super::foreign_words::Here;
-use super::program::{Script, StatementKind, Test, TestMesh};
+use super::program::{Body, Script, StatementKind, Test, TestMesh};
 use super::report::Report;
 use super::script::Scripting;
 use super::signature::Signature;
@@ -93,8 +93,7 @@ pub(super) fn resolve_test(
             span,
             docs: Vec::new(),
             params: Vec::new(),
-            variables: scopes.into_variables()?,
-            body,
+            body: Body { variables: scopes.into_variables()?, block: body },
         },
     })
 }

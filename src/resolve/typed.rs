@@ -3,7 +3,6 @@
 use crate::diagram::{Expr, ExprKind, Type, Unary};
 use crate::source::Span;
 
-/// A typed expression.
 pub(super) fn typed(ty: Type, kind: ExprKind, span: Span) -> Expr {
     Expr { ty, kind, span }
 }

@@ -14,7 +14,6 @@ pub fn qualifier(file: &str) -> &str {
 pub struct Unit<'t> {
     /// The qualifier of the names that it declares.
     pub qualifier: &'t str,
-    /// Its tree.
     pub tree: &'t tree::File,
     /// The files it uses, by their indices among the units.
     pub uses: Vec<usize>,

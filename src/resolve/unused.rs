@@ -14,7 +14,6 @@ use super::report::Report;
 
 /// Names in `new` that occur nowhere else, and the side that lists them.
 pub(super) struct Unused<'a> {
-    /// The names.
     pub(super) listed: Vec<&'a tree::Name>,
     /// The other names in `new`.
     pub(super) created: &'a [Ref],

@@ -4,7 +4,6 @@ use super::program::{Block, Print, Statement, StatementKind};
 use crate::diagram::Expr;
 
 impl Statement {
-    /// The blocks of a statement.
     pub fn blocks(&self) -> impl Iterator<Item = &Block> {
         let (one, other) = match &self.kind {
             StatementKind::Repeat { body, .. }

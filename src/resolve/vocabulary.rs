@@ -22,7 +22,6 @@ pub struct Signature {
 /// A word after a dot.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FieldWord {
-    /// The word.
     pub name: &'static str,
     /// Its type; `None` if it is a sequence.
     pub ty: Option<Type>,

@@ -181,7 +181,6 @@ pub(super) fn place(mesh: &Mesh, id: u32, position: DVec3) -> Result<(VertexId, 
     if position.is_finite() { Ok((v, position)) } else { Err(Fault::NotFinite) }
 }
 
-/// Adds an element.
 #[inline]
 fn add(mesh: &mut Mesh, kind: ElementKind) -> Result<u32, Fault> {
     if mesh.capacity(kind) >= u32::MAX as usize - 1 && !room_for_one(mesh, kind) {

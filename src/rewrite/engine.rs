@@ -20,7 +20,6 @@ pub enum Engine {
 pub(super) enum Way {
     /// A script, which leaves its registers in its window.
     Script,
-    /// A function.
     Function,
     /// An operation, all or nothing.
     Whole,

@@ -57,6 +57,7 @@ pub mod vectors;
 mod trap;
 mod watch;
 
+pub use crate::mesh::Elements;
 pub use asked::Asked;
 pub use assembler::{Assembler, Mark, TooLarge};
 pub use bounded::Bounded;
@@ -68,7 +69,7 @@ pub use inst::Inst;
 pub use key_paths::drains;
 pub use machine::{Count, Machine, NamedElements};
 pub use native::Native;
-pub use operand::{ElementField, Elements, HalfedgeField, Math, Room, Span, Triangles, Walk};
+pub use operand::{ElementField, HalfedgeField, Math, Room, Span, Triangles, Walk};
 pub use part::{Part, Task, Turns};
 pub use paths::Unbounded;
 pub use plan::{Cell, Holder, Matched, Phase, Plan, Plans, Refusal, Row, Stage};

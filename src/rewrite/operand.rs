@@ -1,7 +1,5 @@
 //! Operands of instructions: pointers, walks, kinds of elements, functions.
 
-use crate::mesh::ElementKind;
-
 /// A pointer of a halfedge, in the order of the fields of its record.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum HalfedgeField {
@@ -53,39 +51,6 @@ pub enum Walk {
     Loop,
     /// Around a vertex, counterclockwise: `h.prev.twin`.
     Star,
-}
-
-/// The elements that a loop over the whole mesh visits.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Elements {
-    Vertices,
-    Halfedges,
-    Edges,
-    /// The faces that are not holes.
-    Faces,
-    Holes,
-}
-
-impl Elements {
-    /// All elements of a kind, except holes.
-    pub(crate) fn of(kind: ElementKind) -> Self {
-        match kind {
-            ElementKind::Vertex => Elements::Vertices,
-            ElementKind::Halfedge => Elements::Halfedges,
-            ElementKind::Edge => Elements::Edges,
-            ElementKind::Face => Elements::Faces,
-        }
-    }
-
-    /// The kind of the elements.
-    pub fn kind(self) -> ElementKind {
-        match self {
-            Elements::Vertices => ElementKind::Vertex,
-            Elements::Halfedges => ElementKind::Halfedge,
-            Elements::Edges => ElementKind::Edge,
-            Elements::Faces | Elements::Holes => ElementKind::Face,
-        }
-    }
 }
 
 /// The way in which a face is triangulated.

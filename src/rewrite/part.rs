@@ -18,7 +18,6 @@ use super::{Assembler, Code, Elements, Function, Inst, Label, Reg, Traps};
 /// A loop of a code, on its own, over the elements in a range of slots.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Part {
-    /// The elements.
     pub of: Elements,
     /// The number of loops around it.
     pub depth: u16,

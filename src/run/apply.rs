@@ -10,8 +10,9 @@ use super::steps::with_steps;
 use super::{Argument, Prepared, prepare};
 use crate::compile::width;
 use crate::diagnostic::Diagnostic;
+use crate::diagram::Param;
 use crate::mesh::{ElementKind, Level, Mesh, Value, validate_level};
-use crate::resolve::{Program, Script, Variable};
+use crate::resolve::{Body, Program, Script, Variable};
 use crate::rewrite::{
     Bounded, Engine, Machine, Message, Outcome, Plan, Plans, Site, Trap, Unwatched, Watch,
 };
@@ -159,7 +160,6 @@ impl Application {
         made.clone()
     }
 
-    /// Its plan.
     pub fn plan(&self) -> &Plan {
         self.plans[self.op].as_ref().expect("only a proved operation is applied")
     }
@@ -249,17 +249,14 @@ pub(crate) const UNKNOWN_REASON: &str = "the diagram does not match here";
 /// A program whose only script has the parameters of an operation, and does nothing: running it
 /// leaves their values in the window.
 fn parameters_alone(program: &Program, op: usize) -> Program {
+    let variable =
+        |param: &Param| Variable { name: param.name.clone(), ty: param.ty, span: param.span };
     let scripts = program.ops.get(op).map(|op| Script {
         name: op.name.clone(),
         span: op.span,
         docs: Vec::new(),
         params: op.params.clone(),
-        variables: op
-            .params
-            .iter()
-            .map(|param| Variable { name: param.name.clone(), ty: param.ty, span: param.span })
-            .collect(),
-        body: Vec::new(),
+        body: Body { variables: op.params.iter().map(variable).collect(), block: Vec::new() },
     });
     Program {
         attributes: Arc::clone(&program.attributes),

@@ -6,7 +6,6 @@ use crate::diagram::Expr;
 use crate::rewrite::{Inst, Reg};
 use crate::source::Span;
 
-/// A call of a function.
 pub(super) struct FunctionCall<'e> {
     pub(super) function: u32,
     pub(super) args: &'e [Expr],

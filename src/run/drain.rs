@@ -14,7 +14,7 @@ use std::collections::BTreeSet;
 use super::live::{Exits, calls};
 use super::lower::{Loop, Lowering};
 use super::visit::kind;
-use crate::compile::{Scope, elements, width};
+use crate::compile::{Scope, width};
 use crate::diagram::{Expr, ExprKind, Unary};
 use crate::lower::Variables;
 use crate::resolve::{Statement, StatementKind};
@@ -30,7 +30,7 @@ impl Lowering<'_> {
         };
         let span = statement.span;
         let of = kind(collection);
-        let members = elements(collection).is_none().then(|| self.asm.buffer());
+        let members = collection.all().is_none().then(|| self.asm.buffer());
         if let Some(buffer) = members {
             self.list(collection, buffer, span);
         }

@@ -6,13 +6,12 @@
 
 use std::sync::Arc;
 
-use super::live::Exits;
 use super::lower::{Lowering, Routine};
 use crate::compile::width;
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Expr, ExprKind, Type};
 use crate::lower::Effects;
-use crate::resolve::{self, Program, Script, Statement, StatementKind, Variable};
+use crate::resolve::{self, Body, Program, Script, Statement, StatementKind, Variable};
 use crate::rewrite::{self, Code};
 use crate::source::Span;
 
@@ -130,11 +129,11 @@ impl Functions {
 /// itself or through others.
 fn calls_ops(program: &Program) -> Arc<[bool]> {
     let functions = program.functions.iter();
-    let effects = functions.map(|function| function.body.as_ref().map(|body| &body.block[..]));
+    let bodies = functions.map(|function| function.body.as_ref());
     let scripts = program.called_scripts.iter();
-    let scripts = scripts.map(|(_, _, at)| Some(&program.scripts.get((*at)?)?.body[..]));
-    let effects = effects.chain(scripts);
-    let effects: Vec<_> = effects.map(|block| block.map(Effects::of_block)).collect();
+    let scripts = scripts.map(|(_, _, at)| Some(&program.scripts.get((*at)?)?.body));
+    let effects = bodies.chain(scripts).map(|body| Some(Effects::of_block(&body?.block)));
+    let effects: Vec<_> = effects.collect();
     let calls = |effects: &Option<Effects>, known: &[bool]| {
         effects.as_ref().is_none_or(|effects| effects.calls_ops(known))
     };
@@ -173,8 +172,10 @@ pub(super) fn calling(function: &resolve::Function, number: usize) -> Script {
         span,
         docs: function.docs.clone(),
         params: function.params.clone(),
-        variables: params.chain(value).map(variable).collect(),
-        body: vec![Statement { kind, span }],
+        body: Body {
+            variables: params.chain(value).map(variable).collect(),
+            block: vec![Statement { kind, span }],
+        },
     }
 }
 
@@ -198,14 +199,10 @@ fn lowered_function<'p>(function: &'p resolve::Function) -> Beginning<'p> {
         span: function.span,
         params: params.fold(0, u16::saturating_add),
         lower: function.body.as_ref().map(|body| {
-            let routine = Routine {
-                params: &function.params,
-                variables: &body.variables,
-                block: &body.block,
-            };
+            let routine = Routine { params: &function.params, body };
             let lower: Lower<'p> = Box::new(move |known: Known<'_>| {
                 let mut lowering = Lowering::of_function(routine, known);
-                lowering.block(&body.block, Some(&Exits::default()));
+                lowering.body(routine);
                 lowering.end();
                 lowering
             });
@@ -237,5 +234,5 @@ pub(super) fn with_functions(code: Code, functions: &Functions) -> Code {
 
 /// A script as a routine.
 pub(super) fn routine(script: &Script) -> Routine<'_> {
-    Routine { params: &script.params, variables: &script.variables, block: &script.body }
+    Routine { params: &script.params, body: &script.body }
 }

@@ -8,7 +8,7 @@ use super::live::{Exits, Liveness, calls};
 use crate::compile::{Scope, copy, lower, lower_into, narrow, width};
 use crate::diagram::{Access, Expr, ExprKind, NameId, Param, Type, Unary};
 use crate::lower::{Effects, Variables};
-use crate::resolve::{Statement, StatementKind, Variable};
+use crate::resolve::{Body, Statement, StatementKind};
 use crate::rewrite::{Assembler, Inst, Label, Phase, Refusal, Reg};
 use crate::source::Span;
 
@@ -52,13 +52,11 @@ enum Ending {
     Steps,
 }
 
-/// A list of statements with its variables.
+/// A body with its parameters.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Routine<'p> {
     pub(super) params: &'p [Param],
-    /// All variables, the parameters first.
-    pub(super) variables: &'p [Variable],
-    pub(super) block: &'p [Statement],
+    pub(super) body: &'p Body,
 }
 
 /// The labels of a loop: the start of the next turn, and the end.
@@ -105,7 +103,7 @@ impl<'p> Lowering<'p> {
     /// Begins the code of a script: the registers are the parameters, then for each of them whether
     /// it is given, then the other variables.
     pub(super) fn of_script(routine: Routine<'p>, known: Known<'_>) -> Self {
-        let mut effects = Effects::of_block(routine.block);
+        let mut effects = Effects::of_block(&routine.body.block);
         let defaults = routine.params.iter().filter_map(|param| param.default.as_ref());
         defaults.for_each(|default| effects.see(default));
         let mut lowering = Self::with_parameters(routine, effects, known);
@@ -130,7 +128,7 @@ impl<'p> Lowering<'p> {
 
     /// Begins the code of a function: the registers are the parameters, then the other variables.
     pub(super) fn of_function(routine: Routine<'p>, known: Known<'_>) -> Self {
-        let effects = Effects::of_block(routine.block);
+        let effects = Effects::of_block(&routine.body.block);
         Self { ending: Ending::Function, ..Self::of_steps(routine, effects, known) }
     }
 
@@ -161,12 +159,12 @@ impl<'p> Lowering<'p> {
         let mut asm = Assembler::knowing(known.texts);
         let mut lowering = Self {
             params: routine.params.len(),
-            variables: Variables::of(routine.block),
+            variables: Variables::of(&routine.body.block),
             refusals: Vec::new(),
             refuses: asm.label(),
             asm,
             names: Names::default(),
-            liveness: Liveness { variables: routine.variables },
+            liveness: Liveness { variables: &routine.body.variables },
             loops: Vec::new(),
             drains: 0,
             held: None,
@@ -182,7 +180,7 @@ impl<'p> Lowering<'p> {
     }
 
     fn other_variables(&mut self, routine: Routine<'p>) {
-        let others = routine.variables.iter().skip(routine.params.len());
+        let others = routine.body.variables.iter().skip(routine.params.len());
         self.names.registers.extend(others.map(|other| self.asm.block(width(other.ty))));
     }
 
@@ -193,7 +191,7 @@ impl<'p> Lowering<'p> {
 
     /// Lowers the whole script.
     pub(super) fn body(&mut self, routine: Routine<'p>) {
-        self.block(routine.block, Some(&Exits::default()));
+        self.block(&routine.body.block, Some(&Exits::default()));
     }
 
     /// Lowers a block. `exits` is `None` inside a loop over elements, where no id may be reused.

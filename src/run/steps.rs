@@ -7,7 +7,6 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use super::function::Functions;
-use super::live::Exits;
 use super::lower::{Lowering, Routine};
 use crate::compile::width;
 use crate::diagnostic::Diagnostic;
@@ -202,8 +201,7 @@ fn plan(
     if functions.first_missing(&functions.reached(&called)).is_some() {
         return Ok(None);
     }
-    let routine =
-        Routine { params: &op.params, variables: &steps.body.variables, block: &steps.body.block };
+    let routine = Routine { params: &op.params, body: &steps.body };
     let mut lowering = Lowering::of_steps(routine, effects, functions.known());
     for require in &steps.requires {
         let mark = lowering.asm.mark();
@@ -211,7 +209,7 @@ fn plan(
         lowering.require(condition, &require.reason);
         lowering.asm.release(mark);
     }
-    lowering.block(&steps.body.block, Some(&Exits::default()));
+    lowering.body(routine);
     lowering.end_of_steps();
     let mut refusals = lowering.refusals;
     let number = |place: usize| u16::try_from(place).map_err(|_| TooLarge);

@@ -2,7 +2,7 @@
 
 use super::live::Exits;
 use super::lower::{Loop, Lowering};
-use crate::compile::{Orbit, Scope, each, elements, lower};
+use crate::compile::{Orbit, Scope, each, lower};
 use crate::diagram::{Collection, Expr};
 use crate::lower::Effects;
 use crate::resolve::{Statement, StatementKind, Visit};
@@ -71,7 +71,8 @@ impl Lowering<'_> {
         let span = statement.span;
         if *visit == Visit::InOrder
             && !parallel
-            && let (Some(orbit), Some(base)) = (Orbit::of(collection), collection.base())
+            && let Collection::Around(around, base) = collection
+            && let Some(orbit) = Orbit::of(*around)
             && let effects = Effects::of_block(std::slice::from_ref(statement))
             && !effects.calls_ops(&self.calls_ops)
         {
@@ -96,7 +97,7 @@ impl Lowering<'_> {
         }
         let [again, first, end] = [(); 3].map(|()| self.asm.label());
         let (index, total) = (self.asm.reg(), self.asm.reg());
-        if let (Some(of), Some(held)) = (elements(collection), self.held)
+        if let (Some(of), Some(held)) = (collection.all(), self.held)
             && self.variables.stay_within(body, self.params)
         {
             let one = self.asm.constant_int(1);
@@ -164,7 +165,7 @@ impl Lowering<'_> {
         let element = self.names.local(variable);
         let random = (visit == Visit::Shuffled).then(|| self.listed(collection, visit, span));
         let mark = self.asm.mark();
-        let turns = match (random, elements(collection)) {
+        let turns = match (random, collection.all()) {
             (None, Some(of)) => self.asm.spread_values(of, element, Task::Filter),
             _ => None,
         };
@@ -211,7 +212,7 @@ impl Lowering<'_> {
     /// Lists the elements of a collection in a buffer.
     pub(super) fn list(&mut self, collection: &Collection, buffer: u16, span: Span) {
         self.asm.emit(Inst::BufferClear { buffer });
-        if let Some(of) = elements(collection) {
+        if let Some(of) = collection.all() {
             return self.asm.emit(Inst::BufferLiving { of, buffer });
         }
         let mark = self.asm.mark();
@@ -247,8 +248,6 @@ fn has_loop(statement: &Statement) -> bool {
 
 /// The elements among which those of a collection must still be when their turn comes.
 pub(super) fn kind(collection: &Collection) -> Elements {
-    match collection {
-        Collection::Holes => Elements::Holes,
-        _ => collection.element().element_kind().map_or(Elements::Faces, Elements::of),
-    }
+    let around = || collection.element().element_kind().map_or(Elements::Faces, Elements::of);
+    collection.all().unwrap_or_else(around)
 }

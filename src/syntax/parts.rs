@@ -10,7 +10,6 @@ use super::tree::{Action, ActionKind, Block, Expr, ExprKind, Shown};
 pub enum Part<'t> {
     /// A value.
     Expr(&'t Expr),
-    /// A block.
     Block(&'t Block),
 }
 

@@ -15,9 +15,7 @@ use std::fmt;
 /// A token and its place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Token {
-    /// Its kind.
     pub kind: TokenKind,
-    /// Its place in the source.
     pub span: Span,
 }
 
@@ -27,7 +25,6 @@ macro_rules! token_kinds {
         keywords { $($word:literal $keyword:ident)* }
         marks { $($mark:literal $name:ident)* }
     ) => {
-        /// The kind of a token.
         #[derive(Logos, Clone, Copy, Debug, PartialEq, Eq, Hash)]
         #[logos(skip r"[ \t\r\n\x0C\u{FEFF}]+")]
         #[repr(u8)]

@@ -66,7 +66,7 @@ fn what_a_meaning_quotes_can_be_read() {
         ("op t(e: edge) { before { } ", " after { } }"),
     ];
     let (mut count, mut unread) = (0, Vec::new());
-    for (word, meaning) in MEANINGS {
+    for (word, meaning) in MEANINGS.iter() {
         for quoted in meaning.split('`').skip(1).step_by(2) {
             let written = quoted.replace("where …", "where true");
             let written = written.replace(": …", ": v -a-> w -b-> v").replace('…', "");

@@ -17,10 +17,8 @@ pub enum Choice {
     File,
 }
 
-/// A completion.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Completion {
-    /// The word.
     pub word: String,
     /// Its kind.
     pub choice: Choice,

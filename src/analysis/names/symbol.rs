@@ -13,15 +13,10 @@ pub struct SymbolId(pub usize);
 /// The kind of thing that a name stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SymbolKind {
-    /// An op.
     Op,
-    /// An alternative of an op.
     Rule,
-    /// A script.
     Script,
-    /// A function.
     Function,
-    /// An attribute.
     Attribute,
     /// A name of a drawing; its kind if a statement gives it one.
     Element(Option<Kind>),
@@ -40,7 +35,6 @@ pub enum SymbolKind {
 pub struct Symbol {
     /// The word.
     pub name: String,
-    /// Its kind.
     pub kind: SymbolKind,
     /// The place of its declaration; for a name of a drawing, where it is first drawn or made.
     pub definition: Option<Span>,
@@ -70,7 +64,6 @@ impl Symbol {
     }
 }
 
-/// A side of a rule.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SideName {
     /// `before`
@@ -79,7 +72,6 @@ pub enum SideName {
     After,
 }
 
-/// A list of names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum List {
     /// `new`
@@ -95,13 +87,9 @@ pub enum List {
 /// The role of a mention of a name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Role {
-    /// It declares it.
     Declared,
-    /// A statement of a side draws it.
     Drawn(SideName),
-    /// A list names it.
     Listed(List),
-    /// It is what an op returns.
     Returned,
     /// It is assigned to.
     Written,
@@ -114,9 +102,7 @@ pub enum Role {
 pub struct Mention {
     /// The word.
     pub span: Span,
-    /// The name.
     pub symbol: SymbolId,
-    /// Its role.
     pub role: Role,
 }
 
@@ -143,7 +129,6 @@ impl Names {
         names
     }
 
-    /// A name.
     pub fn symbol(&self, id: SymbolId) -> &Symbol {
         &self.symbols[id.0]
     }

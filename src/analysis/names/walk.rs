@@ -81,7 +81,6 @@ impl<'f> SymbolCollector<'f> {
         }
     }
 
-    /// The kind of a symbol.
     pub(super) fn kind(&self, id: SymbolId) -> SymbolKind {
         self.found.symbols[id.0].kind
     }
@@ -177,7 +176,6 @@ impl<'f> SymbolCollector<'f> {
         id
     }
 
-    /// Adds a name.
     fn add(&mut self, name: &str, kind: SymbolKind, definition: Option<Span>) -> SymbolId {
         let id = SymbolId(self.found.symbols.len());
         self.found.symbols.push(Symbol {

@@ -13,12 +13,10 @@ pub enum Statement {
     CornerOnce {
         /// The loop.
         face: NameId,
-        /// The vertex.
         vertex: NameId,
     },
     /// No loop lies around a vertex twice, though the pieces of its star come from several.
     FacesDiffer {
-        /// The vertex.
         vertex: NameId,
         /// The vertices whose stars it takes over.
         from: Vec<NameId>,
@@ -27,7 +25,6 @@ pub enum Statement {
     TwoSpokes(NameId),
     /// At most one corner of a vertex lies in a hole.
     OneHole {
-        /// The vertex.
         vertex: NameId,
         /// The vertices whose stars it takes over.
         from: Vec<NameId>,
@@ -37,23 +34,16 @@ pub enum Statement {
     /// No two edges join a vertex to one neighbor, though the pieces of its star come from
     /// several.
     NeighborsDiffer {
-        /// The vertex.
         vertex: NameId,
         /// The vertices whose stars it takes over.
         from: Vec<NameId>,
     },
     /// No other edge has the ends of the edge of a halfedge.
-    SingleEdge {
-        /// The halfedge.
-        halfedge: NameId,
-        /// Its ends.
-        ends: [NameId; 2],
-    },
+    SingleEdge { halfedge: NameId, ends: [NameId; 2] },
     /// No two faces around a vertex have the same set of corners.
     CornersDiffer(NameId),
     /// No other face has the set of corners of a face.
     CornersOwn {
-        /// The face.
         face: NameId,
         /// One of its corners: such a face would lie around it.
         vertex: NameId,
@@ -63,7 +53,6 @@ pub enum Statement {
 /// A statement and, if it is proved, why it holds.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Obligation {
-    /// The condition.
     pub statement: Statement,
     /// The reason why it holds; `None` if it is left to test.
     pub because: Option<&'static str>,

@@ -57,7 +57,6 @@ impl<'a> Sketch<'a> {
         orbit.items.iter().any(|item| item.from.name == vertex)
     }
 
-    /// The paths of a loop.
     pub fn paths<'l>(&'l self, orbit: &'l Loop) -> impl Iterator<Item = NameId> + 'l {
         orbit.item_names().filter(|&item| self.is_path(item))
     }

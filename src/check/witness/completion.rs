@@ -28,7 +28,6 @@ type Flow = ControlFlow<End>;
 
 /// All meshes in which a drawing lies.
 pub(super) struct Completions<'a> {
-    /// The drawing.
     pub drawing: &'a Drawing<'a>,
     /// True if two fans lie side by side with nothing between them: either may have all the spokes.
     pub ambiguous: bool,

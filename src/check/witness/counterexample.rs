@@ -5,7 +5,6 @@ use crate::mesh::{Element, Invalid, Level, Mesh};
 /// A mesh that a rejected rule breaks.
 #[derive(Clone, Debug)]
 pub struct Counterexample {
-    /// The op.
     pub op: String,
     /// The rule, where it has a name.
     pub rule: Option<String>,

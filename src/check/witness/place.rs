@@ -12,7 +12,6 @@ const MOST_FLAGS: usize = 6;
 /// A valid mesh, and where the drawing of `before` lies in it.
 #[derive(Clone, Debug)]
 pub(super) struct Place {
-    /// The mesh.
     pub mesh: Mesh,
     /// For each name, its element, if it has one.
     pub elements: Vec<Option<u32>>,

@@ -34,7 +34,6 @@ pub(super) enum Found {
 
 /// A place, and the outcome of the rewrite there.
 pub(super) struct Shown {
-    /// The place.
     pub place: Place,
     /// The rewrite carried out.
     pub carried: Carried,

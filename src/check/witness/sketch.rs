@@ -49,15 +49,12 @@ pub(super) enum VertexRole {
 /// A halfedge of a sketch.
 #[derive(Clone, Debug)]
 pub(super) struct Half {
-    /// Its role.
     pub role: HalfedgeRole,
     /// The number of the vertex it starts at.
     pub origin: usize,
-    /// The next halfedge.
     pub next: Option<usize>,
     /// The halfedge before.
     pub prev: Option<usize>,
-    /// Its twin.
     pub twin: Option<usize>,
     /// The face whose loop is drawn around it.
     pub face: Option<NameId>,
@@ -66,9 +63,7 @@ pub(super) struct Half {
 /// A drawing laid down.
 #[derive(Clone, Debug)]
 pub(super) struct Sketch {
-    /// The halfedges.
     pub halves: Vec<Half>,
-    /// The vertices.
     pub vertices: Vec<VertexRole>,
     /// For each name the number of its halfedge.
     pub half_of: Vec<Option<usize>>,
@@ -119,7 +114,6 @@ impl Sketch {
         Some(sketch)
     }
 
-    /// The number of the vertex of a name.
     fn vertex(&mut self, name: NameId) -> usize {
         match self.vertex_of[name.index()] {
             Some(vertex) => vertex,
@@ -131,7 +125,6 @@ impl Sketch {
         }
     }
 
-    /// Adds a vertex.
     pub fn add_vertex(&mut self, role: VertexRole) -> usize {
         self.vertices.push(role);
         self.vertices.len() - 1

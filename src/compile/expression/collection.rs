@@ -7,7 +7,7 @@
 
 use super::Scope;
 use super::pointer::{first, load};
-use crate::diagram::Collection;
+use crate::diagram::{Around, Collection};
 use crate::rewrite::{
     Assembler, ElementField, Elements, HalfedgeField, Inst, Label, Reg, Triangles, Walk,
 };
@@ -16,19 +16,6 @@ use crate::source::Span;
 /// Lowers the body of a loop for the element in the register; a jump to the label continues with
 /// the next element.
 pub type LoopBody<'a> = dyn FnMut(&mut Assembler, &mut dyn Scope, Reg, Label) + 'a;
-
-/// The elements of the whole mesh that a collection stands for; `None` for one around an
-/// element.
-pub fn elements(collection: &Collection) -> Option<Elements> {
-    match collection {
-        Collection::Vertices => Some(Elements::Vertices),
-        Collection::Halfedges => Some(Elements::Halfedges),
-        Collection::Edges => Some(Elements::Edges),
-        Collection::Faces => Some(Elements::Faces),
-        Collection::Holes => Some(Elements::Holes),
-        _ => None,
-    }
-}
 
 /// Appends a loop over a collection, around the element in the register. `turn` is lowered once.
 pub fn each(
@@ -39,11 +26,12 @@ pub fn each(
     turn: &mut LoopBody,
 ) {
     let place = scope.place(span);
-    match (elements(collection), base) {
-        (Some(of), _) => each_of_mesh(asm, scope, of, place, turn),
-        (None, Some(base)) => each_around(asm, scope, (collection, base), place, turn),
-        // Every other collection has an element that it is around.
-        (None, None) => {}
+    match (collection, base) {
+        (Collection::All(of), _) => each_of_mesh(asm, scope, *of, place, turn),
+        (Collection::Around(around, _), Some(base)) => {
+            each_around(asm, scope, (*around, base), place, turn);
+        }
+        (Collection::Around(..), None) => {}
     }
 }
 
@@ -81,12 +69,12 @@ enum Wanted {
 fn each_around(
     asm: &mut Assembler,
     scope: &mut dyn Scope,
-    (collection, base): (&Collection, Reg),
+    (around, base): (Around, Reg),
     place: u32,
     turn: &mut LoopBody,
 ) {
-    let Some(orbit) = Orbit::of(collection) else {
-        return each_of_list(asm, scope, (collection, base), place, turn);
+    let Some(orbit) = Orbit::of(around) else {
+        return each_of_list(asm, scope, (around, base), place, turn);
     };
     let (walk, element) = orbit.walk(asm, base, place);
     turn(asm, scope, element, walk.next);
@@ -116,16 +104,16 @@ pub struct OrbitWalk {
 
 impl Orbit {
     /// The orbit around the element that a collection is around, if it is a single one.
-    pub fn of(collection: &Collection) -> Option<Self> {
+    pub fn of(around: Around) -> Option<Self> {
         use ElementField::{Face, Vertex};
-        let (of, wanted) = match collection {
-            Collection::VertexHalfedges(_) => (Vertex, Wanted::Itself),
-            Collection::VertexEdges(_) => (Vertex, Wanted::Pointer(HalfedgeField::Edge)),
-            Collection::VertexFaces(_) => (Vertex, Wanted::Face),
-            Collection::VertexNeighbors(_) => (Vertex, Wanted::Target),
-            Collection::FaceHalfedges(_) => (Face, Wanted::Itself),
-            Collection::FaceVertices(_) => (Face, Wanted::Pointer(HalfedgeField::Vertex)),
-            Collection::FaceEdges(_) => (Face, Wanted::Pointer(HalfedgeField::Edge)),
+        let (of, wanted) = match around {
+            Around::VertexHalfedges => (Vertex, Wanted::Itself),
+            Around::VertexEdges => (Vertex, Wanted::Pointer(HalfedgeField::Edge)),
+            Around::VertexFaces => (Vertex, Wanted::Face),
+            Around::VertexNeighbors => (Vertex, Wanted::Target),
+            Around::FaceHalfedges => (Face, Wanted::Itself),
+            Around::FaceVertices => (Face, Wanted::Pointer(HalfedgeField::Vertex)),
+            Around::FaceEdges => (Face, Wanted::Pointer(HalfedgeField::Edge)),
             _ => return None,
         };
         Some(Self { of, wanted })
@@ -168,13 +156,13 @@ impl OrbitWalk {
 fn each_of_list(
     asm: &mut Assembler,
     scope: &mut dyn Scope,
-    (collection, base): (&Collection, Reg),
+    (around, base): (Around, Reg),
     place: u32,
     turn: &mut LoopBody,
 ) {
     let buffer = asm.buffer();
     asm.emit(Inst::BufferClear { buffer });
-    let Some(wanted) = list(asm, (collection, base), place, buffer) else { return };
+    let Some(wanted) = list(asm, (around, base), place, buffer) else { return };
     let (head, done) = (asm.label(), asm.label());
     let (index, halfedge) = (asm.reg(), asm.reg());
     let from = asm.constant_int(0);
@@ -191,28 +179,28 @@ fn each_of_list(
 /// edge. `None` for other collections.
 fn list(
     asm: &mut Assembler,
-    (collection, base): (&Collection, Reg),
+    (around, base): (Around, Reg),
     place: u32,
     buffer: u16,
 ) -> Option<Wanted> {
     let mark = asm.mark();
-    let wanted = match collection {
-        Collection::FaceEars(_) | Collection::FacePatch(_) => {
-            let triangles = match collection {
-                Collection::FacePatch(_) => Triangles::LeastBend,
+    let wanted = match around {
+        Around::FaceEars | Around::FacePatch => {
+            let triangles = match around {
+                Around::FacePatch => Triangles::LeastBend,
                 _ => Triangles::BestShape,
             };
             asm.trap_at(place, Inst::CollectEars { triangles, buffer, face: base });
             Wanted::Itself
         }
-        Collection::EdgeVertices(_) | Collection::EdgeFaces(_) => {
+        Around::EdgeVertices | Around::EdgeFaces => {
             let from = asm.reg();
             first(asm, place, ElementField::Edge, [from, base]);
             asm.emit(Inst::BufferPush { buffer, from });
             load(asm, place, HalfedgeField::Twin, [from, from]);
             asm.emit(Inst::BufferPush { buffer, from });
-            match collection {
-                Collection::EdgeFaces(_) => Wanted::Face,
+            match around {
+                Around::EdgeFaces => Wanted::Face,
                 _ => Wanted::Pointer(HalfedgeField::Vertex),
             }
         }

@@ -1,6 +1,5 @@
 //! Aggregation of values: `mean(length(e) for e in edges where boundary(e))`.
 
-use super::collection::elements;
 use super::operator::wide;
 use super::{copy, width};
 use crate::diagram::{ExprKind, Fold, FoldFunction, Type};
@@ -11,7 +10,7 @@ use crate::rewrite::{Assembler, Elements, Inst, Label, Lanes, Reg};
 pub(super) fn known_count(fold: &Fold, to: Reg) -> Option<Inst> {
     let all = fold.filter.is_none() && fold.body.kind == ExprKind::Bool(true);
     let counts = fold.function == FoldFunction::Count && all;
-    let of = elements(&fold.collection).filter(|_| counts)?;
+    let of = fold.collection.all().filter(|_| counts)?;
     Some(match of {
         Elements::Holes => Inst::CountHoles { to },
         of => Inst::Count { kind: of.kind(), to },

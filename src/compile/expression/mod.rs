@@ -16,7 +16,7 @@ mod pointer;
 mod scope;
 mod value;
 
-pub use collection::{Orbit, each, elements};
+pub use collection::{Orbit, each};
 pub use scope::{Scope, copy, width};
 pub(super) use value::halfedge_field;
 pub use value::{arguments, lower, lower_into, narrow};

@@ -1,7 +1,7 @@
 //! The value of an expression in a register.
 
 use super::builtin::{Made, call};
-use super::collection::{each, elements};
+use super::collection::each;
 use super::fold::{Sum, known_count, settle};
 use super::operator::{binary, unary};
 use super::pointer::{first, load};
@@ -188,7 +188,7 @@ fn fold(asm: &mut Assembler, scope: &mut dyn Scope, fold: &Fold, of: &Expr, to: 
 /// needs all of the values, and these take little memory.
 fn spread(asm: &mut Assembler, scope: &dyn Scope, fold: &Fold) -> Option<Turns> {
     let fits = !fold.function.ends_early() && width(fold.body.ty) <= 4 && scope.is_of_statements();
-    let of = elements(&fold.collection).filter(|_| fits)?;
+    let of = fold.collection.all().filter(|_| fits)?;
     let element = asm.reg();
     asm.spread_values(of, element, Task::Aggregate)
 }

@@ -7,7 +7,7 @@ use super::super::items::Source;
 use super::super::language::Language;
 use super::super::names::{Attribute, Names};
 use super::super::routine::Statement;
-use super::super::value::{Precedence, Term, around, bare, is_surely_finite};
+use super::super::value::{Precedence, Term, bare, is_surely_finite};
 use super::comments::comments;
 use crate::diagram::{Access, Collection, Expr, ExprKind, Type};
 use crate::lower::{Variables, may_stop};
@@ -97,8 +97,8 @@ impl<'s> Writer<'s> {
                     && let (Some(then), Some(other)) =
                         (self.value(then), self.value(otherwise)) =>
             {
-                let parts = [condition, then, other].map(|part| Box::new(part.clone()));
-                let [condition, chosen, other] = parts;
+                let [condition, chosen, other] =
+                    [condition, then, other].map(|part| Box::new(part.clone()));
                 let kind = ExprKind::If(condition, chosen, other);
                 return self.leave(Some(&Expr { ty: then.ty, span, kind }));
             }
@@ -263,8 +263,7 @@ impl<'s> Writer<'s> {
         span: Span,
     ) -> Result<Statement, NotEmitted> {
         let language = self.names.language;
-        let (around, element) = around(collection, span)?;
-        let all = language.call(around, &[self.names.value(element)?]);
+        let all = self.names.around(collection, span)?;
         let may_go = self.source.effects.erases(body, collection.element());
         self.scope(|this| {
             let (name, ty) = this.bind(variable);
@@ -285,19 +284,16 @@ impl<'s> Writer<'s> {
     }
 
     fn leave(&mut self, value: Option<&Expr>) -> Result<(), NotEmitted> {
-        let value = match value {
-            None => None,
-            Some(value) => Some(match self.changing_call(value) {
-                None => self.computed(value)?,
-                Some((function, args)) => {
-                    let given = self.function(function, args)?;
-                    let name = self.names.fresh("result");
-                    self.out.push(self.names.bound(value.ty, &name, &given, false));
-                    Term::name(&name)
-                }
-            }),
-        };
-        self.out.push(Statement::Return { value });
+        let value = value.map(|value| match self.changing_call(value) {
+            None => self.computed(value),
+            Some((function, args)) => {
+                let given = self.function(function, args)?;
+                let name = self.names.fresh("result");
+                self.out.push(self.names.bound(value.ty, &name, &given, false));
+                Ok(Term::name(&name))
+            }
+        });
+        self.out.push(Statement::Return { value: value.transpose()? });
         Ok(())
     }
 }

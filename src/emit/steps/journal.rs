@@ -73,8 +73,7 @@ impl Notes<'_> {
 /// The element whose pointers, position or kind a statement writes.
 fn written_by(statement: &Statement) -> Option<&Term> {
     match statement {
-        Statement::Set { field: Field::Attribute(_), .. } => None,
-        Statement::Set { of, .. } => Some(of),
+        Statement::Set { field, of, .. } if !matches!(field, Field::Attribute(_)) => Some(of),
         _ => None,
     }
 }

@@ -3,21 +3,31 @@
 use super::language::is_wide;
 use super::spellings::spelling;
 use super::term::{Precedence, Term};
-use crate::diagram::{Expr, Fold, Type};
+use crate::diagram::{Around, Collection, Expr, Fold, Type};
 use crate::emit::NotEmitted;
 use crate::emit::language::filled;
 use crate::emit::names::Names;
+use crate::source::Span;
 
 impl Names<'_> {
-    /// An aggregate over the elements around one, of which the name is given.
-    pub(super) fn aggregate(
-        &mut self,
-        fold: &Fold,
-        ty: Type,
-        (around, element): (&str, &Expr),
-    ) -> Result<Term, NotEmitted> {
-        let language = self.language;
-        let elements = language.call(around, &[self.value(element)?]);
+    /// The elements around another; those of the whole mesh are not emitted.
+    pub fn around(&mut self, collection: &Collection, span: Span) -> Result<Term, NotEmitted> {
+        let what = match collection {
+            Collection::All(_) => "a sequence of the whole mesh",
+            Collection::Around(Around::FaceEars, _) => "`ears` of a face",
+            Collection::Around(Around::FacePatch, _) => "the `patch` of a face",
+            Collection::Around(around, element) => {
+                let element = self.value(element)?;
+                return Ok(self.language.call(&format!("{around:?}"), [&element]));
+            }
+        };
+        Err(NotEmitted::new(what, span))
+    }
+
+    /// An aggregate over the elements around one.
+    pub(super) fn aggregate(&mut self, fold: &Fold, whole: &Expr) -> Result<Term, NotEmitted> {
+        let (language, ty) = (self.language, whole.ty);
+        let elements = self.around(&fold.collection, whole.span)?;
         let name = self.declare(fold.variable, fold.collection.element());
         let filter = fold.filter.as_ref().map(|filter| self.value(filter)).transpose()?;
         let mut value = self.value(&fold.body)?;

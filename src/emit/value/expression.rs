@@ -2,15 +2,13 @@
 
 use super::language::is_wide;
 use super::term::Term;
-use crate::diagram::{Access, Binary, Builtin, Collection, Expr, ExprKind, Rule, Type, Unary};
+use crate::diagram::{Access, Binary, Builtin, Expr, ExprKind, Rule, Type, Unary};
 use crate::emit::NotEmitted;
 use crate::emit::names::Names;
 use crate::emit::routine::Statement;
 use crate::lower::{Hoisted, hoist};
-use crate::source::Span;
 
 impl Names<'_> {
-    /// The term of an expression.
     pub fn value(&mut self, expr: &Expr) -> Result<Term, NotEmitted> {
         let language = self.language;
         let not_emitted = |what| NotEmitted::new(what, expr.span);
@@ -40,10 +38,7 @@ impl Names<'_> {
                 let condition = self.value(condition)?;
                 language.choice(&condition, [self.value(then)?, self.value(otherwise)?])
             }
-            ExprKind::Fold(fold) => {
-                let elements = around(&fold.collection, expr.span)?;
-                self.aggregate(fold, expr.ty, elements)?
-            }
+            ExprKind::Fold(fold) => self.aggregate(fold, expr)?,
             ExprKind::Call(builtin, _) if builtin.is_random() => {
                 return Err(not_emitted("a random number"));
             }
@@ -181,29 +176,6 @@ fn wanted(part: &Expr) -> &'static str {
         ExprKind::Call(Builtin::DegreeVertex | Builtin::DegreeFace, _) => "degree",
         _ => "part",
     }
-}
-
-/// The name of the elements around another, and that one; other collections are not emitted.
-pub(in crate::emit) fn around(
-    collection: &Collection,
-    span: Span,
-) -> Result<(&'static str, &Expr), NotEmitted> {
-    let name = match collection {
-        Collection::VertexHalfedges(_) => "VertexHalfedges",
-        Collection::VertexEdges(_) => "VertexEdges",
-        Collection::VertexFaces(_) => "VertexFaces",
-        Collection::VertexNeighbors(_) => "VertexNeighbors",
-        Collection::FaceHalfedges(_) => "FaceHalfedges",
-        Collection::FaceVertices(_) => "FaceVertices",
-        Collection::FaceEdges(_) => "FaceEdges",
-        Collection::EdgeVertices(_) => "EdgeVertices",
-        Collection::EdgeFaces(_) => "EdgeFaces",
-        Collection::FaceEars(_) => "`ears` of a face",
-        Collection::FacePatch(_) => "the `patch` of a face",
-        _ => "a sequence of the whole mesh",
-    };
-    let base = collection.base().filter(|_| !name.contains(' '));
-    Ok((name, base.ok_or_else(|| NotEmitted::new(name, span))?))
 }
 
 /// The size of the positions of a mesh: emitted code takes them to be no larger.

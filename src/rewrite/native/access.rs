@@ -52,8 +52,7 @@ impl Translator<'_, '_> {
     /// Whether a face in range is in a state.
     pub(super) fn is_in_state(&mut self, id: Value, state: FaceState) -> Value {
         let place = self.state_place(id);
-        let flags = self.flags(Region::FaceStates);
-        let now = self.b.ins().load(I8, flags, place, 0);
+        let now = self.load(I8, Region::FaceStates, place, 0);
         self.b.ins().icmp_imm_u(IntCC::Equal, now, state as i64)
     }
 
@@ -70,8 +69,7 @@ impl Translator<'_, '_> {
             ElementKind::Edge => first(ElementField::Edge),
             ElementKind::Face => first(ElementField::Face),
         };
-        let flags = self.flags(region);
-        let mark = self.b.ins().load(I32, flags, record, offset as i32);
+        let mark = self.load(I32, region, record, offset);
         self.b.ins().icmp_imm_u(IntCC::NotEqual, mark, i64::from(DEAD))
     }
 
@@ -86,14 +84,11 @@ impl Translator<'_, '_> {
         self.living(self.text.surroundings.kind_of(attribute)?, element);
         let id = self.id(element);
         let columns = self.field(offset_of!(Context, columns));
-        let flags = self.flags(Region::Columns);
-        let place = i32::from(attribute) * size_of::<Slice>() as i32;
-        let count = place + offset_of!(Slice, count) as i32;
-        let count = self.b.ins().load(I64, flags, columns, count);
+        let place = usize::from(attribute) * size_of::<Slice>();
+        let count = self.load(I64, Region::Columns, columns, place + offset_of!(Slice, count));
         let is_in_range = self.b.ins().icmp(IntCC::UnsignedLessThan, id, count);
         self.or_fault(is_in_range);
-        let start = place + offset_of!(Slice, start) as i32;
-        let start = self.b.ins().load(I64, flags, columns, start);
+        let start = self.load(I64, Region::Columns, columns, place + offset_of!(Slice, start));
         let offset = self.scaled(id, size_of_value(ty));
         Some(self.b.ins().iadd(start, offset))
     }
@@ -128,8 +123,7 @@ impl Translator<'_, '_> {
     }
 
     pub(super) fn number(&mut self, region: Region, record: Value, offset: usize) -> Value {
-        let flags = self.flags(region);
-        let value = self.b.ins().load(I32, flags, record, offset as i32);
+        let value = self.load(I32, region, record, offset);
         self.b.ins().uextend(I64, value)
     }
 

@@ -62,13 +62,11 @@ impl Translator<'_, '_> {
             })
             .collect();
         let window = self.field(offset_of!(Context, window));
-        let flags = self.flags(Region::Window);
         for (part, value) in (0..).zip(values) {
-            self.b.ins().store(flags, value, window, part * 8);
+            self.store(Region::Window, value, window, part * 8);
         }
         let given = self.b.ins().iconst(I32, i64::from(width));
-        let flags = self.flags(Region::Context);
-        self.b.ins().store(flags, given, self.context, offset_of!(Context, given) as i32);
+        self.store(Region::Context, given, self.context, offset_of!(Context, given));
     }
 
     pub(super) fn call_function(
@@ -89,15 +87,14 @@ impl Translator<'_, '_> {
         let left = self.field(offset_of!(Context, left));
         self.or_slow(left, slow);
         let progress = self.field(offset_of!(Context, progress));
-        let turns = self.flags(Region::Progress);
-        let turns_at = offset_of!(Progress, turns) as i32;
-        let now = self.b.ins().load(I32, turns, progress, turns_at);
+        let turns = offset_of!(Progress, turns);
+        let now = self.load(I32, Region::Progress, progress, turns);
         let now = self.b.ins().iadd_imm_s(now, 1);
         let rest = self.b.ins().band_imm_u(now, i64::from(TURNS_PER_LOOK - 1));
         self.or_slow(rest, slow);
         let (entry, next) = self.callable(callee.entry, slow);
 
-        self.b.ins().store(turns, now, progress, turns_at);
+        self.store(Region::Progress, now, progress, turns);
         let fewer = self.b.ins().iadd_imm_s(left, -1);
         self.set_field(offset_of!(Context, left), fewer);
         self.pass(args, callee.params, next);
@@ -116,10 +113,9 @@ impl Translator<'_, '_> {
         let window = self.field(offset_of!(Context, window));
         for part in 0..callee.gives {
             let reg = Reg(to.0.wrapping_add(part));
-            let flags = self.flags(Region::Window);
             let ty = if self.is_real(reg) { F64 } else { I64 };
-            let place = i32::from(self.text.code.registers) + i32::from(part);
-            let value = self.b.ins().load(ty, flags, window, place * 8);
+            let place = usize::from(self.text.code.registers) + usize::from(part);
+            let value = self.load(ty, Region::Window, window, place * 8);
             let variable = self.variable(reg);
             self.b.def_var(variable, value);
         }
@@ -131,7 +127,7 @@ impl Translator<'_, '_> {
     }
 
     pub(super) fn call_by_machine(&mut self, inst: &Inst) {
-        self.execute_by(stubs::calls::call as *const () as usize, inst);
+        self.execute_by(stubs::call as *const () as usize, inst);
     }
 
     /// A function that may be called directly, if it was compiled for what this code expects.
@@ -155,10 +151,9 @@ impl Translator<'_, '_> {
 
     pub(super) fn hold(&mut self, by: i64) {
         let place = self.field(offset_of!(Context, holding));
-        let flags = self.flags(Region::Holding);
-        let count = self.b.ins().load(I32, flags, place, 0);
+        let count = self.load(I32, Region::Holding, place, 0);
         let count = self.b.ins().iadd_imm_s(count, by);
-        self.b.ins().store(flags, count, place, 0);
+        self.store(Region::Holding, count, place, 0);
     }
 
     /// Calls an operation.
@@ -174,15 +169,14 @@ impl Translator<'_, '_> {
 
         self.b.switch_to_block(done);
         let counts = self.field(offset_of!(Context, counts));
-        let flags = self.flags(Region::Counts);
         let place = usize::from(op) * size_of::<Count>() + offset_of!(Count, applied);
-        let count = self.b.ins().load(I64, flags, counts, place as i32);
+        let count = self.load(I64, Region::Counts, counts, place);
         let count = self.b.ins().iadd_imm_s(count, 1);
-        self.b.ins().store(flags, count, counts, place as i32);
+        self.store(Region::Counts, count, counts, place);
         if callee.may_lower {
             let lowered = self.field(offset_of!(Context, lowered));
             let number = self.b.ins().iconst(I32, i64::from(op) + 1);
-            self.b.ins().store(flags, number, lowered, 0);
+            self.store(Region::Counts, number, lowered, 0);
         }
         if callee.has_result {
             let made = self.field(offset_of!(Context, result));
@@ -199,7 +193,7 @@ impl Translator<'_, '_> {
 
         self.b.switch_to_block(refused);
         let number = self.b.ins().iconst(I64, i64::from(op));
-        self.call_stub(stubs::calls::refused as *const () as usize, &[number]);
+        self.call_stub(stubs::refused as *const () as usize, &[number]);
         let zero = self.b.ins().iconst(I64, 0);
         self.set_whole(applied, zero);
         self.b.ins().jump(on, &[]);
@@ -283,8 +277,7 @@ impl Translator<'_, '_> {
         self.set_field(offset_of!(Context, op), number);
         // Refusals noted by an earlier operation do not count.
         let none = self.b.ins().iconst(I32, 0);
-        let flags = self.flags(Region::Context);
-        self.b.ins().store(flags, none, self.context, offset_of!(Context, noted) as i32);
+        self.store(Region::Context, none, self.context, offset_of!(Context, noted));
         let answer = self.enter(entry);
         self.set_field(offset_of!(Context, op), zero);
         self.set_field(offset_of!(Context, level), state);
@@ -296,9 +289,8 @@ impl Translator<'_, '_> {
     /// The entry address and the start of the window of a callee; jumps to `slow` if it has no
     /// native code or the stack has no room.
     fn callable(&mut self, entry: *const AtomicUsize, slow: Block) -> (Value, Value) {
-        let flags = self.flags(Region::Entries);
         let place = self.b.ins().iconst(I64, entry.addr() as i64);
-        let entry = self.b.ins().load(I64, flags, place, 0);
+        let entry = self.load(I64, Region::Entries, place, 0);
         self.or_slow(entry, slow);
         (entry, self.next_window(slow))
     }
@@ -316,11 +308,10 @@ impl Translator<'_, '_> {
 
     /// Stores arguments in the window of the callee.
     fn pass(&mut self, args: Reg, params: u16, window: Value) {
-        let flags = self.flags(Region::Window);
         for part in 0..params {
             let variable = self.variable(Reg(args.0.wrapping_add(part)));
             let value = self.b.use_var(variable);
-            self.b.ins().store(flags, value, window, i32::from(part) * 8);
+            self.store(Region::Window, value, window, usize::from(part) * 8);
         }
     }
 
@@ -352,7 +343,7 @@ impl Translator<'_, '_> {
         self.b.ins().brif(failed, trapped, &[], on, &[]);
         self.b.switch_to_block(trapped);
         let number = self.b.ins().iconst(I64, self.at as i64);
-        self.call_stub(stubs::calls::left as *const () as usize, &[number]);
+        self.call_stub(stubs::left as *const () as usize, &[number]);
         self.b.ins().jump(self.leave, &[]);
         self.go_on(on);
     }

@@ -39,8 +39,7 @@ impl Translator<'_, '_> {
             Inst::LoadPosition { to, vertex } => {
                 self.living(ElementKind::Vertex, vertex);
                 let place = self.position(vertex);
-                let flags = self.flags(Region::Position);
-                let values = [0, 8, 16].map(|at| self.b.ins().load(F64, flags, place, at));
+                let values = [0, 8, 16].map(|at| self.load(F64, Region::Position, place, at));
                 self.set_vector(to, values);
             }
             Inst::NextLiving { of, element, otherwise } => self.next_living(of, element, otherwise),
@@ -136,8 +135,7 @@ impl Translator<'_, '_> {
     /// The number of holes.
     pub(super) fn hole_count(&mut self) -> Value {
         let holes = self.table_field(offset_of!(Tables, holes));
-        let flags = self.flags(Region::Holes);
-        self.b.ins().load(I64, flags, holes, 0)
+        self.load(I64, Region::Holes, holes, 0)
     }
 
     /// The halfedge of a walk that follows the one with this record.
@@ -189,8 +187,8 @@ impl Translator<'_, '_> {
         let to = self.number(vertices, twin, vertex);
         let [from, to] = [from, to].map(|id| {
             self.record(ElementKind::Vertex, id);
-            let (place, flags) = (self.position_of(id), self.flags(Region::Position));
-            [0, 8, 16].map(|at| self.b.ins().load(F64, flags, place, at))
+            let place = self.position_of(id);
+            [0, 8, 16].map(|at| self.load(F64, Region::Position, place, at))
         });
         let way = [0, 1, 2].map(|part| self.b.ins().fsub(to[part], from[part]));
         let square = self.dot(way, way);

@@ -10,7 +10,7 @@ use cranelift_codegen::ir::{Block, InstBuilder, Value};
 
 use super::Variant;
 use super::access::pointer;
-use super::stubs::lists;
+use super::stubs;
 use super::translate::Translator;
 use crate::mesh::ElementKind;
 use crate::rewrite::{Inst, List};
@@ -72,8 +72,7 @@ impl Translator<'_, '_> {
                     let record = this.record(ElementKind::Halfedge, id);
                     let lives = this.is_not_dead(ElementKind::Halfedge, record);
                     this.or_fault(lives);
-                    let flags = this.flags(region);
-                    this.b.ins().store(flags, value, record, offset as i32);
+                    this.store(region, value, record, offset);
                 });
                 self.b.ins().jump(on, &[]);
             }
@@ -156,7 +155,7 @@ impl Translator<'_, '_> {
 
         self.b.switch_to_block(many);
         let number = self.b.ins().iconst(I64, i64::from(buffer));
-        let answer = self.call_stub(lists::are_distinct as *const () as usize, &[number]);
+        let answer = self.call_stub(stubs::are_distinct as *const () as usize, &[number]);
         self.or_fault_if_negative(answer);
         self.b.def_var(result, answer);
         self.join(on);
@@ -172,7 +171,7 @@ impl Translator<'_, '_> {
     /// Lets a stub execute the current instruction in the block `slow`, and jumps to `on`.
     fn fill_by_stub(&mut self, slow: Block, on: Block) {
         self.b.switch_to_block(slow);
-        self.call_here(lists::fill as *const () as usize);
+        self.call_here(stubs::fill as *const () as usize);
         self.b.ins().jump(on, &[]);
     }
 

@@ -12,7 +12,7 @@ use cranelift_codegen::ir::{InstBuilder, Value};
 use super::access::{first, pointer};
 use super::compile::entries;
 use super::facts::jumps;
-use super::stubs::guards;
+use super::stubs;
 use super::translate::{Region, Translator};
 use crate::mesh::tables::{DEAD, FaceState, Tables};
 use crate::mesh::{ElementKind, OrbitCondition};
@@ -31,7 +31,7 @@ pub(super) struct Guard {
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Set {
     /// One with this address.
-    Here { before: Value, place: Value, offset: i32, region: Region },
+    Here { before: Value, place: Value, offset: usize, region: Region },
     /// A pointer of each halfedge in a buffer; all had the same value.
     Along { before: Value, slots: (Value, Value), field: HalfedgeField },
 }
@@ -56,7 +56,6 @@ fn is_about_star(condition: OrbitCondition) -> bool {
 }
 
 impl Guard {
-    /// All guards of a code.
     pub(super) fn all(code: &Code) -> Vec<Self> {
         let clears = |(at, inst): (usize, &Inst)| matches!(inst, Inst::PreviewClear).then_some(at);
         let starts = code.insts.iter().enumerate().filter_map(clears);
@@ -196,7 +195,7 @@ impl Translator<'_, '_> {
                 _ => None,
             }
         });
-        pairs.take(guards::MOST_ASKED).collect()
+        pairs.take(stubs::MOST_ASKED).collect()
     }
 
     /// Asks all these conditions by one call of a stub.
@@ -204,10 +203,10 @@ impl Translator<'_, '_> {
         let packed = all
             .iter()
             .rev()
-            .fold(0, |packed, asked| packed << guards::BITS | (asked.condition as i64 + 1));
+            .fold(0, |packed, asked| packed << stubs::BITS | (asked.condition as i64 + 1));
         let packed = self.b.ins().iconst(I64, packed);
         let (vertex, at) = (self.id(vertex), self.b.ins().iconst(I64, self.at as i64));
-        let stub = guards::foresee_star as *const () as usize;
+        let stub = stubs::foresee_star as *const () as usize;
         let count = self.call_stub(stub, &[packed, vertex, at]);
         self.leave_restored_if_negative(count);
         for (at, asked) in (0..).zip(all) {
@@ -223,7 +222,7 @@ impl Translator<'_, '_> {
     fn foresee(&mut self, condition: OrbitCondition, elements: [Reg; 2]) -> Value {
         let number = self.b.ins().iconst(I64, condition as i64);
         let [element, at] = elements.map(|reg| self.id(reg));
-        let stub = guards::foresee as *const () as usize;
+        let stub = stubs::foresee as *const () as usize;
         let holds = self.call_stub(stub, &[number, element, at]);
         self.or_fault_if_negative(holds);
         holds
@@ -259,7 +258,7 @@ impl Translator<'_, '_> {
             Inst::PreviewUndo => self.put_back(&self.set.clone()),
             Inst::PreviewClear => {
                 self.set.clear();
-                self.call_stub(guards::clear as *const () as usize, &[]);
+                self.call_stub(stubs::clear_preview as *const () as usize, &[]);
             }
             _ => {}
         }
@@ -276,10 +275,9 @@ impl Translator<'_, '_> {
     }
 
     fn set_here(&mut self, value: Value, place: Value, offset: usize, region: Region) {
-        let (flags, offset) = (self.flags(region), offset as i32);
         let ty = self.b.func.dfg.value_type(value);
-        let before = self.b.ins().load(ty, flags, place, offset);
-        self.b.ins().store(flags, value, place, offset);
+        let before = self.load(ty, region, place, offset);
+        self.store(region, value, place, offset);
         self.set.push(Set::Here { before, place, offset, region });
     }
 
@@ -296,15 +294,14 @@ impl Translator<'_, '_> {
         let zero = self.b.ins().iconst(I64, 0);
         let first = self.slot(start, zero);
         let first = self.record(ElementKind::Halfedge, first);
-        let flags = self.flags(region);
-        let shared = self.b.ins().load(I32, flags, first, offset as i32);
+        let shared = self.load(I32, region, first, offset);
         self.b.def_var(before, shared);
         self.each_below(count, |this, at| {
             let id = this.slot(start, at);
             let record = this.record(ElementKind::Halfedge, id);
             let lives = this.is_not_dead(ElementKind::Halfedge, record);
             this.or_fault(lives);
-            let own = this.b.ins().load(I32, flags, record, offset as i32);
+            let own = this.load(I32, region, record, offset);
             let is_shared = this.b.ins().icmp(IntCC::Equal, own, shared);
             this.or_fault(is_shared);
         });
@@ -320,8 +317,7 @@ impl Translator<'_, '_> {
         self.each_below(count, |this, at| {
             let id = this.slot(start, at);
             let place = this.place(ElementKind::Halfedge, id);
-            let flags = this.flags(region);
-            this.b.ins().store(flags, value, place, offset as i32);
+            this.store(region, value, place, offset);
         });
     }
 
@@ -330,8 +326,7 @@ impl Translator<'_, '_> {
         for set in all.iter().rev() {
             match *set {
                 Set::Here { before, place, offset, region } => {
-                    let flags = self.flags(region);
-                    self.b.ins().store(flags, before, place, offset);
+                    self.store(region, before, place, offset);
                 }
                 Set::Along { before, slots, field } => self.store_along(field, slots, before),
             }
@@ -356,7 +351,7 @@ impl Translator<'_, '_> {
         let all = &code.insts[first..end];
         all.iter().for_each(|inst| self.spill_operands(inst));
         let span = self.b.ins().iconst(I64, (first | end << 32) as i64);
-        let done = self.call_stub(guards::set as *const () as usize, &[span]);
+        let done = self.call_stub(stubs::set_preview as *const () as usize, &[span]);
         // The stub has restored the values of the preview before the trap.
         self.leave_restored_if_negative(done);
         all.iter().for_each(|inst| self.reload_written(inst));

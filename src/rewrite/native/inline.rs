@@ -107,7 +107,7 @@ impl<'a> Translator<'a, '_> {
         self.b.switch_to_block(trapped);
         self.return_to_caller(lists, left);
         let at = self.b.ins().iconst(I64, self.at as i64);
-        self.call_stub(stubs::calls::left as *const () as usize, &[at]);
+        self.call_stub(stubs::left as *const () as usize, &[at]);
         self.b.ins().jump(self.leave, &[]);
 
         self.b.switch_to_block(slow);

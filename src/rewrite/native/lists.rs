@@ -12,7 +12,7 @@ use cranelift_frontend::Variable;
 
 use super::access::size_of_value;
 use super::context::Context;
-use super::stubs::lists;
+use super::stubs;
 use super::translate::{Region, Translator};
 use crate::mesh::{ElementKind, Mesh};
 use crate::rewrite::{HalfedgeField, Inst, List, Reg, Walk, attribute};
@@ -78,7 +78,7 @@ impl Translator<'_, '_> {
                 self.b.switch_to_block(here);
                 let which = i64::from(buffer) | (of.kind() as i64) << 16;
                 let which = self.b.ins().iconst(I64, which);
-                self.call_stub(lists::prefetch as *const () as usize, &[which, place]);
+                self.call_stub(stubs::prefetch as *const () as usize, &[which, place]);
                 self.join(on);
             }
             Inst::NextIndex { buffer, index, otherwise } => {
@@ -149,7 +149,7 @@ impl Translator<'_, '_> {
         self.b.ins().jump(on, &[]);
 
         self.b.switch_to_block(few);
-        let begun = self.call_stub(lists::begin as *const () as usize, &[]);
+        let begun = self.call_stub(stubs::begin_lists as *const () as usize, &[]);
         self.leave_if_negative(begun);
         self.join(on);
     }
@@ -219,7 +219,7 @@ impl Translator<'_, '_> {
         self.spill_operands(inst);
         let which = i64::from(buffer) | i64::from(value.0) << 16 | i64::from(width) << 32;
         let which = self.b.ins().iconst(I64, which);
-        let stub = lists::hold as *const () as usize;
+        let stub = stubs::hold as *const () as usize;
         let done = self.call_stub(stub, &[which, header, element]);
         self.or_fault_if_negative(done);
         self.join(on);
@@ -238,7 +238,7 @@ impl Translator<'_, '_> {
 
         self.b.switch_to_block(full);
         let number = self.b.ins().iconst(I64, i64::from(buffer));
-        let done = self.call_stub(lists::push as *const () as usize, &[number, bits]);
+        let done = self.call_stub(stubs::push as *const () as usize, &[number, bits]);
         self.or_fault_if_negative(done);
         self.join(on);
     }
@@ -369,7 +369,7 @@ impl Translator<'_, '_> {
     ) {
         let star = i64::from(walk == Walk::Star);
         let which = self.b.ins().iconst(I64, i64::from(buffer) | star << 16);
-        let stub = lists::collect as *const () as usize;
+        let stub = stubs::collect as *const () as usize;
         let walked = self.call_stub(stub, &[which, from, until]);
         self.or_fault_if_negative(walked);
         self.join(on);
@@ -383,16 +383,15 @@ impl Translator<'_, '_> {
 
     /// A part of a list.
     pub(super) fn in_list(&mut self, list: Value, offset: usize) -> Value {
-        let flags = self.flags(Region::Lists);
-        self.b.ins().load(I64, flags, list, offset as i32)
+        self.load(I64, Region::Lists, list, offset)
     }
 
     /// Appends slots to a list that has `count` slots, and room for these.
     fn append_to(&mut self, list: Value, count: Value, slots: &[Value]) {
         let start = self.in_list(list, List::START);
-        let (place, flags) = (self.place_of_slot(start, count), self.flags(Region::Slots));
+        let place = self.place_of_slot(start, count);
         for (at, slot) in (0..).zip(slots) {
-            self.b.ins().store(flags, *slot, place, at * size_of::<u64>() as i32);
+            self.store(Region::Slots, *slot, place, at * size_of::<u64>());
         }
         let count = self.b.ins().iadd_imm_s(count, slots.len() as i64);
         self.set_count(list, count);
@@ -405,19 +404,18 @@ impl Translator<'_, '_> {
     }
 
     pub(super) fn slot(&mut self, start: Value, index: Value) -> Value {
-        let (place, flags) = (self.place_of_slot(start, index), self.flags(Region::Slots));
-        self.b.ins().load(I64, flags, place, 0)
+        let place = self.place_of_slot(start, index);
+        self.load(I64, Region::Slots, place, 0)
     }
 
     pub(super) fn set_slot(&mut self, start: Value, index: Value, value: Value) {
-        let (place, flags) = (self.place_of_slot(start, index), self.flags(Region::Slots));
-        self.b.ins().store(flags, value, place, 0);
+        let place = self.place_of_slot(start, index);
+        self.store(Region::Slots, value, place, 0);
     }
 
     /// Sets the number of slots of a list.
     pub(super) fn set_count(&mut self, list: Value, count: Value) {
-        let flags = self.flags(Region::Lists);
-        self.b.ins().store(flags, count, list, List::COUNT as i32);
+        self.store(Region::Lists, count, list, List::COUNT);
     }
 
     fn place_of_slot(&mut self, start: Value, index: Value) -> Value {

@@ -17,10 +17,20 @@ impl Translator<'_, '_> {
         MemFlagsData::trusted().with_alias_region(Some(region))
     }
 
+    /// A value in memory, at an offset in bytes.
+    pub(super) fn load(&mut self, ty: Type, region: Region, place: Value, offset: usize) -> Value {
+        let flags = self.flags(region);
+        self.b.ins().load(ty, flags, place, offset as i32)
+    }
+
+    pub(super) fn store(&mut self, region: Region, value: Value, place: Value, offset: usize) {
+        let flags = self.flags(region);
+        self.b.ins().store(flags, value, place, offset as i32);
+    }
+
     /// A field of the context.
     pub(super) fn field(&mut self, offset: usize) -> Value {
-        let flags = self.flags(Region::Context);
-        self.b.ins().load(I64, flags, self.context, offset as i32)
+        self.load(I64, Region::Context, self.context, offset)
     }
 
     /// A field of the context that is constant while native code runs.
@@ -38,8 +48,7 @@ impl Translator<'_, '_> {
     }
 
     pub(super) fn set_field(&mut self, offset: usize, value: Value) {
-        let flags = self.flags(Region::Context);
-        self.b.ins().store(flags, value, self.context, offset as i32);
+        self.store(Region::Context, value, self.context, offset);
     }
 
     /// Moves an address in the context.

@@ -234,9 +234,8 @@ impl Translator<'_, '_> {
         self.constant_field(offset_of!(Context, neighbors) + part * size_of::<*const u32>())
     }
 
-    fn listed(&mut self, place: Value, offset: i32) -> Value {
-        let flags = self.flags(Region::Neighbors);
-        let value = self.b.ins().load(I32, flags, place, offset);
+    fn listed(&mut self, place: Value, offset: usize) -> Value {
+        let value = self.load(I32, Region::Neighbors, place, offset);
         self.b.ins().uextend(I64, value)
     }
 }

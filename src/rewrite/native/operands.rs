@@ -97,7 +97,6 @@ impl Surroundings<'_> {
         self.column(attribute).map(|(kind, _)| kind)
     }
 
-    /// The kind and the type of an attribute.
     pub(super) fn column(&self, attribute: u16) -> Option<(ElementKind, AttributeType)> {
         self.types.get(usize::from(attribute)).copied().flatten()
     }

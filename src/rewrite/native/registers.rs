@@ -41,18 +41,16 @@ impl Translator<'_, '_> {
     /// Writes a register to the window.
     pub(super) fn spill(&mut self, reg: Reg) {
         let window = self.field(offset_of!(Context, window));
-        let flags = self.flags(Region::Window);
         let variable = self.variable(reg);
         let value = self.b.use_var(variable);
-        self.b.ins().store(flags, value, window, i32::from(reg.0) * 8);
+        self.store(Region::Window, value, window, usize::from(reg.0) * 8);
     }
 
     /// Reads a register from the window.
     pub(super) fn reload(&mut self, reg: Reg) {
         let window = self.field(offset_of!(Context, window));
-        let flags = self.flags(Region::Window);
         let ty = if self.is_real(reg) { F64 } else { I64 };
-        let value = self.b.ins().load(ty, flags, window, i32::from(reg.0) * 8);
+        let value = self.load(ty, Region::Window, window, usize::from(reg.0) * 8);
         let variable = self.variable(reg);
         self.b.def_var(variable, value);
     }

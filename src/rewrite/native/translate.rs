@@ -396,14 +396,13 @@ impl<'a, 'f> Translator<'a, 'f> {
         let phase = reason.map_or(Phase::Match, |reason| reason.phase);
         let now = i64::from(noted(Some((phase, refusal))));
         let now = self.b.ins().iconst(I32, now);
-        let place = offset_of!(Context, noted) as i32;
-        let flags = self.flags(Region::Context);
-        let before = self.b.ins().load(I32, flags, self.context, place);
+        let place = offset_of!(Context, noted);
+        let before = self.load(I32, Region::Context, self.context, place);
         // A refusal of a later phase is greater, whatever the reason.
         let whole_phase = self.b.ins().bor_imm_u(before, 0xffff);
         let is_later = self.b.ins().icmp(IntCC::UnsignedLessThan, whole_phase, now);
         let counts = self.b.ins().select(is_later, now, before);
-        self.b.ins().store(flags, counts, self.context, place);
+        self.store(Region::Context, counts, self.context, place);
         let otherwise = self.block(otherwise);
         self.b.ins().jump(otherwise, &[]);
         self.go_on(on);
@@ -416,9 +415,7 @@ impl<'a, 'f> Translator<'a, 'f> {
         }
         if let Some(result) = result {
             let element = self.id(result);
-            let flags = self.flags(Region::Context);
-            let place = offset_of!(Context, result) as i32;
-            self.b.ins().store(flags, element, self.context, place);
+            self.store(Region::Context, element, self.context, offset_of!(Context, result));
         }
         if self.keeps_window {
             let used = (0..).zip(&self.variables).filter(|(_, variable)| variable.is_some());

@@ -13,7 +13,7 @@ use cranelift_codegen::ir::{Block, InstBuilder, Value};
 use super::Variant;
 use super::access::{TABLES, first, pointer, size_of_value, table};
 use super::context::Context;
-use super::stubs::{self, drains};
+use super::stubs;
 use super::translate::{Region, Translator};
 use crate::mesh::tables::{FaceState, Tables};
 use crate::mesh::{AttributeType, ElementKind};
@@ -34,10 +34,9 @@ impl Translator<'_, '_> {
                     let number = this.b.ins().iconst(I64, field as i64);
                     [number, this.id(halfedge), this.b.ins().uextend(I64, value)]
                 };
-                let stub = stubs::writes::pointer as *const () as usize;
+                let stub = stubs::pointer_set as *const () as usize;
                 self.tell(ElementKind::Halfedge, Fields::pointer(field), stub, args);
-                let flags = self.flags(region);
-                self.b.ins().store(flags, value, record, offset as i32);
+                self.store(region, value, record, offset);
             }
             Inst::StoreHalfedge { of, element, value } => {
                 let record = self.living(of.kind(), element);
@@ -46,11 +45,10 @@ impl Translator<'_, '_> {
                     let number = this.b.ins().iconst(I64, of as i64);
                     [number, this.id(element), this.b.ins().uextend(I64, value)]
                 };
-                let stub = stubs::writes::first as *const () as usize;
+                let stub = stubs::first_set as *const () as usize;
                 self.tell(of.kind(), Fields::FIRST, stub, args);
                 let (region, offset) = first(of);
-                let flags = self.flags(region);
-                self.b.ins().store(flags, value, record, offset as i32);
+                self.store(region, value, record, offset);
             }
             // The machine does it, and notifies of the write.
             Inst::StoreHole { .. } if self.variant == Variant::Careful => return false,
@@ -58,22 +56,21 @@ impl Translator<'_, '_> {
                 self.living(ElementKind::Face, face);
                 let id = self.id(face);
                 let count = self.holes_with(id, hole);
-                let (place, flags) = (self.state_place(id), self.flags(Region::FaceStates));
+                let place = self.state_place(id);
                 let now = self.b.ins().iconst(I8, FaceState::of_living(hole) as i64);
-                self.b.ins().store(flags, now, place, 0);
+                self.store(Region::FaceStates, now, place, 0);
                 let holes = self.table_field(offset_of!(Tables, holes));
-                let flags = self.flags(Region::Holes);
-                self.b.ins().store(flags, count, holes, 0);
+                self.store(Region::Holes, count, holes, 0);
             }
             Inst::StorePosition { vertex, value } => {
                 self.living(ElementKind::Vertex, vertex);
                 let finite = self.is_finite(value);
                 self.or_fault(finite);
-                let stub = stubs::writes::position as *const () as usize;
+                let stub = stubs::position_set as *const () as usize;
                 self.tell(ElementKind::Vertex, Fields::POSITION, stub, |this| [this.id(vertex)]);
-                let (place, flags) = (self.position(vertex), self.flags(Region::Position));
+                let place = self.position(vertex);
                 for (at, part) in (0..).zip(self.vector(value)) {
-                    self.b.ins().store(flags, part, place, at * 8);
+                    self.store(Region::Position, part, place, at * 8);
                 }
             }
             Inst::StoreAttribute { attribute, element, value } => {
@@ -85,17 +82,16 @@ impl Translator<'_, '_> {
                     let number = this.b.ins().iconst(I64, i64::from(attribute));
                     [number, this.id(element)]
                 };
-                let stub = stubs::writes::value as *const () as usize;
+                let stub = stubs::value_set as *const () as usize;
                 self.tell(kind, Fields::attribute(attribute), stub, args);
-                let flags = self.flags(Region::Values);
                 if ty == AttributeType::Bool {
                     let is_true = self.truth(value);
-                    self.b.ins().store(flags, is_true, place, 0);
+                    self.store(Region::Values, is_true, place, 0);
                     return true;
                 }
                 for part in 0..(size_of_value(ty) / 8) as u16 {
                     let bits = self.whole(Reg(value.0.wrapping_add(part)));
-                    self.b.ins().store(flags, bits, place, i32::from(part) * 8);
+                    self.store(Region::Values, bits, place, usize::from(part) * 8);
                 }
             }
             Inst::New { .. } => self.add(),
@@ -128,34 +124,33 @@ impl Translator<'_, '_> {
                     let progress = self.field(offset_of!(Context, progress));
                     let place =
                         offset_of!(Progress, loops) + usize::from(depth) * size_of::<Loop>();
-                    let flags = self.flags(Region::Progress);
                     for (reg, offset) in
                         [(done, offset_of!(Loop, done)), (total, offset_of!(Loop, total))]
                     {
                         let value = self.whole(reg);
-                        self.b.ins().store(flags, value, progress, (place + offset) as i32);
+                        self.store(Region::Progress, value, progress, place + offset);
                     }
                 }
                 self.turn(stubs::turn as *const () as usize);
             }
             Inst::DrainStale { to, otherwise } => {
                 self.spill_for_drain();
-                let found = self.call_stub(drains::stale as *const () as usize, &[]);
+                let found = self.call_stub(stubs::next_stale as *const () as usize, &[]);
                 self.element_or(found, to, otherwise);
             }
             Inst::DrainKey { key } => {
                 let (number, key) = (self.b.ins().iconst(I64, self.at as i64), self.real(key));
                 let signature = self.signature(&[I64, I64, F64], &[I64]);
-                let stub = drains::key as *const () as usize;
+                let stub = stubs::set_key as *const () as usize;
                 let done = self.call(stub, signature, &[self.context, number, key])[0];
                 self.leave_if_negative(done);
             }
             Inst::DrainLeast { to, otherwise } => {
-                let found = self.call_stub(drains::least as *const () as usize, &[]);
+                let found = self.call_stub(stubs::least as *const () as usize, &[]);
                 self.element_or(found, to, otherwise);
             }
             Inst::DrainTake => {
-                let done = self.call_stub(drains::take as *const () as usize, &[]);
+                let done = self.call_stub(stubs::take_least as *const () as usize, &[]);
                 self.leave_if_negative(done);
             }
             _ => return false,
@@ -191,7 +186,7 @@ impl Translator<'_, '_> {
 
     /// Sets a register to the element that a stub has returned; jumps if there is none.
     fn element_or(&mut self, found: Value, to: Reg, otherwise: Label) {
-        let is_none = self.b.ins().icmp_imm_s(IntCC::Equal, found, drains::NONE);
+        let is_none = self.b.ins().icmp_imm_s(IntCC::Equal, found, stubs::NONE);
         self.jump_if(is_none, otherwise);
         self.leave_if_negative(found);
         self.set_whole(to, found);
@@ -200,8 +195,8 @@ impl Translator<'_, '_> {
     /// Counts a turn; once in [`TURNS_PER_LOOK`] turns a stub calls the watcher.
     fn turn(&mut self, stub: usize) {
         let progress = self.field(offset_of!(Context, progress));
-        let (flags, turns) = (self.flags(Region::Progress), offset_of!(Progress, turns) as i32);
-        let before = self.b.ins().load(I32, flags, progress, turns);
+        let turns = offset_of!(Progress, turns);
+        let before = self.load(I32, Region::Progress, progress, turns);
         let now = self.b.ins().iadd_imm_s(before, 1);
         let rest = self.b.ins().band_imm_u(now, i64::from(TURNS_PER_LOOK - 1));
         let [look, pass, on] = [(); 3].map(|()| self.b.create_block());
@@ -211,7 +206,7 @@ impl Translator<'_, '_> {
         self.call_here(stub);
         self.b.ins().jump(on, &[]);
         self.b.switch_to_block(pass);
-        self.b.ins().store(flags, now, progress, turns);
+        self.store(Region::Progress, now, progress, turns);
         self.join(on);
     }
 
@@ -227,8 +222,7 @@ impl Translator<'_, '_> {
             return;
         }
         let place = offset_of!(Context, listens) + kind as usize * size_of::<u32>();
-        let flags = self.flags(Region::Context);
-        let listens = self.b.ins().load(I32, flags, self.context, place as i32);
+        let listens = self.load(I32, Region::Context, self.context, place);
         let is_told = self.b.ins().band_imm_u(listens, i64::from(fields.bits()));
         let (tell, on) = (self.b.create_block(), self.b.create_block());
         self.b.ins().brif(is_told, tell, &[], on, &[]);
@@ -285,11 +279,10 @@ impl Translator<'_, '_> {
         self.b.set_cold_block(slow);
         self.b.ins().brif(done, slow, &[], fast, &[]);
         self.b.switch_to_block(fast);
-        let flags = self.flags(Region::Context);
         let firsts = ElementKind::ALL.map(|kind| {
             let place = offset_of!(Context, appended) + kind as usize * size_of::<u32>();
             (counts[kind as usize] > 0).then(|| {
-                let first = self.b.ins().load(I32, flags, self.context, place as i32);
+                let first = self.load(I32, Region::Context, self.context, place);
                 self.b.ins().uextend(I64, first)
             })
         });

@@ -40,7 +40,6 @@ const BEGINNINGS: &[(Places, &[T])] = &[
 
 /// The tokens of an item after foreign syntax has been replaced.
 pub struct Mended {
-    /// The tokens.
     pub tokens: Vec<Token>,
     /// The findings, in the order of the text.
     pub found: Vec<Found>,

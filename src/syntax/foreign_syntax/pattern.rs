@@ -52,7 +52,6 @@ pub(super) struct Pattern {
     pub elements: Vec<Element>,
 }
 
-/// One element.
 #[derive(Debug)]
 pub(super) struct Element {
     touches: bool,

@@ -19,7 +19,6 @@ const NOT_CLOSED: &str = "this `{` is not closed";
 pub(super) struct Around<'t> {
     /// The text of the file.
     pub text: &'t str,
-    /// The tokens of the item.
     pub item: &'t [Token],
     /// The token after the item, if any.
     pub next: Option<Token>,
@@ -78,7 +77,6 @@ fn same_line(text: &str, one: Span, other: Span) -> bool {
     text.get(start as usize..end as usize).is_some_and(|between| !between.contains('\n'))
 }
 
-/// The diagnostic for a failure.
 fn report(failure: Failure, around: &Around) -> Diagnostic {
     match failure.mistake {
         Some(mistake) => mistaken(mistake, failure.span, around.text),

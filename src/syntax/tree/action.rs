@@ -6,22 +6,17 @@ use crate::source::Span;
 /// `{ … }`
 #[derive(Clone, Debug, PartialEq)]
 pub struct Block {
-    /// Its statements.
     pub statements: Vec<Action>,
     /// Its span, braces included.
     pub span: Span,
 }
 
-/// A statement of a script, function or test.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Action {
-    /// Its kind.
     pub kind: ActionKind,
-    /// The span of the whole statement.
     pub span: Span,
 }
 
-/// The kind of a statement.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ActionKind {
     /// `let x = …` or `var x = …`, optionally with a type.
@@ -70,7 +65,6 @@ pub enum ActionKind {
 /// A part of `print` between two commas.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Shown {
-    /// A value.
     Value(Expr),
     /// `"mean {mean(len):.3} of {n}"`, with its span.
     Text(Vec<Piece>, Span),

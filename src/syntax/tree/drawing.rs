@@ -8,7 +8,6 @@ use crate::source::Span;
 /// `before { … }` or `after { … }`
 #[derive(Clone, Debug, PartialEq)]
 pub struct Side {
-    /// Its statements.
     pub statements: Vec<Statement>,
     /// From the keyword to the closing brace.
     pub span: Span,
@@ -17,7 +16,6 @@ pub struct Side {
 /// A name in a drawing, possibly a family: `v0`, `h'`, `v[i+1]`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Name {
-    /// The word.
     pub ident: Ident,
     /// The subscript.
     pub index: Option<Index>,
@@ -43,7 +41,6 @@ impl fmt::Display for Name {
 pub struct Index {
     /// The variable, or `None` in `a[0]`.
     pub variable: Option<Ident>,
-    /// The constant.
     pub offset: i64,
     /// The span between the brackets.
     pub span: Span,
@@ -60,18 +57,15 @@ pub enum LoopKeyword {
     Loop,
 }
 
-/// A statement of a drawing.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Statement {
     /// `face f0: v0 -a-> v1 =P=> v0`
     Loop(Loop),
     /// `edge e: a | d`
     Edge {
-        /// The edge.
         name: Name,
         /// Its two halfedges.
         halfedges: [Name; 2],
-        /// The span of the whole statement.
         span: Span,
     },
     /// `vertex v: a b *S`
@@ -83,16 +77,7 @@ pub enum Statement {
     /// `keep e1 e2`
     Keep(Vec<Name>, Span),
     /// `v.position = …`
-    Assign {
-        /// The element.
-        target: Name,
-        /// The attribute.
-        attribute: Ident,
-        /// The value.
-        value: Expr,
-        /// The span of the whole statement.
-        span: Span,
-    },
+    Assign { target: Name, attribute: Ident, value: Expr, span: Span },
     /// Something that could not be read.
     Broken(Span),
 }
@@ -123,9 +108,7 @@ impl Statement {
 /// `face f0: v0 -a-> v1 =P=> v0` or `face f: each i { v[i] -h[i]-> }`
 #[derive(Clone, Debug, PartialEq)]
 pub struct Loop {
-    /// Its keyword.
     pub keyword: LoopKeyword,
-    /// The face.
     pub name: Name,
     /// The index variable, if the loop is written with `each`.
     pub each: Option<Ident>,
@@ -133,14 +116,12 @@ pub struct Loop {
     pub items: Vec<LoopItem>,
     /// The vertex after the last item, which should be the first one again; `None` with `each`.
     pub end: Option<Name>,
-    /// The span of the whole statement.
     pub span: Span,
 }
 
 /// A vertex and the halfedge or path that leaves it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LoopItem {
-    /// The vertex.
     pub from: Name,
     /// `-a->`, `=P=>` or `=>`.
     pub arrow: Arrow,
@@ -151,7 +132,6 @@ pub struct LoopItem {
 /// `-a->`, `=P=>` or `=>`
 #[derive(Clone, Debug, PartialEq)]
 pub enum Arrow {
-    /// One halfedge.
     Halfedge(Name),
     /// A run of zero or more halfedges.
     Path(Option<Name>),
@@ -160,20 +140,17 @@ pub enum Arrow {
 /// `vertex v: a b *S` or `vertex v: each i { h[i] }`
 #[derive(Clone, Debug, PartialEq)]
 pub struct Star {
-    /// The vertex.
     pub name: Name,
     /// The index variable, if written with `each`.
     pub each: Option<Ident>,
     /// Its spokes, counterclockwise.
     pub spokes: Vec<Spoke>,
-    /// The span of the whole statement.
     pub span: Span,
 }
 
 /// A spoke or a run of spokes.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Spoke {
-    /// One halfedge.
     Halfedge(Name),
     /// `*S` or `*`
     Fan(Option<Name>, Span),

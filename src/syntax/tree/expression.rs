@@ -11,7 +11,6 @@ const QUALIFIES: &str = "::";
 pub struct Ident {
     /// The word, with its primes.
     pub text: String,
-    /// Its place in the source.
     pub span: Span,
 }
 
@@ -38,12 +37,9 @@ pub fn split_qualified(name: &str) -> (Option<&str>, &str) {
     name.split_once(QUALIFIES).map_or((None, name), |(file, name)| (Some(file), name))
 }
 
-/// An expression.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Expr {
-    /// Its kind.
     pub kind: ExprKind,
-    /// Its place in the source.
     pub span: Span,
 }
 
@@ -57,7 +53,6 @@ impl Expr {
     }
 }
 
-/// An operator with one operand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum UnaryOp {
     /// `-x`
@@ -66,7 +61,6 @@ pub enum UnaryOp {
     Not,
 }
 
-/// An operator with two operands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BinaryOp {
     Add,
@@ -94,7 +88,6 @@ pub enum Asking {
     Why,
 }
 
-/// The kind of an expression.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ExprKind {
     /// `true`, `false`

@@ -3,7 +3,6 @@
 use super::{Block, Expr, Ident, Name, Side};
 use crate::source::Span;
 
-/// A file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct File {
     /// The doc comment at the head of the file (`//!`), one entry per line.
@@ -56,7 +55,6 @@ impl Item {
         }
     }
 
-    /// The op, if it is one.
     pub(crate) fn op(&self) -> Option<&Op> {
         match self {
             Item::Op(op) => Some(op),
@@ -84,7 +82,6 @@ pub struct Use {
     pub path: String,
     /// The span of the path, with its quotes.
     pub path_span: Span,
-    /// The span of the whole item.
     pub span: Span,
 }
 
@@ -95,15 +92,12 @@ pub struct Attr {
     pub docs: Vec<String>,
     /// True if it is `private`: visible only in its file, and never saved.
     pub private: bool,
-    /// Its name.
     pub name: Ident,
     /// The kind of element that has it, as written.
     pub kind: Ident,
     /// The type of its values, as written.
     pub ty: Ident,
-    /// The default value.
     pub default: Option<Expr>,
-    /// The span of the whole item.
     pub span: Span,
 }
 
@@ -114,58 +108,43 @@ pub struct Param {
     pub name: Name,
     /// Its type, as written; empty if it is missing, which is a mistake.
     pub ty: Ident,
-    /// Its default.
     pub default: Option<Expr>,
-    /// The span of the whole parameter.
     pub span: Span,
 }
 
 /// `fn name(…) -> type { … }`, optionally `private`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fn {
-    /// Its doc comment.
     pub docs: Vec<String>,
     /// True if it is `private`: visible only in its file.
     pub private: bool,
-    /// Its name.
     pub name: Ident,
-    /// Its parameters.
     pub params: Vec<Param>,
     /// The type of its result, as written.
     pub result: Option<Ident>,
-    /// Its body.
     pub body: Block,
-    /// The span of the whole item.
     pub span: Span,
 }
 
 /// `script name(…) { … }`, optionally `private`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Script {
-    /// Its doc comment.
     pub docs: Vec<String>,
     /// True if it is `private`: visible only in its file.
     pub private: bool,
-    /// Its name.
     pub name: Ident,
-    /// Its parameters.
     pub params: Vec<Param>,
-    /// Its body.
     pub body: Block,
-    /// The span of the whole item.
     pub span: Span,
 }
 
 /// `test "…" { … }`
 #[derive(Clone, Debug, PartialEq)]
 pub struct Test {
-    /// Its name.
     pub name: String,
     /// The span of its name, with the quotes.
     pub name_span: Span,
-    /// Its body.
     pub body: Block,
-    /// The span of the whole item.
     pub span: Span,
 }
 
@@ -176,9 +155,7 @@ pub struct Op {
     pub docs: Vec<String>,
     /// True if it is `private`: visible only in its file.
     pub private: bool,
-    /// Its name.
     pub name: Ident,
-    /// Its parameters.
     pub params: Vec<Param>,
     /// The result: a name that it draws, or, for an op in steps, a type.
     pub result: Option<Ident>,
@@ -197,7 +174,6 @@ pub struct Op {
 pub struct Steps {
     /// The conditions that are tested first.
     pub conditions: Vec<Condition>,
-    /// The statements.
     pub body: Block,
 }
 
@@ -206,11 +182,9 @@ pub struct Steps {
 pub struct Rule {
     /// Its name, if it is written `rule name { … }`.
     pub name: Option<Ident>,
-    /// The drawing before.
     pub before: Option<Side>,
     /// The conditions between the drawings.
     pub conditions: Vec<Condition>,
-    /// The drawing after.
     pub after: Option<Side>,
     /// The span of the whole rule; without `rule`, of the braces of the op.
     pub span: Span,
@@ -220,28 +194,11 @@ pub struct Rule {
 #[derive(Clone, Debug, PartialEq)]
 pub enum Condition {
     /// `require CONDITION else "REASON"`
-    Require {
-        /// The condition.
-        condition: Expr,
-        /// The reason for a refusal.
-        reason: Option<(String, Span)>,
-        /// The span of the whole statement.
-        span: Span,
-    },
+    Require { condition: Expr, reason: Option<(String, Span)>, span: Span },
     /// `guard LEVEL`
-    Guard {
-        /// The level.
-        level: Ident,
-        /// The span of the whole statement.
-        span: Span,
-    },
+    Guard { level: Ident, span: Span },
     /// `alias v2 v3`
-    Alias {
-        /// The names that may stand for one element.
-        names: Vec<Name>,
-        /// The span of the whole statement.
-        span: Span,
-    },
+    Alias { names: Vec<Name>, span: Span },
 }
 
 impl Condition {

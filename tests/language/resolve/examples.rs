@@ -177,12 +177,12 @@ fn must_gives_a_value_or_stops() {
     );
     assert_eq!(resolved.diagnostics, []);
     let script = &resolved.program.scripts[0];
-    let StatementKind::For { body, .. } = &script.body[0].kind else {
+    let StatementKind::For { body, .. } = &script.body.block[0].kind else {
         panic!("the script is a loop");
     };
     let StatementKind::Apply { variable, otherwise, .. } = &body[0].kind else {
         panic!("the op is asked");
     };
-    assert_eq!(script.variables[variable.unwrap() as usize].name, "w");
+    assert_eq!(script.body.variables[variable.unwrap() as usize].name, "w");
     assert!(matches!(otherwise[0].kind, StatementKind::Refused { .. }));
 }

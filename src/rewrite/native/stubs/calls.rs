@@ -1,42 +1,30 @@
 //! Calls of functions and operations.
 
-use super::{LEAVE, failed, within, within_any, within_guarded};
+use super::{Answer, LEAVE, anything, enter, failed, guarded};
 use crate::rewrite::native::compile::Entry;
 use crate::rewrite::native::context::{Context, Run};
 use crate::rewrite::{Inst, Message, Outcome, Trap};
 
 /// Calls a function that native code does not call directly.
-///
-/// # Safety
-/// As for all stubs.
-pub(in super::super) unsafe extern "C" fn call(context: *mut Context, inst: i64) -> i64 {
-    let call = |context: &mut Context, run: &mut Run<'_>| {
-        let caller = context.call(run);
-        let Run { machine, mesh, watch, .. } = run;
-        match machine.call_function(mesh, &caller, inst as usize, *watch)? {
-            Outcome::Applied { .. } => Ok(0),
-            Outcome::Refused { reason } => {
-                run.refused = Some(reason);
-                Ok(LEAVE)
-            }
+pub(super) fn call(context: &mut Context, run: &mut Run<'_>, inst: i64) -> Answer {
+    let caller = context.call(run);
+    let Run { machine, mesh, watch, .. } = run;
+    match machine.call_function(mesh, &caller, inst as usize, *watch)? {
+        Outcome::Applied { .. } => Ok(0),
+        Outcome::Refused { reason } => {
+            run.refused = Some(reason);
+            Ok(LEAVE)
         }
-    };
-    // SAFETY: as for all stubs.
-    unsafe { within_any(context, call) }
+    }
 }
 
 /// Adds the caller to the trace of a trap by which a function or operation that native code called
 /// directly has been left.
-///
-/// # Safety
-/// As for all stubs.
-pub(in super::super) unsafe extern "C" fn left(context: *mut Context, inst: i64) -> i64 {
-    let left = |context: &mut Context, run: &mut Run<'_>| match run.trap.take() {
+pub(super) fn left(context: &mut Context, run: &mut Run<'_>, inst: i64) -> Answer {
+    match run.trap.take() {
         Some(trap) => Err(trap.through(&context.call(run), inst as usize)),
         None => Ok(LEAVE),
-    };
-    // SAFETY: as for all stubs.
-    unsafe { within(context, left) }
+    }
 }
 
 /// The answer if an operation has to be called by the machine.
@@ -57,7 +45,7 @@ pub(in super::super) unsafe extern "C" fn apply(context: *mut Context, inst: i64
         None => Ok(BY_MACHINE),
     };
     // SAFETY: as for all stubs.
-    if unsafe { within_guarded(context, begin) } == LEAVE {
+    if unsafe { enter(context, guarded(begin)) } == LEAVE {
         return LEAVE;
     }
     let Some((entry, before)) = caller else {
@@ -70,7 +58,7 @@ pub(in super::super) unsafe extern "C" fn apply(context: *mut Context, inst: i64
     let end =
         |context: &mut Context, run: &mut Run<'_>| end_op(context, run, (inst, answer), before);
     // SAFETY: as for all stubs.
-    unsafe { within_guarded(context, end) }
+    unsafe { enter(context, guarded(end)) }
 }
 
 /// The state of the context for the caller of an operation.
@@ -138,19 +126,12 @@ fn end_op(
 }
 
 /// Counts a refusal of an operation that native code has called directly.
-///
-/// # Safety
-/// As for all stubs.
-pub(in super::super) unsafe extern "C" fn refused(context: *mut Context, op: i64) -> i64 {
-    let refused = |context: &mut Context, run: &mut Run<'_>| {
-        let reason = context.place(0).noted.map(|(_, reason)| reason);
-        context.noted = 0;
-        run.machine.last_refusal = Some((op as u16, reason));
-        run.machine.count(op as u16, Outcome::Refused { reason });
-        Ok(0)
-    };
-    // SAFETY: as for all stubs.
-    unsafe { within(context, refused) }
+pub(super) fn refused(context: &mut Context, run: &mut Run<'_>, op: i64) -> Answer {
+    let reason = context.place(0).noted.map(|(_, reason)| reason);
+    context.noted = 0;
+    run.machine.last_refusal = Some((op as u16, reason));
+    run.machine.count(op as u16, Outcome::Refused { reason });
+    Ok(0)
 }
 
 fn answer_of(outcome: Outcome) -> i64 {
@@ -181,5 +162,5 @@ unsafe fn apply_by_machine(context: *mut Context, inst: i64) -> i64 {
         outcome.map(answer_of).map_err(|trap| trap.through(&call, inst as usize))
     };
     // SAFETY: as for all stubs.
-    unsafe { within_any(context, apply) }
+    unsafe { enter(context, anything(apply)) }
 }

@@ -178,7 +178,6 @@ pub(super) fn forms_from(word: &str) -> &'static [usize] {
     BY_WORD.get(word).or_else(|| BY_WORD.get("")).map(Vec::as_slice).unwrap_or_default()
 }
 
-/// The pieces of a template.
 fn pieces(template: &'static str) -> Vec<Piece> {
     let mut pieces = Vec::new();
     let mut at = 0;
