@@ -183,6 +183,8 @@ pub(super) fn function(word: &str) -> Option<Here> {
         "edge_midpoint" => Written("midpoint"),
         "face_centroid" | "face_barycenter" | "calc_face_centroid" => Written("centroid"),
         "calc_edge_length" => Written("length"),
+        "find_edge" | "get_edge" | "edge_between" | "find_halfedge" | "get_halfedge"
+        | "halfedge_between" | "find_vertex" | "get_vertex" | "find_face" | "get_face" => PICKED,
         "first" | "choice" | "pick" | "any_of" | "random_choice" | "random_edge" | "sample" => {
             PICKED
         }
@@ -198,6 +200,11 @@ pub(super) fn function(word: &str) -> Option<Here> {
         "valid" | "is_valid" | "validate" | "check" | "is_manifold" | "check_mesh" => {
             Said("what is proved keeps every mesh valid, so there is nothing to ask")
         }
+        "poke" | "poke_face" | "kis" | "stellate" | "face_split" | "split_face"
+        | "insert_vertex" | "add_center" | "add_centre" => Said(
+            "a vertex at the centroid of a face, with an edge from each corner, comes by \
+             `inset_vertex(f)` of `std/polygon.hedge`",
+        ),
         "add_vertex" | "add_face" | "add_edge" | "new_vertex" | "new_face" | "delete_vertex"
         | "delete_face" | "delete_edge" | "remove_vertex" | "remove_face" | "remove_edge"
         | "delete" | "remove" | "set_next" | "set_twin" | "set_face" | "set_vertex"
