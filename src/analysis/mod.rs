@@ -13,6 +13,7 @@ mod broken_dependencies;
 mod completion;
 mod cursor_context;
 mod dangling_twins;
+mod dependencies;
 mod disk;
 mod edits;
 pub mod element;

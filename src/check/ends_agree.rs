@@ -8,8 +8,9 @@
 
 use super::pairing::pairing;
 use super::problem::{Problem, Remedy, enumerate};
-use crate::diagnostic::Diagnostic;
-use crate::diagram::{Drawing, Edge, Kind, LoopKind, NameId, Ref, Side, Spoke, Star, View};
+use crate::diagnostic::{Diagnostic, Edit, Fix};
+use crate::diagram::{Drawing, Edge, Kind, LoopKind, NameId, Ref, Rule, Side, Spoke, Star, View};
+use crate::source::Span;
 
 /// Tests the law.
 pub(super) fn test(drawing: &Drawing) -> Vec<Problem> {
@@ -36,9 +37,9 @@ pub(super) fn neighbours_are_twins(drawing: &Drawing) -> Vec<Problem> {
             let arrives = before.item_before(spoke.name);
             let is_half = |item: &NameId| rule.kind(*item) == Kind::Halfedge;
             let Some(arrives) = arrives.filter(is_half) else { continue };
-            let ends = [before.loop_target(next.name), before.loop_origin(arrives)];
+            let ends = [before.target_mention(next.name), before.origin_mention(arrives)];
             let [Some(end), Some(start)] = ends else { continue };
-            if end == start {
+            if end.name == start.name {
                 continue;
             }
             let [vertex, leaves, comes] =
@@ -46,11 +47,14 @@ pub(super) fn neighbours_are_twins(drawing: &Drawing) -> Vec<Problem> {
             let message = format!(
                 "no mesh matches: around {vertex} {leaves} is the twin of {comes}, but it ends \
                      at {}, and {comes} starts at {}",
-                rule.quoted(end),
-                rule.quoted(start),
+                rule.quoted(end.name),
+                rule.quoted(start.name),
             );
             problems.push(
-                Diagnostic::error("impossible-drawing", message, star.span)
+                Diagnostic::error("impossible-drawing", message, next.span)
+                    .saying(format!("listed after {}", rule.quoted(spoke.name)))
+                    .label(end.span, format!("{leaves} ends here"))
+                    .label(start.span, format!("{comes} starts here"))
                     .note(format!(
                         "counterclockwise the spoke after `{0}` is `{0}.prev.twin`",
                         rule.name(spoke.name).text
@@ -89,6 +93,11 @@ impl Law<'_> {
                 continue;
             }
             told.push(name);
+            let apart = apart_from_their_stars(rule, name);
+            if let [first, ..] = apart.as_slice() {
+                self.tell(no_name_of_a_fan(&rule.name(name).text, *first, &apart));
+                continue;
+            }
             let text = rule.quoted(name);
             let message =
                 format!("{text} stands in no loop of `before`, and is no twin of one that does");
@@ -325,7 +334,7 @@ impl Law<'_> {
             if orbit.kind == LoopKind::Any && self.drawing.created(orbit.face.name).is_some() {
                 let text = rule.quoted(orbit.face.name);
                 let message = format!("the new {text} must be a face or a hole");
-                let keyword = crate::source::Span { end: orbit.span.start + 4, ..orbit.span };
+                let keyword = Span { end: orbit.span.start + 4, ..orbit.span };
                 self.tell(
                     Diagnostic::error("new-loop-kind", message, keyword)
                         .saying("`loop` means either")
@@ -334,6 +343,38 @@ impl Law<'_> {
             }
         }
     }
+}
+
+/// The places of a halfedge right behind fans without a name, each with the star, if `before` has
+/// one: the name may be that of the fan.
+fn apart_from_their_stars(rule: &Rule, name: NameId) -> Vec<[Span; 2]> {
+    let places = |side: &Side| {
+        let pairs = side.stars.iter().flat_map(|star| star.spokes.windows(2));
+        let apart = pairs.filter_map(|pair| match pair {
+            [Spoke::Rest(star), Spoke::Halfedge(half)] if half.name == name => {
+                Some([*star, half.span])
+            }
+            _ => None,
+        });
+        apart.collect::<Vec<_>>()
+    };
+    let before = places(&rule.before);
+    if before.is_empty() { before } else { [before, places(&rule.after)].concat() }
+}
+
+/// The error about `* S` where `*S` is meant.
+fn no_name_of_a_fan(word: &str, [star, half]: [Span; 2], all: &[[Span; 2]]) -> Diagnostic {
+    let message = format!("`{word}` stands apart from the star: a halfedge, which no loop draws");
+    let joined = |[star, half]: &[Span; 2]| Edit {
+        span: Span { start: star.end, end: half.start, ..*star },
+        text: String::new(),
+    };
+    let title = format!("write `*{word}`");
+    let fix = Fix { title, edits: all.iter().map(joined).collect() };
+    let mut diagnostic = Diagnostic::error("unplaced-halfedge", message, star.to(half))
+        .note(format!("the name of a fan touches its star: `*{word}`"));
+    diagnostic.fixes.push(fix);
+    diagnostic
 }
 
 /// A note for two halves of an edge that run from the same vertex to the same vertex in two loops.

@@ -139,7 +139,7 @@ fn in_edges(drawing: &Drawing, wrong: &[NameId], mut pairs: Vec<Pair>) -> Vec<Re
         pair.iter().filter(|&&half| drawing.is_outer(half)).find_map(|&half| own(half))
     };
     let both = |pair: &Pair| {
-        let [one, other] = pair.map(own);
+        let [one, other] = pair.map(|half| drawing.before.edge(half));
         one.filter(|_| one == other)
     };
     let [first, second] = [0, 1].map(|at| move |pair: &Pair| own(pair[at]));

@@ -152,17 +152,24 @@ pub(super) fn too_many(drawing: &Drawing, corner: &Corner) -> Problem {
 pub(super) fn impossible(drawing: &Drawing, corner: &Corner) -> Problem {
     let text = drawing.rule.quoted(corner.vertex);
     if let Some(star) = drawing.before.star(corner.vertex) {
-        let message = format!(
-            "no mesh matches: the vertex statement of {text} contradicts the loops and edges"
-        );
-        // A letter that is not a name of the rule.
-        let is_free = |letter: &&str| drawing.rule.free_name(letter) == *letter;
-        let spoke = ["h", "s", "x", "y", "z"].into_iter().find(is_free).unwrap_or("h");
-        let diagnostic = Diagnostic::error("impossible-drawing", message, star.span)
-            .saying("these spokes, counterclockwise")
-            .note(format!(
-                "counterclockwise around {text} the spoke after `{spoke}` is `{spoke}.prev.twin`"
-            ));
+        let diagnostic = out_of_order(drawing, star).unwrap_or_else(|| {
+            let message = format!(
+                "no mesh matches: the vertex statement of {text} contradicts the loops and edges"
+            );
+            // A letter that is not a name of the rule.
+            let is_free = |letter: &&str| drawing.rule.free_name(letter) == *letter;
+            let spoke = ["h", "s", "x", "y", "z"].into_iter().find(is_free).unwrap_or("h");
+            let error = Diagnostic::error("impossible-drawing", message, star.span)
+                .saying("these spokes, counterclockwise")
+                .note(format!(
+                    "counterclockwise around {text} the spoke after `{spoke}` is \
+                     `{spoke}.prev.twin`"
+                ));
+            match star.spokes.iter().all(|spoke| spoke.halfedge().is_some()) {
+                true => error.note("spokes that are not drawn are a fan, `*`"),
+                false => error,
+            }
+        });
         return match in_order(drawing, corner, star) {
             Some(statement) => {
                 let title = format!("write `{statement}`");
@@ -182,6 +189,33 @@ pub(super) fn impossible(drawing: &Drawing, corner: &Corner) -> Problem {
     );
     let span = drawing.before.mention(item).unwrap_or(drawing.rule.before.span);
     Diagnostic::error("impossible-drawing", message, span).into()
+}
+
+/// The error about a listed spoke that the loops and edges put after another one than the statement
+/// does.
+fn out_of_order(drawing: &Drawing, star: &Star) -> Option<Diagnostic> {
+    let Drawing { rule, before, .. } = drawing;
+    if star.each {
+        return None;
+    }
+    let is_half = |item: &NameId| rule.kind(*item) == Kind::Halfedge;
+    star.neighbors().find_map(|[spoke, next]| {
+        let behind = before.spoke_behind(spoke.name).filter(|&behind| behind != next.name);
+        let ahead = || before.item_after(before.twin(next.name)?).filter(is_half);
+        let (first, second) = match behind {
+            Some(behind) => (spoke.name, behind),
+            None => (ahead().filter(|&ahead| ahead != spoke.name)?, next.name),
+        };
+        let word = &rule.name(first).text;
+        let message = format!(
+            "no mesh matches: counterclockwise around {} the spoke after `{word}` is {}",
+            rule.quoted(star.vertex.name),
+            rule.quoted(second)
+        );
+        let error = Diagnostic::error("impossible-drawing", message, next.span)
+            .saying(format!("listed after {}", rule.quoted(spoke.name)));
+        Some(error.note(format!("{} is `{word}.prev.twin`", rule.quoted(second))))
+    })
 }
 
 /// The statement with its spokes in the order that the loops and edges give, if they are one chain

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::arguments::{ApplyArguments, Format};
-use super::check::depends;
+use super::check::{depends, reports};
 use super::counts::Counts;
 use super::failure::Failure;
 use super::output::{complain, complain_json, is_standard, say, say_json};
@@ -22,7 +22,8 @@ pub(super) fn apply(arguments: &ApplyArguments) -> Result<(), Failure> {
     let program = program::read(path)?;
     let op = program::find_op(&program, name)?;
     let Some(plan) = &program.analysis.plans[op] else {
-        let failure = Failure::of(&program.analysis.diagnostics, &program.sources, 1);
+        let told = program.complain_about(&[program.analysis.program.ops[op].span]);
+        let failure = Failure::Told(reports(&told, &program.sources), 1.into());
         if let Some(lacks) = &program.analysis.lacks[op] {
             let name = &program.analysis.program.ops[op].name;
             complain(&format!("`{name}` is not proved: it {}", depends(lacks)));

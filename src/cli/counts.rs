@@ -30,7 +30,7 @@ impl Counts {
             ("vertices", self.vertices),
             ("edges", self.edges),
             ("faces", self.faces),
-            ("boundary loops", self.boundary_loops),
+            ("holes", self.boundary_loops),
         ]
     }
 }

@@ -8,7 +8,7 @@ use super::check::show_rule;
 use super::failure::Failure;
 use super::files::write;
 use super::meshes::expect_place;
-use super::output::{complain, complain_of, is_standard, say};
+use super::output::{complain, is_standard, say};
 use super::plan::show as show_plan;
 use super::program::{self, Program};
 use crate::analysis::{Analysis, Verdict, example, verdicts};
@@ -112,10 +112,7 @@ fn diagram(program: &Program, op: usize) -> Result<Cow<'_, Op>, Failure> {
     }
     let (resolved, plan) = (&analysis.program.ops[op], &analysis.plans[op]);
     let not_understood = || {
-        let own: Vec<_> = errors(analysis, op).cloned().collect();
-        // What is wrong may lie outside of the op.
-        let told = if own.is_empty() { &analysis.diagnostics } else { &own };
-        complain_of(told, &program.sources);
+        program.complain_about(&[resolved.span]);
         Failure::NotProved
     };
     match (&resolved.diagram, plan) {

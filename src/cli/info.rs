@@ -152,7 +152,7 @@ fn show(file: &str, summary: &Summary, parts: Vec<Vec<String>>) -> String {
         row("vertices", summary.vertices),
         row("edges", summary.edges),
         row("faces", summary.faces),
-        row("boundary loops", summary.holes),
+        row("holes", summary.holes),
     ];
     if summary.isolated_vertices > 0 {
         rows.push(row("isolated vertices", summary.isolated_vertices));

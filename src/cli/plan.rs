@@ -38,7 +38,8 @@ pub(super) fn plan(arguments: &PlanArguments) -> Result<(), Failure> {
     expect_named(arguments, &program, &ops)?;
     let plans = ops.iter().map(|&op| program.analysis.plans[op].as_ref());
     let Some(plans) = plans.collect::<Option<Vec<_>>>() else {
-        complain_of(&program.analysis.diagnostics, &program.sources);
+        let places: Vec<_> = ops.iter().map(|&op| program.analysis.program.ops[op].span).collect();
+        program.complain_about(&places);
         return Err(Failure::NotProved);
     };
     let emit = |ops: &[usize]| {

@@ -4,9 +4,9 @@ use std::path::{Path, PathBuf};
 
 use super::failure::Failure;
 use super::files::is_same;
-use super::output::complain;
+use super::output::{complain, complain_of};
 use crate::analysis::{Analysis, Disk, meant, read_program};
-use crate::diagnostic::quoted;
+use crate::diagnostic::{Diagnostic, counted, quoted};
 use crate::library;
 use crate::mesh::{FileFormat, Level, Mesh, validate_level};
 use crate::resolve::closest;
@@ -55,6 +55,19 @@ impl Program {
         let file = sources.add(name, text);
         let analysis = Analysis::with(&mut sources, file, &mut Disk);
         Self { sources, analysis }
+    }
+
+    /// Prints the diagnostics that concern the items at some places, and the number of errors in
+    /// others; returns the former.
+    pub fn complain_about(&self, asked: &[Span]) -> Vec<Diagnostic> {
+        let (told, others) = self.analysis.concerning(asked, &self.sources);
+        complain_of(&told, &self.sources);
+        if others > 0 {
+            let errors = counted(others, "error", "errors");
+            let file = self.sources.get(self.analysis.file).name();
+            complain(&format!("{errors} in other items: `hedgerow check {file}`"));
+        }
+        told
     }
 
     /// Fails if an output would replace the program or a file that it uses.
@@ -141,12 +154,14 @@ pub(super) fn expect_program(path: &Path) -> Result<(), Failure> {
 pub(super) fn read_script(script: &str) -> Result<(Program, usize), Failure> {
     let (path, name) = part(script);
     let program = read(path)?;
+    if let Some(script) = name.and_then(|name| program.analysis.script(name)) {
+        let place = program.analysis.program.scripts[script].span;
+        program.complain_about(&[place]);
+        return Ok((program, script));
+    }
     let failure = Failure::of(&program.analysis.diagnostics, &program.sources, 1);
     if program.analysis.is_sound() {
         let script = find_script(&program, name)?;
-        return Ok((program, script));
-    }
-    if let Some(script) = name.and_then(|name| program.analysis.script(name)) {
         return Ok((program, script));
     }
     let Analysis { program: known, plans, file, .. } = &program.analysis;

@@ -12,7 +12,8 @@ use super::option_groups::RepairArguments;
 use super::output::{complain, complain_of, say, say_json};
 use super::program::{self, Program};
 use super::{interrupt, memory, meshes};
-use crate::analysis::expect_regular;
+use crate::analysis::{Analysis, expect_regular};
+use crate::diagnostic::Diagnostic;
 use crate::mesh::MeshFile;
 use crate::rewrite::Watch;
 use crate::run::{self, Conditions};
@@ -73,8 +74,18 @@ fn run_file(program: &Program, path: &Path, arguments: &TestArguments) -> FileRe
     let conditions = Conditions { seed: arguments.seed, memory, engine: arguments.engine.get() };
     let mut tests = Vec::new();
     let shown = path.display().to_string();
+    // Without a filter the whole file is asked for.
+    let told = match &arguments.filter {
+        Some(_) if is_human => program.complain_about(&wanted(analysis, arguments)),
+        Some(_) => analysis.concerning(&wanted(analysis, arguments), &program.sources).0,
+        None => {
+            if is_human {
+                complain_of(&analysis.diagnostics, &program.sources);
+            }
+            analysis.diagnostics.clone()
+        }
+    };
     if is_human {
-        complain_of(&analysis.diagnostics, &program.sources);
         say(&shown);
     }
     let own = analysis.program.tests.iter().enumerate();
@@ -114,11 +125,19 @@ fn run_file(program: &Program, path: &Path, arguments: &TestArguments) -> FileRe
     FileReport {
         file: shown,
         broken,
-        sound: analysis.is_sound(),
-        diagnostics: reports(&analysis.diagnostics, &program.sources),
+        sound: !told.iter().any(Diagnostic::is_error),
+        diagnostics: reports(&told, &program.sources),
         tests,
         error: None,
     }
+}
+
+/// The places of the tests that are asked for, of those with errors too.
+fn wanted(analysis: &Analysis, arguments: &TestArguments) -> Vec<Span> {
+    let read = analysis.program.tests.iter().map(|test| (&test.script.name, test.script.span));
+    let unread = analysis.program.unread_tests.iter().map(|(name, span)| (name, *span));
+    let wanted = |(name, span): &(&String, Span)| analysis.is_own(*span) && arguments.wants(name);
+    read.chain(unread).filter(wanted).map(|(_, span)| span).collect()
 }
 
 /// Reads the mesh of a path, relative to the folder of the file that names it.

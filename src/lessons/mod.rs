@@ -3,8 +3,8 @@
 //! A lesson is a file of [`texts`](self): a title, the mesh to try it on, the text in Markdown, and
 //! the complete program. What is left out at first is between `//{` and `//}`; lines that begin
 //! with `//|` are shown instead of it. After that come the mistakes of hand-written operations that
-//! the lesson is about, twenty-two in all lessons together: a title, a text, and a diff of the
-//! solution, as lines with `-`, `+` or a space before them.
+//! the lesson is about, twenty-three in all lessons together: a title, a text, and a diff of the
+//! solution, as lines with `-`, `+` or a space before them; or several, of which each is the mistake.
 //!
 //! A text solves a lesson if it does what the lesson's own program does: every operation is proved,
 //! applies and refuses at the same elements of small meshes, and leaves the same mesh; every script
@@ -40,6 +40,8 @@ pub struct Mistake {
     pub text: &'static str,
     /// The solution of the lesson with the mistake in it.
     pub program: String,
+    /// The same in other ways.
+    pub(crate) others: Vec<String>,
 }
 
 macro_rules! lessons {
@@ -112,15 +114,26 @@ impl Lesson {
 impl Mistake {
     fn read(file: &'static str, solution: &str) -> Option<Self> {
         let (title, rest) = file.split_once('\n')?;
-        let (text, rest) = rest.split_once("```diff\n")?;
-        let (change, _) = rest.split_once("```")?;
-        let lines = |without: char| {
-            let kept = change.lines().filter(|line| !line.starts_with(without));
-            kept.map(|line| format!("{}\n", line.get(1..).unwrap_or(""))).collect::<String>()
+        let mut parts = rest.split("```diff\n");
+        let text = parts.next()?.trim();
+        let changed = |part: &str| {
+            let (change, _) = part.split_once("```")?;
+            let lines = |without: char| {
+                let kept = change.lines().filter(|line| !line.starts_with(without));
+                kept.map(|line| format!("{}\n", line.get(1..).unwrap_or(""))).collect::<String>()
+            };
+            let (before, after) = (lines('+'), lines('-'));
+            let program = solution.replacen(&before, &after, 1);
+            (program != solution).then_some(program)
         };
-        let (before, after) = (lines('+'), lines('-'));
-        let program = solution.replacen(&before, &after, 1);
-        (program != solution).then_some(Self { title, text: text.trim(), program })
+        let program = changed(parts.next()?)?;
+        let others = parts.map(changed).collect::<Option<_>>()?;
+        Some(Self { title, text, program, others })
+    }
+
+    /// The solution with the mistake in it, in every way.
+    fn programs(&self) -> impl Iterator<Item = &String> {
+        std::iter::once(&self.program).chain(&self.others)
     }
 }
 

@@ -100,7 +100,7 @@ pub fn difference(ours: &Mesh, theirs: &Mesh, tolerance: f64) -> Difference {
         ("vertices", Mesh::vertex_count as fn(&Mesh) -> usize),
         ("edges", Mesh::edge_count),
         ("faces", Mesh::face_count),
-        ("boundary loops", Mesh::hole_count),
+        ("holes", Mesh::hole_count),
     ];
     let counts =
         counts.map(|(what, count)| Count { what, ours: count(ours), theirs: count(theirs) });

@@ -194,6 +194,9 @@ impl<'a> Drawing<'a> {
     /// Records where an element is stated, and reports a second statement.
     pub(super) fn state(&mut self, what: Ref, span: Span) {
         let Some(first) = self.stated.insert(what.name, span) else { return };
+        if self.names.is_confused(what.name) {
+            return self.report.fail();
+        }
         let name = self.names.get(what.name);
         let message = format!("the {} `{}` is stated twice", name.kind.word(), name.text);
         let error = Diagnostic::error("stated-twice", message, span)
@@ -266,6 +269,7 @@ impl<'a> Drawing<'a> {
         let [begins, ends] = [&first.from, end].map(ToString::to_string);
         let message = format!("the loop of `{face}` begins at `{begins}`, but ends at `{ends}`");
         let error = Diagnostic::error("open-loop", message, end.span)
+            .saying("it ends here")
             .label(first.from.span, "it begins here");
         if let Some(item) = self.lacks(gap) {
             let name = self.names.get(item);

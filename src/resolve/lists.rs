@@ -149,6 +149,9 @@ impl<'a> Reader<'a> {
             return;
         }
         let Some(id) = self.drawn("keep", name) else { return };
+        if self.names.is_confused(id) {
+            return self.report.fail();
+        }
         let word = &name.ident.text;
         let kind = self.names.get(id).kind;
         let error = if !matches!(kind, Kind::Vertex | Kind::Edge | Kind::Face) {

@@ -1,6 +1,6 @@
 //! The table of a rule's names, each with one kind and one number, shared by both sides.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Cycle, Kind, Name, NameId, Role, Type};
@@ -26,6 +26,8 @@ pub(super) struct Names {
     params: Vec<(String, Span)>,
     /// The letter of the index, if there are families.
     letter: Option<String>,
+    /// The names that are used as two kinds, which has been reported.
+    confused: HashSet<String>,
 }
 
 /// The origin of the kind of a name.
@@ -47,9 +49,11 @@ impl Names {
         let after = rule.after.as_ref().map(mentions).unwrap_or_default();
         let all = || before.iter().chain(&after);
         let kinds = kinds(params, all(), report);
+        let confused = kinds.iter().filter(|(_, origin)| origin.told);
         let mut names = Self {
             params: params.iter().map(|param| (param.name.clone(), param.span)).collect(),
             letter,
+            confused: confused.map(|(word, _)| word.clone()).collect(),
             ..Self::default()
         };
         for mention in all() {
@@ -146,6 +150,11 @@ impl Names {
     /// The place of the parameter of this name.
     pub(super) fn parameter(&self, word: &str) -> Option<Span> {
         self.params.iter().find(|(param, _)| param == word).map(|&(_, span)| span)
+    }
+
+    /// True if it is used as two kinds, which has been reported.
+    pub(super) fn is_confused(&self, id: NameId) -> bool {
+        self.confused.contains(&self.get(id).text)
     }
 
     /// The letter of the index, if there are families.

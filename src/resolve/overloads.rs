@@ -238,13 +238,21 @@ impl Typing<'_> {
             self.op_in_expression(word, span);
             return false;
         }
-        if self.declared.called(word).is_some() {
+        if let Some(called) = self.declared.called(word) {
             let of = match self.place {
                 Place::Default(of) => of,
                 Place::Rule(_) | Place::Script => "a parameter",
             };
-            let message = format!("`{word}` cannot be called in the default of {of}");
-            self.report.add(Diagnostic::error("unknown-function", message, function.span));
+            let message = format!(
+                "`{word}` cannot be called in the default of {of}, which calls no functions of the \
+                 program"
+            );
+            let error = Diagnostic::error("unknown-function", message, function.span);
+            self.report.add(
+                error
+                    .label(called.span, "it is declared here")
+                    .note("such a default is computed before there are functions: write its value"),
+            );
             return false;
         }
         if self.declared.lacks_files() {

@@ -9,6 +9,8 @@ use super::signature::{FunctionSignature, Value};
 pub(super) struct Returns {
     /// The name of the function; `None` in a script.
     pub(super) function: Option<String>,
+    /// The span of that name.
+    pub(super) declared: Span,
     pub(super) value: Value,
     /// The first `return`, which determines the type if none is written.
     pub(super) first: Option<Span>,
@@ -22,13 +24,21 @@ pub(super) struct Returns {
 impl Returns {
     /// No value: the statements of a script.
     pub(super) fn nothing() -> Self {
-        Self { function: None, value: Value::Nothing, first: None, cycles: false, head: None }
+        Self {
+            function: None,
+            declared: Span::default(),
+            value: Value::Nothing,
+            first: None,
+            cycles: false,
+            head: None,
+        }
     }
 
     /// The value given by the signature of a function.
     pub(super) fn of_function(signature: &FunctionSignature, cycles: bool) -> Self {
         Self {
             function: Some(signature.name.clone()),
+            declared: signature.span,
             value: match signature.result {
                 Value::Open if cycles => Value::Nothing,
                 value => value,

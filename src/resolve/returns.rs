@@ -178,14 +178,29 @@ impl Scripting<'_> {
                 self.returns.value = Value::Of(value.ty);
                 Some(value)
             }
+            Value::Nothing if self.returns.cycles => {
+                // One value tells the type of all.
+                self.returns.value = Value::Unknown;
+                let message = format!("`{name}` calls itself, so the type of its value is written");
+                let (ty, place) = (value.ty, self.returns.declared);
+                let error = Diagnostic::error("needs-result-type", message, place)
+                    .saying("behind its parameters")
+                    .label(written.span, format!("it gives {} here", ty.a_word()));
+                let result = format!("-> {} ", ty.word());
+                self.typing.report.reject(match self.returns.head {
+                    Some(head) => error.fix(format!("write `{}`", result.trim()), head, result),
+                    None => error,
+                })
+            }
             Value::Nothing => {
-                let message = match self.returns.cycles {
-                    true => format!("`{name}` calls itself, so the type of its value is written"),
-                    false => format!("`{name}` gives nothing elsewhere"),
-                };
-                let error = Diagnostic::error("needs-result-type", message, written.span);
-                let error = error
-                    .note(format!("behind the parameters: `fn {name}(…) -> {}`", value.ty.word()));
+                let message =
+                    format!("`{name}` gives {} here, but elsewhere nothing", value.ty.a_word());
+                let error = Diagnostic::error("needs-result-type", message, written.span)
+                    .label(first, "it gives nothing here")
+                    .note(format!(
+                        "every way through a function gives a value, `fn {name}(…) -> {}`, or none does",
+                        value.ty.word()
+                    ));
                 self.typing.report.reject(error)
             }
             Value::Unknown => self.typing.report.give_up(),

@@ -115,7 +115,8 @@ pub(super) fn resolve_body(
     }
     let mut scripting = Scripting::beginning(&signature.params, ops, declared, report);
     scripting.returns = Returns::of_function(signature, cycles);
-    scripting.returns.head = (signature.result == Value::Open).then(|| written.span.before());
+    let is_open = cycles || signature.result == Value::Open;
+    scripting.returns.head = is_open.then(|| written.span.before());
     scripting.steps_of = asked.map(|_| signature.name.as_str());
     let asked = asked.unwrap_or_default();
     let requires = requires(asked, &signature.name, &mut scripting.typing);

@@ -50,9 +50,11 @@ impl<'c> Call<'c> {
         Self::first((code, Way::Script), plans, &[], None)
     }
 
-    /// The call of an operation that is not called by other code.
+    /// The call of an operation that is not called by other code: as deep as from a script.
     pub(super) fn of(plan: &'c Plan, plans: &'c [Option<Plan>]) -> Self {
-        Self::first((&plan.code, Way::Whole), plans, &plan.refusals, plan.steps.as_ref())
+        let first =
+            Self::first((&plan.code, Way::Whole), plans, &plan.refusals, plan.steps.as_ref());
+        Self { depth: 1, ..first }
     }
 
     fn first(

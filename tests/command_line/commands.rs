@@ -144,7 +144,7 @@ fn run_writes_a_mesh_and_a_table() {
         "iterations=1",
     ];
     let told = bench.succeeds(&arguments);
-    for words in ["op        applied  refused", "boundary loops", "seconds: load "] {
+    for words in ["op        applied  refused", "holes", "seconds: load "] {
         assert!(told.contains(words), "{told}");
     }
     let summary = bench.json(&["info", "out.obj"]);
@@ -419,7 +419,7 @@ fn info_describes_a_mesh() {
     let bench = Bench::with_square();
     let told = bench.succeeds(&["info", "square.obj"]);
     for words in
-        ["vertices              4\n", "valid, of level simple", "boundary loops        1\n"]
+        ["vertices              4\n", "valid, of level simple", "holes                 1\n"]
     {
         assert!(told.contains(words), "{told}");
     }

@@ -299,3 +299,53 @@ fn a_script_takes_elements_by_the_numbers_of_the_file() {
         assert!(said.err.contains(says), "{more:?}: {said:?}");
     }
 }
+
+/// What is asked for decides, with all that it names: errors of others are counted in a line.
+#[test]
+fn errors_of_others_are_only_counted() {
+    let bench = Bench::with_square();
+    bench.write(
+        "s.hedge",
+        "op bad(e: edge) {
+  before { loop f: v0 -a-> v1 =P=> v0 edge e: a | b }
+  after { keep f edge e: a | x }
+}
+op good(f: face) { before { face f: v0 -a-> v1 =P=> v0 } after { keep f } }
+op both(e: edge) { steps { must bad(e) } }
+fn wrong() -> int { true }
+fn through() -> int { wrong() }
+script runs() { for f in faces { good(f) } }
+script stops() { print through() }
+test \"passes\" { mesh = cube() for f in faces { must good(f) } }
+test \"fails\" { mesh = cube() for e in edges { must bad(e) } }
+",
+    );
+    let others = |said: &str, count: &str| {
+        assert!(
+            said.contains(&format!("{count} in other items: `hedgerow check s.hedge`")),
+            "{said}"
+        );
+    };
+    let runs = bench.run(&["run", "s.hedge::runs", "square.obj"]);
+    assert!(runs.code == 0 && !runs.err.contains("error["), "{runs:?}");
+    others(&runs.err, "2 errors");
+    let stops =
+        bench.fails(1, &["run", "s.hedge::stops", "square.obj"], "`wrong` gives an int").err;
+    assert!(!stops.contains("unknown-name"), "{stops}");
+    others(&stops, "1 error");
+    let at = ["square.obj", "--at", "edge:1-3"];
+    for op in ["bad", "both"] {
+        let op = format!("s.hedge::{op}");
+        let told = bench.fails(1, &[&["apply", &op][..], &at].concat(), "unknown-name").err;
+        assert!(!told.contains("type-mismatch"), "{told}");
+        others(&told, "1 error");
+    }
+    let passes = bench.run(&["test", "s.hedge", "--filter", "pass"]);
+    assert!(passes.code == 0 && !passes.err.contains("error["), "{passes:?}");
+    others(&passes.err, "2 errors");
+    let fails = bench.fails(1, &["test", "s.hedge", "--filter", "fail"], "unknown-name").err;
+    others(&fails, "1 error");
+    // Without a filter the whole file is asked for.
+    let all = bench.fails(1, &["test", "s.hedge"], "`wrong` gives an int").err;
+    assert!(all.contains("unknown-name") && !all.contains("in other items"), "{all}");
+}

@@ -8,7 +8,9 @@ use std::process::Command;
 
 use hedgerow::analysis::Analysis;
 use hedgerow::diagnostic::{Rendering, render};
-use hedgerow::source::Sources;
+use hedgerow::format::format;
+use hedgerow::source::{FileId, Sources};
+use hedgerow::syntax::parse;
 
 fn read(path: &str) -> String {
     fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(path)).unwrap()
@@ -94,6 +96,21 @@ fn the_ops_of_the_pages_are_proved_but_for_the_broken_one() {
     }
     assert!(proved >= 3, "{proved} drawings in the pages");
     assert_eq!(broken, 1);
+}
+
+#[test]
+fn the_programs_of_the_pages_are_formatted() {
+    let mut count = 0;
+    for name in ["grammar/reference.md", "README.md"] {
+        for text in fences(&read(name)) {
+            if !parse(FileId(0), &text).diagnostics.is_empty() {
+                continue;
+            }
+            assert_eq!(format(FileId(0), &text).unwrap().text, text, "{name}");
+            count += 1;
+        }
+    }
+    assert!(count > 10, "only {count} programs");
 }
 
 #[test]

@@ -32,8 +32,8 @@ fn common_mistakes_are_rejected_each_with_its_own_message() {
             titles.insert(mistake.title);
         }
     }
-    assert_eq!(titles.len(), 22);
-    assert_eq!(messages.len(), 22);
+    assert_eq!(titles.len(), 23);
+    assert_eq!(messages.len(), 23);
 }
 
 #[test]
@@ -46,6 +46,38 @@ fn a_mistake_is_known_in_other_words_and_others_are_not_taken_for_it() {
     let refusing = flip.solution().replace("guard simple", "require false else \"no\"");
     assert_eq!(judge(&flip, &refusing).unwrap_err().mistake, None);
     assert_eq!(judge(&flip, "op flip(").unwrap_err().mistake, None);
+}
+
+#[test]
+fn a_mistake_is_known_in_each_of_its_ways() {
+    let steps = lesson("15").expect("there is one");
+    let tried = steps.solution();
+    for musts in ["must flip", "must collapse", "must"] {
+        let tried = tried.replace(musts, musts.trim_start_matches("must").trim_start());
+        let rejected = judge(&steps, &tried).unwrap_err();
+        let title = rejected.mistake.map(|mistake| mistake.title);
+        assert_eq!(title, Some("A step is only tried"), "{musts}: {}", rejected.why);
+    }
+}
+
+#[test]
+fn of_a_script_it_is_told_how_often_it_should_call() {
+    let calls = [
+        ("12", "`collapse` 41 (here 1)"),
+        ("13", "`collapse` 36 (here 0)"),
+        ("14", "`split` 6 (here 0)"),
+    ];
+    for (number, call) in calls {
+        let lesson = lesson(number).expect("there is one");
+        let again = lesson.program.replace("\n}\n", "\n  // Not yet.\n}\n");
+        let rejected = judge(&lesson, &again).unwrap_err();
+        assert_eq!(rejected.mistake, None);
+        assert!(rejected.why.starts_with("the missing part is not written yet"), "{rejected}");
+        assert!(rejected.why.contains(call), "{rejected}");
+    }
+    let drain = lesson("13").expect("there is one");
+    let said = judge(&drain, &drain.solution().replace("> most", ">= most")).unwrap_err().why;
+    assert!(said.ends_with("Applied on the way to that one: `collapse` 0 (here 1)"), "{said}");
 }
 
 #[test]

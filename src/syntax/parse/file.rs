@@ -48,6 +48,7 @@ fn parsed(file: FileId, text: &str, tries: bool) -> Parsed {
     let items = items(text, (&tokens, &comments, &wrong), report, tries);
     let tree = File { docs: file_docs(text, &tokens, &comments), items, misread };
     diagnostics.extend(divisors_in_comments(text, &tokens, &comments));
+    diagnostics.extend(privates_at_line_ends(text, &tokens));
     diagnostics.sort_by_key(|diagnostic| diagnostic.span().start);
     diagnostics.dedup_by_key(|diagnostic| diagnostic.span().start);
     Parsed { tree, tokens, comments, diagnostics, mended }
@@ -100,6 +101,31 @@ fn divisors_in_comments(text: &str, tokens: &[Token], comments: &[Comment]) -> V
         is_divisor.then(|| told.note(format!("an int is divided by `x div {divisor}`")))
     });
     told.collect()
+}
+
+/// Warnings of `private` behind an item whose line ends there: it belongs to the next item.
+fn privates_at_line_ends<'t>(
+    text: &'t str,
+    tokens: &'t [Token],
+) -> impl Iterator<Item = Diagnostic> + 't {
+    let is_broken = |one: &Token, other: &Token| {
+        let between = text.get(one.span.end as usize..other.span.start as usize);
+        between.is_some_and(|between| between.contains('\n'))
+    };
+    let declares = |kind| matches!(kind, T::Op | T::Script | T::Fn | T::Attr);
+    tokens.windows(4).filter_map(move |next| {
+        let [before, private, item, name] = next else { return None };
+        let is_last = private.kind == T::Private && declares(item.kind);
+        if !is_last || is_broken(before, private) || !is_broken(private, item) {
+            return None;
+        }
+        let name = text.get(name.span.range()).unwrap_or("");
+        let message =
+            format!("`private` belongs to `{name}` on a later line, not to what stands before it");
+        let told = Diagnostic::warning("trailing-private", message, private.span);
+        let kind = item.kind.spelling().unwrap_or("");
+        Some(told.note(format!("it stands on the line of its item: `private {kind} {name}`")))
+    })
 }
 
 /// The file doc comments before the first token.

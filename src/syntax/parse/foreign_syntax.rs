@@ -92,6 +92,12 @@ pub(super) fn told_here(told: Diagnostic, failure: &Failure, around: &Around) ->
         T::Arrow if failure.wanted.phrases().any(|phrase| phrase == Phrase::Arrow) => {
             told.note("an arrow has the name of its halfedge: `v0 -a-> v1`")
         }
+        T::Word
+            if failure.wanted.phrases().any(|phrase| phrase == Phrase::DrawingStatement)
+                && after.first().is_some_and(|next| begins_arrow(next.kind)) =>
+        {
+            told.note("a loop begins with its kind and its name: `face f: v0 -a-> …`")
+        }
         T::Word => match around.text.get(here.span.range()) {
             Some("then" | "do") if failure.wanted.has(T::LeftBrace) => told.note(IN_BRACES),
             Some("of") if failure.wanted.has(T::In) => written(told, here.span, "in"),
@@ -103,6 +109,11 @@ pub(super) fn told_here(told: Diagnostic, failure: &Failure, around: &Around) ->
         },
         _ => told,
     }
+}
+
+/// True if an arrow of a loop begins with this token.
+fn begins_arrow(kind: T) -> bool {
+    matches!(kind, T::Minus | T::Equals | T::FatArrow)
 }
 
 /// `elif` followed by the beginning of a condition: a mistake that is parsed as `else if`.

@@ -62,16 +62,25 @@ impl Item {
         }
     }
 
+    /// Its name, if others can call it by one, and whether it is `private`.
+    fn declared(&self) -> Option<(&Ident, bool)> {
+        Some(match self {
+            Self::Attr(attr) => (&attr.name, attr.private),
+            Self::Fn(function) => (&function.name, function.private),
+            Self::Op(op) => (&op.name, op.private),
+            Self::Script(script) => (&script.name, script.private),
+            Self::Use(_) | Self::Test(_) | Self::Broken(_) => return None,
+        })
+    }
+
+    /// Its name, if others can call it by one.
+    pub fn name(&self) -> Option<&Ident> {
+        Some(self.declared()?.0)
+    }
+
     /// Its name, if it is `private`.
     pub fn private_name(&self) -> Option<&Ident> {
-        let (private, name) = match self {
-            Self::Attr(attr) => (attr.private, &attr.name),
-            Self::Fn(function) => (function.private, &function.name),
-            Self::Op(op) => (op.private, &op.name),
-            Self::Script(script) => (script.private, &script.name),
-            Self::Use(_) | Self::Test(_) | Self::Broken(_) => return None,
-        };
-        private.then_some(name)
+        self.declared().filter(|&(_, private)| private).map(|(name, _)| name)
     }
 }
 

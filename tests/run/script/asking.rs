@@ -1,7 +1,8 @@
 //! `can` and `why`, random numbers, scripts that call scripts, and levels asked anew.
 
 use super::*;
-use hedgerow::mesh::{identical, shape};
+use hedgerow::mesh::{VertexId, identical, shape};
+use hedgerow::{Program, Session};
 
 /// Ops with and without a guard.
 const MIXED: &str = r#"
@@ -200,17 +201,27 @@ fn a_script_that_calls_itself_is_stopped() {
 
 #[test]
 fn operations_in_steps_nest_deeply_but_not_without_end() {
-    let nested = |depth: usize| {
+    let ops = |depth: usize| {
         let outer = |at| format!("op f{at}(v: vertex) {{ steps {{ must f{}(v) }} }}\n", at + 1);
         let inner = "op f_(v: vertex) { before { loop f: v -a-> w =P=> v } after { keep f
                      v.position = vec3(7) } }\n";
         let ops: String = (0..depth - 1).map(outer).collect();
-        let last = inner.replace("f_", &format!("f{}", depth - 1));
-        let call = "script main() { for v in vertices { must f0(v) print v.position.x break } }";
-        run_alone(&mut shape::cube(), &format!("{ops}{last}{call}"), &[])
+        ops + &inner.replace("f_", &format!("f{}", depth - 1))
     };
-    assert_eq!(nested(60).unwrap().1, ["7"]);
-    assert_eq!(nested(80).unwrap_err().diagnostic.code, "calls-too-deep");
+    let nested = |depth: usize| {
+        let call = "script main() { for v in vertices { must f0(v) print v.position.x break } }";
+        run_alone(&mut shape::cube(), &(ops(depth) + call), &[])
+    };
+    assert_eq!(nested(64).unwrap().1, ["7"]);
+    assert_eq!(nested(65).unwrap_err().diagnostic.code, "calls-too-deep");
+    // As deep as from a script.
+    let applied = |depth: usize| {
+        let program = Program::parse("nested.hedge", &ops(depth)).unwrap();
+        let mut session = Session::new(&program, shape::cube());
+        session.apply(&program.op("f0").unwrap(), VertexId(0)).map_err(|error| error.code())
+    };
+    assert!(applied(64).is_ok());
+    assert_eq!(applied(65).unwrap_err(), "calls-too-deep");
 }
 
 #[test]

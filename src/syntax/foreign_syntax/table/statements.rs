@@ -16,6 +16,8 @@ const PERIOD: &str = "a period ends with an arrow: behind it the next one begins
 const EACH: &str = "a period is repeated by `each`: `$k $f: each $i { … }`";
 const UNNAMED_EDGE: &str = "a pair of halfedges is an edge: `edge $e: …`";
 const UNNAMED_FACE: &str = "a cycle of arrows is a face: `face $f: …`";
+const UNNAMED_LOOP: &str =
+    "a loop begins with its kind and its name: `face f: $v …`, or with `hole`, `loop`";
 const UNNAMED_RIM: &str =
     "a statement begins with its kind, on both sides: `hole $f: …`, `loop $f: …`";
 const UNNAMED_VERTEX: &str = "spokes belong to a vertex: `vertex $v: …`";
@@ -168,10 +170,11 @@ pub(super) const LINES: &[Line] = &[
     told("^vertex : $l:line", "", "a vertex has a name: `vertex v: a *S b`"),
     sure("^$e : $a | $b", "edge $e: $a | $b", UNNAMED_EDGE),
     sure("$s=| $b $e : $c | $d", "$s $b edge $e: $c | $d", UNNAMED_EDGE),
-    told("^$f:rim : $v $d=-/=/=>", "$v $d", UNNAMED_RIM),
-    told("^$f:rim : $e=each $i {", "$e $i {", UNNAMED_RIM),
+    told("^$f:rim : $v $d=-/=/=>", "loop $f: $v $d", UNNAMED_RIM),
+    told("^$f:rim : $e=each $i {", "loop $f: $e $i {", UNNAMED_RIM),
     sure("^$f : $v $d=-/=/=>", "face $f: $v $d", UNNAMED_FACE),
     sure("^$f : $e=each $i { $v $d=-/=/=>", "face $f: $e $i { $v $d", UNNAMED_FACE),
+    told("^$v -/=/=> $l:part ->/=> $v $:end", "", UNNAMED_LOOP),
     sure("^$v:vertex : $a", "vertex $v: $a", UNNAMED_VERTEX),
     sure("^$v:vertex : *", "vertex $v: *", UNNAMED_VERTEX),
     told("^$a | $b $:end", "", "twins stand in an edge statement: `edge e: $a | $b`"),

@@ -12,6 +12,7 @@ const COMPONENT: &str = "a component of a vector is `p.x`, `p.y`, `p.z`";
 const CALLED: &str = "what is called stands in front: `degree(v)`, `flip(e)`";
 const ALONE: &str = "functions and constants stand alone: `sqrt(x)`, `pi`";
 const SIZE: &str = "the size is `abs(x)` of a number, `length(p)` of a vector";
+const NUMBERED: &str = "an element is not found by numbers: a script takes it as a parameter, `script go(x: $k)`, which `--at` gives, or a loop finds it, ended by `break`";
 const POINTER: &str = "what is read behind a dot has no parentheses: `.$p`";
 
 /// A pattern of a value, with what can stand before it.
@@ -123,6 +124,7 @@ pub(super) const LINES: &[Line] = &[
     ).at(CODE | PARTS | HEAD),
     sure("$r=random . random/rand/uniform ~( $x:inside )", "$r($x)", CALLED),
     told(". $f:word ~( $x:inside )", "", CALLED),
+    told("$k=vertex/edge/face ( $x:inside )", "true", NUMBERED),
     fixed(". $f=position ~[ 0 ]", ".$f", ".$f.x", COMPONENT),
     fixed(". $f=position ~[ 1 ]", ".$f", ".$f.y", COMPONENT),
     fixed(". $f=position ~[ 2 ]", ".$f", ".$f.z", COMPONENT),
