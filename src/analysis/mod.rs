@@ -17,6 +17,7 @@ mod dependencies;
 mod disk;
 mod edits;
 pub mod element;
+mod empty_tests;
 mod endless_drains;
 mod examined;
 mod example;

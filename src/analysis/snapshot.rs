@@ -9,6 +9,7 @@ use std::cell::{Cell, OnceCell, RefCell};
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 use std::rc::Rc;
 
+use super::empty_tests::empty_tests;
 use super::endless_drains::endless_drains;
 use super::files::{Reader, fetch, name_of};
 use super::hidden_guards::hidden_guards;
@@ -105,6 +106,7 @@ impl Snapshot {
         let own = parts.remove(0);
         let used = parts.into_iter().map(|part| (part.file, part.parsed)).collect();
         told.extend(endless_drains(&program));
+        told.extend(empty_tests(&program));
         keep_comments(&mut told, &sources);
         let due = due(&program, &functions, (file, &sources));
         let places = program.ops.iter().enumerate().map(|(number, op)| (op.span, number));
