@@ -4,10 +4,12 @@
 //! names that are exchanged look like many other mistakes. So whole remedies are put together and
 //! tried, in tiers, the simplest first.
 
+use strsim::damerau_levenshtein;
+
 use super::pairing::{missing_loops, pairing, pairings};
 use super::problem::{Remedy, enumerate};
 use super::unknown_names::is_unknown;
-use crate::diagram::{Drawing, Kind, Loop, NameId, Rule};
+use crate::diagram::{Drawing, Expr, ExprKind, Kind, Loop, NameId, Rule};
 
 /// The most vertices, or halfedges, of a rule that is searched for two that are exchanged.
 const MOST_EXCHANGED: usize = 16;
@@ -21,7 +23,8 @@ const MOST_OPEN: usize = 2;
 /// A tier: the remedies of a rule that are equally simple.
 pub(super) type Tier = fn(&Rule) -> Vec<Remedy>;
 
-pub(super) const TIERS: [Tier; 6] = [
+pub(super) const TIERS: [Tier; 7] = [
+    misspelt,
     accounted_for,
     |rule| exchanged(rule, Kind::Vertex),
     |rule| exchanged(rule, Kind::Halfedge),
@@ -29,6 +32,52 @@ pub(super) const TIERS: [Tier; 6] = [
     other_corner,
     outer_twins,
 ];
+
+/// Writes a name that stands in `before` alone as a similar one of its kind that `after` draws.
+fn misspelt(rule: &Rule) -> Vec<Remedy> {
+    if rule.cycle.is_some() {
+        return Vec::new();
+    }
+    let drawing = &Drawing::new(rule);
+    let is_alone = |&old: &NameId| {
+        drawing.survives(old) && drawing.after.mention(old).is_none() && !is_named(rule, old)
+    };
+    let remedies = elements(rule).filter(is_alone).flat_map(|old| {
+        let others = rule.names_of(rule.kind(old));
+        let meant = others.filter(move |&new| {
+            let is_drawn = drawing.before.mention(new).is_some();
+            drawing.after.mention(new).is_some() && is_slip(rule, old, new, is_drawn)
+        });
+        meant.map(move |new| Remedy::Rename { old, new })
+    });
+    remedies.collect()
+}
+
+/// True if a name may be a misspelling of another; where that stands beside it, only if a letter is
+/// doubled, or capital.
+fn is_slip(rule: &Rule, old: NameId, new: NameId, is_beside: bool) -> bool {
+    let [old, new] = [old, new].map(|name| rule.name(name).text.to_lowercase());
+    let letters = |word: &str| {
+        let mut letters: Vec<_> = word.chars().collect();
+        letters.dedup();
+        letters
+    };
+    letters(&old) == letters(&new) || !is_beside && damerau_levenshtein(&old, &new) <= 1
+}
+
+/// True if a name is a parameter or the result, or stands in a condition or an assignment.
+fn is_named(rule: &Rule, name: NameId) -> bool {
+    let conditions = rule.requires.iter().map(|require| &require.condition);
+    let values = rule.assignments.iter().map(|assignment| &assignment.value);
+    let stands_in = |expr: &Expr| {
+        let mut found = false;
+        expr.each(&mut |part| found |= part.kind == ExprKind::Element(name));
+        found
+    };
+    is_used(rule, name)
+        || rule.params.contains(&Some(name))
+        || conditions.chain(values).any(stands_in)
+}
 
 /// Accounts for all names: lists, draws and pairs whatever is missing.
 fn accounted_for(rule: &Rule) -> Vec<Remedy> {
@@ -150,7 +199,8 @@ fn elements(rule: &Rule) -> impl Iterator<Item = NameId> {
     order.into_iter().flat_map(|kind| rule.names_of(kind)).filter(|&name| rule.is_first(name))
 }
 
-/// Exchanges two names of a kind in all loops, or in one.
+/// Exchanges two names of a kind in all loops, or in one. What else is said about them would be
+/// about the other, so it may be `before` that is wrong.
 fn exchanged(rule: &Rule, kind: Kind) -> Vec<Remedy> {
     let mut drawn: Vec<NameId> = Vec::new();
     for mention in rule.after.loops.iter().flat_map(mentions) {
@@ -166,7 +216,10 @@ fn exchanged(rule: &Rule, kind: Kind) -> Vec<Remedy> {
         .iter()
         .enumerate()
         .flat_map(|(at, &one)| drawn[at + 1..].iter().map(move |&other| (one, other)));
-    let alike = pairs.filter(|&(one, other)| rule.is_member(one) == rule.is_member(other));
+    let alike = pairs.filter(|&(one, other)| {
+        rule.is_member(one) == rule.is_member(other)
+            && [one, other].iter().all(|&name| !is_named(rule, name))
+    });
     let remedies = alike.flat_map(|(one, other)| {
         let exchange = move |name: NameId| match rule.first_member(name) {
             first if first == one => rule.turned(other, rule.index(name).into()),

@@ -28,6 +28,8 @@ pub(super) enum Remedy {
     /// A halfedge or path of `before` in a loop of `after` that has forgotten it: behind `at` of
     /// its items, with the vertex where it starts.
     Insert { face: NameId, at: usize, from: NameId, item: NameId },
+    /// A name of `before` that stands nowhere else, written as the other.
+    Rename { old: NameId, new: NameId },
     /// These edges in `after`, each with these halfedges, also instead of those it has there.
     Pair(Vec<(NameId, [NameId; 2])>),
     /// An edge with a new name for each of these pairs, listed in `new`.

@@ -66,13 +66,7 @@ pub fn examine(op: &Op) -> Result<Proved, Rejection> {
     for rule in &op.rules {
         let proof = match rule.has_families() {
             true => families::prove(op, rule),
-            false => {
-                let proof = prove(op, rule).and_then(|proof| {
-                    stop_at(fans_have_room::test(&Drawing::new(rule)))?;
-                    Ok(proof)
-                });
-                proof.map_err(|broken| reject(op, rule, broken))
-            }
+            false => prove_with_room(op, rule).map_err(|broken| reject(op, rule, broken)),
         };
         match proof {
             Ok(proof) => proofs.push(proof),
@@ -108,8 +102,15 @@ fn reject(op: &Op, rule: &Rule, broken: Broken) -> Rejected {
     Rejected { diagnostics: mend::add_fixes(rule, broken.problems, laws), outcome }
 }
 
+/// Proves a rule whose fans have room.
+fn prove_with_room(op: &Op, rule: &Rule) -> Result<Proof, Broken> {
+    let proof = prove(op, rule)?;
+    stop_at(fans_have_room::test(&Drawing::new(rule)))?;
+    Ok(proof)
+}
+
 fn problems(op: &Op, rule: &Rule) -> Vec<Problem> {
-    match prove(op, rule) {
+    match prove_with_room(op, rule) {
         Ok(proof) => proof.refuses_everywhere(rule).map(Problem::from).into_iter().collect(),
         Err(broken) => broken.problems,
     }

@@ -7,12 +7,9 @@ use std::path::Path;
 
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 
+use super::library::declared;
 use super::program::{self, is_mesh};
 use crate::analysis::is_program;
-use crate::library::{self, LibraryFile};
-use crate::source::FileId;
-use crate::syntax::parse;
-use crate::syntax::tree::Item;
 
 /// The advice on an error in the arguments.
 pub(super) fn advice(error: &clap::Error, words: &[String]) -> Option<String> {
@@ -54,31 +51,19 @@ fn no_command(word: &str) -> Option<String> {
              run {word} MESH` runs a script of it"
         ));
     }
-    let (file, item) = of_library(word)?;
-    let name = file.name.trim_end_matches(".hedge");
-    Some(match item {
-        Item::Op(_) => format!(
-            "`{word}` is an operation of the library, and no command: `hedgerow apply {name}::{word} \
-             MESH --at PLACE -o OUT` does it at a place"
-        ),
-        _ => format!(
-            "`{word}` is a script of the library, and no command: `hedgerow run {name}::{word} MESH \
-             -o OUT` runs it"
-        ),
-    })
-}
-
-/// The operation or script of the library that has a name, and its file.
-pub(super) fn of_library(name: &str) -> Option<(LibraryFile, Item)> {
-    library::files().find_map(|file| {
-        let items = parse(FileId(0), file.text).tree.items;
-        let mut public = items.into_iter().filter(|item| item.private_name().is_none());
-        let item = public.find(|item| match item {
-            Item::Op(op) => op.name.text == name,
-            Item::Script(script) => script.name.text == name,
-            _ => false,
-        });
-        Some((file, item?))
+    declared(word).into_iter().find_map(|item| {
+        let name = item.file.name.trim_end_matches(".hedge");
+        Some(match item.word {
+            "op" => format!(
+                "`{word}` is an operation of the library, and no command: `hedgerow apply \
+                 {name}::{word} MESH --at PLACE -o OUT` does it at a place"
+            ),
+            "script" => format!(
+                "`{word}` is a script of the library, and no command: `hedgerow run {name}::{word} \
+                 MESH -o OUT` runs it"
+            ),
+            _ => return None,
+        })
     })
 }
 

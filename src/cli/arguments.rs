@@ -134,8 +134,9 @@ pub(super) struct CheckArguments {
 #[derive(Debug, Args)]
 #[command(after_help = "Behind FILE::SCRIPT, --help is about the script and its parameters.")]
 pub(super) struct RunArguments {
-    /// A program, and the script in it if there are several
-    #[arg(value_hint = ValueHint::FilePath, value_name = "FILE[::SCRIPT]")]
+    /// A program, or one of the library (std/remesh), and the script in it if
+    /// there are several
+    #[arg(value_hint = ValueHint::FilePath, value_name = "FILE[::SCRIPT]", verbatim_doc_comment)]
     pub script: String,
     /// The mesh to run it on (.obj, .ply, .stl, .off, .msh or
     /// .halfedges); - is standard input

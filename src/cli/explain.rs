@@ -1,8 +1,8 @@
 //! `hedgerow explain`
 
-use super::advice::of_library;
 use super::arguments::ExplainArguments;
 use super::failure::Failure;
+use super::library::{Declared, declared};
 use super::output::{say, table};
 use crate::analysis::{MEANINGS, Word, functions, meaning, word};
 use crate::diagnostic::{explain as explanation, explained};
@@ -35,20 +35,22 @@ pub(super) fn explain(arguments: &ExplainArguments) -> Result<(), Failure> {
     let others = [plain.as_str(), singular.as_str()];
     let asked = others.into_iter().find(|other| !known(asked) && known(other)).unwrap_or(asked);
     let text = explanation(asked).map(str::to_owned).or_else(|| word(asked).map(described));
-    let text = text.or_else(|| {
-        let (file, _) = of_library(asked)?;
-        let name = file.name;
-        Some(format!("declared in `{name}`, which `hedgerow std {}` prints", file.short_name()))
-    });
-    let mut text = text.ok_or_else(|| {
+    let of_library: Vec<_> = declared(asked).iter().map(Declared::described).collect();
+    let texts: Vec<_> = text.into_iter().chain(of_library).collect();
+    if texts.is_empty() {
         let advice = match closest(asked, explained().map(|(code, _)| code).chain(functions())) {
             Some(near) => format!("did you mean `{near}`?"),
             None => "`hedgerow explain` lists the diagnostics, `hedgerow explain functions` the \
-                     functions; likewise `types`, `constants` and `properties`"
+                     functions; likewise `types`, `constants` and `properties`; `hedgerow std` \
+                     lists the library"
                 .to_owned(),
         };
-        Failure::usage(format!("there is no diagnostic and no word `{asked}`; {advice}"))
-    })?;
+        let message = format!(
+            "there is no diagnostic, no word and nothing in the library `{asked}`; {advice}"
+        );
+        return Err(Failure::usage(message));
+    }
+    let mut text = texts.join("\n\n");
     // `outer` begins `outer halfedge`.
     for (phrase, meaning) in MEANINGS.iter() {
         if phrase.split_once(' ').is_some_and(|(first, _)| first == asked) {

@@ -4,7 +4,6 @@ use std::fs::File;
 use std::io::{ErrorKind, Write};
 use std::path::Path;
 
-use super::advice::of_library;
 use super::arguments::StdArguments;
 use super::failure::Failure;
 use super::output::{say, table};
@@ -37,8 +36,11 @@ fn find(name: &str) -> Result<LibraryFile, Failure> {
     let target = library::target(name).filter(|_| name.ends_with(".target"));
     let of_file = library::file(name).or_else(|| library::file(&format!("std/{name}")));
     of_file.or(target).ok_or_else(|| {
-        if let Some((file, _)) = of_library(name) {
-            return Failure::usage(format!("`{name}` is declared in `{}`", file.name));
+        if let Some(file) = declared(name).first().map(|found| found.file) {
+            return Failure::usage(format!(
+                "`{name}` is declared in `{}`; `hedgerow explain {name}` tells about it",
+                file.name
+            ));
         }
         let names = quoted(library::files().chain(library::targets()).map(|file| file.name));
         Failure::usage(format!("the library has no `{name}`; it has {names}"))
@@ -52,34 +54,72 @@ fn list(file: LibraryFile) -> String {
         let lines: Vec<_> = lines.map(String::from).collect();
         return format!("{}\n{}", file.name, sentence(&lines));
     }
-    let mut sources = Sources::new();
-    let parsed = parse(sources.add(file.name, file.text), file.text);
-    let Tree { docs, items, .. } = &parsed.tree;
-    let mut rows = Vec::new();
-    for item in items.iter().filter(|item| item.private_name().is_none()) {
-        let (word, name, docs) = match item {
-            Item::Op(op) => ("op", &op.name, &op.docs),
-            Item::Fn(function) => ("fn", &function.name, &function.docs),
-            Item::Script(script) => ("script", &script.name, &script.docs),
-            Item::Attr(attr) => ("attr", &attr.name, &attr.docs),
-            Item::Use(_) | Item::Test(_) | Item::Broken(_) => continue,
-        };
-        let row = [format!("  {word}"), name.text.clone(), sentence(docs)];
-        rows.push(row.to_vec());
-    }
-    let text = format!("{}\n{}\n{}", file.name, sentence(docs), table(&rows, &[]));
+    let (about, items) = items(file);
+    let row = |item: Declared| vec![format!("  {}", item.word), item.name, sentence(&item.docs)];
+    let rows: Vec<_> = items.into_iter().map(row).collect();
+    let text = format!("{}\n{}\n{}", file.name, sentence(&about), table(&rows, &[]));
     text.trim_end().to_owned()
 }
 
-/// The first sentence of a comment.
+/// A public item of the library.
+pub(super) struct Declared {
+    pub(super) file: LibraryFile,
+    /// The keyword that declares it: `op`, `fn`, `script` or `attr`.
+    pub(super) word: &'static str,
+    name: String,
+    /// Its declaration as it is written, without its body.
+    head: String,
+    docs: Vec<String>,
+}
+
+impl Declared {
+    /// Its declaration, its comment, and where it is.
+    pub(super) fn described(&self) -> String {
+        let Self { file, head, docs, .. } = self;
+        let docs: String = docs.iter().map(|line| format!("  {line}\n")).collect();
+        let (name, short) = (file.name, file.short_name());
+        let docs = docs.lines().map(str::trim_end).collect::<Vec<_>>().join("\n");
+        format!("{head}\n{docs}\n  declared in `{name}`, which `hedgerow std {short}` prints")
+    }
+}
+
+/// The public items of the library that have a name.
+pub(super) fn declared(name: &str) -> Vec<Declared> {
+    let items = library::files().flat_map(|file| items(file).1);
+    items.filter(|item| item.name == name).collect()
+}
+
+/// The comment at the head of a file, and its public items.
+fn items(file: LibraryFile) -> (Vec<String>, Vec<Declared>) {
+    let mut sources = Sources::new();
+    let Tree { docs, items, .. } = parse(sources.add(file.name, file.text), file.text).tree;
+    let public = items.into_iter().filter(|item| item.private_name().is_none());
+    let declared = public.filter_map(|item| {
+        let (word, name, docs, span) = match item {
+            Item::Op(op) => ("op", op.name, op.docs, op.span),
+            Item::Fn(function) => ("fn", function.name, function.docs, function.span),
+            Item::Script(script) => ("script", script.name, script.docs, script.span),
+            Item::Attr(attr) => ("attr", attr.name, attr.docs, attr.span),
+            Item::Use(_) | Item::Test(_) | Item::Broken(_) => return None,
+        };
+        let head = sources.slice(span).split('{').next().unwrap_or_default();
+        let head = head.split_whitespace().collect::<Vec<_>>().join(" ");
+        Some(Declared { file, word, name: name.text, head, docs })
+    });
+    (docs, declared.collect())
+}
+
+/// The first sentence of a comment. The point behind an initial ends none.
 fn sentence(docs: &[String]) -> String {
     let paragraph = docs.iter().map(|line| line.trim());
     let paragraph: Vec<_> = paragraph.take_while(|line| !line.is_empty()).collect();
     let text = paragraph.join(" ");
-    match text.split_once(". ") {
-        Some((first, _)) => format!("{first}."),
-        None => text,
-    }
+    let is_initial = |at: usize| {
+        let mut before = text[..at].chars().rev();
+        before.next().is_some_and(char::is_uppercase) && before.next().is_none_or(|c| c == ' ')
+    };
+    let end = text.match_indices(". ").find(|&(at, _)| !is_initial(at));
+    end.map_or(text.as_str(), |(at, _)| &text[..=at]).to_owned()
 }
 
 /// Copies files to a folder; a single one also to a file.

@@ -197,7 +197,8 @@ impl<'a> Panel<'a> {
     pub fn write(&mut self, group: usize, of: NameId, label: &Label, at: DVec2) {
         self.room.put(&self.figure.drawing.rule.name(of).text, label, at);
         for hole in &self.hatched {
-            if hole.reaches(at) {
+            // What is painted later would cover the name.
+            if hole.reaches(at) && hole.group <= group {
                 self.groups[hole.group].fill(Path::plate(label).moved(at), Ink::Paper);
             }
         }

@@ -143,7 +143,9 @@ impl Typing<'_> {
             Place::Rule(names) => names.words().collect(),
             Place::Default(_) | Place::Script => Vec::new(),
         };
-        let candidates = self.scopes.names().chain(drawn).chain(CONSTANTS.map(|(known, _)| known));
+        let sequences = WHOLE_MESH.iter().map(|(known, _)| *known);
+        let constants = CONSTANTS.map(|(known, _)| known);
+        let candidates = self.scopes.names().chain(drawn).chain(constants).chain(sequences);
         let here = foreign_words::name(word);
         let error = foreign_words::tell(error, (word, span), here, candidates);
         let is_clear = !error.fixes.is_empty();

@@ -72,7 +72,10 @@ fn files_that_are_not_there() {
     advised(&["info", "."], "`.` is a folder");
     advised(&["check", "."], "`./*.hedge`");
     advised(&["check", "flip.hedge::flip"], "`flip.hedge`, without `flip`");
-    advised(&["std", "flip"], "`flip` is declared in `std/triangle.hedge`");
+    advised(
+        &["std", "flip"],
+        "`flip` is declared in `std/triangle.hedge`; `hedgerow explain flip`",
+    );
     advised(&["std", "--copy", "square.obj"], "`square.obj` is a file; a folder is wanted");
 }
 
@@ -89,7 +92,10 @@ fn words_written_otherwise() {
         ("=>", "a run of zero or more halfedges"),
         ("valence", "degree(vertex)"),
         ("decimate", "declared in `std/simplify.hedge`"),
-        ("collapse", "declared in `std/triangle.hedge`"),
+        ("collapse", "op collapse(e: edge, t: real = 0.5) -> v0 keeps triangles, euler\n  Merges"),
+        ("collapse", "declared in `std/polygon.hedge`"),
+        ("umbrella", "fn umbrella(v: vertex) -> vec3\n"),
+        ("marked", "attr marked: face bool"),
     ] {
         let told = bench.succeeds(&["explain", word]);
         assert!(told.contains(meaning), "{word}: {told}");
@@ -104,5 +110,6 @@ fn lists_show_whole_sentences() {
     }
     for file in bench.succeeds(&["std"]).split("\n\n") {
         assert!(file.lines().nth(1).is_some_and(|about| about.ends_with('.')), "{file}");
+        assert!(file.lines().all(|line| !line.ends_with(": G.")), "{file}");
     }
 }

@@ -45,6 +45,10 @@ impl Remedy {
                 let [from, item] = [*from, *item].map(mention);
                 orbit.items.insert(*at, LoopItem { from, item });
             }
+            Remedy::Rename { old, new } => {
+                let mentions = mended.before.mentions_mut();
+                mentions.filter(|at| at.name == *old).for_each(|at| at.name = *new);
+            }
             Remedy::Pair(edges) => {
                 for &(edge, halfedges) in edges {
                     mended.after.kept.retain(|kept| kept.name != edge);

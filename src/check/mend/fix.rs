@@ -68,6 +68,15 @@ impl Remedy {
                 let edits = redraw(rule, loops);
                 return Some(Fix { title: how.clone(), edits });
             }
+            Remedy::Rename { old, new } => {
+                let title =
+                    format!("write {} for {} in `before`", rule.quoted(*new), rule.quoted(*old));
+                let text = &rule.name(*new).text;
+                let mut before = rule.before.clone();
+                let mentions = before.mentions_mut().filter(|at| at.name == *old);
+                let edit = |at: &mut Ref| Edit { span: at.span, text: text.clone() };
+                return Some(Fix { title, edits: mentions.map(edit).collect() });
+            }
             Remedy::Pair(edges) => return pair(rule, now, edges),
             Remedy::PairAll(pairs) => return pair_all(rule, now, pairs),
             Remedy::DrawTwins(halves) => {

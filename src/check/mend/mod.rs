@@ -111,7 +111,10 @@ fn mending(rule: &Rule, remedies: Vec<Remedy>, laws: &impl Fn(&Rule) -> Vec<Prob
     let mut fixes: Vec<Fix> = Vec::new();
     for remedy in remedies {
         let mended = remedy.apply(rule).filter(changes_something);
-        let is_good = mended.is_some_and(|mended| laws(&mended).is_empty());
+        // A new vertex without a position may be meant to be another one.
+        let is_good = mended.is_some_and(|mended| {
+            laws(&mended).is_empty() && (lacks_position(rule) || !lacks_position(&mended))
+        });
         let fix = is_good.then(|| remedy.fix(rule)).flatten();
         let is_new = |fix: &Fix| fixes.iter().all(|known| known.edits != fix.edits);
         fixes.extend(fix.filter(is_new));
