@@ -18,6 +18,9 @@ if TYPE_CHECKING:
 
 _FILES = (
     "components",
+    "curvature",
+    "delete",
+    "distance",
     "dual",
     "map",
     "planar",
@@ -28,6 +31,7 @@ _FILES = (
     "random",
     "remesh",
     "repair",
+    "sharp",
     "simplify",
     "smooth",
     "subdivide",

@@ -26,6 +26,7 @@ const FILES: &[LibraryFile] = &[
         name: "std/planar_cleanup.hedge",
         text: include_str!("std/planar_cleanup.hedge"),
     },
+    LibraryFile { name: "std/sharp.hedge", text: include_str!("std/sharp.hedge") },
     LibraryFile { name: "std/subdivide.hedge", text: include_str!("std/subdivide.hedge") },
     LibraryFile { name: "std/dual.hedge", text: include_str!("std/dual.hedge") },
     LibraryFile { name: "std/remesh.hedge", text: include_str!("std/remesh.hedge") },
