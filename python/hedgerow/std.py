@@ -35,8 +35,10 @@ _FILES = (
     "simplify",
     "smooth",
     "subdivide",
+    "transform",
     "triangle",
     "triangulate",
+    "trim",
 )
 
 __all__ = list(_FILES)

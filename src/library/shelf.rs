@@ -38,6 +38,8 @@ const FILES: &[LibraryFile] = &[
     LibraryFile { name: "std/components.hedge", text: include_str!("std/components.hedge") },
     LibraryFile { name: "std/curvature.hedge", text: include_str!("std/curvature.hedge") },
     LibraryFile { name: "std/delete.hedge", text: include_str!("std/delete.hedge") },
+    LibraryFile { name: "std/trim.hedge", text: include_str!("std/trim.hedge") },
+    LibraryFile { name: "std/transform.hedge", text: include_str!("std/transform.hedge") },
     LibraryFile { name: "std/distance.hedge", text: include_str!("std/distance.hedge") },
     LibraryFile { name: "std/scotty3d.hedge", text: include_str!("std/scotty3d.hedge") },
 ];
