@@ -18,6 +18,9 @@ if TYPE_CHECKING:
 
 _FILES = (
     "components",
+    "curvature",
+    "delete",
+    "distance",
     "dual",
     "map",
     "planar",
@@ -28,11 +31,14 @@ _FILES = (
     "random",
     "remesh",
     "repair",
+    "sharp",
     "simplify",
     "smooth",
     "subdivide",
+    "transform",
     "triangle",
     "triangulate",
+    "trim",
 )
 
 __all__ = list(_FILES)

@@ -25,6 +25,7 @@ const FILES: &[LibraryFile] = files![
     "std/planar_triangle.hedge",
     "std/planar_quad.hedge",
     "std/planar_cleanup.hedge",
+    "std/sharp.hedge",
     "std/subdivide.hedge",
     "std/dual.hedge",
     "std/remesh.hedge",
@@ -36,6 +37,8 @@ const FILES: &[LibraryFile] = files![
     "std/components.hedge",
     "std/curvature.hedge",
     "std/delete.hedge",
+    "std/trim.hedge",
+    "std/transform.hedge",
     "std/distance.hedge",
     "std/scotty3d.hedge",
 ];

@@ -150,3 +150,36 @@ fn what_keeps_the_keys_of_a_drain_is_told() {
         assert_eq!(said["drains"][at]["because"], why, "{said}");
     }
 }
+
+#[test]
+fn scripts_of_the_library_say_what_they_want() {
+    let bench = Bench::new();
+    for (script, mesh, set, words) in [
+        ("remesh::remesh", "tetrahedron()", "target=-1", "0 for the mean length"),
+        ("remesh::remesh", "tetrahedron()", "target=1e-9", "more than a billion edges"),
+        ("remesh::remesh", "tetrahedron()", "share=5", "0 <= share <= 1"),
+        ("smooth::laplacian", "cube()", "factor=3", "0 <= factor <= 1"),
+        ("smooth::tangential", "cube()", "factor=-1", "0 <= factor <= 1"),
+        ("subdivide::linear", "cube()", "iterations=1", "`linear_quads` cuts any polygons"),
+    ] {
+        bench.fails(1, &["run", &format!("std/{script}"), mesh, "--set", set], words);
+    }
+    let stiff = ["run", "std/simplify", "octahedron()", "--set=ratio=1", "--set=stiffness=-1"];
+    bench.fails(1, &stiff, "a stiffness of at least zero");
+}
+
+#[test]
+fn functions_of_the_library_demand_triangles() {
+    let bench = Bench::new();
+    for (file, call) in [
+        ("curvature", "set_curvatures()"),
+        ("distance", "set_geodesic_distances()"),
+        ("subdivide", "linear_once()"),
+        ("subdivide", "loop_once()"),
+        ("subdivide", "butterfly_once()"),
+        ("subdivide", "sqrt3_once()"),
+    ] {
+        bench.write("go.hedge", format!("use \"std/{file}.hedge\"\nscript go() {{ {call} }}\n"));
+        bench.fails(1, &["run", "go.hedge", "cube()"], "triangles");
+    }
+}

@@ -23,6 +23,14 @@ fn every_file_is_found_by_all_of_its_names() {
     }
 }
 
+#[test]
+fn all_files_can_be_used_in_one_program() {
+    let mut sources = Sources::new();
+    let uses: String = files().map(|known| format!("use \"{}\"\n", known.name)).collect();
+    let root = sources.add("a.hedge", uses);
+    assert!(Analysis::with(&mut sources, root, &mut Nowhere).diagnostics.is_empty());
+}
+
 /// A reader that writes down what it is asked for.
 #[derive(Default)]
 struct Asked(Vec<String>);

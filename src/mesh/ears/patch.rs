@@ -33,7 +33,14 @@ impl Mesh {
         if sides.len() < 4 {
             return Vec::new();
         }
-        let beyond: Vec<_> = sides.iter().map(|&side| self.normal_across(side)).collect();
+        let mut normals = HashMap::new();
+        let beyond: Vec<_> = sides
+            .iter()
+            .map(|&side| {
+                let face = self.face_across(side)?;
+                Some(*normals.entry(face).or_insert_with(|| self.normal(face)))
+            })
+            .collect();
         let mut order = self.filling(&sides, &beyond, MOST_SIDES);
         // The last triangle is left over.
         order.pop();
@@ -130,10 +137,10 @@ impl Mesh {
         self.get_vertex(h).and_then(|v| self.get_position(v)).unwrap_or(DVec3::ZERO)
     }
 
-    /// The normal of the face across a side, unless that is a hole.
-    fn normal_across(&self, side: HalfedgeId) -> Option<DVec3> {
+    /// The face across a side, unless that is a hole.
+    fn face_across(&self, side: HalfedgeId) -> Option<FaceId> {
         let face = self.get_face(self.get_twin(side)?)?;
-        (!self.get_is_hole(face)?).then(|| self.normal(face))
+        (!self.get_is_hole(face)?).then_some(face)
     }
 }
 
