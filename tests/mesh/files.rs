@@ -255,6 +255,11 @@ fn off_and_msh_hold_what_they_can() {
     assert_eq!(back.mesh.sayable_columns().count(), 5);
 
     assert_eq!(file.unheld(FileFormat::Msh).len(), 1);
+    let mut marked = MeshFile::from_mesh(shape::icosahedron());
+    let mark = marked.mesh.add_column(ElementKind::Face, "marked", Value::Bool(false)).unwrap();
+    assert!(marked.unheld(FileFormat::Obj).is_empty());
+    assert!(marked.mesh.set_value(mark, 3, Value::Bool(true)));
+    assert_eq!(marked.unheld(FileFormat::Obj).len(), 1);
     let back = read(FileFormat::Msh, &write(FileFormat::Msh, &file)).unwrap();
     let color = back.mesh.find_column(ElementKind::Face, "color").unwrap();
     assert_eq!(back.mesh.value(color, 3), Some(Value::Vec3(DVec3::new(0.0, 0.5, 0.0))));

@@ -142,7 +142,8 @@ impl MeshFile {
         true
     }
 
-    /// The attributes of the mesh that a file of a format cannot hold: kinds, names and types.
+    /// The attributes of the mesh that a file of a format cannot hold: kinds, names and types. Of
+    /// those that are zero or false everywhere nothing is lost.
     pub fn unheld(&self, format: FileFormat) -> Vec<(ElementKind, &str, AttributeType)> {
         let held: Vec<Option<ColumnId>> = match format {
             FileFormat::Obj => {
@@ -156,6 +157,12 @@ impl MeshFile {
             FileFormat::Ply | FileFormat::Halfedges => false,
             FileFormat::Msh => !msh::is_held(id.kind, column.attribute_type()),
             _ => !held.contains(&Some(*id)),
+        });
+        let unheld = unheld.filter(|(id, column)| {
+            let zero = column.attribute_type().zero();
+            let mut values =
+                (0..self.mesh.capacity(id.kind)).filter_map(|at| self.mesh.value(*id, at as u32));
+            values.any(|value| !value.is_identical(zero))
         });
         unheld.map(|(id, column)| (id.kind, column.name(), column.attribute_type())).collect()
     }
