@@ -299,8 +299,8 @@ fn line_before(text: &str, span: Span) -> &str {
 /// Adds a note with the syntax of the statement or header that failed.
 fn form(told: Diagnostic, context: Span, around: &Around) -> Diagnostic {
     let at = around.item.partition_point(|token| token.span.start < context.start);
-    let head = around.item[at..].iter().map(|token| token.kind);
-    let form = match head.skip_while(|kind| *kind == T::Private).next() {
+    let mut head = around.item[at..].iter().map(|token| token.kind);
+    let form = match head.find(|kind| *kind != T::Private) {
         Some(T::Face) => "a face is drawn `face f: v0 -a-> v1 -b-> v2 =P=> v0`",
         Some(T::Hole) => "a hole is drawn `hole f: v0 -a-> v1 =P=> v0`",
         Some(T::Loop) => "a loop is drawn `loop f: v0 -a-> v1 =P=> v0`",
