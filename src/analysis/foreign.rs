@@ -10,7 +10,8 @@ use crate::source::{Sources, Span};
 use crate::syntax::written_elsewhere;
 
 /// The codes of diagnostics that foreign syntax may cause.
-const UNKNOWN: [&str; 6] = [
+const UNKNOWN: [&str; 7] = [
+    "two-kinds",
     "unknown-field",
     "unknown-function",
     "unknown-name",

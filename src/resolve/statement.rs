@@ -6,6 +6,7 @@ use crate::source::Span;
 use crate::syntax::tree::{self, Action, ActionKind, Digits, Ident, Piece, Shown};
 
 use super::declared::duplicate;
+use super::fields::{Field, fields_of};
 use super::foreign_words;
 use super::lookup::not_called;
 use super::op_call::Asked;
@@ -65,7 +66,7 @@ impl Scripting<'_> {
     /// statements: the name of a type and an assignment. Reports it once.
     pub(super) fn declared_elsewhere(&mut self, action: &Action, next: Option<&Action>) -> bool {
         let (ActionKind::Expr(word), Some(next)) = (&action.kind, next) else { return false };
-        let ActionKind::Assign { target, .. } = &next.kind else { return false };
+        let ActionKind::Assign { target, value } = &next.kind else { return false };
         let (Some(word), Some(name)) = (word.plain_name(), target.plain_name()) else {
             return false;
         };
@@ -78,7 +79,8 @@ impl Scripting<'_> {
         }
         let written = word.span.to(name.span);
         let message = format!("a variable is not declared with `{}`", word.text);
-        let ty = foreign_words::declared_type(&word.text);
+        // What kind of element a variable is, follows from its value.
+        let ty = foreign_words::declared_type(&word.text).filter(|_| !reads_pointer(value));
         let ty = ty.map_or(String::new(), |ty| format!(": {ty}"));
         let ours = format!("let {}{ty}", name.text);
         let error = Diagnostic::error("unknown-name", message, written)
@@ -342,4 +344,12 @@ impl Scripting<'_> {
         self.typing.report.add(Diagnostic::error("not-in-update", message, span).note(way));
         false
     }
+}
+
+/// True if a value is what a pointer leads to.
+fn reads_pointer(value: &tree::Expr) -> bool {
+    let tree::ExprKind::Field(_, field) = &value.kind else { return false };
+    let is_pointer =
+        |(name, kind): &(&str, Field)| *name == field.text && matches!(kind, Field::Pointer(..));
+    [Type::Halfedge, Type::Vertex].into_iter().any(|ty| fields_of(ty).iter().any(is_pointer))
 }

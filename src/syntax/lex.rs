@@ -263,7 +263,10 @@ fn report_unknown(text: &str, unknown: &[Span], diagnostics: &mut Vec<Diagnostic
             format!("unknown character {shown}")
         };
         let found = Diagnostic::error("unknown-character", message, span);
+        let is_prime =
+            first == '\u{2032}' && text[..span.start as usize].ends_with(char::is_alphanumeric);
         diagnostics.push(match usual(first) {
+            Some(usual) if is_prime && !more => found.fix(format!("write `{usual}`"), span, usual),
             Some(usual) => found.note(format!("here it is written `{usual}`")),
             None => found,
         });

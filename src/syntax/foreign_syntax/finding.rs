@@ -150,7 +150,8 @@ impl<'t> Match<'t, '_> {
         }
     }
 
-    /// Adds spaces to an edit where it would merge with the text next to it.
+    /// Adds spaces to an edit where it would merge with the text next to it, and takes those before a
+    /// colon.
     fn spaced(&self, edit: Edit) -> Edit {
         let Edit { span, mut text } = edit;
         let (before, behind) = self.item.around(span.start, span.end);
@@ -165,10 +166,12 @@ impl<'t> Match<'t, '_> {
         {
             text.insert(0, ' ');
         }
-        if ends(&text) && (begins(behind) || behind.starts_with('=')) {
+        if ends(&text) && (begins(behind) || behind.starts_with(['=', '|'])) {
             text.push(' ');
         }
-        Edit { span, text }
+        let blanks = before.len() - before.trim_end_matches(' ').len();
+        let blanks = if text.starts_with(':') { blanks as u32 } else { 0 };
+        Edit { span: Span { start: span.start - blanks, ..span }, text }
     }
 
     /// The tokens that replace the matched ones.

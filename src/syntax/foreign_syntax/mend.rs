@@ -1,13 +1,13 @@
 //! The pass over the tokens of an item that replaces foreign syntax.
 
 use super::finding::{Found, Match};
+use super::misspelt::keyword_meant;
 use super::place::{Braces, CODE, DRAWING, HEAD, Item, PARTS, Places};
 use super::sign::{Around, Sign, sign};
 use super::table::{forms, forms_from};
 use crate::diagnostic::Edit;
 use crate::syntax::token::{Token, TokenKind as T};
 use std::ops::Range;
-use strsim::damerau_levenshtein;
 
 /// The maximum number of replacements in one item, per token.
 const MOST: usize = 4;
@@ -137,11 +137,15 @@ fn misspelt(item: &Item, at: usize, place: Places) -> Option<(T, Found)> {
     if item.kind(at) != Some(T::Word) {
         return None;
     }
-    let word = item.word(at);
     let next = item.kind(at + 1);
+    let is_behind_block = at > 0 && item.kind(at - 1) == Some(T::RightBrace);
     let goes_on = match place {
         PARTS => true,
         DRAWING | HEAD => next.is_some_and(|next| next.is_wordlike() || next == T::Text),
+        _ if is_behind_block && matches!(next, Some(T::LeftBrace | T::If)) => {
+            let meant = keyword_meant(item.word(at), [T::Else])?;
+            return Some((meant, item.misspelt(at, meant)?));
+        }
         _ => {
             let starts_value = |kind: T| {
                 kind.is_wordlike() || matches!(kind, T::Int | T::Real | T::Text | T::TextHead)
@@ -149,23 +153,7 @@ fn misspelt(item: &Item, at: usize, place: Places) -> Option<(T, Found)> {
             next.is_some_and(starts_value) && !item.ends_line(at + 1)
         }
     };
-    let (_, beginnings) = BEGINNINGS.iter().find(|(here, _)| *here == place)?;
-    let lower = word.to_lowercase();
-    let far = word.chars().count() / 3;
-    let distance = |kind: &T| damerau_levenshtein(&lower, kind.spelling().unwrap_or(""));
-    let meant = beginnings.iter().min_by_key(|kind| distance(kind))?;
-    if !goes_on || distance(meant) > far {
-        return None;
-    }
-    let ours = meant.spelling()?;
-    let span = item.token(at)?.span;
-    let found = Found {
-        what: usize::MAX / 2 + span.start as usize,
-        span,
-        says: format!("`{word}` is written `{ours}`"),
-        edits: Some(vec![Edit { span, text: ours.to_owned() }]),
-        ends: false,
-        code: "syntax-error",
-    };
-    Some((*meant, found))
+    let (_, beginnings) = BEGINNINGS.iter().find(|(here, _)| *here == place && goes_on)?;
+    let meant = keyword_meant(item.word(at), beginnings.iter().copied())?;
+    Some((meant, item.misspelt(at, meant)?))
 }

@@ -7,6 +7,7 @@
 
 mod finding;
 mod mend;
+mod misspelt;
 mod pattern;
 mod place;
 mod report;
@@ -21,6 +22,7 @@ use crate::source::Span;
 
 pub use finding::Found;
 pub use mend::{Mended, mend};
+pub(super) use misspelt::{is_misspelt, keyword_meant};
 pub(super) use report::tell;
 pub use types::type_word;
 

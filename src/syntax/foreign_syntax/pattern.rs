@@ -30,7 +30,7 @@
 //! | `$a:operand` | a number, or a name with what is read and called behind it |
 //! | `$a:exponent` | the same, without a power behind it |
 //! | `$i:next` | a step of what `$i` stands for by one: `i++` |
-//! | `$:end` | nothing, at the end of a line |
+//! | `$:end` | nothing, at the end of a line or before the next statement of a drawing |
 //! | `$:sign` | nothing, before a sign with which the value before it would go on |
 //!
 //! With `~` before it, an element touches the previous one; with `_`, it is on the same line. A
@@ -320,7 +320,8 @@ fn all_ends(what: &What, item: &Item, at: usize) -> Vec<usize> {
             Class::Next => Vec::new(),
             Class::End => {
                 // The head of a loop goes on with its condition, on whichever line that stands.
-                let ends = item.ends_line(at) && item.kind(at) != Some(T::Where);
+                let ends = item.ends_line(at) && item.kind(at) != Some(T::Where)
+                    || item.begins_drawing_statement(at);
                 ends.then_some(at).into_iter().collect()
             }
             Class::Sign => {

@@ -1,5 +1,7 @@
 //! The tokens of an item, and the place of each in the program.
 
+use super::finding::Found;
+use super::misspelt::is_misspelt;
 use crate::source::Span;
 use crate::syntax::token::{Token, TokenKind as T};
 use std::collections::{HashMap, HashSet};
@@ -176,6 +178,20 @@ impl<'t> Item<'t> {
             && !self.touches(at + 2)
     }
 
+    /// The finding that a token is the misspelling of a keyword.
+    pub(super) fn misspelt(&self, at: usize, meant: T) -> Option<Found> {
+        Some(is_misspelt(self.text, *self.token(at)?, meant))
+    }
+
+    /// True if a keyword begins another statement of a drawing on the line of the one before.
+    pub(super) fn begins_drawing_statement(&self, at: usize) -> bool {
+        let before = at.checked_sub(1).and_then(|before| self.kind(before));
+        self.kind(at).is_some_and(T::begins_drawing_statement)
+            && before.is_some_and(|before| {
+                !goes_on(before) && before != T::DotDot && !before.begins_drawing_statement()
+            })
+    }
+
     /// True if a statement can begin at a token outside parentheses.
     fn begins_statement(&self, at: usize) -> bool {
         let Some(before) = at.checked_sub(1) else { return true };
@@ -242,7 +258,15 @@ impl Braces {
 
     /// True if a statement can begin at a token.
     pub(super) fn begins(&self, item: &Item, at: usize) -> bool {
-        self.parentheses.last() == Some(&0) && item.begins_statement(at)
+        let begins = item.begins_statement(at)
+            || self.place() == DRAWING && item.begins_drawing_statement(at);
+        self.parentheses.last() == Some(&0) && begins
+    }
+
+    fn close(&mut self) {
+        if self.open.pop().is_some() {
+            self.parentheses.pop();
+        }
     }
 
     /// Advances past a token.
@@ -258,7 +282,13 @@ impl Braces {
             | T::Rule
             | T::Each
             | T::If
-            | T::Else => self.word = Some(kind),
+            | T::Else => {
+                // A drawing ends where a part begins, even if its brace is not closed.
+                while self.place() == DRAWING && matches!(kind, T::Before | T::After | T::Rule) {
+                    self.close();
+                }
+                self.word = Some(kind);
+            }
             T::LeftBrace => {
                 self.open.push(match (self.place(), self.word) {
                     (HEAD, Some(T::Op)) | (PARTS, Some(T::Rule)) => PARTS,
@@ -269,9 +299,7 @@ impl Braces {
                 self.parentheses.push(0);
             }
             T::RightBrace => {
-                if self.open.pop().is_some() {
-                    self.parentheses.pop();
-                }
+                self.close();
                 self.word = None;
             }
             T::LeftParen => {

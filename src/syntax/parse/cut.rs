@@ -4,6 +4,7 @@
 //! keyword that can begin nothing else, so that a broken item ends where the next one begins.
 
 use super::foreign_syntax::item_word;
+use crate::syntax::foreign_syntax::keyword_meant;
 use crate::syntax::token::{Token, TokenKind as T};
 use std::ops::Range;
 
@@ -79,8 +80,8 @@ fn begins_item(text: &str, tokens: &[Token], at: usize, inside: bool) -> bool {
     let is_private = |at: usize| {
         let [private, item] = tokens.get(at..at + 2).unwrap_or_default() else { return false };
         let between = text.get(private.span.end as usize..item.span.start as usize);
-        private.kind == T::Private
-            && declares(item.kind)
+        declares(item.kind)
+            && is_private_word(text, private)
             && between.is_some_and(|between| {
                 let mut lines = between.lines().map(str::trim);
                 // A doc comment belongs to what stands behind it.
@@ -94,7 +95,13 @@ fn begins_item(text: &str, tokens: &[Token], at: usize, inside: bool) -> bool {
         T::Op | T::Script | T::Fn => (named && kind(2) == Some(T::LeftParen), true),
         T::Use => (kind(1) == Some(T::Text), true),
         T::Test => (kind(1) == Some(T::Text), false),
-        T::Private => (is_private(at), false),
+        T::Private if is_private(at) => (true, false),
+        // `private nf f`: a misspelt word follows.
+        T::Private => {
+            let is_word = kind(1) == Some(T::Word) && indent(text, tokens, at + 1).is_none();
+            return is_word && !inside && indent(text, tokens, at).is_some();
+        }
+        T::Word if is_private(at) => return !inside || indent(text, tokens, at) == Some(0),
         T::Attr => (named && kind(2) == Some(T::Colon), true),
         // `def f`: a foreign word, followed by another.
         T::Word => {
@@ -106,6 +113,13 @@ fn begins_item(text: &str, tokens: &[Token], at: usize, inside: bool) -> bool {
     };
     let Some(indent) = indent(text, tokens, at) else { return sure && !inside };
     sure || hard && (indent == 0 || !inside)
+}
+
+/// True if a token is `private`, perhaps misspelt.
+fn is_private_word(text: &str, token: &Token) -> bool {
+    let word = || text.get(token.span.range()).unwrap_or("");
+    token.kind == T::Private
+        || token.kind == T::Word && keyword_meant(word(), [T::Private]).is_some()
 }
 
 /// The indentation of a token, if it is the first on its line.

@@ -55,6 +55,11 @@ impl Phrase {
         (Self::Subscript, &["a subscript"]),
     ];
 
+    /// True if it is mentioned only if nothing else is expected.
+    pub(super) fn is_weak(self) -> bool {
+        matches!(self, Self::Operator | Self::Subscript)
+    }
+
     /// Its words, one entry for each way to write it.
     pub(super) fn words(self) -> &'static [&'static str] {
         Self::ALL[self as usize].1

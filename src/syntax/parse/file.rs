@@ -8,9 +8,10 @@ use super::input::{self, Rule, Source};
 use super::item::item;
 use super::leftover::brace_too_many;
 use super::report::{Around, report_all};
+use super::slip::mended;
 use crate::diagnostic::Diagnostic;
 use crate::source::{FileId, Span};
-use crate::syntax::foreign_syntax::{Found, Mended, mend, tell};
+use crate::syntax::foreign_syntax::{Found, Mended, tell};
 use crate::syntax::lex::{Comment, CommentKind, Lexed, lex};
 use crate::syntax::token::{Token, TokenKind as T};
 use crate::syntax::tree::{File, Item};
@@ -175,7 +176,7 @@ impl<'t> Reading<'t, '_> {
             self.diagnostics.push(told);
             return as_it_is.map(|item| (first, item)).into_iter().collect();
         }
-        let Mended { tokens: mended, found } = mend(self.text, tokens);
+        let Mended { tokens: mended, found } = mended(self.text, tokens, &failures);
         let wrong = failures.iter().map(|failure| failure.span);
         let wrong = wrong.chain(found.iter().map(|found| found.span));
         self.misread.push(misread(tokens, as_it_is.as_ref(), wrong));
@@ -231,6 +232,11 @@ fn read<'t>(
     let mut source = Source::from(text);
     let input = input::tokens(tokens, whole(tokens).after());
     grammar.parse_with_state(input, &mut source).into_output_errors()
+}
+
+/// The failures of an item.
+pub(super) fn failures(text: &str, tokens: &[Token]) -> Vec<Failure> {
+    read(&item(), text, tokens).1
 }
 
 fn whole(tokens: &[Token]) -> Span {

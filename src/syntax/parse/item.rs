@@ -315,6 +315,7 @@ fn assembled(parts: Vec<Part>, span: Span, emitter: &mut Emitter<Failure>) -> As
         Alternative { name: None, before: None, conditions: Vec::new(), after: None, span };
     let mut rules = Vec::new();
     let mut steps: Option<(Block, Span)> = None;
+    let mut behind = Vec::new();
     let mut wrong = |mistake, span| emitter.emit(Failure::mistake(mistake, span));
     for part in parts {
         match part {
@@ -325,9 +326,9 @@ fn assembled(parts: Vec<Part>, span: Span, emitter: &mut Emitter<Failure>) -> As
                 }
                 if alone.after.is_some() {
                     wrong(Mistake::Misplaced("`before` comes first"), side.span);
-                }
-                for condition in &alone.conditions {
-                    wrong(Mistake::Misplaced(BETWEEN), condition.span());
+                    behind.clear();
+                } else if let Some(first) = alone.conditions.first() {
+                    wrong(Mistake::Misplaced(BETWEEN), first.span());
                 }
                 alone.before = Some(side);
             }
@@ -337,7 +338,7 @@ fn assembled(parts: Vec<Part>, span: Span, emitter: &mut Emitter<Failure>) -> As
                     wrong(Mistake::Misplaced("a condition stands before `steps`"), span);
                 }
                 if alone.after.is_some() {
-                    wrong(Mistake::Misplaced(BETWEEN), span);
+                    behind.push(span);
                 }
                 alone.conditions.push(condition);
             }
@@ -355,6 +356,9 @@ fn assembled(parts: Vec<Part>, span: Span, emitter: &mut Emitter<Failure>) -> As
             Part::Rule(rule) => rules.push(rule),
             Part::Broken => {}
         }
+    }
+    if let Some(first) = behind.first() {
+        wrong(Mistake::Misplaced(BETWEEN), *first);
     }
     Assembled { alone, rules, steps }
 }

@@ -3,7 +3,8 @@
 //! A file is first cut into items by their keywords alone, and the depth of each is measured; then
 //! the grammar parses one item at a time. So a broken item does not affect others, nesting cannot
 //! overflow the stack, and the time is linear in the text. Within an item, a statement that cannot
-//! be read is skipped and becomes `Broken` in the tree.
+//! be read is skipped and becomes `Broken` in the tree. Where one wrong or missing token is all that
+//! is in the way, it is put right first, so that it is the only error.
 
 mod file;
 
@@ -31,6 +32,8 @@ mod report;
 mod unclosed;
 
 mod leftover;
+
+mod slip;
 
 mod foreign_syntax;
 

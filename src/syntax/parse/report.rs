@@ -297,7 +297,8 @@ fn line_before(text: &str, span: Span) -> &str {
 /// Adds a note with the syntax of the statement or header that failed.
 fn form(told: Diagnostic, context: Span, around: &Around) -> Diagnostic {
     let at = around.item.partition_point(|token| token.span.start < context.start);
-    let form = match around.item.get(at).map(|token| token.kind) {
+    let mut head = around.item[at..].iter().map(|token| token.kind);
+    let form = match head.find(|kind| *kind != T::Private) {
         Some(T::Face) => "a face is drawn `face f: v0 -a-> v1 -b-> v2 =P=> v0`",
         Some(T::Hole) => "a hole is drawn `hole f: v0 -a-> v1 =P=> v0`",
         Some(T::Loop) => "a loop is drawn `loop f: v0 -a-> v1 =P=> v0`",
@@ -370,9 +371,8 @@ fn end_of(around: &Around) -> String {
 /// expected.
 fn wanted(failure: &Failure) -> Vec<String> {
     let all = failure.wanted;
-    let weak = |phrase: &Phrase| matches!(phrase, Phrase::Operator | Phrase::Subscript);
     let owned = |words: &&str| (*words).to_owned();
-    let strong = all.phrases().filter(|phrase| !weak(phrase));
+    let strong = all.phrases().filter(|phrase| !phrase.is_weak());
     let mut words: Vec<_> = strong.flat_map(Phrase::words).map(owned).collect();
     words.extend(all.tokens().map(|kind| kind.to_string()));
     if words.is_empty() {
@@ -385,7 +385,11 @@ fn wanted(failure: &Failure) -> Vec<String> {
 fn place(context: Span, around: &Around) -> Option<String> {
     let tokens = around.item;
     let at = tokens.partition_point(|token| token.span.start < context.start);
-    let (first, rest) = tokens.get(at..)?.split_first()?;
+    let head = tokens.get(at..)?;
+    let (first, rest) = match head {
+        [private, head @ ..] if private.kind == T::Private => head.split_first()?,
+        _ => head.split_first()?,
+    };
     let keyword = first.kind.spelling().filter(|_| first.kind.is_keyword())?;
     let name = rest.first().filter(|token| token.kind.is_name());
     let name = name.map(|name| shown(name.span, around.text));

@@ -18,6 +18,11 @@ pub(super) const LINES: &[Line] = &[
         "op $f($p) $r { $b",
         "what is drawn is an operation, `op $f(…) { before { … } after { … } }`",
     ),
+    sure(
+        "private $k=def/function/func/fun/fn/void/auto/bool/define/sub/procedure/method/proc $f ( $p:inside ) $r:part { $b=before/rule/after/steps",
+        "private op $f($p) $r { $b",
+        "what is drawn is an operation, `private op $f(…) { before { … } after { … } }`",
+    ),
     told(
         "^def $f ( $p:inside ) $r:part : $:end",
         "fn $f($p) { }",

@@ -14,6 +14,9 @@ const SEVERAL: &str =
     "a choice among several is `if x == 1 { … } else if x == 2 { … } else { … }`, also as a value";
 const STOPPED: &str = "a script is stopped by `assert c else \"…\"`, an op in steps refused by `require c else \"…\"`";
 
+const EQUAL: &str = "whether two are equal is asked by `==`";
+const ASKED: &str = "what an op returns, unless it refuses, is `if let $n = $f(…) { … }`";
+
 const COLON: &str = "no `:` stands before a brace";
 const ALONE: &str = "a single statement stands in braces, too: `$k … { $f … }`";
 const ALONE_THEN: &str = "a statement stands in braces, without `then`: `if … { $f … }`";
@@ -127,6 +130,9 @@ pub(super) const LINES: &[Line] = &[
         "",
         "a loop over ints is `for $n in 0..n { … }`, in braces",
     ),
+    sure("if $n:variable = $f ( $a:inside ) {", "if $n == $f($a) {", EQUAL),
+    sure("if $n = $f ( $a:inside ) {", "if let $n = $f($a) {", ASKED),
+    sure("if ( $n = $f ( $a:inside ) ) {", "if let $n = $f($a) {", ASKED),
     told("^$w=for/while/if/elif $l:part : $:end", "$w $l { }", BRACES),
     told("^$w=else/repeat/try $l:part : $:end", "", BRACES),
     fixed("$k=in edge {", "", "$k edges {", "the edges of the mesh are `edges`"),

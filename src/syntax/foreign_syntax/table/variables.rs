@@ -65,6 +65,11 @@ pub(super) const LINES: &[Line] = &[
     sure("^const/auto/val/static/final $t:word $n =", "let $n =", BEGIN),
     sure("^const/auto & $n =", "let $n =", BEGIN),
     sure(
+        "^int/float/double/real/bool/size_t/unsigned/long/short $n = $o:owner . $p=next/prev/twin/vertex/edge/face/halfedge $:end",
+        "let $n = $o.$p",
+        BEGIN,
+    ),
+    sure(
         "^$t=int/float/double/real/bool/vec2/vec3/size_t/unsigned/long/short/Vec3 $n =",
         "let $n: $t =",
         BEGIN,

@@ -1,0 +1,39 @@
+//! Keywords that are misspelt.
+
+use super::finding::Found;
+use crate::diagnostic::Edit;
+use crate::syntax::token::{Token, TokenKind as T};
+use strsim::damerau_levenshtein;
+
+/// The keyword, of several, that a word most likely means: a letter in three may be wrong, and the
+/// letters of two may be swapped.
+pub(in crate::syntax) fn keyword_meant(
+    word: &str,
+    among: impl IntoIterator<Item = T>,
+) -> Option<T> {
+    let lower = word.to_lowercase();
+    let distance = |kind: T| {
+        let ours = kind.spelling()?;
+        let distance = damerau_levenshtein(&lower, ours);
+        let is_swapped = lower.chars().rev().eq(ours.chars());
+        let far = lower.chars().count().max(ours.len()) / 3;
+        (distance <= far || is_swapped && distance == 1).then_some(distance)
+    };
+    let near = among.into_iter().filter_map(|kind| Some((distance(kind)?, kind)));
+    near.min_by_key(|(distance, _)| *distance).map(|(_, kind)| kind)
+}
+
+/// The finding that a token is the misspelling of a keyword.
+pub(in crate::syntax) fn is_misspelt(text: &str, token: Token, meant: T) -> Found {
+    let span = token.span;
+    let word = text.get(span.range()).unwrap_or("");
+    let ours = meant.spelling().unwrap_or("");
+    Found {
+        what: usize::MAX / 2 + span.start as usize,
+        span,
+        says: format!("`{word}` is written `{ours}`"),
+        edits: Some(vec![Edit { span, text: ours.to_owned() }]),
+        ends: false,
+        code: "syntax-error",
+    }
+}
