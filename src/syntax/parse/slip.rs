@@ -11,6 +11,9 @@ use std::ops::Range;
 /// The maximum number of slips in one item.
 const MOST: usize = 8;
 
+/// The maximum number of tokens of an item in which slips are looked for, since each is tried.
+const LONGEST: usize = 20_000;
+
 /// The operators that are words.
 const OPERATORS: [T; 4] = [T::And, T::Or, T::Div, T::Mod];
 
@@ -44,6 +47,7 @@ pub(super) fn mended(text: &str, tokens: &[Token], failed: &[Failure]) -> Mended
     let mut failure = first(failed);
     while let Some(here) = &failure
         && found.len() < MOST
+        && tokens.len() < LONGEST
     {
         let Some((slip, mended, next)) = without_slip(text, &tokens, here) else { break };
         found.push(slip);
