@@ -28,6 +28,20 @@ pub struct Found {
     pub code: &'static str,
 }
 
+impl Found {
+    /// A slip of the pen at a place, in which other text is meant. Each is reported.
+    pub(in crate::syntax) fn slip(span: Span, says: String, text: String) -> Self {
+        Self {
+            what: usize::MAX / 2 + span.start as usize,
+            span,
+            says,
+            edits: Some(vec![Edit { span, text }]),
+            ends: false,
+            code: "syntax-error",
+        }
+    }
+}
+
 /// A match of a pattern of the table.
 pub(super) struct Match<'t, 'i> {
     pub form: &'static Form,

@@ -1,9 +1,9 @@
 //! Keywords that are misspelt.
 
-use super::finding::Found;
-use crate::diagnostic::Edit;
-use crate::syntax::token::{Token, TokenKind as T};
 use strsim::damerau_levenshtein;
+
+use super::finding::Found;
+use crate::syntax::token::{Token, TokenKind as T};
 
 /// The keyword, of several, that a word most likely means: a letter in three may be wrong, and the
 /// letters of two may be swapped.
@@ -25,15 +25,7 @@ pub(in crate::syntax) fn keyword_meant(
 
 /// The finding that a token is the misspelling of a keyword.
 pub(in crate::syntax) fn is_misspelt(text: &str, token: Token, meant: T) -> Found {
-    let span = token.span;
-    let word = text.get(span.range()).unwrap_or("");
+    let word = text.get(token.span.range()).unwrap_or("");
     let ours = meant.spelling().unwrap_or("");
-    Found {
-        what: usize::MAX / 2 + span.start as usize,
-        span,
-        says: format!("`{word}` is written `{ours}`"),
-        edits: Some(vec![Edit { span, text: ours.to_owned() }]),
-        ends: false,
-        code: "syntax-error",
-    }
+    Found::slip(token.span, format!("`{word}` is written `{ours}`"), ours.to_owned())
 }

@@ -1,12 +1,12 @@
 //! Slips of the pen: a keyword that is misspelt, or a word or sign that is wrong or missing, where
 //! the grammar wants it and can then go on.
 
+use std::ops::Range;
+
 use super::failure::{Failure, Phrase};
 use super::file::failures;
-use crate::diagnostic::Edit;
 use crate::syntax::foreign_syntax::{Found, Mended, is_misspelt, keyword_meant, mend};
 use crate::syntax::token::{Token, TokenKind as T};
-use std::ops::Range;
 
 /// The maximum number of slips in one item.
 const MOST: usize = 8;
@@ -154,13 +154,5 @@ fn slip(tokens: &[Token], place: Range<usize>, meant: T, says: String) -> Slip {
     let is_apart = span.start > before.start || SIGNS.iter().any(|(ours, _)| *ours == meant);
     let ours = meant.spelling().unwrap_or("");
     let text = if is_apart { ours.to_owned() } else { format!(" {ours}") };
-    let found = Found {
-        what: usize::MAX / 2 + span.start as usize,
-        span,
-        says,
-        edits: Some(vec![Edit { span, text }]),
-        ends: false,
-        code: "syntax-error",
-    };
-    Slip { place, meant, found }
+    Slip { place, meant, found: Found::slip(span, says, text) }
 }
