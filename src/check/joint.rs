@@ -199,8 +199,8 @@ fn elements(rule: &Rule) -> impl Iterator<Item = NameId> {
     order.into_iter().flat_map(|kind| rule.names_of(kind)).filter(|&name| rule.is_first(name))
 }
 
-/// Exchanges two names of a kind in all loops, or in one. What else is said about them would be
-/// about the other, so it may be `before` that is wrong.
+/// Exchanges two names of a kind in all loops, or in one. If both stand in `before`, that may be what
+/// is wrong; then what else is said about one of them would be about the other.
 fn exchanged(rule: &Rule, kind: Kind) -> Vec<Remedy> {
     let mut drawn: Vec<NameId> = Vec::new();
     for mention in rule.after.loops.iter().flat_map(mentions) {
@@ -216,9 +216,12 @@ fn exchanged(rule: &Rule, kind: Kind) -> Vec<Remedy> {
         .iter()
         .enumerate()
         .flat_map(|(at, &one)| drawn[at + 1..].iter().map(move |&other| (one, other)));
+    let drawing = Drawing::new(rule);
     let alike = pairs.filter(|&(one, other)| {
+        let pair = [one, other];
+        let may_be_before = pair.iter().all(|&name| drawing.before.mention(name).is_some());
         rule.is_member(one) == rule.is_member(other)
-            && [one, other].iter().all(|&name| !is_named(rule, name))
+            && !(may_be_before && pair.iter().any(|&name| is_named(rule, name)))
     });
     let remedies = alike.flat_map(|(one, other)| {
         let exchange = move |name: NameId| match rule.first_member(name) {
