@@ -307,7 +307,8 @@ pub(super) struct ConvertArguments {
 
 #[derive(Debug, Args)]
 pub(super) struct ExplainArguments {
-    /// A code such as missing-reassignment, or a word such as degree
+    /// A code such as missing-reassignment, a word such as degree, or what
+    /// the library has of a name, such as collapse
     ///
     /// `functions`, `types`, `constants`: all of these; nothing: all codes
     #[arg(value_name = "CODE|WORD")]
