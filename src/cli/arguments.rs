@@ -311,7 +311,7 @@ pub(super) struct ExplainArguments {
     /// the library has of a name, such as collapse
     ///
     /// `functions`, `types`, `constants`: all of these; nothing: all codes
-    #[arg(value_name = "CODE|WORD")]
+    #[arg(value_name = "CODE|WORD", verbatim_doc_comment)]
     pub word: Option<String>,
 }
 
