@@ -182,7 +182,7 @@ pub struct Statement {
     pub span: Span,
 }
 
-/// The kind of a statement. Variables are numbers into [`Script::variables`].
+/// The kind of a statement. Variables are numbers into [`Body::variables`].
 #[derive(Clone, Debug, PartialEq)]
 pub enum StatementKind {
     /// `let x = …`, `var x = …`, `x = …`
