@@ -16,6 +16,9 @@ impl Analysis {
     ///
     /// What is in no item that has a name, as a missing file, concerns all.
     pub fn concerning(&self, asked: &[Span], sources: &Sources) -> (Vec<Diagnostic>, usize) {
+        if self.is_sound() {
+            return (self.diagnostics.clone(), 0);
+        }
         let parsed: Vec<_> =
             sources.ids().map(|file| parse(file, sources.get(file).text())).collect();
         let items: Vec<_> = parsed

@@ -38,8 +38,7 @@ pub(super) fn test(drawing: &Drawing) -> Vec<Problem> {
 fn drawn_as_neighbours(drawing: &Drawing, [left, right]: [Spoke; 2]) -> Option<[NameId; 2]> {
     let view = &drawing.before;
     let clockwise = |spoke: NameId| {
-        let next = view.item_after(view.twin(spoke)?)?;
-        (drawing.rule.kind(next) == Kind::Halfedge).then_some(next)
+        view.spoke_ahead(spoke).filter(|&next| drawing.rule.kind(next) == Kind::Halfedge)
     };
     let behind = left.halfedge().and_then(|left| Some([left, view.spoke_behind(left)?]));
     behind.or_else(|| right.halfedge().and_then(|right| Some([clockwise(right)?, right])))

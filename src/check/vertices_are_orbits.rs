@@ -201,7 +201,7 @@ fn out_of_order(drawing: &Drawing, star: &Star) -> Option<Diagnostic> {
     let is_half = |item: &NameId| rule.kind(*item) == Kind::Halfedge;
     star.neighbors().find_map(|[spoke, next]| {
         let behind = before.spoke_behind(spoke.name).filter(|&behind| behind != next.name);
-        let ahead = || before.item_after(before.twin(next.name)?).filter(is_half);
+        let ahead = || before.spoke_ahead(next.name).filter(is_half);
         let (first, second) = match behind {
             Some(behind) => (spoke.name, behind),
             None => (ahead().filter(|&ahead| ahead != spoke.name)?, next.name),

@@ -255,6 +255,12 @@ impl<'a> View<'a> {
         self.twin(self.item_before(spoke)?)
     }
 
+    /// The spoke before it around its vertex, counterclockwise, if the loops and edges determine it:
+    /// what follows its twin. It may be a path.
+    pub fn spoke_ahead(&self, spoke: NameId) -> Option<NameId> {
+        self.item_after(self.twin(spoke)?)
+    }
+
     /// The mention of the vertex from which a halfedge or path leaves in its loop.
     pub fn origin_mention(&self, item: NameId) -> Option<Ref> {
         Some(self.loop_item(item)?.1.from)

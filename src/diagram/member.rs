@@ -3,7 +3,7 @@
 //! Turning all names of an unrolled rule by one index gives the same rule again, so what holds at
 //! index 0 holds at every index. In a rule without families nothing turns.
 
-use super::{NameId, Ref, Role, Rule, Side, Spoke};
+use super::{NameId, Ref, Role, Rule};
 
 impl Rule {
     /// True if it has families that are not unrolled.
@@ -61,25 +61,8 @@ impl Rule {
         let mut widest = 1;
         let mut see = |mention: &Ref| widest = widest.max(mention.shift.unsigned_abs());
         for side in [&self.before, &self.after] {
-            mentions(side).for_each(&mut see);
+            side.mentions().for_each(&mut see);
         }
         widest
     }
-}
-
-/// All mentions on one side.
-fn mentions(side: &Side) -> impl Iterator<Item = &Ref> {
-    let loops = side.loops.iter().flat_map(|orbit| {
-        let items = orbit.items.iter().flat_map(|item| [&item.from, &item.item]);
-        items.chain([&orbit.face, &orbit.end])
-    });
-    let edges = side.edges.iter().flat_map(|edge| edge.halfedges.iter().chain([&edge.edge]));
-    let stars = side.stars.iter().flat_map(|star| {
-        let spokes = star.spokes.iter().filter_map(|spoke| match spoke {
-            Spoke::Halfedge(mention) | Spoke::Fan(mention) => Some(mention),
-            Spoke::Rest(_) => None,
-        });
-        spokes.chain([&star.vertex])
-    });
-    loops.chain(edges).chain(stars)
 }

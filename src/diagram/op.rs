@@ -359,28 +359,6 @@ pub struct Side {
     pub span: Span,
 }
 
-impl Side {
-    /// All mentions of names in loops, edges and stars.
-    pub(crate) fn mentions_mut(&mut self) -> impl Iterator<Item = &mut Ref> {
-        let loops = self.loops.iter_mut().flat_map(|orbit| {
-            let items = orbit.items.iter_mut().flat_map(|item| [&mut item.from, &mut item.item]);
-            items.chain([&mut orbit.face, &mut orbit.end])
-        });
-        let edges = self.edges.iter_mut().flat_map(|edge| {
-            let [one, other] = &mut edge.halfedges;
-            [&mut edge.edge, one, other]
-        });
-        let stars = self.stars.iter_mut().flat_map(|star| {
-            let spokes = star.spokes.iter_mut().filter_map(|spoke| match spoke {
-                Spoke::Halfedge(mention) | Spoke::Fan(mention) => Some(mention),
-                Spoke::Rest(_) => None,
-            });
-            spokes.chain([&mut star.vertex])
-        });
-        loops.chain(edges).chain(stars)
-    }
-}
-
 /// The loops that a statement stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum LoopKind {

@@ -54,12 +54,15 @@ pub fn judge_file(lesson: &Lesson, file: &str, text: &str) -> Result<(), Rejecti
     same(&read(&lesson.solution), &given).map_err(|why| {
         // A program with a gap may happen to do what a mistake does.
         let is_as_given = given.is_ok() && words(text) == words(&lesson.program);
-        let is_it = |program: &String| match (&read(program), &given) {
-            _ if is_as_given => words(text) == words(program),
+        let does_the_same = |program: &str| match (&read(program), &given) {
             (Err(mistake), Err(given)) => {
                 mistake.code() == given.code() && mistake.message() == given.message()
             }
             (mistake, given) => same(mistake, given).is_ok(),
+        };
+        let is_it = |program: &String| match is_as_given {
+            true => words(text) == words(program),
+            false => does_the_same(program),
         };
         let mistake = lesson.mistakes.iter().find(|mistake| mistake.programs().any(is_it));
         let why = match mistake {

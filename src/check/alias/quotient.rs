@@ -87,7 +87,7 @@ impl Quotient {
         };
         let rule = &mut self.rule;
         for side in [&mut rule.before, &mut rule.after] {
-            mentions(side, &rename);
+            side.mentions_mut().for_each(rename);
         }
         for run in self.runs.iter_mut().flatten() {
             for item in run {
@@ -248,31 +248,6 @@ fn sectors(spokes: &[Spoke]) -> Vec<(Option<NameId>, Option<Spoke>)> {
     let named = (0..count).map(|at| (spokes[at].halfedge(), fan_at(at + 1)));
     let named: Vec<_> = named.filter(|(half, _)| half.is_some()).collect();
     if named.is_empty() { vec![(None, fan_at(0))] } else { named }
-}
-
-/// Changes every mention of a side.
-fn mentions(side: &mut Side, change: &impl Fn(&mut Ref)) {
-    for orbit in &mut side.loops {
-        change(&mut orbit.face);
-        change(&mut orbit.end);
-        for item in &mut orbit.items {
-            change(&mut item.from);
-            change(&mut item.item);
-        }
-    }
-    for edge in &mut side.edges {
-        change(&mut edge.edge);
-        edge.halfedges.iter_mut().for_each(change);
-    }
-    for star in &mut side.stars {
-        change(&mut star.vertex);
-        for spoke in &mut star.spokes {
-            if let Spoke::Halfedge(mention) | Spoke::Fan(mention) = spoke {
-                change(mention);
-            }
-        }
-    }
-    side.kept.iter_mut().for_each(change);
 }
 
 /// Loop items with a path replaced by its items, which start at the vertex where the path did.

@@ -72,9 +72,8 @@ impl Remedy {
                 let title =
                     format!("write {} for {} in `before`", rule.quoted(*new), rule.quoted(*old));
                 let text = &rule.name(*new).text;
-                let mut before = rule.before.clone();
-                let mentions = before.mentions_mut().filter(|at| at.name == *old);
-                let edit = |at: &mut Ref| Edit { span: at.span, text: text.clone() };
+                let mentions = rule.before.mentions().filter(|at| at.name == *old);
+                let edit = |at: &Ref| Edit { span: at.span, text: text.clone() };
                 return Some(Fix { title, edits: mentions.map(edit).collect() });
             }
             Remedy::Pair(edges) => return pair(rule, now, edges),
