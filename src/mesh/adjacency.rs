@@ -71,7 +71,20 @@ impl Adjacency {
         self.starts.len() - 1
     }
 
+    /// The start and the end of the list of a vertex.
+    #[inline]
+    pub(crate) fn bounds(&self, vertex: u32) -> [u32; 2] {
+        [0, 1].map(|side| self.starts.get(vertex as usize + side).copied().unwrap_or(0))
+    }
+
+    /// The neighbor at an index in all lists.
+    #[inline]
+    pub(crate) fn neighbor(&self, at: u32) -> Option<u32> {
+        self.neighbors.get(at as usize).copied()
+    }
+
     /// Pointers to the starts of the lists and to the neighbors.
+    #[cfg(feature = "native")]
     pub(crate) fn tables(&self) -> [*const u32; 2] {
         [self.starts.as_ptr(), self.neighbors.as_ptr()]
     }

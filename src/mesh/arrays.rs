@@ -64,7 +64,6 @@ impl Mesh {
     }
 
     /// As [`Mesh::positions`], for writing; no journal notes what is written.
-    #[cfg(feature = "native")]
     pub(crate) fn positions_mut(&mut self) -> &mut [DVec3] {
         &mut self.positions
     }

@@ -40,7 +40,6 @@ impl Mesh {
     }
 
     /// Whether writes are noted.
-    #[cfg(feature = "native")]
     pub(crate) fn keeps_journal(&self) -> bool {
         self.journal.is_open()
     }

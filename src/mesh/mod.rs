@@ -24,7 +24,6 @@ mod records;
 pub(crate) mod tables;
 
 // Queries.
-#[cfg(feature = "native")]
 mod adjacency;
 mod component;
 mod difference;
@@ -66,7 +65,6 @@ pub mod shape;
 /// The crate of the vectors and matrices of positions and attributes.
 pub use glam;
 
-#[cfg(feature = "native")]
 pub(crate) use adjacency::Adjacency;
 pub use arrays::NotATriangle;
 pub use attribute::{

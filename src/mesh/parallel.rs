@@ -23,7 +23,6 @@ pub fn threads() -> usize {
 }
 
 /// Whether the caller runs on a thread of a pool.
-#[cfg(feature = "native")]
 pub(crate) fn is_at_work() -> bool {
     #[cfg(feature = "threads")]
     return rayon::current_thread_index().is_some();
@@ -33,7 +32,6 @@ pub(crate) fn is_at_work() -> bool {
 
 /// Runs `work` for each worker on the threads of the pool, and calls `meanwhile` on this thread at
 /// intervals of `every` until all are done.
-#[cfg(feature = "native")]
 pub(crate) fn each_at_work<W: Send>(
     workers: &mut [W],
     work: impl Fn(&mut W) + Sync,

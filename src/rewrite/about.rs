@@ -36,7 +36,8 @@ impl Machine {
             Inst::LoadHole { face, .. } => (ElementKind::Face, face),
             Inst::LoadPosition { vertex, .. }
             | Inst::StorePosition { vertex, .. }
-            | Inst::HoldPosition { vertex, .. } => (ElementKind::Vertex, vertex),
+            | Inst::HoldPosition { vertex, .. }
+            | Inst::NeighborsBegin { vertex, .. } => (ElementKind::Vertex, vertex),
             Inst::LoadAttribute { attribute, element, .. }
             | Inst::StoreAttribute { attribute, element, .. }
             | Inst::HoldAttribute { attribute, element, .. } => {

@@ -3,7 +3,6 @@
 //! A column is a dense array of values of one type. A value in the window takes one slot for each
 //! component, matrices column by column, as the language lays them out.
 
-#[cfg(feature = "native")]
 use std::ops::Range;
 
 use glam::{DMat3, DMat4, DVec2, DVec3, DVec4};
@@ -11,7 +10,6 @@ use glam::{DMat3, DMat4, DVec2, DVec3, DVec4};
 use super::access::gone;
 use super::window::Window;
 use super::{Fault, Reg};
-#[cfg(feature = "native")]
 use crate::mesh::parallel;
 use crate::mesh::{ColumnData, ColumnId, Mesh, VertexId};
 
@@ -245,7 +243,6 @@ pub(super) fn release(
 /// Writes the values that are kept back, a list for each of the ranges, which cover the slots of a
 /// kind in order; each list has values of the elements in its range alone, of these attributes
 /// (`None` for a position). Ranges are written on all cores: no journal may be open.
-#[cfg(feature = "native")]
 pub(super) fn release_ranges(
     mesh: &mut Mesh,
     columns: &[Option<ColumnId>],
@@ -267,7 +264,6 @@ pub(super) fn release_ranges(
 }
 
 /// Writes what is held for the elements in each range, on all cores.
-#[cfg(feature = "native")]
 fn write_ranges<'h, T: OfSlots, H: Iterator<Item = (Option<ColumnId>, u32, &'h [u64])>>(
     all: &mut [T],
     lists: &'h [(Range<usize>, Vec<u64>)],

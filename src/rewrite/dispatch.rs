@@ -16,7 +16,7 @@ use super::window::{Window, reserve};
 use super::{
     Engine, Fault, Inst, List, Machine, Message, Outcome, Phase, Reg, Room, Trap, Triangles, Watch,
 };
-use super::{attribute, families, lookahead, vectors};
+use super::{attribute, families, lookahead, neighbors, vectors};
 use crate::mesh::{Element, ElementKind, Mesh, VertexId, difference, same_up_to_renumbering};
 
 /// The distance up to which coordinates of meshes count as equal.
@@ -434,6 +434,20 @@ impl Machine {
                         }
                         w.set_id(place, next);
                         w.set_int(turns, turn);
+                        at = again.0 as usize;
+                    }
+                }
+                NeighborsBegin { vertex, slots, neighbor, otherwise } => {
+                    let lists = self.neighbors.as_deref();
+                    match or_trap!(neighbors::begin(mesh, lists, &mut w, [vertex, slots])) {
+                        Some(first) => w.set_id(neighbor, first),
+                        None => at = otherwise.0 as usize,
+                    }
+                }
+                NeighborsNext { slots, neighbor, again } => {
+                    let lists = self.neighbors.as_deref();
+                    if let Some(next) = or_trap!(neighbors::next(mesh, lists, &mut w, slots)) {
+                        w.set_id(neighbor, next);
                         at = again.0 as usize;
                     }
                 }

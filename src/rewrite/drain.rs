@@ -311,13 +311,11 @@ impl Drains {
     }
 
     /// Whether there is a single drain, and its keys can be computed without noting reads.
-    #[cfg_attr(not(feature = "native"), expect(dead_code))]
     pub(super) fn takes_keys(&self) -> bool {
         matches!(self.all.as_slice(), [drain] if !drain.is_noted())
     }
 
     /// Sets the keys of elements of the innermost drain, each after its element. They stay stale.
-    #[cfg_attr(not(feature = "native"), expect(dead_code))]
     pub(super) fn set_keys(&mut self, all: &[u64]) -> Result<(), Message> {
         for pair in all.as_chunks::<2>().0 {
             if let Some(drain) = self.all.last_mut() {
@@ -329,7 +327,6 @@ impl Drains {
     }
 
     /// Makes no element of the innermost drain stale.
-    #[cfg_attr(not(feature = "native"), expect(dead_code))]
     pub(super) fn make_none_stale(&mut self) {
         if let Some(drain) = self.all.last_mut() {
             drain.tables.stale = Default::default();

@@ -140,6 +140,12 @@ pub enum Inst {
     /// Takes a step of the walk, and jumps unless it is back at `from`. Traps if the walk has taken
     /// as many steps as there are slots of halfedges.
     WalkNext { walk: Walk, from: Reg, at: Reg, turns: Reg, again: Label },
+    /// Begins a loop over the neighbors of a vertex, with the first one in `neighbor`; jumps if
+    /// there is none. The loop keeps its place in three registers.
+    NeighborsBegin { vertex: Reg, slots: Reg, neighbor: Reg, otherwise: Label },
+    /// Advances to the next neighbor, and jumps unless that is the first again. Traps as `WalkNext`
+    /// does.
+    NeighborsNext { slots: Reg, neighbor: Reg, again: Label },
     /// Whether a walk from `from` (included) meets `goal` before it comes to `stop` or back to
     /// `from`. If `from` is also `stop`, the walk goes once around.
     Meets { walk: Walk, to: Reg, from: Reg, goal: Reg, stop: Reg },
@@ -316,9 +322,11 @@ impl Inst {
             | Inst::JumpUnequal { to, .. }
             | Inst::JumpEqual { to, .. } => Some(to),
             Inst::JumpUnlessLiving { to, .. } | Inst::WalkNext { again: to, .. } => Some(to),
+            Inst::NeighborsNext { again: to, .. } => Some(to),
             Inst::Spread { end, .. } => Some(end),
             Inst::NextLiving { otherwise, .. }
             | Inst::WalkBegin { otherwise, .. }
+            | Inst::NeighborsBegin { otherwise, .. }
             | Inst::BufferNext { otherwise, .. }
             | Inst::NextIndex { otherwise, .. }
             | Inst::ExpectAllDistinct { otherwise, .. }

@@ -6,13 +6,15 @@
 //! the compiler has to ensure; a script that traps keeps its effects so far.
 
 use std::ops::ControlFlow;
+use std::sync::Arc;
 use std::time::Duration;
 
 use super::attempt::Said;
 use super::drain::Drains;
 use super::key_paths::KeyPaths;
 use super::known_level::KnownLevel;
-use super::native::{Neighbors, Scratch};
+use super::native::Scratch;
+use super::neighbors::Listed;
 use super::preview::Preview;
 use super::random::RandomNumbers;
 use super::watch::Progress;
@@ -21,7 +23,7 @@ use super::{
     Call, Code, Engine, Holder, List, Matched, Message, Outcome, Plan, Plans, Reg, Trap, Unwatched,
     Watch,
 };
-use crate::mesh::{AttributeType, Bookmark, ColumnId, ElementKind, Level, Mesh};
+use crate::mesh::{Adjacency, AttributeType, Bookmark, ColumnId, ElementKind, Level, Mesh};
 
 /// The greatest depth of nested calls of operations.
 const DEPTH: usize = 64;
@@ -85,10 +87,11 @@ pub struct Machine {
     pub(super) compiling: Duration,
     /// Whether other threads read the mesh at the same time; then nobody writes to it.
     pub(super) is_beside_others: bool,
+    /// The lists of neighbors that loops read, while nothing is written.
+    pub(super) neighbors: Option<Arc<Adjacency>>,
     /// The lists of neighbors for loops over all vertices, valid until an operation is applied.
-    pub(super) neighbors: Neighbors,
+    pub(super) listed: Listed,
     /// The machines of other threads, kept for reuse.
-    #[cfg_attr(not(feature = "native"), expect(dead_code))]
     pub(super) workers: Vec<Machine>,
 }
 
@@ -147,7 +150,8 @@ impl Machine {
             scratch: Vec::new(),
             compiling: Duration::ZERO,
             is_beside_others: false,
-            neighbors: Neighbors::default(),
+            neighbors: None,
+            listed: Listed::default(),
             workers: Vec::new(),
         }
     }
@@ -341,7 +345,7 @@ impl Machine {
         self.last_refusal = None;
         self.is_dry = false;
         self.holding = 0;
-        self.neighbors = Neighbors::default();
+        (self.neighbors, self.listed) = (None, Listed::default());
         (self.frames, self.depth) = (0, 0);
         if let Some(created) = &mut self.created {
             created.clear();

@@ -42,6 +42,7 @@ mod list;
 mod lookahead;
 mod memory;
 mod mesh_reads;
+mod neighbors;
 mod observe;
 mod paths;
 pub mod preview;
@@ -51,6 +52,7 @@ pub mod random;
 pub mod readers;
 mod reads;
 mod reads_ahead;
+mod spread;
 mod stale;
 pub mod vectors;
 

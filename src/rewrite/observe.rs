@@ -277,6 +277,14 @@ impl Drains {
                     self.read_walk(mesh, walk, from, [from; 2]);
                 }
             }
+            Inst::NeighborsBegin { vertex, .. } => {
+                let vertex = VertexId(w.id(vertex));
+                self.read(Place::first_of(ElementKind::Vertex, vertex.0));
+                match mesh.get_vertex_halfedge(vertex) {
+                    None | Some(HalfedgeId::NONE) => {}
+                    Some(HalfedgeId(from)) => self.read_walk(mesh, Walk::Star, from, [from; 2]),
+                }
+            }
             Inst::Meets { walk, from, goal, stop, .. } => {
                 self.read_walk(mesh, walk, w.id(from), [w.id(goal), w.id(stop)])
             }
@@ -317,7 +325,7 @@ impl Drains {
             | Inst::PreviewStoreSpan { .. } | Inst::NextIndex { .. } | Inst::Member { .. }
             | Inst::BufferGetWide { .. } | Inst::BufferAppend { .. } | Inst::BufferDeal { .. }
             | Inst::ExpectAllDistinct { .. } | Inst::ExpectRoomFor { .. } | Inst::StoreSpan { .. }
-            | Inst::WalkNext { .. } => {}
+            | Inst::WalkNext { .. } | Inst::NeighborsNext { .. } => {}
         }
     }
 

@@ -175,7 +175,6 @@ impl Part {
     }
 
     /// The number of slots that a turn keeps; for an `update`, the usual number.
-    #[cfg_attr(not(feature = "native"), expect(dead_code))]
     pub(super) fn keeps(&self) -> usize {
         let slots = self.code.insts.iter().map(|inst| match (self.task, inst) {
             (Task::Update, Inst::HoldPosition { .. } | Inst::HoldAttribute { .. }) => HELD_USUALLY,
@@ -187,7 +186,6 @@ impl Part {
 
     /// The attributes of the loop's own element that an `update` writes, `None` for its position;
     /// nothing if it writes to other elements.
-    #[cfg_attr(not(feature = "native"), expect(dead_code))]
     pub(super) fn own_writes(&self) -> Option<Vec<Option<u16>>> {
         let mut writes = Vec::new();
         for inst in &self.code.insts {
@@ -207,12 +205,15 @@ impl Part {
     }
 
     /// Whether a turn takes longer than combining its value with others.
-    #[cfg_attr(not(feature = "native"), expect(dead_code))]
     pub(super) fn is_costly(&self) -> bool {
         let is_costly = |inst: &Inst| {
             matches!(
                 inst,
-                Inst::Ask { .. } | Inst::Call { .. } | Inst::WalkBegin { .. } | Inst::Matrix { .. }
+                Inst::Ask { .. }
+                    | Inst::Call { .. }
+                    | Inst::WalkBegin { .. }
+                    | Inst::NeighborsBegin { .. }
+                    | Inst::Matrix { .. }
             )
         };
         self.task != Task::Aggregate || self.code.insts.iter().any(is_costly)
@@ -242,6 +243,7 @@ impl Inst {
             | Inst::NextLiving { .. } | Inst::JumpUnlessLiving { .. } | Inst::Alive { .. }
             | Inst::Ask { .. } | Inst::Count { .. } | Inst::CountHoles { .. }
             | Inst::WalkBegin { .. } | Inst::WalkNext { .. } | Inst::Collect { .. }
+            | Inst::NeighborsBegin { .. } | Inst::NeighborsNext { .. }
             | Inst::CollectEars { .. } | Inst::Meets { .. } | Inst::MeetsAll { .. }
             | Inst::NextIndex { .. } | Inst::Member { .. } | Inst::BufferClear { .. }
             | Inst::BufferPush { .. } | Inst::BufferLength { .. } | Inst::BufferGet { .. }

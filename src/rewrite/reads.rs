@@ -12,7 +12,7 @@ use std::mem;
 
 use super::inst::computation;
 use super::paths::{Fields, Node, Paths, START, Unbounded};
-use super::{Code, Elements, Function, Inst, Plan, Reg};
+use super::{Code, ElementField, Elements, Function, HalfedgeField, Inst, Plan, Reg, Walk};
 use crate::mesh::ElementKind;
 
 /// The greatest number of instructions that are visited; a key has dozens, an operation hundreds.
@@ -295,8 +295,18 @@ impl<'c> Reads<'c> {
                 state.set(at, self.orbit(&from, walk)?);
                 state.set(turns, Nodes::new());
             }
+            Inst::NeighborsBegin { vertex, slots, neighbor, .. } => {
+                let vertex = self.nodes(state, vertex)?;
+                let first = self.first(&vertex, ElementField::Vertex)?;
+                let spokes = self.orbit(&first, Walk::Star)?;
+                let twins = self.load(&spokes, HalfedgeField::Twin)?;
+                state.set(neighbor, self.load(&twins, HalfedgeField::Vertex)?);
+                for slot in 0..3 {
+                    state.set(Reg(slots.0.wrapping_add(slot)), Nodes::new());
+                }
+            }
             // The position stays on the orbit.
-            Inst::WalkNext { .. } => {}
+            Inst::WalkNext { .. } | Inst::NeighborsNext { .. } => {}
             Inst::Meets { walk, from, .. } => {
                 let from = self.nodes(state, from)?;
                 self.orbit(&from, walk)?;

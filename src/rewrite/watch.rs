@@ -128,7 +128,6 @@ impl Progress {
     }
 
     /// Reports the progress of a loop that several threads run.
-    #[cfg_attr(not(feature = "native"), expect(dead_code))]
     pub(super) fn show(
         &mut self,
         watch: &mut dyn Watch,

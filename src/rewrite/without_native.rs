@@ -11,9 +11,6 @@ pub struct Native(());
 #[derive(Debug, Default)]
 pub(crate) struct Scratch;
 
-#[derive(Debug, Default)]
-pub(crate) struct Neighbors(());
-
 impl Call<'_> {
     #[inline]
     pub(super) fn has_looped(&self) -> bool {
@@ -60,17 +57,6 @@ impl Machine {
         _watch: &mut dyn Watch,
     ) -> Result<Outcome, Trap> {
         Err(Trap::new(super::Message::Malformed).through(caller, inst))
-    }
-
-    /// Does nothing: loops are not spread over threads.
-    pub(super) fn spread(
-        &mut self,
-        _mesh: &mut Mesh,
-        _call: &Call<'_>,
-        _part: (u16, usize),
-        _watch: &mut dyn Watch,
-    ) -> Option<Result<(), Trap>> {
-        None
     }
 
     pub(super) fn find_types(&mut self, _mesh: &Mesh) {}

@@ -23,12 +23,20 @@ attr rank: edge int = 0
 attr way: halfedge vec3 = vec3(0)
 attr frame: vertex mat4 = mat4(0)
 attr half: vertex vec2 = vec2(0, 0)
+attr is_wrong: vertex bool = false
 
 fn warmth(v: vertex) -> real { mean(w.heat + length(w.position - v.position) for w in v.neighbors) }
 fn mean_edge() -> edge { argmin(abs(length(e) - 0.25) for e in edges) }
 fn is_near(v: vertex) -> bool { v.position.z > -0.2 and degree(v) > 0 }
 fn warm(t: real) {
   update v in vertices where is_near(v) { v.heat = t * warmth(v) v.position = mix(v.position, vec3(t), 0.25) }
+}
+fn test_neighbors() {
+  update v in vertices {
+    v.is_wrong = v.is_wrong
+        or sum(w.position.x for w in v.neighbors) != sum(h.target.position.x for h in v.halfedges)
+  }
+  assert not any(v.is_wrong for v in vertices)
 }
 fn cool(t: int) { update f in faces { f.level = 100 div (f.level - t) } }
 fn depth(n: int) -> int { if n <= 0 { return 0 } return 1 + depth(n - 1) }
@@ -112,7 +120,7 @@ fn updates_do_what_one_thread_does() {
 }
 
 /// Loops that ask for the neighbors of all vertices again read lists of them, until an operation is
-/// applied.
+/// applied. Loops over halfedges never read lists.
 #[test]
 fn neighbors_are_those_of_the_mesh_as_it_is() {
     let stir = [
@@ -135,7 +143,8 @@ fn neighbors_are_those_of_the_mesh_as_it_is() {
     // A vertex with many neighbors, a boundary, other polygons than triangles.
     let meshes =
         [shape::icosphere(2), shape::fan(90), shape::triangle_grid(9, 9), shape::grid(9, 9)];
-    let stir = stir.map(|stir| format!("{stir} repeat 3 {{ warm(0.5) }}")).join("\n");
+    let stir =
+        stir.map(|stir| format!("{stir} repeat 3 {{ warm(0.5) test_neighbors() }}")).join("\n");
     let body = format!("repeat 3 {{ warm(0.5) }} {stir} {smooth}");
     for mesh in &meshes {
         let (after, done) = run_with_all(&body, mesh);

@@ -58,9 +58,8 @@ fn each_of_mesh(
 
 /// The value for each halfedge that the walk meets.
 #[derive(Clone, Copy)]
-enum Wanted {
+pub enum Wanted {
     Itself,
-    Target,
     Pointer(HalfedgeField),
     /// Its face, if that is not a hole.
     Face,
@@ -83,19 +82,18 @@ fn each_around(
 
 /// The orbit that has the elements of a collection.
 #[derive(Clone, Copy)]
-pub struct Orbit {
-    of: ElementField,
-    wanted: Wanted,
+pub enum Orbit {
+    /// The neighbors of a vertex.
+    Neighbors,
+    /// What each halfedge leads to.
+    Halfedges(ElementField, Wanted),
 }
 
 /// A loop that walks an orbit, while its body is lowered. The body does not change pointers.
 #[derive(Clone, Copy)]
 pub struct OrbitWalk {
-    walk: Walk,
-    from: Reg,
-    at: Reg,
-    turns: Reg,
-    head: Label,
+    /// The instruction that ends a turn.
+    step: Inst,
     /// The start of the next turn.
     pub next: Label,
     /// The end of the loop.
@@ -107,48 +105,59 @@ impl Orbit {
     pub fn of(around: Around) -> Option<Self> {
         use ElementField::{Face, Vertex};
         let (of, wanted) = match around {
+            Around::VertexNeighbors => return Some(Self::Neighbors),
             Around::VertexHalfedges => (Vertex, Wanted::Itself),
             Around::VertexEdges => (Vertex, Wanted::Pointer(HalfedgeField::Edge)),
             Around::VertexFaces => (Vertex, Wanted::Face),
-            Around::VertexNeighbors => (Vertex, Wanted::Target),
             Around::FaceHalfedges => (Face, Wanted::Itself),
             Around::FaceVertices => (Face, Wanted::Pointer(HalfedgeField::Vertex)),
             Around::FaceEdges => (Face, Wanted::Pointer(HalfedgeField::Edge)),
             _ => return None,
         };
-        Some(Self { of, wanted })
+        Some(Self::Halfedges(of, wanted))
     }
 
     /// Begins a loop over the orbit around the element in the register; returns the register of the
     /// element that is visited.
     pub fn walk(self, asm: &mut Assembler, base: Reg, place: u32) -> (OrbitWalk, Reg) {
-        let Self { of, wanted } = self;
-        let (from, at, turns) = (asm.reg(), asm.reg(), asm.reg());
-        first(asm, place, of, [from, base]);
-        let (head, next, done) = (asm.label(), asm.label(), asm.label());
-        let walk = if of == ElementField::Vertex { Walk::Star } else { Walk::Loop };
+        let [again, next, done] = [(); 3].map(|()| asm.label());
+        let slots = asm.block(3);
+        let [from, at, turns] = [0, 1, 2].map(|slot| Reg(slots.0.wrapping_add(slot)));
         // An isolated vertex has nothing around it.
-        asm.emit(Inst::WalkBegin { walk, from, at, turns, otherwise: done });
-        asm.bind(head);
-        let element = match wanted {
-            Wanted::Itself => at,
-            _ => {
-                let to = asm.reg();
-                asm.emit(Inst::Copy { to, from: at });
-                make(asm, place, wanted, to, next)
+        let (element, step) = match self {
+            Self::Neighbors => {
+                let (vertex, neighbor) = (base, asm.reg());
+                let begin = Inst::NeighborsBegin { vertex, slots, neighbor, otherwise: done };
+                asm.trap_at(place, begin);
+                asm.bind(again);
+                (neighbor, Inst::NeighborsNext { slots, neighbor, again })
+            }
+            Self::Halfedges(of, wanted) => {
+                first(asm, place, of, [from, base]);
+                let walk = if of == ElementField::Vertex { Walk::Star } else { Walk::Loop };
+                asm.emit(Inst::WalkBegin { walk, from, at, turns, otherwise: done });
+                asm.bind(again);
+                let element = match wanted {
+                    Wanted::Itself => at,
+                    _ => {
+                        let to = asm.reg();
+                        asm.emit(Inst::Copy { to, from: at });
+                        make(asm, place, wanted, to, next)
+                    }
+                };
+                (element, Inst::WalkNext { walk, from, at, turns, again })
             }
         };
-        (OrbitWalk { walk, from, at, turns, head, next, done }, element)
+        (OrbitWalk { step, next, done }, element)
     }
 }
 
 impl OrbitWalk {
     /// Ends the loop.
     pub fn end(self, asm: &mut Assembler, place: u32) {
-        let Self { walk, from, at, turns, head, next, done } = self;
-        asm.bind(next);
-        asm.trap_at(place, Inst::WalkNext { walk, from, at, turns, again: head });
-        asm.bind(done);
+        asm.bind(self.next);
+        asm.trap_at(place, self.step);
+        asm.bind(self.done);
     }
 }
 
@@ -214,10 +223,6 @@ fn make(asm: &mut Assembler, place: u32, wanted: Wanted, halfedge: Reg, next: La
     match wanted {
         Wanted::Itself => {}
         Wanted::Pointer(field) => load(asm, place, field, [halfedge, halfedge]),
-        Wanted::Target => {
-            load(asm, place, HalfedgeField::Twin, [halfedge, halfedge]);
-            load(asm, place, HalfedgeField::Vertex, [halfedge, halfedge]);
-        }
         Wanted::Face => {
             load(asm, place, HalfedgeField::Face, [halfedge, halfedge]);
             asm.emit(Inst::JumpUnlessLiving { of: Elements::Faces, element: halfedge, to: next });

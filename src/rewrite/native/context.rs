@@ -125,11 +125,8 @@ impl Context {
     /// buffers keep their contents.
     pub(super) fn new(run: &mut Run<'_>, noted: u32) -> Self {
         let Call { base, function, .. } = run.call;
-        let neighbors = match run.machine.is_beside_others {
-            true => run.machine.neighbors.tables(),
-            // Operations may be applied, which invalidates the lists.
-            false => [std::ptr::null(); 2],
-        };
+        let lists = run.machine.neighbors.as_ref();
+        let neighbors = lists.map_or([std::ptr::null(); 2], |lists| lists.tables());
         let mut context = Self {
             tables: run.mesh.tables(),
             columns: std::ptr::null(),

@@ -9,6 +9,7 @@ use super::access::pointer;
 use super::compile::entries;
 use super::operands::{Surroundings, Use};
 use crate::mesh::ElementKind;
+use crate::rewrite::neighbors::of_loop;
 use crate::rewrite::{Code, HalfedgeField, Inst, Question, Reg};
 
 /// Facts about the element in a register.
@@ -100,6 +101,13 @@ impl Facts {
         self.set(reg, Fact { is_clean, spoke, ..Fact::new(kind) });
     }
 
+    /// Notes that a loop visits a neighbor.
+    fn visit(&mut self, [slots, neighbor]: [Reg; 2]) {
+        let [_, at, _] = of_loop(slots);
+        self.set(at, Fact::led_to(ElementKind::Halfedge));
+        self.set(neighbor, Fact::led_to(ElementKind::Vertex));
+    }
+
     fn set(&mut self, reg: Reg, fact: Fact) {
         if let Some(known) = self.0.get_mut(usize::from(reg.0)) {
             *known = fact;
@@ -129,6 +137,11 @@ impl Facts {
         match *inst {
             Inst::Copy { to, .. } | Inst::WalkBegin { at: to, .. } => self.set(to, before),
             Inst::WalkNext { at, .. } => self.set(at, Fact::led_to(ElementKind::Halfedge)),
+            Inst::NeighborsBegin { vertex, slots, neighbor, .. } => {
+                self.use_element(vertex, ElementKind::Vertex);
+                self.visit([slots, neighbor]);
+            }
+            Inst::NeighborsNext { slots, neighbor, .. } => self.visit([slots, neighbor]),
             Inst::Load { field, to, halfedge } => {
                 let (_, _, kind) = pointer(field);
                 self.use_element(halfedge, ElementKind::Halfedge);
@@ -221,7 +234,9 @@ impl KnownAt {
                 if let Some(to) = inst.target() {
                     let mut there = facts.clone();
                     match inst {
-                        Inst::WalkNext { .. } => there.take(inst, surroundings),
+                        Inst::WalkNext { .. } | Inst::NeighborsNext { .. } => {
+                            there.take(inst, surroundings)
+                        }
                         _ => there.forget_written(inst, surroundings),
                     }
                     known.join(to.min(insts.len()), &there, &mut changed);

@@ -14,7 +14,6 @@ use super::compile::entries;
 use super::context::Context;
 use super::facts::{Fact, Facts, KnownAt, Walk, targets};
 use super::liveness::Liveness;
-use super::neighbors::NeighborLoop;
 use super::registers::reals;
 use super::translate::{Text, Translator};
 use super::{Variant, stubs};
@@ -160,8 +159,6 @@ impl<'a> Translator<'a, '_> {
         let outer_place = (self.at, self.skip, self.fault);
         let outer_faults = take(&mut self.faults);
         let outer_guards = take(&mut self.guards);
-        let loops = NeighborLoop::in_text(&self.text, variant);
-        let outer_loops = replace(&mut self.neighbor_loops, loops);
         let outer_set = take(&mut self.set);
         let outer_leave = replace(&mut self.leave, trapped);
         let outer_keeps = replace(&mut self.keeps_window, false);
@@ -188,7 +185,6 @@ impl<'a> Translator<'a, '_> {
         (self.at, self.skip, self.fault) = outer_place;
         self.faults = outer_faults;
         self.guards = outer_guards;
-        self.neighbor_loops = outer_loops;
         self.set = outer_set;
         self.leave = outer_leave;
         self.keeps_window = outer_keeps;

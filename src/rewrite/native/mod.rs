@@ -5,9 +5,8 @@
 //!
 //! # Safety
 //!
-//! Besides lists and the allocator of the program, this is the only module of the crate with
-//! `unsafe`. It is
-//! sound for these reasons:
+//! Besides lists, loops in parts, prefetching and the allocator of the program, this is the only
+//! module of the crate with `unsafe`. It is sound for these reasons:
 //!
 //! * Native code reads and writes the window of its call, its context, the machine's progress, and
 //!   the tables of the mesh, and lists. A register is a constant offset into the window,
@@ -20,8 +19,9 @@
 //!   of tables are kept across such calls only in code that neither adds elements nor makes room
 //!   for some, nor calls or asks anything that does ([`operands::Surroundings::may_add`]): nothing
 //!   else moves tables.
-//! * Lists of neighbors are read only for vertices that have a list, from its start to its end, in
-//!   loops that cannot be entered in the middle ([`neighbors`]).
+//! * Lists of neighbors are read only for vertices that have a list, from its start to its end
+//!   ([`neighbors`]). Where native code takes over in the middle of such a loop, the machine has
+//!   read the same list: a machine has lists for a whole range of turns, or for none.
 //! * Native code accesses a [`List`](super::List) in place: it reads below its length, and appends
 //!   within its capacity. The lists of the running code are those that it has asked for at its
 //!   start; their address is loaded again after each call that may have added some.
@@ -52,7 +52,7 @@
 //!   value that owns it, which is borrowed while the code runs.
 //! * Where several threads run the turns of a loop, each has a machine of its own, and accesses the
 //!   mesh through a copy of its head, which has the addresses of the tables. The code that they run
-//!   writes to no table, and the mesh is borrowed until all are done: see [`spread`].
+//!   writes to no table, and the mesh is borrowed until all are done: see `rewrite/spread.rs`.
 //! * No panic unwinds through native code: the functions that it calls catch a panic, and it is
 //!   resumed after native code has been left.
 //!
@@ -100,7 +100,6 @@ mod memory;
 mod neighbors;
 mod operands;
 mod registers;
-mod spread;
 mod stubs;
 mod translate;
 mod values;
@@ -112,7 +111,6 @@ use std::sync::atomic::{AtomicU32, AtomicUsize, Ordering};
 
 use compile::{Compiled, Expected};
 pub(crate) use context::Scratch;
-pub(crate) use neighbors::Neighbors;
 
 use super::{Code, Inst};
 

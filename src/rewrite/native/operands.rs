@@ -295,6 +295,12 @@ impl Surroundings<'_> {
                     Read Whole from, 1; Change Whole at, 1; Change Whole turns, 1;
                 }
             }
+            Inst::NeighborsBegin { vertex, slots, neighbor, .. } => operands! {
+                Read Whole vertex, 1; Write Whole slots, 3; Write Whole neighbor, 1;
+            },
+            Inst::NeighborsNext { slots, neighbor, .. } => operands! {
+                Change Whole slots, 3; Write Whole neighbor, 1;
+            },
             Inst::Collect { from, until, .. } => operands! {
                 Read Whole from, 1; Read Whole until, 1;
             },

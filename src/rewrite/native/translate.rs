@@ -19,7 +19,6 @@ use super::facts::{Facts, KnownAt, Walk, ends, jumps, targets};
 use super::guards::{Guard, Set};
 use super::inline::{Back, Inlined};
 use super::liveness::Liveness;
-use super::neighbors::NeighborLoop;
 use super::operands::{Surroundings, Use};
 use super::registers::reals;
 use crate::rewrite::engine::Way;
@@ -91,8 +90,6 @@ pub(super) struct Translator<'a, 'f> {
     pub(super) faults: Vec<(Block, usize, Vec<Set>)>,
     /// The parts of the code that look ahead.
     pub(super) guards: Vec<Guard>,
-    /// The loops over neighbors that may use lists.
-    pub(super) neighbor_loops: Vec<NeighborLoop>,
     /// The values that have been set in the current guard.
     pub(super) set: Vec<Set>,
     /// The block that leaves native code by a trap.
@@ -146,7 +143,6 @@ impl<'a, 'f> Translator<'a, 'f> {
             fault: None,
             faults: Vec::new(),
             guards: Guard::all(text.code),
-            neighbor_loops: NeighborLoop::in_text(&text, variant),
             set: Vec::new(),
             leave,
             keeps_window: text.way == Way::Script && !loops,
@@ -347,8 +343,8 @@ impl<'a, 'f> Translator<'a, 'f> {
                 self.expect(condition, refusal, otherwise);
             }
             _ => {
-                let is_spelled = self.neighbor()
-                    || self.value(inst)
+                let is_spelled = self.value(inst)
+                    || self.neighbors(inst)
                     || self.access(inst)
                     || self.write(inst)
                     || self.list(inst)

@@ -2,23 +2,23 @@
 //!
 //! Each thread has a machine of its own, and takes ranges of slots until none is left. The caller
 //! waits, reports the progress to the watcher, and stops the threads if the watcher interrupts.
-//! The slots that they keep are put together when all are done. A single thread also runs an `update` in
-//! parts, since native code keeps their writes without calling a stub.
+//! The slots that they keep are put together when all are done. A single thread also runs an
+//! `update` in parts, since it may read lists of neighbors then, and native code keeps its writes
+//! without calling a stub.
+
+#![allow(unsafe_code)]
 
 use std::mem::ManuallyDrop;
 use std::ops::{ControlFlow, Range};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering::Relaxed};
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
-use super::Neighbors;
-use super::neighbors::NeighborLoop;
-use super::operands::Surroundings;
-use crate::mesh::{Mesh, parallel};
-use crate::rewrite::engine::Way;
-use crate::rewrite::memory::Budget;
-use crate::rewrite::watch::TURNS_PER_LOOK;
-use crate::rewrite::{Call, Engine, Machine, Message, Part, Task, Trap, Watch, attribute};
+use super::engine::Way;
+use super::memory::Budget;
+use super::watch::TURNS_PER_LOOK;
+use super::{Call, Machine, Message, Part, Task, Trap, Watch, attribute, neighbors};
+use crate::mesh::{Adjacency, Mesh, parallel};
 
 /// The least number of slots for which parts are worth it; small in debug builds, so that tests
 /// reach it.
@@ -42,7 +42,7 @@ type Done = (usize, Vec<u64>, Option<Trap>);
 impl Machine {
     /// Runs a loop in parts. `None` if the loop itself is to be run: it is short, calls functions
     /// that do more than read, or threads or memory are lacking, or a value or key has trapped.
-    pub(in super::super) fn spread(
+    pub(super) fn spread(
         &mut self,
         mesh: &mut Mesh,
         call: &Call<'_>,
@@ -58,9 +58,14 @@ impl Machine {
         if threads == 1 && part.task != Task::Update {
             return None;
         }
-        let mut neighbors = self.neighbors_for(mesh, part, call, false);
+        let codes = part.code.with_called_of(call.functions);
+        let reads_neighbors = codes.iter().any(|code| neighbors::are_read_by(code));
+        // In debug builds, so that tests use lists, loops that read more count as well.
+        let reads_no_more = cfg!(debug_assertions)
+            || codes.iter().all(|code| neighbors::are_all_that_is_read_by(code));
+        let mut neighbors = reads_neighbors.then(|| self.neighbors_of(mesh, false)).flatten();
         let mut ranges = parallel::cut(slots, (4 * threads).min(slots / (least(part.task) / 8)));
-        let is_sampled = neighbors.may_be_made() && self.reads_neighbors_only(part, call);
+        let is_sampled = reads_neighbors && reads_no_more && self.listed.may_be_made();
         if is_sampled {
             let Range { start, end } = ranges[0];
             let middle = start + SAMPLE.min(ranges[0].len() / 4);
@@ -107,7 +112,7 @@ impl Machine {
         if is_sampled {
             let visits = take(&mut workers[0], &mut head(), &mut bystander());
             if visits.is_some_and(|visits| 2 * visits >= ranges[0].len()) {
-                neighbors = self.neighbors_for(shared, part, call, true);
+                neighbors = self.neighbors_of(shared, true);
             }
         }
         workers.iter_mut().for_each(|machine| machine.neighbors = neighbors.clone());
@@ -129,7 +134,7 @@ impl Machine {
             parallel::each_at_work(&mut workers, take_all, LOOK, meanwhile);
         }
         for machine in &mut workers {
-            machine.neighbors = Neighbors::default();
+            machine.neighbors = None;
             self.compiling += std::mem::take(&mut machine.compiling);
         }
         self.workers = workers;
@@ -211,36 +216,11 @@ impl Machine {
         }
     }
 
-    /// The lists of neighbors for a loop, if it reads them and they are worth it, or made `at_once`.
-    fn neighbors_for(
-        &mut self,
-        mesh: &Mesh,
-        part: &Part,
-        call: &Call<'_>,
-        at_once: bool,
-    ) -> Neighbors {
-        let surroundings = self.surroundings(call);
-        let codes = part.code.with_called_of(call.functions);
-        let reads = codes.into_iter().any(|code| NeighborLoop::is_in(code, &surroundings));
-        if self.engine == Engine::Machine || !reads {
-            return Neighbors::default();
-        }
+    /// The lists of neighbors, if a loop that reads them is worth it, or made `at_once`.
+    fn neighbors_of(&mut self, mesh: &Mesh, at_once: bool) -> Option<Arc<Adjacency>> {
         let taken = mesh.bytes().saturating_add(self.budget().taken());
         let room = self.memory.saturating_sub(taken);
-        self.neighbors.wanted(mesh, &self.counts, room, at_once)
-    }
-
-    /// Whether a loop reads no pointers but those to neighbors. In debug builds, so that tests use
-    /// lists, others count as well.
-    fn reads_neighbors_only(&self, part: &Part, call: &Call<'_>) -> bool {
-        let surroundings = self.surroundings(call);
-        let mut codes = part.code.with_called_of(call.functions).into_iter();
-        cfg!(debug_assertions) || codes.all(|code| NeighborLoop::reads_all_in(code, &surroundings))
-    }
-
-    fn surroundings<'s>(&'s self, call: &Call<'s>) -> Surroundings<'s> {
-        let Call { plans, functions, .. } = *call;
-        Surroundings { plans, functions, types: &self.types }
+        self.listed.wanted(mesh, &self.counts, room, at_once)
     }
 
     fn budget(&self) -> Budget<'_> {
