@@ -308,7 +308,7 @@ pub(super) struct ConvertArguments {
 #[derive(Debug, Args)]
 pub(super) struct ExplainArguments {
     /// A code such as missing-reassignment, a word such as degree, or what
-    /// the library has of a name, such as collapse
+    /// the library has of a name, such as collapse or std/smooth
     ///
     /// `functions`, `types`, `constants`: all of these; nothing: all codes
     #[arg(value_name = "CODE|WORD", verbatim_doc_comment)]

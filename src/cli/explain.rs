@@ -2,7 +2,7 @@
 
 use super::arguments::ExplainArguments;
 use super::failure::Failure;
-use super::library::{Declared, declared};
+use super::library::{self, declared};
 use super::output::{say, table};
 use crate::analysis::{MEANINGS, Word, functions, meaning, word};
 use crate::diagnostic::{explain as explanation, explained};
@@ -35,8 +35,8 @@ pub(super) fn explain(arguments: &ExplainArguments) -> Result<(), Failure> {
     let others = [plain.as_str(), singular.as_str()];
     let asked = others.into_iter().find(|other| !known(asked) && known(other)).unwrap_or(asked);
     let text = explanation(asked).map(str::to_owned).or_else(|| word(asked).map(described));
-    let of_library: Vec<_> = declared(asked).iter().map(Declared::described).collect();
-    let texts: Vec<_> = text.into_iter().chain(of_library).collect();
+    let of_library = declared(asked).into_iter().map(|item| item.described());
+    let texts: Vec<_> = text.into_iter().chain(of_library).chain(library::file(asked)).collect();
     if texts.is_empty() {
         let advice = match closest(asked, explained().map(|(code, _)| code).chain(functions())) {
             Some(near) => format!("did you mean `{near}`?"),

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use super::arguments::StdArguments;
 use super::failure::Failure;
-use super::output::{say, table};
+use super::output::{say, table, wrapped};
 use crate::diagnostic::quoted;
 use crate::library::{self, LibraryFile};
 use crate::source::Sources;
@@ -52,13 +52,25 @@ fn list(file: LibraryFile) -> String {
     if file.name.ends_with(".target") {
         let lines = file.text.lines().map_while(|line| line.strip_prefix("//"));
         let lines: Vec<_> = lines.map(String::from).collect();
-        return format!("{}\n{}", file.name, sentence(&lines));
+        return format!("{}\n{}", file.name, wrapped(&sentence(&lines), 0));
     }
     let (about, items) = items(file);
-    let row = |item: Declared| vec![format!("  {}", item.word), item.name, sentence(&item.docs)];
-    let rows: Vec<_> = items.into_iter().map(row).collect();
-    let text = format!("{}\n{}\n{}", file.name, sentence(&about), table(&rows, &[]));
+    let text = format!("{}\n{}\n{}", file.name, wrapped(&sentence(&about), 0), rows(items));
     text.trim_end().to_owned()
+}
+
+/// What each of the items does, a row each.
+fn rows(items: Vec<Declared>) -> String {
+    let row = |item: Declared| vec![format!("  {}", item.word), item.name, sentence(&item.docs)];
+    table(&items.into_iter().map(row).collect::<Vec<_>>(), &[])
+}
+
+/// The comment of the library file with a name, and what its items do.
+pub(super) fn file(name: &str) -> Option<String> {
+    let file = library::file(name)?;
+    let (about, items) = items(file);
+    let about = about.join("\n").trim_end().to_owned();
+    Some(format!("{}\n{about}\n\n{}", file.name, rows(items)))
 }
 
 /// A public item of the library.

@@ -5,6 +5,8 @@ use std::io::{self, IsTerminal, Write, stderr, stdout};
 use std::path::Path;
 use std::sync::Mutex;
 
+use console::Term;
+use pretty::{DocAllocator, DocBuilder, RcAllocator};
 use serde::Serialize;
 
 use super::failure::Failure;
@@ -86,7 +88,21 @@ pub(super) fn complain_of(diagnostics: &[Diagnostic], sources: &Sources) {
     let _ = write!(stderr().lock(), "{text}");
 }
 
-/// Columns of text, each as wide as its widest cell; those marked in `right` are aligned right.
+/// A text behind `before` columns, in lines that fit into the terminal, if it is printed to one that
+/// is not narrow.
+pub(super) fn wrapped(text: &str, before: usize) -> String {
+    let columns = Term::stdout().size_checked().map(|(_, columns)| usize::from(columns));
+    match columns.and_then(|columns| columns.checked_sub(before)) {
+        Some(room @ 20..) => {
+            let lines: DocBuilder<_, ()> = RcAllocator.reflow(text);
+            lines.pretty(room).to_string().replace('\n', &format!("\n{}", " ".repeat(before)))
+        }
+        _ => text.to_owned(),
+    }
+}
+
+/// Columns of text, each as wide as its widest cell; those marked in `right` are aligned right. Long
+/// texts in the last one are wrapped.
 pub(super) fn table(rows: &[Vec<String>], right: &[bool]) -> String {
     let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
     let width = |column: usize| {
@@ -99,12 +115,13 @@ pub(super) fn table(rows: &[Vec<String>], right: &[bool]) -> String {
     let widths: Vec<_> = (0..columns).map(width).collect();
     let line = |row: &Vec<String>| {
         let cell = |(column, cell): (usize, &String)| {
-            let gap = " ".repeat(widths[column] - cell.chars().count());
-            if right.get(column) == Some(&true) {
-                format!("{gap}{cell}")
-            } else {
-                format!("{cell}{gap}")
+            let is_right = right.get(column) == Some(&true);
+            if column > 0 && column + 1 == columns && !is_right {
+                let before = widths[..column].iter().map(|width| width + 2).sum();
+                return wrapped(cell, before);
             }
+            let gap = " ".repeat(widths[column] - cell.chars().count());
+            if is_right { format!("{gap}{cell}") } else { format!("{cell}{gap}") }
         };
         row.iter().enumerate().map(cell).collect::<Vec<_>>().join("  ").trim_end().to_string()
     };
