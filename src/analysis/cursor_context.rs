@@ -91,8 +91,12 @@ pub fn before(snapshot: &Snapshot, offset: usize) -> &[Token] {
 
 /// The context of the cursor at a byte.
 pub fn place(snapshot: &Snapshot, offset: usize) -> CursorContext {
+    // A comment ends with its line; its blanks there are not part of its span.
+    let before_cursor = snapshot.text().get(..offset).unwrap_or_default();
+    let line = before_cursor.rfind('\n').map_or(0, |end| end + 1);
     let in_comment = snapshot.parsed().comments.iter().any(|comment| {
-        (comment.span.start as usize) < offset && offset <= comment.span.end as usize
+        let start = comment.span.start as usize;
+        line <= start && start < offset
     });
     if in_comment {
         return CursorContext::Nowhere;
@@ -220,7 +224,7 @@ fn within(mut tokens: &[Token]) -> CursorContext {
         T::Attr | T::Private => match last {
             T::Colon => CursorContext::Type,
             T::Equals => CursorContext::Value(Start::Default),
-            T::Private => CursorContext::Top,
+            T::Private => CursorContext::Words(&["attr", "fn", "op", "script"]),
             T::Attr => CursorContext::Nowhere,
             _ => CursorContext::Type,
         },
@@ -307,12 +311,17 @@ fn side(tokens: &[Token], side: SideName) -> CursorContext {
         },
         T::Face | T::Hole | T::Loop => match last {
             None => Wanted::Face,
+            // Behind its first vertex.
+            Some(T::Word) if !rest.contains(&T::Arrow) && !rest.contains(&T::FatArrow) => {
+                return CursorContext::Nowhere;
+            }
             _ if has_colon => in_loop(last),
             _ => return CursorContext::Nowhere,
         },
         T::Edge => match last {
             None => Wanted::Edge,
             Some(T::Colon | T::Bar) => Wanted::EdgeHalfedge,
+            _ if !rest.contains(&T::Bar) => return CursorContext::Nowhere,
             _ => Wanted::Statement,
         },
         T::Vertex => match last {

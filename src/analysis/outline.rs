@@ -122,6 +122,8 @@ fn statement(statement: &Statement) -> Option<Entry> {
         Statement::Vertex(star) => ("vertex", star.span),
         _ => return None,
     };
+    // Where its first word is missing, a statement begins with its name.
+    let span = Span { start: span.start.min(name.ident.span.start), ..span };
     Some(Entry {
         name: name.ident.text.clone(),
         detail: word.to_owned(),

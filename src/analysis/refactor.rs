@@ -43,7 +43,7 @@ pub(super) fn rewriting(snapshot: &Snapshot, offset: usize) -> Vec<Action> {
         offer(title.into(), keep_what_stays(snapshot, rule));
         if let Some(name) = &rule.name {
             let own = format!("{}_{}", op.name.text, name.text);
-            let title = format!("split `{}` out as the op `{own}`", name.text);
+            let title = format!("move `{}` to an op of its own, `{own}`", name.text);
             offer(title, split_out(snapshot, op, at, &own));
         }
     }
@@ -135,13 +135,22 @@ fn split_out(snapshot: &Snapshot, op: &Op, at: usize, name: &str) -> Option<Vec<
     let head = &whole[..whole.find('{')?];
     let head = head.replacen(&op.name.text, name, 1);
     let body = text[open..].replace("\n  ", "\n");
-    let before = &snapshot.text()[..rule.span.start as usize];
-    let start = before.trim_end_matches([' ', '\t']).trim_end_matches(['\n', '\r']).len();
+    // The comment above the rule goes with it.
+    let before = &snapshot.text()[op.span.start as usize..rule.span.start as usize];
+    let mut start = before.trim_end_matches([' ', '\t']).trim_end_matches(['\n', '\r']).len();
+    let mut comment = String::new();
+    while let Some((rest, line)) = before[..start].rsplit_once('\n')
+        && line.trim_start().starts_with("//")
+    {
+        comment.insert_str(0, &format!("{}\n", line.trim()));
+        start = rest.trim_end_matches('\r').len();
+    }
+    let start = op.span.start as usize + start;
     Some(vec![
         Edit {
             span: Span::new(rule.span.file, start, rule.span.end as usize),
             text: String::new(),
         },
-        Edit { span: op.span.after(), text: format!("\n\n{}{body}", head) },
+        Edit { span: op.span.after(), text: format!("\n\n{comment}{head}{body}") },
     ])
 }

@@ -388,6 +388,9 @@ pub(super) struct TestArguments {
     /// Only tests whose name holds this text
     #[arg(long, value_name = "TEXT")]
     pub filter: Option<String>,
+    /// The text is the whole name
+    #[arg(long, requires = "filter")]
+    pub exact: bool,
     /// Seed of `random` and `shuffle`: the same seed, the same numbers
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = within(0, u64::MAX))]
     #[arg(allow_negative_numbers = true)]
@@ -407,8 +410,11 @@ pub(super) struct TestArguments {
 impl TestArguments {
     /// True if the test of this name is to be run.
     pub fn wants(&self, name: &str) -> bool {
-        let filter = self.filter.as_ref();
-        filter.is_none_or(|filter| name.contains(filter.as_str()))
+        let is_wanted = |filter: &String| match self.exact {
+            true => name == filter,
+            false => name.contains(filter),
+        };
+        self.filter.as_ref().is_none_or(is_wanted)
     }
 }
 

@@ -53,6 +53,9 @@ pub(super) fn test(arguments: &TestArguments) -> Result<(), Failure> {
             say(&told);
             if passed + failed + broken == 0 && unreadable.is_none() {
                 complain(&match &arguments.filter {
+                    Some(filter) if arguments.exact => {
+                        format!("warning: no test is called `{filter}`")
+                    }
                     Some(filter) => format!("warning: no test has `{filter}` in its name"),
                     None => "warning: there is no `test`".to_owned(),
                 });

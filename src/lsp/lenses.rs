@@ -1,5 +1,8 @@
 //! Code lenses, and the commands they offer.
 
+use std::fs;
+use std::path::PathBuf;
+
 use gen_lsp_types::*;
 use serde_json::{Value, json};
 
@@ -57,13 +60,14 @@ impl Server {
         match params.command.as_str() {
             SHOW_DIAGRAM => self.show_diagram(&uri, name),
             RUN_TEST => {
-                let path = saved(&uri)?;
-                let mut command = vec!["test".to_owned(), path];
-                command.extend(name.map(|name| format!("--filter={name}")));
+                let mut command = vec!["test".to_owned(), self.saved(&uri)?];
+                if let Some(name) = name {
+                    command.extend([format!("--filter={name}"), "--exact".to_owned()]);
+                }
                 Ok(Some(self.run(command)))
             }
             RUN_SCRIPT => {
-                let path = saved(&uri)?;
+                let path = self.saved(&uri)?;
                 let (Some(mesh), Some(output)) = (text(2), text(3)) else {
                     let why = "which mesh, and where should the result go? Give `hedgerow.runScript` \
                                the document, the script, the mesh and the output, or run \
@@ -113,10 +117,16 @@ impl Server {
         self.errands.push(Subprocess { arguments });
         json!(shown)
     }
-}
 
-/// The path of a document that a command can read.
-fn saved(of: &Uri) -> Result<String, Refusal> {
-    let path = uri::path(of).map(|_| files::name(of));
-    path.ok_or_else(|| Refusal::failed("save the document first: commands read files"))
+    /// The path of a document that a command can read; the text of the file must be that of the
+    /// editor.
+    fn saved(&self, of: &Uri) -> Result<String, Refusal> {
+        let is_saved = |path: &PathBuf| match (self.document(of), fs::read_to_string(path)) {
+            (Ok(document), Ok(text)) => text.trim_start_matches('\u{feff}') == document.text(),
+            // The command tells of a file that cannot be read.
+            _ => true,
+        };
+        let path = uri::path(of).filter(is_saved).map(|_| files::name(of));
+        path.ok_or_else(|| Refusal::failed("save the document first: commands read files"))
+    }
 }

@@ -316,7 +316,7 @@ fn wrong() -> int { true }
 fn through() -> int { wrong() }
 script runs() { for f in faces { good(f) } }
 script stops() { print through() }
-test \"passes\" { mesh = cube() for f in faces { must good(f) } }
+test \"passes\" { mesh = cube() for bad in faces { must good(bad) } }
 test \"fails\" { mesh = cube() for e in edges { must bad(e) } }
 ",
     );
@@ -345,6 +345,8 @@ test \"fails\" { mesh = cube() for e in edges { must bad(e) } }
     others(&passes.err, "2 errors");
     let fails = bench.fails(1, &["test", "s.hedge", "--filter", "fail"], "unknown-name").err;
     others(&fails, "1 error");
+    let none = bench.run(&["test", "s.hedge", "--filter", "pass", "--exact"]);
+    assert!(none.err.contains("no test"), "{none:?}");
     // Without a filter the whole file is asked for.
     let all = bench.fails(1, &["test", "s.hedge"], "`wrong` gives an int").err;
     assert!(all.contains("unknown-name") && !all.contains("in other items"), "{all}");

@@ -189,6 +189,14 @@ fn ranges(text: &str, answer: &Value) -> String {
 
 fn symbols(text: &str, answer: &Value, depth: usize) -> String {
     let entries = answer.as_array().unwrap().iter().map(|entry| {
+        let [whole, name] = ["range", "selectionRange"].map(|range| {
+            let place = |end: &str| {
+                let at = &entry[range][end];
+                [&at["line"], &at["character"]].map(|number| number.as_u64().unwrap())
+            };
+            place("start")..=place("end")
+        });
+        assert!(whole.contains(name.start()) && whole.contains(name.end()), "{entry}");
         format!(
             "{}{} {} ({})\n{}",
             "  ".repeat(depth),

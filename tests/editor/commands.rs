@@ -3,7 +3,7 @@
 use std::io::BufReader;
 use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 
-use lsp_server::{Message, Notification, Request, RequestId};
+use lsp_server::{Message, Notification, Request, RequestId, Response};
 use serde_json::{Value, json};
 
 use crate::client::{Client, URI};
@@ -41,6 +41,7 @@ test \"edges stay\" {
   assert mesh == start
 }
 test \"one is two\" { assert 1 == 2 }
+test \"edges stay, and fail\" { assert 1 == 3 }
 script stay_all() { for e in edges { stay(e) } }
 ";
 
@@ -76,12 +77,21 @@ impl Process {
     }
 
     fn ask(&mut self, method: &str, params: Value) -> Value {
+        self.answer(method, params).response_result.unwrap()
+    }
+
+    /// The reason for which a request is refused.
+    fn refused(&mut self, method: &str, params: Value) -> String {
+        self.answer(method, params).response_result.unwrap_err().message
+    }
+
+    fn answer(&mut self, method: &str, params: Value) -> Response {
         self.asked += 1;
         let request = Request::new(RequestId::from(self.asked), method.into(), params);
         Message::from(request).write(&mut self.input).unwrap();
         loop {
             if let Message::Response(response) = self.hear() {
-                return response.response_result.unwrap();
+                return response;
             }
         }
     }
@@ -123,14 +133,24 @@ fn lenses_run_what_they_offer() {
     for (test, ends) in [("edges stay", "is done"), ("one is two", "failed")] {
         editor.ask("workspace/executeCommand", lens("run test", test));
         let said = editor.shown("window/logMessage");
-        let others: Vec<_> = ["edges stay", "one is two"]
-            .into_iter()
-            .filter(|name| said.lines().skip(1).any(|line| line.contains(name)))
-            .collect();
-        assert_eq!(others, [test], "{said}");
+        let is_it = |line: &&str| line.trim_end().ends_with(test);
+        assert_eq!(said.lines().skip(1).filter(is_it).count(), 1, "{said}");
+        let others = ["edges stay", "one is two", "edges stay, and fail"];
+        let others = others.into_iter().filter(|name| *name != test);
+        let is_said = |name: &str| said.lines().skip(1).any(|line| line.trim_end().ends_with(name));
+        assert!(others.into_iter().all(|name| !is_said(name)), "{said}");
         let shown = editor.shown("window/showMessage");
         assert!(shown.contains(ends), "{shown}");
     }
+    // What the editor has and the file does not is not run.
+    let change = |version: i32, text: &str| {
+        json!({ "textDocument": { "uri": uri, "version": version },
+            "contentChanges": [{ "text": text }] })
+    };
+    editor.tell("textDocument/didChange", change(2, &PROGRAM.replace("1 == 2", "1 == 1")));
+    let refused = editor.refused("workspace/executeCommand", lens("run test", "one is two"));
+    assert!(refused.contains("save the document first"), "{refused}");
+    editor.tell("textDocument/didChange", change(3, PROGRAM));
     let mut run = lens("run script", "stay_all");
     let files = [path("in.obj"), path("out.obj")].map(Value::from);
     run["arguments"].as_array_mut().unwrap().extend(files);

@@ -182,11 +182,10 @@ fn a_change_keeps_the_line_ends() {
         let params = json!({ "textDocument": document(), "range": { "start": at, "end": at },
             "context": { "diagnostics": [] } });
         let offered = client.request("textDocument/codeAction", params).unwrap();
-        let split = offered
-            .as_array()
-            .unwrap()
-            .iter()
-            .find(|action| action["title"].as_str().unwrap().starts_with("split `one` out"));
+        let split =
+            offered.as_array().unwrap().iter().find(|action| {
+                action["title"].as_str().unwrap().starts_with("move `one` to an op")
+            });
         let edits = edits(&split.expect("a rule can be split out")["edit"]);
         let changed = edited(&text, &edits);
         let expected = if text.contains('\r') { lines(&changed) } else { 0 };

@@ -231,7 +231,7 @@ fn nothing_that_a_program_says_is_trusted() {
 
 #[test]
 fn a_test_is_named_as_a_filter() {
-    assert!(sources().contains("[\"test\", path, `--filter=${name}`]"));
+    assert!(sources().contains("[\"test\", path, `--filter=${name}`, \"--exact\"]"));
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! Names over the files of a workspace, open or not.
 
 use std::cell::Cell;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
 use hedgerow::analysis::Reader;
@@ -172,6 +172,27 @@ fn a_rename_reaches_attributes_and_heeds_what_other_files_declare() {
     }
     let (_, why) = rename(library, 1, 3, "third").unwrap_err();
     assert_eq!(why, "there is already a function `third` in `/work/test.hedge`");
+}
+
+/// `ops::half` and `half` are one function.
+#[test]
+fn a_rename_reaches_names_with_their_files() {
+    let mut client = Client::able("utf-8");
+    let library = "file:///work/ops.hedge";
+    client.open_as(library, "fn half(x: real) -> real { x / 2 }\n");
+    client.open("use \"ops.hedge\"\nfn third(x: real) -> real { ops::half(x) + half(x) }\n");
+    for character in [34, 47] {
+        let at = json!({ "line": 1, "character": character });
+        let params = json!({ "textDocument": { "uri": URI }, "position": at, "newName": "part" });
+        let edit = client.request("textDocument/rename", params).unwrap();
+        let changes = edit["documentChanges"].as_array().unwrap();
+        let count = |change: &Value| change["edits"].as_array().unwrap().len();
+        let counts: BTreeSet<_> = changes.iter().map(count).collect();
+        assert_eq!(counts, BTreeSet::from([1, 2]), "{edit}");
+        let place = json!({ "textDocument": { "uri": URI }, "position": at });
+        let marked = client.request("textDocument/documentHighlight", place).unwrap();
+        assert_eq!(marked.as_array().unwrap().len(), 2, "{marked}");
+    }
 }
 
 #[test]

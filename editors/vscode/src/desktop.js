@@ -46,8 +46,14 @@ async function answers() {
 const client = (context) => () => {
   const server = program ? { command: program, args: ["lsp"] } : bundled(context);
   return new LanguageClient("hedgerow", "hedgerow", server, options({
-    "hedgerow.runTest": (uri, name) => runTest(vscode.Uri.parse(uri).fsPath, name),
-    "hedgerow.runScript": (uri, name) => runScript(vscode.Uri.parse(uri).fsPath, name),
+    "hedgerow.runTest": async (uri, name) => {
+      const path = await saved(vscode.Uri.parse(uri));
+      if (path) await runTest(path, name);
+    },
+    "hedgerow.runScript": async (uri, name) => {
+      const path = await saved(vscode.Uri.parse(uri));
+      if (path) await runScript(path, name);
+    },
   }));
 };
 
@@ -69,11 +75,16 @@ async function run(title, args) {
   return vscode.tasks.executeTask(task);
 }
 
+/** The file of a document, saved. */
+async function saved(uri) {
+  const document = await vscode.workspace.openTextDocument(uri);
+  return await document.save() ? uri.fsPath : undefined;
+}
+
 /** The file of the editor, saved. */
 async function file() {
   const document = vscode.window.activeTextEditor?.document;
-  if (document?.languageId !== "hedgerow") return undefined;
-  return await document.save() ? document.uri.fsPath : undefined;
+  return document?.languageId === "hedgerow" ? await saved(document.uri) : undefined;
 }
 
 async function check() {
@@ -81,7 +92,7 @@ async function check() {
   if (program) await run("check", ["check", program]);
 }
 
-const runTest = (path, name) => run("test", name ? ["test", path, `--filter=${name}`] : ["test", path]);
+const runTest = (path, name) => run("test", name ? ["test", path, `--filter=${name}`, "--exact"] : ["test", path]);
 
 async function testHere() {
   const path = await file();

@@ -1,5 +1,7 @@
 //! The completions for each context of a cursor.
 
+use std::collections::HashSet;
+
 use super::choice::{Choice, Completion};
 use super::drawing::{of_side, results};
 use super::value::{meshes, of_chain, of_file, values};
@@ -36,6 +38,7 @@ pub fn completions(snapshot: &Snapshot, offset: usize) -> Vec<Completion> {
         CursorContext::Field(chain) => of_chain(snapshot, offset, &chain),
     };
     found.sort_by(|left, right| (left.rank, &left.word).cmp(&(right.rank, &right.word)));
-    found.dedup_by(|later, first| later.word == first.word);
+    let mut words = HashSet::new();
+    found.retain(|completion| words.insert(completion.word.clone()));
     found
 }

@@ -18,6 +18,8 @@ pub(super) fn values(snapshot: &Snapshot, offset: usize, start: Start) -> Vec<Co
     if start == Start::Statement {
         found.extend(keywords(ACTIONS));
     }
+    // A statement may go on with a value, but does not begin with one.
+    let (function_rank, word_rank) = if start == Start::Statement { (7, 8) } else { (3, 6) };
     if start == Start::Default {
         found.push(Completion::new("inherited", Choice::Keyword, 2).with("inherited($1)"));
     }
@@ -38,13 +40,13 @@ pub(super) fn values(snapshot: &Snapshot, offset: usize, start: Start) -> Vec<Co
         let snippet = format!("{word}($1)");
         found.push(Completion {
             detail,
-            ..Completion::new(word, Choice::Function, 3).with(&snippet)
+            ..Completion::new(word, Choice::Function, function_rank).with(&snippet)
         });
     }
     let seen = snapshot.seen_items(None);
     found.extend(snapshot.items().iter().chain(seen).filter_map(called));
     for word in ["if", "true", "false", "not", "can", "why", "pi"] {
-        found.push(Completion::new(word, Choice::Keyword, 6));
+        found.push(Completion::new(word, Choice::Keyword, word_rank));
     }
     found
 }
