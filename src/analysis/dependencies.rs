@@ -7,7 +7,8 @@ use super::Analysis;
 use super::files::touches;
 use crate::diagnostic::Diagnostic;
 use crate::source::{Sources, Span};
-use crate::syntax::parse;
+use crate::syntax::{TokenKind, parse};
+
 use crate::syntax::tree::Item;
 
 impl Analysis {
@@ -38,10 +39,19 @@ impl Analysis {
             let (item, file) = items[at];
             let until = |end: u32| file.tokens.partition_point(|token| token.span.start < end);
             let tokens = &file.tokens[until(item.span().start)..until(item.span().end)];
-            let called = tokens.iter().filter_map(|token| named.get(sources.slice(token.span)));
-            for &called in called.flatten() {
-                if !std::mem::replace(&mut is_needed[called], true) {
-                    open.push(called);
+            for (place, token) in tokens.iter().enumerate() {
+                // An attribute is read behind a dot, everything else is called.
+                let is_read = place > 0 && tokens[place - 1].kind == TokenKind::Dot;
+                let next = tokens.get(place + 1).map(|next| next.kind);
+                let is_meant = |at: usize| match items[at].0 {
+                    Item::Attr(_) => is_read,
+                    _ => next == Some(TokenKind::LeftParen),
+                };
+                let of_name = named.get(sources.slice(token.span)).into_iter().flatten();
+                for &called in of_name.filter(|&&at| is_meant(at)) {
+                    if !std::mem::replace(&mut is_needed[called], true) {
+                        open.push(called);
+                    }
                 }
             }
         }

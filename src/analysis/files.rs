@@ -205,8 +205,9 @@ pub fn meant(path: &str, name: &str, reader: &mut dyn Reader) -> Option<String> 
     };
     let near =
         known.into_iter().filter(|other| other != path).min_by_key(|other| distance(other))?;
-    let most = (stem(path).chars().count() / 3).max(1);
-    (distance(&near) <= most).then_some(near)
+    let length = stem(path).chars().count();
+    // Every short name is near every other.
+    (length > 1 && distance(&near) <= (length / 3).max(1)).then_some(near)
 }
 
 /// Each path that a file uses, with its span.

@@ -274,6 +274,7 @@ struct EditReport {
 
 #[derive(Debug, Serialize)]
 struct Location {
+    file: String,
     line: usize,
     column: usize,
     end_line: usize,
@@ -289,7 +290,7 @@ pub(super) fn report(diagnostic: &Diagnostic, sources: &Sources) -> DiagnosticRe
         let source = sources.get(span.file);
         let (line, column) = source.line_column(span.start as usize);
         let (end_line, end_column) = source.line_column(span.end as usize);
-        Location { line, column, end_line, end_column }
+        Location { file: source.name().to_owned(), line, column, end_line, end_column }
     };
     let label = |label: &Label| LabelReport { place: place(label.span), text: label.text.clone() };
     let edit = |edit: &Edit| EditReport { place: place(edit.span), text: edit.text.clone() };

@@ -77,7 +77,12 @@ pub(super) fn mended(path: &Path) -> Result<Program, Failure> {
         let fixes = if done == 1 { "fix" } else { "fixes" };
         complain(&format!("{}: {done} {fixes} written", path.display()));
     } else if !program.analysis.is_sound() {
-        complain(&format!("{}: no error has a certain fix", path.display()));
+        let told = program.analysis.diagnostics.iter();
+        let has_fix = told.filter(|told| told.is_error()).any(|told| told.fixes.len() == 1);
+        complain(&match has_fix {
+            true => format!("{}: no fix is certain to leave fewer errors", path.display()),
+            false => format!("{}: no error has a certain fix", path.display()),
+        });
     }
     Ok(program)
 }
@@ -166,7 +171,8 @@ fn round<'d>(
             continue;
         }
         edits.extend(&fix.edits);
-        let (line, _) = source.line_column(diagnostic.span().start as usize);
+        let place = fix.edits.first().map_or(diagnostic.span(), |edit| edit.span);
+        let (line, _) = source.line_column(place.start as usize);
         applied.push(Applied { kind: kind(diagnostic), line, title: fix.title.clone(), op });
     }
     if applied.is_empty() {

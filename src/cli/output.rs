@@ -3,7 +3,9 @@
 
 use std::io::{self, IsTerminal, Write, stderr, stdout};
 use std::path::Path;
+use std::process::exit;
 use std::sync::Mutex;
+use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
 use console::Term;
 use pretty::{DocAllocator, DocBuilder, RcAllocator};
@@ -20,6 +22,8 @@ const MOST_DIAGNOSTICS: usize = 50;
 /// The first error in writing to standard output.
 static LOST: Mutex<Option<io::Error>> = Mutex::new(None);
 
+static ENDS_WHEN_CLOSED: AtomicBool = AtomicBool::new(false);
+
 /// Prints a text to standard output, with a line end, and with control characters replaced.
 pub(super) fn say(text: &str) {
     say_exactly(&shown(text));
@@ -27,13 +31,19 @@ pub(super) fn say(text: &str) {
 
 /// As [`say`], for data: nothing is replaced.
 pub(super) fn say_exactly(text: &str) {
-    let written = writeln!(stdout().lock(), "{text}");
-    if let Err(error) = written
-        && error.kind() != io::ErrorKind::BrokenPipe
-        && let Ok(mut lost) = LOST.lock()
-    {
-        lost.get_or_insert(error);
+    let Err(error) = writeln!(stdout().lock(), "{text}") else { return };
+    if error.kind() != io::ErrorKind::BrokenPipe {
+        if let Ok(mut lost) = LOST.lock() {
+            lost.get_or_insert(error);
+        }
+    } else if ENDS_WHEN_CLOSED.load(Relaxed) {
+        exit(0);
     }
+}
+
+/// From now on the process ends when it prints to a closed pipe: nothing else comes out of it.
+pub(super) fn end_when_closed() {
+    ENDS_WHEN_CLOSED.store(true, Relaxed);
 }
 
 /// True if a path is standard output: `-o -`, or a name of the system for it.

@@ -8,7 +8,7 @@ use super::arguments::{Format, RunArguments};
 use super::counts::Counts;
 use super::draw::{expect_picture, write_picture};
 use super::failure::Failure;
-use super::output::{complain, complain_json, is_standard, say, say_json, table};
+use super::output::{complain, complain_json, end_when_closed, is_standard, say, say_json, table};
 use super::program::{self, Program, settings};
 use super::progress::Progress;
 use super::view::{attribute, tell_if_blank};
@@ -70,6 +70,9 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
     let name = program.analysis.program.scripts[script].name.clone();
     interrupt::listen();
     let results = [arguments.output.as_deref(), arguments.picture.as_deref()];
+    if results.iter().flatten().next().is_none() {
+        end_when_closed();
+    }
     let poured = results.into_iter().flatten().any(is_standard);
     let mut progress = Progress::new(&name, poured || arguments.format == Format::Json);
     let report = run::run(&prepared, &mut obj.mesh, &values, &mut progress);

@@ -7,7 +7,8 @@ use super::{Lesson, Mistake};
 use crate::analysis::Nowhere;
 use crate::mesh::{Element, ElementKind, Mesh, difference, same_up_to_renumbering, shape};
 use crate::rewrite::StopAfter;
-use crate::session::{Error, Op, Outcome, Program, Script, Session};
+
+use crate::session::{Argument, Error, Op, Outcome, Parameter, Program, Script, Session};
 
 /// The largest distance between coordinates that count as the same.
 const NEAR: f64 = 1e-9;
@@ -85,17 +86,46 @@ fn same(wanted: &Result<Program, Error>, given: &Result<Program, Error>) -> Resu
     let given = given.as_ref().map_err(Error::to_string)?;
     for op in wanted.ops().filter(|op| wanted.is_own(op.name())) {
         let yours = given.op(op.name()).map_err(|error| error.message().to_owned())?;
-        for (name, mesh) in meshes() {
-            same_op([(wanted, &op), (given, &yours)], name, &mesh)?;
+        for (values, with) in values(op.parameters().get(1..).unwrap_or_default()) {
+            for (name, mesh) in meshes() {
+                let name = format!("{name}{with}");
+                same_op([(wanted, &op), (given, &yours)], &name, &mesh, &values)?;
+            }
         }
     }
     for script in wanted.scripts().filter(|script| wanted.is_own(script.name())) {
         let yours = given.script(script.name()).map_err(|error| error.message().to_owned())?;
-        for (name, mesh) in meshes() {
-            same_script([(wanted, &script), (given, &yours)], name, &mesh)?;
+        for (values, with) in values(&script.parameters()) {
+            for (name, mesh) in meshes() {
+                let name = format!("{name}{with}");
+                same_script([(wanted, &script), (given, &yours)], &name, &mesh, &values)?;
+            }
         }
     }
     Ok(())
+}
+
+/// The values to try for parameters, each with words about them: their defaults, and others, if all
+/// are numbers, so that a program that ignores its parameters is found.
+fn values(parameters: &[Parameter<'_>]) -> Vec<(Vec<Argument>, String)> {
+    let other = |parameter: &Parameter<'_>| {
+        let (default, name) = (parameter.default?, parameter.name);
+        match parameter.ty {
+            "int" => {
+                let value = default.parse::<i64>().ok()?.checked_add(3)?;
+                Some((Argument::Int(value), format!("`{name}` {value}")))
+            }
+            "real" => {
+                let value = default.parse::<f64>().ok()? * 1.25;
+                Some((Argument::Real(value), format!("`{name}` {value}")))
+            }
+            _ => None,
+        }
+    };
+    let others: Option<(Vec<_>, Vec<_>)> = parameters.iter().map(other).collect();
+    let others = others.filter(|(values, _)| !values.is_empty());
+    let others = others.map(|(values, words)| (values, format!(" with {}", words.join(", "))));
+    std::iter::once((Vec::new(), String::new())).chain(others).collect()
 }
 
 /// Small meshes, closed and with a boundary, of triangles and of other polygons.
@@ -117,6 +147,7 @@ fn same_op(
     [(wanted, op), (given, yours)]: [(&Program, &Op); 2],
     name: &str,
     mesh: &Mesh,
+    values: &[Argument],
 ) -> Result<(), String> {
     let types = |op: &Op| op.parameters().iter().map(|it| it.ty).collect::<Vec<_>>();
     if types(op) != types(yours) {
@@ -128,7 +159,9 @@ fn same_op(
         let element = Element { kind, index };
         let mut sessions = [wanted, given].map(|program| Session::new(program, mesh.clone()));
         let [ours, theirs] = &mut sessions;
-        let outcomes = (ours.apply(op, element), theirs.apply(yours, element));
+        let arguments: Vec<_> =
+            std::iter::once(Argument::from(element)).chain(values.iter().cloned()).collect();
+        let outcomes = (ours.apply(op, arguments.clone()), theirs.apply(yours, arguments));
         let place = || format!("on {name}, at {} {index}", kind.name());
         match outcomes {
             (Ok(Outcome::Applied(_)), Ok(Outcome::Applied(_))) => {
@@ -163,10 +196,12 @@ fn same_script(
     [(wanted, script), (given, yours)]: [(&Program, &Script); 2],
     name: &str,
     mesh: &Mesh,
+    values: &[Argument],
 ) -> Result<(), String> {
     let run = |program: &Program, script: &Script| -> Result<(Mesh, Applied), Error> {
         let mut session = Session::new(program, mesh.clone());
-        let report = session.run_watched(script, (), &mut StopAfter(MOST_LOOKS + 1))?;
+        let report =
+            session.run_watched(script, values.to_vec(), &mut StopAfter(MOST_LOOKS + 1))?;
         let applied = report.ops.into_iter().map(|op| (op.name, op.applied)).collect();
         Ok((session.into_mesh(), applied))
     };

@@ -40,6 +40,8 @@ pub use questions::Match;
 pub use session::Session;
 pub use values::Values;
 
+pub use crate::run::Argument;
+
 /// A number that no other call returns, in any session: a name for what a session makes.
 fn new_name() -> u64 {
     static MADE: AtomicU64 = AtomicU64::new(1);

@@ -131,6 +131,8 @@ fn check_tells_what_is_wrong() {
     let error = &told["files"][0]["diagnostics"][0];
     assert_eq!(error["code"], "missing-reassignment");
     assert_eq!(error["labels"][0]["line"], 20);
+    assert_eq!(error["labels"][0]["file"], "broken.hedge");
+    assert_eq!(error["fixes"][0]["edits"][0]["file"], "broken.hedge");
     assert_eq!(error["fixes"][0]["edits"][0]["text"], "\n    edge e: a | d");
 }
 

@@ -11,10 +11,13 @@ fn a_reader_that_goes_away_is_no_failure() {
     let bench = Bench::with_square();
     let script = "script s() { repeat 20000 { print \"a line of some length\" } }";
     bench.write("s.hedge", script);
+    bench.write("endless.hedge", "script s() { while true { print 1 } }");
     let flip = example("flip.hedge");
     let plan = format!("{flip}::flip");
     for arguments in [
         &["run", "s.hedge", "square.obj", "-o", "out.obj"][..],
+        // Nothing else can come of it.
+        &["run", "endless.hedge", "square.obj"],
         &["check", &flip],
         &["check", &flip, "--format", "json"],
         &["plan", &plan],

@@ -49,6 +49,21 @@ fn a_mistake_is_known_in_other_words_and_others_are_not_taken_for_it() {
 }
 
 #[test]
+fn a_program_that_ignores_its_parameter_is_none() {
+    for (number, uses, ignores) in [
+        ("11", "> longest", "> 0.3"),
+        ("12", "repeat iterations", "repeat 3"),
+        ("13", "> most", "> 8"),
+    ] {
+        let lesson = lesson(number).expect("there is one");
+        let ignoring = lesson.solution().replace(uses, ignores);
+        assert_ne!(ignoring, lesson.solution(), "{number}");
+        let rejected = judge(&lesson, &ignoring).unwrap_err();
+        assert!(rejected.why.contains(" with `"), "{number}: {}", rejected.why);
+    }
+}
+
+#[test]
 fn a_mistake_is_known_in_each_of_its_ways() {
     let steps = lesson("15").expect("there is one");
     let tried = steps.solution();
