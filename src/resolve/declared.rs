@@ -24,7 +24,7 @@ use super::report::Report;
 use super::scopes::Scopes;
 use super::sequence_names::fold_names;
 use super::signature::FunctionSignature;
-use super::suggestion::{suggest, suggest_function};
+use super::suggestion::suggest;
 use super::testing::mesh_maker;
 use super::unit::Unit;
 use super::words::{plural, short};
@@ -315,7 +315,7 @@ impl Declared {
         let here = foreign_words::function(word).or_else(|| mesh_maker(word));
         match here {
             Some(_) => foreign_words::tell(error, (word, span), here, []),
-            None => suggest_function(error, word, span, candidates),
+            None => suggest(error, word, span, candidates),
         }
     }
 

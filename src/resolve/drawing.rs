@@ -289,10 +289,10 @@ impl<'a> Drawing<'a> {
             ));
             return;
         }
-        // An end that is first mentioned here is a slip if the other end is known, and so is one
-        // that the last item both leaves and leads to. Otherwise the loop may be meant to go on.
+        // An end that is written nowhere else is a slip if the other end is, and so is one that the
+        // last item both leaves and leads to. Otherwise the loop may be meant to go on.
         let stands_alone = |name: &tree::Name| {
-            self.names.find(&name.ident.text).is_none_or(|id| self.names.get(id).span == name.span)
+            self.names.find(&name.ident.text).is_none_or(|id| self.names.is_alone(id))
         };
         let alone = [&first.from, end].map(stands_alone);
         let last = l.items.last();

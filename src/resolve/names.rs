@@ -20,6 +20,8 @@ pub(super) struct Names {
     readable: Vec<bool>,
     /// By number: whether the name occurs in a statement of `after`.
     after: Vec<bool>,
+    /// By number: whether the name occurs more than once, or is a parameter.
+    again: Vec<bool>,
     /// The place of each name in `new`.
     created: HashMap<NameId, Span>,
     /// The parameters of the op, and their places.
@@ -69,13 +71,15 @@ impl Names {
         }
         for param in params {
             names.mark(&param.name, |names| &mut names.readable);
+            names.mark(&param.name, |names| &mut names.again);
         }
         names.read_created(rule.after.as_ref());
         names
     }
 
     fn add(&mut self, mention: &Mention, kind: Kind) {
-        if self.numbers.contains_key(mention.text.as_ref()) {
+        if let Some(known) = self.find(&mention.text) {
+            self.again[known.index()] = true;
             return;
         }
         let id = NameId(self.list.len() as u32);
@@ -93,6 +97,7 @@ impl Names {
         });
         self.readable.push(false);
         self.after.push(false);
+        self.again.push(false);
     }
 
     fn mark(&mut self, word: &str, marks: impl FnOnce(&mut Self) -> &mut Vec<bool>) {
@@ -135,6 +140,11 @@ impl Names {
     /// True if a statement of `after` mentions it.
     pub(super) fn in_after(&self, id: NameId) -> bool {
         self.after[id.index()]
+    }
+
+    /// True if it is written once only.
+    pub(super) fn is_alone(&self, id: NameId) -> bool {
+        !self.again[id.index()]
     }
 
     /// The place where it is listed in `new`.

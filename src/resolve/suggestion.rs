@@ -24,35 +24,16 @@ pub fn closest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) ->
 }
 
 /// Labels the primary place of `diagnostic` with the candidate closest to `word`, if there is one,
-/// and adds the fix that writes it at `span`, unless the digits differ: those are meant.
+/// and adds the fix that writes it at `span`, if it is certain.
 pub(super) fn suggest<'a>(
     diagnostic: Diagnostic,
     word: &str,
     span: Span,
     candidates: impl IntoIterator<Item = &'a str>,
 ) -> Diagnostic {
-    suggest_if(diagnostic, (word, span), candidates, |meant| digits(word) == digits(meant))
-}
-
-/// The same for functions, whose short names are so dense that one letter makes another.
-pub(super) fn suggest_function<'a>(
-    diagnostic: Diagnostic,
-    word: &str,
-    span: Span,
-    candidates: impl IntoIterator<Item = &'a str>,
-) -> Diagnostic {
-    suggest_if(diagnostic, (word, span), candidates, |meant| is_slip(word, meant))
-}
-
-fn suggest_if<'a>(
-    diagnostic: Diagnostic,
-    (word, span): (&str, Span),
-    candidates: impl IntoIterator<Item = &'a str>,
-    is_certain: impl Fn(&str) -> bool,
-) -> Diagnostic {
     let Some(meant) = closest(word, candidates) else { return diagnostic };
     let diagnostic = diagnostic.saying(format!("did you mean `{meant}`?"));
-    match is_certain(meant) {
+    match is_slip(word, meant) {
         true => diagnostic.fix(format!("write `{meant}`"), span, meant),
         false => diagnostic,
     }
@@ -61,9 +42,12 @@ fn suggest_if<'a>(
 /// The number of letters of a short name: `cos` and `cosh`, `sin` and `sign` are two.
 const SHORT: usize = 4;
 
-/// True if a word that is close to a function is certainly a misspelling of it: with the same
-/// digits, and a short one with its letters in another order, left out or doubled.
+/// True if a word that is close to a name is certainly a misspelling of it: with the same digits,
+/// and its letters in another order, left out or doubled, capital, or with an `s` behind; or, in a
+/// long one, with one other letter behind the first. Names of several parts, as `min_x`, differ in one: `min_z` and `next_min` are
+/// others.
 fn is_slip(word: &str, meant: &str) -> bool {
+    let [word, meant] = [word, meant].map(str::to_lowercase);
     let letters = |word: &str| word.chars().collect::<Vec<_>>();
     let sorted = |word: &str| {
         let mut letters = letters(word);
@@ -75,12 +59,22 @@ fn is_slip(word: &str, meant: &str) -> bool {
         letters.dedup();
         letters
     };
-    let mut rest = meant.chars();
-    digits(word) == digits(meant)
-        && (letters(word).len().min(letters(meant).len()) > SHORT
+    let is_slip_of_part = |(word, meant): (&str, &str)| {
+        let mut rest = meant.chars();
+        let is_long = letters(word).len().min(letters(meant).len()) > SHORT;
+        word == meant
+            || word.strip_suffix('s') == Some(meant)
             || sorted(word) == sorted(meant)
             || word.chars().all(|letter| rest.any(|other| other == letter))
-            || single(word) == single(meant))
+            || single(word) == single(meant)
+            || is_long
+                && word.chars().next() == meant.chars().next()
+                && damerau_levenshtein(word, meant) == 1
+    };
+    let parts = |word: &str| word.split('_').count();
+    digits(&word) == digits(&meant)
+        && parts(&word) == parts(&meant)
+        && word.split('_').zip(meant.split('_')).all(is_slip_of_part)
 }
 
 fn digits(word: &str) -> String {

@@ -22,8 +22,10 @@ pub(super) const LINES: &[Line] = &[
     sure("^cout/cerr < ~< $x:operand < ~< endl $:end", "print $x", PRINT),
     sure("^cout/cerr < ~< $x:operand < ~< std :: endl $:end", "print $x", PRINT),
     sure("^console . log/info/debug/error ~( $x:inside )", "print $x", PRINTED),
-    sure("^println/print/eprintln/printf ! ( $t:text , $x:inside )", "print $x", PRINTED),
-    sure("^println/print/eprintln/printf ! ( $x:inside )", "print $x", PRINTED),
+    told("^println/print/eprintln/printf ~! ( $t:text , $x:inside )", "print $x", PRINTED),
+    sure("^println/print/eprintln/printf ~! ( $x:inside )", "print $x", PRINTED),
+    sure("^assert ~! ( $c:some , $t:text )", "assert $c else $t", REASON),
+    sure("^assert ~! ( $c:inside )", "assert $c", "a condition stands behind `assert`: no `!`"),
     told("^cout/cerr < $l:line", "", PRINTED),
     sure("^print : $l:line", "print $l", "no colon stands behind `print`"),
     told(

@@ -92,7 +92,7 @@ pub(super) const LINES: &[Line] = &[
     told("^parallel for $n in $s:some by $k:some {", "parallel for $n in $s {", ORDERED),
     sure("^for each/all/every $n in", "for $n in", "a loop is `for $n in … { … }`"),
     sure("^for $t:word $n in", "for $n in", "a variable has no kind: `for $n in …`"),
-    sure("^for $i in/= $a:part to/upto/through $b:part {", "for $i in $a..$b + 1 {", COUNTED),
+    sure("^for $i in/=/from $a:part to/upto/through $b:part {", "for $i in $a..$b + 1 {", COUNTED),
     told("^for $i in/= $a:part ,/:/downto $b:part {", "for $i in $a..$b {", COUNTED),
     sure("^for $n :/of/= $s:part {", "for $n in $s {", "a loop is `for $n in … { … }`"),
     sure("^for $i in $a:part .. = $n:part {", "for $i in $a..$n + 1 {", COUNTED),

@@ -98,6 +98,12 @@ pub(super) const LINES: &[Line] = &[
     fixed("^+ ~+ ~$x:place", "$x = $x", "$x = $x + 1", MORE),
     fixed("; - ~- ~$x:place $:end", "$x = $x", "$x = $x - 1", LESS),
     fixed("; + ~+ ~$x:place $:end", "$x = $x", "$x = $x + 1", MORE),
+    fixed(
+        "^$x:place ~- ~- $s=print/let/var/if/for/while/repeat/update/drain/return/break/continue/assert/must",
+        "$x = $x $s",
+        "$x = $x - 1 $s",
+        LESS,
+    ),
     fixed("; - ~- $l:apart", "", "// $l", COMMENT),
     fixed("^$x:place - ~- $:end", "$x = $x", "$x = $x - 1", LESS),
     fixed("^- ~- ~$x:place $:end", "$x = $x", "$x = $x - 1", LESS),
