@@ -34,14 +34,16 @@ pub(super) fn suggest<'a>(
     suggest_if(diagnostic, (word, span), candidates, |meant| digits(word) == digits(meant))
 }
 
-/// The same for functions, whose short names are so dense that one letter makes another.
+/// The same for functions and ops: their short names are so dense that one letter makes another,
+/// and the one that is meant `fits` the call.
 pub(super) fn suggest_function<'a>(
     diagnostic: Diagnostic,
     word: &str,
     span: Span,
     candidates: impl IntoIterator<Item = &'a str>,
+    fits: impl Fn(&str) -> bool,
 ) -> Diagnostic {
-    suggest_if(diagnostic, (word, span), candidates, |meant| is_slip(word, meant))
+    suggest_if(diagnostic, (word, span), candidates, |meant| is_slip(word, meant) && fits(meant))
 }
 
 fn suggest_if<'a>(
