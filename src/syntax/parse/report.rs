@@ -303,7 +303,10 @@ fn form(told: Diagnostic, context: Span, around: &Around) -> Diagnostic {
         Some(T::Hole) => "a hole is drawn `hole f: v0 -a-> v1 =P=> v0`",
         Some(T::Loop) => "a loop is drawn `loop f: v0 -a-> v1 =P=> v0`",
         Some(T::Edge) => "an edge is a pair of twins: `edge e: a | d`",
-        Some(T::Vertex) => "a vertex has its spokes: `vertex v: a *S b`",
+        Some(T::Vertex) => {
+            "a vertex has its spokes, `vertex v: a *S b`, or is drawn in a loop, \
+             `loop f: v -h-> other => v`"
+        }
         Some(T::Attr) => "an attribute is `attr weight: edge real = 0`",
         Some(T::Op) => "an operation is `op flip(e: edge) { before { … } after { … } }`",
         Some(T::Fn) => "a function is `fn f(x: real) -> real { … }`",

@@ -134,15 +134,13 @@ pub(super) const LINES: &[Line] = &[
     ),
     told("^halfedge/he/half_edge/Halfedge/dart/arc/HalfedgeRef $h = $l:line", "", HALFEDGE),
     told(
-        "^vertex $v $:end",
-        "",
-        "names are not declared: a vertex is drawn in a loop, for example `loop f: $v -h-> other => $v` in `before` and `keep f` in `after`",
-    ),
-    told(
-        "^halfedge/halfedges/he/face/edge/vertex/hole/path/HalfedgeRef/VertexRef/EdgeRef/FaceRef $a $n:names $:end",
+        "^halfedge/halfedges/he/path/HalfedgeRef/VertexRef/EdgeRef/FaceRef $a $n:names $:end",
         "",
         DECLARED,
     ),
+    // A single name begins a statement.
+    told("^face/edge/vertex/hole $a _$b $n:names $:end", "", DECLARED),
+    told("^face/edge/vertex/hole $a _, $n:names $:end", "", DECLARED),
     told("^twin/twins/opposite/pair $l:line", "", PAIRED),
     told("^edge $e :/= $a:vertex $b:vertex $:end", "", OWN_ENDS),
     told("^edge $e :/= $a:vertex ,/-/->/=>/.. $b:vertex $:end", "", OWN_ENDS),
