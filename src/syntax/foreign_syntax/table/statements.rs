@@ -167,7 +167,7 @@ pub(super) const LINES: &[Line] = &[
     told("^face/hole/loop : $l:line", "", "a {} has a name: `{} f: v0 -a-> v1 …`"),
     told("^vertex : $l:line", "", "a vertex has a name: `vertex v: a *S b`"),
     sure("^$e : $a | $b", "edge $e: $a | $b", UNNAMED_EDGE),
-    sure("$s=| $b $e : $c | $d", "$s $b edge $e: $c | $d", UNNAMED_EDGE),
+    sure("$s=| $b _$e : $c | $d", "$s $b edge $e: $c | $d", UNNAMED_EDGE),
     told("^$f:rim : $v $d=-/=/=>", "loop $f: $v $d", UNNAMED_RIM),
     told("^$f:rim : $e=each $i {", "loop $f: $e $i {", UNNAMED_RIM),
     sure("^$f : $v $d=-/=/=>", "face $f: $v $d", UNNAMED_FACE),
