@@ -7,34 +7,34 @@
 use std::collections::BTreeSet;
 
 use crate::diagnostic::Diagnostic;
+use crate::diagram::Type;
 use crate::library::{self, LibraryFile};
-use crate::resolve::qualifier;
+use crate::resolve::{Types, qualifier};
 use crate::source::{Sources, Span};
 use crate::syntax::tree::split_qualified;
 
 /// Adds to each unknown op or function which files of the library declare it.
-pub(super) fn tell_where(diagnostics: &mut [Diagnostic], sources: &Sources) {
+pub(super) fn tell_where(diagnostics: &mut [Diagnostic], sources: &Sources, types: &Types) {
     for told in diagnostics {
         if matches!(told.code, "unknown-op" | "unknown-function") {
-            name_files(told, sources);
+            name_files(told, sources, types);
         }
     }
 }
 
-fn name_files(told: &mut Diagnostic, sources: &Sources) {
+fn name_files(told: &mut Diagnostic, sources: &Sources, types: &Types) {
     let span = told.span();
     let source = sources.get(span.file);
     let Some(word) = source.text().get(span.range()) else { return };
     let behind = source.text().get(span.end as usize..).unwrap_or_default();
-    let arguments = behind.trim_start().strip_prefix('(').map(str::trim_start);
-    let has_arguments = arguments.is_some_and(|arguments| !arguments.starts_with(')'));
+    let given = behind.trim_start().strip_prefix('(').map(listed).unwrap_or_default();
     let (of, word) = split_qualified(word);
     let files = library::files().filter(|file| {
         let is_of = of.is_none_or(|of| qualifier(file.name) == of);
-        is_of && declares(file, word, has_arguments) && file.name != source.name()
+        is_of && declares(file, word, !given.is_empty()) && file.name != source.name()
     });
-    let names: Vec<_> = files.map(|file| format!("`{}`", file.name)).collect();
-    let [first, others @ ..] = names.as_slice() else {
+    let files: Vec<_> = files.collect();
+    let [file, others @ ..] = files.as_slice() else {
         if let Some(file) =
             library::files().find(|file| of.is_none() && declares(file, word, false))
         {
@@ -44,13 +44,20 @@ fn name_files(told: &mut Diagnostic, sources: &Sources) {
         }
         return;
     };
-    let line = format!("use \"{}\"", first.trim_matches('`'));
+    let (line, first) = (format!("use \"{}\"", file.name), format!("`{}`", file.name));
+    let variable = |word: &str| {
+        let known = types.iter().filter(|(at, _)| at.file == span.file && at.start < span.start);
+        let known = known.filter(|(at, _)| sources.slice(**at) == word);
+        known.max_by_key(|(at, _)| at.start).map(|(_, ty)| *ty)
+    };
+    let fits = parameters(file, word).any(|params| takes(&params, &given, variable));
     *told = match others {
-        // A function of the same name may be of other things, and mean something else.
-        [] if told.code == "unknown-function" => told.clone().note(format!(
+        // A function of the same name may be of other things, and mean something else; so may an op
+        // with other parameters.
+        [] if told.code == "unknown-function" || !fits => told.clone().note(format!(
             "the library has one in {first}; to use it, write `{line}` at the head of the file"
         )),
-        [] if is_welcome(first.trim_matches('`'), source.name(), sources) => {
+        [] if is_welcome(file.name, source.name(), sources) => {
             let (place, text) = head(source.text(), span, &line);
             let told = told.clone().note(format!("the library has it in {first}"));
             told.fix(format!("insert `{line}`"), place, text)
@@ -62,7 +69,7 @@ fn name_files(told: &mut Diagnostic, sources: &Sources) {
         )),
         _ => told.clone().note(format!(
             "the library has one in {}; to use the first, write `{line}` at the head of the file",
-            names.join(", ")
+            files.iter().map(|file| format!("`{}`", file.name)).collect::<Vec<_>>().join(", ")
         )),
     };
 }
@@ -99,13 +106,50 @@ fn declared(text: &str) -> impl Iterator<Item = (&str, &str)> {
 /// True if a file of the library declares an op, a function or a script of this name, with
 /// parameters if it is called with arguments.
 fn declares(file: &LibraryFile, word: &str, has_arguments: bool) -> bool {
-    file.text.lines().any(|line| {
-        let named = ["op ", "fn ", "script "].iter().find_map(|word| line.strip_prefix(word));
-        let behind = named.and_then(|named| named.strip_prefix(word));
-        behind.is_some_and(|behind| {
-            behind.starts_with('(') && !(has_arguments && behind.starts_with("()"))
-        })
+    parameters(file, word).any(|params| !has_arguments || !params.is_empty())
+}
+
+/// The parameters of each op, function and script of this name.
+fn parameters(file: &LibraryFile, word: &str) -> impl Iterator<Item = Vec<&'static str>> {
+    ["op", "fn", "script"].into_iter().filter_map(move |kind| {
+        let head = format!("\n{kind} {word}(");
+        file.text.split_once(&head).map(|(_, behind)| listed(behind))
     })
+}
+
+/// The parts of a list with commas, up to its closing bracket.
+fn listed(text: &str) -> Vec<&str> {
+    let (mut depth, mut begin, mut parts) = (0, 0, Vec::new());
+    for (at, sign) in text.char_indices() {
+        match sign {
+            '(' | '[' | '{' => depth += 1,
+            ')' | ']' | '}' if depth > 0 => depth -= 1,
+            ',' | ')' if depth == 0 => {
+                parts.push(text[begin..at].trim());
+                begin = at + 1;
+                if sign == ')' {
+                    break;
+                }
+            }
+            _ => {}
+        }
+    }
+    parts.retain(|part| !part.is_empty());
+    parts
+}
+
+/// True if parameters take these arguments, as far as the types of variables tell.
+fn takes(params: &[&str], given: &[&str], variable: impl Fn(&str) -> Option<Type>) -> bool {
+    let fits = |(param, arg): (&&str, &&str)| {
+        let declared = param.split_once(':').map_or("", |(_, declared)| declared);
+        let wanted = declared.split('=').next().unwrap_or_default().trim();
+        variable(arg).is_none_or(|ty| {
+            ty.word() == wanted || wanted.is_empty() || ty == Type::Int && wanted == "real"
+        })
+    };
+    given.len() <= params.len()
+        && params[given.len()..].iter().all(|param| param.contains('='))
+        && params.iter().zip(given).all(fits)
 }
 
 /// The place and the text to insert a `use` into a file: after the last one, else before the first

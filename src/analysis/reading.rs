@@ -36,7 +36,7 @@ impl Reading {
         without_consequences(&parts, &mut resolved, sources);
         tell_as_elsewhere(&parts, &mut resolved, sources);
         diagnostics.extend(resolved);
-        tell_where(&mut diagnostics, sources);
+        tell_where(&mut diagnostics, sources, &types);
         diagnostics.extend(parts.iter().flat_map(|part| part.parsed.diagnostics.iter().cloned()));
         let (functions, too_large) = Functions::of(&program);
         diagnostics.extend(too_large);

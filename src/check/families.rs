@@ -67,9 +67,16 @@ fn laws_at_large(large: &Rule) -> Result<super::vertices_are_orbits::Rings, Brok
     family_rings::test(&drawing)
 }
 
-/// The problems of a rule that is unrolled far enough.
-pub(super) fn problems(large: &Rule) -> Vec<Problem> {
-    laws_at_large(large).err().map_or_else(Vec::new, |broken| broken.problems)
+/// The problems of a rule that is unrolled far enough, without those of short cycles and of claims.
+pub(super) fn problems(op: &Op, large: &Rule) -> Vec<Problem> {
+    let test = || {
+        let drawing = Drawing::new(large);
+        stop_at(start::test(op, &drawing))?;
+        laws_at_large(large)?;
+        let matching = reach::matching(op, &drawing, &[])?;
+        stop_at(sizes_are_known(&drawing, &matching))
+    };
+    test().err().map_or_else(Vec::new, |broken: Broken| broken.problems)
 }
 
 /// Tests that the size of the families is known: the length of an orbit of `before` drawn with
@@ -119,7 +126,8 @@ fn reject(op: &Op, rule: &Rule, sizes: &Sizes, broken: Broken) -> Rejected {
         outcome = found;
         break;
     }
-    let mut diagnostics = mend::add_fixes(&sizes.large.rule, problems, self::problems);
+    let laws = |large: &Rule| self::problems(op, large);
+    let mut diagnostics = mend::add_fixes(&sizes.large.rule, problems, laws);
     let mut seen = BTreeSet::new();
     diagnostics.retain(|diagnostic| seen.insert((diagnostic.code, diagnostic.span())));
     Rejected { diagnostics, outcome }

@@ -79,17 +79,17 @@ fn is_named(rule: &Rule, name: NameId) -> bool {
         || conditions.chain(values).any(stands_in)
 }
 
-/// Accounts for all names: lists, draws and pairs whatever is missing. Nothing is new that is a
-/// parameter, or a misspelt name of one.
+/// Accounts for all names: lists, draws and pairs whatever is missing. A misspelt parameter is not
+/// new.
 fn accounted_for(rule: &Rule) -> Vec<Remedy> {
     let unknown = unknown(rule);
-    let is_param = |name: NameId| rule.params.contains(&Some(name));
-    let forgotten_params = forgotten(rule).into_iter().filter(|&name| is_param(name));
+    let mut params = forgotten(rule);
+    params.retain(|&name| rule.params.contains(&Some(name)));
     let is_misspelt = |&new: &NameId| {
-        let mut meant = forgotten_params.clone();
-        meant.any(|old| rule.kind(old) == rule.kind(new) && is_slip(rule, old, new, false))
+        let mut same_kind = params.iter().filter(|&&old| rule.kind(old) == rule.kind(new));
+        same_kind.any(|&old| is_slip(rule, old, new, false))
     };
-    if unknown.iter().any(|new| is_param(*new) || is_misspelt(new)) {
+    if unknown.iter().any(is_misspelt) {
         return Vec::new();
     }
     let mut begun = vec![Begun { remedies: Vec::new(), rule: rule.clone() }];

@@ -88,7 +88,7 @@ pub fn closing(op: &Op) -> Option<Fix> {
     match op.rules.as_slice() {
         [rule] if rule.has_families() => {
             let large = Sizes::new(rule).large.rule;
-            mend::closing(&large, families::problems)
+            mend::closing(&large, |large| families::problems(op, large))
         }
         [rule] => mend::closing(rule, |rule| problems(op, rule)),
         _ => None,

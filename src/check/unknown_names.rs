@@ -134,7 +134,13 @@ fn not_listed(drawing: &Drawing, mut names: Vec<(NameId, Span)>) -> Option<Probl
     let (first, others) = names.split_first()?;
     let mut diagnostic = unknown(drawing, *first, others);
     let elements = names.iter().map(|(name, _)| *name);
-    let elements: Vec<_> = elements.filter(|&name| order.contains(&rule.kind(name))).collect();
+    let elements = elements.filter(|&name| order.contains(&rule.kind(name)));
+    let (given, elements): (Vec<_>, Vec<_>) =
+        elements.partition(|&name| rule.params.contains(&Some(name)));
+    if let Some(&given) = given.first() {
+        let text = rule.quoted(given);
+        diagnostic = diagnostic.note(format!("{text} is a parameter: `before` draws it"));
+    }
     let mut remedies = Vec::new();
     if rule.kind(first.0) == Kind::Fan {
         diagnostic = of_before(drawing, diagnostic, &rule.name(first.0).text);

@@ -24,7 +24,7 @@ use super::report::Report;
 use super::scopes::Scopes;
 use super::sequence_names::fold_names;
 use super::signature::FunctionSignature;
-use super::suggestion::suggest;
+use super::suggestion::suggest_function;
 use super::testing::mesh_maker;
 use super::unit::Unit;
 use super::words::{plural, short};
@@ -287,12 +287,13 @@ impl Declared {
     }
 
     /// Adds to the error about an unknown function or op what may have been meant, perhaps one of
-    /// the `candidates`.
+    /// the `candidates`; only one that `fits` the call is certain.
     pub(super) fn tell_what_is_meant<'a>(
         &'a self,
         error: Diagnostic,
         function: &Ident,
         candidates: impl IntoIterator<Item = &'a str>,
+        fits: impl Fn(&str) -> bool,
     ) -> Diagnostic {
         if let Some(&declared) = self.hidden_items.get(&function.text) {
             return private(error.code, function, declared);
@@ -310,12 +311,12 @@ impl Declared {
         if let Some(file) = file.filter(|file| is_known(file)) {
             let is_there = |name: &&str| split_qualified(name).0 == Some(file);
             let there = self.called.keys().map(String::as_str).filter(is_there);
-            return suggest(error, &function.text, span, there);
+            return suggest_function(error, &function.text, span, there, fits);
         }
         let here = foreign_words::function(word).or_else(|| mesh_maker(word));
         match here {
             Some(_) => foreign_words::tell(error, (word, span), here, []),
-            None => suggest(error, word, span, candidates),
+            None => suggest_function(error, word, span, candidates, fits),
         }
     }
 

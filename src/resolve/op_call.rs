@@ -6,6 +6,7 @@ use crate::source::Span;
 use crate::syntax::tree::{self, Ident};
 
 use super::foreign_words::constant_called;
+use super::overloads::takes;
 use super::program::{Block, Statement, StatementKind};
 use super::script::Scripting;
 use super::sequence::is_sequence;
@@ -242,8 +243,13 @@ impl Typing<'_> {
         }
         let message = format!("there is no op `{word}`");
         let error = Diagnostic::error("unknown-op", message, function.span);
+        let (ops, types) = (self.ops, self.plain_types(args));
+        let fits = |meant: &str| {
+            let op = declared.op(meant).and_then(|number| ops.get(number));
+            op.is_some_and(|op| takes(&op.params, &types))
+        };
         let error = constant_called(error, function, args, span).unwrap_or_else(|error| {
-            declared.tell_what_is_meant(error, function, declared.op_names())
+            declared.tell_what_is_meant(error, function, declared.op_names(), fits)
         });
         let is_meant = !error.fixes.is_empty();
         self.report.add(error);

@@ -6,11 +6,13 @@ use crate::source::Span;
 use crate::syntax::tree::{self, Ident};
 
 use super::builtin::{SHUFFLE, function_names};
-use super::constructors::constructed;
+use super::constructors::{constructed, ways};
+use super::declared::What;
 use super::foreign_words::constant_called;
 use super::neighbor::near;
 use super::sequence::is_sequence;
 use super::sequence_names::fold_names;
+use super::signature::{Parameter, Value};
 use super::testing::mesh_maker;
 use super::typed::{to_real, typed};
 use super::typing::{Place, Typing};
@@ -67,7 +69,52 @@ fn combined(function: &Ident, written: &tree::Expr, ty: Type) -> Option<String> 
     alone.then(|| format!("of {} alone it is `{word}({text})`", ty.a_word()))
 }
 
+/// True if parameters take arguments of these types, as far as they are known.
+pub(super) fn takes(params: &[Parameter], given: &[Option<Type>]) -> bool {
+    let wanted = params.iter().map(|param| param.ty.map(Wanted::Is));
+    given.len() <= params.len()
+        && params[given.len()..].iter().all(|param| param.optional)
+        && wanted.zip(given).all(|(wanted, ty)| may_fit(wanted, *ty))
+}
+
+/// True if a function of the language takes arguments of these types, as far as they are known.
+fn language_takes(word: &str, given: &[Option<Type>]) -> bool {
+    if let Some(ty) = constructed(word) {
+        return ways(ty).iter().any(|way| way.len() == given.len());
+    }
+    let takes = |way: &Overload| {
+        let mut fits = way.wanted.iter().zip(given);
+        way.wanted.len() == given.len() && fits.all(|(wanted, ty)| may_fit(Some(*wanted), *ty))
+    };
+    word == SHUFFLE
+        || given.len() == 1 && fold_names().any(|known| known == word)
+        || overloads(word).iter().any(takes)
+}
+
+fn may_fit(wanted: Option<Wanted>, ty: Option<Type>) -> bool {
+    wanted.zip(ty).is_none_or(|(wanted, ty)| fit(wanted, ty) > Fit::No)
+}
+
+/// True for a literal, a name and its fields.
+fn is_plain(expr: &tree::Expr) -> bool {
+    use tree::ExprKind::{Bool, Field, Int, Name, Real, Text};
+    match &expr.kind {
+        Bool(_) | Int(_) | Real(_) | Text(_) | Name(_) => true,
+        Field(base, _) => is_plain(base),
+        _ => false,
+    }
+}
+
 impl Typing<'_> {
+    /// The types of arguments, where they are plain and known.
+    pub(super) fn plain_types(&mut self, args: &[tree::Expr]) -> Vec<Option<Type>> {
+        let plain = |arg| {
+            let value = is_plain(arg).then(|| self.quietly(|typing| typing.expression(arg)));
+            value.flatten().map(|value| value.ty)
+        };
+        args.iter().map(plain).collect()
+    }
+
     /// `f(x, y)`
     pub(super) fn call(
         &mut self,
@@ -282,8 +329,14 @@ impl Typing<'_> {
         let declared = self.declared;
         let mut candidates: Vec<&str> = function_names().chain(fold_names()).collect();
         candidates.extend(declared.called_names());
+        let types = self.plain_types(args);
+        let fits = |meant: &str| match (declared.called(meant), declared.function(meant)) {
+            (Some(named), _) if named.what != What::Function => false,
+            (_, Some(known)) => known.result != Value::Nothing && takes(&known.params, &types),
+            _ => language_takes(meant, &types),
+        };
         let error = constant_called(error, function, args, span)
-            .unwrap_or_else(|error| declared.tell_what_is_meant(error, function, candidates));
+            .unwrap_or_else(|error| declared.tell_what_is_meant(error, function, candidates, fits));
         let is_meant = !error.fixes.is_empty();
         self.report.add(error);
         is_meant

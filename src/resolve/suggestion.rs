@@ -31,9 +31,20 @@ pub(super) fn suggest<'a>(
     span: Span,
     candidates: impl IntoIterator<Item = &'a str>,
 ) -> Diagnostic {
+    suggest_function(diagnostic, word, span, candidates, |_| true)
+}
+
+/// The same for functions and ops: the one that is meant also `fits` the call.
+pub(super) fn suggest_function<'a>(
+    diagnostic: Diagnostic,
+    word: &str,
+    span: Span,
+    candidates: impl IntoIterator<Item = &'a str>,
+    fits: impl Fn(&str) -> bool,
+) -> Diagnostic {
     let Some(meant) = closest(word, candidates) else { return diagnostic };
     let diagnostic = diagnostic.saying(format!("did you mean `{meant}`?"));
-    match is_slip(word, meant) {
+    match is_slip(word, meant) && fits(meant) {
         true => diagnostic.fix(format!("write `{meant}`"), span, meant),
         false => diagnostic,
     }
@@ -44,8 +55,8 @@ const SHORT: usize = 4;
 
 /// True if a word that is close to a name is certainly a misspelling of it: with the same digits,
 /// and its letters in another order, left out or doubled, capital, or with an `s` behind; or, in a
-/// long one, with one other letter behind the first. Names of several parts, as `min_x`, differ in one: `min_z` and `next_min` are
-/// others.
+/// long one, with one other letter behind the first. This holds for each part of a name: `min_z` is
+/// not `min_x`, and `next_min` not `min`.
 fn is_slip(word: &str, meant: &str) -> bool {
     let [word, meant] = [word, meant].map(str::to_lowercase);
     let letters = |word: &str| word.chars().collect::<Vec<_>>();

@@ -16,6 +16,9 @@ impl Remedy {
                 mended.erased.extend(members(rule, names).map(mention));
             }
             Remedy::Create(names) => {
+                if names.iter().any(|&name| rule.params.contains(&Some(name))) {
+                    return None;
+                }
                 mended.created.extend(members(rule, names).map(mention));
             }
             Remedy::Keep(names) => {

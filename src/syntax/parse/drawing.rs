@@ -179,7 +179,7 @@ fn spoke<'t>() -> Rule<'t, Spoke> {
 
 /// `new m p q`, also `new m, p, q`
 fn names<'t>(keyword: T) -> Rule<'t, (Vec<Name>, Span)> {
-    let name = foreign_syntax::kind_in_list().repeated().ignore_then(listed_name()).boxed();
+    let name = listed_name().boxed();
     let next = just(T::Comma).or_not().ignore_then(name.clone());
     let list = name.then(next.repeated().collect::<Vec<_>>()).map(|(first, mut list)| {
         list.insert(0, first);

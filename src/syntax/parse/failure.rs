@@ -123,8 +123,6 @@ pub(super) enum Mistake {
     ElseIf,
     /// A parameter without a type.
     Untyped,
-    /// `new vertex m`: a list contains only names.
-    KindInList,
     /// The path of a `use` without quotes.
     BarePath,
     /// `edge e: a | null`: every halfedge has a twin.

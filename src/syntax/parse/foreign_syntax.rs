@@ -128,20 +128,6 @@ pub(super) fn else_if<'t>() -> Rule<'t, ()> {
     .boxed()
 }
 
-/// A kind before a name in a list of names: a mistake.
-pub(super) fn kind_in_list<'t>() -> Rule<'t, ()> {
-    ahead(|input, kind, _| {
-        matches!(kind, T::Vertex | T::Edge | T::Face | T::Hole)
-            && input.next().is_some_and(T::is_name)
-            && !matches!(input.peek(), Some(T::Colon | T::LeftBracket))
-    })
-    .ignore_then(any())
-    .validate(|_, scene, emitter| {
-        emitter.emit(Failure::mistake(Mistake::KindInList, scene.span()));
-    })
-    .boxed()
-}
-
 /// True if other languages use the word for a null value.
 pub(super) fn is_nothing(word: &str) -> bool {
     matches!(word, "null" | "nullptr" | "None" | "nil" | "NULL" | "Null")

@@ -95,14 +95,6 @@ fn mistaken(mistake: Mistake, span: Span, text: &str) -> Diagnostic {
         }
         Mistake::Untyped => wrong(&format!("the parameter `{written}` has no type"))
             .note("a type is written behind the name: `e: edge`, `t: real`, `p: vec3`"),
-        Mistake::KindInList => {
-            let until_name = text.get(span.end as usize..).unwrap_or("");
-            let gap = until_name.len() - until_name.trim_start().len();
-            let end = span.end + u32::try_from(gap).unwrap_or(0);
-            wrong("names are listed without their kinds")
-                .note("what a name stands for is found from where it is drawn")
-                .fix(format!("leave out `{written}`"), Span { end, ..span }, "")
-        }
         Mistake::BarePath => {
             let path = path_meant(written);
             let told = wrong("the path of a file stands in quotes");
@@ -303,7 +295,10 @@ fn form(told: Diagnostic, context: Span, around: &Around) -> Diagnostic {
         Some(T::Hole) => "a hole is drawn `hole f: v0 -a-> v1 =P=> v0`",
         Some(T::Loop) => "a loop is drawn `loop f: v0 -a-> v1 =P=> v0`",
         Some(T::Edge) => "an edge is a pair of twins: `edge e: a | d`",
-        Some(T::Vertex) => "a vertex has its spokes: `vertex v: a *S b`",
+        Some(T::Vertex) => {
+            "a vertex has its spokes, `vertex v: a *S b`, or is drawn in a loop, \
+             `loop f: v -h-> other => v`"
+        }
         Some(T::Attr) => "an attribute is `attr weight: edge real = 0`",
         Some(T::Op) => "an operation is `op flip(e: edge) { before { … } after { … } }`",
         Some(T::Fn) => "a function is `fn f(x: real) -> real { … }`",

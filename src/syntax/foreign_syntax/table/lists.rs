@@ -6,13 +6,17 @@ const WITHOUT_KINDS: &str = "names are listed without their kinds: what is drawn
 
 pub(super) const LINES: &[Line] = &[
     sure(
-        "$w=new/erase/keep $l:names $k=halfedge/halfedges/vertices/edges/faces/he/vert $n",
+        "$w=new/erase/keep $l:names _$k=halfedge/halfedges/vertices/edges/faces/he/vert $n",
         "$w $l $n",
         WITHOUT_KINDS,
     ),
-    sure("$w=new/erase/keep $l:names $k=vertex/edge/face $n $:end", "$w $l $n", WITHOUT_KINDS),
     sure(
-        "$w=new/erase/keep $l:names $k=vertex/edge/face $n $e=new/erase/keep/edge/face/vertex/halfedge/,",
+        "$w=new/erase/keep $l:names _$k=vertex/edge/face/hole $n $m:names $:end",
+        "$w $l $n $m",
+        WITHOUT_KINDS,
+    ),
+    sure(
+        "$w=new/erase/keep $l:names _$k=vertex/edge/face $n $e=new/erase/keep/edge/face/vertex/halfedge/,",
         "$w $l $n $e",
         WITHOUT_KINDS,
     ),

@@ -134,15 +134,13 @@ pub(super) const LINES: &[Line] = &[
     ),
     told("^halfedge/he/half_edge/Halfedge/dart/arc/HalfedgeRef $h = $l:line", "", HALFEDGE),
     told(
-        "^vertex $v $:end",
-        "",
-        "names are not declared: a vertex is drawn in a loop, for example `loop f: $v -h-> other => $v` in `before` and `keep f` in `after`",
-    ),
-    told(
-        "^halfedge/halfedges/he/face/edge/vertex/hole/path/HalfedgeRef/VertexRef/EdgeRef/FaceRef $a $n:names $:end",
+        "^halfedge/halfedges/he/path/HalfedgeRef/VertexRef/EdgeRef/FaceRef $a $n:names $:end",
         "",
         DECLARED,
     ),
+    // A single name begins a statement.
+    told("^face/edge/vertex/hole $a _$b $n:names $:end", "", DECLARED),
+    told("^face/edge/vertex/hole $a _, $n:names $:end", "", DECLARED),
     told("^twin/twins/opposite/pair $l:line", "", PAIRED),
     told("^edge $e :/= $a:vertex $b:vertex $:end", "", OWN_ENDS),
     told("^edge $e :/= $a:vertex ,/-/->/=>/.. $b:vertex $:end", "", OWN_ENDS),
@@ -169,7 +167,7 @@ pub(super) const LINES: &[Line] = &[
     told("^face/hole/loop : $l:line", "", "a {} has a name: `{} f: v0 -a-> v1 …`"),
     told("^vertex : $l:line", "", "a vertex has a name: `vertex v: a *S b`"),
     sure("^$e : $a | $b", "edge $e: $a | $b", UNNAMED_EDGE),
-    sure("$s=| $b $e : $c | $d", "$s $b edge $e: $c | $d", UNNAMED_EDGE),
+    sure("$s=| $b _$e : $c | $d", "$s $b edge $e: $c | $d", UNNAMED_EDGE),
     told("^$f:rim : $v $d=-/=/=>", "loop $f: $v $d", UNNAMED_RIM),
     told("^$f:rim : $e=each $i {", "loop $f: $e $i {", UNNAMED_RIM),
     sure("^$f : $v $d=-/=/=>", "face $f: $v $d", UNNAMED_FACE),
