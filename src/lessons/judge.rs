@@ -116,7 +116,7 @@ fn values(parameters: &[Parameter<'_>]) -> Vec<(Vec<Argument>, String)> {
                 Some((Argument::Int(value), format!("`{name}` {value}")))
             }
             "real" => {
-                let value = default.parse::<f64>().ok()? * 1.25;
+                let value = default.parse::<f64>().ok()? * 3.0;
                 Some((Argument::Real(value), format!("`{name}` {value}")))
             }
             _ => None,

@@ -126,8 +126,9 @@ fn only(text: &str, tokens: &[Token], at: usize, failure: &Failure) -> Option<Sl
             format!("here `{written}` is written `{ours}`"),
         ));
     }
-    // `x of xs`, `least x in xs`: the word is one too many, or stands for another.
-    let is_other = tokens.get(at + 1).is_some_and(|next| matches!(next.kind, T::In | T::Word));
+    // `x of xs`, `least x in xs`, `i from 0`: the word is one too many, or stands for another.
+    let is_other =
+        tokens.get(at + 1).is_some_and(|next| matches!(next.kind, T::In | T::Word | T::Int));
     let is_forgotten = meant == T::In && here.kind.is_wordlike() && !is_other;
     is_forgotten.then(|| slip(tokens, at..at, meant, format!("`in` stands before `{written}`")))
 }
