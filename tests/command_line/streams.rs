@@ -69,24 +69,44 @@ fn no_colours_but_on_a_terminal() {
     }
 }
 
-/// On a terminal, which `script` of util-linux makes, there are colours; not with `NO_COLOR`.
+/// What the program shows on a terminal of 70 columns, which `script` of util-linux makes, if
+/// it has these words; `None` where there is no such program.
+#[cfg(target_os = "linux")]
+fn on_terminal(bench: &Bench, arguments: &str, [no_colour, words]: [&str; 2]) -> Option<String> {
+    let program = env!("CARGO_BIN_EXE_hedgerow");
+    let line = format!("stty rows 40 cols 70 && {program} {arguments}");
+    let mut command = std::process::Command::new("script");
+    command
+        .args(["-qec", &line, "/dev/null"])
+        .current_dir(bench.path(""))
+        .env("NO_COLOR", no_colour)
+        .stdin(Stdio::null());
+    let shown = String::from_utf8_lossy(&command.output().ok()?.stdout).into_owned();
+    shown.contains(words).then_some(shown)
+}
+
+/// Long lines of tables are wrapped on a terminal, and whole elsewhere.
+#[cfg(target_os = "linux")]
+#[test]
+fn tables_fit_into_a_terminal() {
+    let bench = Bench::new();
+    let longest = |text: &str| text.lines().map(|line| line.trim_end().chars().count()).max();
+    for command in ["std", "explain", "explain functions"] {
+        let arguments: Vec<_> = command.split(' ').collect();
+        assert!(longest(&bench.succeeds(&arguments)) > Some(100), "{command}");
+        if let Some(shown) = on_terminal(&bench, command, ["", "edge"]) {
+            assert!(longest(&shown) <= Some(70), "{shown}");
+        }
+    }
+}
+
+/// On a terminal there are colours; not with `NO_COLOR`.
 #[cfg(target_os = "linux")]
 #[test]
 fn colours_on_a_terminal() {
     let bench = Bench::new();
     bench.write("bad.hedge", "op f(e: edge) { before { edge e: a | d } after { } }");
-    let shown = |no_colour: &str| {
-        let line = format!("{} check bad.hedge", env!("CARGO_BIN_EXE_hedgerow"));
-        let mut command = std::process::Command::new("script");
-        command
-            .args(["-qec", &line, "/dev/null"])
-            .current_dir(bench.path(""))
-            .env("NO_COLOR", no_colour)
-            .stdin(Stdio::null());
-        let output = command.output().ok()?;
-        let shown = String::from_utf8_lossy(&output.stdout).into_owned();
-        shown.contains("error[").then_some(shown)
-    };
+    let shown = |no_colour| on_terminal(&bench, "check bad.hedge", [no_colour, "error["]);
     let (Some(with), Some(without)) = (shown(""), shown("1")) else {
         return; // no such program here
     };
