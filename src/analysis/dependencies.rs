@@ -7,9 +7,8 @@ use super::Analysis;
 use super::files::touches;
 use crate::diagnostic::Diagnostic;
 use crate::source::{Sources, Span};
-use crate::syntax::{TokenKind, parse};
-
 use crate::syntax::tree::Item;
+use crate::syntax::{TokenKind, parse};
 
 impl Analysis {
     /// The diagnostics without the errors of items on which those at some places do not depend, and

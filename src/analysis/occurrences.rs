@@ -71,8 +71,12 @@ pub fn mentions_of_shared(snapshot: &Snapshot, shared: &Shared) -> Vec<Mention> 
     symbols.flat_map(|(id, _)| names.mentions_of(id)).copied().collect()
 }
 
-/// All mentions of the name at a byte, in text order; those of a name of a rule are on both sides.
+/// All mentions of the name at a byte; those of a name of a rule are on both sides. An item is also
+/// mentioned by a name with its file: `polygon::flip`.
 pub fn occurrences(snapshot: &Snapshot, offset: usize) -> Vec<Mention> {
+    if let Some(shared) = shared(snapshot, offset) {
+        return mentions_of_shared(snapshot, &shared);
+    }
     let Some(mention) = snapshot.names().at(offset) else { return Vec::new() };
     snapshot.names().mentions_of(mention.symbol).copied().collect()
 }

@@ -55,13 +55,8 @@ pub fn rename(snapshot: &Snapshot, offset: usize, to: &str) -> Result<Vec<Edit>,
     if let Some(taken) = taken(snapshot, mention.symbol, to) {
         return Err(format!("there is already {} `{to}` here", a_word(taken)));
     }
-    // An item is also known by a name with its file: `polygon::flip`.
-    let mentions = match shared(snapshot, offset) {
-        Some(shared) => mentions_of_shared(snapshot, &shared),
-        None => occurrences(snapshot, offset),
-    };
     let edit = |mention: Mention| Edit { span: mention.span, text: to.to_owned() };
-    Ok(mentions.into_iter().map(edit).collect())
+    Ok(occurrences(snapshot, offset).into_iter().map(edit).collect())
 }
 
 /// The edits that rename an item in a text that may not be the one that declares it.

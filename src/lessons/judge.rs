@@ -7,7 +7,6 @@ use super::{Lesson, Mistake};
 use crate::analysis::Nowhere;
 use crate::mesh::{Element, ElementKind, Mesh, difference, same_up_to_renumbering, shape};
 use crate::rewrite::StopAfter;
-
 use crate::session::{Argument, Error, Op, Outcome, Parameter, Program, Script, Session};
 
 /// The largest distance between coordinates that count as the same.

@@ -76,11 +76,7 @@ impl Server {
         let (_, offset) = self.place(&at)?;
         self.follow(&at.text_document.uri, offset);
         let (document, _) = self.place(&at)?;
-        let snapshot = document.snapshot();
-        let found = match shared(snapshot, offset) {
-            Some(shared) => mentions_of_shared(snapshot, &shared),
-            None => occurrences(snapshot, offset),
-        };
+        let found = occurrences(document.snapshot(), offset);
         let highlight = |mention: &Mention| DocumentHighlight {
             range: document.range(mention.span),
             kind: Some(match mention.role {

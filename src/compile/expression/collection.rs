@@ -121,18 +121,17 @@ impl Orbit {
     /// element that is visited.
     pub fn walk(self, asm: &mut Assembler, base: Reg, place: u32) -> (OrbitWalk, Reg) {
         let [again, next, done] = [(); 3].map(|()| asm.label());
-        let slots = asm.block(3);
-        let [from, at, turns] = [0, 1, 2].map(|slot| Reg(slots.0.wrapping_add(slot)));
         // An isolated vertex has nothing around it.
         let (element, step) = match self {
             Self::Neighbors => {
-                let (vertex, neighbor) = (base, asm.reg());
+                let (vertex, slots, neighbor) = (base, asm.block(3), asm.reg());
                 let begin = Inst::NeighborsBegin { vertex, slots, neighbor, otherwise: done };
                 asm.trap_at(place, begin);
                 asm.bind(again);
                 (neighbor, Inst::NeighborsNext { slots, neighbor, again })
             }
             Self::Halfedges(of, wanted) => {
+                let (from, at, turns) = (asm.reg(), asm.reg(), asm.reg());
                 first(asm, place, of, [from, base]);
                 let walk = if of == ElementField::Vertex { Walk::Star } else { Walk::Loop };
                 asm.emit(Inst::WalkBegin { walk, from, at, turns, otherwise: done });
