@@ -9,9 +9,8 @@ use super::registers::{Home, Registers};
 use super::width;
 use super::write_target::WriteTarget;
 use crate::check::{Proof, Proved};
-use crate::diagram::{Drawing, Op, Property, Rule};
+use crate::diagram::{Drawing, Property, Rule};
 use crate::lower::{Element, Operation};
-use crate::mesh::Level;
 use crate::rewrite::{
     Cell, Code, Function, Holder, Inst, Label, Matched, Plan, Reg, Row, Stage, TooLarge,
 };
@@ -57,7 +56,7 @@ pub fn compile(
         params: widths,
         of: op.params.first().and_then(|param| param.ty.element_kind()),
         result: op.result.and_then(|ty| ty.element_kind()),
-        level: level(op),
+        level: op.level(),
         keeps: proved.keeps().into_iter().filter_map(Property::level).collect(),
         code: Code { functions: Arc::clone(functions), ..output.asm.finish()? },
         places: output.places,
@@ -66,12 +65,6 @@ pub fn compile(
         matched,
         steps: None,
     })
-}
-
-/// The level of the meshes that an operation is for: the highest that a rule guards.
-fn level(op: &Op) -> Level {
-    let guards = op.rules.iter().filter_map(|rule| rule.guard);
-    guards.map(|(level, _)| level).max().unwrap_or(Level::Map)
 }
 
 fn alternative(

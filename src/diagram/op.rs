@@ -168,6 +168,14 @@ pub struct Op {
     pub span: Span,
 }
 
+impl Op {
+    /// The level of the meshes that it is for: the highest that a rule guards.
+    pub fn level(&self) -> Level {
+        let guards = self.rules.iter().filter_map(|rule| rule.guard);
+        guards.map(|(level, _)| level).max().unwrap_or(Level::Map)
+    }
+}
+
 /// Something that an operation can keep, besides validity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Property {

@@ -9,7 +9,7 @@ use super::routine::{Statement, without_unread};
 use super::steps::{Writer, journaled};
 use super::value::is_spelled;
 use super::{NotEmitted, Selection, build};
-use crate::diagram::Param;
+use crate::diagram::{Level, Param, Property};
 use crate::lower::{AllEffects, Variables};
 use crate::resolve::{Body, StatementKind, Steps};
 use crate::source::Span;
@@ -35,7 +35,9 @@ pub(in crate::emit) fn items<'s>(
         let computes = !effects.changes && !effects.refuses && function.result.is_some();
         computes.then(|| name.clone())
     });
-    let source = Source { selection, language, values: values.collect(), ops, functions, effects };
+    let values = values.collect();
+    let lowered = lowered(selection, &effects);
+    let source = Source { selection, language, values, lowered, ops, functions, effects };
     let mut builder = Builder { source: &source, is_done: BTreeMap::new(), called: Vec::new() };
     let mut ops = Vec::new();
     let known = |op: usize| selection.drawn(op).is_some() || selection.program.ops.len() > op;
@@ -47,6 +49,17 @@ pub(in crate::emit) fn items<'s>(
         ops.push(item);
     }
     Ok(Items { called: builder.called, ops })
+}
+
+/// The levels that a step of the operations may lower.
+fn lowered(selection: &Selection<'_>, effects: &AllEffects) -> Vec<Level> {
+    let calls = selection.ops.iter().filter_map(|&op| effects.ops.get(op));
+    let steps = calls.flat_map(|of| &of.calls).filter_map(|&op| selection.drawn(op));
+    let kept: Vec<_> = steps.map(|step| step.keeps()).collect();
+    let is_lowered = |level: &Level| {
+        *level > Level::Map && kept.iter().any(|kept| !kept.contains(&Property::Level(*level)))
+    };
+    Level::ALL.into_iter().filter(is_lowered).collect()
 }
 
 /// The names of the operations and of the functions; selected operations are named first.
@@ -77,6 +90,8 @@ pub(in crate::emit) struct Source<'s> {
     pub functions: Vec<String>,
     /// The names of the functions that compute a value, by number.
     pub values: Vec<Option<String>>,
+    /// The levels that a step may lower.
+    lowered: Vec<Level>,
 }
 
 /// The collection of what is called.
@@ -119,6 +134,15 @@ impl Builder<'_> {
 }
 
 impl<'s> Source<'s> {
+    /// The level that a step requires of the mesh, if a step before it may have lowered that.
+    pub fn level_to_expect(&self, op: usize) -> Option<Level> {
+        let level = match self.selection.steps(op) {
+            Some(steps) => steps.level,
+            None => self.selection.drawn(op)?.op().level(),
+        };
+        self.lowered.contains(&level).then_some(level)
+    }
+
     fn span(&self, need: Need) -> Span {
         match need {
             Need::Function(number) => self.selection.program.functions[number as usize].span,

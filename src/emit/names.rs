@@ -9,21 +9,11 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::item::Need;
 use super::items::Source;
 use super::language::Language;
-use super::print::support::CPP;
 use super::reserved::{is_reserved, plain, unreserved};
 use super::value::Term;
 use crate::diagram::{self, Access, Kind, NameId, Op, Role, Rule, Type};
 use crate::resolve::Body;
 use crate::source::Span;
-
-/// The name of a function of the program in code: in C++ it must differ from those of the support
-/// functions.
-pub(super) fn invoked(name: &str) -> String {
-    match CPP.names().any(|known| known.trim_end_matches(".n") == name) {
-        true => format!("{name}_"),
-        false => unreserved(name, &[]),
-    }
-}
 
 /// A name as close as possible to the one that is wanted, which is added to those that are taken;
 /// `reserved` are the words that the mesh class reserves.
@@ -139,7 +129,7 @@ impl<'s> Names<'s> {
         // No variable shadows what is called; in C++, calls are qualified with a namespace.
         if language.is_rust() {
             names.taken.extend(source.ops.iter().cloned());
-            names.taken.extend(source.functions.iter().map(|name| invoked(name)));
+            names.taken.extend(source.functions.iter().cloned());
         }
         names.variables = body.variables.iter().map(|known| known.name.clone()).collect();
         for variable in body.variables.iter().take(params) {
@@ -174,7 +164,7 @@ impl<'s> Names<'s> {
         Self {
             language,
             functions: &source.values,
-            taken: source.values.iter().flatten().map(|name| invoked(name)).collect(),
+            taken: source.values.iter().flatten().cloned().collect(),
             ..Self::default()
         }
     }

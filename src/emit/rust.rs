@@ -5,7 +5,6 @@ use std::collections::BTreeSet;
 use crate::emit::item::{Item, ItemBody, Parameter, Signature};
 use crate::emit::items::{Items, items};
 use crate::emit::language::Language;
-use crate::emit::names::invoked;
 use crate::emit::print::support::{RUST, names};
 use crate::emit::print::{self, Part, Printer};
 use crate::emit::{NotEmitted, Selection};
@@ -84,7 +83,6 @@ impl Printer<'_> {
             (None, true) => " -> Option<()>".to_string(),
             (None, false) => String::new(),
         };
-        let name = invoked(name);
         self.lines.open(&format!("fn {name}({mesh}: {borrow}Mesh{list}){result} {{"));
     }
 

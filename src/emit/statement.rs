@@ -7,7 +7,7 @@ use super::names::{Attribute, IndexLoop, Names};
 use super::print::packed;
 use super::routine::{Block, Form, Statement};
 use super::value::{Precedence, Term};
-use crate::diagram::Type;
+use crate::diagram::{Level, Type};
 
 impl Language<'_> {
     /// The binding of a value of a type, or of a list of such values.
@@ -96,6 +96,16 @@ impl Language<'_> {
     pub fn head(self, word: &str, condition: &Term) -> Term {
         let test = &condition.text;
         Term::of(say!(self, "{word} {test}", "{word} ({test})"), Precedence::Choice, [condition])
+    }
+
+    /// The test before a step that the mesh has a level.
+    pub fn expect(self, level: Level) -> String {
+        let name = level.name();
+        say!(
+            self,
+            "expect_level(mesh, Level::{level:?});",
+            "journal.expect(hedgerow::Level::{name});"
+        )
     }
 
     /// Branches for whether a condition holds.

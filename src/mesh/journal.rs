@@ -69,6 +69,11 @@ impl Mesh {
         self.journal = Journal::default();
     }
 
+    /// The changes in all open journals, as far as levels depend on them.
+    pub fn written(&self) -> Footprint {
+        self.written_since(&Bookmark(0))
+    }
+
     /// The changes since the journal was opened, as far as levels depend on them.
     pub fn written_since(&self, mark: &Bookmark) -> Footprint {
         let mut changes = Footprint::default();

@@ -14,7 +14,7 @@ use tempfile::TempDir;
 
 use support::emission::columns;
 use support::emission::places::{
-    Argument, Done, Tally, arguments, by_machine, compare, places, report,
+    Argument, Done, Stopped, Tally, arguments, by_machine, compare, places, report,
 };
 use support::emission::subjects::{Subject, emissions, folder};
 use support::meshes::Dice;
@@ -154,9 +154,10 @@ fn done<'t>(words: &mut impl Iterator<Item = &'t str>) -> Done {
     match words.next() {
         Some("applied") => {
             let result: i64 = words.next().unwrap().parse().unwrap();
-            Some((mesh_of(words), u32::try_from(result).ok()))
+            Ok(Some((mesh_of(words), u32::try_from(result).ok())))
         }
-        Some("refused") => None,
+        Some("refused") => Ok(None),
+        Some("stopped") => Err(Stopped),
         word => panic!("the driver says {word:?}"),
     }
 }

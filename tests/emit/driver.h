@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -247,8 +248,14 @@ int main() {
     } else {
       Built built;
       build(table, built);
-      if (call(number(), built)) print(built.mesh);
-      else std::printf(unchanged(table, built.mesh) ? "refused\n" : "changed\n");
+      const char* done = "refused\n";
+      try {
+        if (call(number(), built)) done = nullptr;
+      } catch (const std::logic_error&) {
+        done = "stopped\n";
+      }
+      if (!done) print(built.mesh);
+      else std::printf(unchanged(table, built.mesh) ? done : "changed\n");
     }
   }
 }

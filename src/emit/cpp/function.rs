@@ -12,6 +12,10 @@ use crate::emit::print::{self, Part};
 use crate::emit::{NotEmitted, Selection};
 use crate::source::Span;
 
+/// The namespace of the functions that operations call, until its name is known: that depends on
+/// their texts, since two programs may have functions of the same name.
+pub(in crate::emit) const CALLED: &str = "hedgerow::p00000000::";
+
 /// Operations as C++17, with the functions that they call. A refused operation returns
 /// `std::nullopt`; one without a result returns whether it applied.
 ///
@@ -39,16 +43,8 @@ pub fn cpp(selection: &Selection<'_>, style: &Style) -> Result<String, NotEmitte
         format!("//   {element}: {ty} {}{}\n", attribute.name, default.unwrap_or_default())
     });
     let fields = fields.collect();
-    let outside = called.iter().map(|item| {
-        let text = print::item(language, item, Part::Called);
-        // Two programs may have functions of the same name: those with other texts are others. The
-        // hash is FNV-1a (Fowler, Noll and Vo, 1991).
-        let hash = |hash: u32, byte| (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193);
-        let version = format!("v{:08x}", text.bytes().fold(0x811c_9dc5, hash));
-        let text = format!("inline namespace {version} {{\n{}\n}}", text.trim_end());
-        once(&format!("{}_{version}", item.signature.name), &text)
-    });
-    let outside = outside.collect::<String>();
+    let outside = called.iter().map(|item| print::item(language, item, Part::Called));
+    let outside = outside.collect::<Vec<_>>().join("\n");
     let part = if ops.len() == 1 { Part::Alone } else { Part::Selected };
     let shown = ops.iter().map(|item| print::item(language, item, part));
     let body = shown.collect::<Vec<_>>().join("\n");
@@ -120,12 +116,21 @@ fn file(
     needed: &[(&str, &str)],
     body: &str,
 ) -> String {
-    let functions =
-        needed.iter().map(|(name, text)| once(name, &support::spelled(name, text, style)));
-    let functions = functions.collect::<String>() + outside;
+    // In another style, or by another version of hedgerow, these are others.
+    let spelled = |(name, text): (&str, &str)| support::spelled(name, text, style);
+    let key = named('v', &(CPP.all().map(spelled).collect::<String>() + style.name("namespace")));
+    let functions = needed.iter().map(|&(name, text)| once(&key, name, &spelled((name, text))));
+    let mut functions = functions.collect::<String>();
+    let called = named('p', &format!("{key}{outside}"));
+    if !outside.is_empty() {
+        let text = format!("namespace {called} {{\n\n{}\n}}", outside.trim_end());
+        functions += &once(&key, &called, &text);
+    }
+    let called = format!("hedgerow::{called}::");
+    let [functions, body] = [&functions, body].map(|text| text.replace(CALLED, &called));
     let mut headers = BTreeSet::from(["optional"]);
     headers.extend(super::headers::headers(&functions));
-    headers.extend(super::headers::headers(body));
+    headers.extend(super::headers::headers(&body));
     let mut head = style.include();
     if !head.is_empty() {
         head.push('\n');
@@ -138,21 +143,29 @@ fn file(
     if functions.is_empty() {
         return format!("{head}\n{body}");
     }
-    // The functions that members call are local to the file.
-    let (begin, end) = match style.is_member() {
-        true => ("namespace {\n", "\n}  // namespace"),
-        false => ("", ""),
-    };
-    format!(
-        "{head}\n{begin}namespace hedgerow {{\n{functions}\n}}  // namespace hedgerow{end}\n\n{body}"
-    )
+    let text = format!(
+        "{head}\nnamespace hedgerow {{\ninline namespace {key} {{\n{functions}\n}}\n}}  // namespace hedgerow\n\n{body}"
+    );
+    match style.name("namespace") {
+        "hedgerow" => text,
+        name => text
+            .replace("hedgerow::", &format!("{name}::"))
+            .replace("namespace hedgerow", &format!("namespace {name}")),
+    }
 }
 
-/// A text in an include guard, so that several emitted files can be combined.
-fn once(name: &str, text: &str) -> String {
+/// A name for a text, by its hash FNV-1a (Fowler, Noll and Vo, 1991).
+fn named(letter: char, text: &str) -> String {
+    let hash = |hash: u32, byte| (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193);
+    format!("{letter}{:08x}", text.bytes().fold(0x811c_9dc5, hash))
+}
+
+/// A text in an include guard, so that several emitted files can be combined; `key` distinguishes
+/// texts for other mesh classes.
+fn once(key: &str, name: &str, text: &str) -> String {
     let words = name.split(|c: char| !c.is_ascii_alphanumeric());
     let words: Vec<_> = words.filter(|word| !word.is_empty()).collect();
     // Names that differ only in case are distinct.
-    let guard = format!("HEDGEROW_{}", words.join("_"));
+    let guard = format!("HEDGEROW_{key}_{}", words.join("_"));
     format!("\n#ifndef {guard}\n#define {guard}\n{text}\n#endif\n")
 }

@@ -7,6 +7,7 @@ mod signature;
 mod style;
 pub(in crate::emit) mod support;
 
+pub(in crate::emit) use function::CALLED;
 pub use function::cpp;
 pub use pattern::StyleError;
 pub use style::Style;

@@ -5,7 +5,6 @@ use std::collections::BTreeSet;
 use super::style::{ELEMENTS, Style};
 use crate::emit::item::{Item, ItemBody, Parameter, Signature};
 use crate::emit::language::Language;
-use crate::emit::names::invoked;
 use crate::emit::print::support::{code, names};
 use crate::emit::print::{Part, Printer};
 
@@ -72,7 +71,7 @@ impl Printer<'_> {
             }
         });
         let (name, given) = match (self.is_beside(), is_member) {
-            (true, _) => (invoked(name), self.is_noted.then(|| "Journal& journal".into())),
+            (true, _) => (name.to_string(), self.is_noted.then(|| "Journal& journal".into())),
             (false, true) => (format!("{mesh}::{name}"), None),
             (false, false) => (name.to_string(), Some(named(&format!("{mesh}&"), "mesh"))),
         };

@@ -163,9 +163,11 @@ impl Style {
     pub(in crate::emit) fn members(&self) -> BTreeSet<String> {
         let all = "next prev twin vertex edge face halfedge boundary set_boundary position";
         let words = all.split(' ').flat_map(|name| {
-            self.name(name).split(|c: char| !c.is_ascii_alphanumeric() && c != '_')
+            let text = fill(self.name(name), " ", " ", " ");
+            let words = text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_');
+            words.map(String::from).collect::<Vec<_>>()
         });
-        words.map(String::from).collect()
+        words.collect()
     }
 
     /// The name that a target gives to an operation, if any.

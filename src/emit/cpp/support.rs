@@ -64,7 +64,8 @@ fn chain(text: &str, style: &Style) -> String {
 /// lookup.
 pub(in crate::emit) fn qualified(name: &str, text: &str) -> String {
     let mut text = text.to_string();
-    for other in CPP.names().filter(|other| *other != name) {
+    let is_other = |other: &&str| other.trim_end_matches(".n") != name.trim_end_matches(".n");
+    for other in CPP.names().filter(is_other) {
         for at in calls(&text, other).into_iter().rev() {
             text.insert_str(at, "hedgerow::");
         }

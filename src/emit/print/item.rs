@@ -1,7 +1,10 @@
 //! Operations and functions as text.
 
+use std::collections::BTreeSet;
+
 use super::Printer;
 use super::lines::{Lines, comment};
+use super::support::names;
 use crate::diagram::Level;
 use crate::emit::item::{Alternative, Item, ItemBody, Parameter, Signature};
 use crate::emit::language::Language;
@@ -83,8 +86,12 @@ impl Printer<'_> {
             return self.alternative(&rule.body);
         }
         let result = self.language.outcome(signature.result);
+        let texts = rules.iter().map(|rule| self.apart(|this| this.alternative(&rule.body)));
+        let texts: Vec<_> = texts.collect();
         let mut calls = Vec::new();
-        for (rule, name) in rules.iter().zip(rule_names(rules, &signature.params)) {
+        for ((rule, name), text) in
+            rules.iter().zip(rule_names(rules, signature, &texts)).zip(&texts)
+        {
             let used = names_of(&rule.body);
             let taken = signature.params.iter().filter(|param| used.contains(&param.name));
             let args = taken.clone().map(|param| format!(", {}", param.name)).collect::<String>();
@@ -98,7 +105,7 @@ impl Printer<'_> {
                 "auto {name} = [&]() -> {result} {{"
             );
             self.lines.open(&head);
-            self.alternative(&rule.body);
+            self.lines.add(text);
             self.lines.close(if self.language.is_rust() { "}" } else { "};" });
         }
         self.lines.blank();
@@ -171,13 +178,15 @@ impl Printer<'_> {
     }
 }
 
-/// The names of the functions for the alternatives of an operation.
-fn rule_names(rules: &[Alternative], params: &[Parameter]) -> Vec<String> {
+/// The names of the functions for the alternatives of an operation, which none of them uses for
+/// something else.
+fn rule_names(rules: &[Alternative], signature: &Signature, texts: &[String]) -> Vec<String> {
+    let mut taken: BTreeSet<_> = signature.params.iter().map(|param| param.name.clone()).collect();
     let name = |(at, rule): (usize, &Alternative)| {
         let label = rule.label.clone().unwrap_or_else(|| (at + 1).to_string());
         let mut name = format!("rule_{}", label.replace('\'', "_"));
-        while params.iter().any(|param| param.name == name) {
-            name.push('_');
+        while texts.iter().any(|text| names(text, &name)) || !taken.insert(name.clone()) {
+            name = format!("{}_2", name.trim_end_matches('_'));
         }
         name
     };

@@ -33,6 +33,11 @@ impl Support {
         Self(parts.filter_map(|part| part.split_once('\n')).collect())
     }
 
+    /// All functions, each with its name.
+    pub fn all(&self) -> impl Iterator<Item = (&'static str, &'static str)> {
+        self.0.iter().copied()
+    }
+
     /// The names of all functions.
     pub fn names(&self) -> impl Iterator<Item = &'static str> {
         self.0.iter().map(|(name, _)| *name)

@@ -72,6 +72,19 @@ impl<'s> Writer<'s> {
                     Ok(Statement::block(head, this.block(body)?))
                 })?
             }
+            StatementKind::While { condition, body } if self.changing_call(condition).is_some() => {
+                let inner = self.scope(|this| {
+                    let outer = std::mem::take(&mut this.out);
+                    let ends = this.condition(condition).map(Term::not);
+                    let mut inner = std::mem::replace(&mut this.out, outer);
+                    let end = Statement::lines("break;".into(), &[]);
+                    inner.push(language.choose(&ends?, vec![end], Vec::new()));
+                    inner.extend(this.block(body)?);
+                    Ok(inner)
+                })?;
+                let head = say!(language, "loop", "while (true)");
+                Statement::block(Term::whole(head), inner)
+            }
             StatementKind::While { condition, body } => {
                 let condition = self.names.value(condition)?;
                 Statement::block(language.head("while", &condition), self.block(body)?)
@@ -79,12 +92,10 @@ impl<'s> Writer<'s> {
             StatementKind::For { variable, collection, filter, body, visit, parallel: false }
                 if *visit != Visit::Shuffled =>
             {
-                let visited = self.scope(|this| {
-                    if *visit == Visit::Update {
-                        this.hold(body);
-                    }
-                    this.visit((*variable, collection), filter.as_ref(), body, span)
-                })?;
+                if *visit == Visit::Update {
+                    self.hold(body);
+                }
+                let visited = self.visit((*variable, collection), filter.as_ref(), body, span)?;
                 self.out.push(visited);
                 for (access, list) in std::mem::take(&mut self.held) {
                     let attribute = self.names.accessed(access);
@@ -103,7 +114,7 @@ impl<'s> Writer<'s> {
                 return self.leave(Some(&Expr { ty: then.ty, span, kind }));
             }
             StatementKind::If { condition, then, otherwise } => {
-                let condition = self.names.value(condition)?;
+                let condition = self.condition(condition)?;
                 let (then, otherwise) = (self.block(then)?, self.block(otherwise)?);
                 language.choose(&condition, then, otherwise)
             }
@@ -137,6 +148,14 @@ impl<'s> Writer<'s> {
                 self.changing_call(value).is_none().then_some(value)
             }
             _ => None,
+        }
+    }
+
+    /// The term of a condition, which may be a call that changes the mesh.
+    fn condition(&mut self, condition: &Expr) -> Result<Term, NotEmitted> {
+        match self.changing_call(condition) {
+            Some((function, args)) => self.function(function, args),
+            None => self.names.value(condition),
         }
     }
 

@@ -1,8 +1,8 @@
 //! Calls in steps: of operations, and of functions that change the mesh.
 
 use super::super::NotEmitted;
+use super::super::cpp::CALLED;
 use super::super::item::Need;
-use super::super::names::invoked;
 use super::super::routine::{Block, Statement};
 use super::super::value::{Precedence, Term, is_plain};
 use super::body::Writer;
@@ -42,8 +42,7 @@ impl<'s> Writer<'s> {
             args.iter().zip(params).map(settled).collect::<Result<_, _>>()
         })?;
         let list: String = args.iter().map(|arg: &Term| format!(", {}", arg.text)).collect();
-        let text =
-            say!(self.names.language, "{name}(mesh{list})", "hedgerow::{name}(journal{list})");
+        let text = say!(self.names.language, "{name}(mesh{list})", "{CALLED}{name}(journal{list})");
         Ok(Term::of(text, Precedence::Whole, &args))
     }
 
@@ -51,9 +50,9 @@ impl<'s> Writer<'s> {
     pub fn function(&mut self, function: u32, args: &[Expr]) -> Result<Term, NotEmitted> {
         self.names.needs.insert(Need::Function(function));
         let called = &self.source.selection.program.functions[function as usize];
-        let name = invoked(&self.source.functions[function as usize]);
+        let name = &self.source.functions[function as usize];
         let refuses = self.source.effects.function(function).is_some_and(|of| of.refuses);
-        let call = self.called(&name, args, &called.params)?;
+        let call = self.called(name, args, &called.params)?;
         Ok(match refuses && self.names.language.is_rust() {
             true => Term::of(format!("{}?", call.text), Precedence::Whole, [&call]),
             false => call,
@@ -77,8 +76,10 @@ impl<'s> Writer<'s> {
         self.names.needs.insert(Need::Op(op));
         let (called, name) = (&self.source.selection.program.ops[op], &self.source.ops[op]);
         let (language, has_result) = (self.names.language, called.result.is_some());
-        let name = if language.is_rust() { name.clone() } else { invoked(name) };
-        let call = self.called(&name, args, &called.params)?;
+        if let Some(level) = self.source.level_to_expect(op) {
+            self.out.push(Statement::lines(language.expect(level), []));
+        }
+        let call = self.called(name, args, &called.params)?;
         let text = &call.text;
         let with = |text: String| Term::of(text, Precedence::Whole, [&call]);
         let [applies, refuses] = match language.is_rust() && has_result {
@@ -99,7 +100,11 @@ impl<'s> Writer<'s> {
         }
         let read = variable.filter(|&variable| self.variables.reads(variable));
         let (place, mut then) = self.scope(|this| {
-            let place = read.map(|variable| this.bind(variable));
+            let place = read.map(|variable| {
+                let (name, ty) = this.bind(variable);
+                let made = this.names.fresh(&format!("made_{name}"));
+                (name, ty, made)
+            });
             Ok((place, this.block(then)?))
         })?;
         let otherwise = self.block(otherwise)?;
@@ -111,11 +116,11 @@ impl<'s> Writer<'s> {
                 Statement::block(language.head("if", &with(refuses)), otherwise)
             }
             None => language.choose(&with(applies), then, otherwise),
-            Some((name, ty)) => {
-                let made = say!(language, "let Some({name}) = {text}", "auto made_{name} = {text}");
-                let head = language.head("if", &with(made));
+            Some((name, ty, made)) => {
+                let given = say!(language, "let Some({name}) = {text}", "auto {made} = {text}");
+                let head = language.head("if", &with(given));
                 if !language.is_rust() {
-                    let given = Term::whole(format!("*made_{name}"));
+                    let given = Term::whole(format!("*{made}"));
                     then.insert(0, self.names.bound(ty, &name, &given, false));
                 }
                 Statement::Block(Block { head, body: then, otherwise, ..Block::default() })

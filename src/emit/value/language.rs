@@ -3,9 +3,10 @@
 use super::spellings::{spelling, with_arguments, with_types};
 use super::term::{Precedence, Term};
 use crate::diagram::{Binary, Pointer, Type};
+use crate::emit::cpp::CALLED;
 use crate::emit::cpp::support::{qualified, with_pointers};
 use crate::emit::language::Language;
-use crate::emit::names::{Attribute, IndexLoop, invoked};
+use crate::emit::names::{Attribute, IndexLoop};
 
 /// The name of a pointer where it has to be unique among the pointers of all kinds of elements.
 pub(in crate::emit) fn unique(pointer: Pointer) -> &'static str {
@@ -159,8 +160,7 @@ impl Language<'_> {
         let texts = args.iter().map(|arg| arg.text.as_str());
         let mesh = self.is_rust().then_some("mesh");
         let list = mesh.into_iter().chain(texts).collect::<Vec<_>>().join(", ");
-        let name = invoked(name);
-        Term::of(say!(self, "{name}({list})", "hedgerow::{name}({list})"), Precedence::Whole, args)
+        Term::of(say!(self, "{name}({list})", "{CALLED}{name}({list})"), Precedence::Whole, args)
     }
 
     /// The condition that a condition holds for some index.

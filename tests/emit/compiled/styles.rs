@@ -16,13 +16,18 @@ const OPS: &str = include_str!("styles.hedge");
 
 /// The operations in a style.
 fn emitted(styles: &[&str]) -> Result<String, String> {
+    emitted_of(OPS, styles)
+}
+
+/// The operations of a program in a style.
+fn emitted_of(text: &str, styles: &[&str]) -> Result<String, String> {
     let mut style = Style::default();
     for text in styles {
         style.set(text).map_err(|error| error.to_string())?;
     }
     style.check().map_err(|error| error.to_string())?;
     let mut sources = Sources::new();
-    let file = sources.add("test.hedge", OPS);
+    let file = sources.add("test.hedge", text);
     let analysis = Analysis::with(&mut sources, file, &mut Nowhere);
     assert!(analysis.is_sound(), "{:?}", analysis.diagnostics);
     let ops = analysis.program.ops.iter().enumerate();
@@ -139,6 +144,37 @@ fn what_a_style_makes_compiles() {
         let args = ["-std=c++17", "-fsyntax-only", "-Wall", "-Wextra", "-Werror", "code.cpp"];
         compile(bench.path(), "g++", &args);
     }
+}
+
+/// Programs with functions of the same names, meshes of two classes, and a program in a namespace of
+/// the reader's.
+#[test]
+fn what_is_emitted_compiles_together() {
+    if !has_compiler() {
+        return;
+    }
+    let weighing = |name: &str, base: &str| {
+        let text = format!(
+            "op {name}(v: vertex) {{ steps {{ v.position = v.position * weight(v) }} }}
+            fn weight(v: vertex) -> real {{ base(v) / 2 }}
+            fn base(v: vertex) -> real {{ {base} }}"
+        );
+        emitted_of(&text, &[]).unwrap()
+    };
+    let [light, heavy] = [weighing("light", "degree(v)"), weighing("heavy", "degree(v) * 8")];
+    let own = emitted(&[]).unwrap();
+    let other = ["mesh=course::Mesh", "Vector=course::Vec3", "namespace=course::ops"];
+    let other = emitted(&other).unwrap();
+    let apart = emitted(&["namespace=apart_ops"]).unwrap();
+    let bench = TempDir::new().unwrap();
+    fs::write(bench.path().join("mesh.h"), mesh(&[])).unwrap();
+    let course = mesh(&[("#pragma once", "")]);
+    let code = format!(
+        "#include \"mesh.h\"\nnamespace course {{\n{course}\n}}\n{own}{other}{light}{heavy}\nnamespace apart {{\n{apart}\n}}\n"
+    );
+    fs::write(bench.path().join("code.cpp"), code).unwrap();
+    let args = ["-std=c++17", "-fsyntax-only", "-Wall", "-Wextra", "-Werror", "code.cpp"];
+    compile(bench.path(), "g++", &args);
 }
 
 #[test]

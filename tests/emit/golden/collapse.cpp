@@ -4,9 +4,10 @@
 #include <vector>
 
 namespace hedgerow {
+inline namespace ve24099de {
 
-#ifndef HEDGEROW_spokes
-#define HEDGEROW_spokes
+#ifndef HEDGEROW_ve24099de_spokes
+#define HEDGEROW_ve24099de_spokes
 /// The halfedges that start at v, counterclockwise.
 inline std::vector<Mesh::HalfedgeRef> spokes(Mesh::VertexRef v) {
   std::vector<Mesh::HalfedgeRef> all;
@@ -20,8 +21,8 @@ inline std::vector<Mesh::HalfedgeRef> spokes(Mesh::VertexRef v) {
 }
 #endif
 
-#ifndef HEDGEROW_halfedges
-#define HEDGEROW_halfedges
+#ifndef HEDGEROW_ve24099de_halfedges
+#define HEDGEROW_ve24099de_halfedges
 /// The halfedges of f, counterclockwise.
 inline std::vector<Mesh::HalfedgeRef> halfedges(Mesh::FaceRef f) {
   std::vector<Mesh::HalfedgeRef> all;
@@ -34,8 +35,8 @@ inline std::vector<Mesh::HalfedgeRef> halfedges(Mesh::FaceRef f) {
 }
 #endif
 
-#ifndef HEDGEROW_neighbors
-#define HEDGEROW_neighbors
+#ifndef HEDGEROW_ve24099de_neighbors
+#define HEDGEROW_ve24099de_neighbors
 /// The vertices at the other ends of the edges of v.
 inline std::vector<Mesh::VertexRef> neighbors(Mesh::VertexRef v) {
   std::vector<Mesh::VertexRef> all;
@@ -44,8 +45,8 @@ inline std::vector<Mesh::VertexRef> neighbors(Mesh::VertexRef v) {
 }
 #endif
 
-#ifndef HEDGEROW_faces_of_vertex
-#define HEDGEROW_faces_of_vertex
+#ifndef HEDGEROW_ve24099de_faces_of_vertex
+#define HEDGEROW_ve24099de_faces_of_vertex
 /// The faces around v, without holes.
 inline std::vector<Mesh::FaceRef> faces_of_vertex(Mesh::VertexRef v) {
   std::vector<Mesh::FaceRef> all;
@@ -56,8 +57,8 @@ inline std::vector<Mesh::FaceRef> faces_of_vertex(Mesh::VertexRef v) {
 }
 #endif
 
-#ifndef HEDGEROW_vertices
-#define HEDGEROW_vertices
+#ifndef HEDGEROW_ve24099de_vertices
+#define HEDGEROW_ve24099de_vertices
 /// The corners of f.
 inline std::vector<Mesh::VertexRef> vertices(Mesh::FaceRef f) {
   std::vector<Mesh::VertexRef> all;
@@ -66,8 +67,8 @@ inline std::vector<Mesh::VertexRef> vertices(Mesh::FaceRef f) {
 }
 #endif
 
-#ifndef HEDGEROW_on_boundary
-#define HEDGEROW_on_boundary
+#ifndef HEDGEROW_ve24099de_on_boundary
+#define HEDGEROW_ve24099de_on_boundary
 /// Whether a hole is among the faces around v.
 inline bool on_boundary(Mesh::VertexRef v) {
   Mesh::HalfedgeRef h = v->halfedge;
@@ -79,8 +80,8 @@ inline bool on_boundary(Mesh::VertexRef v) {
 }
 #endif
 
-#ifndef HEDGEROW_holds
-#define HEDGEROW_holds
+#ifndef HEDGEROW_ve24099de_holds
+#define HEDGEROW_ve24099de_holds
 /// Whether all contains x.
 template <class T>
 bool holds(const std::vector<T>& all, T x) {
@@ -88,8 +89,8 @@ bool holds(const std::vector<T>& all, T x) {
 }
 #endif
 
-#ifndef HEDGEROW_same_elements
-#define HEDGEROW_same_elements
+#ifndef HEDGEROW_ve24099de_same_elements
+#define HEDGEROW_ve24099de_same_elements
 /// Whether a and b have the same elements, in any order.
 template <class T>
 bool same_elements(const std::vector<T>& a, const std::vector<T>& b) {
@@ -97,8 +98,8 @@ bool same_elements(const std::vector<T>& a, const std::vector<T>& b) {
 }
 #endif
 
-#ifndef HEDGEROW_link_condition
-#define HEDGEROW_link_condition
+#ifndef HEDGEROW_ve24099de_link_condition
+#define HEDGEROW_ve24099de_link_condition
 /// Whether contracting e, and the triangles at it, leaves a simple mesh simple: its ends share
 /// the tips of the triangles at e and no other neighbor, and no face that is not at e; both are
 /// on the boundary only if e is, and then its hole has more than three sides; and no two faces
@@ -166,6 +167,7 @@ inline bool link_condition(Mesh::EdgeRef e) {
 }
 #endif
 
+}
 }  // namespace hedgerow
 
 /// Merges the two ends of an edge between triangles at its midpoint; v1 goes.

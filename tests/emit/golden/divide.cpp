@@ -2,6 +2,7 @@
 //   vertex: double weight, by default 0
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -9,13 +10,14 @@
 #include <optional>
 #include <stdexcept>
 #include <tuple>
-#include <utility>
+#include <variant>
 #include <vector>
 
 namespace hedgerow {
+inline namespace ve24099de {
 
-#ifndef HEDGEROW_spokes
-#define HEDGEROW_spokes
+#ifndef HEDGEROW_ve24099de_spokes
+#define HEDGEROW_ve24099de_spokes
 /// The halfedges that start at v, counterclockwise.
 inline std::vector<Mesh::HalfedgeRef> spokes(Mesh::VertexRef v) {
   std::vector<Mesh::HalfedgeRef> all;
@@ -29,8 +31,8 @@ inline std::vector<Mesh::HalfedgeRef> spokes(Mesh::VertexRef v) {
 }
 #endif
 
-#ifndef HEDGEROW_halfedges
-#define HEDGEROW_halfedges
+#ifndef HEDGEROW_ve24099de_halfedges
+#define HEDGEROW_ve24099de_halfedges
 /// The halfedges of f, counterclockwise.
 inline std::vector<Mesh::HalfedgeRef> halfedges(Mesh::FaceRef f) {
   std::vector<Mesh::HalfedgeRef> all;
@@ -43,8 +45,8 @@ inline std::vector<Mesh::HalfedgeRef> halfedges(Mesh::FaceRef f) {
 }
 #endif
 
-#ifndef HEDGEROW_neighbors
-#define HEDGEROW_neighbors
+#ifndef HEDGEROW_ve24099de_neighbors
+#define HEDGEROW_ve24099de_neighbors
 /// The vertices at the other ends of the edges of v.
 inline std::vector<Mesh::VertexRef> neighbors(Mesh::VertexRef v) {
   std::vector<Mesh::VertexRef> all;
@@ -53,8 +55,8 @@ inline std::vector<Mesh::VertexRef> neighbors(Mesh::VertexRef v) {
 }
 #endif
 
-#ifndef HEDGEROW_vertices
-#define HEDGEROW_vertices
+#ifndef HEDGEROW_ve24099de_vertices
+#define HEDGEROW_ve24099de_vertices
 /// The corners of f.
 inline std::vector<Mesh::VertexRef> vertices(Mesh::FaceRef f) {
   std::vector<Mesh::VertexRef> all;
@@ -63,8 +65,8 @@ inline std::vector<Mesh::VertexRef> vertices(Mesh::FaceRef f) {
 }
 #endif
 
-#ifndef HEDGEROW_holds
-#define HEDGEROW_holds
+#ifndef HEDGEROW_ve24099de_holds
+#define HEDGEROW_ve24099de_holds
 /// Whether all contains x.
 template <class T>
 bool holds(const std::vector<T>& all, T x) {
@@ -72,8 +74,8 @@ bool holds(const std::vector<T>& all, T x) {
 }
 #endif
 
-#ifndef HEDGEROW_all_differ
-#define HEDGEROW_all_differ
+#ifndef HEDGEROW_ve24099de_all_differ
+#define HEDGEROW_ve24099de_all_differ
 /// Whether all are different.
 template <class T>
 bool all_differ(const std::vector<T>& all) {
@@ -84,8 +86,8 @@ bool all_differ(const std::vector<T>& all) {
 }
 #endif
 
-#ifndef HEDGEROW_same_elements
-#define HEDGEROW_same_elements
+#ifndef HEDGEROW_ve24099de_same_elements
+#define HEDGEROW_ve24099de_same_elements
 /// Whether a and b have the same elements, in any order.
 template <class T>
 bool same_elements(const std::vector<T>& a, const std::vector<T>& b) {
@@ -93,15 +95,15 @@ bool same_elements(const std::vector<T>& a, const std::vector<T>& b) {
 }
 #endif
 
-#ifndef HEDGEROW_is_finite
-#define HEDGEROW_is_finite
+#ifndef HEDGEROW_ve24099de_is_finite
+#define HEDGEROW_ve24099de_is_finite
 inline bool is_finite(Vec3 a) {
   return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
 }
 #endif
 
-#ifndef HEDGEROW_floor_div
-#define HEDGEROW_floor_div
+#ifndef HEDGEROW_ve24099de_floor_div
+#define HEDGEROW_ve24099de_floor_div
 /// a / b, rounded down.
 inline long long floor_div(long long a, long long b) {
   if (b == 0) throw std::domain_error("division by zero");
@@ -112,8 +114,8 @@ inline long long floor_div(long long a, long long b) {
 }
 #endif
 
-#ifndef HEDGEROW_floor_mod
-#define HEDGEROW_floor_mod
+#ifndef HEDGEROW_ve24099de_floor_mod
+#define HEDGEROW_ve24099de_floor_mod
 /// The remainder of a / b, with the sign of b.
 inline long long floor_mod(long long a, long long b) {
   if (b == 0) throw std::domain_error("division by zero");
@@ -123,14 +125,14 @@ inline long long floor_mod(long long a, long long b) {
 }
 #endif
 
-#ifndef HEDGEROW_Refused
-#define HEDGEROW_Refused
+#ifndef HEDGEROW_ve24099de_Refused
+#define HEDGEROW_ve24099de_Refused
 /// Thrown by a step that must be done and refuses.
 struct Refused {};
 #endif
 
-#ifndef HEDGEROW_must
-#define HEDGEROW_must
+#ifndef HEDGEROW_ve24099de_must
+#define HEDGEROW_ve24099de_must
 /// The result of a step that must be done.
 template <class T>
 T must(const std::optional<T>& done) {
@@ -142,8 +144,8 @@ inline void must(bool done) {
 }
 #endif
 
-#ifndef HEDGEROW_Journal
-#define HEDGEROW_Journal
+#ifndef HEDGEROW_ve24099de_Journal
+#define HEDGEROW_ve24099de_Journal
 /// The level of a mesh, as in the language reference.
 enum class Level { map, surface, simple };
 
@@ -159,30 +161,34 @@ class Journal {
   template <class Steps>
   auto whole(Level level, Steps steps) -> decltype(steps()) {
     const std::size_t begin = undo_.size();
-    Elements outer;
-    std::swap(outer, written_);
+    const std::size_t outer = written_.size();
+    const auto tested = tested_;
     ++depth_;
     decltype(steps()) done{};
     try {
       done = steps();
-      if (done && !has(level)) done = {};
+      if (done && !has(level, outer)) done = {};
     } catch (const Refused&) {
     } catch (...) {
       undo_since(begin);
       throw;
     }
     --depth_;
-    if (done) {
-      append<Mesh::VertexRef>(outer);
-      append<Mesh::HalfedgeRef>(outer);
-      append<Mesh::EdgeRef>(outer);
-      append<Mesh::FaceRef>(outer);
-      if (depth_ == 0) erase_gone();
-    } else {
+    if (!done) {
       undo_since(begin);
+      written_.erase(written_.begin() + outer, written_.end());
+      tested_ = tested;
+    } else if (depth_ == 0) {
+      erase_gone();
     }
-    std::swap(outer, written_);
     return done;
+  }
+
+  /// To be called before a step that requires a level, if steps before it may have lowered that.
+  void expect(Level level) {
+    std::size_t& tested = tested_[static_cast<std::size_t>(level)];
+    if (!has(level, tested)) throw std::logic_error("the mesh is below the level of a step");
+    tested = written_.size();
   }
 
   /// To be called before elements are written to.
@@ -221,7 +227,7 @@ class Journal {
                               std::vector<Mesh::FaceRef>>;
 
   void note(Mesh::VertexRef v) {
-    write(v);
+    written_.push_back(v);
     auto halfedge = v->halfedge;
     auto position = v->position;
     undone_by([v, halfedge, position] {
@@ -230,7 +236,7 @@ class Journal {
     });
   }
   void note(Mesh::HalfedgeRef h) {
-    write(h);
+    written_.push_back(h);
     auto next = h->next;
     auto twin = h->twin;
     auto vertex = h->vertex;
@@ -245,12 +251,12 @@ class Journal {
     });
   }
   void note(Mesh::EdgeRef e) {
-    write(e);
+    written_.push_back(e);
     auto halfedge = e->halfedge;
     undone_by([e, halfedge] { e->halfedge = halfedge; });
   }
   void note(Mesh::FaceRef f) {
-    write(f);
+    written_.push_back(f);
     auto halfedge = f->halfedge;
     bool boundary = f->boundary;
     undone_by([f, halfedge, boundary] {
@@ -260,12 +266,8 @@ class Journal {
   }
 
   template <class T>
-  void write(T x) {
-    std::get<std::vector<T>>(written_).push_back(x);
-  }
-  template <class T>
   T made(T x) {
-    write(x);
+    written_.push_back(x);
     undone_by([this, x] { discard(x); });
     return x;
   }
@@ -287,29 +289,31 @@ class Journal {
     for (Mesh::FaceRef f : std::get<std::vector<Mesh::FaceRef>>(gone_)) discard(f);
     undo_.clear();
     gone_ = Elements();
-  }
-  /// Adds the elements that were written to those written before.
-  template <class T>
-  void append(Elements& before) const {
-    const std::vector<T>& more = std::get<std::vector<T>>(written_);
-    std::vector<T>& all = std::get<std::vector<T>>(before);
-    all.insert(all.end(), more.begin(), more.end());
+    written_.clear();
+    tested_ = {};
   }
 
-  /// The elements that no step has erased, each once.
+  /// The elements that no step has erased; most of those that occur several times occur close
+  /// together, and are taken once.
   template <class T>
   std::vector<T> living(const std::vector<T>& all) const {
     std::vector<T> found;
     for (T x : all) {
-      if (lives(x) && !hedgerow::holds(found, x)) found.push_back(x);
+      auto close = found.end() - std::min<std::ptrdiff_t>(found.size(), 16);
+      if (lives(x) && std::find(close, found.end(), x) == found.end()) found.push_back(x);
     }
     return found;
   }
-  /// Whether the mesh still has the level that it had; only the elements near those that were
-  /// written are tested.
-  bool has(Level level) const {
+  /// Whether the mesh still has a level that it had; only the elements near those that were written
+  /// since then are tested.
+  bool has(Level level, std::size_t since) const {
     if (level == Level::map) return true;
-    auto [vs, hs, es, fs] = written_;
+    Elements written;
+    for (std::size_t at = since; at < written_.size(); ++at) {
+      std::visit([&](auto x) { std::get<std::vector<decltype(x)>>(written).push_back(x); },
+                 written_[at]);
+    }
+    auto& [vs, hs, es, fs] = written;
     // A face that becomes a hole affects all elements at it.
     for (Mesh::FaceRef f : living(fs)) {
       for (Mesh::HalfedgeRef h : hedgerow::halfedges(f)) hs.push_back(h);
@@ -355,15 +359,19 @@ class Journal {
   }
 
   Mesh& mesh_;
-  Elements written_, gone_;
+  Elements gone_;
+  std::vector<std::variant<Mesh::VertexRef, Mesh::HalfedgeRef, Mesh::EdgeRef, Mesh::FaceRef>> written_;
+  /// For each level, how many of the writes are known to have kept it.
+  std::array<std::size_t, 3> tested_{};
   std::vector<std::function<void()>> undo_;
   int depth_ = 0;
 };
 #endif
 
-#ifndef HEDGEROW_twos_v89619fe5
-#define HEDGEROW_twos_v89619fe5
-inline namespace v89619fe5 {
+#ifndef HEDGEROW_ve24099de_p95bdb87e
+#define HEDGEROW_ve24099de_p95bdb87e
+namespace p95bdb87e {
+
 /// How often 2 divides a number.
 inline long long twos(long long n) {
   long long rest = n;
@@ -375,12 +383,7 @@ inline long long twos(long long n) {
   }
   return count;
 }
-}
-#endif
 
-#ifndef HEDGEROW_bisect_ve9d9c578
-#define HEDGEROW_bisect_ve9d9c578
-inline namespace ve9d9c578 {
 /// Cuts an edge in two at its midpoint; returns the new vertex.
 ///
 /// ```text
@@ -446,6 +449,7 @@ inline std::optional<Mesh::VertexRef> bisect(Journal& journal, Mesh::EdgeRef e) 
 }
 #endif
 
+}
 }  // namespace hedgerow
 
 /// Bisects an edge several times, always beside the last new vertex.
@@ -457,11 +461,11 @@ std::optional<Mesh::VertexRef> divide(Mesh& mesh, Mesh::EdgeRef e, long long n) 
   if (12 <= n) return std::nullopt;  // that is too often
   hedgerow::Journal journal(mesh);
   return journal.whole(hedgerow::Level::surface, [&]() -> std::optional<VertexRef> {
-    VertexRef m = hedgerow::must(hedgerow::bisect(journal, e));
-    for (long long i = hedgerow::twos(n) + 1; i > 0; --i) {
+    VertexRef m = hedgerow::must(hedgerow::p95bdb87e::bisect(journal, e));
+    for (long long i = hedgerow::p95bdb87e::twos(n) + 1; i > 0; --i) {
       journal.undone_by([m, was = m->weight] { m->weight = was; });
       m->weight = m->weight + 1.0;
-      m = hedgerow::must(hedgerow::bisect(journal, m->halfedge->edge));
+      m = hedgerow::must(hedgerow::p95bdb87e::bisect(journal, m->halfedge->edge));
     }
     long long i = 0;
     for (long long i_2 = n - 1; i_2 > 0; --i_2) {

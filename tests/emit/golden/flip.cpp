@@ -1,9 +1,10 @@
 #include <optional>
 
 namespace hedgerow {
+inline namespace ve24099de {
 
-#ifndef HEDGEROW_adjacent
-#define HEDGEROW_adjacent
+#ifndef HEDGEROW_ve24099de_adjacent
+#define HEDGEROW_ve24099de_adjacent
 /// Whether an edge joins v and w.
 inline bool adjacent(Mesh::VertexRef v, Mesh::VertexRef w) {
   Mesh::HalfedgeRef h = v->halfedge;
@@ -15,6 +16,7 @@ inline bool adjacent(Mesh::VertexRef v, Mesh::VertexRef w) {
 }
 #endif
 
+}
 }  // namespace hedgerow
 
 /// Rotates an edge between two triangles by one corner.

@@ -6,9 +6,10 @@
 #include <vector>
 
 namespace hedgerow {
+inline namespace ve24099de {
 
-#ifndef HEDGEROW_halfedges
-#define HEDGEROW_halfedges
+#ifndef HEDGEROW_ve24099de_halfedges
+#define HEDGEROW_ve24099de_halfedges
 /// The halfedges of f, counterclockwise.
 inline std::vector<Mesh::HalfedgeRef> halfedges(Mesh::FaceRef f) {
   std::vector<Mesh::HalfedgeRef> all;
@@ -21,8 +22,8 @@ inline std::vector<Mesh::HalfedgeRef> halfedges(Mesh::FaceRef f) {
 }
 #endif
 
-#ifndef HEDGEROW_loop_from
-#define HEDGEROW_loop_from
+#ifndef HEDGEROW_ve24099de_loop_from
+#define HEDGEROW_ve24099de_loop_from
 /// The halfedges of a loop, from h on.
 inline std::vector<Mesh::HalfedgeRef> loop_from(Mesh::HalfedgeRef h) {
   std::vector<Mesh::HalfedgeRef> all;
@@ -35,8 +36,8 @@ inline std::vector<Mesh::HalfedgeRef> loop_from(Mesh::HalfedgeRef h) {
 }
 #endif
 
-#ifndef HEDGEROW_some
-#define HEDGEROW_some
+#ifndef HEDGEROW_ve24099de_some
+#define HEDGEROW_ve24099de_some
 /// Whether the condition holds for one of 0, ..., n - 1.
 template <class C>
 bool some(std::size_t n, C condition) {
@@ -47,8 +48,8 @@ bool some(std::size_t n, C condition) {
 }
 #endif
 
-#ifndef HEDGEROW_vertices
-#define HEDGEROW_vertices
+#ifndef HEDGEROW_ve24099de_vertices
+#define HEDGEROW_ve24099de_vertices
 /// The corners of f.
 inline std::vector<Mesh::VertexRef> vertices(Mesh::FaceRef f) {
   std::vector<Mesh::VertexRef> all;
@@ -57,8 +58,8 @@ inline std::vector<Mesh::VertexRef> vertices(Mesh::FaceRef f) {
 }
 #endif
 
-#ifndef HEDGEROW_all_differ
-#define HEDGEROW_all_differ
+#ifndef HEDGEROW_ve24099de_all_differ
+#define HEDGEROW_ve24099de_all_differ
 /// Whether all are different.
 template <class T>
 bool all_differ(const std::vector<T>& all) {
@@ -69,8 +70,8 @@ bool all_differ(const std::vector<T>& all) {
 }
 #endif
 
-#ifndef HEDGEROW_vector_as_n
-#define HEDGEROW_vector_as_n
+#ifndef HEDGEROW_ve24099de_vector_as_n
+#define HEDGEROW_ve24099de_vector_as_n
 /// A vector by its parts, whether its type has a constructor or is an aggregate.
 template <class V, class R>
 V vector_as(R x, R y, R z) {
@@ -86,27 +87,27 @@ V vector_as(R x, R y, R z) {
 }
 #endif
 
-#ifndef HEDGEROW_vector
-#define HEDGEROW_vector
+#ifndef HEDGEROW_ve24099de_vector
+#define HEDGEROW_ve24099de_vector
 inline Vec3 vector(double x, double y, double z) { return hedgerow::vector_as<Vec3>(x, y, z); }
 #endif
 
-#ifndef HEDGEROW_is_finite
-#define HEDGEROW_is_finite
+#ifndef HEDGEROW_ve24099de_is_finite
+#define HEDGEROW_ve24099de_is_finite
 inline bool is_finite(Vec3 a) {
   return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
 }
 #endif
 
-#ifndef HEDGEROW_mix
-#define HEDGEROW_mix
+#ifndef HEDGEROW_ve24099de_mix
+#define HEDGEROW_ve24099de_mix
 /// a for t = 0, b for t = 1.
 template <class T>
 T mix(T a, T b, double t) { return a * (1 - t) + b * t; }
 #endif
 
-#ifndef HEDGEROW_centroid
-#define HEDGEROW_centroid
+#ifndef HEDGEROW_ve24099de_centroid
+#define HEDGEROW_ve24099de_centroid
 /// The mean of the corners of f.
 inline Vec3 centroid(Mesh::FaceRef f) {
   Vec3 total = hedgerow::vector(0, 0, 0);
@@ -116,6 +117,7 @@ inline Vec3 centroid(Mesh::FaceRef f) {
 }
 #endif
 
+}
 }  // namespace hedgerow
 
 /// Shrinks a face inside its own boundary, and fills the gap with quads.

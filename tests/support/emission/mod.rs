@@ -5,10 +5,12 @@ pub mod columns;
 pub mod places;
 pub mod subjects;
 
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
 use hedgerow::mesh::{Mesh, identical};
 
 use crate::meshes::Dice;
-use places::{Argument, Tally, arguments, by_machine, compare, places, report};
+use places::{Argument, Stopped, Tally, arguments, by_machine, compare, places, report};
 use subjects::emissions;
 
 /// A call of an emitted operation by its name: whether it applied, and its result.
@@ -30,15 +32,19 @@ pub fn hold_rust(call: Call) {
             for arguments in arguments(subject, &place.mesh, 40, &mut dice) {
                 let machine = by_machine(subject, &place, &arguments);
                 let mut mesh = place.mesh.clone();
-                let (applied, result) = call(&subject.name, &mut mesh, &arguments);
-                assert!(
-                    applied || identical(&mesh, &place.mesh),
-                    "{} is refused at {arguments:?}, and leaves a trace",
-                    subject.name
-                );
-                let emitted = applied.then_some((mesh, result));
+                let called = || call(&subject.name, &mut mesh, &arguments);
+                let emitted = match catch_unwind(AssertUnwindSafe(called)) {
+                    Ok((true, result)) => Ok(Some((mesh, result))),
+                    Ok((false, _)) => {
+                        let name = &subject.name;
+                        let is_same = identical(&mesh, &place.mesh);
+                        assert!(is_same, "{name}, refused at {arguments:?}, leaves a trace");
+                        Ok(None)
+                    }
+                    Err(_) => Err(Stopped),
+                };
                 compare(subject, &arguments, tally, 1e-12, [&machine, &emitted]);
-                if let (Some((_, expected)), Some((_, result))) = (&machine, &emitted) {
+                if let (Ok(Some((_, expected))), Ok(Some((_, result)))) = (&machine, &emitted) {
                     assert_eq!(expected, result, "{}", subject.name);
                 }
             }

@@ -104,7 +104,11 @@ fn value(ty: Type, dice: &mut Dice) -> Argument {
 }
 
 /// The outcome of a call: the mesh and the result, or `None` if it was refused.
-pub type Done = Option<(Mesh, Option<u32>)>;
+pub type Done = Result<Option<(Mesh, Option<u32>)>, Stopped>;
+
+/// A run that has stopped, since a step has lowered the level that another one requires.
+#[derive(Clone, Copy, Debug)]
+pub struct Stopped;
 
 /// The outcome on the machine.
 pub fn by_machine(subject: &Subject, place: &Place, arguments: &[Argument]) -> Done {
@@ -114,19 +118,21 @@ pub fn by_machine(subject: &Subject, place: &Place, arguments: &[Argument]) -> D
     machine.use_columns(columns::of(subject, &mesh));
     machine.trust_level(place.level);
     match machine.apply(&mut mesh, &subject.plan, &slots) {
-        Ok(Outcome::Applied { result }) => Some((mesh, result)),
-        Ok(Outcome::Refused { .. }) => None,
+        Ok(Outcome::Applied { result }) => Ok(Some((mesh, result))),
+        Ok(Outcome::Refused { .. }) => Ok(None),
         // Steps that would set such a position are rolled back, and a script stops there.
-        Err(trap) if trap.message == Message::NotFinite => None,
+        Err(trap) if trap.message == Message::NotFinite => Ok(None),
+        Err(trap) if matches!(trap.message, Message::BelowLevel { .. }) => Err(Stopped),
         Err(trap) => panic!("{} traps: {trap:?}", subject.name),
     }
 }
 
-/// The number of times that an operation was applied and refused.
+/// The number of times that an operation was applied, refused and stopped.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Tally {
     pub applied: usize,
     pub refused: usize,
+    pub stopped: usize,
 }
 
 /// Compares the outcome of emitted code with that of the machine.
@@ -139,8 +145,9 @@ pub fn compare(
 ) {
     let place = || format!("{} at {arguments:?}", subject.name);
     match (machine, emitted) {
-        (None, None) => tally.refused += 1,
-        (Some((expected, result)), Some((mesh, emitted_result))) => {
+        (Err(Stopped), Err(Stopped)) => tally.stopped += 1,
+        (Ok(None), Ok(None)) => tally.refused += 1,
+        (Ok(Some((expected, result))), Ok(Some((mesh, emitted_result)))) => {
             tally.applied += 1;
             assert_eq!(validate(mesh), Ok(()), "{}", place());
             let same = match tolerance == 0.0 {
@@ -155,8 +162,14 @@ pub fn compare(
             assert!(same, "{}: other attributes", place());
             assert_eq!(result.is_some(), emitted_result.is_some(), "{}", place());
         }
-        (Some(_), None) => panic!("{}: emitted code refuses what the machine applies", place()),
-        (None, Some(_)) => panic!("{}: emitted code applies what the machine refuses", place()),
+        (machine, emitted) => {
+            let [machine, emitted] = [machine, emitted].map(|done| match done {
+                Ok(Some(_)) => "applies",
+                Ok(None) => "refuses",
+                Err(Stopped) => "stops",
+            });
+            panic!("{}: emitted code {emitted} where the machine {machine}", place())
+        }
     }
 }
 
@@ -168,10 +181,12 @@ pub fn report(title: &str, tallies: &[(&Subject, Tally)]) {
         println!("  {:<36}{:>9}{:>9}", subject.name, tally.applied, tally.refused);
         total.applied += tally.applied;
         total.refused += tally.refused;
+        total.stopped += tally.stopped;
     }
     println!("  {:<36}{:>9}{:>9}", "all", total.applied, total.refused);
     for (subject, tally) in tallies {
         assert!(tally.applied > 0, "{} was never applied", subject.name);
     }
     assert!(total.refused > 500, "only {} refusals", total.refused);
+    assert!(total.stopped > 50, "only {} stops", total.stopped);
 }
