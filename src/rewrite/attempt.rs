@@ -101,8 +101,11 @@ impl Machine {
         let (random, muted) = (self.random.clone(), self.drains.mute());
         let created = self.created.as_ref().map_or(0, Vec::len);
         let mark = mesh.open_journal();
+        let known = self.begin_steps(mesh, &steps.calls);
         let outcome = self.take::<true>(mesh, (plan, steps), call, &mut Silent(watch));
         mesh.roll_back(mark);
+        // What the steps have found out about the level is no more so.
+        self.end_steps(known, false);
         self.drains.unmute(muted);
         self.random = random;
         if let Some(all) = &mut self.created {

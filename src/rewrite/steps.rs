@@ -69,10 +69,16 @@ impl Machine {
                 Some(outcome) => outcome,
                 None => self.execute::<OBSERVED>(mesh, call, watch),
             },
-            Some(steps) => self.take::<OBSERVED>(mesh, (plan, steps), call, watch),
+            Some(steps) => {
+                let known = self.begin_steps(mesh, &steps.calls);
+                let outcome = self.take::<OBSERVED>(mesh, (plan, steps), call, watch);
+                self.end_steps(known, matches!(outcome, Ok(Outcome::Applied { .. })));
+                outcome
+            }
         }
     }
 
+    /// Runs steps; what was done is kept if they apply, and else undone.
     #[cold]
     pub(super) fn take<const OBSERVED: bool>(
         &mut self,
@@ -85,7 +91,6 @@ impl Machine {
         if self.progress.tick(watch).is_break() {
             return Err(Trap::new(Message::Interrupted));
         }
-        let known = self.begin_steps(mesh, &steps.calls);
         let (holding, drains) = (self.holding, self.drains.open_ones());
         let created = self.created.as_ref().map_or(0, Vec::len);
         let mark = mesh.open_journal();
@@ -110,7 +115,6 @@ impl Machine {
         self.holding = holding;
         self.drains.leave(drains);
         let is_applied = matches!(outcome, Ok(Outcome::Applied { .. }));
-        self.end_steps(known, is_applied);
         if is_applied {
             mesh.keep(mark);
         } else {

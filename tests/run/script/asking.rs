@@ -239,6 +239,37 @@ fn a_guarded_op_may_follow_any_other() {
     }
 }
 
+/// What is asked is undone, and with it the level that its steps have found.
+#[test]
+fn a_question_leaves_no_level_behind() {
+    let ops = r#"
+op open(f: face) {
+  before { face f: v -a-> w =P=> v }
+  after { hole f: v -a-> w =P=> v }
+}
+op probe(f: face, e: edge) {
+  steps {
+    must open(f)
+    flip(e)
+  }
+}
+script main(asks: bool) {
+  let f = argmin(0 for g in faces)
+  let e = f.halfedge.edge
+  if asks { print can probe(f, e), why probe(f, e) }
+  flip(e)
+}"#;
+    for asks in ["false", "true"] {
+        // Two faces have the same corners, until one of them is opened.
+        let mut mesh = shape::pillow(4);
+        let before = mesh.clone();
+        let told = run_alone(&mut mesh, &format!("{MIXED}\n{ops}"), &[("asks", asks)]);
+        let told = told.unwrap_err();
+        assert_eq!(told.diagnostic.code, "below-level", "asks={asks}");
+        assert!(identical(&mesh, &before));
+    }
+}
+
 #[test]
 fn below_the_level_it_is_said_where_and_after_what() {
     let script = "script main() { for e in edges { turn(e) } for e in edges { flip(e) } }";
