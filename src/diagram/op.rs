@@ -1,5 +1,6 @@
 //! Operations, rules, sides and the three kinds of orbit.
 
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use super::{Attribute, Expr, Level, Type};
@@ -397,6 +398,13 @@ impl Loop {
     /// The vertices that its items leave, in order.
     pub(crate) fn corners(&self) -> impl Iterator<Item = NameId> + Clone {
         self.items.iter().map(|item| item.from.name)
+    }
+
+    /// A vertex that several items leave, if there is one.
+    pub(crate) fn corner_met_twice(&self) -> Option<NameId> {
+        let mut met = BTreeSet::new();
+        let twice = self.items.iter().find(|item| !met.insert((item.from.name, item.from.shift)));
+        twice.map(|item| item.from.name)
     }
 
     /// The names of its halfedges and paths, in order.

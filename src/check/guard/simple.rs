@@ -1,5 +1,7 @@
 //! Obligations of `simple` beyond `surface`: edges and faces are determined by their vertices.
 
+use std::collections::BTreeSet;
+
 use super::evidence;
 use super::obligation::{Obligation, Statement};
 use super::sketch::Sketch;
@@ -138,5 +140,29 @@ fn others_differ(sketch: &Sketch, orbit: &Loop, vertex: NameId) -> bool {
             && other.kind != LoopKind::Hole
             && Sketch::draws(other, vertex)
     });
-    others.into_iter().all(|other| has_more(orbit, other) || has_more(other, orbit))
+    others.into_iter().all(|other| {
+        has_more(orbit, other) || has_more(other, orbit) || are_changed_alike(sketch, orbit, other)
+    })
+}
+
+/// True if two loops get the same new corners and lose the same ones: their corners differ, since
+/// they did before.
+fn are_changed_alike(sketch: &Sketch, one: &Loop, other: &Loop) -> bool {
+    let Sketch { drawing, .. } = sketch;
+    // Members of families are the same in name only.
+    if drawing.rule.cycle.is_some() {
+        return false;
+    }
+    let change = |orbit: &Loop| {
+        let before = drawing.before.loop_of_face(orbit.face.name)?;
+        let paths = |orbit: &Loop| sketch.paths(orbit).collect::<BTreeSet<_>>();
+        if before.kind != orbit.kind || paths(before) != paths(orbit) {
+            return None;
+        }
+        let [was, is] = [before, orbit].map(|orbit| orbit.corners().collect::<BTreeSet<_>>());
+        let gained: Vec<_> = is.difference(&was).copied().collect();
+        let lost: Vec<_> = was.difference(&is).copied().collect();
+        gained.iter().all(|&name| drawing.created(name).is_some()).then_some((gained, lost))
+    };
+    change(one).is_some_and(|changed| change(other) == Some(changed))
 }
