@@ -284,6 +284,11 @@ impl Law<'_> {
     /// as `name`.
     fn place_of_spoke(&self, spokes: &[Spoke], name: NameId) -> Option<(Ref, String)> {
         let view = &self.drawing.before;
+        // Where one is listed twice, it may stand for this one.
+        let listed: Vec<_> = spokes.iter().filter_map(Spoke::halfedge).collect();
+        if (1..listed.len()).any(|at| listed[..at].contains(&listed[at])) {
+            return None;
+        }
         spokes.iter().find_map(|spoke| match spoke {
             Spoke::Halfedge(listed) if view.spoke_behind(listed.name) == Some(name) => {
                 Some((*listed, self.drawing.rule.name(listed.name).text.clone()))

@@ -219,7 +219,7 @@ fn exchanged(rule: &Rule, kind: Kind) -> Vec<Remedy> {
             drawn.push(first);
         }
     }
-    if drawn.len() > MOST_EXCHANGED {
+    if drawn.len() > MOST_EXCHANGED || kind == Kind::Vertex && has_doubtful_corner(rule) {
         return Vec::new();
     }
     let pairs = drawn
@@ -256,10 +256,18 @@ fn exchanged(rule: &Rule, kind: Kind) -> Vec<Remedy> {
     remedies.collect()
 }
 
+/// True if a corner may be mistyped in `before`: a loop meets a vertex twice there, and `after` draws
+/// one that nothing introduces.
+fn has_doubtful_corner(rule: &Rule) -> bool {
+    let is_doubtful = |&name: &NameId| rule.kind(name) == Kind::Vertex;
+    rule.before.loops.iter().any(|orbit| orbit.corner_met_twice().is_some())
+        && unknown(rule).iter().any(is_doubtful)
+}
+
 /// Writes another vertex at one corner of a loop.
 fn other_corner(rule: &Rule) -> Vec<Remedy> {
     let vertices: Vec<_> = rule.names_of(Kind::Vertex).collect();
-    if rule.cycle.is_some() || vertices.len() > MOST_EXCHANGED {
+    if rule.cycle.is_some() || vertices.len() > MOST_EXCHANGED || has_doubtful_corner(rule) {
         return Vec::new();
     }
     let mut remedies = Vec::new();

@@ -65,7 +65,8 @@ impl Scripting<'_> {
             let error = suggest(error, word, name.span, self.typing.scopes.names())
                 .note("a variable begins with `let` or `var`");
             // In a loop or a branch, it may be meant for what follows them, too.
-            let error = match error.fixes.is_empty() && self.typing.scopes.is_outermost() {
+            let is_new = self.typing.scopes.is_outermost() && !reads(value, word);
+            let error = match error.fixes.is_empty() && is_new {
                 true => error.fix(format!("write `var {word} = …`"), name.span.before(), "var "),
                 false => error,
             };
@@ -310,6 +311,17 @@ fn is_path(expr: &tree::Expr) -> bool {
 }
 
 /// True if an operand could not be read, which the parser has reported.
+/// True if a value reads a name.
+fn reads(value: &tree::Expr, word: &str) -> bool {
+    let mut found = false;
+    each_part(Part::Expr(value), |part| {
+        if let Part::Expr(tree::Expr { kind: tree::ExprKind::Name(name), .. }) = part {
+            found |= name.ident.text == word;
+        }
+    });
+    found
+}
+
 fn is_broken(expr: &tree::Expr) -> bool {
     match &expr.kind {
         tree::ExprKind::Broken => true,

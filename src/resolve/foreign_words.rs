@@ -37,8 +37,14 @@ fn replacement(kind: &str, word: &str) -> Option<Here> {
         let said = row.split_once(": ").map(|(words, sentence)| (words, Said(sentence)));
         let written = || row.split_once(" -> ").map(|(words, ours)| (words, Written(ours)));
         let (words, here) = said.or_else(written)?;
-        words.split(' ').any(|known| known == word).then_some(here)
+        let is_one = |known: &str| known == word || word.len() > 2 && plain(known) == plain(word);
+        words.split(' ').any(is_one).then_some(here)
     })
+}
+
+/// A word without its capitals and underscores: `isBoundary` is `is_boundary`.
+fn plain(word: &str) -> String {
+    word.replace('_', "").to_lowercase()
 }
 
 /// The replacement of a foreign field of a type.

@@ -90,11 +90,9 @@ impl Scripting<'_> {
                 let called = self.typing.declared.op(word).and_then(|op| self.typing.ops.get(op));
                 let gives = called.filter(|op| op.result != Value::Nothing);
                 self.typing.report.add(match gives {
-                    Some(_) => error
-                        .note(format!(
-                            "`if let x = {word}(…)` asks, `must {word}(…)` {refused}"
-                        ))
-                        .fix("write `must`", expr.span.before(), "must "),
+                    Some(_) => error.note(format!(
+                        "`if let x = {word}(…) {{ … }}` asks, `let x = must {word}(…)` {refused} there"
+                    )),
                     None => error.note(format!(
                         "`{word}` returns nothing; whether it applied is asked by `if {word}(…) {{ … }}`"
                     )),

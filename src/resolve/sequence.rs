@@ -3,8 +3,10 @@
 use crate::diagnostic::{Diagnostic, Edit, Fix, quoted};
 use crate::diagram::{Around, Collection, Elements, Expr, ExprKind, Fold, FoldFunction, Type};
 use crate::source::Span;
+use crate::syntax::Part;
 use crate::syntax::tree::{self, Ident};
 
+use super::depth::each_part;
 use super::foreign_words;
 use super::range::TAKES_INTS;
 use super::scopes::{Binding, Local};
@@ -165,6 +167,23 @@ impl Typing<'_> {
             self.of_each(function, of, field, arg.span);
             return None;
         }
+        if function.text != "count"
+            && let Some(element) = self.unknown_element(arg)
+        {
+            let (word, function) = (&element.text, &function.text);
+            let all = match word.chars().next() {
+                Some('v') => "vertices",
+                Some('h') => "halfedges",
+                Some('f') => "faces",
+                _ => "edges",
+            };
+            let value = short(arg, 5).unwrap_or_else(|| "…".to_owned());
+            let message = format!("`{word}` is not known here");
+            let error = Diagnostic::error("unknown-name", message, element.span);
+            return self.report.reject(error.note(format!(
+                "a value for each element of a sequence is `{function}({value} for {word} in {all})`"
+            )));
+        }
         let collection = self.sequence(arg)?;
         if function.text != "count" {
             let all = short(arg, 3).unwrap_or_else(|| "…".to_owned());
@@ -190,6 +209,28 @@ impl Typing<'_> {
             body: typed(Type::Bool, ExprKind::Bool(true), span),
         };
         Some(typed(Type::Int, ExprKind::Fold(Box::new(fold)), span))
+    }
+
+    /// The first name in a value that is not known and may be that of an element.
+    fn unknown_element<'t>(&self, value: &'t tree::Expr) -> Option<&'t Ident> {
+        let is_known = |word: &str| {
+            let is_drawn = match self.place {
+                Place::Rule(names) => names.words().any(|known| known == word),
+                Place::Default(_) | Place::Script => false,
+            };
+            is_drawn || self.scopes.find(word).is_some() || self.declared.is_called(word)
+        };
+        let mut found = None;
+        each_part(Part::Expr(value), |part| match part {
+            Part::Expr(tree::Expr { kind: tree::ExprKind::Name(name), .. }) => {
+                let is_letter = name.index.is_none() && name.ident.text.len() == 1;
+                if is_letter && !is_known(&name.ident.text) {
+                    found = found.or(Some(&name.ident));
+                }
+            }
+            _ => {}
+        });
+        found
     }
 
     /// Reports `mean(v.neighbors.position)`: an aggregate names the element.

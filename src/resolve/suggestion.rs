@@ -23,6 +23,15 @@ pub fn closest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) ->
     best.map(|(_, candidate)| candidate)
 }
 
+/// The longest candidate whose words are among those of `word`: `flip` of `flip_edge`.
+fn part_of<'a>(word: &str, candidates: &[&'a str]) -> Option<&'a str> {
+    let is_part = |candidate: &&&str| {
+        let mut parts = candidate.split('_');
+        candidate.len() >= SHORT && parts.all(|part| word.split('_').any(|other| other == part))
+    };
+    candidates.iter().filter(is_part).max_by_key(|candidate| candidate.len()).copied()
+}
+
 /// Labels the primary place of `diagnostic` with the candidate closest to `word`, if there is one,
 /// and adds the fix that writes it at `span`, if it is certain.
 pub(super) fn suggest<'a>(
@@ -31,7 +40,10 @@ pub(super) fn suggest<'a>(
     span: Span,
     candidates: impl IntoIterator<Item = &'a str>,
 ) -> Diagnostic {
-    suggest_function(diagnostic, word, span, candidates, |_| true)
+    match closest(word, candidates) {
+        Some(meant) => suggested(diagnostic, word, span, meant, |_| true),
+        None => diagnostic,
+    }
 }
 
 /// The same for functions and ops: the one that is meant also `fits` the call.
@@ -42,7 +54,21 @@ pub(super) fn suggest_function<'a>(
     candidates: impl IntoIterator<Item = &'a str>,
     fits: impl Fn(&str) -> bool,
 ) -> Diagnostic {
-    let Some(meant) = closest(word, candidates) else { return diagnostic };
+    let all: Vec<_> = candidates.into_iter().collect();
+    let close = closest(word, all.iter().copied()).or_else(|| part_of(word, &all));
+    match close {
+        Some(meant) => suggested(diagnostic, word, span, meant, fits),
+        None => diagnostic,
+    }
+}
+
+fn suggested(
+    diagnostic: Diagnostic,
+    word: &str,
+    span: Span,
+    meant: &str,
+    fits: impl Fn(&str) -> bool,
+) -> Diagnostic {
     let diagnostic = diagnostic.saying(format!("did you mean `{meant}`?"));
     match is_slip(word, meant) && fits(meant) {
         true => diagnostic.fix(format!("write `{meant}`"), span, meant),

@@ -58,6 +58,8 @@ pub struct Lexed {
     /// The places of all errors, in order. Of very many unknown characters, not all have a
     /// diagnostic.
     pub wrong: Vec<Span>,
+    /// The ends of texts that a quote within a value cuts off: what follows in the item is no code.
+    pub cut_off: Vec<Span>,
 }
 
 /// Reads all tokens and comments of a text.
@@ -67,6 +69,7 @@ pub fn lex(file: FileId, text: &str) -> Lexed {
         comments: Vec::new(),
         diagnostics: Vec::new(),
         wrong: Vec::new(),
+        cut_off: Vec::new(),
     };
     let mut unknown: Vec<Span> = Vec::new();
     lexed.read(Span::new(file, 0, text.len()), text, &mut unknown);
@@ -132,11 +135,21 @@ impl Lexed {
             begin = hole.end;
         }
         let tail = place(begin..word.len());
-        if holes.is_open {
+        let is_cut_off = self.cut_off.last().is_some_and(|cut| {
+            let between = text.get(cut.end as usize..span.start as usize);
+            between.is_some_and(|between| !between.contains('\n'))
+        });
+        if holes.is_open && !is_cut_off {
             let message = "a value in a text ends with `}`";
             let found = Diagnostic::error("unterminated-text", message, tail);
-            let literally = "a brace that stands for itself is written `\\{`";
-            self.diagnostics.push(found.saying("no closing `}`").note(literally));
+            let rest = text.get(span.end as usize..).unwrap_or("");
+            let note = if rest.starts_with(|c: char| c.is_alphanumeric() || c == ' ') {
+                self.cut_off.push(tail);
+                "a quote ends the text: one that is meant in it is bound before, by `let`"
+            } else {
+                "a brace that stands for itself is written `\\{`"
+            };
+            self.diagnostics.push(found.saying("no closing `}`").note(note));
         }
         self.text(tail, TokenKind::TextTail, &word[begin..]);
     }

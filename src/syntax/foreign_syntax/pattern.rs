@@ -10,7 +10,7 @@
 //! | `$a:word` | a name or a keyword |
 //! | `$a:verb` | the same, but not `if` |
 //! | `$a:vertex` | a name that stands for a vertex in a loop somewhere in the item |
-//! | `$a:rim` | a name that a statement `hole` or `loop` has somewhere in the item |
+//! | `$a:rim` | a name that a statement `hole` or `loop` has in the item, or unlike `f0` |
 //! | `$a:variable` | the name of a variable of a block around |
 //! | `$a:text` | a text in quotes |
 //! | `$a:number` | a number |

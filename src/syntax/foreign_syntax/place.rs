@@ -83,7 +83,7 @@ impl<'t> Item<'t> {
 
     /// True if a statement `hole` or `loop` has this name somewhere in the item.
     pub(super) fn is_rim(&self, word: &str) -> bool {
-        self.rims.contains(word)
+        self.rims.contains(word) || !word.starts_with(['f', 'F'])
     }
 
     /// True if the name at a token, where the item is read, is that of a variable that a block around

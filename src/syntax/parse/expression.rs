@@ -5,8 +5,9 @@
 use super::failure::{Failure, Mistake, Phrase};
 use super::foreign_syntax;
 use super::input::{Rule, Scene, slice};
-use super::name::{ident, int_here, name, name_here, qualified_name, text, word};
+use super::name::{ident, ident_here, int_here, name, name_here, qualified_name, text};
 use super::recover;
+use super::report::line_before;
 use super::text::text_with_values;
 use crate::source::Span;
 use crate::syntax::token::TokenKind as T;
@@ -115,8 +116,15 @@ fn is_comparison(op: BinaryOp) -> bool {
 /// `x.edge.face`
 fn field<'t>(value: Rule<'t, Expr>) -> Rule<'t, Expr> {
     let dot = just(T::Dot).labelled(Phrase::Operator);
+    // A keyword at the start of a line begins the next statement.
+    let name = select! { kind if T::is_wordlike(kind) => kind };
+    let name = name.try_map_with(|kind: T, scene| match kind.is_keyword() && begins_line(scene) {
+        true => Err(Failure { found: Some(kind), ..Failure::at(scene.span()) }),
+        false => Ok(ident_here(scene)),
+    });
+    let name = name.labelled(Phrase::Name);
     value
-        .foldl(dot.ignore_then(word()).repeated(), |value, field| {
+        .foldl(dot.ignore_then(name).repeated(), |value, field| {
             let span = value.span.to(field.span);
             let kind = ExprKind::Field(Box::new(value), field);
             Expr { kind, span }
@@ -241,10 +249,7 @@ pub(super) fn sequence<'t>(expression: &Rule<'t, Expr>) -> Rule<'t, Expr> {
 
 /// True if a token is the first on its line.
 fn begins_line(scene: &mut Scene) -> bool {
-    let span: Span = scene.span();
-    let before = scene.state().0.get(..span.start as usize).unwrap_or("");
-    let between = before.trim_end_matches(|c: char| c.is_whitespace() && c != '\n');
-    between.is_empty() || between.ends_with('\n')
+    line_before(scene.state().0, scene.span()).trim().is_empty()
 }
 
 fn called_with(name: Name, mut arguments: Arguments) -> ExprKind {

@@ -43,10 +43,10 @@ pub(super) fn parse_once(file: FileId, text: &str) -> Parsed {
 }
 
 fn parsed(file: FileId, text: &str, tries: bool) -> Parsed {
-    let Lexed { tokens, comments, mut diagnostics, wrong } = lex(file, text);
+    let Lexed { tokens, comments, mut diagnostics, wrong, cut_off } = lex(file, text);
     let (mut misread, mut mended) = (Vec::new(), Vec::new());
     let report = (&mut diagnostics, &mut misread, &mut mended);
-    let items = items(text, (&tokens, &comments, &wrong), report, tries);
+    let items = items(text, (&tokens, &comments), [&wrong, &cut_off], report, tries);
     let tree = File { docs: file_docs(text, &tokens, &comments), items, misread };
     diagnostics.extend(divisors_in_comments(text, &tokens, &comments));
     diagnostics.extend(privates_at_line_ends(text, &tokens));
@@ -57,7 +57,8 @@ fn parsed(file: FileId, text: &str, tries: bool) -> Parsed {
 
 fn items(
     text: &str,
-    (tokens, comments, wrong): (&[Token], &[Comment], &[Span]),
+    (tokens, comments): (&[Token], &[Comment]),
+    [wrong, cut_off]: [&[Span]; 2],
     (diagnostics, misread, mended): (&mut Vec<Diagnostic>, &mut Vec<Span>, &mut Vec<Span>),
     tries: bool,
 ) -> Vec<Item> {
@@ -69,14 +70,23 @@ fn items(
         let first = tokens[range.start].span;
         let before = range.start.checked_sub(1).map(|at| tokens[at].span);
         let whole = first.to(tokens[range.end - 1].span);
-        let first = wrong.partition_point(|wrong| wrong.start < whole.start);
-        if wrong.get(first).is_some_and(|wrong| wrong.start < whole.end) {
+        let first_of = |spans: &[Span]| {
+            let first = spans.partition_point(|span| span.start < whole.start);
+            spans.get(first).copied().filter(|span| span.start < whole.end)
+        };
+        if first_of(wrong).is_some() {
             reading.misread.push(whole);
         }
+        let told = reading.diagnostics.len();
         let next = tokens.get(range.end).copied();
         for (first, mut item) in reading.items(&tokens[range], next) {
             document(&mut item, docs.of_item(before, first));
             items.push(item);
+        }
+        if let Some(end) = first_of(cut_off) {
+            let before = |found: &Diagnostic| found.span().start < end.start;
+            let found = reading.diagnostics.split_off(told);
+            reading.diagnostics.extend(found.into_iter().filter(before));
         }
     }
     items

@@ -4,7 +4,7 @@ use super::action::{Code, code};
 use super::drawing::{mark, side};
 use super::failure::{Failure, Mistake, Phrase};
 use super::foreign_syntax;
-use super::input::{Rule, Scene};
+use super::input::{Rule, Scene, slice};
 use super::name::{ident, name, plain_text, text, type_word};
 use super::recover;
 use crate::source::Span;
@@ -81,19 +81,23 @@ fn params<'t>(code: &Code<'t>) -> Rule<'t, Vec<Param>> {
             }
             Param { name, ty, default, span: scene.span() }
         })
-        .labelled(Phrase::Parameter)
-        .map(Some);
+        .labelled(Phrase::Parameter);
     let end = just(T::RightParen);
     let param =
-        end.not().ignore_then(param.recover_with(via_parser(recover::entry().map(|_| None))));
+        end.not().ignore_then(param.recover_with(via_parser(recover::entry().map_with(unread))));
     param
         .separated_by(just(T::Comma))
         .allow_trailing()
         .collect::<Vec<_>>()
-        .map(|params| params.into_iter().flatten().collect())
         .delimited_by(just(T::LeftParen), mark(T::RightParen))
         .recover_with(via_parser(recover::item_head().map(|_| Vec::new())))
         .boxed()
+}
+
+/// A parameter that cannot be read: calls have an argument for it, of any type.
+fn unread(span: Span, scene: &mut Scene) -> Param {
+    let name = Name { ident: Ident { text: slice(scene).to_string(), span }, index: None, span };
+    Param { name, ty: Ident { text: String::new(), span }, default: None, span }
 }
 
 /// `-> real`

@@ -8,7 +8,7 @@ use crate::syntax::token::TokenKind as T;
 use crate::syntax::tree::{Ident, Index, Name, qualified};
 use chumsky::prelude::*;
 
-fn ident_here(scene: &mut Scene) -> Ident {
+pub(super) fn ident_here(scene: &mut Scene) -> Ident {
     Ident { text: slice(scene).to_owned(), span: scene.span() }
 }
 

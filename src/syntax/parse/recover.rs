@@ -6,6 +6,7 @@
 
 use super::failure::Failure;
 use super::input::{Extra, Rule, Tokens};
+use super::report::line_before;
 use crate::source::Span;
 use crate::syntax::token::TokenKind as T;
 use chumsky::input::InputRef;
@@ -232,6 +233,5 @@ fn begins_line(input: &mut Input) -> bool {
     input.skip();
     let span = input.span_since(start.cursor());
     input.rewind(start);
-    let before = input.state().0.get(..span.start as usize).unwrap_or("");
-    before.trim_end_matches([' ', '\t']).ends_with('\n') || span.start == 0
+    line_before(input.state().0, span).trim().is_empty()
 }

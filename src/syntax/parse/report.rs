@@ -281,7 +281,7 @@ fn behind_comment(place: Span, text: &str) -> Span {
 }
 
 /// The text before a place on its line.
-fn line_before(text: &str, span: Span) -> &str {
+pub(super) fn line_before(text: &str, span: Span) -> &str {
     let before = text.get(..span.start as usize).unwrap_or("");
     before.rsplit('\n').next().unwrap_or("")
 }

@@ -48,7 +48,8 @@ pub fn of_pages() -> Vec<String> {
 }
 
 /// What the grammar is known to read otherwise. A keyword that touches a star: tree-sitter takes
-/// it for the name of a fan. And a word that begins items where any word may stand, as a field or a
+/// it for the name of a fan. A keyword at the start of a line is no field of the value before. And a
+/// word that begins items where any word may stand, as a field or a
 /// type, as `private`, a name, or as `test`, a name before a text: if it looks like the start of an
 /// item, hedgerow takes it for that, so that a file which someone is in the middle of typing falls
 /// apart into the right items.
@@ -67,8 +68,12 @@ pub fn is_known_to_differ(text: &str) -> bool {
         let begins_test = token.kind == T::Test
             && tokens.get(at + 1).is_some_and(|next| next.kind == T::Text)
             && is_in_braces(&tokens[..at]);
+        let goes_on = before(at, 1).is_some_and(|point| {
+            let between = point.span.end as usize..token.span.start as usize;
+            point.kind == T::Dot && text[between].contains('\n')
+        });
         begins_test
-            || touches && token.kind.is_keyword()
+            || (touches || goes_on) && token.kind.is_keyword()
             || begins.contains(&token.kind) && (leads(before(at, 1)) || leads(before(at, 2)))
     })
 }

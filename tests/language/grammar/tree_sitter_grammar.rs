@@ -63,7 +63,8 @@ fn every_program_is_read_exactly_when_hedgerow_reads_it() {
     for text in &files {
         assert!(both_read(&mut reader, text), "{text}");
     }
-    let read = pages.iter().filter(|text| both_read(&mut reader, text));
+    let alike = pages.iter().filter(|text| !is_known_to_differ(text));
+    let read = alike.filter(|text| both_read(&mut reader, text));
     assert!(read.count() > 150);
 }
 

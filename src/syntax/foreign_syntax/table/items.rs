@@ -195,10 +195,18 @@ pub(super) const LINES: &[Line] = &[
     sure("$t:word & ~&", "$t", "there are no references: an element is handed over as it is"),
     sure("$o=(/, $t:word * $n", "$o$n: $t", TYPED).at(PARAMETERS),
     sure("$c=: & $t:word", "$c $t", "there are no references: an element is handed over as it is"),
-    sure("$o=(/, $n $t=edge/face/vertex/halfedge/real/int/bool/vec2/vec3", "$o$n: $t", TYPED)
-        .at(PARAMETERS),
-    sure("$o=(/, $n = $t=edge/face/vertex/halfedge/real/int/bool/vec2/vec3", "$o$n: $t", TYPED)
-        .at(PARAMETERS),
+    sure(
+        "$o=(/, $n $t=edge/face/vertex/halfedge/real/int/bool/text/vec2/vec3/vec4/mat3/mat4",
+        "$o$n: $t",
+        TYPED,
+    )
+    .at(PARAMETERS),
+    sure(
+        "$o=(/, $n = $t=edge/face/vertex/halfedge/real/int/bool/text/vec2/vec3/vec4/mat3/mat4",
+        "$o$n: $t",
+        TYPED,
+    )
+    .at(PARAMETERS),
     sure("$o=(/, $t:word $n", "$o$n: $t", TYPED).at(PARAMETERS),
     sure(") : $t:word {", ") -> $t {", ARROW),
     sure(") => $t:word {", ") -> $t {", ARROW),

@@ -6,6 +6,7 @@ use crate::syntax::foreign_syntax::place::{CODE, PARTS};
 const LOOP: &str = "a loop is `for v in vertices where … { … }`";
 const COUNTED: &str = "a loop over ints is `for i in 0..n { … }`: from 0 up to, but without, n";
 const BRACES: &str = "a block stands in braces: `$w … { … }`";
+const FILTER: &str = "`drain` has no `where`: its body begins with `if not (…) { continue }`, and leaves out what is not meant";
 const LEAST: &str = "`drain` takes the least key first; `by -x` takes the greatest";
 const ORDERED: &str =
     "`for` has no order; `drain $n in … by x while … { … }` takes the least first";
@@ -94,11 +95,14 @@ pub(super) const LINES: &[Line] = &[
     sure("^for $t:word $n in", "for $n in", "a variable has no kind: `for $n in …`"),
     sure("^for $i in/=/from $a:part to/upto/through $b:part {", "for $i in $a..$b + 1 {", COUNTED),
     told("^for $i in/= $a:part ,/:/downto $b:part {", "for $i in $a..$b {", COUNTED),
+    sure("^for $n : $t:word in", "for $n in", "a variable has no kind: `for $n in …`"),
     sure("^for $n :/of/= $s:part {", "for $n in $s {", "a loop is `for $n in … { … }`"),
     sure("^for $i in $a:part .. = $n:part {", "for $i in $a..$n + 1 {", COUNTED),
     sure("^repeat $i in/=/: $a:part .. $n:part {", "for $i in $a..$n {", COUNTED),
     sure("^repeat $i in/=/: $n:some {", "for $i in 0..$n {", COUNTED),
     sure("^repeat $n:some times/time/x {", "repeat $n {", "it is `repeat n { … }`"),
+    told("^drain $n in $s:some where $c:some by $k:some {", "", FILTER),
+    told("^drain $n in $s:some by $k:some where $c:some {", "", FILTER),
     sure("^drain min/least/smallest/lowest $n in", "drain $n in", LEAST),
     told("^drain max/most/largest/greatest/highest $n in", "drain $n in", LEAST),
     sure(

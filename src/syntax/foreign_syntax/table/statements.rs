@@ -19,7 +19,7 @@ const UNNAMED_FACE: &str = "a cycle of arrows is a face: `face $f: …`";
 const UNNAMED_LOOP: &str =
     "a loop begins with its kind and its name: `face f: $v …`, or with `hole`, `loop`";
 const UNNAMED_RIM: &str =
-    "a statement begins with its kind, on both sides: `hole $f: …`, `loop $f: …`";
+    "a statement begins with its kind, on both sides: `face $f: …`, `hole $f: …`, `loop $f: …`";
 const UNNAMED_VERTEX: &str = "spokes belong to a vertex: `vertex $v: …`";
 const OUTER: &str = "the twin has a name of its own: `edge $e: $a | $a'`";
 const ARROW: &str = "a halfedge is drawn `v0 -a-> v1`, a path `v0 =P=> v1`";
