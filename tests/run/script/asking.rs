@@ -3,6 +3,7 @@
 use super::*;
 use hedgerow::mesh::{VertexId, identical, shape};
 use hedgerow::{Program, Session};
+use support::dice::Dice;
 
 /// Ops with and without a guard.
 const MIXED: &str = r#"
@@ -239,10 +240,11 @@ fn a_guarded_op_may_follow_any_other() {
     }
 }
 
-/// What is asked is undone, and with it the level that its steps have found.
+/// What is asked is undone, and with it what its steps have found about the level: a script does the
+/// same with questions as without.
 #[test]
-fn a_question_leaves_no_level_behind() {
-    let ops = r#"
+fn questions_change_nothing() {
+    let ops = "
 op open(f: face) {
   before { face f: v -a-> w =P=> v }
   after { hole f: v -a-> w =P=> v }
@@ -252,22 +254,42 @@ op probe(f: face, e: edge) {
     must open(f)
     flip(e)
   }
-}
-script main(asks: bool) {
-  let f = argmin(0 for g in faces)
-  let e = f.halfedge.edge
-  if asks { print can probe(f, e), why probe(f, e) }
-  flip(e)
-}"#;
-    for asks in ["false", "true"] {
-        // Two faces have the same corners, until one of them is opened.
-        let mut mesh = shape::pillow(4);
-        let before = mesh.clone();
-        let told = run_alone(&mut mesh, &format!("{MIXED}\n{ops}"), &[("asks", asks)]);
-        let told = told.unwrap_err();
-        assert_eq!(told.diagnostic.code, "below-level", "asks={asks}");
-        assert!(identical(&mesh, &before));
+}";
+    let calls = ["turn(e)", "flip(e)", "open(f)", "both(e)", "never(e)", "probe(f, e)"];
+    let mut dice = Dice(29);
+    let (mut done, mut stopped) = (0, 0);
+    for round in 0..40 {
+        let mut body = String::new();
+        for _ in 0..1 + dice.below(5) {
+            let mut call = || calls[dice.below(calls.len())];
+            let (asked, other, called) = (call(), call(), call());
+            let question = format!("if asks {{ if can {asked} {{ }} print why {other} }}");
+            body += &format!("f = e.halfedge.face {question} {called}\n");
+        }
+        let script = format!(
+            "script main(asks: bool) {{ for e in edges {{ var f = e.halfedge.face\n{body} }} }}"
+        );
+        let program = format!("{MIXED}\n{ops}\n{script}");
+        // Two faces of a pillow have the same corners, until one of them is opened.
+        for shape in [shape::pillow(3), shape::pillow(4), shape::tetrahedron(), shape::grid(2, 1)] {
+            let [without, with] = ["false", "true"].map(|asks| {
+                let mut mesh = shape.clone();
+                let done = run_alone(&mut mesh, &program, &[("asks", asks)]);
+                (done.map(|(report, _)| report).map_err(|told| told.diagnostic), mesh)
+            });
+            // A question stops, too, on a mesh below the level that it is for.
+            assert!(without.0.is_ok() || with.0.is_err(), "round {round}: {script}");
+            if with.0.is_ok() {
+                assert_eq!(without.0, with.0, "round {round}: {script}");
+                assert!(identical(&without.1, &with.1), "round {round}: {script}");
+            }
+            match with.0 {
+                Ok(_) => done += 1,
+                Err(_) => stopped += 1,
+            }
+        }
     }
+    assert!(done > 10 && stopped > 40, "{done} done, {stopped} stopped");
 }
 
 #[test]
