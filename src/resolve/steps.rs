@@ -16,7 +16,7 @@ use super::property::properties;
 use super::report::Report;
 use super::routine::resolve_body;
 use super::signature::{Effects, FunctionSignature, Parameter, Signature, Value};
-use super::type_name::type_named;
+use super::type_name::type_among;
 
 /// The signature of an op in steps, for its calls, and the op without its steps.
 pub(super) fn steps_signature(
@@ -36,7 +36,7 @@ pub(super) fn steps_signature(
             report.add(error.fix(format!("write `{kind}`"), word.span, kind));
             Value::Unknown
         }
-        Some(word) => match type_named(word, report) {
+        Some(word) => match type_among(word, |ty| ty.is_element(), report) {
             Some(ty) if ty.is_element() => Value::Of(ty),
             Some(ty) => {
                 let message = format!(

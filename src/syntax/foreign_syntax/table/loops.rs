@@ -6,6 +6,7 @@ use crate::syntax::foreign_syntax::place::{CODE, PARTS};
 const LOOP: &str = "a loop is `for v in vertices where … { … }`";
 const COUNTED: &str = "a loop over ints is `for i in 0..n { … }`: from 0 up to, but without, n";
 const BRACES: &str = "a block stands in braces: `$w … { … }`";
+const FILTERED: &str = "a loop over some elements is `for $n in … where … { … }`";
 const FILTER: &str = "`drain` has no `where`: its body begins with `if not (…) { continue }`, and leaves out what is not meant";
 const LEAST: &str = "`drain` takes the least key first; `by -x` takes the greatest";
 const ORDERED: &str =
@@ -62,6 +63,7 @@ pub(super) const LINES: &[Line] = &[
         "for $n in $s { }",
         "what is done for each stands in braces: `for $n in $s { … }`",
     ),
+    sure("^for $n in $s:some , if/where/when $c:some {", "for $n in $s where $c {", FILTERED),
     sure("^for $n in $s=vertices/edges/faces/halfedges/holes : {", "for $n in $s {", COLON),
     sure("^$k=for/if/while $c:some : {", "$k $c {", COLON),
     sure(
@@ -163,5 +165,5 @@ pub(super) const LINES: &[Line] = &[
         "",
         "what is drawn is an operation: `op name(e: edge) { before { … } after { … } }`",
     ),
-    told("^end $:end", "", "a block ends with `}`"),
+    told("^end $:end", "", "a block ends with `}`, without `end`"),
 ];
