@@ -83,6 +83,8 @@ pub(super) struct Declared {
     hidden_attributes: Vec<Head>,
     /// The functions of the language whose names the file declares, which is an error.
     taken: HashSet<String>,
+    /// The names that the file declares several times, which is an error.
+    repeated: HashSet<String>,
     /// True if a used file is missing.
     lacks: bool,
     /// The meanings of the words after dots that have been seen so far.
@@ -164,7 +166,9 @@ impl Declared {
             return Some(Diagnostic::error("duplicate-name", message, name.span));
         }
         if let Some(first) = self.called.get(&name.text) {
-            return Some(duplicate(first.what.a_word(), name, first.span));
+            let told = duplicate(first.what.a_word(), name, first.span);
+            self.repeated.insert(name.text.clone());
+            return Some(told);
         }
         self.called.insert(name.text.clone(), named);
         None
@@ -259,8 +263,11 @@ impl Declared {
         }
     }
 
-    /// Reports a name that is ambiguous.
+    /// Reports a name that is ambiguous; one that the file declares several times has been reported.
     pub(super) fn expect_one(&self, name: &Ident, report: &mut Report) -> Option<()> {
+        if self.repeated.contains(&name.text) {
+            return report.give_up();
+        }
         let (Some(first), Some(other)) = (self.called(&name.text), self.others.get(&name.text))
         else {
             return Some(());

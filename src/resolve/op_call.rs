@@ -207,6 +207,7 @@ impl Typing<'_> {
         args: &[tree::Expr],
         span: Span,
     ) -> Option<(usize, Vec<Expr>)> {
+        self.declared.expect_one(function, self.report)?;
         let number = self.declared.op(&function.text);
         let ops = self.ops;
         let found = number.and_then(|number| Some((number, ops.get(number)?)));
@@ -217,7 +218,6 @@ impl Typing<'_> {
             }
             return None;
         };
-        self.declared.expect_one(function, self.report)?;
         let values = self.arguments(&op.name, &op.params, args, span)?;
         Some((number, values))
     }
