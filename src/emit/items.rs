@@ -51,10 +51,25 @@ pub(in crate::emit) fn items<'s>(
     Ok(Items { called: builder.called, ops })
 }
 
-/// The levels that a step of the operations may lower.
+/// The levels that some step of the operations may lower.
 fn lowered(selection: &Selection<'_>, effects: &AllEffects) -> Vec<Level> {
-    let calls = selection.ops.iter().filter_map(|&op| effects.ops.get(op));
-    let steps = calls.flat_map(|of| &of.calls).filter_map(|&op| selection.drawn(op));
+    let mut called = BTreeSet::new();
+    let mut open: Vec<_> = selection.ops.iter().map(|&op| Need::Op(op)).collect();
+    while let Some(need) = open.pop() {
+        let found = match need {
+            Need::Op(op) => effects.ops.get(op),
+            Need::Function(number) => effects.function(number),
+        };
+        let calls = found.into_iter().flat_map(|found| {
+            let functions = found.functions.iter().map(|&number| Need::Function(number));
+            found.calls.iter().map(|&op| Need::Op(op)).chain(functions)
+        });
+        open.extend(calls.filter(|&need| called.insert(need)));
+    }
+    let steps = called.iter().filter_map(|need| match need {
+        Need::Op(op) => selection.drawn(*op),
+        Need::Function(_) => None,
+    });
     let kept: Vec<_> = steps.map(|step| step.keeps()).collect();
     let is_lowered = |level: &Level| {
         *level > Level::Map && kept.iter().any(|kept| !kept.contains(&Property::Level(*level)))
@@ -90,7 +105,7 @@ pub(in crate::emit) struct Source<'s> {
     pub functions: Vec<String>,
     /// The names of the functions that compute a value, by number.
     pub values: Vec<Option<String>>,
-    /// The levels that a step may lower.
+    /// The levels that some step may lower.
     lowered: Vec<Level>,
 }
 
@@ -134,7 +149,7 @@ impl Builder<'_> {
 }
 
 impl<'s> Source<'s> {
-    /// The level that a step requires of the mesh, if a step before it may have lowered that.
+    /// The level that a step requires of the mesh, if some step may lower that.
     pub fn level_to_expect(&self, op: usize) -> Option<Level> {
         let level = match self.selection.steps(op) {
             Some(steps) => steps.level,

@@ -22,7 +22,7 @@ pub struct Effects {
     pub attributes: BTreeSet<u32>,
     /// The operations that it calls or asks about, each with the first place where it does.
     pub ops: BTreeMap<usize, Span>,
-    /// Those that it calls, also through what it calls.
+    /// Those that it calls.
     pub calls: BTreeSet<usize>,
     /// The functions that it calls.
     pub functions: BTreeSet<u32>,
@@ -77,7 +77,6 @@ impl AllEffects {
                 if let Some(called) = self.ops.get(op) {
                     effects.changes = true;
                     effects.erases.extend(&called.erases);
-                    effects.calls.extend(&called.calls);
                 }
             }
             for function in effects.functions.clone() {
@@ -86,7 +85,6 @@ impl AllEffects {
                     effects.refuses |= called.refuses;
                     effects.erases.extend(&called.erases);
                     effects.attributes.extend(&called.attributes);
-                    effects.calls.extend(&called.calls);
                 }
             }
             let known = match functions {

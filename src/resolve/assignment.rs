@@ -310,7 +310,6 @@ fn is_path(expr: &tree::Expr) -> bool {
     }
 }
 
-/// True if an operand could not be read, which the parser has reported.
 /// True if a value reads a name.
 fn reads(value: &tree::Expr, word: &str) -> bool {
     let mut found = false;
@@ -322,6 +321,7 @@ fn reads(value: &tree::Expr, word: &str) -> bool {
     found
 }
 
+/// True if an operand could not be read, which the parser has reported.
 fn is_broken(expr: &tree::Expr) -> bool {
     match &expr.kind {
         tree::ExprKind::Broken => true,

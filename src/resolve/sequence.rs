@@ -211,26 +211,29 @@ impl Typing<'_> {
         Some(typed(Type::Int, ExprKind::Fold(Box::new(fold)), span))
     }
 
-    /// The first name in a value that is not known and may be that of an element.
+    /// The first name in a value that is not known and may be that of an element; none in a value
+    /// that has names of its own.
     fn unknown_element<'t>(&self, value: &'t tree::Expr) -> Option<&'t Ident> {
         let is_known = |word: &str| {
             let is_drawn = match self.place {
-                Place::Rule(names) => names.words().any(|known| known == word),
+                Place::Rule(names) => names.find(word).is_some(),
                 Place::Default(_) | Place::Script => false,
             };
             is_drawn || self.scopes.find(word).is_some() || self.declared.is_called(word)
         };
-        let mut found = None;
+        let (mut found, mut names_others) = (None, false);
         each_part(Part::Expr(value), |part| match part {
             Part::Expr(tree::Expr { kind: tree::ExprKind::Name(name), .. }) => {
                 let is_letter = name.index.is_none() && name.ident.text.len() == 1;
-                if is_letter && !is_known(&name.ident.text) {
-                    found = found.or(Some(&name.ident));
+                if found.is_none() && is_letter && !is_known(&name.ident.text) {
+                    found = Some(&name.ident);
                 }
             }
-            _ => {}
+            Part::Expr(tree::Expr { kind: tree::ExprKind::Aggregate { .. }, .. })
+            | Part::Block(_) => names_others = true,
+            Part::Expr(_) => {}
         });
-        found
+        found.filter(|_| !names_others)
     }
 
     /// Reports `mean(v.neighbors.position)`: an aggregate names the element.

@@ -142,8 +142,7 @@ impl Lexed {
         if holes.is_open && !is_cut_off {
             let message = "a value in a text ends with `}`";
             let found = Diagnostic::error("unterminated-text", message, tail);
-            let rest = text.get(span.end as usize..).unwrap_or("");
-            let note = if rest.starts_with(|c: char| c.is_alphanumeric() || c == ' ') {
+            let note = if holes.is_nested {
                 self.cut_off.push(tail);
                 "a quote ends the text: one that is meant in it is bound before, by `let`"
             } else {

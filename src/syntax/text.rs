@@ -41,11 +41,13 @@ pub struct Holes {
     pub values: Vec<Range<usize>>,
     /// True if the closing brace of the last value is missing.
     pub is_open: bool,
+    /// True if a brace within that value is open, too: its text goes on behind a quote.
+    pub is_nested: bool,
 }
 
 /// Finds the values in a text token: `"mean {mean(len):.3}"` has one.
 pub fn holes(token: &str) -> Holes {
-    let mut holes = Holes { values: Vec::new(), is_open: false };
+    let mut holes = Holes { values: Vec::new(), is_open: false, is_nested: false };
     let mut begun: Option<Hole> = None;
     let mut chars = token.char_indices().peekable();
     while let Some((at, character)) = chars.next() {
@@ -72,6 +74,7 @@ pub fn holes(token: &str) -> Holes {
     }
     if let Some(hole) = begun {
         holes.is_open = true;
+        holes.is_nested = hole.depth > 0;
         let end = token.len() - usize::from(token.ends_with('"'));
         holes.values.push(hole.start..end.max(hole.start));
     }

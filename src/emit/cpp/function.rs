@@ -12,6 +12,9 @@ use crate::emit::print::{self, Part};
 use crate::emit::{NotEmitted, Selection};
 use crate::source::Span;
 
+/// The namespace of what operations call, unless a style names another.
+const DEFAULT: &str = "hedgerow";
+
 /// The namespace of the functions that operations call, until its name is known: that depends on
 /// their texts, since two programs may have functions of the same name.
 pub(in crate::emit) const CALLED: &str = "hedgerow::p00000000::";
@@ -73,6 +76,12 @@ fn is_contradictory(style: &Style, ops: &[Item]) -> Option<String> {
             ops[0].signature.declared
         ));
     }
+    let space = style.name("namespace");
+    if ops.iter().any(|op| style.name_of(&op.signature, Part::Selected) == space) {
+        return Some(format!(
+            "`{space}` is the name of a function, and cannot be that of a namespace"
+        ));
+    }
     let mut named = BTreeMap::new();
     ops.iter().map(|op| &op.signature).find_map(|head| {
         let name = style.name_of(head, Part::Selected);
@@ -116,15 +125,16 @@ fn file(
     needed: &[(&str, &str)],
     body: &str,
 ) -> String {
-    // In another style, or by another version of hedgerow, these are others.
+    // In object files for another mesh class, or by another version of hedgerow, these are others.
     let spelled = |(name, text): (&str, &str)| support::spelled(name, text, style);
     let key = named('v', &(CPP.all().map(spelled).collect::<String>() + style.name("namespace")));
-    let functions = needed.iter().map(|&(name, text)| once(&key, name, &spelled((name, text))));
+    let space = style.name("namespace").replace("::", "_");
+    let functions = needed.iter().map(|&(name, text)| once(&space, name, &spelled((name, text))));
     let mut functions = functions.collect::<String>();
     let called = named('p', &format!("{key}{outside}"));
     if !outside.is_empty() {
         let text = format!("namespace {called} {{\n\n{}\n}}", outside.trim_end());
-        functions += &once(&key, &called, &text);
+        functions += &once(&space, &called, &text);
     }
     let called = format!("hedgerow::{called}::");
     let [functions, body] = [&functions, body].map(|text| text.replace(CALLED, &called));
@@ -146,12 +156,21 @@ fn file(
     let text = format!(
         "{head}\nnamespace hedgerow {{\ninline namespace {key} {{\n{functions}\n}}\n}}  // namespace hedgerow\n\n{body}"
     );
-    match style.name("namespace") {
-        "hedgerow" => text,
-        name => text
-            .replace("hedgerow::", &format!("{name}::"))
-            .replace("namespace hedgerow", &format!("namespace {name}")),
+    let name = style.name("namespace");
+    if name == DEFAULT { text } else { renamed(&text, name) }
+}
+
+/// A text with another name for the namespace `hedgerow`.
+fn renamed(text: &str, name: &str) -> String {
+    let mut parts = text.split(DEFAULT);
+    let mut out = parts.next().unwrap_or_default().to_string();
+    for part in parts {
+        let is_inside = out.ends_with(|c: char| c.is_alphanumeric() || "_:\"/".contains(c));
+        let is_space = part.starts_with("::") || out.ends_with("namespace ");
+        out += if is_space && !is_inside { name } else { DEFAULT };
+        out += part;
     }
+    out
 }
 
 /// A name for a text, by its hash FNV-1a (Fowler, Noll and Vo, 1991).
@@ -160,12 +179,12 @@ fn named(letter: char, text: &str) -> String {
     format!("{letter}{:08x}", text.bytes().fold(0x811c_9dc5, hash))
 }
 
-/// A text in an include guard, so that several emitted files can be combined; `key` distinguishes
-/// texts for other mesh classes.
-fn once(key: &str, name: &str, text: &str) -> String {
+/// A text in an include guard of a namespace, so that several emitted files can be combined.
+fn once(space: &str, name: &str, text: &str) -> String {
     let words = name.split(|c: char| !c.is_ascii_alphanumeric());
     let words: Vec<_> = words.filter(|word| !word.is_empty()).collect();
     // Names that differ only in case are distinct.
-    let guard = format!("HEDGEROW_{key}_{}", words.join("_"));
+    let space = if space == DEFAULT { String::new() } else { format!("_{space}") };
+    let guard = format!("HEDGEROW{space}_{}", words.join("_"));
     format!("\n#ifndef {guard}\n#define {guard}\n{text}\n#endif\n")
 }

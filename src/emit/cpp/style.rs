@@ -101,6 +101,12 @@ impl Style {
                 )));
             }
         }
+        let first = |name: &'static str| self.name(name).split("::").next().unwrap_or_default();
+        let space = first("namespace");
+        let is_class = space == self.name("mesh") || self.name("namespace") == self.name("mesh");
+        if space == "std" || is_class {
+            return Err(StyleError(format!("`namespace={space}` is no namespace of its own")));
+        }
         let mut code = self.code().filter(|_| self.is_member());
         match code.find(|(_, pattern)| free_words(pattern).iter().any(|(word, _)| *word == "mesh"))
         {

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::Printer;
 use super::lines::{Lines, comment};
-use super::support::names;
+use super::support::{code, names};
 use crate::diagram::Level;
 use crate::emit::item::{Alternative, Item, ItemBody, Parameter, Signature};
 use crate::emit::language::Language;
@@ -181,12 +181,15 @@ impl Printer<'_> {
 /// The names of the functions for the alternatives of an operation, which none of them uses for
 /// something else.
 fn rule_names(rules: &[Alternative], signature: &Signature, texts: &[String]) -> Vec<String> {
+    let texts: Vec<_> = texts.iter().map(|text| code(text)).collect();
     let mut taken: BTreeSet<_> = signature.params.iter().map(|param| param.name.clone()).collect();
     let name = |(at, rule): (usize, &Alternative)| {
         let label = rule.label.clone().unwrap_or_else(|| (at + 1).to_string());
-        let mut name = format!("rule_{}", label.replace('\'', "_"));
+        let word = format!("rule_{}", label.replace('\'', "_"));
+        let (mut name, mut number) = (word.clone(), 2);
         while texts.iter().any(|text| names(text, &name)) || !taken.insert(name.clone()) {
-            name = format!("{}_2", name.trim_end_matches('_'));
+            name = format!("{}_{number}", word.trim_end_matches('_'));
+            number += 1;
         }
         name
     };

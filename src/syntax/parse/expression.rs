@@ -7,7 +7,7 @@ use super::foreign_syntax;
 use super::input::{Rule, Scene, slice};
 use super::name::{ident, ident_here, int_here, name, name_here, qualified_name, text};
 use super::recover;
-use super::report::line_before;
+use super::report;
 use super::text::text_with_values;
 use crate::source::Span;
 use crate::syntax::token::TokenKind as T;
@@ -249,7 +249,7 @@ pub(super) fn sequence<'t>(expression: &Rule<'t, Expr>) -> Rule<'t, Expr> {
 
 /// True if a token is the first on its line.
 fn begins_line(scene: &mut Scene) -> bool {
-    line_before(scene.state().0, scene.span()).trim().is_empty()
+    report::begins_line(scene.state().0, scene.span())
 }
 
 fn called_with(name: Name, mut arguments: Arguments) -> ExprKind {

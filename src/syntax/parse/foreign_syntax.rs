@@ -2,7 +2,7 @@
 
 use super::failure::{Failure, Mistake, Phrase};
 use super::input::{Extra, Rule, Tokens, slice};
-use super::report::{Around, line_before};
+use super::report::{Around, begins_line};
 use crate::diagnostic::Diagnostic;
 use crate::source::Span;
 use crate::syntax::token::{Token, TokenKind as T};
@@ -77,10 +77,7 @@ pub(super) fn told_here(told: Diagnostic, failure: &Failure, around: &Around) ->
             Some(_) => told.note("a vector is `vec3(x, y, z)`"),
             None => told,
         },
-        T::If
-            if failure.wanted.has(T::Where)
-                && !line_before(around.text, here.span).trim().is_empty() =>
-        {
+        T::If if failure.wanted.has(T::Where) && !begins_line(around.text, here.span) => {
             written(told, here.span, "where")
         }
         T::DotDot => told.note("a range stands in the head of a loop: `for i in 0..n { … }`"),

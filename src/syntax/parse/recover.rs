@@ -6,7 +6,7 @@
 
 use super::failure::Failure;
 use super::input::{Extra, Rule, Tokens};
-use super::report::line_before;
+use super::report;
 use crate::source::Span;
 use crate::syntax::token::TokenKind as T;
 use chumsky::input::InputRef;
@@ -233,5 +233,5 @@ fn begins_line(input: &mut Input) -> bool {
     input.skip();
     let span = input.span_since(start.cursor());
     input.rewind(start);
-    line_before(input.state().0, span).trim().is_empty()
+    report::begins_line(input.state().0, span)
 }

@@ -280,8 +280,15 @@ fn behind_comment(place: Span, text: &str) -> Span {
     }
 }
 
+/// True if a place is the first on its line, apart from blanks.
+pub(super) fn begins_line(text: &str, place: Span) -> bool {
+    let before = text.get(..place.start as usize).unwrap_or("");
+    let before = before.trim_end_matches(|c: char| c.is_whitespace() && c != '\n');
+    before.is_empty() || before.ends_with('\n')
+}
+
 /// The text before a place on its line.
-pub(super) fn line_before(text: &str, span: Span) -> &str {
+fn line_before(text: &str, span: Span) -> &str {
     let before = text.get(..span.start as usize).unwrap_or("");
     before.rsplit('\n').next().unwrap_or("")
 }

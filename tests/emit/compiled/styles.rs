@@ -146,8 +146,8 @@ fn what_a_style_makes_compiles() {
     }
 }
 
-/// Programs with functions of the same names, meshes of two classes, and a program in a namespace of
-/// the reader's.
+/// Programs with functions of the same names, two styles of a mesh class, two mesh classes, and a
+/// program in a namespace of the reader's.
 #[test]
 fn what_is_emitted_compiles_together() {
     if !has_compiler() {
@@ -166,11 +166,19 @@ fn what_is_emitted_compiles_together() {
     let other = ["mesh=course::Mesh", "Vector=course::Vec3", "namespace=course::ops"];
     let other = emitted(&other).unwrap();
     let apart = emitted(&["namespace=apart_ops"]).unwrap();
+    let braced = [
+        "set_boundary=({of}->boundary) = {value}",
+        "function.flip=turn",
+        "function.widen=w",
+        "function.inset=draw_in",
+        "function.make_hole=open",
+    ];
+    let braced = emitted(&braced).unwrap();
     let bench = TempDir::new().unwrap();
     fs::write(bench.path().join("mesh.h"), mesh(&[])).unwrap();
     let course = mesh(&[("#pragma once", "")]);
     let code = format!(
-        "#include \"mesh.h\"\nnamespace course {{\n{course}\n}}\n{own}{other}{light}{heavy}\nnamespace apart {{\n{apart}\n}}\n"
+        "#include \"mesh.h\"\nnamespace course {{\n{course}\n}}\n{own}{braced}{other}{light}{heavy}\nnamespace apart {{\n{apart}\n}}\n"
     );
     fs::write(bench.path().join("code.cpp"), code).unwrap();
     let args = ["-std=c++17", "-fsyntax-only", "-Wall", "-Wextra", "-Werror", "code.cpp"];
@@ -193,6 +201,9 @@ fn a_style_that_cannot_compile_is_refused() {
         (&["read={of}->{pointer}("], "has a bracket that does not match another"),
         (&["Vertex=union"], "`union` is not a C++ name, as `Vertex` must be"),
         (&["Vertex=V*"], "an alias is one, `using T = V*;`"),
+        (&["namespace=Mesh"], "no namespace of its own"),
+        (&["namespace=std::hedge"], "no namespace of its own"),
+        (&["namespace=turn", "function.flip=turn"], "cannot be that of a namespace"),
         (&["result=maybe"], "`result` is one of `bool` and `given`"),
         (&["function.flip=a::b"], "`a::b` is not a C++ name"),
         (&["member=yes", "Vertex=Ref", "Face=Ref"], "`Vertex` and `Face` are one type"),

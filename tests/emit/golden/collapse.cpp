@@ -6,8 +6,8 @@
 namespace hedgerow {
 inline namespace ve24099de {
 
-#ifndef HEDGEROW_ve24099de_spokes
-#define HEDGEROW_ve24099de_spokes
+#ifndef HEDGEROW_spokes
+#define HEDGEROW_spokes
 /// The halfedges that start at v, counterclockwise.
 inline std::vector<Mesh::HalfedgeRef> spokes(Mesh::VertexRef v) {
   std::vector<Mesh::HalfedgeRef> all;
@@ -21,8 +21,8 @@ inline std::vector<Mesh::HalfedgeRef> spokes(Mesh::VertexRef v) {
 }
 #endif
 
-#ifndef HEDGEROW_ve24099de_halfedges
-#define HEDGEROW_ve24099de_halfedges
+#ifndef HEDGEROW_halfedges
+#define HEDGEROW_halfedges
 /// The halfedges of f, counterclockwise.
 inline std::vector<Mesh::HalfedgeRef> halfedges(Mesh::FaceRef f) {
   std::vector<Mesh::HalfedgeRef> all;
@@ -35,8 +35,8 @@ inline std::vector<Mesh::HalfedgeRef> halfedges(Mesh::FaceRef f) {
 }
 #endif
 
-#ifndef HEDGEROW_ve24099de_neighbors
-#define HEDGEROW_ve24099de_neighbors
+#ifndef HEDGEROW_neighbors
+#define HEDGEROW_neighbors
 /// The vertices at the other ends of the edges of v.
 inline std::vector<Mesh::VertexRef> neighbors(Mesh::VertexRef v) {
   std::vector<Mesh::VertexRef> all;
@@ -45,8 +45,8 @@ inline std::vector<Mesh::VertexRef> neighbors(Mesh::VertexRef v) {
 }
 #endif
 
-#ifndef HEDGEROW_ve24099de_faces_of_vertex
-#define HEDGEROW_ve24099de_faces_of_vertex
+#ifndef HEDGEROW_faces_of_vertex
+#define HEDGEROW_faces_of_vertex
 /// The faces around v, without holes.
 inline std::vector<Mesh::FaceRef> faces_of_vertex(Mesh::VertexRef v) {
   std::vector<Mesh::FaceRef> all;
@@ -57,8 +57,8 @@ inline std::vector<Mesh::FaceRef> faces_of_vertex(Mesh::VertexRef v) {
 }
 #endif
 
-#ifndef HEDGEROW_ve24099de_vertices
-#define HEDGEROW_ve24099de_vertices
+#ifndef HEDGEROW_vertices
+#define HEDGEROW_vertices
 /// The corners of f.
 inline std::vector<Mesh::VertexRef> vertices(Mesh::FaceRef f) {
   std::vector<Mesh::VertexRef> all;
@@ -67,8 +67,8 @@ inline std::vector<Mesh::VertexRef> vertices(Mesh::FaceRef f) {
 }
 #endif
 
-#ifndef HEDGEROW_ve24099de_on_boundary
-#define HEDGEROW_ve24099de_on_boundary
+#ifndef HEDGEROW_on_boundary
+#define HEDGEROW_on_boundary
 /// Whether a hole is among the faces around v.
 inline bool on_boundary(Mesh::VertexRef v) {
   Mesh::HalfedgeRef h = v->halfedge;
@@ -80,8 +80,8 @@ inline bool on_boundary(Mesh::VertexRef v) {
 }
 #endif
 
-#ifndef HEDGEROW_ve24099de_holds
-#define HEDGEROW_ve24099de_holds
+#ifndef HEDGEROW_holds
+#define HEDGEROW_holds
 /// Whether all contains x.
 template <class T>
 bool holds(const std::vector<T>& all, T x) {
@@ -89,8 +89,8 @@ bool holds(const std::vector<T>& all, T x) {
 }
 #endif
 
-#ifndef HEDGEROW_ve24099de_same_elements
-#define HEDGEROW_ve24099de_same_elements
+#ifndef HEDGEROW_same_elements
+#define HEDGEROW_same_elements
 /// Whether a and b have the same elements, in any order.
 template <class T>
 bool same_elements(const std::vector<T>& a, const std::vector<T>& b) {
@@ -98,8 +98,8 @@ bool same_elements(const std::vector<T>& a, const std::vector<T>& b) {
 }
 #endif
 
-#ifndef HEDGEROW_ve24099de_link_condition
-#define HEDGEROW_ve24099de_link_condition
+#ifndef HEDGEROW_link_condition
+#define HEDGEROW_link_condition
 /// Whether contracting e, and the triangles at it, leaves a simple mesh simple: its ends share
 /// the tips of the triangles at e and no other neighbor, and no face that is not at e; both are
 /// on the boundary only if e is, and then its hole has more than three sides; and no two faces

@@ -16,8 +16,8 @@
 namespace hedgerow {
 inline namespace ve24099de {
 
-#ifndef HEDGEROW_ve24099de_spokes
-#define HEDGEROW_ve24099de_spokes
+#ifndef HEDGEROW_spokes
+#define HEDGEROW_spokes
 /// The halfedges that start at v, counterclockwise.
 inline std::vector<Mesh::HalfedgeRef> spokes(Mesh::VertexRef v) {
   std::vector<Mesh::HalfedgeRef> all;
@@ -31,8 +31,8 @@ inline std::vector<Mesh::HalfedgeRef> spokes(Mesh::VertexRef v) {
 }
 #endif
 
-#ifndef HEDGEROW_ve24099de_halfedges
-#define HEDGEROW_ve24099de_halfedges
+#ifndef HEDGEROW_halfedges
+#define HEDGEROW_halfedges
 /// The halfedges of f, counterclockwise.
 inline std::vector<Mesh::HalfedgeRef> halfedges(Mesh::FaceRef f) {
   std::vector<Mesh::HalfedgeRef> all;
@@ -45,8 +45,8 @@ inline std::vector<Mesh::HalfedgeRef> halfedges(Mesh::FaceRef f) {
 }
 #endif
 
-#ifndef HEDGEROW_ve24099de_neighbors
-#define HEDGEROW_ve24099de_neighbors
+#ifndef HEDGEROW_neighbors
+#define HEDGEROW_neighbors
 /// The vertices at the other ends of the edges of v.
 inline std::vector<Mesh::VertexRef> neighbors(Mesh::VertexRef v) {
   std::vector<Mesh::VertexRef> all;
@@ -55,8 +55,8 @@ inline std::vector<Mesh::VertexRef> neighbors(Mesh::VertexRef v) {
 }
 #endif
 
-#ifndef HEDGEROW_ve24099de_vertices
-#define HEDGEROW_ve24099de_vertices
+#ifndef HEDGEROW_vertices
+#define HEDGEROW_vertices
 /// The corners of f.
 inline std::vector<Mesh::VertexRef> vertices(Mesh::FaceRef f) {
   std::vector<Mesh::VertexRef> all;
@@ -65,8 +65,8 @@ inline std::vector<Mesh::VertexRef> vertices(Mesh::FaceRef f) {
 }
 #endif
 
-#ifndef HEDGEROW_ve24099de_holds
-#define HEDGEROW_ve24099de_holds
+#ifndef HEDGEROW_holds
+#define HEDGEROW_holds
 /// Whether all contains x.
 template <class T>
 bool holds(const std::vector<T>& all, T x) {
@@ -74,8 +74,8 @@ bool holds(const std::vector<T>& all, T x) {
 }
 #endif
 
-#ifndef HEDGEROW_ve24099de_all_differ
-#define HEDGEROW_ve24099de_all_differ
+#ifndef HEDGEROW_all_differ
+#define HEDGEROW_all_differ
 /// Whether all are different.
 template <class T>
 bool all_differ(const std::vector<T>& all) {
@@ -86,8 +86,8 @@ bool all_differ(const std::vector<T>& all) {
 }
 #endif
 
-#ifndef HEDGEROW_ve24099de_same_elements
-#define HEDGEROW_ve24099de_same_elements
+#ifndef HEDGEROW_same_elements
+#define HEDGEROW_same_elements
 /// Whether a and b have the same elements, in any order.
 template <class T>
 bool same_elements(const std::vector<T>& a, const std::vector<T>& b) {
@@ -95,15 +95,15 @@ bool same_elements(const std::vector<T>& a, const std::vector<T>& b) {
 }
 #endif
 
-#ifndef HEDGEROW_ve24099de_is_finite
-#define HEDGEROW_ve24099de_is_finite
+#ifndef HEDGEROW_is_finite
+#define HEDGEROW_is_finite
 inline bool is_finite(Vec3 a) {
   return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
 }
 #endif
 
-#ifndef HEDGEROW_ve24099de_floor_div
-#define HEDGEROW_ve24099de_floor_div
+#ifndef HEDGEROW_floor_div
+#define HEDGEROW_floor_div
 /// a / b, rounded down.
 inline long long floor_div(long long a, long long b) {
   if (b == 0) throw std::domain_error("division by zero");
@@ -114,8 +114,8 @@ inline long long floor_div(long long a, long long b) {
 }
 #endif
 
-#ifndef HEDGEROW_ve24099de_floor_mod
-#define HEDGEROW_ve24099de_floor_mod
+#ifndef HEDGEROW_floor_mod
+#define HEDGEROW_floor_mod
 /// The remainder of a / b, with the sign of b.
 inline long long floor_mod(long long a, long long b) {
   if (b == 0) throw std::domain_error("division by zero");
@@ -125,14 +125,14 @@ inline long long floor_mod(long long a, long long b) {
 }
 #endif
 
-#ifndef HEDGEROW_ve24099de_Refused
-#define HEDGEROW_ve24099de_Refused
+#ifndef HEDGEROW_Refused
+#define HEDGEROW_Refused
 /// Thrown by a step that must be done and refuses.
 struct Refused {};
 #endif
 
-#ifndef HEDGEROW_ve24099de_must
-#define HEDGEROW_ve24099de_must
+#ifndef HEDGEROW_must
+#define HEDGEROW_must
 /// The result of a step that must be done.
 template <class T>
 T must(const std::optional<T>& done) {
@@ -144,8 +144,8 @@ inline void must(bool done) {
 }
 #endif
 
-#ifndef HEDGEROW_ve24099de_Journal
-#define HEDGEROW_ve24099de_Journal
+#ifndef HEDGEROW_Journal
+#define HEDGEROW_Journal
 /// The level of a mesh, as in the language reference.
 enum class Level { map, surface, simple };
 
@@ -368,8 +368,8 @@ class Journal {
 };
 #endif
 
-#ifndef HEDGEROW_ve24099de_p95bdb87e
-#define HEDGEROW_ve24099de_p95bdb87e
+#ifndef HEDGEROW_p95bdb87e
+#define HEDGEROW_p95bdb87e
 namespace p95bdb87e {
 
 /// How often 2 divides a number.

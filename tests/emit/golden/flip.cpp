@@ -3,8 +3,8 @@
 namespace hedgerow {
 inline namespace ve24099de {
 
-#ifndef HEDGEROW_ve24099de_adjacent
-#define HEDGEROW_ve24099de_adjacent
+#ifndef HEDGEROW_adjacent
+#define HEDGEROW_adjacent
 /// Whether an edge joins v and w.
 inline bool adjacent(Mesh::VertexRef v, Mesh::VertexRef w) {
   Mesh::HalfedgeRef h = v->halfedge;

@@ -7,8 +7,8 @@
 namespace hedgerow {
 inline namespace ve24099de {
 
-#ifndef HEDGEROW_ve24099de_prev
-#define HEDGEROW_ve24099de_prev
+#ifndef HEDGEROW_prev
+#define HEDGEROW_prev
 /// The halfedge before h in its loop.
 inline Mesh::HalfedgeRef prev(Mesh::HalfedgeRef h) {
   Mesh::HalfedgeRef p = h;
@@ -17,8 +17,8 @@ inline Mesh::HalfedgeRef prev(Mesh::HalfedgeRef h) {
 }
 #endif
 
-#ifndef HEDGEROW_ve24099de_Preview
-#define HEDGEROW_ve24099de_Preview
+#ifndef HEDGEROW_Preview
+#define HEDGEROW_Preview
 /// A preview of the mesh after an operation: the changes noted here, on top of the mesh. The
 /// operation tests its result on it before anything is written.
 class Preview {

@@ -8,8 +8,8 @@
 namespace hedgerow {
 inline namespace ve24099de {
 
-#ifndef HEDGEROW_ve24099de_halfedges
-#define HEDGEROW_ve24099de_halfedges
+#ifndef HEDGEROW_halfedges
+#define HEDGEROW_halfedges
 /// The halfedges of f, counterclockwise.
 inline std::vector<Mesh::HalfedgeRef> halfedges(Mesh::FaceRef f) {
   std::vector<Mesh::HalfedgeRef> all;
@@ -22,8 +22,8 @@ inline std::vector<Mesh::HalfedgeRef> halfedges(Mesh::FaceRef f) {
 }
 #endif
 
-#ifndef HEDGEROW_ve24099de_loop_from
-#define HEDGEROW_ve24099de_loop_from
+#ifndef HEDGEROW_loop_from
+#define HEDGEROW_loop_from
 /// The halfedges of a loop, from h on.
 inline std::vector<Mesh::HalfedgeRef> loop_from(Mesh::HalfedgeRef h) {
   std::vector<Mesh::HalfedgeRef> all;
@@ -36,8 +36,8 @@ inline std::vector<Mesh::HalfedgeRef> loop_from(Mesh::HalfedgeRef h) {
 }
 #endif
 
-#ifndef HEDGEROW_ve24099de_some
-#define HEDGEROW_ve24099de_some
+#ifndef HEDGEROW_some
+#define HEDGEROW_some
 /// Whether the condition holds for one of 0, ..., n - 1.
 template <class C>
 bool some(std::size_t n, C condition) {
@@ -48,8 +48,8 @@ bool some(std::size_t n, C condition) {
 }
 #endif
 
-#ifndef HEDGEROW_ve24099de_vertices
-#define HEDGEROW_ve24099de_vertices
+#ifndef HEDGEROW_vertices
+#define HEDGEROW_vertices
 /// The corners of f.
 inline std::vector<Mesh::VertexRef> vertices(Mesh::FaceRef f) {
   std::vector<Mesh::VertexRef> all;
@@ -58,8 +58,8 @@ inline std::vector<Mesh::VertexRef> vertices(Mesh::FaceRef f) {
 }
 #endif
 
-#ifndef HEDGEROW_ve24099de_all_differ
-#define HEDGEROW_ve24099de_all_differ
+#ifndef HEDGEROW_all_differ
+#define HEDGEROW_all_differ
 /// Whether all are different.
 template <class T>
 bool all_differ(const std::vector<T>& all) {
@@ -70,8 +70,8 @@ bool all_differ(const std::vector<T>& all) {
 }
 #endif
 
-#ifndef HEDGEROW_ve24099de_vector_as_n
-#define HEDGEROW_ve24099de_vector_as_n
+#ifndef HEDGEROW_vector_as_n
+#define HEDGEROW_vector_as_n
 /// A vector by its parts, whether its type has a constructor or is an aggregate.
 template <class V, class R>
 V vector_as(R x, R y, R z) {
@@ -87,27 +87,27 @@ V vector_as(R x, R y, R z) {
 }
 #endif
 
-#ifndef HEDGEROW_ve24099de_vector
-#define HEDGEROW_ve24099de_vector
+#ifndef HEDGEROW_vector
+#define HEDGEROW_vector
 inline Vec3 vector(double x, double y, double z) { return hedgerow::vector_as<Vec3>(x, y, z); }
 #endif
 
-#ifndef HEDGEROW_ve24099de_is_finite
-#define HEDGEROW_ve24099de_is_finite
+#ifndef HEDGEROW_is_finite
+#define HEDGEROW_is_finite
 inline bool is_finite(Vec3 a) {
   return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
 }
 #endif
 
-#ifndef HEDGEROW_ve24099de_mix
-#define HEDGEROW_ve24099de_mix
+#ifndef HEDGEROW_mix
+#define HEDGEROW_mix
 /// a for t = 0, b for t = 1.
 template <class T>
 T mix(T a, T b, double t) { return a * (1 - t) + b * t; }
 #endif
 
-#ifndef HEDGEROW_ve24099de_centroid
-#define HEDGEROW_ve24099de_centroid
+#ifndef HEDGEROW_centroid
+#define HEDGEROW_centroid
 /// The mean of the corners of f.
 inline Vec3 centroid(Mesh::FaceRef f) {
   Vec3 total = hedgerow::vector(0, 0, 0);

@@ -12,8 +12,8 @@
 namespace hedgerow {
 inline namespace ve24099de {
 
-#ifndef HEDGEROW_ve24099de_vector_as_n
-#define HEDGEROW_ve24099de_vector_as_n
+#ifndef HEDGEROW_vector_as_n
+#define HEDGEROW_vector_as_n
 /// A vector by its parts, whether its type has a constructor or is an aggregate.
 template <class V, class R>
 V vector_as(R x, R y, R z) {
@@ -29,20 +29,20 @@ V vector_as(R x, R y, R z) {
 }
 #endif
 
-#ifndef HEDGEROW_ve24099de_vector
-#define HEDGEROW_ve24099de_vector
+#ifndef HEDGEROW_vector
+#define HEDGEROW_vector
 inline Vec3 vector(double x, double y, double z) { return hedgerow::vector_as<Vec3>(x, y, z); }
 #endif
 
-#ifndef HEDGEROW_ve24099de_is_finite
-#define HEDGEROW_ve24099de_is_finite
+#ifndef HEDGEROW_is_finite
+#define HEDGEROW_is_finite
 inline bool is_finite(Vec3 a) {
   return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
 }
 #endif
 
-#ifndef HEDGEROW_ve24099de_mix
-#define HEDGEROW_ve24099de_mix
+#ifndef HEDGEROW_mix
+#define HEDGEROW_mix
 /// a for t = 0, b for t = 1.
 template <class T>
 T mix(T a, T b, double t) { return a * (1 - t) + b * t; }
