@@ -6,11 +6,13 @@ use super::item::{Alternative, Item, ItemBody, Parameter, Signature, parameters}
 use super::items::Source;
 use super::names::Names;
 use super::routine::{Block, Field, Form, Statement, without_unread};
-use super::value::{ORDINARY, Term, is_surely_finite};
+use super::value::Term;
 use super::{NotEmitted, reassign};
 use crate::check::Proved;
 use crate::diagram::{Binary, Drawing, Expr, ExprKind, Kind, Rule, Type};
-use crate::lower::{Begin, Condition, Element, Operation, Step, Tries, Value};
+use crate::lower::{
+    Begin, Condition, Element, ORDINARY, Operation, Step, Tries, Value, is_surely_finite,
+};
 
 /// A proved operation as a routine, with its name in code.
 pub(super) fn routine<'s>(

@@ -9,6 +9,7 @@ use super::routine::{Statement, without_unread};
 use super::steps::{Writer, journaled};
 use super::value::is_spelled;
 use super::{NotEmitted, Selection, build};
+use crate::check::Proved;
 use crate::diagram::{Level, Param, Property};
 use crate::lower::{AllEffects, Variables};
 use crate::resolve::{Body, StatementKind, Steps};
@@ -53,24 +54,9 @@ pub(in crate::emit) fn items<'s>(
 
 /// The levels that some step of the operations may lower.
 fn lowered(selection: &Selection<'_>, effects: &AllEffects) -> Vec<Level> {
-    let mut called = BTreeSet::new();
-    let mut open: Vec<_> = selection.ops.iter().map(|&op| Need::Op(op)).collect();
-    while let Some(need) = open.pop() {
-        let found = match need {
-            Need::Op(op) => effects.ops.get(op),
-            Need::Function(number) => effects.function(number),
-        };
-        let calls = found.into_iter().flat_map(|found| {
-            let functions = found.functions.iter().map(|&number| Need::Function(number));
-            found.calls.iter().map(|&op| Need::Op(op)).chain(functions)
-        });
-        open.extend(calls.filter(|&need| called.insert(need)));
-    }
-    let steps = called.iter().filter_map(|need| match need {
-        Need::Op(op) => selection.drawn(*op),
-        Need::Function(_) => None,
-    });
-    let kept: Vec<_> = steps.map(|step| step.keeps()).collect();
+    let called = effects.called(selection.ops);
+    let kept: Vec<_> =
+        called.into_iter().filter_map(|op| selection.drawn(op)).map(Proved::keeps).collect();
     let is_lowered = |level: &Level| {
         *level > Level::Map && kept.iter().any(|kept| !kept.contains(&Property::Level(*level)))
     };

@@ -97,6 +97,19 @@ impl AllEffects {
         changed
     }
 
+    /// The operations that the steps of some call, directly or not.
+    pub fn called(&self, ops: &[usize]) -> BTreeSet<usize> {
+        let (mut called, mut seen) = (BTreeSet::new(), BTreeSet::new());
+        let mut open: Vec<_> = ops.iter().filter_map(|&op| self.ops.get(op)).collect();
+        while let Some(effects) = open.pop() {
+            let ops = effects.calls.iter().filter(|op| called.insert(**op));
+            open.extend(ops.filter_map(|&op| self.ops.get(op)));
+            let functions = effects.functions.iter().filter(|function| seen.insert(**function));
+            open.extend(functions.filter_map(|&function| self.function(function)));
+        }
+        called
+    }
+
     pub fn function(&self, number: u32) -> Option<&Effects> {
         self.functions.get(number as usize)
     }

@@ -6,7 +6,7 @@
 //! [`Drawing::reassignments`](crate::diagram::Drawing::reassignments).
 //!
 //! For the statements of scripts, functions and operations in steps: the variables that they use,
-//! what they call, and their effects on a mesh.
+//! what they call, their effects on a mesh, and which values are finite.
 
 mod guard;
 mod hoist;
@@ -16,9 +16,11 @@ mod symmetric;
 mod words;
 
 mod effects;
+mod finite;
 mod variables;
 
 pub use effects::{AllEffects, Effects};
+pub use finite::{ORDINARY, is_surely_finite};
 pub use guard::{Guard, GuardTest, PreviewReads, Question, StarWalk};
 pub use hoist::{Hoisted, hoist, may_stop};
 pub use matching::{Begin, EmptyPath, Matching, Step, Test, Tries, Walk, WalkTest};

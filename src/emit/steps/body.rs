@@ -7,10 +7,10 @@ use super::super::items::Source;
 use super::super::language::Language;
 use super::super::names::{Attribute, Names};
 use super::super::routine::Statement;
-use super::super::value::{Precedence, Term, bare, is_surely_finite};
+use super::super::value::{Precedence, Term, bare};
 use super::comments::comments;
 use crate::diagram::{Access, Collection, Expr, ExprKind, Type};
-use crate::lower::{Variables, may_stop};
+use crate::lower::{Variables, is_surely_finite, may_stop};
 use crate::resolve::{Block, Body, Statement as Step, StatementKind, Visit};
 use crate::source::Span;
 

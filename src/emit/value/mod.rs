@@ -6,7 +6,7 @@ mod language;
 mod spellings;
 mod term;
 
-pub(super) use expression::{ORDINARY, is_plain, is_spelled, is_surely_finite};
+pub(super) use expression::{is_plain, is_spelled};
 pub(super) use language::unique;
 pub(super) use spellings::{rows, spelling};
 pub(super) use term::{Precedence, Term, bare};
