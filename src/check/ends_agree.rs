@@ -6,6 +6,8 @@
 //! a `face` or a `hole`. Two fans, or two paths, do not touch in `before`: nothing would tell where
 //! one ends and the other begins.
 
+use std::collections::BTreeSet;
+
 use super::pairing::pairing;
 use super::problem::{Problem, Remedy, enumerate};
 use crate::diagnostic::{Diagnostic, Edit, Fix};
@@ -285,8 +287,8 @@ impl Law<'_> {
     fn place_of_spoke(&self, spokes: &[Spoke], name: NameId) -> Option<(Ref, String)> {
         let view = &self.drawing.before;
         // Where one is listed twice, it may stand for this one.
-        let listed: Vec<_> = spokes.iter().filter_map(Spoke::halfedge).collect();
-        if (1..listed.len()).any(|at| listed[..at].contains(&listed[at])) {
+        let mut listed = BTreeSet::new();
+        if !spokes.iter().filter_map(Spoke::halfedge).all(|half| listed.insert(half)) {
             return None;
         }
         spokes.iter().find_map(|spoke| match spoke {
