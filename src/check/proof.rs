@@ -45,14 +45,16 @@ impl Proof {
         let (level, span) = rule.guard?;
         let mut loops = rule.before.loops.iter().filter(|_| level > Level::Map);
         let twice = loops.find_map(|orbit| Some((orbit, orbit.corner_met_twice()?)));
-        if let Some((orbit, corner)) = twice {
-            let [face, corner] = [orbit.face.name, corner].map(|name| rule.quoted(name));
-            let message =
-                format!("`guard {level}` refuses every place: {face} meets {corner} twice");
-            return Some(Diagnostic::warning("always-refused", message, span));
-        }
-        let never = self.guard.iter().find(|obligation| obligation.is_never)?;
-        let refusal = never.statement.refusal(self.drawn(rule));
+        let refusal = match twice {
+            Some((orbit, corner)) => {
+                let [face, corner] = [orbit.face.name, corner].map(|name| rule.quoted(name));
+                format!("{face} meets {corner} twice")
+            }
+            None => {
+                let never = self.guard.iter().find(|obligation| obligation.is_never)?;
+                never.statement.refusal(self.drawn(rule))
+            }
+        };
         let message = format!("`guard {level}` refuses every place: {refusal}");
         Some(Diagnostic::warning("always-refused", message, span))
     }

@@ -40,10 +40,7 @@ pub(super) fn suggest<'a>(
     span: Span,
     candidates: impl IntoIterator<Item = &'a str>,
 ) -> Diagnostic {
-    match closest(word, candidates) {
-        Some(meant) => suggested(diagnostic, word, span, meant, |_| true),
-        None => diagnostic,
-    }
+    suggested(diagnostic, (word, span), closest(word, candidates), |_| true)
 }
 
 /// The same for functions and ops: the one that is meant also `fits` the call.
@@ -56,19 +53,16 @@ pub(super) fn suggest_function<'a>(
 ) -> Diagnostic {
     let all: Vec<_> = candidates.into_iter().collect();
     let close = closest(word, all.iter().copied()).or_else(|| part_of(word, &all));
-    match close {
-        Some(meant) => suggested(diagnostic, word, span, meant, fits),
-        None => diagnostic,
-    }
+    suggested(diagnostic, (word, span), close, fits)
 }
 
 fn suggested(
     diagnostic: Diagnostic,
-    word: &str,
-    span: Span,
-    meant: &str,
+    (word, span): (&str, Span),
+    meant: Option<&str>,
     fits: impl Fn(&str) -> bool,
 ) -> Diagnostic {
+    let Some(meant) = meant else { return diagnostic };
     let diagnostic = diagnostic.saying(format!("did you mean `{meant}`?"));
     match is_slip(word, meant) && fits(meant) {
         true => diagnostic.fix(format!("write `{meant}`"), span, meant),

@@ -125,16 +125,17 @@ fn file(
     needed: &[(&str, &str)],
     body: &str,
 ) -> String {
+    let space = style.name("namespace");
     // In object files for another mesh class, or by another version of hedgerow, these are others.
-    let spelled = |(name, text): (&str, &str)| support::spelled(name, text, style);
-    let key = named('v', &(CPP.all().map(spelled).collect::<String>() + style.name("namespace")));
-    let space = style.name("namespace").replace("::", "_");
-    let functions = needed.iter().map(|&(name, text)| once(&space, name, &spelled((name, text))));
+    let key =
+        named('v', &CPP.all().map(|(_, text)| text).chain(style.patterns()).collect::<String>());
+    let functions =
+        needed.iter().map(|(name, text)| once(space, name, &support::spelled(name, text, style)));
     let mut functions = functions.collect::<String>();
     let called = named('p', &format!("{key}{outside}"));
     if !outside.is_empty() {
         let text = format!("namespace {called} {{\n\n{}\n}}", outside.trim_end());
-        functions += &once(&space, &called, &text);
+        functions += &once(space, &called, &text);
     }
     let called = format!("hedgerow::{called}::");
     let [functions, body] = [&functions, body].map(|text| text.replace(CALLED, &called));
@@ -156,8 +157,7 @@ fn file(
     let text = format!(
         "{head}\nnamespace hedgerow {{\ninline namespace {key} {{\n{functions}\n}}\n}}  // namespace hedgerow\n\n{body}"
     );
-    let name = style.name("namespace");
-    if name == DEFAULT { text } else { renamed(&text, name) }
+    if space == DEFAULT { text } else { renamed(&text, space) }
 }
 
 /// A text with another name for the namespace `hedgerow`.
@@ -184,7 +184,10 @@ fn once(space: &str, name: &str, text: &str) -> String {
     let words = name.split(|c: char| !c.is_ascii_alphanumeric());
     let words: Vec<_> = words.filter(|word| !word.is_empty()).collect();
     // Names that differ only in case are distinct.
-    let space = if space == DEFAULT { String::new() } else { format!("_{space}") };
+    let space = match space {
+        DEFAULT => String::new(),
+        other => format!("_{}", other.replace("::", "_")),
+    };
     let guard = format!("HEDGEROW{space}_{}", words.join("_"));
     format!("\n#ifndef {guard}\n#define {guard}\n{text}\n#endif\n")
 }

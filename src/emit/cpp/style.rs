@@ -117,6 +117,11 @@ impl Style {
         }
     }
 
+    /// All patterns.
+    pub(super) fn patterns(&self) -> impl Iterator<Item = &str> {
+        self.patterns.iter().map(String::as_str)
+    }
+
     /// The patterns that are code, with their names.
     fn code(&self) -> impl Iterator<Item = (&'static str, &str)> {
         let all = PATTERNS.iter().zip(&self.patterns);

@@ -40,7 +40,7 @@ impl Support {
 
     /// The names of all functions.
     pub fn names(&self) -> impl Iterator<Item = &'static str> {
-        self.0.iter().map(|(name, _)| *name)
+        self.all().map(|(name, _)| name)
     }
 
     /// The functions that a text uses, and those that these call, with their texts. Names in the

@@ -81,7 +81,8 @@ impl<'t> Item<'t> {
         self.vertices.contains(word)
     }
 
-    /// True if a statement `hole` or `loop` has this name somewhere in the item.
+    /// True if a statement `hole` or `loop` has this name somewhere in the item, or it does not begin
+    /// as those of faces do.
     pub(super) fn is_rim(&self, word: &str) -> bool {
         self.rims.contains(word) || !word.starts_with(['f', 'F'])
     }

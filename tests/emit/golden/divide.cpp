@@ -14,7 +14,7 @@
 #include <vector>
 
 namespace hedgerow {
-inline namespace ve24099de {
+inline namespace vc0ee2de0 {
 
 #ifndef HEDGEROW_spokes
 #define HEDGEROW_spokes
@@ -368,9 +368,9 @@ class Journal {
 };
 #endif
 
-#ifndef HEDGEROW_p95bdb87e
-#define HEDGEROW_p95bdb87e
-namespace p95bdb87e {
+#ifndef HEDGEROW_pa08be602
+#define HEDGEROW_pa08be602
+namespace pa08be602 {
 
 /// How often 2 divides a number.
 inline long long twos(long long n) {
@@ -461,11 +461,11 @@ std::optional<Mesh::VertexRef> divide(Mesh& mesh, Mesh::EdgeRef e, long long n) 
   if (12 <= n) return std::nullopt;  // that is too often
   hedgerow::Journal journal(mesh);
   return journal.whole(hedgerow::Level::surface, [&]() -> std::optional<VertexRef> {
-    VertexRef m = hedgerow::must(hedgerow::p95bdb87e::bisect(journal, e));
-    for (long long i = hedgerow::p95bdb87e::twos(n) + 1; i > 0; --i) {
+    VertexRef m = hedgerow::must(hedgerow::pa08be602::bisect(journal, e));
+    for (long long i = hedgerow::pa08be602::twos(n) + 1; i > 0; --i) {
       journal.undone_by([m, was = m->weight] { m->weight = was; });
       m->weight = m->weight + 1.0;
-      m = hedgerow::must(hedgerow::p95bdb87e::bisect(journal, m->halfedge->edge));
+      m = hedgerow::must(hedgerow::pa08be602::bisect(journal, m->halfedge->edge));
     }
     long long i = 0;
     for (long long i_2 = n - 1; i_2 > 0; --i_2) {

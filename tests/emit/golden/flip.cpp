@@ -1,7 +1,7 @@
 #include <optional>
 
 namespace hedgerow {
-inline namespace ve24099de {
+inline namespace vc0ee2de0 {
 
 #ifndef HEDGEROW_adjacent
 #define HEDGEROW_adjacent

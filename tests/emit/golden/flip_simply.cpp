@@ -5,7 +5,7 @@
 #include <vector>
 
 namespace hedgerow {
-inline namespace ve24099de {
+inline namespace vc0ee2de0 {
 
 #ifndef HEDGEROW_prev
 #define HEDGEROW_prev

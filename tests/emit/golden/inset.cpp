@@ -6,7 +6,7 @@
 #include <vector>
 
 namespace hedgerow {
-inline namespace ve24099de {
+inline namespace vc0ee2de0 {
 
 #ifndef HEDGEROW_halfedges
 #define HEDGEROW_halfedges

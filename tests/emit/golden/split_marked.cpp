@@ -10,7 +10,7 @@
 #include <type_traits>
 
 namespace hedgerow {
-inline namespace ve24099de {
+inline namespace vc0ee2de0 {
 
 #ifndef HEDGEROW_vector_as_n
 #define HEDGEROW_vector_as_n
