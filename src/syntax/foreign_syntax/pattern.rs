@@ -12,6 +12,8 @@
 //! | `$a:vertex` | a name that stands for a vertex in a loop somewhere in the item |
 //! | `$a:rim` | a name that a statement `hole` or `loop` has in the item, or unlike `f0` |
 //! | `$a:variable` | the name of a variable of a block around |
+//! | `$a:type` | the name of a type, also in another language or a mesh library |
+//! | `$a:kind` | the same, of an element |
 //! | `$a:text` | a text in quotes |
 //! | `$a:number` | a number |
 //! | `$a:names` | zero or more names, optionally separated by commas |
@@ -38,6 +40,7 @@
 //! stands for the same text.
 
 use super::place::{Item, goes_on};
+use super::types::{is_element, is_type};
 use super::value::{is_of_statement, operand_end, owner_ends, place_end, whole_end};
 use crate::syntax::token::{Token, TokenKind as T};
 use std::ops::Range;
@@ -79,6 +82,8 @@ pub(super) enum Class {
     Vertex,
     Rim,
     Variable,
+    Type,
+    Kind,
     Text,
     Names,
     Part,
@@ -171,6 +176,8 @@ fn hole_of(written: &'static str) -> What {
         "vertex" => Class::Vertex,
         "rim" => Class::Rim,
         "variable" => Class::Variable,
+        "type" => Class::Type,
+        "kind" => Class::Kind,
         "text" => Class::Text,
         "names" => Class::Names,
         "part" => Class::Part,
@@ -255,6 +262,8 @@ fn all_ends(what: &What, item: &Item, at: usize) -> Vec<usize> {
             Class::Vertex => named(item.is_vertex(item.word(at))),
             Class::Rim => named(item.is_rim(item.word(at))),
             Class::Variable => named(item.is_variable(at)),
+            Class::Type => one(is_type(item.word(at))),
+            Class::Kind => one(is_element(item.word(at))),
             Class::Verb => one(kind.is_some_and(|kind| kind.is_wordlike() && kind != T::If)),
             Class::Word => one(kind.is_some_and(T::is_wordlike)),
             Class::Number => one(matches!(kind, Some(T::Int | T::Real))),

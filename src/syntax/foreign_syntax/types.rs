@@ -6,6 +6,16 @@ const OURS: [&str; 12] = [
     "mat4",
 ];
 
+/// True if a word is the name of a type, in this language or in another.
+pub(super) fn is_type(word: &str) -> bool {
+    word == "text" || OURS.contains(&word) || type_meant(word).is_some()
+}
+
+/// True if a word is the name of a type of elements, in this language or in another.
+pub(super) fn is_element(word: &str) -> bool {
+    OURS[..4].contains(&type_meant(word).unwrap_or(word))
+}
+
 /// The type that a foreign word means, also if it differs from our name only in case; `None` if the
 /// word is our name.
 pub(super) fn type_meant(word: &str) -> Option<&'static str> {

@@ -45,7 +45,7 @@ pub(super) const LINES: &[Line] = &[
         "a program is `script name() { … }`, with as many as are wanted in a file",
     ),
     fixed(
-        "^$t=real/float/double/int/bool/vec3/vec2/Vec3/vertex/edge/face/halfedge $f ( $p:inside ) {",
+        "^$t:type $f ( $p:inside ) {",
         "fn $f($p) {",
         "fn $f($p) -> $t {",
         "a function is `fn $f(…) -> $t { … }`",
@@ -152,36 +152,28 @@ pub(super) const LINES: &[Line] = &[
     ),
     told("^type/typedef/typename $l:line", "", NO_TYPES),
     sure("attribute/property/attrib $n :", "attr $n:", "`{}` is written `attr`"),
-    sure(
-        "attr $t=real/int/bool/vec2/vec3/vec4/mat3/mat4 $k=vertex/halfedge/edge/face $n",
-        "attr $n: $k $t",
-        ATTRIBUTE,
-    ),
-    sure(
-        "attr $k=vertex/halfedge/edge/face $t=real/int/bool/vec2/vec3/vec4/mat3/mat4 $n",
-        "attr $n: $k $t",
-        ATTRIBUTE,
-    ),
+    sure("attr $t:type $k=vertex/halfedge/edge/face $n", "attr $n: $k $t", ATTRIBUTE),
+    sure("attr $k=vertex/halfedge/edge/face $t:type $n", "attr $n: $k $t", ATTRIBUTE),
     sure("attr $k=vertex/halfedge/edge/face $n : $t:word", "attr $n: $k $t", ATTRIBUTE),
     sure("attr $k=vertex/halfedge/edge/face . $n : $t:word", "attr $n: $k $t", ATTRIBUTE),
     sure(
-        "attr $n : $t=real/int/bool/vec2/vec3/vec4/mat3/mat4 $k=vertex/halfedge/edge/face",
+        "attr $n : $t:type $k=vertex/halfedge/edge/face",
         "attr $n: $k $t",
         "the kind of element stands before the type: `attr $n: $k $t`",
     ),
     sure("attr $n : $k=vertex/halfedge/edge/face : $t:word", "attr $n: $k $t", ATTRIBUTE),
     sure(
-        "attr $n : $t=real/int/bool/vec2/vec3/vec4/mat3/mat4 per/of/on/for/at/each $k=vertex/halfedge/edge/face",
+        "attr $n : $t:type per/of/on/for/at/each $k=vertex/halfedge/edge/face",
         "attr $n: $k $t",
         "the kind of element stands before the type: `attr $n: $k $t`",
     ),
     told(
-        "attr $n : $t=real/int/bool/vec2/vec3/vec4/mat3/mat4 $:end",
+        "attr $n : $t:type $:end",
         "",
         "an attribute belongs to a kind of element: `attr $n: vertex $t`",
     ),
     told(
-        "attr $n : $t=real/int/bool/vec2/vec3/vec4/mat3/mat4 = $v:line",
+        "attr $n : $t:type = $v:line",
         "",
         "an attribute belongs to a kind of element: `attr $n: vertex $t = $v`",
     ),
@@ -195,22 +187,12 @@ pub(super) const LINES: &[Line] = &[
     sure("$t:word & ~&", "$t", "there are no references: an element is handed over as it is"),
     sure("$o=(/, $t:word * $n", "$o$n: $t", TYPED).at(PARAMETERS),
     sure("$c=: & $t:word", "$c $t", "there are no references: an element is handed over as it is"),
-    sure(
-        "$o=(/, $n $t=edge/face/vertex/halfedge/real/int/bool/text/vec2/vec3/vec4/mat3/mat4",
-        "$o$n: $t",
-        TYPED,
-    )
-    .at(PARAMETERS),
-    sure(
-        "$o=(/, $n = $t=edge/face/vertex/halfedge/real/int/bool/text/vec2/vec3/vec4/mat3/mat4",
-        "$o$n: $t",
-        TYPED,
-    )
-    .at(PARAMETERS),
+    sure("$o=(/, $n $t:type", "$o$n: $t", TYPED).at(PARAMETERS),
+    sure("$o=(/, $n = $t:type", "$o$n: $t", TYPED).at(PARAMETERS),
     sure("$o=(/, $t:word $n", "$o$n: $t", TYPED).at(PARAMETERS),
     sure(") : $t:word {", ") -> $t {", ARROW),
     sure(") => $t:word {", ") -> $t {", ARROW),
-    sure(") $t=real/int/bool/vec3/float/double {", ") -> $t {", ARROW),
+    sure(") $t:type {", ") -> $t {", ARROW),
     sure("fn $f ( $p:inside ) => $t:word {", "fn $f($p) -> $t {", ARROW),
     told(
         "^use $p:part { $b:inside }",

@@ -41,27 +41,11 @@ pub(super) const LINES: &[Line] = &[
     sure("^$n:variable : ~=", "$n =", "a variable is set with `=`"),
     sure("^$n : ~=", "let $n =", BEGIN),
     sure("^const/auto/val/my/local/final/constexpr/static $n =", "let $n =", BEGIN),
-    sure(
-        "^$t=int/float/double/real/bool/vec2/vec3/size_t/unsigned/long/short/Vec3 $a = $x:some , $b = $y:line",
-        "let $a: $t = $x let $b: $t = $y",
-        ONE,
-    ),
     // What kind of element a variable is, follows from its value.
-    sure(
-        "^$t=vertex/edge/face/halfedge/EdgeRef/FaceRef/VertexRef/HalfedgeRef/Edge/Face/Vertex/Halfedge/EdgeCRef/FaceCRef/VertexCRef/HalfedgeCRef/HalfedgeIter/EdgeIter/FaceIter/VertexIter $a = $x:some , $b = $y:line",
-        "let $a = $x let $b = $y",
-        ONE,
-    ),
-    sure(
-        "^const/static/final/constexpr $t=int/float/double/real/bool/vec2/vec3/size_t/unsigned/long/short/Vec3 $n =",
-        "let $n: $t =",
-        BEGIN,
-    ),
-    sure(
-        "^const/static/final/constexpr $t=vertex/edge/face/halfedge/EdgeRef/FaceRef/VertexRef/HalfedgeRef/Edge/Face/Vertex/Halfedge/EdgeCRef/FaceCRef/VertexCRef/HalfedgeCRef/HalfedgeIter/EdgeIter/FaceIter/VertexIter $n =",
-        "let $n =",
-        BEGIN,
-    ),
+    sure("^$t:kind $a = $x:some , $b = $y:line", "let $a = $x let $b = $y", ONE),
+    sure("^$t:type $a = $x:some , $b = $y:line", "let $a: $t = $x let $b: $t = $y", ONE),
+    sure("^const/static/final/constexpr $t:kind $n =", "let $n =", BEGIN),
+    sure("^const/static/final/constexpr $t:type $n =", "let $n: $t =", BEGIN),
     sure("^const/auto/val/static/final $t:word $n =", "let $n =", BEGIN),
     sure("^const/auto & $n =", "let $n =", BEGIN),
     sure(
@@ -69,23 +53,11 @@ pub(super) const LINES: &[Line] = &[
         "let $n = $o.$p",
         BEGIN,
     ),
-    sure(
-        "^$t=int/float/double/real/bool/vec2/vec3/size_t/unsigned/long/short/Vec3 $n =",
-        "let $n: $t =",
-        BEGIN,
-    ),
-    sure(
-        "^$t=vertex/edge/face/halfedge/EdgeRef/FaceRef/VertexRef/HalfedgeRef/Edge/Face/Vertex/Halfedge/EdgeCRef/FaceCRef/VertexCRef/HalfedgeCRef/HalfedgeIter/EdgeIter/FaceIter/VertexIter $n =",
-        "let $n =",
-        BEGIN,
-    ),
-    sure(
-        "^$w=let/var $t=int/float/double/real/bool/vec2/vec3/vertex/edge/face/halfedge/string/text $n =",
-        "$w $n: $t =",
-        TYPED,
-    ),
+    sure("^$t:kind $n =", "let $n =", BEGIN),
+    sure("^$t:type $n =", "let $n: $t =", BEGIN),
+    sure("^$w=let/var $t:type $n =", "$w $n: $t =", TYPED),
     told(
-        "^$t=int/float/double/real/bool/size_t $n:word [ $x:inside ] $l:line",
+        "^$t:type $n:word [ $x:inside ] $l:line",
         "",
         "there are no lists: values are kept at elements, `attr mark: vertex int = 0`, or counted when they are wanted, `count(degree(v) == 6 for v in vertices)`",
     ),
