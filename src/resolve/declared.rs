@@ -320,7 +320,7 @@ impl Declared {
             let there = self.called.keys().map(String::as_str).filter(is_there);
             return suggest_function(error, &function.text, span, there, fits);
         }
-        let here = foreign_words::function(word).or_else(|| mesh_maker(word));
+        let here = foreign_words::function_called(word, &fits).or_else(|| mesh_maker(word));
         match here {
             Some(_) => foreign_words::tell(error, (word, span), here, []),
             None => suggest_function(error, word, span, candidates, fits),

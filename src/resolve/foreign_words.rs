@@ -31,9 +31,14 @@ const ROWS: &str = include_str!("foreign_words.txt");
 
 /// The replacement of a word in the sections of a kind.
 fn replacement(kind: &str, word: &str) -> Option<Here> {
+    replacements(kind, word).next()
+}
+
+/// The replacements of a word in the sections of a kind, the usual one first.
+fn replacements(kind: &str, word: &str) -> impl Iterator<Item = Here> {
     let sections = ROWS.split("\n[").filter_map(|section| section.split_once("]\n"));
-    let of_kind = sections.filter(|(kinds, _)| kinds.split(' ').any(|one| one == kind));
-    of_kind.flat_map(|(_, rows)| rows.lines()).find_map(|row| {
+    let of_kind = sections.filter(move |(kinds, _)| kinds.split(' ').any(|one| one == kind));
+    of_kind.flat_map(|(_, rows)| rows.lines()).filter_map(move |row| {
         let said = row.split_once(": ").map(|(words, sentence)| (words, Said(sentence)));
         let written = || row.split_once(" -> ").map(|(words, ours)| (words, Written(ours)));
         let (words, here) = said.or_else(written)?;
@@ -73,6 +78,13 @@ pub(super) fn is_degree(ty: Type, word: &str) -> bool {
 /// The replacement of a foreign function name.
 pub(super) fn function(word: &str) -> Option<Here> {
     replacement("function", word).or_else(|| of_values(word))
+}
+
+/// The same in a call; a function of ours that does not fit it is none.
+pub(super) fn function_called(word: &str, fits: impl Fn(&str) -> bool) -> Option<Here> {
+    let is_meant = |here: &Here| !matches!(here, Written(ours) if !fits(ours));
+    let calculated = || of_values(word).filter(is_meant);
+    replacements("function", word).find(is_meant).or_else(calculated)
 }
 
 /// True if other languages have such a function of values.

@@ -241,7 +241,7 @@ impl Typing<'_> {
         }
         let message = format!("there is no op `{word}`");
         let error = Diagnostic::error("unknown-op", message, function.span);
-        let (ops, types) = (self.ops, self.plain_types(args));
+        let (ops, types) = (self.ops, self.simple_types(args));
         let fits = |meant: &str| {
             let op = declared.op(meant).and_then(|number| ops.get(number));
             op.is_some_and(|op| takes(&op.params, &types))

@@ -80,7 +80,11 @@ pub(super) fn takes(params: &[Parameter], given: &[Option<Type>]) -> bool {
 /// True if a function of the language takes arguments of these types, as far as they are known.
 fn language_takes(word: &str, given: &[Option<Type>]) -> bool {
     if let Some(ty) = constructed(word) {
-        return ways(ty).iter().any(|way| way.len() == given.len());
+        let fits = |(wanted, ty): (&&str, &Option<Type>)| {
+            may_fit(Type::named(wanted).map(Wanted::Is), *ty)
+        };
+        let takes = |way: &&[&str]| way.len() == given.len() && way.iter().zip(given).all(fits);
+        return ways(ty).iter().any(takes);
     }
     let takes = |way: &Overload| {
         let mut fits = way.wanted.iter().zip(given);
@@ -95,6 +99,14 @@ fn may_fit(wanted: Option<Wanted>, ty: Option<Type>) -> bool {
     wanted.zip(ty).is_none_or(|(wanted, ty)| fit(wanted, ty) > Fit::No)
 }
 
+/// True for a literal, a name and its fields, and for a call of such.
+fn is_simple(expr: &tree::Expr) -> bool {
+    match &expr.kind {
+        tree::ExprKind::Call { args, .. } => args.iter().all(is_plain),
+        _ => is_plain(expr),
+    }
+}
+
 /// True for a literal, a name and its fields.
 fn is_plain(expr: &tree::Expr) -> bool {
     use tree::ExprKind::{Bool, Field, Int, Name, Real, Text};
@@ -106,13 +118,13 @@ fn is_plain(expr: &tree::Expr) -> bool {
 }
 
 impl Typing<'_> {
-    /// The types of arguments, where they are plain and known.
-    pub(super) fn plain_types(&mut self, args: &[tree::Expr]) -> Vec<Option<Type>> {
-        let plain = |arg| {
-            let value = is_plain(arg).then(|| self.quietly(|typing| typing.expression(arg)));
+    /// The types of arguments, where they are simple and known.
+    pub(super) fn simple_types(&mut self, args: &[tree::Expr]) -> Vec<Option<Type>> {
+        let simple = |arg| {
+            let value = is_simple(arg).then(|| self.quietly(|typing| typing.expression(arg)));
             value.flatten().map(|value| value.ty)
         };
-        args.iter().map(plain).collect()
+        args.iter().map(simple).collect()
     }
 
     /// `f(x, y)`
@@ -329,7 +341,7 @@ impl Typing<'_> {
         let declared = self.declared;
         let mut candidates: Vec<&str> = function_names().chain(fold_names()).collect();
         candidates.extend(declared.called_names());
-        let types = self.plain_types(args);
+        let types = self.simple_types(args);
         let fits = |meant: &str| match (declared.called(meant), declared.function(meant)) {
             (Some(named), _) if named.what != What::Function => false,
             (_, Some(known)) => known.result != Value::Nothing && takes(&known.params, &types),

@@ -13,6 +13,8 @@ const CALLED: &str = "what is called stands in front: `degree(v)`, `flip(e)`";
 const ALONE: &str = "functions and constants stand alone: `sqrt(x)`, `pi`";
 const SIZE: &str = "the size is `abs(x)` of a number, `length(p)` of a vector";
 const NUMBERED: &str = "an element is not found by numbers: a script takes it as a parameter, `script go(x: $k)`, which `--at` gives, or a loop finds it, ended by `break`";
+const READ: &str = "what belongs to an element stands behind a dot: `$x.$k`; an element is not found by its number";
+const COUNTED: &str = "an element of `$s` has a name: `count(boundary(x) for x in $s)` counts those for which a condition holds";
 const POINTER: &str = "what is read behind a dot has no parentheses: `.$p`";
 
 /// A pattern of a value, with what can stand before it.
@@ -124,7 +126,10 @@ pub(super) const LINES: &[Line] = &[
     ).at(CODE | PARTS | HEAD),
     sure("$r=random . random/rand/uniform ~( $x:inside )", "$r($x)", CALLED),
     told(". $f:word ~( $x:inside )", "", CALLED),
-    told("$k=vertex/edge/face ( $x:inside )", "true", NUMBERED),
+    told("$k=vertex/edge/face ( $x:number )", "true", NUMBERED),
+    told("$k=vertex/edge/face/halfedge ( $x:owner )", "true", READ),
+    told("$k=vertex/edge/face/halfedge ( $x:inside )", "true", NUMBERED),
+    told("count ( $s=vertices/edges/faces/halfedges/holes where $c:inside )", "0", COUNTED),
     fixed(". $f=position ~[ 0 ]", ".$f", ".$f.x", COMPONENT),
     fixed(". $f=position ~[ 1 ]", ".$f", ".$f.y", COMPONENT),
     fixed(". $f=position ~[ 2 ]", ".$f", ".$f.z", COMPONENT),
