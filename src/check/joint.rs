@@ -6,7 +6,7 @@
 
 use strsim::damerau_levenshtein;
 
-use super::pairing::{missing_loops, pairing, pairings};
+use super::pairing::{kept_loops, missing_loops, pairing, pairings};
 use super::problem::{Remedy, enumerate};
 use super::unknown_names::is_unknown;
 use crate::diagram::{Drawing, Expr, ExprKind, Kind, Loop, NameId, Rule};
@@ -97,7 +97,9 @@ fn accounted_for(rule: &Rule) -> Vec<Remedy> {
         begun = begun.iter().filter_map(|one| one.with(Remedy::Create(unknown.clone()))).collect();
     }
     go_on(&mut begun, |rule| {
-        missing_loops(&Drawing::new(rule)).map(Remedy::All).into_iter().collect()
+        let drawing = &Drawing::new(rule);
+        let drawn = missing_loops(drawing).map(Remedy::All);
+        drawn.into_iter().chain(kept_loops(drawing)).collect()
     });
     go_on(&mut begun, |rule| pairings(&Drawing::new(rule)));
     let whole = begun.iter().flat_map(Begun::account_for_the_rest);
@@ -183,7 +185,7 @@ impl Begun {
 }
 
 /// True if a name is returned, or is given an attribute.
-fn is_used(rule: &Rule, name: NameId) -> bool {
+pub(super) fn is_used(rule: &Rule, name: NameId) -> bool {
     let targets = rule.assignments.iter().map(|assignment| assignment.target);
     let mut used = targets.chain(rule.result).map(|used| rule.first_member(used.name));
     used.any(|used| used == name)

@@ -1,7 +1,7 @@
 //! The twins after, and the loop that is missing, as far as the ends of halfedges determine them.
 
 use super::problem::Remedy;
-use crate::diagram::{Drawing, Edge, Kind, LoopItem, NameId, Spoke};
+use crate::diagram::{Drawing, Edge, Kind, Loop, LoopItem, NameId, Spoke};
 
 /// Two halfedges that become twins.
 type Pair = [NameId; 2];
@@ -174,6 +174,7 @@ pub(super) fn free_edges(drawing: &Drawing) -> impl Iterator<Item = NameId> {
 
 /// The missing loops of `after`, if there are any and each follows from the ends of its halfedges:
 /// those that it had before, if one is missing also others, of which one may have unknown ends.
+/// `None` if they are what they were before: [`kept_loops`].
 pub(super) fn missing_loops(drawing: &Drawing) -> Option<Vec<Remedy>> {
     let rule = drawing.rule;
     let lost = rule.before.loops.iter().filter(|orbit| {
@@ -195,13 +196,39 @@ pub(super) fn missing_loops(drawing: &Drawing) -> Option<Vec<Remedy>> {
     }
     let ends = Ends::new(drawing, Vec::new());
     let mut draws = Vec::new();
+    let mut is_changed = false;
     for orbit in &lost {
         let face = orbit.face.name;
         let own = orbit.item_names().filter(is_open);
         let own: Vec<_> = if lost.len() == 1 { all.clone() } else { own.collect() };
-        draws.push(Remedy::Draw { face, items: around(drawing, &ends, &own, &new)? });
+        let items = around(drawing, &ends, &own, &new)?;
+        let was: Vec<_> = orbit.corners().zip(orbit.item_names()).collect();
+        is_changed |= !is_rotated(&was, &items);
+        draws.push(Remedy::Draw { face, items });
     }
-    Some(draws)
+    is_changed.then_some(draws)
+}
+
+/// True if two loops are the same, perhaps from another item on.
+fn is_rotated<T: PartialEq>(one: &[T], other: &[T]) -> bool {
+    let rotated = |by: usize| one[by..].iter().chain(&one[..by]).eq(other);
+    one.len() == other.len() && (0..one.len()).any(rotated)
+}
+
+/// The remedy that keeps the loops of which `after` states nothing.
+pub(super) fn kept_loops(drawing: &Drawing) -> Option<Remedy> {
+    let rule = drawing.rule;
+    let is_free =
+        |name: NameId| drawing.survives(name) && drawing.after.loop_of_item(name).is_none();
+    let is_left = |orbit: &&Loop| {
+        let face = orbit.face.name;
+        drawing.survives(face)
+            && drawing.after.loop_of_face(face).is_none()
+            && orbit.item_names().all(is_free)
+    };
+    let left = rule.before.loops.iter().filter(is_left).map(|orbit| orbit.face.name);
+    let left: Vec<_> = left.filter(|_| rule.cycle.is_none()).collect();
+    (!left.is_empty()).then_some(Remedy::Keep(left))
 }
 
 /// The one way around by which items form a loop, perhaps with some of the others: by their ends

@@ -1,13 +1,14 @@
 //! Remedies as edits of the source text.
 
 use super::super::fan_repair::Taken;
+use super::super::joint::is_used;
 use super::super::problem::{Remedy, enumerate};
 use super::apply::{edge_names, turn};
 use super::statements::{
     arrow, edge_statement, end_of_after, list_in_new, loop_statement, star_statement,
 };
 use crate::diagnostic::{Edit, Fix, all_of};
-use crate::diagram::{Drawing, Kind, Loop, NameId, Ref, Rule};
+use crate::diagram::{Drawing, Kind, Loop, NameId, Ref, Rule, Side};
 use crate::source::Span;
 
 impl Remedy {
@@ -69,12 +70,25 @@ impl Remedy {
                 return Some(Fix { title: how.clone(), edits });
             }
             Remedy::Rename { old, new } => {
+                let written = |side: &Side, name: NameId| -> Vec<Span> {
+                    let mentions = side.mentions().filter(|at| at.name == name);
+                    mentions.map(|at| at.span).collect()
+                };
+                let (before, after) = (written(&rule.before, *old), written(&rule.after, *new));
+                // The side changes where the name is written less often.
+                let is_slip_after = after.len() <= before.len()
+                    && written(&rule.before, *new).is_empty()
+                    && rule.erased.iter().chain(&rule.created).all(|listed| listed.name != *new)
+                    && !is_used(rule, *new);
+                let (wrong, right, side, spans) = match is_slip_after {
+                    true => (*new, *old, "after", after),
+                    false => (*old, *new, "before", before),
+                };
                 let title =
-                    format!("write {} for {} in `before`", rule.quoted(*new), rule.quoted(*old));
-                let text = &rule.name(*new).text;
-                let mentions = rule.before.mentions().filter(|at| at.name == *old);
-                let edit = |at: &Ref| Edit { span: at.span, text: text.clone() };
-                return Some(Fix { title, edits: mentions.map(edit).collect() });
+                    format!("write {} for {} in `{side}`", rule.quoted(right), rule.quoted(wrong));
+                let text = &rule.name(right).text;
+                let edit = |span: Span| Edit { span, text: text.clone() };
+                return Some(Fix { title, edits: spans.into_iter().map(edit).collect() });
             }
             Remedy::Pair(edges) => return pair(rule, now, edges),
             Remedy::PairAll(pairs) => return pair_all(rule, now, pairs),
