@@ -71,16 +71,22 @@ pub struct RuleVerdict {
 }
 
 /// The level that is kept on a mesh of a higher level.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct KeepsOnly {
     pub level: Level,
     /// The number of tests that `guard simple` would add.
     pub untested: usize,
+    /// The reason why that guard would refuse every place, if it would.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub never_simple: Option<String>,
 }
 
 impl KeepsOnly {
     /// The description in one line.
-    pub fn words(self) -> String {
+    pub fn words(&self) -> String {
+        if let Some(refusal) = &self.never_simple {
+            return format!("the mesh stays a {}, and is not simple: {refusal}", self.level);
+        }
         let tests = if self.untested == 1 { "test" } else { "tests" };
         format!(
             "the mesh stays a {}, but perhaps not simple; `guard simple` would add {} {tests}",
@@ -141,6 +147,7 @@ impl RuleVerdict {
                     false => Level::Map,
                 },
                 untested: facts.untested,
+                never_simple: facts.never_simple.clone(),
             }),
             guard: GuardVerdict::new(proof.drawn(rule), proof),
             degrees: changes(&facts.degrees),

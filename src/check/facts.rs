@@ -23,6 +23,8 @@ pub struct Facts {
     pub keeps: Vec<Property>,
     /// The number of tests that `guard simple` would make, where that level is not kept.
     pub untested: usize,
+    /// The reason why that guard would refuse every place, if it would.
+    pub never_simple: Option<String>,
     /// The faces that become holes, and the holes that become faces.
     pub turned: Vec<Turned>,
     /// The changes of the degrees of the vertices that survive.
@@ -59,10 +61,18 @@ impl Facts {
             keeps: kept(drawing, change, &grows_with),
             grows_with,
             untested: 0,
+            never_simple: None,
             turned: turned(drawing),
             degrees: degree_changes(drawing),
             sizes: size_changes(drawing),
         }
+    }
+
+    /// Notes what `guard simple` would test, where that level is not kept.
+    pub(super) fn note_untested(&mut self, rule: &Rule, asked: &[Obligation]) {
+        self.untested = asked.iter().filter(|one| one.is_test()).count();
+        let never = asked.iter().find(|one| one.is_never);
+        self.never_simple = never.map(|one| one.statement.refusal(rule));
     }
 
     /// The facts of a rule with families: those that hold on cycles of all sizes.
@@ -84,6 +94,7 @@ impl Facts {
             keeps: kept_by_families(sizes, &grows_with),
             grows_with,
             untested: 0,
+            never_simple: None,
             turned: turned(&drawing),
             degrees: evenly(sizes, degree_changes),
             sizes: evenly(sizes, size_changes),

@@ -54,7 +54,7 @@ fn laws(op: &Op, sizes: &Sizes) -> Result<Proof, Broken> {
     let mut facts = Facts::of_families(sizes, &matching, &guard, rings.cases);
     if !facts.keeps.contains(&Property::Level(Level::Simple)) {
         let asked = sizes.obligations(Level::Simple);
-        facts.untested = asked.iter().filter(|one| one.is_test()).count();
+        facts.note_untested(large, &asked);
     }
     let proof = Proof { matching, guard, facts, rings, unrolled: Some(Box::new(large.clone())) };
     proof.bears_out(op, &drawing)

@@ -100,7 +100,7 @@ pub(super) fn prove(op: &Op, rule: &Rule) -> Result<Proof, Broken> {
     aliased.keeps_no_more(&mut facts);
     if !facts.keeps.contains(&Property::Level(Level::Simple)) {
         let asked = aliased.obligations(obligations(&drawing, Level::Simple), Level::Simple);
-        facts.untested = asked.iter().filter(|one| one.is_test()).count();
+        facts.note_untested(rule, &asked);
     }
     let proof = Proof { matching, guard, facts, rings, unrolled: None };
     proof.bears_out(op, &drawing)

@@ -120,7 +120,7 @@ fn rule_text(rule: &RuleVerdict) -> String {
     for turned in &rule.turned {
         text.push_str(&format!(" · {turned}"));
     }
-    if let Some(only) = rule.keeps_only {
+    if let Some(only) = &rule.keeps_only {
         text.push_str(&format!(" · {}", only.words()));
     }
     text
