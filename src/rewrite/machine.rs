@@ -72,7 +72,7 @@ pub struct Machine {
     /// The number of functions that native code has called and that have not returned, in the
     /// running operation or script.
     pub(super) frames: usize,
-    /// The nesting depth of running native code.
+    /// The number of times that native code has been entered and not yet left.
     pub(super) depth: usize,
     /// The value of the function that returned last: the base of its window, the first register,
     /// the width.

@@ -21,7 +21,7 @@ pub struct Steps {
 pub const BELOW: [&str; 10] = [
     "the mesh would be broken",
     "a face or hole would have fewer than three sides",
-    "a face would meet a vertex twice",
+    "a face or hole would meet a vertex twice",
     "a vertex would keep a single edge",
     "a vertex would have holes only around it",
     "a vertex would lie on two holes",

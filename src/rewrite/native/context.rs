@@ -109,9 +109,8 @@ pub(super) struct Run<'r> {
     pub(super) left: u64,
     /// Whether native code may call operations directly.
     pub(super) calls_directly: bool,
-    /// The machine's `frames` and `depth` when native code was entered.
+    /// The machine's `frames` when native code was entered.
     pub(super) frames: usize,
-    pub(super) depth: usize,
     /// The trap by which native code was left, if any.
     pub(super) trap: Option<Trap>,
     /// The reason of the refusal of an operation in steps by which it was left, if any.
@@ -400,12 +399,11 @@ impl Run<'_> {
         }
     }
 
-    /// Updates the machine's numbers of running functions.
+    /// Updates the machine's number of running functions.
     #[inline]
     pub(super) fn count_frames(&mut self, context: &Context) {
         let called = (self.left - context.left) as usize;
         self.machine.frames = self.frames.wrapping_add(called);
-        self.machine.depth = self.depth + called;
     }
 
     /// An instruction of the running code.

@@ -7,7 +7,7 @@ use super::compile::Compiled;
 use super::context::{Context, Run, noted};
 use super::operands::Surroundings;
 use super::translate::Text;
-use super::{DEPTH, Variant};
+use super::{DEPTH, LEAST_STACK, MORE_STACK, Variant};
 use crate::mesh::{ColumnId, Mesh};
 use crate::rewrite::call::MOST_CALLS;
 use crate::rewrite::dispatch::Place;
@@ -162,13 +162,12 @@ impl Machine {
             self.frames = 0;
         }
         self.depth += 1;
-        let left = (DEPTH - depth).min(MOST_CALLS.saturating_sub(self.frames)) - 1;
+        let left = DEPTH.min(MOST_CALLS.saturating_sub(self.frames)) - 1;
         let is_of_script = call.op.is_none() && call.steps.is_none() && call.depth == 0;
         let calls_directly = is_of_script && !watch.follows_operations();
         let mut run = Run {
             scratch: self.scratch.pop().unwrap_or_default(),
             frames: self.frames,
-            depth: self.depth,
             machine: self,
             mesh,
             call,
@@ -181,9 +180,11 @@ impl Machine {
             panic: None,
         };
         let mut context = Context::new(&mut run, noted);
+        let context_at = &raw mut context;
         // SAFETY: the context and its run outlive the call, and are accessed during it only by
         // native code and the functions that it calls.
-        let answer = unsafe { (compiled.entry)(&raw mut context, entry) };
+        let enter = || unsafe { (compiled.entry)(context_at, entry) };
+        let answer = stacker::maybe_grow(LEAST_STACK, MORE_STACK, enter);
         context.settle(&mut run);
         let Run { machine, scratch, trap, refused, panic, .. } = run;
         machine.scratch.push(scratch);

@@ -38,7 +38,7 @@
 //!   callee was compiled for the same attributes as the caller expects, or its address is not there
 //!   ([`Made::expected`]). The window of the callee is within the stack, which is tested before the
 //!   call, as is the nesting depth, so that native code uses a bounded amount of the processor's
-//!   stack.
+//!   stack, which it has from where it is entered ([`LEAST_STACK`]).
 //! * An operation that a script calls uses the context of the script, which becomes that of the
 //!   operation and afterwards that of the script again; the addresses in it stay valid. An
 //!   operation that needs more gets a run of its own.
@@ -130,9 +130,15 @@ pub(super) enum Variant {
 /// native code soon.
 const RUNS: u32 = if cfg!(debug_assertions) { 40 } else { 2000 };
 
-/// The greatest nesting depth of native code: beyond it the machine runs the callee, which uses no
-/// more of the processor's stack for functions that call each other.
+/// The greatest number of functions of native code that call each other directly, and the greatest
+/// number of times that native code calls the machine and that native code again: beyond it the
+/// machine runs the callee, which uses no more of the processor's stack.
 const DEPTH: usize = 64;
+
+/// The bytes of the processor's stack that native code has at least when the machine enters it, and
+/// those that it gets where there are fewer.
+const LEAST_STACK: usize = 1 << 20;
+const MORE_STACK: usize = 4 << 20;
 
 /// The native code of a code, compiled when the code has run often enough.
 #[derive(Default)]
