@@ -38,6 +38,10 @@ pub(super) fn explain(arguments: &ExplainArguments) -> Result<(), Failure> {
     let of_library = declared(asked).into_iter().map(|item| item.described());
     let texts: Vec<_> = text.into_iter().chain(of_library).chain(library::file(asked)).collect();
     if texts.is_empty() {
+        if let Some(rows) = library::mentioning(&singular).filter(|_| singular.len() > 2) {
+            say(&format!("nothing is called `{asked}`; in the library:\n\n{rows}"));
+            return Ok(());
+        }
         let advice = match closest(asked, explained().map(|(code, _)| code).chain(functions())) {
             Some(near) => format!("did you mean `{near}`?"),
             None => "`hedgerow explain` lists the diagnostics, `hedgerow explain functions` the \
@@ -110,7 +114,8 @@ fn usual(asked: &str) -> &str {
         "decimate" => "simplify",
         "delete" | "remove" => "erase",
         "sort" | "queue" | "priority" | "heap" => "drain",
-        "array" | "lists" => "list",
+        "array" | "lists" | "stack" => "list",
+        "attribute" | "uv" | "uvs" | "texcoord" | "seam" | "wedge" => "attr",
         "oriented" | "orient" => "orientation",
         _ => asked,
     }

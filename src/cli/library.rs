@@ -101,6 +101,23 @@ pub(super) fn declared(name: &str) -> Vec<Declared> {
     items.filter(|item| item.name == name).collect()
 }
 
+/// The items of the library with a word in their name or in the first sentence of their comment, a
+/// line each.
+pub(super) fn mentioning(word: &str) -> Option<String> {
+    let has_it = |text: &str| {
+        let mut words = text.split(|c: char| !c.is_alphanumeric());
+        words.any(|other| other.to_lowercase().starts_with(word))
+    };
+    let items = library::files().flat_map(|file| items(file).1);
+    let rows = items.filter_map(|Declared { file, word: kind, name, docs, .. }| {
+        let about = sentence(&docs);
+        (has_it(&name) || has_it(&about))
+            .then(|| vec![format!("  {kind}"), name, file.name.to_owned(), about])
+    });
+    let rows: Vec<_> = rows.collect();
+    (!rows.is_empty()).then(|| table(&rows, &[]))
+}
+
 /// The comment at the head of a file, and its public items.
 fn items(file: LibraryFile) -> (Vec<String>, Vec<Declared>) {
     let mut sources = Sources::new();
