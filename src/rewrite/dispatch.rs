@@ -9,7 +9,7 @@ use super::arithmetic::{balance, direction, divide, fits, key, math, mix, modulo
 use super::call::{Frame, MOST_CALLS};
 use super::memory::{self, Budget};
 use super::observe::Scene;
-use super::print::{RealText, VectorText, WideText, append};
+use super::print::{RealText, WideText, append};
 use super::question::ask;
 use super::watch::{LONG_FACE, LONG_LIST};
 use super::window::{Window, reserve};
@@ -747,9 +747,6 @@ impl Machine {
                 PrintInt { from } => append(&mut self.line, w.int(from)),
                 PrintReal { from, digits } => {
                     append(&mut self.line, RealText(w.real(from), digits));
-                }
-                PrintVec { from, digits } => {
-                    append(&mut self.line, VectorText(w.vector(from), digits));
                 }
                 PrintWide { from, size, columns, digits } => append(
                     &mut self.line,

@@ -283,7 +283,6 @@ pub enum Inst {
     PrintBool { from: Reg },
     PrintInt { from: Reg },
     PrintReal { from: Reg, digits: RealDigits },
-    PrintVec { from: Reg, digits: RealDigits },
     /// Prints a vector or matrix with columns of this size.
     PrintWide { from: Reg, size: u8, columns: u8, digits: RealDigits },
     PrintElement { kind: ElementKind, from: Reg },

@@ -75,7 +75,7 @@ pub use operand::{ElementField, HalfedgeField, Math, Room, Span, Triangles, Walk
 pub use part::{Part, Task, Turns};
 pub use paths::Unbounded;
 pub use plan::{Cell, Holder, Matched, Phase, Plan, Plans, Refusal, Row, Stage};
-pub use print::{RealDigits, RealText, VectorText, WideText};
+pub use print::{RealDigits, RealText, WideText};
 pub use question::Question;
 pub use steps::{BELOW, Steps};
 pub use trap::{Fault, Message, Site, Trap};

@@ -315,7 +315,7 @@ impl Drains {
             | Inst::Random { .. } | Inst::RandomInt { .. } | Inst::BufferShuffle { .. }
             | Inst::Refused { .. } | Inst::Turn { .. } | Inst::Tick | Inst::PrintText { .. }
             | Inst::PrintTextOf { .. } | Inst::PrintBool { .. } | Inst::PrintInt { .. }
-            | Inst::PrintReal { .. } | Inst::PrintVec { .. } | Inst::PrintWide { .. }
+            | Inst::PrintReal { .. } | Inst::PrintWide { .. }
             | Inst::PrintElement { .. } | Inst::ExpectAlive { .. } | Inst::PrintDifference { .. }
             | Inst::PrintEnd | Inst::PrintReason { .. } | Inst::RefusedFor { .. }
             | Inst::MeshKeep { .. } | Inst::MeshSame { .. } | Inst::Fail { .. }

@@ -374,7 +374,7 @@ impl<'c> Reads<'c> {
             | Inst::Expect { .. } | Inst::ExpectFinite { .. } | Inst::ExpectRoom { .. }
             | Inst::ExpectAllDistinct { .. } | Inst::ExpectRoomFor { .. } | Inst::Tick
             | Inst::PrintText { .. } | Inst::PrintTextOf { .. } | Inst::PrintBool { .. }
-            | Inst::PrintInt { .. } | Inst::PrintReal { .. } | Inst::PrintVec { .. }
+            | Inst::PrintInt { .. } | Inst::PrintReal { .. }
             | Inst::PrintWide { .. } | Inst::PrintElement { .. } | Inst::BufferFree { .. }
             | Inst::Keep { .. } | Inst::Prefetch { .. } => {}
             // The drain still holds ids, so nothing is recycled.

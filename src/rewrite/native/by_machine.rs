@@ -115,7 +115,6 @@ fn is_always_a_step(inst: &Inst) -> bool {
             | Inst::PrintBool { .. }
             | Inst::PrintInt { .. }
             | Inst::PrintReal { .. }
-            | Inst::PrintVec { .. }
             | Inst::PrintWide { .. }
             | Inst::PrintElement { .. }
             | Inst::PrintEnd

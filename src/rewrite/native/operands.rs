@@ -386,7 +386,6 @@ impl Surroundings<'_> {
             | Inst::Fail { around: Some((_, from)), .. }
             | Inst::ExpectAlive { from, .. } => operands! { Read Whole from, 1; },
             Inst::PrintReal { from, .. } => operands! { Read Real from, 1; },
-            Inst::PrintVec { from, .. } => operands! { Read Real from, 3; },
             Inst::PrintWide { from, size, columns, .. } => operands! {
                 Read Real from, u16::from(size) * u16::from(columns);
             },
