@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use glam::DVec3;
 
-use super::error::{Damage, Failure, FileFaults, FileReason, Strays};
+use super::error::{Damage, Failure, FileFaults, FileReason, STRAYS, Strays};
 use super::format::{Encoding, MshVersion};
 use super::kept::{Kept, MISSING};
 use super::mesh_file::MeshFile;
@@ -155,8 +155,7 @@ impl Contents {
             let faults = FileFaults::new(&faults, self.strays, lines);
             return Err((faults.line(), FileReason::Faults(faults)));
         };
-        let strays = ["index that leads nowhere", "indices that lead nowhere"];
-        self.kept.note_count(strays, self.strays.count());
+        self.kept.note_count(STRAYS, self.strays.count());
         let count = positions.len();
         let corners = self.polygons.corners().to_vec();
         let polygons = std::mem::take(&mut self.polygons);

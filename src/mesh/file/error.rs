@@ -218,7 +218,7 @@ impl fmt::Display for FileFaults {
 }
 
 const PINCHED: [&str; 2] = ["pinched vertex", "pinched vertices"];
-const STRAYS: [&str; 2] = ["index that leads nowhere", "indices that lead nowhere"];
+pub(super) const STRAYS: [&str; 2] = ["index that leads nowhere", "indices that lead nowhere"];
 
 /// The kind of a fault in words, singular and plural.
 fn names(fault: &BuildError) -> [&'static str; 2] {

@@ -72,7 +72,7 @@ impl Machine {
         if self.engine == Engine::Machine || self.depth >= DEPTH || self.drains.is_reading() {
             return None;
         }
-        let wanted = match (call.way, mesh.is_journaled() || !self.drains.is_empty()) {
+        let wanted = match (call.way, mesh.keeps_journal() || !self.drains.is_empty()) {
             (Way::Dry, _) => Variant::Dry,
             (_, true) => Variant::Careful,
             (_, false) => Variant::Plain,
