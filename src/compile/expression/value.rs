@@ -270,15 +270,23 @@ pub fn narrow(number: impl TryInto<u16>) -> u16 {
 /// `element.pointer`
 fn follow(asm: &mut Assembler, place: u32, pointer: Pointer, element: Reg, to: Reg) {
     let both = [to, element];
-    match pointer {
-        Pointer::Target => {
+    match (pointer, element_field(pointer)) {
+        (Pointer::Target, _) => {
             load(asm, place, HalfedgeField::Twin, both);
             load(asm, place, HalfedgeField::Vertex, [to, to]);
         }
-        Pointer::VertexHalfedge => first(asm, place, ElementField::Vertex, both),
-        Pointer::EdgeHalfedge => first(asm, place, ElementField::Edge, both),
-        Pointer::FaceHalfedge => first(asm, place, ElementField::Face, both),
-        pointer => load(asm, place, halfedge_field(pointer), both),
+        (_, Some(of)) => first(asm, place, of, both),
+        (pointer, None) => load(asm, place, halfedge_field(pointer), both),
+    }
+}
+
+/// The element whose halfedge a pointer reads; `None` for pointers of halfedges.
+pub fn element_field(pointer: Pointer) -> Option<ElementField> {
+    match pointer {
+        Pointer::VertexHalfedge => Some(ElementField::Vertex),
+        Pointer::EdgeHalfedge => Some(ElementField::Edge),
+        Pointer::FaceHalfedge => Some(ElementField::Face),
+        _ => None,
     }
 }
 
