@@ -5,7 +5,7 @@ use cranelift_codegen::ir::types::{F64, I64};
 use cranelift_codegen::ir::{InstBuilder, Value};
 use std::mem::offset_of;
 
-use super::access::{first, pointer, size_of_value};
+use super::access::{first, pointer};
 use super::stubs;
 use super::translate::{Region, Translator};
 use crate::mesh::tables::{FaceState, Tables};
@@ -96,7 +96,7 @@ impl Translator<'_, '_> {
                         self.set_whole(to, value);
                     }
                     _ => {
-                        let parts = 0..(size_of_value(ty) / 8) as i32;
+                        let parts = 0..ty.width() as i32;
                         for part in parts {
                             let value = self.b.ins().load(F64, flags, place, part * 8);
                             self.set_real(Reg((first + part) as u16), value);

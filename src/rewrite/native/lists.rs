@@ -10,7 +10,6 @@ use cranelift_codegen::ir::types::I64;
 use cranelift_codegen::ir::{Block, InstBuilder, Value};
 use cranelift_frontend::Variable;
 
-use super::access::size_of_value;
 use super::context::Context;
 use super::stubs;
 use super::translate::{Region, Translator};
@@ -121,7 +120,7 @@ impl Translator<'_, '_> {
                     return false;
                 };
                 self.living(kind, element);
-                let width = (size_of_value(ty) / 8).max(1) as u16;
+                let width = ty.width() as u16;
                 self.hold_back(inst, (buffer, attribute.into()), element, (value, width));
             }
             _ => return false,

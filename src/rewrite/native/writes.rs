@@ -11,7 +11,7 @@ use cranelift_codegen::ir::types::{F64, I8, I32, I64};
 use cranelift_codegen::ir::{Block, InstBuilder, Value};
 
 use super::Variant;
-use super::access::{TABLES, first, pointer, size_of_value, table};
+use super::access::{TABLES, first, pointer, table};
 use super::context::Context;
 use super::stubs;
 use super::translate::{Region, Translator};
@@ -89,7 +89,7 @@ impl Translator<'_, '_> {
                     self.store(Region::Values, is_true, place, 0);
                     return true;
                 }
-                for part in 0..(size_of_value(ty) / 8) as u16 {
+                for part in 0..ty.width() as u16 {
                     let bits = self.whole(Reg(value.0.wrapping_add(part)));
                     self.store(Region::Values, bits, place, usize::from(part) * 8);
                 }
