@@ -117,7 +117,7 @@ impl Translator<'_, '_> {
                 let length = self.length(edge);
                 self.set_real(to, length);
             }
-            Inst::Ask { question, to, elements } if is_whole(question) => {
+            Inst::Ask { question, to, elements } if question.reals() == 0 => {
                 self.ask_whole(question, to, elements);
             }
             Inst::Ask { .. } => {
@@ -193,24 +193,5 @@ impl Translator<'_, '_> {
         let way = [0, 1, 2].map(|part| self.b.ins().fsub(to[part], from[part]));
         let square = self.dot(way, way);
         self.b.ins().sqrt(square)
-    }
-}
-
-/// Whether the answer is a nonnegative int or a bool.
-fn is_whole(question: Question) -> bool {
-    match question {
-        Question::Degree
-        | Question::BoundaryVertex
-        | Question::Adjacent
-        | Question::BoundaryEdge
-        | Question::LinkCondition
-        | Question::StarShaped
-        | Question::FaceSize => true,
-        Question::NormalVertex
-        | Question::LengthEdge
-        | Question::KernelCentroid
-        | Question::Area
-        | Question::NormalFace
-        | Question::CentroidFace => false,
     }
 }

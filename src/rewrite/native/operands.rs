@@ -3,7 +3,7 @@
 use super::may_write;
 use crate::mesh::{AttributeType, ElementKind};
 use crate::rewrite::vectors::{Lanes, Matrix};
-use crate::rewrite::{Code, Function, Inst, Plan, Question, Reg};
+use crate::rewrite::{Code, Function, Inst, Plan, Reg};
 
 /// Whether an instruction adds an element or makes room for some.
 fn adds(inst: &Inst) -> bool {
@@ -265,19 +265,9 @@ impl Surroundings<'_> {
             Inst::NextLiving { element, .. } => operands! { Change Whole element, 1; },
             Inst::Ask { question, to, elements: [first, second] } => {
                 operands! { Read Whole first, 1; Read Whole second, 1; }
-                match question {
-                    Question::Degree
-                    | Question::BoundaryVertex
-                    | Question::Adjacent
-                    | Question::BoundaryEdge
-                    | Question::LinkCondition
-                    | Question::StarShaped
-                    | Question::FaceSize => operands! { Write Whole to, 1; },
-                    Question::LengthEdge | Question::Area => operands! { Write Real to, 1; },
-                    Question::NormalVertex
-                    | Question::KernelCentroid
-                    | Question::NormalFace
-                    | Question::CentroidFace => operands! { Write Real to, 3; },
+                match question.reals() {
+                    0 => operands! { Write Whole to, 1; },
+                    reals => operands! { Write Real to, reals; },
                 }
             }
             Inst::JumpIf { condition, .. }
