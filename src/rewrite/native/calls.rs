@@ -95,17 +95,12 @@ impl Translator<'_, '_> {
         let (entry, next) = self.callable(callee.entry, slow);
 
         self.store(Region::Progress, now, progress, turns);
-        let fewer = self.b.ins().iadd_imm_s(left, -1);
-        self.set_field(offset_of!(Context, left), fewer);
         self.pass(args, callee.params, next);
-        self.set_field(offset_of!(Context, window), next);
-        let number = self.b.ins().iconst(I64, i64::from(function) + 1);
-        self.set_field(offset_of!(Context, function), number);
+        self.begin_callee(left, next, i64::from(function) + 1);
         if holds {
             self.hold(1);
         }
-        let answer = self.enter(entry);
-        self.set_field(offset_of!(Context, left), left);
+        let answer = self.enter(entry, left);
         self.go_on_unless(answer, REFUSED);
         if holds {
             self.hold(-1);
@@ -140,13 +135,15 @@ impl Translator<'_, '_> {
         if made.expected.get_or_init(|| expected.clone()) != &expected {
             return None;
         }
-        // A function that an operation calls before its first write writes nothing.
-        let wanted = match self.variant {
-            Variant::Dry => Variant::Plain,
-            variant => variant,
-        };
-        let entry = &raw const made.entries[made.variant(wanted) as usize];
+        let variant = made.variant(self.variant_of_function());
+        let entry = &raw const made.entries[variant as usize];
         Some(Callee { entry, params: called.params, gives })
+    }
+
+    /// The variant of a function that is called here: one that an operation calls before its first
+    /// write writes nothing.
+    pub(super) fn variant_of_function(&self) -> Variant {
+        if self.variant == Variant::Dry { Variant::Plain } else { self.variant }
     }
 
     pub(super) fn hold(&mut self, by: i64) {
@@ -267,21 +264,17 @@ impl Translator<'_, '_> {
         let left = self.field(offset_of!(Context, left));
         self.or_slow(left, slow);
         let (entry, next) = self.callable(callee.entry, slow);
-        let fewer = self.b.ins().iadd_imm_s(left, -1);
-        self.set_field(offset_of!(Context, left), fewer);
         self.pass(args, callee.params, next);
-        self.set_field(offset_of!(Context, window), next);
-        let zero = self.b.ins().iconst(I64, 0);
-        self.set_field(offset_of!(Context, function), zero);
+        self.begin_callee(left, next, 0);
         let number = self.b.ins().iconst(I64, i64::from(callee.number) + 1);
         self.set_field(offset_of!(Context, op), number);
         // Refusals noted by an earlier operation do not count.
         let none = self.b.ins().iconst(I32, 0);
         self.store(Region::Context, none, self.context, offset_of!(Context, noted));
-        let answer = self.enter(entry);
+        let answer = self.enter(entry, left);
+        let zero = self.b.ins().iconst(I64, 0);
         self.set_field(offset_of!(Context, op), zero);
         self.set_field(offset_of!(Context, level), state);
-        self.set_field(offset_of!(Context, left), left);
         self.go_on_unless(answer, TRAPPED);
         answer
     }
@@ -315,22 +308,40 @@ impl Translator<'_, '_> {
         }
     }
 
-    /// Enters the callee, whose window, function and operation the context has; afterwards the
-    /// context is that of the caller again.
-    fn enter(&mut self, entry: Value) -> Value {
-        let lists = i64::from(self.text.code.buffers) * size_of::<List>() as i64;
-        self.move_field(offset_of!(Context, lists), lists);
+    /// Makes the context that of a callee: with a window, and the number of its function plus 1, or 0
+    /// if it is an operation. `left` is the number of calls that may be nested in the caller.
+    pub(super) fn begin_callee(&mut self, left: Value, window: Value, function: i64) {
+        let fewer = self.b.ins().iadd_imm_s(left, -1);
+        self.set_field(offset_of!(Context, left), fewer);
+        self.set_field(offset_of!(Context, window), window);
+        let function = self.b.ins().iconst(I64, function);
+        self.set_field(offset_of!(Context, function), function);
+        self.move_field(offset_of!(Context, lists), self.size_of_lists());
+    }
+
+    /// Makes the context that of the caller again.
+    pub(super) fn return_to_caller(&mut self, left: Value) {
+        // The stack may have moved.
+        let size = i64::from(self.text.code.registers) * 8;
+        self.move_field(offset_of!(Context, window), -size);
+        self.move_field(offset_of!(Context, lists), -self.size_of_lists());
+        self.set_field(offset_of!(Context, left), left);
+        let own = self.text.function.map_or(0, |number| i64::from(number) + 1);
+        let own = self.b.ins().iconst(I64, own);
+        self.set_field(offset_of!(Context, function), own);
+    }
+
+    fn size_of_lists(&self) -> i64 {
+        i64::from(self.text.code.buffers) * size_of::<List>() as i64
+    }
+
+    /// Enters the callee, whose context has begun; afterwards the context is that of the caller.
+    fn enter(&mut self, entry: Value, left: Value) -> Value {
         let signature = self.signature(&[I64, I64], &[I64]);
         let zero = self.b.ins().iconst(I64, 0);
         let call = self.b.ins().call_indirect(signature, entry, &[self.context, zero]);
         let answer = self.b.inst_results(call)[0];
-        // The stack may have moved.
-        let size = i64::from(self.text.code.registers) * 8;
-        self.move_field(offset_of!(Context, window), -size);
-        self.move_field(offset_of!(Context, lists), -lists);
-        let own = self.text.function.map_or(0, |number| i64::from(number) + 1);
-        let own = self.b.ins().iconst(I64, own);
-        self.set_field(offset_of!(Context, function), own);
+        self.return_to_caller(left);
         answer
     }
 

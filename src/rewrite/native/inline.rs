@@ -15,10 +15,10 @@ use super::context::Context;
 use super::facts::{Fact, Facts, KnownAt, Walk, targets};
 use super::liveness::Liveness;
 use super::registers::reals;
+use super::stubs;
 use super::translate::{Text, Translator};
-use super::{Variant, stubs};
 use crate::rewrite::engine::Way;
-use crate::rewrite::{Function, Inst, List, Reg};
+use crate::rewrite::{Function, Inst, Reg};
 
 /// The greatest number of instructions of an inlined function, of all inlined functions in one
 /// code, and the greatest depth of inlining.
@@ -73,13 +73,7 @@ impl<'a> Translator<'a, '_> {
         let left = self.field(offset_of!(Context, left));
         self.or_slow(left, slow);
         let next = self.next_window(slow);
-        let fewer = self.b.ins().iadd_imm_s(left, -1);
-        self.set_field(offset_of!(Context, left), fewer);
-        self.set_field(offset_of!(Context, window), next);
-        let running = self.b.ins().iconst(I64, i64::from(number) + 1);
-        self.set_field(offset_of!(Context, function), running);
-        let lists = i64::from(self.text.code.buffers) * size_of::<List>() as i64;
-        self.move_field(offset_of!(Context, lists), lists);
+        self.begin_callee(left, next, i64::from(number) + 1);
         if holds {
             self.hold(1);
         }
@@ -97,14 +91,14 @@ impl<'a> Translator<'a, '_> {
         self.inline_body(number, called, &params, Back { exit, results }, trapped);
 
         self.b.switch_to_block(exit);
-        self.return_to_caller(lists, left);
+        self.return_to_caller(left);
         if holds {
             self.hold(-1);
         }
         self.b.ins().jump(on, &[]);
 
         self.b.switch_to_block(trapped);
-        self.return_to_caller(lists, left);
+        self.return_to_caller(left);
         let at = self.b.ins().iconst(I64, self.at as i64);
         self.call_stub(stubs::left as *const () as usize, &[at]);
         self.b.ins().jump(self.leave, &[]);
@@ -113,16 +107,6 @@ impl<'a> Translator<'a, '_> {
         self.call_by_machine(inst);
         self.join(on);
         true
-    }
-
-    fn return_to_caller(&mut self, lists: i64, left: Value) {
-        let size = i64::from(self.text.code.registers) * 8;
-        self.move_field(offset_of!(Context, window), -size);
-        self.move_field(offset_of!(Context, lists), -lists);
-        self.set_field(offset_of!(Context, left), left);
-        let own = self.text.function.map_or(0, |number| i64::from(number) + 1);
-        let own = self.b.ins().iconst(I64, own);
-        self.set_field(offset_of!(Context, function), own);
     }
 
     /// Translates the code of an inlined function.
@@ -142,11 +126,7 @@ impl<'a> Translator<'a, '_> {
         let blocks = is_target.iter().map(|&is| is.then(|| self.b.create_block())).collect();
         let facts = Facts::of_params(registers, params.iter().map(|(_, _, fact)| *fact));
         let known_at = KnownAt::of(code, &facts, &surroundings);
-        // A function that an operation calls before its first write writes nothing.
-        let variant = match self.variant {
-            Variant::Dry => Variant::Plain,
-            variant => variant,
-        };
+        let variant = self.variant_of_function();
         self.inlined.running.push(number);
         self.inlined.insts += code.insts.len();
         let outer_text = replace(&mut self.text, text);
