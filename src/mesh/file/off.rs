@@ -361,7 +361,7 @@ impl<'t> Reader<'t> {
             let index = self.next("a vertex of a face")?;
             let is_known = index.fract() == 0.0 && (0.0..vertices as f64).contains(&index);
             if !is_known {
-                self.contents.strays.add(Some(line), || {
+                self.contents.bad_indices.add(Some(line), || {
                     format!("there is no vertex {index}: there are {vertices}, counted from 0")
                 });
             }

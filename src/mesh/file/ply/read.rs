@@ -57,7 +57,7 @@ fn check_corners(contents: &mut Contents) {
     for corner in &mut corners {
         if *corner as usize >= vertices {
             let index = *corner;
-            contents.strays.add(None, || match index {
+            contents.bad_indices.add(None, || match index {
                 MISSING => {
                     "there is an index of a vertex that is not a number from 0 on".to_owned()
                 }
