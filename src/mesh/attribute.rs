@@ -324,7 +324,7 @@ impl Column {
 
     /// True if a program can contain the name. Columns with other names are scratch or bookkeeping,
     /// and are not written to files.
-    pub fn is_sayable(&self) -> bool {
+    pub fn is_public(&self) -> bool {
         self.name.chars().all(|c| c.is_alphanumeric() || c == '_' || c == '\'')
     }
 

@@ -153,7 +153,7 @@ impl MeshFile {
             FileFormat::Off => off::columns(self).to_vec(),
             _ => Vec::new(),
         };
-        let unheld = self.mesh.sayable_columns().filter(|(id, column)| match format {
+        let unheld = self.mesh.public_columns().filter(|(id, column)| match format {
             FileFormat::Ply | FileFormat::Halfedges => false,
             FileFormat::Msh => !msh::is_held(id.kind, column.attribute_type()),
             _ => !held.contains(&Some(*id)),
