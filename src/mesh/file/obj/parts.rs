@@ -134,7 +134,7 @@ impl Reader {
             rows.width = rows.width.max(part.width);
             rows.rows.extend(part.rows);
         }
-        all.kept.append(kept.passed_over, kept.notes, lines);
+        all.kept.append(kept.skipped, kept.notes, lines);
         self.corners.append(&mut part.corners);
         self.ends.extend(part.ends.drain(..).map(|end| end + corners));
         extend(&mut self.weights, part.weights, vertices, 1.0);

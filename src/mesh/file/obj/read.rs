@@ -113,7 +113,7 @@ impl Reader {
                     let name = scanner.text().into_owned();
                     self.states.push((self.ends.len() as u32, place, name));
                 }
-                None => self.contents.kept.pass_over(&shown(keyword), line),
+                None => self.contents.kept.skip(&shown(keyword), line),
             },
         }
     }

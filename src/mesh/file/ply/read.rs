@@ -37,7 +37,7 @@ pub(in crate::mesh::file) fn read(text: &[u8]) -> Result<Contents, Failure> {
             "tristrips" => rows.strips()?,
             "edge" => rows.edges(),
             _ if element.count == 0 => {}
-            _ => rows.pass_over(""),
+            _ => rows.skip(""),
         }
         if is_cut_off {
             break;
@@ -240,7 +240,7 @@ impl Rows<'_> {
     fn edges(&mut self) {
         let ends = ["vertex1", "vertex2"].map(|name| self.take(name, false));
         let [Some((from, _)), Some((to, _))] = ends else {
-            return self.pass_over(" without `vertex1` and `vertex2`");
+            return self.skip(" without `vertex1` and `vertex2`");
         };
         let pairs = from.numbers.iter().zip(&to.numbers);
         self.contents.edges = pairs.map(|(&v, &w)| [index(v), index(w)]).collect();
@@ -248,7 +248,7 @@ impl Rows<'_> {
     }
 
     /// Notes that the rows are not in the mesh; `which` is said behind the name of the element.
-    fn pass_over(&mut self, which: &str) {
+    fn skip(&mut self, which: &str) {
         let name = shown(self.element.name.as_bytes());
         let what = ["element", "elements"].map(|word| format!("{word} `{name}`{which}"));
         self.contents.kept.note_count(what, self.element.count);
