@@ -380,7 +380,7 @@ fn write_rows(
             }
         }
         first = corners.end.max(first);
-        if encoding == Encoding::Ascii { printer.end_line()? } else { printer.hand_on()? }
+        if encoding == Encoding::Ascii { printer.end_line()? } else { printer.flush_if_full()? }
     }
     Ok(())
 }
