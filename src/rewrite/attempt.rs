@@ -12,13 +12,13 @@ use super::{Call, Inst, Machine, Message, Outcome, Plan, Trap, Watch};
 use crate::mesh::Mesh;
 
 /// The first number of the texts that are made while code runs.
-const SAID: u32 = 1 << 31;
+const FIRST_INTERNED: u32 = 1 << 31;
 
 /// Texts that are made while code runs; no two are equal.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Said(Vec<String>);
+pub(super) struct Interner(Vec<String>);
 
-impl Said {
+impl Interner {
     /// The number of a text: its place in the constant texts if it is one of them.
     pub(super) fn number(&mut self, constant: &[String], text: &str) -> u32 {
         if let Some(known) = constant.iter().position(|known| known == text) {
@@ -28,14 +28,14 @@ impl Said {
             self.0.push(text.to_owned());
             self.0.len() - 1
         });
-        SAID | number as u32
+        FIRST_INTERNED | number as u32
     }
 
     /// The text of a number.
     pub(super) fn text<'t>(&'t self, constant: &'t [String], number: u32) -> Option<&'t str> {
-        let found = match number & SAID {
+        let found = match number & FIRST_INTERNED {
             0 => constant.get(number as usize),
-            _ => self.0.get((number ^ SAID) as usize),
+            _ => self.0.get((number ^ FIRST_INTERNED) as usize),
         };
         found.map(String::as_str)
     }

@@ -688,7 +688,7 @@ impl Machine {
                         Err(trap) => return Err(trap.through_all(&call, at - 1, &returns)),
                     };
                     let reason = why.then(|| self.reason_of(op, outcome).to_owned());
-                    let text = reason.map(|reason| self.said.number(call.texts, &reason));
+                    let text = reason.map(|reason| self.interner.number(call.texts, &reason));
                     look_again!();
                     match text {
                         Some(text) => w.set_id(to, text),
@@ -708,7 +708,7 @@ impl Machine {
                     if self.progress.turn(watch, depth, done, total).is_break() {
                         break Message::Interrupted;
                     }
-                    if self.progress.has_looked() && budget!().is_passed(mesh) {
+                    if self.progress.has_polled() && budget!().is_passed(mesh) {
                         break Message::NoMemory(self.memory);
                     }
                     go_on_native!();
@@ -739,7 +739,7 @@ impl Machine {
                     Some(text) => self.line.push_str(text),
                     None => break Message::Malformed,
                 },
-                PrintTextOf { from } => match self.said.text(call.texts, w.id(from)) {
+                PrintTextOf { from } => match self.interner.text(call.texts, w.id(from)) {
                     Some(text) => self.line.push_str(text),
                     None => break Message::Malformed,
                 },

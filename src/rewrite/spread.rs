@@ -16,7 +16,7 @@ use std::time::Duration;
 
 use super::engine::Way;
 use super::memory::Budget;
-use super::watch::TURNS_PER_LOOK;
+use super::watch::ITERATIONS_PER_POLL;
 use super::{Call, Machine, Message, Part, Task, Trap, Watch, attribute, neighbors};
 use crate::mesh::{Adjacency, Mesh, parallel};
 
@@ -339,7 +339,7 @@ impl Watch for Bystander<'_> {
     }
 
     fn tick(&mut self) -> ControlFlow<()> {
-        self.turns.fetch_add(TURNS_PER_LOOK as usize, Relaxed);
+        self.turns.fetch_add(ITERATIONS_PER_POLL as usize, Relaxed);
         self.answer()
     }
 }

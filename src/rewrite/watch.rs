@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 use std::time::Duration;
 
 /// The number of turns of loops between two calls of the watcher.
-pub(super) const TURNS_PER_LOOK: u32 = 256;
+pub(super) const ITERATIONS_PER_POLL: u32 = 256;
 
 /// The number of slots from which listing their elements takes about as long as the turns between
 /// two calls of the watcher.
@@ -106,22 +106,22 @@ impl Progress {
     #[inline]
     pub(super) fn look_at_turn(&mut self, watch: &mut dyn Watch, depth: u16) -> ControlFlow<()> {
         self.turns = self.turns.wrapping_add(1);
-        match self.turns.is_multiple_of(TURNS_PER_LOOK) {
-            true => self.look(watch, depth),
+        match self.turns.is_multiple_of(ITERATIONS_PER_POLL) {
+            true => self.poll(watch, depth),
             false => ControlFlow::Continue(()),
         }
     }
 
     /// Whether the watcher was called at the last turn.
     #[inline]
-    pub(super) fn has_looked(&self) -> bool {
-        self.turns.is_multiple_of(TURNS_PER_LOOK)
+    pub(super) fn has_polled(&self) -> bool {
+        self.turns.is_multiple_of(ITERATIONS_PER_POLL)
     }
 
     #[inline]
     pub(super) fn tick(&mut self, watch: &mut dyn Watch) -> ControlFlow<()> {
         self.turns = self.turns.wrapping_add(1);
-        match self.turns.is_multiple_of(TURNS_PER_LOOK) {
+        match self.turns.is_multiple_of(ITERATIONS_PER_POLL) {
             true => watch.tick(),
             false => ControlFlow::Continue(()),
         }
@@ -137,11 +137,11 @@ impl Progress {
         if let Some(place) = self.loops.get_mut(usize::from(depth)) {
             *place = Loop { done: done.min(total) as i64, total: total as i64 };
         }
-        self.look(watch, depth)
+        self.poll(watch, depth)
     }
 
     #[cold]
-    fn look(&mut self, watch: &mut dyn Watch, depth: u16) -> ControlFlow<()> {
+    fn poll(&mut self, watch: &mut dyn Watch, depth: u16) -> ControlFlow<()> {
         for (depth, &Loop { done, total }) in (0..=depth).zip(&self.loops) {
             watch.turn(depth, done.max(0).unsigned_abs(), u64::try_from(total).ok())?;
         }

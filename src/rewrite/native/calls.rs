@@ -18,7 +18,7 @@ use super::translate::{REFUSED, Region, TRAPPED, Translator};
 use super::{Variant, stubs};
 use crate::rewrite::engine::Way;
 use crate::rewrite::known_level::KnownLevel;
-use crate::rewrite::watch::{Progress, TURNS_PER_LOOK};
+use crate::rewrite::watch::{ITERATIONS_PER_POLL, Progress};
 use crate::rewrite::{Code, Count, Inst, List, Reg};
 
 /// The number of slots that a function gives, if it is always the same.
@@ -90,7 +90,7 @@ impl Translator<'_, '_> {
         let turns = offset_of!(Progress, turns);
         let now = self.load(I32, Region::Progress, progress, turns);
         let now = self.b.ins().iadd_imm_s(now, 1);
-        let rest = self.b.ins().band_imm_u(now, i64::from(TURNS_PER_LOOK - 1));
+        let rest = self.b.ins().band_imm_u(now, i64::from(ITERATIONS_PER_POLL - 1));
         self.or_slow(rest, slow);
         let (entry, next) = self.callable(callee.entry, slow);
 

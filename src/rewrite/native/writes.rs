@@ -18,7 +18,7 @@ use super::translate::{Region, Translator};
 use crate::mesh::tables::{FaceState, Tables};
 use crate::mesh::{AttributeType, ElementKind};
 use crate::rewrite::paths::Fields;
-use crate::rewrite::watch::{DEPTHS, Loop, Progress, TURNS_PER_LOOK};
+use crate::rewrite::watch::{DEPTHS, ITERATIONS_PER_POLL, Loop, Progress};
 use crate::rewrite::{Inst, Label, Reg, Room};
 
 impl Translator<'_, '_> {
@@ -192,13 +192,13 @@ impl Translator<'_, '_> {
         self.set_whole(to, found);
     }
 
-    /// Counts a turn; once in [`TURNS_PER_LOOK`] turns a stub calls the watcher.
+    /// Counts a turn; once in [`ITERATIONS_PER_POLL`] turns a stub calls the watcher.
     fn turn(&mut self, stub: usize) {
         let progress = self.field(offset_of!(Context, progress));
         let turns = offset_of!(Progress, turns);
         let before = self.load(I32, Region::Progress, progress, turns);
         let now = self.b.ins().iadd_imm_s(before, 1);
-        let rest = self.b.ins().band_imm_u(now, i64::from(TURNS_PER_LOOK - 1));
+        let rest = self.b.ins().band_imm_u(now, i64::from(ITERATIONS_PER_POLL - 1));
         let [look, pass, on] = [(); 3].map(|()| self.b.create_block());
         self.b.set_cold_block(look);
         self.b.ins().brif(rest, pass, &[], look, &[]);
