@@ -108,9 +108,9 @@ impl Machine {
             let mut mesh = head();
             while take(machine, &mut mesh, watch).is_some() {}
         };
-        let bystander = || Bystander { stop: &stop, turns: &turns };
+        let worker_watch = || WorkerWatch { stop: &stop, turns: &turns };
         if is_sampled {
-            let visits = take(&mut workers[0], &mut head(), &mut bystander());
+            let visits = take(&mut workers[0], &mut head(), &mut worker_watch());
             if visits.is_some_and(|visits| 2 * visits >= ranges[0].len()) {
                 neighbors = self.neighbors_of(shared, true);
             }
@@ -122,9 +122,12 @@ impl Machine {
             Task::Aggregate | Task::Filter | Task::Keys => watch.tick(),
         };
         if let [machine] = workers.as_mut_slice() {
-            take_all(machine, &mut Alone { bystander: bystander(), look: &mut || look(watch) });
+            take_all(
+                machine,
+                &mut Alone { worker_watch: worker_watch(), look: &mut || look(watch) },
+            );
         } else {
-            let take_all = |machine: &mut Machine| take_all(machine, &mut bystander());
+            let take_all = |machine: &mut Machine| take_all(machine, &mut worker_watch());
             // A watcher that has interrupted is not called again.
             let meanwhile = || {
                 if !stop.load(Relaxed) && look(watch).is_break() {
@@ -158,7 +161,7 @@ impl Machine {
             return None;
         }
         let kept = done.into_iter().map(|(range, held, _)| (ranges[range].clone(), held));
-        self.put_together(mesh, (part, call), kept.collect())
+        self.merge(mesh, (part, call), kept.collect())
     }
 
     /// Whether running a loop in parts is worth it and possible: its turns only read, and there is
@@ -178,7 +181,7 @@ impl Machine {
     }
 
     /// Combines what the ranges keep, in their order; the result is that of a single thread.
-    fn put_together(
+    fn merge(
         &mut self,
         mesh: &mut Mesh,
         (part, call): (&Part, &Call<'_>),
@@ -303,7 +306,7 @@ unsafe fn head(mesh: &Mesh) -> ManuallyDrop<Mesh> {
 
 /// The watcher of the only thread, which also calls the caller's watcher.
 struct Alone<'s> {
-    bystander: Bystander<'s>,
+    worker_watch: WorkerWatch<'s>,
     look: &'s mut dyn FnMut() -> ControlFlow<()>,
 }
 
@@ -313,18 +316,18 @@ impl Watch for Alone<'_> {
     }
 
     fn tick(&mut self) -> ControlFlow<()> {
-        self.bystander.tick()?;
+        self.worker_watch.tick()?;
         (self.look)()
     }
 }
 
 /// The watcher of one of the threads, which counts turns for the waiting caller.
-struct Bystander<'s> {
+struct WorkerWatch<'s> {
     stop: &'s AtomicBool,
     turns: &'s AtomicUsize,
 }
 
-impl Bystander<'_> {
+impl WorkerWatch<'_> {
     fn answer(&self) -> ControlFlow<()> {
         match self.stop.load(Relaxed) {
             true => ControlFlow::Break(()),
@@ -333,7 +336,7 @@ impl Bystander<'_> {
     }
 }
 
-impl Watch for Bystander<'_> {
+impl Watch for WorkerWatch<'_> {
     fn turn(&mut self, _depth: u16, _done: u64, _total: Option<u64>) -> ControlFlow<()> {
         self.answer()
     }
