@@ -13,7 +13,7 @@ use cranelift_codegen::ir::{Block, InstBuilder, Value};
 use super::compile::{Expected, is_flat};
 use super::context::{Context, NOTHING};
 use super::facts::reached;
-use super::operands::Surroundings;
+use super::operands::Environment;
 use super::translate::{REFUSED, Region, TRAPPED, Translator};
 use super::{Variant, stubs};
 use crate::rewrite::engine::Way;
@@ -127,11 +127,11 @@ impl Translator<'_, '_> {
 
     /// A function that may be called directly, if it was compiled for what this code expects.
     fn callee(&self, function: u16) -> Option<Callee> {
-        let surroundings = &self.text.surroundings;
-        let called = surroundings.functions.get(usize::from(function))?;
+        let environment = &self.text.environment;
+        let called = environment.functions.get(usize::from(function))?;
         let gives = gives(&called.code)?;
         let made = called.code.native.made(&called.code);
-        let expected = Expected::of(&called.code, surroundings);
+        let expected = Expected::of(&called.code, environment);
         if made.expected.get_or_init(|| expected.clone()) != &expected {
             return None;
         }
@@ -231,14 +231,14 @@ impl Translator<'_, '_> {
     /// An operation that may be called directly, if it was compiled for what this code expects and
     /// calls nothing itself.
     fn operation(&self, op: u16, wanted: Variant) -> Option<Operation> {
-        let surroundings = &self.text.surroundings;
+        let environment = &self.text.environment;
         let is_of_script = matches!(self.text.way, Way::Script | Way::Function);
-        let plan = surroundings.plans.get(usize::from(op))?.as_ref()?;
+        let plan = environment.plans.get(usize::from(op))?.as_ref()?;
         if !is_of_script || plan.steps.is_some() || !is_flat(&plan.code) {
             return None;
         }
         let functions = &plan.code.functions;
-        let expected = Expected::of(&plan.code, &Surroundings { functions, ..*surroundings });
+        let expected = Expected::of(&plan.code, &Environment { functions, ..*environment });
         let made = plan.code.native.made(&plan.code);
         if made.expected.get_or_init(|| expected.clone()) != &expected {
             return None;
@@ -246,7 +246,7 @@ impl Translator<'_, '_> {
         Some(Operation {
             entry: &raw const made.entries[made.variant(wanted) as usize],
             number: op,
-            params: surroundings.params_of_op(op),
+            params: environment.params_of_op(op),
             states: KnownLevel::quiet_states(plan, wanted == Variant::Dry),
             may_lower: plan.may_lower(),
             has_result: plan.result.is_some(),

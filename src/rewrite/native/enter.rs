@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use super::compile::Compiled;
 use super::context::{Context, Run, noted};
-use super::operands::Surroundings;
+use super::operands::Environment;
 use super::translate::Text;
 use super::{DEPTH, Variant};
 use crate::mesh::{ColumnId, Mesh};
@@ -86,18 +86,18 @@ impl Machine {
             }
             None => return None,
         };
-        let surroundings =
-            Surroundings { plans: call.plans, functions: call.functions, types: &self.types };
-        compiled.as_ref().filter(|compiled| compiled.fits(&surroundings))
+        let environment =
+            Environment { plans: call.plans, functions: call.functions, types: &self.types };
+        compiled.as_ref().filter(|compiled| compiled.fits(&environment))
     }
 
     #[cold]
     fn compile(&mut self, call: &Call<'_>, variant: Variant) -> Option<Compiled> {
         let started = Instant::now();
-        let surroundings =
-            Surroundings { plans: call.plans, functions: call.functions, types: &self.types };
+        let environment =
+            Environment { plans: call.plans, functions: call.functions, types: &self.types };
         let Call { code, refusals, way, function, .. } = *call;
-        let text = Text { code, refusals, way, function, surroundings };
+        let text = Text { code, refusals, way, function, environment };
         let compiled = Compiled::make(text, variant, &self.plans);
         if let Some(compiled) = &compiled {
             code.native.made(code).publish(variant, compiled);

@@ -43,7 +43,7 @@ pub(super) struct Inlined {
 impl<'a> Translator<'a, '_> {
     /// A function that may be inlined here, and the number of slots that it gives.
     fn inlined(&self, number: u16) -> Option<(&'a Function, u16)> {
-        let called = self.text.surroundings.functions.get(usize::from(number))?;
+        let called = self.text.environment.functions.get(usize::from(number))?;
         let code = &called.code;
         let is_running =
             self.inlined.running.contains(&number) || self.text.function == Some(number);
@@ -119,20 +119,20 @@ impl<'a> Translator<'a, '_> {
         trapped: Block,
     ) {
         let code = &called.code;
-        let surroundings = self.text.surroundings;
+        let environment = self.text.environment;
         let registers = usize::from(code.registers);
         let text = Text { code, way: Way::Function, function: Some(number), ..self.text };
         let is_target = targets(code);
         let blocks = is_target.iter().map(|&is| is.then(|| self.b.create_block())).collect();
         let facts = Facts::of_params(registers, params.iter().map(|(_, _, fact)| *fact));
-        let known_at = KnownAt::of(code, &facts, &surroundings);
+        let known_at = KnownAt::of(code, &facts, &environment);
         let variant = self.variant_of_function();
         self.inlined.running.push(number);
         self.inlined.insts += code.insts.len();
         let outer_text = replace(&mut self.text, text);
         let outer_variant = replace(&mut self.variant, variant);
         let outer_variables = replace(&mut self.variables, vec![None; registers]);
-        let is_real = reals(&code.insts, registers, &surroundings);
+        let is_real = reals(&code.insts, registers, &environment);
         let outer_real = replace(&mut self.is_real, is_real);
         let outer_blocks = replace(&mut self.blocks, blocks);
         let outer_known = replace(&mut self.known, Walk::with(facts));
@@ -145,7 +145,7 @@ impl<'a> Translator<'a, '_> {
         let outer_drains = take(&mut self.live_at_drains);
         let outer_back = self.back.replace(back);
 
-        let live = Liveness::of(code, registers, &surroundings).at(0);
+        let live = Liveness::of(code, registers, &environment).at(0);
         let (passed, others): (Vec<Reg>, Vec<Reg>) =
             live.into_iter().partition(|reg| usize::from(reg.0) < params.len());
         others.into_iter().for_each(|reg| self.reload(reg));

@@ -116,7 +116,7 @@ impl Translator<'_, '_> {
                 self.hold_back(inst, (buffer, attribute::POSITION), vertex, (value, 3));
             }
             Inst::HoldAttribute { buffer, attribute, element, value } => {
-                let Some((kind, ty)) = self.text.surroundings.column(attribute) else {
+                let Some((kind, ty)) = self.text.environment.column(attribute) else {
                     return false;
                 };
                 self.living(kind, element);

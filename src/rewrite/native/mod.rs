@@ -17,7 +17,7 @@
 //! * Everything else is done by the machine, in safe code. After each call of the machine the
 //!   addresses of the window and the tables are loaded again, since they may have moved. Addresses
 //!   of tables are kept across such calls only in code that neither adds elements nor makes room
-//!   for some, nor calls or asks anything that does ([`operands::Surroundings::may_add`]): nothing
+//!   for some, nor calls or asks anything that does ([`operands::Environment::may_add`]): nothing
 //!   else moves tables.
 //! * Lists of neighbors are read only for vertices that have a list, from its start to its end
 //!   ([`neighbors`]). Where native code takes over in the middle of such a loop, the machine has

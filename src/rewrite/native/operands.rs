@@ -53,14 +53,14 @@ impl Operand {
 
 /// The items that a code refers to by number and on which the widths of operands depend.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Surroundings<'a> {
+pub(super) struct Environment<'a> {
     pub(super) plans: &'a [Option<Plan>],
     pub(super) functions: &'a [Function],
     /// The attributes of the program: the kind of the elements, and the type of the values.
     pub(super) types: &'a [Option<(ElementKind, AttributeType)>],
 }
 
-impl Surroundings<'_> {
+impl Environment<'_> {
     /// The type of an attribute on the mesh.
     pub(super) fn type_of(&self, attribute: u16) -> Option<AttributeType> {
         self.column(attribute).map(|(_, ty)| ty)

@@ -19,7 +19,7 @@ use super::facts::{Facts, KnownAt, Walk, ends, jumps, targets};
 use super::guards::{Guard, Set};
 use super::inline::{Back, Inlined};
 use super::liveness::Liveness;
-use super::operands::{Surroundings, Use};
+use super::operands::{Environment, Use};
 use super::registers::reals;
 use crate::rewrite::engine::Way;
 use crate::rewrite::{Code, Inst, Label, Phase, Refusal, Reg};
@@ -37,7 +37,7 @@ pub(super) struct Text<'a> {
     pub(super) way: Way,
     /// The number of the function.
     pub(super) function: Option<u16>,
-    pub(super) surroundings: Surroundings<'a>,
+    pub(super) environment: Environment<'a>,
 }
 
 /// The parts of memory, which never overlap.
@@ -121,7 +121,7 @@ impl<'a, 'f> Translator<'a, 'f> {
         let blocks = is_target.iter().map(|&is| is.then(|| b.create_block())).collect();
         let leave = b.create_block();
         b.set_cold_block(leave);
-        let mut liveness = Liveness::of(text.code, registers, &text.surroundings);
+        let mut liveness = Liveness::of(text.code, registers, &text.environment);
         let drains = insts.iter().enumerate();
         let drains = drains.filter(|(_, inst)| matches!(inst, Inst::DrainStale { .. }));
         let drains: Vec<usize> = drains.map(|(at, _)| at).collect();
@@ -134,10 +134,10 @@ impl<'a, 'f> Translator<'a, 'f> {
             conv,
             context,
             variables: vec![None; registers],
-            is_real: reals(insts, registers, &text.surroundings),
+            is_real: reals(insts, registers, &text.environment),
             blocks,
             known: Walk::new(registers),
-            may_add: text.surroundings.may_add(text.code),
+            may_add: text.environment.may_add(text.code),
             at: 0,
             skip: 0,
             fault: None,
@@ -150,7 +150,7 @@ impl<'a, 'f> Translator<'a, 'f> {
             back: None,
             inlined: Inlined::default(),
         };
-        let known_at = KnownAt::of(text.code, &Facts::none(registers), &text.surroundings);
+        let known_at = KnownAt::of(text.code, &Facts::none(registers), &text.environment);
         this.constants();
         this.begin(start, &liveness);
         this.rest(&known_at);
@@ -170,16 +170,16 @@ impl<'a, 'f> Translator<'a, 'f> {
 
     /// Translates the constants of the code, which hold at all entries.
     fn constants(&mut self) {
-        let Text { code, surroundings, .. } = self.text;
+        let Text { code, environment, .. } = self.text;
         for inst in &code.insts[..code.constants.min(code.insts.len())] {
             self.value(inst);
-            self.known.pass(inst, &surroundings);
+            self.known.pass(inst, &environment);
         }
     }
 
     /// Translates the code after the constants.
     fn rest(&mut self, known_at: &KnownAt) {
-        let Text { code, surroundings, .. } = self.text;
+        let Text { code, environment, .. } = self.text;
         let insts = &code.insts;
         let mut last_jump = vec![0; insts.len() + 1];
         for (from, to) in jumps(code) {
@@ -204,7 +204,7 @@ impl<'a, 'f> Translator<'a, 'f> {
             }
             if self.skip > 0 {
                 self.skip -= 1;
-                self.known.pass(inst, &surroundings);
+                self.known.pass(inst, &environment);
                 continue;
             }
             (self.at, self.fault) = (at, None);
@@ -212,7 +212,7 @@ impl<'a, 'f> Translator<'a, 'f> {
                 self.set.clear();
             }
             reached = self.inst(inst) && !ends(inst);
-            self.known.pass(inst, &surroundings);
+            self.known.pass(inst, &environment);
         }
         if let Some(block) = self.blocks[insts.len()] {
             if reached {
@@ -278,12 +278,12 @@ impl<'a, 'f> Translator<'a, 'f> {
                 self.call_function(inst, function, [args, to], holds);
             }
             Inst::Spread { part, .. } => {
-                let Text { code, surroundings, .. } = self.text;
+                let Text { code, environment, .. } = self.text;
                 let Some(Some(part)) = code.parts.get(usize::from(part)) else { return true };
                 // A part reads the registers that it needs from the window.
                 let mut read = vec![false; self.variables.len()];
                 for inst in &part.code.insts {
-                    surroundings.each_operand(inst, &mut |operand| {
+                    environment.each_operand(inst, &mut |operand| {
                         for reg in operand.registers().filter(|_| operand.used != Use::Write) {
                             if let Some(read) = read.get_mut(usize::from(reg.0)) {
                                 *read = true;

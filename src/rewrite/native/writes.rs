@@ -74,7 +74,7 @@ impl Translator<'_, '_> {
                 }
             }
             Inst::StoreAttribute { attribute, element, value } => {
-                let Some((kind, ty)) = self.text.surroundings.column(attribute) else {
+                let Some((kind, ty)) = self.text.environment.column(attribute) else {
                     return false;
                 };
                 let Some(place) = self.value_place(attribute, ty, element) else { return false };
