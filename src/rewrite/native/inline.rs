@@ -27,7 +27,7 @@ const MOST_IN_ALL: usize = 1200;
 const DEPTH: usize = 4;
 
 /// The place where an inlined function continues when it returns.
-pub(super) struct Back {
+pub(super) struct Continuation {
     exit: Block,
     /// The variables of the caller for its value, and whether they hold reals.
     results: Vec<(Variable, bool)>,
@@ -88,7 +88,7 @@ impl<'a> Translator<'a, '_> {
         let results = (0..gives).map(|part| Reg(to.0.wrapping_add(part)));
         let results =
             results.map(|reg| (self.variable(reg), self.is_real(reg))).collect::<Vec<_>>();
-        self.inline_body(number, called, &params, Back { exit, results }, trapped);
+        self.inline_body(number, called, &params, Continuation { exit, results }, trapped);
 
         self.b.switch_to_block(exit);
         self.return_to_caller(left);
@@ -115,7 +115,7 @@ impl<'a> Translator<'a, '_> {
         number: u16,
         called: &'a Function,
         params: &[(Value, bool, Fact)],
-        back: Back,
+        continuation: Continuation,
         trapped: Block,
     ) {
         let code = &called.code;
@@ -143,7 +143,7 @@ impl<'a> Translator<'a, '_> {
         let outer_leave = replace(&mut self.leave, trapped);
         let outer_keeps = replace(&mut self.keeps_window, false);
         let outer_drains = take(&mut self.live_at_drains);
-        let outer_back = self.back.replace(back);
+        let outer_continuation = self.continuation.replace(continuation);
 
         let live = Liveness::of(code, registers, &environment).at(0);
         let (passed, others): (Vec<Reg>, Vec<Reg>) =
@@ -169,13 +169,13 @@ impl<'a> Translator<'a, '_> {
         self.leave = outer_leave;
         self.keeps_window = outer_keeps;
         self.live_at_drains = outer_drains;
-        self.back = outer_back;
+        self.continuation = outer_continuation;
         self.inlined.running.pop();
     }
 
     /// Sets the value of an inlined function in its caller; false if the function is not inlined.
     pub(super) fn give_back(&mut self, from: Reg) -> bool {
-        let Some(Back { results, .. }) = &self.back else { return false };
+        let Some(Continuation { results, .. }) = &self.continuation else { return false };
         let results = results.clone();
         for (part, (variable, is_real)) in (0..).zip(results) {
             let reg = Reg(from.0.wrapping_add(part));
@@ -187,7 +187,7 @@ impl<'a> Translator<'a, '_> {
 
     /// Returns from an inlined function to its caller; false if the function is not inlined.
     pub(super) fn go_back(&mut self) -> bool {
-        let exit = self.back.as_ref().map(|back| back.exit);
+        let exit = self.continuation.as_ref().map(|to| to.exit);
         if let Some(exit) = exit {
             self.b.ins().jump(exit, &[]);
         }

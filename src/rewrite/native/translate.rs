@@ -17,7 +17,7 @@ use super::compile::entries;
 use super::context::{Context, noted};
 use super::facts::{Facts, KnownAt, Walk, ends, jumps, targets};
 use super::guards::{Guard, Set};
-use super::inline::{Back, Inlined};
+use super::inline::{Continuation, Inlined};
 use super::liveness::Liveness;
 use super::operands::{Environment, Use};
 use super::registers::reals;
@@ -99,7 +99,7 @@ pub(super) struct Translator<'a, 'f> {
     /// By drain, the registers that its paths may read.
     pub(super) live_at_drains: Vec<(usize, Vec<Reg>)>,
     /// The place to which the current function returns, if it is inlined.
-    pub(super) back: Option<Back>,
+    pub(super) continuation: Option<Continuation>,
     pub(super) inlined: Inlined,
 }
 
@@ -147,7 +147,7 @@ impl<'a, 'f> Translator<'a, 'f> {
             leave,
             keeps_window: text.way == Way::Script && !loops,
             live_at_drains,
-            back: None,
+            continuation: None,
             inlined: Inlined::default(),
         };
         let known_at = KnownAt::of(text.code, &Facts::none(registers), &text.environment);
