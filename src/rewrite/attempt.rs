@@ -7,7 +7,7 @@
 
 use std::ops::ControlFlow;
 
-use super::engine::Way;
+use super::engine::CodeKind;
 use super::{Call, Inst, Machine, Message, Outcome, Plan, Trap, Watch};
 use crate::mesh::Mesh;
 
@@ -89,7 +89,7 @@ impl Machine {
         watch: &mut dyn Watch,
     ) -> Result<Outcome, Trap> {
         let Some(steps) = &plan.steps else {
-            let dry = Call { way: Way::Dry, ..call };
+            let dry = Call { kind: CodeKind::Dry, ..call };
             if let Some(outcome) = self.run_native(mesh, dry, watch) {
                 return outcome;
             }

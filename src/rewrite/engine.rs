@@ -17,7 +17,7 @@ pub enum Engine {
 
 /// The kind of code that runs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Way {
+pub(super) enum CodeKind {
     /// A script, which leaves its registers in its window.
     Script,
     Function,

@@ -14,7 +14,7 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering::Relaxed};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
-use super::engine::Way;
+use super::engine::CodeKind;
 use super::memory::Budget;
 use super::watch::ITERATIONS_PER_POLL;
 use super::{Call, Machine, Message, Part, Task, Trap, Watch, attribute, neighbors};
@@ -82,7 +82,7 @@ impl Machine {
         let inner = Call {
             code: &part.code,
             function: None,
-            way: Way::Function,
+            kind: CodeKind::Function,
             base: 0,
             buffers: 0,
             depth: 0,

@@ -16,7 +16,7 @@ use super::facts::reached;
 use super::operands::Environment;
 use super::translate::{REFUSED, Region, TRAPPED, Translator};
 use super::{Variant, stubs};
-use crate::rewrite::engine::Way;
+use crate::rewrite::engine::CodeKind;
 use crate::rewrite::known_level::KnownLevel;
 use crate::rewrite::watch::{ITERATIONS_PER_POLL, Progress};
 use crate::rewrite::{Code, Count, Inst, List, Reg};
@@ -232,7 +232,7 @@ impl Translator<'_, '_> {
     /// calls nothing itself.
     fn operation(&self, op: u16, wanted: Variant) -> Option<Operation> {
         let environment = &self.text.environment;
-        let is_of_script = matches!(self.text.way, Way::Script | Way::Function);
+        let is_of_script = matches!(self.text.kind, CodeKind::Script | CodeKind::Function);
         let plan = environment.plans.get(usize::from(op))?.as_ref()?;
         if !is_of_script || plan.steps.is_some() || !is_flat(&plan.code) {
             return None;

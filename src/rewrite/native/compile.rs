@@ -16,7 +16,7 @@ use super::context::Context;
 use super::operands::Environment;
 use super::translate::{Text, Translator};
 use crate::mesh::{AttributeType, ElementKind};
-use crate::rewrite::engine::Way;
+use crate::rewrite::engine::CodeKind;
 use crate::rewrite::{Code, Function, Inst, Plan, Plans, key_paths};
 
 /// Code with more instructions or registers than this is left to the machine: compiling it would
@@ -85,7 +85,7 @@ impl Compiled {
         }
         // The functions that it enters must be those that it keeps alive.
         let functions = text.environment.functions.as_ptr();
-        if text.way != Way::Function && code.functions.as_ptr() != functions {
+        if text.kind != CodeKind::Function && code.functions.as_ptr() != functions {
             return None;
         }
         // The same for the plans.
@@ -117,15 +117,15 @@ impl Compiled {
         let entry = unsafe { std::mem::transmute::<*const u8, Entry>(start) };
         let expected = Expected::of(code, &text.environment);
         let attributes = expected.types.iter().map(|(attribute, _)| *attribute).collect();
-        let functions = (text.way != Way::Function).then(|| Arc::clone(&code.functions));
+        let functions = (text.kind != CodeKind::Function).then(|| Arc::clone(&code.functions));
         Some(Self {
             entry,
             expected,
             attributes,
-            is_callable: match text.way {
-                Way::Function => gives(code).is_some(),
-                Way::Whole | Way::Dry => is_flat(code),
-                Way::Script => false,
+            is_callable: match text.kind {
+                CodeKind::Function => gives(code).is_some(),
+                CodeKind::Whole | CodeKind::Dry => is_flat(code),
+                CodeKind::Script => false,
             },
             entries: entries(code),
             functions,

@@ -11,7 +11,7 @@ use super::{DEPTH, Variant};
 use crate::mesh::{ColumnId, Mesh};
 use crate::rewrite::call::MOST_CALLS;
 use crate::rewrite::dispatch::Place;
-use crate::rewrite::engine::Way;
+use crate::rewrite::engine::CodeKind;
 use crate::rewrite::{Call, Engine, Function, Inst, Machine, Message, Outcome, Reg, Trap, Watch};
 
 impl Call<'_> {
@@ -72,8 +72,8 @@ impl Machine {
         if self.engine == Engine::Machine || self.depth >= DEPTH || self.drains.is_reading() {
             return None;
         }
-        let wanted = match (call.way, mesh.keeps_journal() || !self.drains.is_empty()) {
-            (Way::Dry, _) => Variant::Dry,
+        let wanted = match (call.kind, mesh.keeps_journal() || !self.drains.is_empty()) {
+            (CodeKind::Dry, _) => Variant::Dry,
             (_, true) => Variant::Careful,
             (_, false) => Variant::Plain,
         };
@@ -96,8 +96,8 @@ impl Machine {
         let started = Instant::now();
         let environment =
             Environment { plans: call.plans, functions: call.functions, types: &self.types };
-        let Call { code, refusals, way, function, .. } = *call;
-        let text = Text { code, refusals, way, function, environment };
+        let Call { code, refusals, kind, function, .. } = *call;
+        let text = Text { code, refusals, kind, function, environment };
         let compiled = Compiled::make(text, variant, &self.plans);
         if let Some(compiled) = &compiled {
             code.native.made(code).publish(variant, compiled);
@@ -158,7 +158,7 @@ impl Machine {
     ) -> Result<Outcome, Trap> {
         let (frames, depth) = (self.frames, self.depth);
         // An operation or script counts its own functions.
-        if call.way != Way::Function {
+        if call.kind != CodeKind::Function {
             self.frames = 0;
         }
         self.depth += 1;

@@ -17,7 +17,7 @@ use super::liveness::Liveness;
 use super::registers::reals;
 use super::stubs;
 use super::translate::{Text, Translator};
-use crate::rewrite::engine::Way;
+use crate::rewrite::engine::CodeKind;
 use crate::rewrite::{Function, Inst, Reg};
 
 /// The greatest number of instructions of an inlined function, of all inlined functions in one
@@ -121,7 +121,7 @@ impl<'a> Translator<'a, '_> {
         let code = &called.code;
         let environment = self.text.environment;
         let registers = usize::from(code.registers);
-        let text = Text { code, way: Way::Function, function: Some(number), ..self.text };
+        let text = Text { code, kind: CodeKind::Function, function: Some(number), ..self.text };
         let is_target = targets(code);
         let blocks = is_target.iter().map(|&is| is.then(|| self.b.create_block())).collect();
         let facts = Facts::of_params(registers, params.iter().map(|(_, _, fact)| *fact));

@@ -21,7 +21,7 @@ use super::inline::{Continuation, Inlined};
 use super::liveness::Liveness;
 use super::operands::{Environment, Use};
 use super::registers::reals;
-use crate::rewrite::engine::Way;
+use crate::rewrite::engine::CodeKind;
 use crate::rewrite::{Code, Inst, Label, Phase, Refusal, Reg};
 
 /// The answers of native code.
@@ -34,7 +34,7 @@ pub(super) const TRAPPED: i64 = 2;
 pub(super) struct Text<'a> {
     pub(super) code: &'a Code,
     pub(super) refusals: &'a [Refusal],
-    pub(super) way: Way,
+    pub(super) kind: CodeKind,
     /// The number of the function.
     pub(super) function: Option<u16>,
     pub(super) environment: Environment<'a>,
@@ -145,7 +145,7 @@ impl<'a, 'f> Translator<'a, 'f> {
             guards: Guard::all(text.code),
             set: Vec::new(),
             leave,
-            keeps_window: text.way == Way::Script && !loops,
+            keeps_window: text.kind == CodeKind::Script && !loops,
             live_at_drains,
             continuation: None,
             inlined: Inlined::default(),
