@@ -81,7 +81,7 @@ impl Translator<'_, '_> {
         ty: AttributeType,
         element: Reg,
     ) -> Option<Value> {
-        self.living(self.text.environment.kind_of(attribute)?, element);
+        self.living(self.unit.environment.kind_of(attribute)?, element);
         let id = self.id(element);
         let columns = self.field(offset_of!(Context, columns));
         let place = usize::from(attribute) * size_of::<Slice>();

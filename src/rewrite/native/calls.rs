@@ -109,7 +109,7 @@ impl Translator<'_, '_> {
         for part in 0..callee.gives {
             let reg = Reg(to.0.wrapping_add(part));
             let ty = if self.is_real(reg) { F64 } else { I64 };
-            let place = usize::from(self.text.code.registers) + usize::from(part);
+            let place = usize::from(self.unit.code.registers) + usize::from(part);
             let value = self.load(ty, Region::Window, window, place * 8);
             let variable = self.variable(reg);
             self.b.def_var(variable, value);
@@ -127,7 +127,7 @@ impl Translator<'_, '_> {
 
     /// A function that may be called directly, if it was compiled for what this code expects.
     fn callee(&self, function: u16) -> Option<Callee> {
-        let environment = &self.text.environment;
+        let environment = &self.unit.environment;
         let called = environment.functions.get(usize::from(function))?;
         let gives = gives(&called.code)?;
         let made = called.code.native.made(&called.code);
@@ -231,8 +231,8 @@ impl Translator<'_, '_> {
     /// An operation that may be called directly, if it was compiled for what this code expects and
     /// calls nothing itself.
     fn operation(&self, op: u16, wanted: Variant) -> Option<Operation> {
-        let environment = &self.text.environment;
-        let is_of_script = matches!(self.text.kind, CodeKind::Script | CodeKind::Function);
+        let environment = &self.unit.environment;
+        let is_of_script = matches!(self.unit.kind, CodeKind::Script | CodeKind::Function);
         let plan = environment.plans.get(usize::from(op))?.as_ref()?;
         if !is_of_script || plan.steps.is_some() || !is_flat(&plan.code) {
             return None;
@@ -290,7 +290,7 @@ impl Translator<'_, '_> {
 
     /// The start of the window of a callee; jumps to `slow` if the stack has no room.
     pub(super) fn next_window(&mut self, slow: Block) -> Value {
-        let size = i64::from(self.text.code.registers) * 8;
+        let size = i64::from(self.unit.code.registers) * 8;
         let window = self.field(offset_of!(Context, window));
         let next = self.b.ins().iadd_imm_s(window, size);
         let last = self.field(offset_of!(Context, last));
@@ -322,17 +322,17 @@ impl Translator<'_, '_> {
     /// Makes the context that of the caller again.
     pub(super) fn return_to_caller(&mut self, left: Value) {
         // The stack may have moved.
-        let size = i64::from(self.text.code.registers) * 8;
+        let size = i64::from(self.unit.code.registers) * 8;
         self.move_field(offset_of!(Context, window), -size);
         self.move_field(offset_of!(Context, lists), -self.size_of_lists());
         self.set_field(offset_of!(Context, left), left);
-        let own = self.text.function.map_or(0, |number| i64::from(number) + 1);
+        let own = self.unit.function.map_or(0, |number| i64::from(number) + 1);
         let own = self.b.ins().iconst(I64, own);
         self.set_field(offset_of!(Context, function), own);
     }
 
     fn size_of_lists(&self) -> i64 {
-        i64::from(self.text.code.buffers) * size_of::<List>() as i64
+        i64::from(self.unit.code.buffers) * size_of::<List>() as i64
     }
 
     /// Enters the callee, whose context has begun; afterwards the context is that of the caller.

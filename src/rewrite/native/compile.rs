@@ -14,7 +14,7 @@ use super::Variant;
 use super::calls::gives;
 use super::context::Context;
 use super::operands::Environment;
-use super::translate::{Text, Translator};
+use super::translate::{Translator, Unit};
 use crate::mesh::{AttributeType, ElementKind};
 use crate::rewrite::engine::CodeKind;
 use crate::rewrite::{Code, Function, Inst, Plan, Plans, key_paths};
@@ -78,22 +78,22 @@ impl Drop for Memory {
 impl Compiled {
     /// Compiles native code; `None` for code that is left to the machine, or on a processor that
     /// Cranelift does not support.
-    pub(super) fn make(text: Text<'_>, variant: Variant, plans: &Plans) -> Option<Self> {
-        let code = text.code;
+    pub(super) fn make(unit: Unit<'_>, variant: Variant, plans: &Plans) -> Option<Self> {
+        let code = unit.code;
         if code.insts.len() > MOST_INSTS || code.registers > MOST_REGISTERS {
             return None;
         }
         // The functions that it enters must be those that it keeps alive.
-        let functions = text.environment.functions.as_ptr();
-        if text.kind != CodeKind::Function && code.functions.as_ptr() != functions {
+        let functions = unit.environment.functions.as_ptr();
+        if unit.kind != CodeKind::Function && code.functions.as_ptr() != functions {
             return None;
         }
         // The same for the plans.
-        if plans.as_ptr() != text.environment.plans.as_ptr() {
+        if plans.as_ptr() != unit.environment.plans.as_ptr() {
             return None;
         }
         // Keys without paths need the machine, which notes their reads.
-        let drains = key_paths::drains(code, text.environment.functions, plans);
+        let drains = key_paths::drains(code, unit.environment.functions, plans);
         if drains.iter().any(|(_, why)| why.is_some()) {
             return None;
         }
@@ -106,7 +106,7 @@ impl Compiled {
         context.func.signature.returns.push(AbiParam::new(I64));
         let mut builder = FunctionBuilderContext::new();
         let function = FunctionBuilder::new(&mut context.func, &mut builder);
-        Translator::translate(function, text, variant, conv).finalize(module.target_config());
+        Translator::translate(function, unit, variant, conv).finalize(module.target_config());
         let signature = context.func.signature.clone();
         let name = module.declare_function("code", Linkage::Local, &signature).ok()?;
         module.define_function(name, &mut context).ok()?;
@@ -115,21 +115,21 @@ impl Compiled {
         // SAFETY: the function that has just been defined takes a pointer and a number and returns
         // a number, of 64 bits each, in the convention of `extern "C"` here.
         let entry = unsafe { std::mem::transmute::<*const u8, Entry>(start) };
-        let expected = Expected::of(code, &text.environment);
+        let expected = Expected::of(code, &unit.environment);
         let attributes = expected.types.iter().map(|(attribute, _)| *attribute).collect();
-        let functions = (text.kind != CodeKind::Function).then(|| Arc::clone(&code.functions));
+        let functions = (unit.kind != CodeKind::Function).then(|| Arc::clone(&code.functions));
         Some(Self {
             entry,
             expected,
             attributes,
-            is_callable: match text.kind {
+            is_callable: match unit.kind {
                 CodeKind::Function => gives(code).is_some(),
                 CodeKind::Whole | CodeKind::Dry => is_flat(code),
                 CodeKind::Script => false,
             },
             entries: entries(code),
             functions,
-            first_function: text.environment.functions.as_ptr().addr(),
+            first_function: unit.environment.functions.as_ptr().addr(),
             plans: Arc::downgrade(plans),
             memory: Memory(Mutex::new(Some(module))),
         })

@@ -82,7 +82,7 @@ impl Translator<'_, '_> {
                 self.b.switch_to_block(back);
             }
             Inst::LoadAttribute { attribute, to, element } => {
-                let Some(ty) = self.text.environment.type_of(attribute) else { return false };
+                let Some(ty) = self.unit.environment.type_of(attribute) else { return false };
                 let Some(place) = self.value_place(attribute, ty, element) else { return false };
                 let flags = self.flags(Region::Values);
                 let first = i32::from(to.0);

@@ -6,7 +6,7 @@ use std::time::Instant;
 use super::compile::Compiled;
 use super::context::{Context, Run, noted};
 use super::operands::Environment;
-use super::translate::Text;
+use super::translate::Unit;
 use super::{DEPTH, Variant};
 use crate::mesh::{ColumnId, Mesh};
 use crate::rewrite::call::MOST_CALLS;
@@ -97,8 +97,8 @@ impl Machine {
         let environment =
             Environment { plans: call.plans, functions: call.functions, types: &self.types };
         let Call { code, refusals, kind, function, .. } = *call;
-        let text = Text { code, refusals, kind, function, environment };
-        let compiled = Compiled::make(text, variant, &self.plans);
+        let unit = Unit { code, refusals, kind, function, environment };
+        let compiled = Compiled::make(unit, variant, &self.plans);
         if let Some(compiled) = &compiled {
             code.native.made(code).publish(variant, compiled);
         }

@@ -16,7 +16,7 @@ use super::facts::{Fact, Facts, KnownAt, Walk, targets};
 use super::liveness::Liveness;
 use super::registers::reals;
 use super::stubs;
-use super::translate::{Text, Translator};
+use super::translate::{Translator, Unit};
 use crate::rewrite::engine::CodeKind;
 use crate::rewrite::{Function, Inst, Reg};
 
@@ -43,10 +43,10 @@ pub(super) struct Inlined {
 impl<'a> Translator<'a, '_> {
     /// A function that may be inlined here, and the number of slots that it gives.
     fn inlined(&self, number: u16) -> Option<(&'a Function, u16)> {
-        let called = self.text.environment.functions.get(usize::from(number))?;
+        let called = self.unit.environment.functions.get(usize::from(number))?;
         let code = &called.code;
         let is_running =
-            self.inlined.running.contains(&number) || self.text.function == Some(number);
+            self.inlined.running.contains(&number) || self.unit.function == Some(number);
         let fits = code.insts.len() <= MOST
             && self.inlined.insts + code.insts.len() <= MOST_IN_ALL
             && self.inlined.running.len() < DEPTH;
@@ -119,9 +119,9 @@ impl<'a> Translator<'a, '_> {
         trapped: Block,
     ) {
         let code = &called.code;
-        let environment = self.text.environment;
+        let environment = self.unit.environment;
         let registers = usize::from(code.registers);
-        let text = Text { code, kind: CodeKind::Function, function: Some(number), ..self.text };
+        let unit = Unit { code, kind: CodeKind::Function, function: Some(number), ..self.unit };
         let is_target = targets(code);
         let blocks = is_target.iter().map(|&is| is.then(|| self.b.create_block())).collect();
         let facts = Facts::of_params(registers, params.iter().map(|(_, _, fact)| *fact));
@@ -129,7 +129,7 @@ impl<'a> Translator<'a, '_> {
         let variant = self.variant_of_function();
         self.inlined.running.push(number);
         self.inlined.insts += code.insts.len();
-        let outer_text = replace(&mut self.text, text);
+        let outer_unit = replace(&mut self.unit, unit);
         let outer_variant = replace(&mut self.variant, variant);
         let outer_variables = replace(&mut self.variables, vec![None; registers]);
         let is_real = reals(&code.insts, registers, &environment);
@@ -156,7 +156,7 @@ impl<'a> Translator<'a, '_> {
         self.body(&known_at);
         self.faults();
 
-        self.text = outer_text;
+        self.unit = outer_unit;
         self.variant = outer_variant;
         self.variables = outer_variables;
         self.is_real = outer_real;

@@ -31,7 +31,7 @@ impl Translator<'_, '_> {
             | Inst::Collect { buffer, .. }
             | Inst::HoldPosition { buffer, .. }
             | Inst::HoldAttribute { buffer, .. }
-                if buffer >= self.text.code.buffers =>
+                if buffer >= self.unit.code.buffers =>
             {
                 return false;
             }
@@ -116,7 +116,7 @@ impl Translator<'_, '_> {
                 self.hold_back(inst, (buffer, attribute::POSITION), vertex, (value, 3));
             }
             Inst::HoldAttribute { buffer, attribute, element, value } => {
-                let Some((kind, ty)) = self.text.environment.column(attribute) else {
+                let Some((kind, ty)) = self.unit.environment.column(attribute) else {
                     return false;
                 };
                 self.living(kind, element);
@@ -130,7 +130,7 @@ impl Translator<'_, '_> {
 
     /// Empties the buffers of the code. A stub adds those that the machine has not yet.
     pub(super) fn begin_lists(&mut self) {
-        let buffers = self.text.code.buffers;
+        let buffers = self.unit.code.buffers;
         if buffers == 0 {
             return;
         }

@@ -30,7 +30,7 @@ impl Translator<'_, '_> {
     /// The registers that an instruction uses in some ways.
     fn registers(&self, inst: &Inst, is_one: impl Fn(Use) -> bool) -> Vec<Reg> {
         let mut all = Vec::new();
-        self.text.environment.each_operand(inst, &mut |operand| {
+        self.unit.environment.each_operand(inst, &mut |operand| {
             if is_one(operand.used) {
                 all.extend(operand.registers());
             }

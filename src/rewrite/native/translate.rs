@@ -29,9 +29,9 @@ pub(super) const APPLIED: i64 = 0;
 pub(super) const REFUSED: i64 = 1;
 pub(super) const TRAPPED: i64 = 2;
 
-/// A code and the items that it refers to by number.
+/// A unit of compilation: a code and the items that it refers to by number.
 #[derive(Clone, Copy)]
-pub(super) struct Text<'a> {
+pub(super) struct Unit<'a> {
     pub(super) code: &'a Code,
     pub(super) refusals: &'a [Refusal],
     pub(super) kind: CodeKind,
@@ -70,7 +70,7 @@ pub(super) enum Region {
 
 pub(super) struct Translator<'a, 'f> {
     pub(super) b: FunctionBuilder<'f>,
-    pub(super) text: Text<'a>,
+    pub(super) unit: Unit<'a>,
     pub(super) variant: Variant,
     pub(super) conv: CallConv,
     pub(super) context: Value,
@@ -107,21 +107,21 @@ impl<'a, 'f> Translator<'a, 'f> {
     /// Translates a whole code.
     pub(super) fn translate(
         mut b: FunctionBuilder<'f>,
-        text: Text<'a>,
+        unit: Unit<'a>,
         variant: Variant,
         conv: CallConv,
     ) -> FunctionBuilder<'f> {
-        let insts = &text.code.insts;
-        let registers = usize::from(text.code.registers);
+        let insts = &unit.code.insts;
+        let registers = usize::from(unit.code.registers);
         let entry = b.create_block();
         b.append_block_params_for_function_params(entry);
         b.switch_to_block(entry);
         let (context, start) = (b.block_params(entry)[0], b.block_params(entry)[1]);
-        let is_target = targets(text.code);
+        let is_target = targets(unit.code);
         let blocks = is_target.iter().map(|&is| is.then(|| b.create_block())).collect();
         let leave = b.create_block();
         b.set_cold_block(leave);
-        let mut liveness = Liveness::of(text.code, registers, &text.environment);
+        let mut liveness = Liveness::of(unit.code, registers, &unit.environment);
         let drains = insts.iter().enumerate();
         let drains = drains.filter(|(_, inst)| matches!(inst, Inst::DrainStale { .. }));
         let drains: Vec<usize> = drains.map(|(at, _)| at).collect();
@@ -129,28 +129,28 @@ impl<'a, 'f> Translator<'a, 'f> {
         let loops = insts.iter().any(|inst| matches!(inst, Inst::Turn { .. }));
         let mut this = Self {
             b,
-            text,
+            unit,
             variant,
             conv,
             context,
             variables: vec![None; registers],
-            is_real: reals(insts, registers, &text.environment),
+            is_real: reals(insts, registers, &unit.environment),
             blocks,
             known: Walk::new(registers),
-            may_add: text.environment.may_add(text.code),
+            may_add: unit.environment.may_add(unit.code),
             at: 0,
             skip: 0,
             fault: None,
             faults: Vec::new(),
-            guards: Guard::all(text.code),
+            guards: Guard::all(unit.code),
             set: Vec::new(),
             leave,
-            keeps_window: text.kind == CodeKind::Script && !loops,
+            keeps_window: unit.kind == CodeKind::Script && !loops,
             live_at_drains,
             continuation: None,
             inlined: Inlined::default(),
         };
-        let known_at = KnownAt::of(text.code, &Facts::none(registers), &text.environment);
+        let known_at = KnownAt::of(unit.code, &Facts::none(registers), &unit.environment);
         this.constants();
         this.begin(start, &liveness);
         this.rest(&known_at);
@@ -170,7 +170,7 @@ impl<'a, 'f> Translator<'a, 'f> {
 
     /// Translates the constants of the code, which hold at all entries.
     fn constants(&mut self) {
-        let Text { code, environment, .. } = self.text;
+        let Unit { code, environment, .. } = self.unit;
         for inst in &code.insts[..code.constants.min(code.insts.len())] {
             self.value(inst);
             self.known.pass(inst, &environment);
@@ -179,7 +179,7 @@ impl<'a, 'f> Translator<'a, 'f> {
 
     /// Translates the code after the constants.
     fn rest(&mut self, known_at: &KnownAt) {
-        let Text { code, environment, .. } = self.text;
+        let Unit { code, environment, .. } = self.unit;
         let insts = &code.insts;
         let mut last_jump = vec![0; insts.len() + 1];
         for (from, to) in jumps(code) {
@@ -231,7 +231,7 @@ impl<'a, 'f> Translator<'a, 'f> {
     fn begin(&mut self, start: Value, liveness: &Liveness<'_>) {
         // A script leaves all its registers in the window, changed or not.
         let first = if self.keeps_window { liveness.all() } else { liveness.at(0) };
-        let entries = entries(self.text.code);
+        let entries = entries(self.unit.code);
         if !entries.is_empty() {
             let (begin, elsewhere) = (self.b.create_block(), self.b.create_block());
             self.b.set_cold_block(elsewhere);
@@ -278,7 +278,7 @@ impl<'a, 'f> Translator<'a, 'f> {
                 self.call_function(inst, function, [args, to], holds);
             }
             Inst::Spread { part, .. } => {
-                let Text { code, environment, .. } = self.text;
+                let Unit { code, environment, .. } = self.unit;
                 let Some(Some(part)) = code.parts.get(usize::from(part)) else { return true };
                 // A part reads the registers that it needs from the window.
                 let mut read = vec![false; self.variables.len()];
@@ -359,7 +359,7 @@ impl<'a, 'f> Translator<'a, 'f> {
     }
 
     pub(super) fn block(&mut self, to: Label) -> Block {
-        let at = (to.0 as usize).min(self.text.code.insts.len());
+        let at = (to.0 as usize).min(self.unit.code.insts.len());
         // Every target of a jump has a block.
         self.blocks[at].unwrap_or(self.leave)
     }
@@ -388,7 +388,7 @@ impl<'a, 'f> Translator<'a, 'f> {
         let (on, off) = (self.b.create_block(), self.b.create_block());
         self.b.ins().brif(condition, on, &[], off, &[]);
         self.b.switch_to_block(off);
-        let reason = self.text.refusals.get(usize::from(refusal));
+        let reason = self.unit.refusals.get(usize::from(refusal));
         let phase = reason.map_or(Phase::Match, |reason| reason.phase);
         let now = i64::from(noted(Some((phase, refusal))));
         let now = self.b.ins().iconst(I32, now);

@@ -74,7 +74,7 @@ impl Translator<'_, '_> {
                 }
             }
             Inst::StoreAttribute { attribute, element, value } => {
-                let Some((kind, ty)) = self.text.environment.column(attribute) else {
+                let Some((kind, ty)) = self.unit.environment.column(attribute) else {
                     return false;
                 };
                 let Some(place) = self.value_place(attribute, ty, element) else { return false };
@@ -97,7 +97,7 @@ impl Translator<'_, '_> {
             Inst::New { .. } => self.add(),
             Inst::Erase { .. } => {
                 // All that are erased together by one call.
-                let (first, code) = (self.at, self.text.code);
+                let (first, code) = (self.at, self.unit.code);
                 let end = self.end_of_run(|inst| matches!(inst, Inst::Erase { .. }));
                 code.insts[first..end].iter().for_each(|inst| self.spill_operands(inst));
                 let span = self.b.ins().iconst(I64, (first | end << 32) as i64);
@@ -235,7 +235,7 @@ impl Translator<'_, '_> {
 
     /// Translates this instruction and those of its sort that follow it as one.
     fn add(&mut self) {
-        let (first, code) = (self.at, self.text.code);
+        let (first, code) = (self.at, self.unit.code);
         let end = self.end_of_run(|inst| added(inst).is_some());
         let all = &code.insts[first..end];
         let on = self.b.create_block();
