@@ -130,13 +130,13 @@ impl Translator<'_, '_> {
         let environment = &self.unit.environment;
         let called = environment.functions.get(usize::from(function))?;
         let gives = gives(&called.code)?;
-        let made = called.code.native.made(&called.code);
+        let compilation = called.code.native.compilation(&called.code);
         let expected = Expected::of(&called.code, environment);
-        if made.expected.get_or_init(|| expected.clone()) != &expected {
+        if compilation.expected.get_or_init(|| expected.clone()) != &expected {
             return None;
         }
-        let variant = made.variant(self.variant_of_function());
-        let entry = &raw const made.entries[variant as usize];
+        let variant = compilation.variant(self.variant_of_function());
+        let entry = &raw const compilation.entries[variant as usize];
         Some(Callee { entry, params: called.params, gives })
     }
 
@@ -239,12 +239,12 @@ impl Translator<'_, '_> {
         }
         let functions = &plan.code.functions;
         let expected = Expected::of(&plan.code, &Environment { functions, ..*environment });
-        let made = plan.code.native.made(&plan.code);
-        if made.expected.get_or_init(|| expected.clone()) != &expected {
+        let compilation = plan.code.native.compilation(&plan.code);
+        if compilation.expected.get_or_init(|| expected.clone()) != &expected {
             return None;
         }
         Some(Operation {
-            entry: &raw const made.entries[made.variant(wanted) as usize],
+            entry: &raw const compilation.entries[compilation.variant(wanted) as usize],
             number: op,
             params: environment.params_of_op(op),
             states: KnownLevel::quiet_states(plan, wanted == Variant::Dry),
@@ -308,8 +308,8 @@ impl Translator<'_, '_> {
         }
     }
 
-    /// Makes the context that of a callee: with a window, and the number of its function plus 1, or 0
-    /// if it is an operation. `left` is the number of calls that may be nested in the caller.
+    /// Makes the context that of a callee: with a window, and the number of its function plus 1, or
+    /// 0 if it is an operation. `left` is the number of calls that may be nested in the caller.
     pub(super) fn begin_callee(&mut self, left: Value, window: Value, function: i64) {
         let fewer = self.b.ins().iadd_imm_s(left, -1);
         self.set_field(offset_of!(Context, left), fewer);

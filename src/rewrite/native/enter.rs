@@ -19,7 +19,7 @@ impl Call<'_> {
     /// over the rest.
     #[inline]
     pub(in super::super) fn has_looped(&self) -> bool {
-        self.code.native.made(self.code).count()
+        self.code.native.compilation(self.code).count()
     }
 }
 
@@ -77,12 +77,12 @@ impl Machine {
             (_, true) => Variant::Careful,
             (_, false) => Variant::Plain,
         };
-        let made = call.code.native.made(call.code);
-        let variant = made.variant(wanted);
-        let compiled = match made.variants[variant as usize].get() {
+        let compilation = call.code.native.compilation(call.code);
+        let variant = compilation.variant(wanted);
+        let compiled = match compilation.variants[variant as usize].get() {
             Some(compiled) => compiled,
-            None if self.engine == Engine::NativeAtOnce || made.count() => {
-                made.variants[variant as usize].get_or_init(|| self.compile(call, variant))
+            None if self.engine == Engine::NativeAtOnce || compilation.count() => {
+                compilation.variants[variant as usize].get_or_init(|| self.compile(call, variant))
             }
             None => return None,
         };
@@ -100,7 +100,7 @@ impl Machine {
         let unit = Unit { code, refusals, kind, function, environment };
         let compiled = Compiled::make(unit, variant, &self.plans);
         if let Some(compiled) = &compiled {
-            code.native.made(code).publish(variant, compiled);
+            code.native.compilation(code).publish(variant, compiled);
         }
         self.compiling += started.elapsed();
         compiled

@@ -31,14 +31,14 @@
 //!   ([`context::Context::settle`]).
 //! * A stub notifies journals and drains of a write before the write. It only records and moves no
 //!   table.
-//! * Native code calls a function or an operation directly only where [`Made::entries`] has its
-//!   address. The entry lives as long as the caller: functions are in one list with the caller,
+//! * Native code calls a function or an operation directly only where [`Compilation::entries`] has
+//!   its address. The entry lives as long as the caller: functions are in one list with the caller,
 //!   which the script or operation holds; operations are in the plans for which the caller was
 //!   compiled ([`Expected`]), and native code is entered only if these are the machine's plans. The
 //!   callee was compiled for the same attributes as the caller expects, or its address is not there
-//!   ([`Made::expected`]). The window of the callee is within the stack, which is tested before the
-//!   call, as is the nesting depth, so that native code uses a bounded amount of the processor's
-//!   stack.
+//!   ([`Compilation::expected`]). The window of the callee is within the stack, which is tested
+//!   before the call, as is the nesting depth, so that native code uses a bounded amount of the
+//!   processor's stack.
 //! * An operation that a script calls uses the context of the script, which becomes that of the
 //!   operation and afterwards that of the script again; the addresses in it stay valid. An
 //!   operation that needs more gets a run of its own.
@@ -136,10 +136,10 @@ const DEPTH: usize = 64;
 
 /// The native code of a code, compiled when the code has run often enough.
 #[derive(Default)]
-pub struct Native(OnceLock<Box<Made>>);
+pub struct Native(OnceLock<Box<Compilation>>);
 
 #[derive(Default)]
-struct Made {
+struct Compilation {
     /// The number of its runs and of the turns of its loops, up to [`RUNS`].
     runs: AtomicU32,
     /// Whether the code, or something that it calls, may write to the mesh.
@@ -175,12 +175,12 @@ impl std::fmt::Debug for Native {
 }
 
 impl Native {
-    fn made(&self, code: &Code) -> &Made {
+    fn compilation(&self, code: &Code) -> &Compilation {
         self.0.get_or_init(|| {
-            Box::new(Made {
+            Box::new(Compilation {
                 writes: code.insts.iter().any(may_write),
                 drains: code.opens_drain(),
-                ..Made::default()
+                ..Compilation::default()
             })
         })
     }
@@ -191,7 +191,7 @@ fn may_write(inst: &Inst) -> bool {
     inst.is_observed_write() || matches!(inst, Inst::Call { .. } | Inst::Apply { .. })
 }
 
-impl Made {
+impl Compilation {
     /// The variant to use where `wanted` is wanted: several variants of a code may be the same.
     fn variant(&self, wanted: Variant) -> Variant {
         match wanted {
