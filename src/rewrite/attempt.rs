@@ -135,8 +135,8 @@ impl Machine {
 struct Silent<'w>(&'w mut dyn Watch);
 
 impl Watch for Silent<'_> {
-    fn turn(&mut self, depth: u16, done: u64, total: Option<u64>) -> ControlFlow<()> {
-        self.0.turn(depth, done, total)
+    fn iteration(&mut self, depth: u16, done: u64, total: Option<u64>) -> ControlFlow<()> {
+        self.0.iteration(depth, done, total)
     }
 
     fn tick(&mut self) -> ControlFlow<()> {

@@ -703,9 +703,9 @@ impl Machine {
                     }
                     None => break self.must_not_refuse(op),
                 },
-                Turn { depth, done, total } => {
+                Iteration { depth, done, total } => {
                     let (done, total) = (w.int(done), w.int(total));
-                    if self.progress.turn(watch, depth, done, total).is_break() {
+                    if self.progress.iteration(watch, depth, done, total).is_break() {
                         break Message::Interrupted;
                     }
                     if self.progress.has_polled() && budget!().is_passed(mesh) {

@@ -72,7 +72,7 @@ pub use key_paths::drains;
 pub use machine::{Count, Machine, NamedElements};
 pub use native::Native;
 pub use operand::{ElementField, HalfedgeField, Math, Room, Span, Triangles, Walk};
-pub use part::{Part, Task, Turns};
+pub use part::{Iterations, Part, Task};
 pub use paths::Unbounded;
 pub use plan::{Cell, Holder, Matched, Phase, Plan, Plans, Refusal, Row, Stage};
 pub use print::{RealDigits, RealText, WideText};

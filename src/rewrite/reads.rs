@@ -370,7 +370,7 @@ impl<'c> Reads<'c> {
             // here.
             #[rustfmt::skip]
             computation!() | Inst::NextIndex { .. } | Inst::BufferLength { .. }
-            | Inst::Turn { .. } | Inst::ExpectEqual { .. } | Inst::ExpectDistinct { .. }
+            | Inst::Iteration { .. } | Inst::ExpectEqual { .. } | Inst::ExpectDistinct { .. }
             | Inst::Expect { .. } | Inst::ExpectFinite { .. } | Inst::ExpectRoom { .. }
             | Inst::ExpectAllDistinct { .. } | Inst::ExpectRoomFor { .. } | Inst::Tick
             | Inst::PrintText { .. } | Inst::PrintTextOf { .. } | Inst::PrintBool { .. }

@@ -74,7 +74,7 @@ impl Machine {
         let next = AtomicUsize::new(0);
         // The first range that has trapped: no range after it is started.
         let trapped = AtomicUsize::new(ranges.len());
-        let (stop, turns) = (AtomicBool::new(false), AtomicUsize::new(0));
+        let (stop, iterations) = (AtomicBool::new(false), AtomicUsize::new(0));
         let done: Mutex<Vec<Done>> = Mutex::default();
         let mut workers = self.workers_of(mesh, call, (threads, frames));
         let shared: &Mesh = mesh;
@@ -108,7 +108,7 @@ impl Machine {
             let mut mesh = head();
             while take(machine, &mut mesh, watch).is_some() {}
         };
-        let worker_watch = || WorkerWatch { stop: &stop, turns: &turns };
+        let worker_watch = || WorkerWatch { stop: &stop, iterations: &iterations };
         if is_sampled {
             let visits = take(&mut workers[0], &mut head(), &mut worker_watch());
             if visits.is_some_and(|visits| 2 * visits >= ranges[0].len()) {
@@ -118,7 +118,7 @@ impl Machine {
         workers.iter_mut().for_each(|machine| machine.neighbors = neighbors.clone());
         let progress = &mut self.progress;
         let mut look = |watch: &mut dyn Watch| match part.task {
-            Task::Update => progress.show(watch, part.depth, [turns.load(Relaxed), slots]),
+            Task::Update => progress.show(watch, part.depth, [iterations.load(Relaxed), slots]),
             Task::Aggregate | Task::Filter | Task::Keys => watch.tick(),
         };
         if let [machine] = workers.as_mut_slice() {
@@ -164,8 +164,8 @@ impl Machine {
         self.merge(mesh, (part, call), kept.collect())
     }
 
-    /// Whether running a loop in parts is worth it and possible: its turns only read, and there is
-    /// memory for what they keep.
+    /// Whether running a loop in parts is worth it and possible: its iterations only read, and
+    /// there is memory for what they keep.
     fn may_spread(&self, mesh: &Mesh, part: &Part, call: &Call<'_>) -> bool {
         let slots = mesh.capacity(part.of.kind());
         let is_noted = match part.task {
@@ -230,7 +230,7 @@ impl Machine {
         Budget { buffers: &self.buffers, drains: &self.drains, limit: self.memory }
     }
 
-    /// Whether what the turns may keep is within the memory limit.
+    /// Whether what the iterations may keep is within the memory limit.
     fn has_room_for(&self, mesh: &Mesh, part: &Part, slots: usize) -> bool {
         let wanted = slots.saturating_mul(part.keeps() * size_of::<u64>() * 2);
         mesh.bytes().saturating_add(self.budget().taken()).saturating_add(wanted) <= self.memory
@@ -258,7 +258,7 @@ impl Machine {
         workers
     }
 
-    /// Runs the turns of a range.
+    /// Runs the iterations of a range.
     fn take_range(
         &mut self,
         mesh: &mut Mesh,
@@ -271,7 +271,7 @@ impl Machine {
             self.stack[usize::from(reg.0)] = bound as u64;
         }
         self.kept.clear();
-        // If this fails, the turn traps that cannot keep its value.
+        // If this fails, the iteration traps that cannot keep its value.
         let _ = self.kept.grow().try_reserve_exact(part.keeps() * range.len());
         let outcome = match self.run_native(mesh, call, watch) {
             Some(outcome) => outcome,
@@ -311,7 +311,7 @@ struct Alone<'s> {
 }
 
 impl Watch for Alone<'_> {
-    fn turn(&mut self, _depth: u16, _done: u64, _total: Option<u64>) -> ControlFlow<()> {
+    fn iteration(&mut self, _depth: u16, _done: u64, _total: Option<u64>) -> ControlFlow<()> {
         (self.look)()
     }
 
@@ -321,10 +321,10 @@ impl Watch for Alone<'_> {
     }
 }
 
-/// The watcher of one of the threads, which counts turns for the waiting caller.
+/// The watcher of one of the threads, which counts iterations for the waiting caller.
 struct WorkerWatch<'s> {
     stop: &'s AtomicBool,
-    turns: &'s AtomicUsize,
+    iterations: &'s AtomicUsize,
 }
 
 impl WorkerWatch<'_> {
@@ -337,12 +337,12 @@ impl WorkerWatch<'_> {
 }
 
 impl Watch for WorkerWatch<'_> {
-    fn turn(&mut self, _depth: u16, _done: u64, _total: Option<u64>) -> ControlFlow<()> {
+    fn iteration(&mut self, _depth: u16, _done: u64, _total: Option<u64>) -> ControlFlow<()> {
         self.answer()
     }
 
     fn tick(&mut self) -> ControlFlow<()> {
-        self.turns.fetch_add(ITERATIONS_PER_POLL as usize, Relaxed);
+        self.iterations.fetch_add(ITERATIONS_PER_POLL as usize, Relaxed);
         self.answer()
     }
 }

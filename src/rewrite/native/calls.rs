@@ -87,14 +87,14 @@ impl Translator<'_, '_> {
         let left = self.field(offset_of!(Context, left));
         self.or_slow(left, slow);
         let progress = self.field(offset_of!(Context, progress));
-        let turns = offset_of!(Progress, turns);
-        let now = self.load(I32, Region::Progress, progress, turns);
+        let iterations = offset_of!(Progress, iterations);
+        let now = self.load(I32, Region::Progress, progress, iterations);
         let now = self.b.ins().iadd_imm_s(now, 1);
         let rest = self.b.ins().band_imm_u(now, i64::from(ITERATIONS_PER_POLL - 1));
         self.or_slow(rest, slow);
         let (entry, next) = self.callable(callee.entry, slow);
 
-        self.store(Region::Progress, now, progress, turns);
+        self.store(Region::Progress, now, progress, iterations);
         self.pass(args, callee.params, next);
         self.begin_callee(left, next, i64::from(function) + 1);
         if holds {

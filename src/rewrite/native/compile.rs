@@ -149,11 +149,11 @@ impl Compiled {
     }
 }
 
-/// The instructions after the turns of loops, at which native code may be entered.
+/// The instructions after the iterations of loops, at which native code may be entered.
 pub(super) fn entries(code: &Code) -> Vec<u32> {
     let insts = code.insts.iter().enumerate().take(code.insts.len().saturating_sub(1));
-    let turns = insts.filter(|(_, inst)| matches!(inst, Inst::Turn { .. } | Inst::Tick));
-    turns.map(|(at, _)| at as u32 + 1).collect()
+    let iterations = insts.filter(|(_, inst)| matches!(inst, Inst::Iteration { .. } | Inst::Tick));
+    iterations.map(|(at, _)| at as u32 + 1).collect()
 }
 
 /// Whether a code calls nothing.

@@ -15,8 +15,8 @@ use crate::rewrite::engine::CodeKind;
 use crate::rewrite::{Call, Engine, Function, Inst, Machine, Message, Outcome, Reg, Trap, Watch};
 
 impl Call<'_> {
-    /// Counts a turn of a loop of code that the machine runs. Returns whether native code may take
-    /// over the rest.
+    /// Counts an iteration of a loop of code that the machine runs. Returns whether native code may
+    /// take over the rest.
     #[inline]
     pub(in super::super) fn has_looped(&self) -> bool {
         self.code.native.compilation(self.code).count()
@@ -52,8 +52,8 @@ impl Machine {
         self.compiled(mesh, &call).is_some()
     }
 
-    /// Runs the rest of the code of a call, from after a turn of a loop, as native code; `None` if
-    /// the machine has to run it.
+    /// Runs the rest of the code of a call, from after an iteration of a loop, as native code;
+    /// `None` if the machine has to run it.
     pub(in super::super) fn go_on_native(
         &mut self,
         mesh: &mut Mesh,

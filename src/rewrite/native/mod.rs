@@ -21,7 +21,7 @@
 //!   else moves tables.
 //! * Lists of neighbors are read only for vertices that have a list, from its start to its end
 //!   ([`neighbors`]). Where native code takes over in the middle of such a loop, the machine has
-//!   read the same list: a machine has lists for a whole range of turns, or for none.
+//!   read the same list: a machine has lists for a whole range of iterations, or for none.
 //! * Native code accesses a [`List`](super::List) in place: it reads below its length, and appends
 //!   within its capacity. The lists of the running code are those that it has asked for at its
 //!   start; their address is loaded again after each call that may have added some.
@@ -50,9 +50,10 @@
 //!   returns.
 //! * The memory of native code is first writable, then executable, never both. It is freed with the
 //!   value that owns it, which is borrowed while the code runs.
-//! * Where several threads run the turns of a loop, each has a machine of its own, and accesses the
-//!   mesh through a copy of its head, which has the addresses of the tables. The code that they run
-//!   writes to no table, and the mesh is borrowed until all are done: see `rewrite/spread.rs`.
+//! * Where several threads run the iterations of a loop, each has a machine of its own, and
+//!   accesses the mesh through a copy of its head, which has the addresses of the tables. The code
+//!   that they run writes to no table, and the mesh is borrowed until all are done: see
+//!   `rewrite/spread.rs`.
 //! * No panic unwinds through native code: the functions that it calls catch a panic, and it is
 //!   resumed after native code has been left.
 //!
@@ -125,9 +126,9 @@ pub(super) enum Variant {
     Dry,
 }
 
-/// The number of runs of a code and of turns of its loops on the machine before it is compiled,
-/// which takes as long as a few thousand of them. It is small in debug builds, so that tests reach
-/// native code soon.
+/// The number of runs of a code and of iterations of its loops on the machine before it is
+/// compiled, which takes as long as a few thousand of them. It is small in debug builds, so that
+/// tests reach native code soon.
 const RUNS: u32 = if cfg!(debug_assertions) { 40 } else { 2000 };
 
 /// The greatest nesting depth of native code: beyond it the machine runs the callee, which uses no
@@ -140,7 +141,7 @@ pub struct Native(OnceLock<Box<Compilation>>);
 
 #[derive(Default)]
 struct Compilation {
-    /// The number of its runs and of the turns of its loops, up to [`RUNS`].
+    /// The number of its runs and of the iterations of its loops, up to [`RUNS`].
     runs: AtomicU32,
     /// Whether the code, or something that it calls, may write to the mesh.
     writes: bool,
@@ -202,7 +203,7 @@ impl Compilation {
         }
     }
 
-    /// Counts a run, or a turn of a loop. Returns whether it now pays to compile the code.
+    /// Counts a run, or an iteration of a loop. Returns whether it now pays to compile the code.
     #[inline]
     fn count(&self) -> bool {
         let runs = self.runs.load(Ordering::Relaxed);

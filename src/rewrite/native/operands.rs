@@ -366,7 +366,7 @@ impl Environment<'_> {
             Inst::Try { op, args, to, .. } => operands! {
                 Read Any args, self.params_of_op(op); Write Whole to, 1;
             },
-            Inst::Turn { done, total, .. } => operands! {
+            Inst::Iteration { done, total, .. } => operands! {
                 Read Whole done, 1; Read Whole total, 1;
             },
             Inst::PrintTextOf { from }

@@ -126,7 +126,7 @@ impl<'a, 'f> Translator<'a, 'f> {
         let drains = drains.filter(|(_, inst)| matches!(inst, Inst::DrainStale { .. }));
         let drains: Vec<usize> = drains.map(|(at, _)| at).collect();
         let live_at_drains = drains.into_iter().map(|at| (at, liveness.behind(at))).collect();
-        let loops = insts.iter().any(|inst| matches!(inst, Inst::Turn { .. }));
+        let loops = insts.iter().any(|inst| matches!(inst, Inst::Iteration { .. }));
         let mut this = Self {
             b,
             unit,
@@ -226,8 +226,8 @@ impl<'a, 'f> Translator<'a, 'f> {
         }
     }
 
-    /// Begins at the entry that `start` tells: at the beginning, or at the turn of a loop, with the
-    /// registers loaded from the window.
+    /// Begins at the entry that `start` tells: at the beginning, or at the iteration of a loop,
+    /// with the registers loaded from the window.
     fn begin(&mut self, start: Value, liveness: &Liveness<'_>) {
         // A script leaves all its registers in the window, changed or not.
         let first = if self.keeps_window { liveness.all() } else { liveness.at(0) };

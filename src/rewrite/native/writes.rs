@@ -1,5 +1,5 @@
-//! Translation of instructions that write to the mesh, count turns of loops, and maintain the keys
-//! of drains.
+//! Translation of instructions that write to the mesh, count iterations of loops, and maintain the
+//! keys of drains.
 //!
 //! Journals and drains are notified before a write: a stub is called if a journal is open, or a
 //! drain is open whose keys depend on the field.
@@ -118,8 +118,8 @@ impl Translator<'_, '_> {
                 let count = self.whole(count);
                 self.expect_room(inst, &[(kind, count)]);
             }
-            Inst::Tick => self.turn(stubs::tick as *const () as usize),
-            Inst::Turn { depth, done, total } => {
+            Inst::Tick => self.iteration(stubs::tick as *const () as usize),
+            Inst::Iteration { depth, done, total } => {
                 if usize::from(depth) < DEPTHS {
                     let progress = self.field(offset_of!(Context, progress));
                     let place =
@@ -131,7 +131,7 @@ impl Translator<'_, '_> {
                         self.store(Region::Progress, value, progress, place + offset);
                     }
                 }
-                self.turn(stubs::turn as *const () as usize);
+                self.iteration(stubs::iteration as *const () as usize);
             }
             Inst::DrainStale { to, otherwise } => {
                 self.spill_for_drain();
@@ -192,11 +192,11 @@ impl Translator<'_, '_> {
         self.set_whole(to, found);
     }
 
-    /// Counts a turn; once in [`ITERATIONS_PER_POLL`] turns a stub calls the watcher.
-    fn turn(&mut self, stub: usize) {
+    /// Counts an iteration; once in [`ITERATIONS_PER_POLL`] iterations a stub calls the watcher.
+    fn iteration(&mut self, stub: usize) {
         let progress = self.field(offset_of!(Context, progress));
-        let turns = offset_of!(Progress, turns);
-        let before = self.load(I32, Region::Progress, progress, turns);
+        let iterations = offset_of!(Progress, iterations);
+        let before = self.load(I32, Region::Progress, progress, iterations);
         let now = self.b.ins().iadd_imm_s(before, 1);
         let rest = self.b.ins().band_imm_u(now, i64::from(ITERATIONS_PER_POLL - 1));
         let [look, pass, on] = [(); 3].map(|()| self.b.create_block());
@@ -206,7 +206,7 @@ impl Translator<'_, '_> {
         self.call_here(stub);
         self.b.ins().jump(on, &[]);
         self.b.switch_to_block(pass);
-        self.store(Region::Progress, now, progress, turns);
+        self.store(Region::Progress, now, progress, iterations);
         self.join(on);
     }
 

@@ -37,7 +37,7 @@ fn opens_drain(call: &Call<'_>, at: usize) -> bool {
     matches!(call.code.insts.get(at), Some(Inst::DrainOpen { .. }))
 }
 
-/// Calls the watcher, which may interrupt, at a turn of a loop at which this is due.
+/// Calls the watcher, which may interrupt, at an iteration of a loop at which this is due.
 pub(super) fn tick(context: &mut Context, run: &mut Run<'_>, inst: i64) -> Answer {
     let Run { machine, watch, .. } = run;
     match machine.progress.tick(*watch).is_break() {
@@ -46,11 +46,12 @@ pub(super) fn tick(context: &mut Context, run: &mut Run<'_>, inst: i64) -> Answe
     }
 }
 
-/// Calls the watcher at a turn of a loop whose progress is stored, and checks the memory limit.
-pub(super) fn turn(context: &mut Context, run: &mut Run<'_>, inst: i64) -> Answer {
-    let Some(Inst::Turn { depth, .. }) = run.inst(context, inst) else { return Ok(LEAVE) };
+/// Calls the watcher at an iteration of a loop whose progress is stored, and checks the memory
+/// limit.
+pub(super) fn iteration(context: &mut Context, run: &mut Run<'_>, inst: i64) -> Answer {
+    let Some(Inst::Iteration { depth, .. }) = run.inst(context, inst) else { return Ok(LEAVE) };
     let Run { machine, mesh, watch, .. } = run;
-    if machine.progress.look_at_turn(*watch, depth).is_break() {
+    if machine.progress.poll_at_iteration(*watch, depth).is_break() {
         return Err(failed(context, run, inst, Message::Interrupted));
     }
     let Machine { buffers, drains, memory: limit, .. } = &**machine;
