@@ -119,11 +119,11 @@ impl MeshTables {
 /// The column of an attribute by its name.
 pub fn column_of(py: Python<'_>, mesh: &Mesh, of: ElementKind, name: &str) -> PyResult<ColumnId> {
     let found =
-        mesh.find_column(of, name).filter(|&id| mesh.column(id).is_some_and(|c| c.is_sayable()));
+        mesh.find_column(of, name).filter(|&id| mesh.column(id).is_some_and(|c| c.is_public()));
     found.ok_or_else(|| {
         let all = mesh.columns(of).map(|(_, column)| column);
         let known: Vec<_> =
-            all.filter(|one| one.is_sayable()).map(|one| format!("`{}`", one.name())).collect();
+            all.filter(|one| one.is_public()).map(|one| format!("`{}`", one.name())).collect();
         let known = match known.is_empty() {
             true => "; there is none".to_owned(),
             false => format!("; there is {}", known.join(", ")),
@@ -364,7 +364,7 @@ impl MeshTables {
         let state = self.hold(py)?;
         let all = PyDict::new(py);
         for (_, column) in state.mesh().columns(kind(of)?) {
-            if column.is_sayable() {
+            if column.is_public() {
                 all.set_item(column.name(), column.attribute_type().name())?;
             }
         }
@@ -394,9 +394,9 @@ impl MeshTables {
         array: &Bound<'_, PyAny>,
         ty: &str,
     ) -> PyResult<()> {
-        let sayable = |c: char| c.is_alphanumeric() || c == '_';
+        let can_be_in_name = |c: char| c.is_alphanumeric() || c == '_';
         if name.is_empty()
-            || !name.chars().all(sayable)
+            || !name.chars().all(can_be_in_name)
             || name.starts_with(|c: char| c.is_numeric())
         {
             let message = format!("`{name}` cannot be the name of an attribute");

@@ -28,7 +28,7 @@ pub struct Signals {
 }
 
 impl Watch for Signals {
-    fn turn(&mut self, _depth: u16, _done: u64, _total: Option<u64>) -> ControlFlow<()> {
+    fn iteration(&mut self, _depth: u16, _done: u64, _total: Option<u64>) -> ControlFlow<()> {
         self.tick()
     }
 
@@ -99,7 +99,7 @@ impl Watcher {
 }
 
 impl Watch for Watcher {
-    fn turn(&mut self, depth: u16, done: u64, total: Option<u64>) -> ControlFlow<()> {
+    fn iteration(&mut self, depth: u16, done: u64, total: Option<u64>) -> ControlFlow<()> {
         if self.raised.is_some() {
             return ControlFlow::Break(());
         }
@@ -118,7 +118,7 @@ impl Watch for Watcher {
     fn print(&mut self, line: &str) {
         let printed =
             Python::attach(|py| py.import("builtins")?.getattr("print")?.call1((line,)).map(drop));
-        // It ends at the next turn.
+        // It ends at the next iteration.
         let _ = self.end(printed);
     }
 }

@@ -50,7 +50,7 @@ impl Progress {
 }
 
 impl Watch for Progress {
-    fn turn(&mut self, depth: u16, done: u64, total: Option<u64>) -> ControlFlow<()> {
+    fn iteration(&mut self, depth: u16, done: u64, total: Option<u64>) -> ControlFlow<()> {
         if depth == 0
             && let Some(total) = total.filter(|&total| total > 0)
         {

@@ -157,7 +157,7 @@ fn load(program: &Program, path: &str, span: Span) -> Result<MeshFile, String> {
 struct Lines(Vec<String>);
 
 impl Watch for Lines {
-    fn turn(&mut self, _depth: u16, _done: u64, _total: Option<u64>) -> ControlFlow<()> {
+    fn iteration(&mut self, _depth: u16, _done: u64, _total: Option<u64>) -> ControlFlow<()> {
         interrupt::unless_asked()
     }
 

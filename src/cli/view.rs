@@ -46,7 +46,7 @@ pub(super) fn tell_if_blank(picture: &Picture, mesh: &Mesh) {
 
 /// The attribute of a name, or of a kind and a name: `height`, `vertex.height`.
 pub(super) fn attribute(mesh: &Mesh, wanted: &str) -> Result<ColumnId, Failure> {
-    let columns = || mesh.sayable_columns();
+    let columns = || mesh.public_columns();
     let full = |id: ColumnId, name: &str| format!("{}.{name}", id.kind.name());
     let found: Vec<_> = columns()
         .filter(|(id, column)| [column.name(), &full(*id, column.name())].contains(&wanted))

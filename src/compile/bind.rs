@@ -1,12 +1,12 @@
 //! Phase 1, bind: from the parameters to every name, pointer by pointer.
 
 use super::collect::Collect;
-use super::expression::halfedge_field;
+use super::expression::{element_field, halfedge_field};
 use super::registers::Home;
 use crate::check::matching::{Bound, Source};
-use crate::diagram::{Kind, NameId, Pointer};
+use crate::diagram::{Kind, NameId};
 use crate::lower::{Begin, EmptyPath, Step, Tries, bound_word, source_word};
-use crate::rewrite::{Cell, ElementField, HalfedgeField, Inst, Phase, Reg};
+use crate::rewrite::{Cell, HalfedgeField, Inst, Phase, Reg};
 
 impl Collect<'_, '_, '_, '_> {
     /// Binds a name, or begins an attempt.
@@ -41,12 +41,9 @@ impl Collect<'_, '_, '_, '_> {
     pub(super) fn load(&mut self, source: Source, to: Reg) {
         let mut from = self.registers.bound(&mut self.output.asm, source.from());
         for &pointer in source.pointers() {
-            match pointer {
-                Pointer::FaceHalfedge => {
-                    let (of, element) = (ElementField::Face, from);
-                    self.output.asm.emit(Inst::LoadHalfedge { of, to, element });
-                }
-                pointer => self.load_field(halfedge_field(pointer), to, from),
+            match element_field(pointer) {
+                Some(of) => self.output.asm.emit(Inst::LoadHalfedge { of, to, element: from }),
+                None => self.load_field(halfedge_field(pointer), to, from),
             }
             from = to;
         }
@@ -55,11 +52,7 @@ impl Collect<'_, '_, '_, '_> {
     /// Begins at one halfedge of an element; a test that fails from here on jumps back to try the
     /// next one.
     fn attempt(&mut self, begin: &Begin) {
-        let of = match begin.first {
-            Pointer::EdgeHalfedge => ElementField::Edge,
-            Pointer::VertexHalfedge => ElementField::Vertex,
-            _ => ElementField::Face,
-        };
+        let of = element_field(begin.first).expect("it is the halfedge of an element");
         let to = match self.registers.home(begin.halfedge) {
             Home::Reg(to) => to,
             Home::Member { .. } => self.registers.begin(&mut self.output.asm, begin.halfedge),

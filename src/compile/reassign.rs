@@ -1,14 +1,14 @@
 //! Phase 3, reassign: every pointer of every named element, as code and as rows of the table.
 
 use super::collected::{Collected, Run};
-use super::expression::halfedge_field;
+use super::expression::{element_field, halfedge_field};
 use super::output::Output;
 use super::registers::{Home, Registers};
 use super::write_target::WriteTarget;
 use crate::check::matching::Bound;
 use crate::diagram::{Drawing, Kind, NameId, Operand, Pointer, Write};
 use crate::lower::Value;
-use crate::rewrite::{Cell, ElementField, HalfedgeField, Inst, Reg, Row, Span};
+use crate::rewrite::{Cell, HalfedgeField, Inst, Reg, Row, Span};
 
 /// Writes phase 3.
 pub(super) struct Reassign<'o, 's, 'd, 'r> {
@@ -62,44 +62,41 @@ impl Reassign<'_, '_, '_, '_> {
                 let text = self.told(value);
                 let [halfedge, value] = [of, value].map(|one| self.operand(one, linked));
                 let store = Inst::Store { field: halfedge_field(*pointer), halfedge, value };
-                self.set(target, text, changes.then_some(store));
+                self.set(target, text, Some(*pointer), changes.then_some(store));
             }
             Write::AsItWas { pointer, of } => {
                 let target = format!("{}.{}", self.word(*of), pointer.word());
-                self.set(target, Cell::AS_IT_WAS.into(), None);
+                self.set(target, Cell::AS_IT_WAS.into(), None, None);
             }
             Write::Anchor { value: None, .. } => {}
             Write::Anchor { pointer, of, value: Some(value), keeps } => {
                 let target = format!("{}.halfedge", self.word(*of));
-                let of_kind = match pointer {
-                    Pointer::VertexHalfedge => ElementField::Vertex,
-                    Pointer::EdgeHalfedge => ElementField::Edge,
-                    _ => ElementField::Face,
-                };
                 if *keeps {
-                    self.set(target, Cell::AS_IT_WAS.into(), None);
+                    self.set(target, Cell::AS_IT_WAS.into(), None, None);
                     return;
                 }
                 let text = self.told(value);
                 let (element, value) = (self.element(*of), self.operand(value, linked));
-                self.set(target, text, Some(Inst::StoreHalfedge { of: of_kind, element, value }));
+                let of = element_field(*pointer).expect("it is the halfedge of an element");
+                let store = Inst::StoreHalfedge { of, element, value };
+                self.set(target, text, Some(*pointer), Some(store));
             }
             Write::FaceAlong { path, face, .. } => {
                 let target = format!("face along {}", self.word(*path));
                 let store = self.store_run(HalfedgeField::Face, *path, *face);
-                self.set(target, self.word(*face).into(), store);
+                self.set(target, self.word(*face).into(), Some(Pointer::Face), store);
             }
             Write::VertexAround { fan, vertex, .. } => {
                 let target = format!("vertex around {}", self.word(*fan));
                 let store = self.store_run(HalfedgeField::Vertex, *fan, *vertex);
-                self.set(target, self.word(*vertex).into(), store);
+                self.set(target, self.word(*vertex).into(), Some(Pointer::Vertex), store);
             }
             Write::Hole { face, is_hole, changes } => {
                 // On the preview it is set for new faces, too.
                 let is_set = *changes || self.target != WriteTarget::Mesh;
                 let store = Inst::StoreHole { face: self.element(*face), hole: *is_hole };
                 let target = format!("{}.hole", self.word(*face));
-                self.set(target, is_hole.to_string(), is_set.then_some(store));
+                self.set(target, is_hole.to_string(), None, is_set.then_some(store));
             }
             Write::LinkPaths { face, period } => {
                 let heads = self.link_paths(period);
@@ -108,9 +105,10 @@ impl Reassign<'_, '_, '_, '_> {
         }
     }
 
-    fn set(&mut self, target: String, value: String, inst: Option<Inst>) {
+    /// Sets a pointer, or whether a face is a hole, if there is an instruction for it.
+    fn set(&mut self, target: String, value: String, pointer: Option<Pointer>, inst: Option<Inst>) {
         self.rows.push(Row::set(target, value, inst.is_some()));
-        if let Some(inst) = inst.and_then(|inst| self.target.aim(inst)) {
+        if let Some(inst) = inst.and_then(|inst| self.target.aim(pointer, inst)) {
             self.output.asm.emit(inst);
         }
     }
@@ -204,8 +202,8 @@ impl Reassign<'_, '_, '_, '_> {
                 };
                 let next = store(HalfedgeField::Next, tail, head);
                 let prev = store(HalfedgeField::Prev, head, tail);
-                this.set(format!("{last}.next"), first.clone(), next);
-                this.set(format!("{first}.prev"), last, prev);
+                this.set(format!("{last}.next"), first.clone(), Some(Pointer::Next), next);
+                this.set(format!("{first}.prev"), last, Some(Pointer::Prev), prev);
             }
         });
         self.registers.cycle = cycle;

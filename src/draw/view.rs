@@ -57,7 +57,7 @@ impl View {
             let is_area = matches!(colours.kind, ElementKind::Face | ElementKind::Vertex);
             (is_area && colours.are_own()).then_some(column)
         };
-        let mut columns: Vec<_> = mesh.sayable_columns().filter_map(own).collect();
+        let mut columns: Vec<_> = mesh.public_columns().filter_map(own).collect();
         columns.sort_by_key(|column| column.kind != ElementKind::Face);
         Self { attribute: self.attribute.or(columns.first().copied()), ..self }
     }

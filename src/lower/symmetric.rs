@@ -40,7 +40,7 @@ pub(super) fn refuses_alike(
         && rule.params.iter().flatten().count() == 1
         && rule.ids().all(|name| !rule.is_member(name));
     let Some(twin) = drawing.before.twin(halfedge).filter(|_| is_plain) else { return false };
-    let mut turn = Turn { drawing, images: vec![None; rule.names.len()], open: Vec::new() };
+    let mut turn = HalfTurn { drawing, images: vec![None; rule.names.len()], open: Vec::new() };
     turn.maps(Some(halfedge), Some(twin))
         && turn.maps(Some(twin), Some(halfedge))
         && turn.follow()
@@ -53,8 +53,8 @@ fn is_item(drawing: &Drawing, name: NameId) -> bool {
     matches!(drawing.rule.kind(name), Kind::Halfedge | Kind::Path)
 }
 
-/// The turn, as far as it is known.
-struct Turn<'d> {
+/// The automorphism, as far as it is known.
+struct HalfTurn<'d> {
     drawing: &'d Drawing<'d>,
     /// For each name, the name that it becomes.
     images: Vec<Option<NameId>>,
@@ -62,8 +62,8 @@ struct Turn<'d> {
     open: Vec<NameId>,
 }
 
-/// The turn of what is drawn.
-impl Turn<'_> {
+/// The half turn of what is drawn.
+impl HalfTurn<'_> {
     fn image(&self, name: NameId) -> Option<NameId> {
         self.images[name.index()]
     }
@@ -150,8 +150,8 @@ fn same_loops(view: &View, faces: [Option<NameId>; 2]) -> bool {
     here == there
 }
 
-/// The turn of tests.
-impl Turn<'_> {
+/// The half turn of tests.
+impl HalfTurn<'_> {
     /// Whether each test of matching becomes one of them.
     fn keeps_tests(&self, tests: &[Test]) -> bool {
         tests.iter().all(|test| {

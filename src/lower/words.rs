@@ -21,38 +21,30 @@ pub fn source(drawing: &Drawing, source: Source) -> String {
 /// The words of a claim, as the table prints it.
 pub(super) fn claim(drawing: &Drawing, claim: &Claim) -> String {
     let word = |name: NameId| drawing.rule.name(name).text.clone();
+    let joined = |names: &[NameId], between| joined(names, word, between);
     match claim {
         Claim::Leads(from, to) => format!("{} is {}", source(drawing, *from), bound(drawing, *to)),
         Claim::Distinct(left, right) => format!("{} is not {}", word(*left), word(*right)),
         Claim::Kind(face, LoopKind::Hole) => format!("{} is a hole", word(*face)),
         Claim::Kind(face, _) => format!("{} is not a hole", word(*face)),
         Claim::InOrder { halfedges, .. } => {
-            format!("{} follow each other", halfedges.map(word).join(", "))
+            format!("{} follow each other", joined(halfedges, ", "))
         }
-        Claim::NotAllEmpty(paths) => {
-            let paths: Vec<_> = paths.iter().map(|&path| word(path)).collect();
-            format!("{} not empty", paths.join(" or "))
-        }
+        Claim::NotAllEmpty(paths) => format!("{} not empty", joined(paths, " or ")),
         Claim::Listed { halfedge, vertices: [origin, vertex], spokes } => {
-            let spokes: Vec<_> = spokes.iter().map(|&spoke| word(spoke)).collect();
             let among = match spokes.is_empty() {
                 true => String::new(),
-                false => format!(", or {} is {}", word(*halfedge), spokes.join(" or ")),
+                false => format!(", or {} is {}", word(*halfedge), joined(spokes, " or ")),
             };
             format!("{} is not {}{among}", word(*origin), word(*vertex))
         }
         Claim::Begins(name) => format!("{} is the one that is given", word(*name)),
-        Claim::AllDistinct(names) => {
-            let names: Vec<_> = names.iter().map(|&name| word(name)).collect();
-            format!("all {} are different", names.join(", "))
-        }
+        Claim::AllDistinct(names) => format!("all {} are different", joined(names, ", ")),
         Claim::AroundInOrder { halfedges, .. } => {
-            let names = halfedges.iter().map(|&half| word(half)).collect::<Vec<_>>().join(", ");
-            format!("{names} follow each other, index by index")
+            format!("{} follow each other, index by index", joined(halfedges, ", "))
         }
         Claim::NotAllEmptyAround(paths) => {
-            let paths: Vec<_> = paths.iter().map(|&path| word(path)).collect();
-            format!("{} not empty at some index", paths.join(" or "))
+            format!("{} not empty at some index", joined(paths, " or "))
         }
     }
 }
@@ -61,6 +53,7 @@ pub(super) fn claim(drawing: &Drawing, claim: &Claim) -> String {
 pub(super) fn refusal(drawing: &Drawing, claim: &Claim, steps: &[Step]) -> String {
     let rule = drawing.rule;
     let tick = |text: String| format!("`{text}`");
+    let joined = |names: &[NameId]| joined(names, |name| rule.quoted(name), ", ");
     match claim {
         Claim::Leads(from, to) => {
             if let (Source::Next(Bound::Element(half)), Bound::Element(_)) = (from, to)
@@ -97,7 +90,7 @@ pub(super) fn refusal(drawing: &Drawing, claim: &Claim, steps: &[Step]) -> Strin
             let [a, b, c] = halfedges.map(|half| rule.quoted(half));
             format!("{a}, {b} and {c} follow each other in another order")
         }
-        Claim::NotAllEmpty(paths) => {
+        Claim::NotAllEmpty(paths) | Claim::NotAllEmptyAround(paths) => {
             let face = paths.first().and_then(|&path| drawing.after.face(path));
             let face = face.map_or_else(|| "a face".to_string(), |face| rule.quoted(face));
             format!("{face} would be left without halfedges")
@@ -109,19 +102,18 @@ pub(super) fn refusal(drawing: &Drawing, claim: &Claim, steps: &[Step]) -> Strin
         Claim::Begins(name) => format!("{} does not begin there", rule.quoted(*name)),
         Claim::AllDistinct(names) => {
             let kind = names.first().map_or("element", |&name| rule.kind(name).word());
-            let quoted: Vec<_> = names.iter().map(|&name| rule.quoted(name)).collect();
-            format!("two of {} are one {kind}", quoted.join(", "))
+            format!("two of {} are one {kind}", joined(names))
         }
         Claim::AroundInOrder { halfedges, .. } => {
-            let names: Vec<_> = halfedges.iter().map(|&half| rule.quoted(half)).collect();
-            format!("{} follow each other in another order", names.join(", "))
-        }
-        Claim::NotAllEmptyAround(paths) => {
-            let face = paths.first().and_then(|&path| drawing.after.face(path));
-            let face = face.map_or_else(|| "a face".to_string(), |face| rule.quoted(face));
-            format!("{face} would be left without halfedges")
+            format!("{} follow each other in another order", joined(halfedges))
         }
     }
+}
+
+/// Names in words, one after the other.
+fn joined(names: &[NameId], word: impl Fn(NameId) -> String, between: &str) -> String {
+    let words: Vec<_> = names.iter().map(|&name| word(name)).collect();
+    words.join(between)
 }
 
 /// The number of corners of a halfedge's loop, if all of it is drawn, and bound along it: then only

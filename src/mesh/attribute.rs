@@ -24,9 +24,10 @@ pub trait Attribute: Copy + Sized {
     fn slice_mut(data: &mut ColumnData) -> Option<&mut [Self]>;
 }
 
-/// Declares the attribute types: one line makes a value, a column and the conversions.
+/// Declares the attribute types: one line, with the name, the number of components and the zero,
+/// makes a value, a column and the conversions.
 macro_rules! attribute_types {
-    ($($variant:ident($type:ty) $name:literal;)*) => {
+    ($($variant:ident($type:ty) $name:literal $width:literal $zero:expr;)*) => {
         /// The type of a column.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
         pub enum AttributeType { $($variant),* }
@@ -45,6 +46,23 @@ macro_rules! attribute_types {
 
             pub fn name(self) -> &'static str {
                 match self { $(Self::$variant => $name),* }
+            }
+
+            /// The number of components of a value.
+            #[inline]
+            pub fn width(self) -> usize {
+                match self { $(Self::$variant => $width),* }
+            }
+
+            /// The value whose components are all zero.
+            pub fn zero(self) -> Value {
+                match self { $(Self::$variant => Value::$variant($zero)),* }
+            }
+
+            /// The bytes of a value in a column.
+            #[inline]
+            pub(crate) fn size(self) -> usize {
+                match self { $(Self::$variant => size_of::<$type>()),* }
             }
         }
 
@@ -148,11 +166,8 @@ macro_rules! attribute_types {
 
             /// The bytes that one value takes, and those that all take.
             fn bytes(&self) -> [usize; 2] {
-                match self {
-                    $(Self::$variant(xs) => {
-                        [size_of::<$type>(), size_of::<$type>() * xs.capacity()]
-                    })*
-                }
+                let size = self.attribute_type().size();
+                match self { $(Self::$variant(xs) => [size, size * xs.capacity()]),* }
             }
 
             fn shrink(&mut self, len: usize) {
@@ -206,43 +221,14 @@ macro_rules! attribute_types {
 }
 
 attribute_types! {
-    Bool(bool) "bool";
-    Int(i64) "int";
-    Real(f64) "real";
-    Vec2(DVec2) "vec2";
-    Vec3(DVec3) "vec3";
-    Vec4(DVec4) "vec4";
-    Mat3(DMat3) "mat3";
-    Mat4(DMat4) "mat4";
-}
-
-impl AttributeType {
-    /// The number of components of a value.
-    #[inline]
-    pub fn width(self) -> usize {
-        match self {
-            Self::Bool | Self::Int | Self::Real => 1,
-            Self::Vec2 => 2,
-            Self::Vec3 => 3,
-            Self::Vec4 => 4,
-            Self::Mat3 => 9,
-            Self::Mat4 => 16,
-        }
-    }
-
-    /// The value whose components are all zero.
-    pub fn zero(self) -> Value {
-        match self {
-            Self::Bool => Value::Bool(false),
-            Self::Int => Value::Int(0),
-            Self::Real => Value::Real(0.0),
-            Self::Vec2 => Value::Vec2(DVec2::ZERO),
-            Self::Vec3 => Value::Vec3(DVec3::ZERO),
-            Self::Vec4 => Value::Vec4(DVec4::ZERO),
-            Self::Mat3 => Value::Mat3(DMat3::ZERO),
-            Self::Mat4 => Value::Mat4(DMat4::ZERO),
-        }
-    }
+    Bool(bool) "bool" 1 false;
+    Int(i64) "int" 1 0;
+    Real(f64) "real" 1 0.0;
+    Vec2(DVec2) "vec2" 2 DVec2::ZERO;
+    Vec3(DVec3) "vec3" 3 DVec3::ZERO;
+    Vec4(DVec4) "vec4" 4 DVec4::ZERO;
+    Mat3(DMat3) "mat3" 9 DMat3::ZERO;
+    Mat4(DMat4) "mat4" 16 DMat4::ZERO;
 }
 
 impl Value {
@@ -338,7 +324,7 @@ impl Column {
 
     /// True if a program can contain the name. Columns with other names are scratch or bookkeeping,
     /// and are not written to files.
-    pub fn is_sayable(&self) -> bool {
+    pub fn is_public(&self) -> bool {
         self.name.chars().all(|c| c.is_alphanumeric() || c == '_' || c == '\'')
     }
 

@@ -312,7 +312,7 @@ impl<'b> Reader<'b> {
             AttributeType::Bool => match self.take().ok_or(BinaryError::Damaged)? {
                 [0] => Ok(Value::Bool(false)),
                 [1] => Ok(Value::Bool(true)),
-                _ => Err(BinaryError::Malformed("a truth is neither true nor false")),
+                _ => Err(BinaryError::Malformed("a bool is neither 0 nor 1")),
             },
             AttributeType::Int => {
                 let value = self.take().ok_or(BinaryError::Damaged)?;

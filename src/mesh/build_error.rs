@@ -101,8 +101,8 @@ impl BuildError {
     }
 }
 
-/// A corner that occurs twice. `sorted` is scratch space.
-fn repeated(corners: &[u32], sorted: &mut Vec<u32>) -> Option<u32> {
+/// A number that occurs twice among corners. `sorted` is scratch space.
+pub(super) fn repeated(corners: &[u32], sorted: &mut Vec<u32>) -> Option<u32> {
     if corners.len() <= 8 {
         let earlier = |(i, v): (usize, &u32)| corners[..i].contains(v).then_some(*v);
         return corners.iter().enumerate().find_map(earlier);

@@ -86,9 +86,9 @@ impl Mesh {
     }
 
     /// The columns of all kinds that are written to files.
-    pub fn sayable_columns(&self) -> impl Iterator<Item = (ColumnId, &Column)> {
+    pub fn public_columns(&self) -> impl Iterator<Item = (ColumnId, &Column)> {
         let all = ElementKind::ALL.into_iter().flat_map(|kind| self.columns(kind));
-        all.filter(|(_, column)| column.is_sayable())
+        all.filter(|(_, column)| column.is_public())
     }
 
     /// The column; `None` if the id is one of another mesh and this one has no such column.

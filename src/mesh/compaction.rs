@@ -44,7 +44,7 @@ impl Mesh {
             old[kind as usize].iter().map(|&slot| halfedge(table[slot as usize])).collect()
         };
         let columns = ElementKind::ALL.map(|kind| {
-            let kept = self.columns(kind).filter(|(_, column)| column.is_sayable());
+            let kept = self.columns(kind).filter(|(_, column)| column.is_public());
             let moved = |column: &Column| Column {
                 name: column.name.clone(),
                 default: column.default,

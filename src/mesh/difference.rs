@@ -88,7 +88,7 @@ impl fmt::Display for Difference {
                     corners.join(", ")
                 )
             }
-            Self::Connected => f.write_str("the meshes hang together in another way"),
+            Self::Connected => f.write_str("the meshes are connected differently"),
         }
     }
 }

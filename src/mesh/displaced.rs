@@ -57,7 +57,7 @@ impl Places {
             all.map(|index| mesh.value(id, index)).collect()
         };
         let (mut columns, mut unknown) = (Vec::new(), Vec::new());
-        for (id, column) in mesh.sayable_columns() {
+        for (id, column) in mesh.public_columns() {
             let name = column.name();
             let noted = match id.kind {
                 ElementKind::Halfedge => &mut columns,

@@ -69,12 +69,9 @@ impl Faults {
     }
 
     fn look_at_edges(&mut self, list: &PolygonList) {
-        let neighbours = list.neighbours();
-        let corners = &list.corners;
-        let polygon_of = list.polygon_of_corners();
-        let polygon = |side: u32| list.faces[polygon_of[side as usize] as usize] as usize;
-        let ends =
-            |side: u32| [corners[side as usize], corners[neighbours.next[side as usize] as usize]];
+        let (corners, loops) = (&list.corners, list.loops());
+        let polygon = |side: u32| list.faces[loops.polygon(side) as usize] as usize;
+        let ends = |side: u32| loops.ends(side);
         let mut twins = vec![NONE; corners.len()];
         let mut at_fault = vec![false; list.positions.len()];
         let mut faulty = Vec::new();
@@ -98,7 +95,7 @@ impl Faults {
         faulty.into_iter().for_each(|fault| self.add(fault));
 
         let mut fans = list.clone();
-        fans.number_fans(&neighbours, &twins);
+        fans.number_fans(&loops, &twins);
         let mut first_fan = vec![NONE; list.positions.len()];
         let mut is_pinched = vec![false; list.positions.len()];
         for (corner, &vertex) in corners.iter().enumerate() {

@@ -15,10 +15,10 @@ pub fn identical(a: &Mesh, b: &Mesh) -> bool {
 /// As [`identical`], except for columns that are scratch or bookkeeping and the order of the
 /// others.
 pub fn identical_but_for_scratch(a: &Mesh, b: &Mesh) -> bool {
-    let sayable = |mesh: &Mesh| mesh.sayable_columns().count();
+    let public = |mesh: &Mesh| mesh.public_columns().count();
     same_tables(a, b)
-        && sayable(a) == sayable(b)
-        && a.sayable_columns().all(|(ours, column)| {
+        && public(a) == public(b)
+        && a.public_columns().all(|(ours, column)| {
             let theirs = b.find_column(ours.kind, column.name());
             theirs.is_some_and(|theirs| same_values((a, ours), (b, theirs)))
         })

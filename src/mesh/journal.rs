@@ -40,6 +40,7 @@ impl Mesh {
     }
 
     /// Whether writes are noted.
+    #[inline]
     pub(crate) fn keeps_journal(&self) -> bool {
         self.journal.is_open()
     }

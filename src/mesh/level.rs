@@ -7,6 +7,7 @@
 use std::fmt;
 use std::ops::Range;
 
+use super::build_error::repeated;
 use super::connectivity::Mesh;
 use super::id::{EdgeId, ElementKind, FaceId, HalfedgeId, VertexId};
 use super::invalid::Invalid;
@@ -139,11 +140,11 @@ pub(crate) fn level_of_polygons(mesh: &Mesh, wanted: Level) -> Level {
 pub(super) fn is_surface_of_single_edges(mesh: &Mesh) -> bool {
     let faces = parallel::parts(mesh.capacity(ElementKind::Face), LEAST);
     let meet_once = parallel::map(faces, |part| {
-        let mut met = Vec::new();
+        let (mut met, mut sorted) = (Vec::new(), Vec::new());
         part.map(|face| FaceId(face as u32)).filter(|&f| mesh.face_alive(f)).all(|face| {
             met.clear();
             met.extend(mesh.face_vertices(face).map(|v| v.0));
-            met.len() >= 3 && are_distinct(&mut met)
+            met.len() >= 3 && repeated(&met, &mut sorted).is_none()
         })
     });
     if meet_once.contains(&false) {
@@ -182,15 +183,6 @@ impl EachSide for Edges<'_> {
 
 /// The fewest elements that are worth a thread.
 const LEAST: usize = 4096;
-
-/// True if no number occurs twice. May reorder them.
-fn are_distinct(numbers: &mut [u32]) -> bool {
-    if numbers.len() <= 8 {
-        return numbers.iter().enumerate().all(|(i, number)| !numbers[..i].contains(number));
-    }
-    numbers.sort_unstable();
-    numbers.is_sorted_by(|a, b| a < b)
-}
 
 /// The highest level of a mesh, or what makes it invalid.
 pub fn highest_level(mesh: &Mesh) -> Result<Level, Invalid> {

@@ -101,7 +101,7 @@ impl Summary {
 }
 
 fn attributes(mesh: &Mesh) -> Vec<AttributeSummary> {
-    let told = mesh.sayable_columns().map(|(id, column)| AttributeSummary {
+    let told = mesh.public_columns().map(|(id, column)| AttributeSummary {
         name: column.name().to_owned(),
         of: id.kind.name(),
         ty: column.attribute_type().name(),

@@ -70,12 +70,6 @@ impl Mesh {
         (start.cast_mut(), count)
     }
 
-    /// True if writes are noted.
-    #[inline]
-    pub(crate) fn is_journaled(&self) -> bool {
-        self.journal.is_open()
-    }
-
     /// The number of further elements of a kind that fit without allocation.
     #[inline]
     fn room(&self, kind: ElementKind) -> usize {

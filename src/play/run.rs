@@ -158,7 +158,7 @@ struct Looker<'h> {
 }
 
 impl Watch for Looker<'_> {
-    fn turn(&mut self, depth: u16, done: u64, total: Option<u64>) -> ControlFlow<()> {
+    fn iteration(&mut self, depth: u16, done: u64, total: Option<u64>) -> ControlFlow<()> {
         if depth == 0 { self.host.progress(done, total) } else { ControlFlow::Continue(()) }
     }
 

@@ -62,7 +62,7 @@ pub(super) fn view(mesh: &Mesh, frame: &Frame, attribute: Option<&str>) -> Messa
         let slots = 0..mesh.capacity(*kind) as u32;
         arrays.octets("colours", slots.flat_map(|slot| colours.of_element(mesh, slot)));
     }
-    let attributes = mesh.sayable_columns();
+    let attributes = mesh.public_columns();
     let attributes = attributes.map(|(id, column)| format!("{}.{}", id.kind.name(), column.name()));
     let json = json!({
         "counts": counts(mesh),
@@ -97,7 +97,7 @@ pub(super) fn counts(mesh: &Mesh) -> Value {
 /// The attribute of a name with its kind: `vertex.height`.
 fn find(mesh: &Mesh, name: &str) -> Option<ColumnId> {
     let (kind, name) = name.split_once('.')?;
-    let mut columns = mesh.sayable_columns();
+    let mut columns = mesh.public_columns();
     columns.find(|(id, column)| id.kind.name() == kind && column.name() == name).map(|(id, _)| id)
 }
 

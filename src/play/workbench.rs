@@ -28,8 +28,8 @@ use crate::{lessons, library};
 
 /// The environment of a workbench: it gives files, and may stop a script when notified of progress.
 pub trait Host {
-    /// Called after some turns of a script's outermost loop, with their number and, if known, the
-    /// total; a break stops the script.
+    /// Called after some iterations of a script's outermost loop, with their number and, if known,
+    /// the total; a break stops the script.
     fn progress(&mut self, _done: u64, _total: Option<u64>) -> ControlFlow<()> {
         ControlFlow::Continue(())
     }

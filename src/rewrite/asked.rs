@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 use super::bounded::{Bounded, is_small};
 use super::drain::Drains;
-use super::engine::Way;
+use super::engine::CodeKind;
 use super::paths::{Candidates, Fields, WalkBack, Written as WrittenFields};
 use super::readers::Place;
 use super::stale::Stale;
@@ -235,7 +235,8 @@ impl Machine {
         let drains = match &mut asked.changes {
             Changes::Noted(drains) => drains,
             Changes::Walked { question, .. } => {
-                let call = Call { code: &question.code, way: Way::Dry, ..Call::of(plan, &plans) };
+                let call =
+                    Call { code: &question.code, kind: CodeKind::Dry, ..Call::of(plan, &plans) };
                 return match self.run_native(mesh, call, watch) {
                     Some(outcome) => outcome,
                     None => self.execute::<false>(mesh, call, watch),

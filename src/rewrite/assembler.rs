@@ -10,7 +10,7 @@ use std::collections::HashMap;
 use std::fmt;
 use std::sync::Arc;
 
-use super::{Code, Inst, Label, Native, Part, Reg, Traps, Turns};
+use super::{Code, Inst, Iterations, Label, Native, Part, Reg, Traps};
 
 /// Whether an instruction changes no register that holds a member of a family, its index, or the
 /// buffer.
@@ -49,8 +49,8 @@ pub struct Assembler {
     /// their registers.
     members: Vec<((u16, Reg, i16), Reg)>,
     /// The loops that may be run by several threads.
-    pub(super) spread: Vec<Turns>,
-    /// Whether a turn that keeps values is being emitted.
+    pub(super) spread: Vec<Iterations>,
+    /// Whether an iteration that keeps values is being emitted.
     pub(super) is_in_values: bool,
     too_large: bool,
 }
@@ -247,11 +247,12 @@ impl Assembler {
         for label in insts.iter_mut().filter_map(Inst::target_mut) {
             *label = place(*label);
         }
-        let spread = self.spread.iter().map(|turns| {
-            let [again, first, end] = [turns.again, turns.first, turns.end].map(place);
-            Turns { again, first, end, ..*turns }
+        let spread = self.spread.iter().map(|iterations| {
+            let [again, first, end] =
+                [iterations.again, iterations.first, iterations.end].map(place);
+            Iterations { again, first, end, ..*iterations }
         });
-        let spread: Vec<Turns> = spread.collect();
+        let spread: Vec<Iterations> = spread.collect();
         let traps = self.traps.iter().map(|&(at, place)| (at + shift, place));
         let mut code = Code {
             insts,
@@ -264,7 +265,7 @@ impl Assembler {
             parts: Vec::new(),
             native: Native::default(),
         };
-        code.parts = spread.into_iter().map(|turns| Part::of(turns, &code)).collect();
+        code.parts = spread.into_iter().map(|iterations| Part::of(iterations, &code)).collect();
         Ok(code)
     }
 }

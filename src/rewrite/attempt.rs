@@ -7,18 +7,18 @@
 
 use std::ops::ControlFlow;
 
-use super::engine::Way;
+use super::engine::CodeKind;
 use super::{Call, Inst, Machine, Message, Outcome, Plan, Trap, Watch};
 use crate::mesh::Mesh;
 
 /// The first number of the texts that are made while code runs.
-const SAID: u32 = 1 << 31;
+const FIRST_INTERNED: u32 = 1 << 31;
 
 /// Texts that are made while code runs; no two are equal.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Said(Vec<String>);
+pub(super) struct Interner(Vec<String>);
 
-impl Said {
+impl Interner {
     /// The number of a text: its place in the constant texts if it is one of them.
     pub(super) fn number(&mut self, constant: &[String], text: &str) -> u32 {
         if let Some(known) = constant.iter().position(|known| known == text) {
@@ -28,14 +28,14 @@ impl Said {
             self.0.push(text.to_owned());
             self.0.len() - 1
         });
-        SAID | number as u32
+        FIRST_INTERNED | number as u32
     }
 
     /// The text of a number.
     pub(super) fn text<'t>(&'t self, constant: &'t [String], number: u32) -> Option<&'t str> {
-        let found = match number & SAID {
+        let found = match number & FIRST_INTERNED {
             0 => constant.get(number as usize),
-            _ => self.0.get((number ^ SAID) as usize),
+            _ => self.0.get((number ^ FIRST_INTERNED) as usize),
         };
         found.map(String::as_str)
     }
@@ -89,7 +89,7 @@ impl Machine {
         watch: &mut dyn Watch,
     ) -> Result<Outcome, Trap> {
         let Some(steps) = &plan.steps else {
-            let dry = Call { way: Way::Dry, ..call };
+            let dry = Call { kind: CodeKind::Dry, ..call };
             if let Some(outcome) = self.run_native(mesh, dry, watch) {
                 return outcome;
             }
@@ -135,8 +135,8 @@ impl Machine {
 struct Silent<'w>(&'w mut dyn Watch);
 
 impl Watch for Silent<'_> {
-    fn turn(&mut self, depth: u16, done: u64, total: Option<u64>) -> ControlFlow<()> {
-        self.0.turn(depth, done, total)
+    fn iteration(&mut self, depth: u16, done: u64, total: Option<u64>) -> ControlFlow<()> {
+        self.0.iteration(depth, done, total)
     }
 
     fn tick(&mut self) -> ControlFlow<()> {

@@ -1,6 +1,6 @@
 //! One run of a code: its environment and its outcome.
 
-use super::engine::Way;
+use super::engine::CodeKind;
 use super::{Code, Function, Phase, Plan, Refusal, Reg, Site, Steps, Trap};
 
 /// The end of a run that did not trap.
@@ -37,7 +37,7 @@ pub(super) struct Call<'c> {
     /// The number of the running function.
     pub(super) function: Option<u16>,
     /// The kind of the code.
-    pub(super) way: Way,
+    pub(super) kind: CodeKind,
     /// The start of the window in the stack, and of the buffers in those of the machine.
     pub(super) base: usize,
     pub(super) buffers: usize,
@@ -47,18 +47,18 @@ pub(super) struct Call<'c> {
 impl<'c> Call<'c> {
     /// The call of a script.
     pub(super) fn top(code: &'c Code, plans: &'c [Option<Plan>]) -> Self {
-        Self::first((code, Way::Script), plans, &[], None)
+        Self::first((code, CodeKind::Script), plans, &[], None)
     }
 
     /// The call of an operation that is not called by other code: as deep as from a script.
     pub(super) fn of(plan: &'c Plan, plans: &'c [Option<Plan>]) -> Self {
         let first =
-            Self::first((&plan.code, Way::Whole), plans, &plan.refusals, plan.steps.as_ref());
+            Self::first((&plan.code, CodeKind::Whole), plans, &plan.refusals, plan.steps.as_ref());
         Self { depth: 1, ..first }
     }
 
     fn first(
-        (code, way): (&'c Code, Way),
+        (code, kind): (&'c Code, CodeKind),
         plans: &'c [Option<Plan>],
         refusals: &'c [Refusal],
         steps: Option<&'c Steps>,
@@ -72,7 +72,7 @@ impl<'c> Call<'c> {
             op: None,
             steps,
             function: None,
-            way,
+            kind,
             base: 0,
             buffers: 0,
             depth: 0,
@@ -92,7 +92,7 @@ impl<'c> Call<'c> {
             op: Some(op),
             steps: plan.steps.as_ref(),
             function: None,
-            way: Way::Whole,
+            kind: CodeKind::Whole,
             base: self.base + usize::from(self.code.registers),
             buffers: self.buffers + usize::from(self.code.buffers),
             depth: self.depth + 1,
@@ -112,7 +112,7 @@ impl<'c> Call<'c> {
     pub(super) fn become_function(&mut self, number: u16, function: &'c Function) {
         self.code = &function.code;
         self.function = Some(number);
-        self.way = Way::Function;
+        self.kind = CodeKind::Function;
     }
 
     /// Notes a refusal. Of several, the first of the latest phase is reported.
@@ -130,7 +130,7 @@ impl<'c> Call<'c> {
 pub(super) struct Frame<'c> {
     code: &'c Code,
     function: Option<u16>,
-    way: Way,
+    kind: CodeKind,
     pub(super) base: usize,
     buffers: usize,
     /// The instruction after the call.
@@ -144,15 +144,15 @@ pub(super) struct Frame<'c> {
 impl<'c> Frame<'c> {
     #[inline]
     pub(super) fn of(call: &Call<'c>, at: usize, to: Reg, holds: bool) -> Self {
-        let Call { code, function, way, base, buffers, .. } = *call;
-        Self { code, function, way, base, buffers, at, to, holds }
+        let Call { code, function, kind, base, buffers, .. } = *call;
+        Self { code, function, kind, base, buffers, at, to, holds }
     }
 
     /// Restores the call of the caller.
     #[inline]
     pub(super) fn give_back(&self, call: &mut Call<'c>) {
-        let Self { code, function, way, base, buffers, .. } = *self;
-        *call = Call { code, function, way, base, buffers, ..*call };
+        let Self { code, function, kind, base, buffers, .. } = *self;
+        *call = Call { code, function, kind, base, buffers, ..*call };
     }
 }
 

@@ -9,7 +9,7 @@ use super::arithmetic::{balance, direction, divide, fits, key, math, mix, modulo
 use super::call::{Frame, MOST_CALLS};
 use super::memory::{self, Budget};
 use super::observe::Scene;
-use super::print::{RealText, VectorText, WideText, append};
+use super::print::{RealText, WideText, append};
 use super::question::ask;
 use super::watch::{LONG_FACE, LONG_LIST};
 use super::window::{Window, reserve};
@@ -688,7 +688,7 @@ impl Machine {
                         Err(trap) => return Err(trap.through_all(&call, at - 1, &returns)),
                     };
                     let reason = why.then(|| self.reason_of(op, outcome).to_owned());
-                    let text = reason.map(|reason| self.said.number(call.texts, &reason));
+                    let text = reason.map(|reason| self.interner.number(call.texts, &reason));
                     look_again!();
                     match text {
                         Some(text) => w.set_id(to, text),
@@ -703,12 +703,12 @@ impl Machine {
                     }
                     None => break self.must_not_refuse(op),
                 },
-                Turn { depth, done, total } => {
+                Iteration { depth, done, total } => {
                     let (done, total) = (w.int(done), w.int(total));
-                    if self.progress.turn(watch, depth, done, total).is_break() {
+                    if self.progress.iteration(watch, depth, done, total).is_break() {
                         break Message::Interrupted;
                     }
-                    if self.progress.has_looked() && budget!().is_passed(mesh) {
+                    if self.progress.has_polled() && budget!().is_passed(mesh) {
                         break Message::NoMemory(self.memory);
                     }
                     go_on_native!();
@@ -739,7 +739,7 @@ impl Machine {
                     Some(text) => self.line.push_str(text),
                     None => break Message::Malformed,
                 },
-                PrintTextOf { from } => match self.said.text(call.texts, w.id(from)) {
+                PrintTextOf { from } => match self.interner.text(call.texts, w.id(from)) {
                     Some(text) => self.line.push_str(text),
                     None => break Message::Malformed,
                 },
@@ -747,9 +747,6 @@ impl Machine {
                 PrintInt { from } => append(&mut self.line, w.int(from)),
                 PrintReal { from, digits } => {
                     append(&mut self.line, RealText(w.real(from), digits));
-                }
-                PrintVec { from, digits } => {
-                    append(&mut self.line, VectorText(w.vector(from), digits));
                 }
                 PrintWide { from, size, columns, digits } => append(
                     &mut self.line,

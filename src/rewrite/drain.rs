@@ -2,9 +2,9 @@
 //!
 //! A drain stores the key of each of its elements. The elements whose keys may have changed are
 //! *stale*: at first all, later those that have read what was written since. At the head of each
-//! turn the keys of the stale elements are recomputed; an element whose key changes is put into the
-//! queue, whether it was there before or not, and an infinite key keeps it out. So only the time
-//! depends on how stale elements are found: the result is as if all keys were recomputed.
+//! iteration the keys of the stale elements are recomputed; an element whose key changes is put
+//! into the queue, whether it was there before or not, and an infinite key keeps it out. So only
+//! the time depends on how stale elements are found: the result is as if all keys were recomputed.
 //!
 //! Stale elements are found by walking back along the [`Paths`] of the key from what was written
 //! or, where the key has none, by [`Readers`], which note what each key reads.
@@ -50,8 +50,8 @@ enum Changes {
 /// The number of keys that are computed between two checks of the memory that they take.
 const KEYS_PER_LOOK: u32 = 1024;
 
-/// The number of turns without a changed key after which a drain looks no further ahead, until a key
-/// changes.
+/// The number of iterations without a changed key after which a drain looks no further ahead, until
+/// a key changes.
 const MOST_IDLE: u32 = 16;
 
 #[derive(Debug)]
@@ -60,7 +60,7 @@ struct Drain {
     tables: Tables,
     changes: Changes,
     lookahead: Lookahead,
-    /// The number of turns since a key was computed.
+    /// The number of iterations since a key was computed.
     idle: u32,
     /// The element whose key is being computed.
     reading: Option<u32>,
@@ -435,7 +435,7 @@ impl Drains {
     }
 
     /// Notifies the drains that an element is about to be erased. Its key is kept until the next
-    /// turn, since after a rollback the element exists again.
+    /// iteration, since after a rollback the element exists again.
     pub(super) fn erased(&mut self, mesh: &Mesh, kind: ElementKind, id: u32) {
         for drain in self.notified() {
             drain.write(mesh, kind, id, Fields::ALL);

@@ -6,7 +6,7 @@ pub enum Engine {
     /// The machine interprets all code.
     Machine,
     /// Operations, functions and scripts are compiled to native code once they have run so often,
-    /// or their loops have taken so many turns, that it pays; native code can take over in the
+    /// or their loops have taken so many iterations, that it pays; native code can take over in the
     /// middle of a loop. The machine runs the code before that, drains whose keys are tracked by
     /// noting their reads, and everything where native code is not available.
     #[default]
@@ -17,7 +17,7 @@ pub enum Engine {
 
 /// The kind of code that runs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Way {
+pub(super) enum CodeKind {
     /// A script, which leaves its registers in its window.
     Script,
     Function,

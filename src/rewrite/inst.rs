@@ -266,13 +266,13 @@ pub enum Inst {
     /// Traps with the reason of the op just called, which refused although the script said `must`;
     /// in an op in steps, refuses with that reason.
     Refused { op: u16 },
-    /// A turn of a loop of the script: `done` of `total`. The watcher may interrupt.
-    Turn { depth: u16, done: Reg, total: Reg },
-    /// A turn of an aggregate over the whole mesh. The watcher may interrupt.
+    /// An iteration of a loop of the script: `done` of `total`. The watcher may interrupt.
+    Iteration { depth: u16, done: Reg, total: Reg },
+    /// An iteration of an aggregate over the whole mesh. The watcher may interrupt.
     Tick,
-    /// Runs all turns of the following loop in parts, on several threads if there are some, and
-    /// writes what they keep back: see [`Part`](super::Part). Jumps behind the loop, or continues
-    /// with it if it is not run in parts.
+    /// Runs all iterations of the following loop in parts, on several threads if there are some,
+    /// and writes what they keep back: see [`Part`](super::Part). Jumps behind the loop, or
+    /// continues with it if it is not run in parts.
     Spread { part: u16, end: Label },
     /// Keeps a slot, in the part of a loop.
     Keep { from: Reg },
@@ -283,7 +283,6 @@ pub enum Inst {
     PrintBool { from: Reg },
     PrintInt { from: Reg },
     PrintReal { from: Reg, digits: RealDigits },
-    PrintVec { from: Reg, digits: RealDigits },
     /// Prints a vector or matrix with columns of this size.
     PrintWide { from: Reg, size: u8, columns: u8, digits: RealDigits },
     PrintElement { kind: ElementKind, from: Reg },

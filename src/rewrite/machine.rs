@@ -9,7 +9,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::time::Duration;
 
-use super::attempt::Said;
+use super::attempt::Interner;
 use super::drain::Drains;
 use super::key_paths::KeyPaths;
 use super::known_level::KnownLevel;
@@ -59,7 +59,7 @@ pub struct Machine {
     /// The source of `random`.
     pub(super) random: RandomNumbers,
     /// The texts that code has made while it ran.
-    pub(super) said: Said,
+    pub(super) interner: Interner,
     /// The number of running calls that require that no id is reused.
     pub(super) holding: u32,
     /// Meshes to compare with, by number.
@@ -137,7 +137,7 @@ impl Machine {
             is_dry: false,
             stopped_at: 0,
             random: RandomNumbers::new(0),
-            said: Said::default(),
+            interner: Interner::default(),
             holding: 0,
             meshes: Vec::new(),
             created: None,
@@ -234,7 +234,7 @@ impl Machine {
 
     /// The text of a number in the [window](Self::window); the code is that of the run.
     pub fn text<'t>(&'t self, code: &'t Code, number: u64) -> Option<&'t str> {
-        self.said.text(&code.texts, u32::try_from(number).ok()?)
+        self.interner.text(&code.texts, u32::try_from(number).ok()?)
     }
 
     /// The level that the mesh of the last run is known to have.

@@ -313,9 +313,9 @@ impl Drains {
             | Inst::HoldAttribute { .. } | Inst::ReleaseHeld { .. } | Inst::StoreAll { .. }
             | Inst::Erase { .. } | Inst::Recycle | Inst::Apply { .. } | Inst::Try { .. }
             | Inst::Random { .. } | Inst::RandomInt { .. } | Inst::BufferShuffle { .. }
-            | Inst::Refused { .. } | Inst::Turn { .. } | Inst::Tick | Inst::PrintText { .. }
+            | Inst::Refused { .. } | Inst::Iteration { .. } | Inst::Tick | Inst::PrintText { .. }
             | Inst::PrintTextOf { .. } | Inst::PrintBool { .. } | Inst::PrintInt { .. }
-            | Inst::PrintReal { .. } | Inst::PrintVec { .. } | Inst::PrintWide { .. }
+            | Inst::PrintReal { .. } | Inst::PrintWide { .. }
             | Inst::PrintElement { .. } | Inst::ExpectAlive { .. } | Inst::PrintDifference { .. }
             | Inst::PrintEnd | Inst::PrintReason { .. } | Inst::RefusedFor { .. }
             | Inst::MeshKeep { .. } | Inst::MeshSame { .. } | Inst::Fail { .. }

@@ -1,4 +1,4 @@
-//! Loops whose turns can run on several threads.
+//! Loops whose iterations can run on several threads.
 //!
 //! A loop over all elements of the mesh that only reads, and keeps its writes back to its end, can
 //! be cut into parts: its code, copied on its own, runs over a range of slots. It may read what was
@@ -6,10 +6,10 @@
 //! in the order of the parts, and of several traps the first counts, so the result is that of one
 //! thread.
 //!
-//! The values of an aggregate, the elements that pass the filter of a `parallel for` and the keys of
-//! a drain are computed in the same way. Their turns have separate code, which a single thread never
-//! reaches: it only keeps values, which the statement then combines in their order. If a turn traps,
-//! one thread starts over.
+//! The values of an aggregate, the elements that pass the filter of a `parallel for` and the keys
+//! of a drain are computed in the same way. Their iterations have separate code, which a single
+//! thread never reaches: it only keeps values, which the statement then combines in their order. If
+//! an iteration traps, one thread starts over.
 
 use super::inst::computation;
 use super::memory::HELD_USUALLY;
@@ -47,7 +47,7 @@ pub enum Task {
 
 /// The registers and labels of a loop over all elements.
 #[derive(Clone, Copy, Debug)]
-pub struct Turns {
+pub struct Iterations {
     pub of: Elements,
     pub depth: u16,
     /// The register of the loop's variable.
@@ -59,31 +59,31 @@ pub struct Turns {
     pub one: Reg,
     pub task: Task,
     pub held: u16,
-    /// The start of the next turn, the first instruction of a turn after its element is set, and
-    /// the end of the loop.
+    /// The start of the next iteration, the first instruction of an iteration after its element is
+    /// set, and the end of the loop.
     pub again: Label,
     pub first: Label,
     pub end: Label,
 }
 
 impl Assembler {
-    /// Lets the turns of the loop that follows run on several threads.
-    pub fn spread(&mut self, turns: Turns) {
+    /// Lets the iterations of the loop that follows run on several threads.
+    pub fn spread(&mut self, iterations: Iterations) {
         // Further loops run on one thread.
         if let Ok(part) = u16::try_from(self.spread.len()) {
-            self.emit(Inst::Spread { part, end: turns.end });
-            self.spread.push(turns);
+            self.emit(Inst::Spread { part, end: iterations.end });
+            self.spread.push(iterations);
         }
     }
 
-    /// Lets several threads compute values for all elements, in a turn whose code is still to be
-    /// appended; a single thread continues after this code. `None` inside such a turn, and where
-    /// there are no threads.
-    pub fn spread_values(&mut self, of: Elements, element: Reg, task: Task) -> Option<Turns> {
+    /// Lets several threads compute values for all elements, in an iteration whose code is still to
+    /// be appended; a single thread continues after this code. `None` inside such an iteration, and
+    /// where there are no threads.
+    pub fn spread_values(&mut self, of: Elements, element: Reg, task: Task) -> Option<Iterations> {
         if self.is_in_values || cfg!(not(all(feature = "native", feature = "threads"))) {
             return None;
         }
-        let turns = Turns {
+        let iterations = Iterations {
             of,
             depth: 0,
             element,
@@ -96,36 +96,37 @@ impl Assembler {
             first: self.label(),
             end: self.label(),
         };
-        self.spread(turns);
-        Some(turns)
+        self.spread(iterations);
+        Some(iterations)
     }
 
-    /// Begins a turn that keeps values.
-    pub fn begin_values(&mut self, turns: Turns) {
+    /// Begins an iteration that keeps values.
+    pub fn begin_values(&mut self, iterations: Iterations) {
         self.is_in_values = true;
-        self.bind(turns.first);
+        self.bind(iterations.first);
     }
 
-    /// Ends such a turn. The code that follows runs when all threads are done.
-    pub fn end_values(&mut self, turns: Turns) {
+    /// Ends such an iteration. The code that follows runs when all threads are done.
+    pub fn end_values(&mut self, iterations: Iterations) {
         self.is_in_values = false;
-        self.bind(turns.again);
-        self.emit(Inst::Jump { to: turns.again });
-        self.bind(turns.end);
+        self.bind(iterations.again);
+        self.emit(Inst::Jump { to: iterations.again });
+        self.bind(iterations.end);
     }
 }
 
-/// The number of instructions before those of a turn.
+/// The number of instructions before those of an iteration.
 const HEAD: u32 = 6;
 
 impl Part {
     /// The loop on its own; `None` if it does more than read and keep back. Its labels are places
     /// of instructions in the code.
-    pub(super) fn of(turns: Turns, code: &Code) -> Option<Self> {
-        let Turns { of, depth, element, index, total, one, task, held, again, first, end } = turns;
+    pub(super) fn of(iterations: Iterations, code: &Code) -> Option<Self> {
+        let Iterations { of, depth, element, index, total, one, task, held, again, first, end } =
+            iterations;
         let constants = code.constants as u32;
         let (first, behind) = (first.0, end.0);
-        let turn = code.insts.get(first as usize..behind as usize)?;
+        let iteration = code.insts.get(first as usize..behind as usize)?;
         let start = constants + HEAD;
         let last = Label(start + (behind - first));
         let again_here = Label(constants + 1);
@@ -138,7 +139,7 @@ impl Part {
             Inst::JumpUnlessLiving { of, element, to: again_here },
             Inst::Tick,
         ]);
-        for inst in turn {
+        for inst in iteration {
             let mut inst = *inst;
             let keeps_here = match inst {
                 Inst::HoldPosition { buffer, .. } | Inst::HoldAttribute { buffer, .. } => {
@@ -159,7 +160,7 @@ impl Part {
             insts.push(inst);
         }
         insts.push(Inst::Give { from: Reg(0), width: 0 });
-        // The instruction before the turn calls the watcher, as `Tick` does above.
+        // The instruction before the iteration calls the watcher, as `Tick` does above.
         let in_turn = |&&(at, _): &&(u32, u32)| (first - 1..behind).contains(&at);
         let traps: Traps =
             code.traps.iter().filter(in_turn).map(|&(at, why)| (at + start - first, why)).collect();
@@ -174,7 +175,7 @@ impl Part {
         Some(Self { of, depth, bounds: [element, total], task, held, code })
     }
 
-    /// The number of slots that a turn keeps; for an `update`, the usual number.
+    /// The number of slots that an iteration keeps; for an `update`, the usual number.
     pub(super) fn keeps(&self) -> usize {
         let slots = self.code.insts.iter().map(|inst| match (self.task, inst) {
             (Task::Update, Inst::HoldPosition { .. } | Inst::HoldAttribute { .. }) => HELD_USUALLY,
@@ -204,7 +205,7 @@ impl Part {
         Some(writes)
     }
 
-    /// Whether a turn takes longer than combining its value with others.
+    /// Whether an iteration takes longer than combining its value with others.
     pub(super) fn is_costly(&self) -> bool {
         let is_costly = |inst: &Inst| {
             matches!(
@@ -249,7 +250,7 @@ impl Inst {
             | Inst::BufferPush { .. } | Inst::BufferLength { .. } | Inst::BufferGet { .. }
             | Inst::BufferGetWide { .. } | Inst::BufferNext { .. } | Inst::BufferLiving { .. }
             | Inst::BufferAppend { .. } | Inst::HoldPosition { .. } | Inst::HoldAttribute { .. }
-            | Inst::Call { .. } | Inst::Give { .. } | Inst::Turn { .. } | Inst::Tick
+            | Inst::Call { .. } | Inst::Give { .. } | Inst::Iteration { .. } | Inst::Tick
             | Inst::Fail { .. }
             | Inst::BufferFree { .. } | Inst::Keep { .. }
             // These do nothing in a part: its loops are not spread again, and no id is recycled.

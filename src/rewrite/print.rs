@@ -2,8 +2,6 @@
 
 use std::fmt::{self, Display, Write};
 
-use glam::DVec3;
-
 /// The number of digits of a real.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RealDigits {
@@ -57,17 +55,6 @@ fn rounded(real: f64) -> f64 {
     // Decimal rounding needs the decimal text.
     let text = format!("{real:.5e}");
     text.parse().unwrap_or(real)
-}
-
-/// A vector: `(0, 0.5, 1)`.
-#[derive(Clone, Copy, Debug)]
-pub struct VectorText(pub DVec3, pub RealDigits);
-
-impl Display for VectorText {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let [x, y, z] = self.0.to_array().map(|x| RealText(x, self.1));
-        write!(f, "({x}, {y}, {z})")
-    }
 }
 
 /// A vector or matrix by its columns: `(0, 1)`, `((1, 0), (0, 1))`.

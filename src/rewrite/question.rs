@@ -9,43 +9,83 @@ use super::window::Window;
 use super::{Fault, Reg, access};
 use crate::mesh::{ElementKind, Mesh};
 
-/// A question to the mesh about one element; [`Question::Adjacent`] is about two.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Question {
-    // Of a vertex.
-    Degree,
-    BoundaryVertex,
-    NormalVertex,
-    Adjacent,
-    // Of an edge.
-    BoundaryEdge,
-    LengthEdge,
-    LinkCondition,
-    StarShaped,
-    KernelCentroid,
-    // Of a face.
-    FaceSize,
-    Area,
-    NormalFace,
-    CentroidFace,
+/// Declares the questions: the kind of the element that each is about, and the number of reals of
+/// the answer; it is a bool or an int that is not negative if there are none.
+macro_rules! questions {
+    ($($question:ident($kind:ident) $reals:literal;)*) => {
+        /// A question to the mesh about one element; [`Question::Adjacent`] is about two.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        pub enum Question { $($question),* }
+
+        impl Question {
+            /// All questions.
+            #[cfg(feature = "native")]
+            pub(super) const ALL: &'static [Self] = &[$(Self::$question),*];
+
+            /// The kind of the elements that the question is about.
+            pub(super) fn kind(self) -> ElementKind {
+                match self { $(Self::$question => ElementKind::$kind),* }
+            }
+
+            /// The number of reals of the answer.
+            #[cfg(feature = "native")]
+            pub(super) fn reals(self) -> u16 {
+                match self { $(Self::$question => $reals),* }
+            }
+        }
+    };
+}
+
+questions! {
+    Degree(Vertex) 0;
+    BoundaryVertex(Vertex) 0;
+    NormalVertex(Vertex) 3;
+    Adjacent(Vertex) 0;
+    BoundaryEdge(Edge) 0;
+    LengthEdge(Edge) 1;
+    LinkCondition(Edge) 0;
+    StarShaped(Edge) 0;
+    KernelCentroid(Edge) 3;
+    FaceSize(Face) 0;
+    Area(Face) 1;
+    NormalFace(Face) 3;
+    CentroidFace(Face) 3;
+}
+
+/// The answer to a question.
+pub(super) enum Answered {
+    Whole(i64),
+    Real(f64),
+    Vector(DVec3),
 }
 
 impl Question {
-    /// The kind of the elements that the question is about.
-    pub(super) fn kind(self) -> ElementKind {
-        match self {
-            Self::Degree | Self::BoundaryVertex | Self::NormalVertex | Self::Adjacent => {
-                ElementKind::Vertex
+    /// The answer for the first element, or for both.
+    #[inline]
+    pub(super) fn answer(self, mesh: &Mesh, [first, second]: [u32; 2]) -> Result<Answered, Fault> {
+        let vertex = || access::vertex(mesh, first);
+        let edge = || access::edge(mesh, first);
+        let face = || access::face(mesh, first);
+        Ok(match self {
+            Self::Degree => Answered::Whole(mesh.degree(vertex()?) as i64),
+            Self::BoundaryVertex => Answered::Whole(mesh.is_boundary_vertex(vertex()?).into()),
+            Self::NormalVertex => Answered::Vector(mesh.vertex_normal(vertex()?)),
+            Self::Adjacent => {
+                let other = access::vertex(mesh, second)?;
+                Answered::Whole(mesh.adjacent(vertex()?, other).into())
             }
-            Self::BoundaryEdge
-            | Self::LengthEdge
-            | Self::LinkCondition
-            | Self::StarShaped
-            | Self::KernelCentroid => ElementKind::Edge,
-            Self::FaceSize | Self::Area | Self::NormalFace | Self::CentroidFace => {
-                ElementKind::Face
+            Self::BoundaryEdge => Answered::Whole(mesh.is_boundary_edge(edge()?).into()),
+            Self::LengthEdge => Answered::Real(mesh.length(edge()?)),
+            Self::LinkCondition => Answered::Whole(mesh.link_condition(edge()?).into()),
+            Self::StarShaped => Answered::Whole(mesh.kernel_centroid(edge()?).is_some().into()),
+            Self::KernelCentroid => {
+                Answered::Vector(mesh.kernel_centroid(edge()?).unwrap_or(DVec3::NAN))
             }
-        }
+            Self::FaceSize => Answered::Whole(mesh.face_size(face()?) as i64),
+            Self::Area => Answered::Real(mesh.area(face()?)),
+            Self::NormalFace => Answered::Vector(mesh.normal(face()?)),
+            Self::CentroidFace => Answered::Vector(mesh.centroid(face()?)),
+        })
     }
 }
 
@@ -56,30 +96,10 @@ pub(super) fn ask(
     w: &mut Window,
     [to, first, second]: [Reg; 3],
 ) -> Result<(), Fault> {
-    let id = w.id(first);
-    let vertex = || access::vertex(mesh, id);
-    let edge = || access::edge(mesh, id);
-    let face = || access::face(mesh, id);
-    match question {
-        Question::Degree => w.set_int(to, mesh.degree(vertex()?) as i64),
-        Question::BoundaryVertex => w.set_truth(to, mesh.is_boundary_vertex(vertex()?)),
-        Question::NormalVertex => w.set_vector(to, mesh.vertex_normal(vertex()?)),
-        Question::Adjacent => {
-            let other = access::vertex(mesh, w.id(second))?;
-            w.set_truth(to, mesh.adjacent(vertex()?, other));
-        }
-        Question::BoundaryEdge => w.set_truth(to, mesh.is_boundary_edge(edge()?)),
-        Question::LengthEdge => w.set_real(to, mesh.length(edge()?)),
-        Question::LinkCondition => w.set_truth(to, mesh.link_condition(edge()?)),
-        Question::StarShaped => w.set_truth(to, mesh.kernel_centroid(edge()?).is_some()),
-        Question::KernelCentroid => {
-            let centroid = mesh.kernel_centroid(edge()?);
-            w.set_vector(to, centroid.unwrap_or(DVec3::NAN));
-        }
-        Question::FaceSize => w.set_int(to, mesh.face_size(face()?) as i64),
-        Question::Area => w.set_real(to, mesh.area(face()?)),
-        Question::NormalFace => w.set_vector(to, mesh.normal(face()?)),
-        Question::CentroidFace => w.set_vector(to, mesh.centroid(face()?)),
+    match question.answer(mesh, [first, second].map(|reg| w.id(reg)))? {
+        Answered::Whole(whole) => w.set_int(to, whole),
+        Answered::Real(real) => w.set_real(to, real),
+        Answered::Vector(vector) => w.set_vector(to, vector),
     }
     Ok(())
 }

@@ -30,17 +30,18 @@ impl Entry {
     /// In the unused places of a block.
     const NONE: Self = Self(u64::MAX);
     const POSITIVE: u64 = 1 << 63;
-    const GOES_ON: u64 = 1 << 32;
+    /// The sticky bit: a dropped bit is set.
+    const STICKY: u64 = 1 << 32;
 
     fn new(id: u32, key: f64) -> Self {
         // This makes -0 and 0 equal.
         let bits = (key + 0.0).to_bits();
         let is_negative = key < 0.0;
         let ordered = if is_negative { !bits } else { bits | Self::POSITIVE };
-        let begins = ordered & !(2 * Self::GOES_ON - 1);
-        let ends = bits & (2 * Self::GOES_ON - 1) == 0;
-        let goes_on = if ends == is_negative { Self::GOES_ON } else { 0 };
-        Self(begins | goes_on | u64::from(id))
+        let begins = ordered & !(2 * Self::STICKY - 1);
+        let ends = bits & (2 * Self::STICKY - 1) == 0;
+        let sticky = if ends == is_negative { Self::STICKY } else { 0 };
+        Self(begins | sticky | u64::from(id))
     }
 
     #[inline]
@@ -51,9 +52,9 @@ impl Entry {
     /// Whether another key has the same top bits, and the rest of neither is zero: then the full
     /// keys have to be compared.
     #[inline]
-    fn begins_as(self, other: Self) -> bool {
-        let goes_on = (self.0 & Self::GOES_ON == 0) == (self.0 & Self::POSITIVE == 0);
-        self.0 >> 32 == other.0 >> 32 && goes_on
+    fn same_prefix(self, other: Self) -> bool {
+        let sticky = (self.0 & Self::STICKY == 0) == (self.0 & Self::POSITIVE == 0);
+        self.0 >> 32 == other.0 >> 32 && sticky
     }
 }
 
@@ -115,7 +116,7 @@ impl Queue {
                 self.heap.push(Siblings([Entry::NONE; CHILDREN]));
             }
         }
-        self.settle(at, Entry::new(id, key));
+        self.sift(at, Entry::new(id, key));
     }
 
     /// Removes an element, if it is queued. It comes back when its key changes.
@@ -130,7 +131,7 @@ impl Queue {
         let last = self.entry(end);
         self.heap[end / CHILDREN].0[end % CHILDREN] = Entry::NONE;
         if at as usize != end {
-            self.settle(at as usize, last);
+            self.sift(at as usize, last);
         }
     }
 
@@ -163,7 +164,7 @@ impl Queue {
 
     /// Puts an entry at the place `from`, whose own entry is dropped, and moves it to its place in
     /// the order.
-    fn settle(&mut self, from: usize, entry: Entry) {
+    fn sift(&mut self, from: usize, entry: Entry) {
         let mut at = from;
         while at > ROOT {
             let parent = at / CHILDREN + ROOT - 1;
@@ -194,7 +195,7 @@ impl Queue {
 
     #[inline]
     fn is_before(&self, one: Entry, other: Entry) -> bool {
-        match one.begins_as(other) {
+        match one.same_prefix(other) {
             true => self.is_before_in_full(one.id(), other.id()),
             false => one.0 < other.0,
         }

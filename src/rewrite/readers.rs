@@ -152,12 +152,12 @@ impl Readers {
         };
         list.length += 1;
         if list.length >= list.limit {
-            self.sort_out(kind, at);
+            self.dedup(kind, at);
         }
     }
 
     /// Removes duplicate readers from a list.
-    fn sort_out(&mut self, kind: usize, at: usize) {
+    fn dedup(&mut self, kind: usize, at: usize) {
         self.sorted = self.sorted.wrapping_add(1);
         let list = &mut self.lists[kind][at];
         let (mut before, mut entry) = (NOTHING, list.first);

@@ -370,11 +370,11 @@ impl<'c> Reads<'c> {
             // here.
             #[rustfmt::skip]
             computation!() | Inst::NextIndex { .. } | Inst::BufferLength { .. }
-            | Inst::Turn { .. } | Inst::ExpectEqual { .. } | Inst::ExpectDistinct { .. }
+            | Inst::Iteration { .. } | Inst::ExpectEqual { .. } | Inst::ExpectDistinct { .. }
             | Inst::Expect { .. } | Inst::ExpectFinite { .. } | Inst::ExpectRoom { .. }
             | Inst::ExpectAllDistinct { .. } | Inst::ExpectRoomFor { .. } | Inst::Tick
             | Inst::PrintText { .. } | Inst::PrintTextOf { .. } | Inst::PrintBool { .. }
-            | Inst::PrintInt { .. } | Inst::PrintReal { .. } | Inst::PrintVec { .. }
+            | Inst::PrintInt { .. } | Inst::PrintReal { .. }
             | Inst::PrintWide { .. } | Inst::PrintElement { .. } | Inst::BufferFree { .. }
             | Inst::Keep { .. } | Inst::Prefetch { .. } => {}
             // The drain still holds ids, so nothing is recycled.

@@ -14,9 +14,9 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering::Relaxed};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
-use super::engine::Way;
+use super::engine::CodeKind;
 use super::memory::Budget;
-use super::watch::TURNS_PER_LOOK;
+use super::watch::ITERATIONS_PER_POLL;
 use super::{Call, Machine, Message, Part, Task, Trap, Watch, attribute, neighbors};
 use crate::mesh::{Adjacency, Mesh, parallel};
 
@@ -74,7 +74,7 @@ impl Machine {
         let next = AtomicUsize::new(0);
         // The first range that has trapped: no range after it is started.
         let trapped = AtomicUsize::new(ranges.len());
-        let (stop, turns) = (AtomicBool::new(false), AtomicUsize::new(0));
+        let (stop, iterations) = (AtomicBool::new(false), AtomicUsize::new(0));
         let done: Mutex<Vec<Done>> = Mutex::default();
         let mut workers = self.workers_of(mesh, call, (threads, frames));
         let shared: &Mesh = mesh;
@@ -82,7 +82,7 @@ impl Machine {
         let inner = Call {
             code: &part.code,
             function: None,
-            way: Way::Function,
+            kind: CodeKind::Function,
             base: 0,
             buffers: 0,
             depth: 0,
@@ -108,9 +108,9 @@ impl Machine {
             let mut mesh = head();
             while take(machine, &mut mesh, watch).is_some() {}
         };
-        let bystander = || Bystander { stop: &stop, turns: &turns };
+        let worker_watch = || WorkerWatch { stop: &stop, iterations: &iterations };
         if is_sampled {
-            let visits = take(&mut workers[0], &mut head(), &mut bystander());
+            let visits = take(&mut workers[0], &mut head(), &mut worker_watch());
             if visits.is_some_and(|visits| 2 * visits >= ranges[0].len()) {
                 neighbors = self.neighbors_of(shared, true);
             }
@@ -118,13 +118,16 @@ impl Machine {
         workers.iter_mut().for_each(|machine| machine.neighbors = neighbors.clone());
         let progress = &mut self.progress;
         let mut look = |watch: &mut dyn Watch| match part.task {
-            Task::Update => progress.show(watch, part.depth, [turns.load(Relaxed), slots]),
+            Task::Update => progress.show(watch, part.depth, [iterations.load(Relaxed), slots]),
             Task::Aggregate | Task::Filter | Task::Keys => watch.tick(),
         };
         if let [machine] = workers.as_mut_slice() {
-            take_all(machine, &mut Alone { bystander: bystander(), look: &mut || look(watch) });
+            take_all(
+                machine,
+                &mut Alone { worker_watch: worker_watch(), look: &mut || look(watch) },
+            );
         } else {
-            let take_all = |machine: &mut Machine| take_all(machine, &mut bystander());
+            let take_all = |machine: &mut Machine| take_all(machine, &mut worker_watch());
             // A watcher that has interrupted is not called again.
             let meanwhile = || {
                 if !stop.load(Relaxed) && look(watch).is_break() {
@@ -158,11 +161,11 @@ impl Machine {
             return None;
         }
         let kept = done.into_iter().map(|(range, held, _)| (ranges[range].clone(), held));
-        self.put_together(mesh, (part, call), kept.collect())
+        self.merge(mesh, (part, call), kept.collect())
     }
 
-    /// Whether running a loop in parts is worth it and possible: its turns only read, and there is
-    /// memory for what they keep.
+    /// Whether running a loop in parts is worth it and possible: its iterations only read, and
+    /// there is memory for what they keep.
     fn may_spread(&self, mesh: &Mesh, part: &Part, call: &Call<'_>) -> bool {
         let slots = mesh.capacity(part.of.kind());
         let is_noted = match part.task {
@@ -178,7 +181,7 @@ impl Machine {
     }
 
     /// Combines what the ranges keep, in their order; the result is that of a single thread.
-    fn put_together(
+    fn merge(
         &mut self,
         mesh: &mut Mesh,
         (part, call): (&Part, &Call<'_>),
@@ -227,7 +230,7 @@ impl Machine {
         Budget { buffers: &self.buffers, drains: &self.drains, limit: self.memory }
     }
 
-    /// Whether what the turns may keep is within the memory limit.
+    /// Whether what the iterations may keep is within the memory limit.
     fn has_room_for(&self, mesh: &Mesh, part: &Part, slots: usize) -> bool {
         let wanted = slots.saturating_mul(part.keeps() * size_of::<u64>() * 2);
         mesh.bytes().saturating_add(self.budget().taken()).saturating_add(wanted) <= self.memory
@@ -255,7 +258,7 @@ impl Machine {
         workers
     }
 
-    /// Runs the turns of a range.
+    /// Runs the iterations of a range.
     fn take_range(
         &mut self,
         mesh: &mut Mesh,
@@ -268,7 +271,7 @@ impl Machine {
             self.stack[usize::from(reg.0)] = bound as u64;
         }
         self.kept.clear();
-        // If this fails, the turn traps that cannot keep its value.
+        // If this fails, the iteration traps that cannot keep its value.
         let _ = self.kept.grow().try_reserve_exact(part.keeps() * range.len());
         let outcome = match self.run_native(mesh, call, watch) {
             Some(outcome) => outcome,
@@ -303,28 +306,28 @@ unsafe fn head(mesh: &Mesh) -> ManuallyDrop<Mesh> {
 
 /// The watcher of the only thread, which also calls the caller's watcher.
 struct Alone<'s> {
-    bystander: Bystander<'s>,
+    worker_watch: WorkerWatch<'s>,
     look: &'s mut dyn FnMut() -> ControlFlow<()>,
 }
 
 impl Watch for Alone<'_> {
-    fn turn(&mut self, _depth: u16, _done: u64, _total: Option<u64>) -> ControlFlow<()> {
+    fn iteration(&mut self, _depth: u16, _done: u64, _total: Option<u64>) -> ControlFlow<()> {
         (self.look)()
     }
 
     fn tick(&mut self) -> ControlFlow<()> {
-        self.bystander.tick()?;
+        self.worker_watch.tick()?;
         (self.look)()
     }
 }
 
-/// The watcher of one of the threads, which counts turns for the waiting caller.
-struct Bystander<'s> {
+/// The watcher of one of the threads, which counts iterations for the waiting caller.
+struct WorkerWatch<'s> {
     stop: &'s AtomicBool,
-    turns: &'s AtomicUsize,
+    iterations: &'s AtomicUsize,
 }
 
-impl Bystander<'_> {
+impl WorkerWatch<'_> {
     fn answer(&self) -> ControlFlow<()> {
         match self.stop.load(Relaxed) {
             true => ControlFlow::Break(()),
@@ -333,13 +336,13 @@ impl Bystander<'_> {
     }
 }
 
-impl Watch for Bystander<'_> {
-    fn turn(&mut self, _depth: u16, _done: u64, _total: Option<u64>) -> ControlFlow<()> {
+impl Watch for WorkerWatch<'_> {
+    fn iteration(&mut self, _depth: u16, _done: u64, _total: Option<u64>) -> ControlFlow<()> {
         self.answer()
     }
 
     fn tick(&mut self) -> ControlFlow<()> {
-        self.turns.fetch_add(TURNS_PER_LOOK as usize, Relaxed);
+        self.iterations.fetch_add(ITERATIONS_PER_POLL as usize, Relaxed);
         self.answer()
     }
 }

@@ -3,11 +3,11 @@
 use std::ops::ControlFlow;
 use std::time::Duration;
 
-/// The number of turns of loops between two calls of the watcher.
-pub(super) const TURNS_PER_LOOK: u32 = 256;
+/// The number of iterations of loops between two calls of the watcher.
+pub(super) const ITERATIONS_PER_POLL: u32 = 256;
 
-/// The number of slots from which listing their elements takes about as long as the turns between
-/// two calls of the watcher.
+/// The number of slots from which listing their elements takes about as long as the iterations
+/// between two calls of the watcher.
 pub(super) const LONG_LIST: usize = 10_000;
 
 /// The number of diagonals from which the watcher is called whenever those of a face are listed.
@@ -19,9 +19,9 @@ pub(super) const DEPTHS: usize = 8;
 /// An observer of running code: it is told the progress of loops, may interrupt the run, and gets
 /// the printed lines.
 pub trait Watch {
-    /// Reports that the loop at `depth`, 0 for the outermost, has done `done` turns; of `total`, if
-    /// that is known. Called for all running loops now and then, the outermost first.
-    fn turn(&mut self, _depth: u16, _done: u64, _total: Option<u64>) -> ControlFlow<()> {
+    /// Reports that the loop at `depth`, 0 for the outermost, has done `done` iterations; of
+    /// `total`, if that is known. Called for all running loops now and then, the outermost first.
+    fn iteration(&mut self, _depth: u16, _done: u64, _total: Option<u64>) -> ControlFlow<()> {
         ControlFlow::Continue(())
     }
 
@@ -61,7 +61,7 @@ impl Watch for Unwatched {}
 pub struct StopAfter(pub u32);
 
 impl Watch for StopAfter {
-    fn turn(&mut self, _depth: u16, _done: u64, _total: Option<u64>) -> ControlFlow<()> {
+    fn iteration(&mut self, _depth: u16, _done: u64, _total: Option<u64>) -> ControlFlow<()> {
         self.tick()
     }
 
@@ -75,7 +75,7 @@ impl Watch for StopAfter {
 #[derive(Debug, Default)]
 #[repr(C)]
 pub(super) struct Progress {
-    pub(super) turns: u32,
+    pub(super) iterations: u32,
     pub(super) loops: [Loop; DEPTHS],
 }
 
@@ -89,7 +89,7 @@ pub(super) struct Loop {
 
 impl Progress {
     #[inline]
-    pub(super) fn turn(
+    pub(super) fn iteration(
         &mut self,
         watch: &mut dyn Watch,
         depth: u16,
@@ -99,29 +99,33 @@ impl Progress {
         if let Some(place) = self.loops.get_mut(usize::from(depth)) {
             *place = Loop { done, total };
         }
-        self.look_at_turn(watch, depth)
+        self.poll_at_iteration(watch, depth)
     }
 
-    /// Counts a turn of a loop whose progress is already stored.
+    /// Counts an iteration of a loop whose progress is already stored.
     #[inline]
-    pub(super) fn look_at_turn(&mut self, watch: &mut dyn Watch, depth: u16) -> ControlFlow<()> {
-        self.turns = self.turns.wrapping_add(1);
-        match self.turns.is_multiple_of(TURNS_PER_LOOK) {
-            true => self.look(watch, depth),
+    pub(super) fn poll_at_iteration(
+        &mut self,
+        watch: &mut dyn Watch,
+        depth: u16,
+    ) -> ControlFlow<()> {
+        self.iterations = self.iterations.wrapping_add(1);
+        match self.iterations.is_multiple_of(ITERATIONS_PER_POLL) {
+            true => self.poll(watch, depth),
             false => ControlFlow::Continue(()),
         }
     }
 
-    /// Whether the watcher was called at the last turn.
+    /// Whether the watcher was called at the last iteration.
     #[inline]
-    pub(super) fn has_looked(&self) -> bool {
-        self.turns.is_multiple_of(TURNS_PER_LOOK)
+    pub(super) fn has_polled(&self) -> bool {
+        self.iterations.is_multiple_of(ITERATIONS_PER_POLL)
     }
 
     #[inline]
     pub(super) fn tick(&mut self, watch: &mut dyn Watch) -> ControlFlow<()> {
-        self.turns = self.turns.wrapping_add(1);
-        match self.turns.is_multiple_of(TURNS_PER_LOOK) {
+        self.iterations = self.iterations.wrapping_add(1);
+        match self.iterations.is_multiple_of(ITERATIONS_PER_POLL) {
             true => watch.tick(),
             false => ControlFlow::Continue(()),
         }
@@ -137,13 +141,13 @@ impl Progress {
         if let Some(place) = self.loops.get_mut(usize::from(depth)) {
             *place = Loop { done: done.min(total) as i64, total: total as i64 };
         }
-        self.look(watch, depth)
+        self.poll(watch, depth)
     }
 
     #[cold]
-    fn look(&mut self, watch: &mut dyn Watch, depth: u16) -> ControlFlow<()> {
+    fn poll(&mut self, watch: &mut dyn Watch, depth: u16) -> ControlFlow<()> {
         for (depth, &Loop { done, total }) in (0..=depth).zip(&self.loops) {
-            watch.turn(depth, done.max(0).unsigned_abs(), u64::try_from(total).ok())?;
+            watch.iteration(depth, done.max(0).unsigned_abs(), u64::try_from(total).ok())?;
         }
         ControlFlow::Continue(())
     }

@@ -77,10 +77,10 @@ impl Lowering<'_> {
             self.asm.release(mark);
         }
         self.asm.emit(Inst::DrainTake);
-        self.turn(span, done, unknown);
+        self.iteration(span, done, unknown);
         self.asm.emit(Inst::AddInt { to: done, left: done, right: one });
         self.drains += 1;
-        self.turns(Loop { again, end }, body, exits.as_ref());
+        self.iterations(Loop { again, end }, body, exits.as_ref());
         self.drains -= 1;
         self.asm.emit(Inst::Jump { to: again });
         self.asm.bind(end);
@@ -90,14 +90,14 @@ impl Lowering<'_> {
     /// Lets several threads compute the keys of all elements.
     fn spread_keys(&mut self, (of, element): (Elements, Reg), key: &Expr, span: Span) {
         let mark = self.asm.mark();
-        if let Some(turns) = self.asm.spread_values(of, element, Task::Keys) {
-            self.trap_at(span, Inst::Jump { to: turns.end });
-            self.asm.begin_values(turns);
+        if let Some(iterations) = self.asm.spread_values(of, element, Task::Keys) {
+            self.trap_at(span, Inst::Jump { to: iterations.end });
+            self.asm.begin_values(iterations);
             let value = self.key(key);
             for from in [element, value] {
                 self.asm.emit(Inst::Keep { from });
             }
-            self.asm.end_values(turns);
+            self.asm.end_values(iterations);
         }
         self.asm.release(mark);
     }

@@ -59,7 +59,7 @@ pub(super) struct Routine<'p> {
     pub(super) body: &'p Body,
 }
 
-/// The labels of a loop: the start of the next turn, and the end.
+/// The labels of a loop: the start of the next iteration, and the end.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Loop {
     pub(super) again: Label,

@@ -54,8 +54,9 @@ pub(super) fn print_value(ty: Type, from: Reg, digits: Digits) -> Inst {
         Type::Bool => Inst::PrintBool { from },
         Type::Int => Inst::PrintInt { from },
         Type::Real => Inst::PrintReal { from, digits },
-        Type::Vec3 => Inst::PrintVec { from, digits },
-        Type::Vec2 | Type::Vec4 => Inst::PrintWide { from, size: ty.size(), columns: 1, digits },
+        Type::Vec2 | Type::Vec3 | Type::Vec4 => {
+            Inst::PrintWide { from, size: ty.size(), columns: 1, digits }
+        }
         Type::Mat3 | Type::Mat4 => {
             Inst::PrintWide { from, size: ty.size(), columns: ty.size(), digits }
         }

@@ -1,5 +1,6 @@
 //! Running a prepared script, and the report on the run.
 
+use super::steps::with_steps;
 use super::{Argument, Prepared};
 use crate::diagnostic::{Diagnostic, all_of};
 use crate::mesh::{ElementKind, Level, Mesh, level_of_polygons, validate_level};
@@ -88,18 +89,8 @@ pub(super) fn run_with(
 
 /// The highest level of the given operations and of all that their steps call, at least `level`.
 pub(super) fn level_of_steps(plans: &[Option<Plan>], called: &[usize], level: Level) -> Level {
-    let mut is_seen = vec![false; plans.len()];
-    let mut open = called.to_vec();
-    let mut wanted = level;
-    while let Some(op) = open.pop() {
-        let Some(Some(plan)) = plans.get(op) else { continue };
-        if !std::mem::replace(&mut is_seen[op], true) {
-            wanted = wanted.max(plan.level);
-            let calls = plan.steps.iter().flat_map(|steps| &steps.calls);
-            open.extend(calls.map(|&(op, _)| usize::from(op)));
-        }
-    }
-    wanted
+    let called = called.iter().filter_map(|&op| plans.get(op)?.as_ref());
+    with_steps(plans, called).iter().fold(level, |wanted, plan| wanted.max(plan.level))
 }
 
 /// The highest level that a mesh has, from one that it is known to have up to one that is wanted.
@@ -200,11 +191,9 @@ fn erased_by(prepared: &Prepared, kind: ElementKind, counts: &[Count]) -> Option
 
 /// True if an operation, or one that its steps call, erases elements of a kind.
 fn erases(plans: &[Option<Plan>], op: usize, kind: ElementKind) -> bool {
-    let Some(Some(plan)) = plans.get(op) else { return false };
-    let erases_itself = |inst: &Inst| matches!(inst, Inst::Erase { kind: of, .. } if *of == kind);
-    let calls = plan.steps.iter().flat_map(|steps| &steps.calls);
-    plan.code.insts.iter().any(erases_itself)
-        || calls.into_iter().any(|&(called, _)| erases(plans, usize::from(called), kind))
+    let plans = with_steps(plans, plans.get(op).and_then(Option::as_ref));
+    let mut insts = plans.iter().flat_map(|plan| &plan.code.insts);
+    insts.any(|inst| matches!(inst, Inst::Erase { kind: of, .. } if *of == kind))
 }
 
 fn plan<'p>(prepared: &'p Prepared, site: &Site) -> Option<&'p Plan> {

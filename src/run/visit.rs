@@ -6,11 +6,11 @@ use crate::compile::{Orbit, Scope, each, lower};
 use crate::diagram::{Collection, Expr};
 use crate::lower::Effects;
 use crate::resolve::{Statement, StatementKind, Visit};
-use crate::rewrite::{Assembler, Elements, Inst, Label, Reg, Task, Turns};
+use crate::rewrite::{Assembler, Elements, Inst, Iterations, Label, Reg, Task};
 use crate::source::Span;
 
 impl Lowering<'_> {
-    /// `repeat n { … }`; it makes no turn if the count is negative.
+    /// `repeat n { … }`; it makes no iteration if the count is negative.
     pub(super) fn repeat(
         &mut self,
         count: &Expr,
@@ -26,9 +26,9 @@ impl Lowering<'_> {
         self.asm.bind(head);
         self.asm.emit(Inst::LessInt { to: more, left: done, right: total });
         self.asm.emit(Inst::JumpUnless { condition: more, to: end });
-        self.turn(span, done, total);
+        self.iteration(span, done, total);
         let exits = self.exits_of_body(&[], body, exits);
-        self.turns(Loop { again, end }, body, exits.as_ref());
+        self.iterations(Loop { again, end }, body, exits.as_ref());
         self.asm.bind(again);
         self.asm.emit(Inst::AddInt { to: done, left: done, right: one });
         self.asm.emit(Inst::Jump { to: head });
@@ -52,16 +52,16 @@ impl Lowering<'_> {
         let test = self.value(condition);
         self.asm.emit(Inst::JumpUnless { condition: test, to: end });
         self.asm.release(mark);
-        self.turn(span, done, unknown);
+        self.iteration(span, done, unknown);
         self.asm.emit(Inst::AddInt { to: done, left: done, right: one });
         let exits = self.exits_of_body(&[condition], body, exits);
-        self.turns(Loop { again, end }, body, exits.as_ref());
+        self.iterations(Loop { again, end }, body, exits.as_ref());
         self.asm.emit(Inst::Jump { to: again });
         self.asm.bind(end);
     }
 
     /// `for x in xs where c { … }`, `update`; the writes of an `update` are kept back. Elements are
-    /// listed before the first turn, unless they are in one orbit and no operation is called.
+    /// listed before the first iteration, unless they are in one orbit and no operation is called.
     pub(super) fn visit(&mut self, statement: &Statement) {
         let StatementKind::For { variable, collection, filter, body, visit, parallel } =
             &statement.kind
@@ -86,7 +86,7 @@ impl Lowering<'_> {
                 self.trap_at(span, Inst::Tick);
             }
             self.unless(filter.as_ref(), walk.next);
-            self.turns(Loop { again: walk.next, end: walk.done }, body, None);
+            self.iterations(Loop { again: walk.next, end: walk.done }, body, None);
             walk.end(&mut self.asm, place);
             return self.asm.release(mark);
         }
@@ -103,9 +103,9 @@ impl Lowering<'_> {
             let one = self.asm.constant_int(1);
             let (element, depth) = (self.names.local(*variable), self.loops.len() as u16);
             let task = Task::Update;
-            let turns =
-                Turns { of, depth, element, index, total, one, task, held, again, first, end };
-            self.asm.spread(turns);
+            let iterations =
+                Iterations { of, depth, element, index, total, one, task, held, again, first, end };
+            self.asm.spread(iterations);
         }
         let buffer = match filter {
             Some(filter) if *parallel => {
@@ -122,11 +122,11 @@ impl Lowering<'_> {
             self.asm.emit(Inst::Prefetch { of: kind(collection), buffer, index });
         }
         self.asm.emit(Inst::BufferNext { buffer, index, to: element, otherwise: end });
-        self.turn(span, index, total);
+        self.iteration(span, index, total);
         self.asm.bind(first);
         self.asm.emit(Inst::JumpUnlessLiving { of: kind(collection), element, to: again });
         self.unless(filter.as_ref(), again);
-        self.turns(Loop { again, end }, body, None);
+        self.iterations(Loop { again, end }, body, None);
         self.asm.emit(Inst::Jump { to: again });
         self.asm.bind(end);
         if let Some(buffer) = self.held.take() {
@@ -165,11 +165,11 @@ impl Lowering<'_> {
         let element = self.names.local(variable);
         let random = (visit == Visit::Shuffled).then(|| self.listed(collection, visit, span));
         let mark = self.asm.mark();
-        let turns = match (random, collection.all()) {
+        let iterations = match (random, collection.all()) {
             (None, Some(of)) => self.asm.spread_values(of, element, Task::Filter),
             _ => None,
         };
-        let passed = turns.map_or_else(|| self.asm.buffer(), |turns| turns.held);
+        let passed = iterations.map_or_else(|| self.asm.buffer(), |iterations| iterations.held);
         self.asm.emit(Inst::BufferClear { buffer: passed });
         let push = &mut |asm: &mut Assembler, scope: &mut dyn Scope, from: Reg, next: Label| {
             let mark = asm.mark();
@@ -197,13 +197,13 @@ impl Lowering<'_> {
                 each(&mut self.asm, &mut self.names, (collection, base), span, push);
             }
         }
-        if let Some(turns) = turns {
-            self.trap_at(span, Inst::Jump { to: turns.end });
-            self.asm.begin_values(turns);
+        if let Some(iterations) = iterations {
+            self.trap_at(span, Inst::Jump { to: iterations.end });
+            self.asm.begin_values(iterations);
             let condition = self.value(filter);
-            self.asm.emit(Inst::JumpUnless { condition, to: turns.again });
+            self.asm.emit(Inst::JumpUnless { condition, to: iterations.again });
             self.asm.emit(Inst::Keep { from: element });
-            self.asm.end_values(turns);
+            self.asm.end_values(iterations);
         }
         self.asm.release(mark);
         passed
@@ -224,12 +224,12 @@ impl Lowering<'_> {
         self.asm.release(mark);
     }
 
-    pub(super) fn turn(&mut self, span: Span, done: Reg, total: Reg) {
+    pub(super) fn iteration(&mut self, span: Span, done: Reg, total: Reg) {
         let depth = u16::try_from(self.loops.len()).unwrap_or(u16::MAX);
-        self.trap_at(span, Inst::Turn { depth, done, total });
+        self.trap_at(span, Inst::Iteration { depth, done, total });
     }
 
-    pub(super) fn turns(&mut self, around: Loop, body: &[Statement], exits: Option<&Exits>) {
+    pub(super) fn iterations(&mut self, around: Loop, body: &[Statement], exits: Option<&Exits>) {
         self.loops.push(around);
         self.block(body, exits);
         self.loops.pop();

@@ -135,7 +135,7 @@ impl Hasty {
 }
 
 impl Watch for Hasty {
-    fn turn(&mut self, _depth: u16, _done: u64, _total: Option<u64>) -> ControlFlow<()> {
+    fn iteration(&mut self, _depth: u16, _done: u64, _total: Option<u64>) -> ControlFlow<()> {
         self.look()
     }
 

@@ -80,13 +80,13 @@ fn returns_attributes(file: &MeshFile) {
     back.bring_all();
     let (ours, theirs) = (&file.mesh, &back.mesh);
     let names = |mesh: &Mesh| {
-        let all = mesh.sayable_columns();
+        let all = mesh.public_columns();
         let mut all: Vec<_> = all.map(|(id, it)| format!("{} {}", id.kind, it.name())).collect();
         all.sort_unstable();
         all
     };
     assert_eq!(names(ours), names(theirs));
-    for (id, column) in ours.sayable_columns() {
+    for (id, column) in ours.public_columns() {
         let other = theirs.find_column(id.kind, column.name()).unwrap();
         let (name, kind) = (column.name(), id.kind);
         let [a, b] = [column, theirs.column(other).unwrap()].map(|c| c.default_value());
@@ -252,7 +252,7 @@ fn off_and_msh_hold_what_they_can() {
     let back = read(FileFormat::Off, &bytes).unwrap();
     assert!(same_connectivity(&file.mesh, &back.mesh));
     assert_eq!(write(FileFormat::Off, &back), bytes);
-    assert_eq!(back.mesh.sayable_columns().count(), 5);
+    assert_eq!(back.mesh.public_columns().count(), 5);
 
     assert_eq!(file.unheld(FileFormat::Msh).len(), 1);
     let mut marked = MeshFile::from_mesh(shape::icosahedron());
@@ -263,7 +263,7 @@ fn off_and_msh_hold_what_they_can() {
     let back = read(FileFormat::Msh, &write(FileFormat::Msh, &file)).unwrap();
     let color = back.mesh.find_column(ElementKind::Face, "color").unwrap();
     assert_eq!(back.mesh.value(color, 3), Some(Value::Vec3(DVec3::new(0.0, 0.5, 0.0))));
-    assert_eq!(back.mesh.sayable_columns().count(), 4);
+    assert_eq!(back.mesh.public_columns().count(), 4);
 }
 
 /// A triangle in a file of MuJoCo, with normals and texture coordinates.
@@ -291,7 +291,7 @@ fn other_programs_files_are_read() {
         3 0 1 2 6 0 0 1 0 0 1 4\r\n1\r\n2\r\n";
     let mut file = read(FileFormat::Ply, ply.as_bytes()).unwrap();
     file.bring_all();
-    let names: Vec<_> = file.mesh.sayable_columns().map(|(_, c)| c.name().to_owned()).collect();
+    let names: Vec<_> = file.mesh.public_columns().map(|(_, c)| c.name().to_owned()).collect();
     assert_eq!(names, ["color", "alpha", "quality", "uv", "texnumber"]);
     let color = file.mesh.find_column(ElementKind::Vertex, "color").unwrap();
     assert_eq!(file.mesh.value(color, 0), Some(Value::Vec3(DVec3::new(1.0, 0.0, 0.2))));

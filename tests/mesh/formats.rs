@@ -161,7 +161,7 @@ fn sections_of_gmsh_without_values_take_no_memory() {
     };
     let msh = [head, &section("none", "0"), &section("one", "1\n1 5")].concat();
     let file = read(FileFormat::Msh, msh.as_bytes()).unwrap();
-    let names: Vec<_> = file.mesh.sayable_columns().map(|(_, column)| column.name()).collect();
+    let names: Vec<_> = file.mesh.public_columns().map(|(_, column)| column.name()).collect();
     assert_eq!(names, ["one"]);
 }
 

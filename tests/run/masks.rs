@@ -390,7 +390,7 @@ fn asking_leaves_the_mesh_as_it_was() {
     ask_of_labels(&mut session, &seven);
     session.undo(mark).unwrap();
     assert!(identical(&session.copy_mesh(), &shape::cube()));
-    assert_eq!(session.mesh().sayable_columns().count(), 0);
+    assert_eq!(session.mesh().public_columns().count(), 0);
     // What changes the mesh brings it, and kept masks follow.
     session.use_program(&seven);
     let told = seven.function("told").unwrap();

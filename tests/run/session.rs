@@ -492,7 +492,7 @@ fn an_element_that_a_script_is_given_keeps_its_id() {
 fn a_script_can_be_stopped_and_the_session_goes_on() {
     struct Impatient;
     impl Watch for Impatient {
-        fn turn(&mut self, _: u16, _: u64, _: Option<u64>) -> ControlFlow<()> {
+        fn iteration(&mut self, _: u16, _: u64, _: Option<u64>) -> ControlFlow<()> {
             ControlFlow::Break(())
         }
     }
@@ -512,7 +512,7 @@ fn a_script_can_be_stopped_and_the_session_goes_on() {
 fn operations_and_questions_can_be_stopped() {
     struct Stop(bool);
     impl Watch for Stop {
-        fn turn(&mut self, _: u16, _: u64, _: Option<u64>) -> ControlFlow<()> {
+        fn iteration(&mut self, _: u16, _: u64, _: Option<u64>) -> ControlFlow<()> {
             self.tick()
         }
         fn tick(&mut self) -> ControlFlow<()> {

@@ -399,11 +399,11 @@ fn random_updates_do_what_one_thread_does() {
     assert!(went_through > 15, "{went_through}");
 }
 
-/// Interrupts at the turn that comes after so many.
+/// Interrupts at the iteration that comes after so many.
 struct Impatient(usize);
 
 impl Watch for Impatient {
-    fn turn(&mut self, _depth: u16, _done: u64, _total: Option<u64>) -> ControlFlow<()> {
+    fn iteration(&mut self, _depth: u16, _done: u64, _total: Option<u64>) -> ControlFlow<()> {
         self.tick()
     }
 

@@ -74,7 +74,7 @@ impl Engine {
         answer.recv().ok()
     }
 
-    /// The turns that the running script has done, and their total.
+    /// The iterations that the running script has done, and their total.
     pub fn progress(&self) -> [u64; 2] {
         [&self.run.done, &self.run.total].map(|number| number.load(Ordering::Relaxed))
     }

@@ -17,19 +17,20 @@ use crate::source::Span;
 /// the next element.
 pub type LoopBody<'a> = dyn FnMut(&mut Assembler, &mut dyn Scope, Reg, Label) + 'a;
 
-/// Appends a loop over a collection, around the element in the register. `turn` is lowered once.
+/// Appends a loop over a collection, around the element in the register. `iteration` is lowered
+/// once.
 pub fn each(
     asm: &mut Assembler,
     scope: &mut dyn Scope,
     (collection, base): (&Collection, Option<Reg>),
     span: Span,
-    turn: &mut LoopBody,
+    iteration: &mut LoopBody,
 ) {
     let place = scope.place(span);
     match (collection, base) {
-        (Collection::All(of), _) => each_of_mesh(asm, scope, *of, place, turn),
+        (Collection::All(of), _) => each_of_mesh(asm, scope, *of, place, iteration),
         (Collection::Around(around, _), Some(base)) => {
-            each_around(asm, scope, (*around, base), place, turn);
+            each_around(asm, scope, (*around, base), place, iteration);
         }
         (Collection::Around(..), None) => {}
     }
@@ -40,7 +41,7 @@ fn each_of_mesh(
     scope: &mut dyn Scope,
     of: Elements,
     place: u32,
-    turn: &mut LoopBody,
+    iteration: &mut LoopBody,
 ) {
     let (head, next, done) = (asm.label(), asm.label(), asm.label());
     let (zero, one) = (asm.constant_int(0), asm.constant_int(1));
@@ -49,7 +50,7 @@ fn each_of_mesh(
     asm.bind(head);
     asm.emit(Inst::NextLiving { of, element, otherwise: done });
     asm.trap_at(place, Inst::Tick);
-    turn(asm, scope, element, next);
+    iteration(asm, scope, element, next);
     asm.bind(next);
     asm.emit(Inst::AddInt { to: element, left: element, right: one });
     asm.emit(Inst::Jump { to: head });
@@ -70,13 +71,13 @@ fn each_around(
     scope: &mut dyn Scope,
     (around, base): (Around, Reg),
     place: u32,
-    turn: &mut LoopBody,
+    iteration: &mut LoopBody,
 ) {
     let Some(orbit) = Orbit::of(around) else {
-        return each_of_list(asm, scope, (around, base), place, turn);
+        return each_of_list(asm, scope, (around, base), place, iteration);
     };
     let (walk, element) = orbit.walk(asm, base, place);
-    turn(asm, scope, element, walk.next);
+    iteration(asm, scope, element, walk.next);
     walk.end(asm, place);
 }
 
@@ -92,9 +93,9 @@ pub enum Orbit {
 /// A loop that walks an orbit, while its body is lowered. The body does not change pointers.
 #[derive(Clone, Copy)]
 pub struct OrbitWalk {
-    /// The instruction that ends a turn.
+    /// The instruction that ends an iteration.
     step: Inst,
-    /// The start of the next turn.
+    /// The start of the next iteration.
     pub next: Label,
     /// The end of the loop.
     pub done: Label,
@@ -166,7 +167,7 @@ fn each_of_list(
     scope: &mut dyn Scope,
     (around, base): (Around, Reg),
     place: u32,
-    turn: &mut LoopBody,
+    iteration: &mut LoopBody,
 ) {
     let buffer = asm.buffer();
     asm.emit(Inst::BufferClear { buffer });
@@ -178,7 +179,7 @@ fn each_of_list(
     asm.bind(head);
     asm.emit(Inst::BufferNext { buffer, index, to: halfedge, otherwise: done });
     let element = make(asm, place, wanted, halfedge, head);
-    turn(asm, scope, element, head);
+    iteration(asm, scope, element, head);
     asm.emit(Inst::Jump { to: head });
     asm.bind(done);
 }

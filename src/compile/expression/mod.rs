@@ -18,5 +18,5 @@ mod value;
 
 pub use collection::{Orbit, each};
 pub use scope::{Scope, copy, width};
-pub(super) use value::halfedge_field;
 pub use value::{arguments, lower, lower_into, narrow};
+pub(super) use value::{element_field, halfedge_field};

@@ -23,14 +23,8 @@ pub trait Scope {
 
 /// The number of registers of a value.
 pub fn width(ty: Type) -> u16 {
-    match ty {
-        Type::Vec2 => 2,
-        Type::Vec3 => 3,
-        Type::Vec4 => 4,
-        Type::Mat3 => 9,
-        Type::Mat4 => 16,
-        _ => 1,
-    }
+    let size = u16::from(ty.size());
+    if ty.is_matrix() { size * size } else { size }
 }
 
 /// Copies a value of a type.

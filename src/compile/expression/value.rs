@@ -7,7 +7,7 @@ use super::operator::{binary, unary};
 use super::pointer::{first, load};
 use super::{Scope, copy, width};
 use crate::diagram::{Access, Binary, Expr, ExprKind, Fold, FoldFunction, Pointer, Type};
-use crate::rewrite::{Assembler, ElementField, HalfedgeField, Inst, Label, Reg, Task, Turns};
+use crate::rewrite::{Assembler, ElementField, HalfedgeField, Inst, Iterations, Label, Reg, Task};
 
 /// Appends the code of an expression. The value is in the returned register and, if it is wider, in
 /// those after it, until they are released. The register may be that of a variable and must not be
@@ -140,8 +140,8 @@ fn fold(asm: &mut Assembler, scope: &mut dyn Scope, fold: &Fold, of: &Expr, to: 
     let sum = Sum { ty: of.ty, to, seen, best };
     sum.start(asm, fold.function);
     let mark = asm.mark();
-    let turns = spread(asm, scope, fold);
-    let turn = &mut |asm: &mut Assembler, scope: &mut dyn Scope, element: Reg, next: Label| {
+    let iterations = spread(asm, scope, fold);
+    let iteration = &mut |asm: &mut Assembler, scope: &mut dyn Scope, element: Reg, next: Label| {
         let mark = asm.mark();
         scope.declare(fold.variable, element);
         if let Some(filter) = &fold.filter {
@@ -171,11 +171,11 @@ fn fold(asm: &mut Assembler, scope: &mut dyn Scope, fold: &Fold, of: &Expr, to: 
         asm.release(mark);
     };
     let base = fold.collection.base().map(|base| lower(asm, scope, base));
-    each(asm, scope, (&fold.collection, base), of.span, turn);
-    if let Some(turns) = turns {
+    each(asm, scope, (&fold.collection, base), of.span, iteration);
+    if let Some(iterations) = iterations {
         let place = scope.place(of.span);
         asm.trap_at(place, Inst::Jump { to: done });
-        fold_of_threads(asm, scope, fold, (sum, turns, place));
+        fold_of_threads(asm, scope, fold, (sum, iterations, place));
     }
     asm.bind(done);
     let place = scope.place(of.span);
@@ -186,23 +186,23 @@ fn fold(asm: &mut Assembler, scope: &mut dyn Scope, fold: &Fold, of: &Expr, to: 
 
 /// Lets several threads compute the values of an aggregate if it is over all elements of a kind,
 /// needs all of the values, and these take little memory.
-fn spread(asm: &mut Assembler, scope: &dyn Scope, fold: &Fold) -> Option<Turns> {
+fn spread(asm: &mut Assembler, scope: &dyn Scope, fold: &Fold) -> Option<Iterations> {
     let fits = !fold.function.ends_early() && width(fold.body.ty) <= 4 && scope.is_of_statements();
     let of = fold.collection.all().filter(|_| fits)?;
     let element = asm.reg();
     asm.spread_values(of, element, Task::Aggregate)
 }
 
-/// Appends the turn of threads, and the code that combines the values they keep.
+/// Appends the iteration of threads, and the code that combines the values they keep.
 fn fold_of_threads(
     asm: &mut Assembler,
     scope: &mut dyn Scope,
     fold: &Fold,
-    (sum, turns, place): (Sum, Turns, u32),
+    (sum, iterations, place): (Sum, Iterations, u32),
 ) {
-    let Turns { element, index, held: buffer, again, .. } = turns;
+    let Iterations { element, index, held: buffer, again, .. } = iterations;
     let keeps_element = matches!(fold.function, FoldFunction::ArgMin | FoldFunction::ArgMax);
-    asm.begin_values(turns);
+    asm.begin_values(iterations);
     scope.declare(fold.variable, element);
     if let Some(filter) = &fold.filter {
         skip_unless(asm, scope, filter, again);
@@ -210,7 +210,7 @@ fn fold_of_threads(
     if fold.function == FoldFunction::Count {
         skip_unless(asm, scope, &fold.body, again);
         asm.emit(Inst::Keep { from: element });
-        asm.end_values(turns);
+        asm.end_values(iterations);
         asm.emit(Inst::BufferLength { buffer, to: sum.to });
         return asm.emit(Inst::BufferFree { buffer });
     }
@@ -224,7 +224,7 @@ fn fold_of_threads(
     for &from in &kept {
         asm.emit(Inst::Keep { from });
     }
-    asm.end_values(turns);
+    asm.end_values(iterations);
     let (from, head, over) = (asm.constant_int(0), asm.label(), asm.label());
     asm.emit(Inst::Copy { to: index, from });
     asm.bind(head);
@@ -270,15 +270,23 @@ pub fn narrow(number: impl TryInto<u16>) -> u16 {
 /// `element.pointer`
 fn follow(asm: &mut Assembler, place: u32, pointer: Pointer, element: Reg, to: Reg) {
     let both = [to, element];
-    match pointer {
-        Pointer::Target => {
+    match (pointer, element_field(pointer)) {
+        (Pointer::Target, _) => {
             load(asm, place, HalfedgeField::Twin, both);
             load(asm, place, HalfedgeField::Vertex, [to, to]);
         }
-        Pointer::VertexHalfedge => first(asm, place, ElementField::Vertex, both),
-        Pointer::EdgeHalfedge => first(asm, place, ElementField::Edge, both),
-        Pointer::FaceHalfedge => first(asm, place, ElementField::Face, both),
-        pointer => load(asm, place, halfedge_field(pointer), both),
+        (_, Some(of)) => first(asm, place, of, both),
+        (pointer, None) => load(asm, place, halfedge_field(pointer), both),
+    }
+}
+
+/// The element whose halfedge a pointer reads; `None` for pointers of halfedges.
+pub fn element_field(pointer: Pointer) -> Option<ElementField> {
+    match pointer {
+        Pointer::VertexHalfedge => Some(ElementField::Vertex),
+        Pointer::EdgeHalfedge => Some(ElementField::Edge),
+        Pointer::FaceHalfedge => Some(ElementField::Face),
+        _ => None,
     }
 }
 

@@ -72,7 +72,7 @@ pub(in crate::mesh) fn write_table(
         let word = if mesh.is_hole(face) { "hole" } else { "face" };
         writeln!(output, "{word} {} halfedge {half}", face.0)?;
     }
-    let mut columns = mesh.sayable_columns();
+    let mut columns = mesh.public_columns();
     columns.try_for_each(|(id, column)| write_column(output, mesh, id, column))
 }
 

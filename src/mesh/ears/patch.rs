@@ -75,9 +75,9 @@ impl Mesh {
         });
         let sides: Vec<_> = sides.chain([beyond[end]]).collect();
         let some: Vec<_> = chosen.iter().map(|&at| corners[at]).collect();
-        let ways = Ways::new(self, &some, &sides);
+        let triangulations = Triangulations::new(self, &some, &sides);
         let mut order = Vec::with_capacity(corners.len() - 2);
-        for ([first, third, last], above) in ways.triangles() {
+        for ([first, third, last], above) in triangulations.triangles() {
             if step == 1 {
                 order.push(corners[third]);
                 continue;
@@ -89,7 +89,7 @@ impl Mesh {
                     normals.extend(&beyond[chosen[from]..chosen[to]]);
                 } else {
                     inner.push(some[from]);
-                    normals.push(ways.normal(from, to));
+                    normals.push(triangulations.normal(from, to));
                 }
             }
             inner.push(some[last]);
@@ -171,14 +171,14 @@ impl Fault {
 }
 
 /// The best triangulation of each run of corners, from a first to a last one that a chord joins.
-struct Ways<'m> {
+struct Triangulations<'m> {
     mesh: &'m Mesh,
     corners: &'m [HalfedgeId],
     places: Vec<DVec3>,
     /// The pairwise distances of the corners.
     distances: Vec<f64>,
     /// An area that is zero up to rounding.
-    grain: f64,
+    area_tolerance: f64,
     /// The faults by first and last corner; none for two adjacent corners.
     faults: Vec<Fault>,
     /// The third corner of the triangle at the chord.
@@ -189,18 +189,18 @@ struct Ways<'m> {
     closing: Option<DVec3>,
 }
 
-impl<'m> Ways<'m> {
+impl<'m> Triangulations<'m> {
     /// `beyond` are the normals beyond the sides.
     fn new(mesh: &'m Mesh, corners: &'m [HalfedgeId], beyond: &[Option<DVec3>]) -> Self {
         let count = corners.len();
         let places: Vec<_> = corners.iter().map(|&h| mesh.place(h)).collect();
         let around: f64 = (0..count).map(|at| places[at].distance(places[(at + 1) % count])).sum();
-        let mut ways = Self {
+        let mut triangulations = Self {
             mesh,
             corners,
             places,
             distances: vec![0.0; count * count],
-            grain: around * around * 1e-12,
+            area_tolerance: around * around * 1e-12,
             faults: vec![Fault::NONE; count * count],
             thirds: vec![0; count * count],
             normals: vec![None; count * count],
@@ -208,19 +208,19 @@ impl<'m> Ways<'m> {
         };
         for first in 0..count {
             for last in 0..count {
-                ways.distances[first * count + last] =
-                    ways.places[first].distance(ways.places[last]);
+                triangulations.distances[first * count + last] =
+                    triangulations.places[first].distance(triangulations.places[last]);
             }
         }
         for (first, &normal) in beyond.iter().enumerate().take(count - 1) {
-            ways.normals[first * count + first + 1] = normal;
+            triangulations.normals[first * count + first + 1] = normal;
         }
         for length in 2..count {
             for first in 0..count - length {
-                ways.choose(first, first + length);
+                triangulations.choose(first, first + length);
             }
         }
-        ways
+        triangulations
     }
 
     fn choose(&mut self, first: usize, last: usize) {
@@ -251,7 +251,7 @@ impl<'m> Ways<'m> {
             let mut fault = Fault {
                 joined,
                 bend: i64::MIN,
-                area: rounded(length / 2.0 / self.grain),
+                area: rounded(length / 2.0 / self.area_tolerance),
                 shape: -smallest_sine(length, [chord, left, right]),
             };
             for other in beside.map(|at| self.normals[at]).into_iter().chain([outside]).flatten() {

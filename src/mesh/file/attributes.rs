@@ -153,7 +153,7 @@ impl MeshFile {
             FileFormat::Off => off::columns(self).to_vec(),
             _ => Vec::new(),
         };
-        let unheld = self.mesh.sayable_columns().filter(|(id, column)| match format {
+        let unheld = self.mesh.public_columns().filter(|(id, column)| match format {
             FileFormat::Ply | FileFormat::Halfedges => false,
             FileFormat::Msh => !msh::is_held(id.kind, column.attribute_type()),
             _ => !held.contains(&Some(*id)),
@@ -170,7 +170,7 @@ impl MeshFile {
     /// The parts of the file that are not in the mesh, in words: one line each.
     pub fn losses(&self) -> Vec<String> {
         let mut told = Vec::new();
-        let mut words = self.kept.told_passed_over().peekable();
+        let mut words = self.kept.skipped_keywords().peekable();
         if let Some((_, line)) = words.peek().copied() {
             let shown: Vec<_> = words
                 .map(|(word, _)| match word {

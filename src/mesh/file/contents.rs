@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use glam::DVec3;
 
-use super::error::{Damage, Failure, FileFaults, FileReason, Strays};
+use super::error::{BAD_INDICES, BadIndices, Damage, Failure, FileFaults, FileReason};
 use super::format::{Encoding, MshVersion};
 use super::kept::{Kept, MISSING};
 use super::mesh_file::MeshFile;
@@ -20,13 +20,13 @@ use crate::mesh::repair::{Repair, RepairReport, Repaired};
 #[derive(Default)]
 pub(super) struct Contents {
     pub(super) positions: Vec<DVec3>,
-    /// A corner with an invalid index is [`MISSING`], and counted in `strays`.
+    /// A corner with an invalid index is [`MISSING`], and counted in `bad_indices`.
     pub(super) polygons: Polygons,
     pub(super) columns: Vec<FileColumn>,
     /// The edges that the file has beside its faces, by their vertices.
     pub(super) edges: Vec<[u32; 2]>,
     pub(super) kept: Kept,
-    pub(super) strays: Strays,
+    pub(super) bad_indices: BadIndices,
     /// The parts that could not be read.
     pub(super) damage: Damage,
     /// The lines of vertices and faces; empty if the file has no lines.
@@ -125,7 +125,7 @@ impl Contents {
     ) -> Result<MeshFile, Failure> {
         let positions = std::mem::take(&mut self.positions);
         let merge = repair.and_then(|repair| repair.merge);
-        let is_sound = self.strays.count() == 0 && merge.is_none();
+        let is_sound = self.bad_indices.count() == 0 && merge.is_none();
         if reorder
             && is_sound
             && let Some(reordered) = Repaired::in_order(&positions, &self.polygons, positions.len())
@@ -152,11 +152,10 @@ impl Contents {
         let Some(repair) = repair else {
             let faults = Faults::of(&positions, &self.polygons);
             let lines = [&self.vertex_lines[..], &self.face_lines[..]];
-            let faults = FileFaults::new(&faults, self.strays, lines);
+            let faults = FileFaults::new(&faults, self.bad_indices, lines);
             return Err((faults.line(), FileReason::Faults(faults)));
         };
-        let strays = ["index that leads nowhere", "indices that lead nowhere"];
-        self.kept.note_count(strays, self.strays.count());
+        self.kept.note_count(BAD_INDICES, self.bad_indices.count());
         let count = positions.len();
         let corners = self.polygons.corners().to_vec();
         let polygons = std::mem::take(&mut self.polygons);

@@ -104,13 +104,13 @@ pub struct FileFaultKind {
 
 /// Indices of a file that refer to no element.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Strays {
+pub(super) struct BadIndices {
     count: usize,
     first: Vec<(Option<u32>, String)>,
 }
 
-impl Strays {
-    /// Adds a stray index, described by `words` if it is one of the first.
+impl BadIndices {
+    /// Adds an index, described by `words` if it is one of the first.
     pub(super) fn add(&mut self, line: Option<u32>, words: impl FnOnce() -> String) {
         self.count += 1;
         if self.first.len() < 3 {
@@ -125,7 +125,7 @@ impl Strays {
         self.count
     }
 
-    /// Adds the strays of the next part of a file, which starts after `lines` lines.
+    /// Adds the bad indices of the next part of a file, which starts after `lines` lines.
     pub(super) fn append(&mut self, part: Self, lines: u32) {
         for (line, words) in part.first {
             self.add(line.map(|line| line + lines), || words);
@@ -161,14 +161,18 @@ impl Damage {
 
 impl FileFaults {
     /// The faults of the polygons of a file. The lines are empty if the file has none.
-    pub(super) fn new(faults: &Faults, strays: Strays, lines: [&[u32]; 2]) -> Self {
+    pub(super) fn new(faults: &Faults, bad_indices: BadIndices, lines: [&[u32]; 2]) -> Self {
         let mut all = Self::default();
-        if strays.count > 0 {
-            let kind = STRAYS[usize::from(strays.count != 1)];
-            all.kinds.push(FileFaultKind { kind, count: strays.count, first: strays.first });
+        if bad_indices.count > 0 {
+            let kind = BAD_INDICES[usize::from(bad_indices.count != 1)];
+            all.kinds.push(FileFaultKind {
+                kind,
+                count: bad_indices.count,
+                first: bad_indices.first,
+            });
         }
         let told = faults.kinds.iter().filter(|kind| {
-            strays.count == 0 || !matches!(kind.first[0], BuildError::NoSuchVertex { .. })
+            bad_indices.count == 0 || !matches!(kind.first[0], BuildError::NoSuchVertex { .. })
         });
         all.kinds.extend(told.map(|kind| FileFaultKind {
             kind: names(&kind.first[0])[usize::from(kind.count != 1)],
@@ -218,7 +222,7 @@ impl fmt::Display for FileFaults {
 }
 
 const PINCHED: [&str; 2] = ["pinched vertex", "pinched vertices"];
-const STRAYS: [&str; 2] = ["index that leads nowhere", "indices that lead nowhere"];
+pub(super) const BAD_INDICES: [&str; 2] = ["index out of range", "indices out of range"];
 
 /// The kind of a fault in words, singular and plural.
 fn names(fault: &BuildError) -> [&'static str; 2] {
@@ -230,7 +234,7 @@ fn names(fault: &BuildError) -> [&'static str; 2] {
         BuildError::TooFewCorners { .. } => {
             ["face with fewer than three corners", "faces with fewer than three corners"]
         }
-        BuildError::NoSuchVertex { .. } => STRAYS,
+        BuildError::NoSuchVertex { .. } => BAD_INDICES,
         BuildError::RepeatedCorner { .. } => {
             ["face with a vertex twice", "faces with a vertex twice"]
         }

@@ -33,7 +33,7 @@ pub(super) struct Kept {
     pub(super) corners: Polygons,
     /// The keywords of statements that are not part of a mesh, such as `l` and `p`: the first few,
     /// with their lines.
-    pub(super) passed_over: Vec<(String, u32)>,
+    pub(super) skipped: Vec<(String, u32)>,
     /// Other parts of the file that are not in the mesh.
     pub(super) notes: Vec<Note>,
 }
@@ -56,7 +56,7 @@ impl fmt::Display for Note {
 }
 
 /// The number of keywords of skipped statements that are reported.
-const PASSED_OVER: usize = 8;
+const MOST_SKIPPED: usize = 8;
 
 /// The statements in force at a face, by their indices in `names`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -75,25 +75,25 @@ impl State {
 
 impl Kept {
     /// Notes a statement that is not kept.
-    pub(super) fn pass_over(&mut self, keyword: &str, line: u32) {
+    pub(super) fn skip(&mut self, keyword: &str, line: u32) {
         let word: String = keyword.chars().take(16).collect();
-        let known = &mut self.passed_over;
+        let known = &mut self.skipped;
         // Only the first of a file are reported, and these are among the first of its parts.
-        if known.len() <= 2 * PASSED_OVER && !known.iter().any(|(other, _)| *other == word) {
+        if known.len() <= 2 * MOST_SKIPPED && !known.iter().any(|(other, _)| *other == word) {
             known.push((word, line));
         }
     }
 
     /// The first keywords of statements that are not kept, with their lines.
-    pub(super) fn told_passed_over(&self) -> impl Iterator<Item = (&str, u32)> {
-        let known = self.passed_over.iter().take(PASSED_OVER + 1).enumerate();
+    pub(super) fn skipped_keywords(&self) -> impl Iterator<Item = (&str, u32)> {
+        let known = self.skipped.iter().take(MOST_SKIPPED + 1).enumerate();
         // If there are more, the last is an ellipsis.
-        known.map(|(i, (word, line))| (if i < PASSED_OVER { word } else { "…" }, *line))
+        known.map(|(i, (word, line))| (if i < MOST_SKIPPED { word } else { "…" }, *line))
     }
 
     /// Adds what is noted for the next part of a file, which starts after `lines` lines.
-    pub(super) fn append(&mut self, passed_over: Vec<(String, u32)>, notes: Vec<Note>, lines: u32) {
-        passed_over.into_iter().for_each(|(word, line)| self.pass_over(&word, line + lines));
+    pub(super) fn append(&mut self, skipped: Vec<(String, u32)>, notes: Vec<Note>, lines: u32) {
+        skipped.into_iter().for_each(|(word, line)| self.skip(&word, line + lines));
         for note in notes {
             match self.notes.iter_mut().find(|known| known.what == note.what) {
                 Some(known) => known.count += note.count,

@@ -37,7 +37,7 @@ impl MeshFile {
         }
         let unheld = self.unheld(format);
         let mut lost = Vec::new();
-        for (id, column) in self.mesh.sayable_columns() {
+        for (id, column) in self.mesh.public_columns() {
             let (kind, name) = (id.kind, column.name());
             if unheld.iter().any(|(of, other, _)| (*of, *other) == (kind, name)) {
                 continue;

@@ -168,7 +168,7 @@ impl<'t> Reader<'t> {
         let line = self.scanner.line();
         let mut word = self.head_word();
         if word.starts_with(b"appearance") {
-            self.pass_over_braces(word)?;
+            self.skip_braces(word)?;
             let what = ["description of the appearance", "descriptions of the appearance"];
             self.contents.kept.note(what, line);
             if self.scanner.next_line() {
@@ -189,7 +189,7 @@ impl<'t> Reader<'t> {
     }
 
     /// Skips everything up to the end of the braces that a word or those after it open.
-    fn pass_over_braces(&mut self, mut word: &'t [u8]) -> Result<(), String> {
+    fn skip_braces(&mut self, mut word: &'t [u8]) -> Result<(), String> {
         let (mut open, mut closed) = (0, 0);
         loop {
             open += word.iter().filter(|&&byte| byte == b'{').count();
@@ -242,7 +242,7 @@ impl<'t> Reader<'t> {
         let mut rows = VertexRows::default();
         let read = (0..count).try_for_each(|_| {
             let read = self.vertex(head, &mut rows);
-            if !self.pass_over(read)? {
+            if !self.skip(read)? {
                 // The other vertices keep their numbers.
                 self.contents.positions.push(DVec3::NAN);
                 self.contents.vertex_lines.push(self.scanner.line());
@@ -278,7 +278,7 @@ impl<'t> Reader<'t> {
 
     /// Whether an element was read. If it was not, skips the rest of its line; fails at the end of
     /// the file.
-    fn pass_over(&mut self, read: Result<(), String>) -> Result<bool, String> {
+    fn skip(&mut self, read: Result<(), String>) -> Result<bool, String> {
         let Err(words) = read else { return Ok(true) };
         if self.scanner.is_at_end() {
             return Err(words);
@@ -335,7 +335,7 @@ impl<'t> Reader<'t> {
             if read.is_err() {
                 corners.truncate(before);
             }
-            if !self.pass_over(read)? {
+            if !self.skip(read)? {
                 self.contents.face_lines.push(line);
                 colors.push(&[]);
             }
@@ -361,7 +361,7 @@ impl<'t> Reader<'t> {
             let index = self.next("a vertex of a face")?;
             let is_known = index.fract() == 0.0 && (0.0..vertices as f64).contains(&index);
             if !is_known {
-                self.contents.strays.add(Some(line), || {
+                self.contents.bad_indices.add(Some(line), || {
                     format!("there is no vertex {index}: there are {vertices}, counted from 0")
                 });
             }

@@ -46,7 +46,7 @@ impl<'o> Printer<'o> {
         };
         parallel::in_order(parts, printed, |text| {
             self.text.extend_from_slice(&text?);
-            self.hand_on()
+            self.flush_if_full()
         })
     }
 
@@ -100,12 +100,12 @@ impl<'o> Printer<'o> {
     #[inline]
     pub(super) fn end_line(&mut self) -> io::Result<()> {
         self.bytes(b"\n");
-        self.hand_on()
+        self.flush_if_full()
     }
 
     /// Writes the collected text if it is large.
     #[inline]
-    pub(super) fn hand_on(&mut self) -> io::Result<()> {
+    pub(super) fn flush_if_full(&mut self) -> io::Result<()> {
         if self.text.len() < PIECE { Ok(()) } else { self.flush() }
     }
 

@@ -264,7 +264,7 @@ fn write_triangles(
                 printer.bytes(&number.to_le_bytes());
             }
             printer.bytes(&[0, 0]);
-            printer.hand_on()?;
+            printer.flush_if_full()?;
         }
     }
     if is_text {

@@ -3,27 +3,25 @@
 use super::RepairReport;
 use super::keyhole::{self, Corner};
 use super::polygon_list::PolygonList;
+use crate::mesh::build_error::repeated;
 
 /// Drops corners that repeat the previous one, divides polygons that return to a vertex, and drops
 /// those that are left with fewer than three corners.
 pub(super) fn clean(list: &mut PolygonList, report: &mut RepairReport) {
-    let mut cleaner = Cleaner::default();
-    let sound = (0..list.ends.len()).all(|polygon| {
-        let corners = &list.corners[list.range(polygon)];
-        corners.len() >= 3 && !cleaner.repeats(corners)
-    });
-    if sound {
+    let mut sorted = Vec::new();
+    let mut is_sound =
+        |corners: &[u32]| corners.len() >= 3 && repeated(corners, &mut sorted).is_none();
+    if (0..list.ends.len()).all(|polygon| is_sound(&list.corners[list.range(polygon)])) {
         return;
     }
-    let mut cleaned = Cleaned::default();
+    let (mut cleaner, mut cleaned) = (Cleaner::default(), Cleaned::default());
     for polygon in 0..list.ends.len() {
         let range = list.range(polygon);
         let corners = &list.corners[range.clone()];
         let before = cleaned.ends.len();
         cleaned.origin = list.faces[polygon];
-        let whole = corners.len() >= 3 && !cleaner.repeats(corners);
         let origins = &list.corner_origins[range];
-        if whole {
+        if is_sound(corners) {
             cleaned.push(corners.iter().copied().zip(origins.iter().copied()));
         } else {
             let corners = corners.iter().copied().zip(origins.iter().copied()).collect();
@@ -73,7 +71,6 @@ impl Cleaned {
 /// Scratch space.
 #[derive(Default)]
 struct Cleaner {
-    sorted: Vec<u32>,
     /// The corners of the loop that is still open.
     open: Vec<Corner>,
     /// The places of vertices in `open`.
@@ -81,17 +78,6 @@ struct Cleaner {
 }
 
 impl Cleaner {
-    /// True if a vertex occurs twice.
-    fn repeats(&mut self, corners: &[u32]) -> bool {
-        if let &[a, b, c] = corners {
-            return a == b || b == c || c == a;
-        }
-        self.sorted.clear();
-        self.sorted.extend_from_slice(corners);
-        self.sorted.sort_unstable();
-        self.sorted.windows(2).any(|pair| pair[0] == pair[1])
-    }
-
     /// Cuts off loops at repeated vertices. Returns the number of corners that repeat the previous
     /// one.
     fn divide(&mut self, corners: &[Corner], cleaned: &mut Cleaned) -> usize {

@@ -8,11 +8,11 @@
 //! left.
 
 use super::RepairReport;
-use super::polygon_list::{NONE, Neighbours, PolygonList};
+use super::polygon_list::{NONE, PolygonList};
+use crate::mesh::loops::Loops;
 
 /// Cuts and splits until the polygons are a mesh.
 pub(super) fn split(list: &mut PolygonList, report: &mut RepairReport) {
-    let neighbours = list.neighbours();
     let mut twins = vec![NONE; list.corners.len()];
     let mut is_cut = false;
     for edge in list.sides().edges() {
@@ -27,14 +27,15 @@ pub(super) fn split(list: &mut PolygonList, report: &mut RepairReport) {
         }
         is_cut |= edge.len() > 2 || (edge.len() == 2 && twins[edge[0].1 as usize] == NONE);
     }
-    let corners = list.corners.clone();
+    let (corners, ends) = (list.corners.clone(), list.ends.clone());
+    let loops = Loops::new(&corners, &ends);
     let positions = list.positions.len();
     loop {
         list.corners.copy_from_slice(&corners);
         list.positions.truncate(positions);
         list.vertices.truncate(positions);
-        list.number_fans(&neighbours, &twins);
-        if !is_cut || !isolate(list, &neighbours, &mut twins) {
+        list.number_fans(&loops, &twins);
+        if !is_cut || !isolate(list, &loops, &mut twins) {
             break;
         }
     }
@@ -43,7 +44,7 @@ pub(super) fn split(list: &mut PolygonList, report: &mut RepairReport) {
 
 impl PolygonList {
     /// Gives each fan of corners a vertex.
-    pub(in crate::mesh) fn number_fans(&mut self, neighbours: &Neighbours, twins: &[u32]) {
+    pub(in crate::mesh) fn number_fans(&mut self, loops: &Loops, twins: &[u32]) {
         let mut is_taken = vec![false; self.positions.len()];
         let mut seen = vec![false; self.corners.len()];
         for first in 0..self.corners.len() {
@@ -68,7 +69,7 @@ impl PolygonList {
             // Around the vertex in one direction, and if that ends, in the other.
             let mut corner = first as u32;
             let closed = loop {
-                let twin = twins[neighbours.prev[corner as usize] as usize];
+                let twin = twins[loops.prev(corner) as usize];
                 if twin == NONE {
                     break false;
                 }
@@ -79,7 +80,7 @@ impl PolygonList {
             };
             corner = first as u32;
             while !closed && twins[corner as usize] != NONE {
-                corner = neighbours.next[twins[corner as usize] as usize];
+                corner = loops.next(twins[corner as usize]);
                 if !reach(corner) {
                     break;
                 }
@@ -90,7 +91,7 @@ impl PolygonList {
 
 /// Joins the sides of edges that are left with two in opposite directions, and isolates corners at
 /// the other unjoined edges. Returns whether any corner was isolated.
-fn isolate(list: &PolygonList, neighbours: &Neighbours, twins: &mut [u32]) -> bool {
+fn isolate(list: &PolygonList, loops: &Loops, twins: &mut [u32]) -> bool {
     let mut found = false;
     for edge in list.sides().edges() {
         let unjoined = edge.len() > 1 && twins[edge[0].1 as usize] == NONE;
@@ -105,7 +106,7 @@ fn isolate(list: &PolygonList, neighbours: &Neighbours, twins: &mut [u32]) -> bo
         for &(_, side) in edge.iter().skip(1).filter(|_| unjoined) {
             // The previous side at the same corner is joined, or else the corner would be a fan of
             // its own.
-            let before = neighbours.prev[side as usize] as usize;
+            let before = loops.prev(side) as usize;
             let twin = std::mem::replace(&mut twins[before], NONE);
             if twin != NONE {
                 twins[twin as usize] = NONE;

@@ -20,7 +20,7 @@ pub(super) fn orient(list: &mut PolygonList, report: &mut RepairReport) {
     if !any_turned {
         return;
     }
-    let polygon_of = list.polygon_of_corners();
+    let loops = list.loops();
     let mut turned: Vec<Option<bool>> = vec![None; list.ends.len()];
     let mut part: Vec<usize> = Vec::new();
     for first in 0..list.ends.len() {
@@ -39,7 +39,7 @@ pub(super) fn orient(list: &mut PolygonList, report: &mut RepairReport) {
                 if partner == NONE {
                     continue;
                 }
-                let other = polygon_of[partner as usize] as usize;
+                let other = loops.polygon(partner) as usize;
                 if turned[other].is_none() {
                     let runs_alike = list.corners[side] != list.corners[partner as usize];
                     turned[other] = Some(is_turned == runs_alike);

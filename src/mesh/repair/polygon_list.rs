@@ -106,39 +106,13 @@ impl PolygonList {
         into.len() - kept
     }
 
-    /// The next and the previous corner of each corner in its polygon.
-    pub(in crate::mesh) fn neighbours(&self) -> Neighbours {
-        let mut next: Vec<u32> = (1..=self.corners.len() as u32).collect();
-        let mut prev: Vec<u32> =
-            (0..self.corners.len() as u32).map(|c| c.wrapping_sub(1)).collect();
-        let mut start = 0;
-        for &end in &self.ends {
-            if end > start {
-                next[end - 1] = start as u32;
-                prev[start] = end as u32 - 1;
-            }
-            start = end;
-        }
-        Neighbours { next, prev }
-    }
-
-    /// The polygon of each corner.
-    pub(in crate::mesh) fn polygon_of_corners(&self) -> Vec<u32> {
-        let mut polygons = vec![0; self.corners.len()];
-        for polygon in 0..self.ends.len() {
-            polygons[self.range(polygon)].fill(polygon as u32);
-        }
-        polygons
+    /// The loops of the polygons.
+    pub(in crate::mesh) fn loops(&self) -> Loops<'_> {
+        Loops::new(&self.corners, &self.ends)
     }
 
     /// The sides of the polygons, grouped by edge; side `i` begins at corner `i`.
     pub(in crate::mesh) fn sides(&self) -> Sides {
-        Sides::gather(&Loops::new(&self.corners, &self.ends), self.positions.len())
+        Sides::gather(&self.loops(), self.positions.len())
     }
-}
-
-/// The neighbours of each corner in its polygon.
-pub(in crate::mesh) struct Neighbours {
-    pub(in crate::mesh) next: Vec<u32>,
-    pub(in crate::mesh) prev: Vec<u32>,
 }

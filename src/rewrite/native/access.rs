@@ -81,7 +81,7 @@ impl Translator<'_, '_> {
         ty: AttributeType,
         element: Reg,
     ) -> Option<Value> {
-        self.living(self.text.surroundings.kind_of(attribute)?, element);
+        self.living(self.unit.environment.kind_of(attribute)?, element);
         let id = self.id(element);
         let columns = self.field(offset_of!(Context, columns));
         let place = usize::from(attribute) * size_of::<Slice>();
@@ -89,7 +89,7 @@ impl Translator<'_, '_> {
         let is_in_range = self.b.ins().icmp(IntCC::UnsignedLessThan, id, count);
         self.or_fault(is_in_range);
         let start = self.load(I64, Region::Columns, columns, place + offset_of!(Slice, start));
-        let offset = self.scaled(id, size_of_value(ty));
+        let offset = self.scaled(id, ty.size());
         Some(self.b.ins().iadd(start, offset))
     }
 
@@ -193,19 +193,5 @@ pub(super) fn table(kind: ElementKind) -> (usize, usize, usize) {
         ElementKind::Face => {
             (offset_of!(Tables, faces), offset_of!(Tables, face_count), size_of::<u32>())
         }
-    }
-}
-
-/// The bytes of a value in a column.
-pub(super) fn size_of_value(ty: AttributeType) -> usize {
-    match ty {
-        AttributeType::Bool => size_of::<bool>(),
-        AttributeType::Int => size_of::<i64>(),
-        AttributeType::Real => size_of::<f64>(),
-        AttributeType::Vec2 => size_of::<glam::DVec2>(),
-        AttributeType::Vec3 => size_of::<glam::DVec3>(),
-        AttributeType::Vec4 => size_of::<glam::DVec4>(),
-        AttributeType::Mat3 => size_of::<glam::DMat3>(),
-        AttributeType::Mat4 => size_of::<glam::DMat4>(),
     }
 }

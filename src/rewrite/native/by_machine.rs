@@ -30,7 +30,7 @@ impl Translator<'_, '_> {
     pub(super) fn faults(&mut self) {
         for (block, at, set) in std::mem::take(&mut self.faults) {
             self.b.switch_to_block(block);
-            self.spill_operands(&self.text.code.insts[at]);
+            self.spill_operands(&self.unit.code.insts[at]);
             let number = self.b.ins().iconst(I64, at as i64);
             let signature = self.signature(&[I64, I64], &[]);
             let context = self.context;
@@ -58,7 +58,7 @@ impl Translator<'_, '_> {
     /// Lets the machine execute the instruction, and those that follow it and always need the
     /// machine.
     pub(super) fn steps(&mut self, inst: &Inst) {
-        let (first, code) = (self.at, self.text.code);
+        let (first, code) = (self.at, self.unit.code);
         let end = self.end_of_run(is_always_a_step);
         if end < first + 2 || !is_always_a_step(inst) {
             return self.step(inst);
@@ -89,7 +89,7 @@ impl Translator<'_, '_> {
     /// the first may be the target of a jump.
     pub(super) fn end_of_run(&self, is_one: impl Fn(&Inst) -> bool) -> usize {
         let first = self.at;
-        let insts = self.text.code.insts.iter().enumerate().skip(first);
+        let insts = self.unit.code.insts.iter().enumerate().skip(first);
         let mut run = insts
             .take_while(|&(at, inst)| is_one(inst) && (at == first || self.blocks[at].is_none()));
         run.by_ref().last().map_or(first, |(at, _)| at + 1)
@@ -115,7 +115,6 @@ fn is_always_a_step(inst: &Inst) -> bool {
             | Inst::PrintBool { .. }
             | Inst::PrintInt { .. }
             | Inst::PrintReal { .. }
-            | Inst::PrintVec { .. }
             | Inst::PrintWide { .. }
             | Inst::PrintElement { .. }
             | Inst::PrintEnd

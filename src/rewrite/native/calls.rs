@@ -13,12 +13,12 @@ use cranelift_codegen::ir::{Block, InstBuilder, Value};
 use super::compile::{Expected, is_flat};
 use super::context::{Context, NOTHING};
 use super::facts::reached;
-use super::operands::Surroundings;
+use super::operands::Environment;
 use super::translate::{REFUSED, Region, TRAPPED, Translator};
 use super::{Variant, stubs};
-use crate::rewrite::engine::Way;
+use crate::rewrite::engine::CodeKind;
 use crate::rewrite::known_level::KnownLevel;
-use crate::rewrite::watch::{Progress, TURNS_PER_LOOK};
+use crate::rewrite::watch::{ITERATIONS_PER_POLL, Progress};
 use crate::rewrite::{Code, Count, Inst, List, Reg};
 
 /// The number of slots that a function gives, if it is always the same.
@@ -87,25 +87,20 @@ impl Translator<'_, '_> {
         let left = self.field(offset_of!(Context, left));
         self.or_slow(left, slow);
         let progress = self.field(offset_of!(Context, progress));
-        let turns = offset_of!(Progress, turns);
-        let now = self.load(I32, Region::Progress, progress, turns);
+        let iterations = offset_of!(Progress, iterations);
+        let now = self.load(I32, Region::Progress, progress, iterations);
         let now = self.b.ins().iadd_imm_s(now, 1);
-        let rest = self.b.ins().band_imm_u(now, i64::from(TURNS_PER_LOOK - 1));
+        let rest = self.b.ins().band_imm_u(now, i64::from(ITERATIONS_PER_POLL - 1));
         self.or_slow(rest, slow);
         let (entry, next) = self.callable(callee.entry, slow);
 
-        self.store(Region::Progress, now, progress, turns);
-        let fewer = self.b.ins().iadd_imm_s(left, -1);
-        self.set_field(offset_of!(Context, left), fewer);
+        self.store(Region::Progress, now, progress, iterations);
         self.pass(args, callee.params, next);
-        self.set_field(offset_of!(Context, window), next);
-        let number = self.b.ins().iconst(I64, i64::from(function) + 1);
-        self.set_field(offset_of!(Context, function), number);
+        self.begin_callee(left, next, i64::from(function) + 1);
         if holds {
             self.hold(1);
         }
-        let answer = self.enter(entry);
-        self.set_field(offset_of!(Context, left), left);
+        let answer = self.enter(entry, left);
         self.go_on_unless(answer, REFUSED);
         if holds {
             self.hold(-1);
@@ -114,7 +109,7 @@ impl Translator<'_, '_> {
         for part in 0..callee.gives {
             let reg = Reg(to.0.wrapping_add(part));
             let ty = if self.is_real(reg) { F64 } else { I64 };
-            let place = usize::from(self.text.code.registers) + usize::from(part);
+            let place = usize::from(self.unit.code.registers) + usize::from(part);
             let value = self.load(ty, Region::Window, window, place * 8);
             let variable = self.variable(reg);
             self.b.def_var(variable, value);
@@ -132,21 +127,23 @@ impl Translator<'_, '_> {
 
     /// A function that may be called directly, if it was compiled for what this code expects.
     fn callee(&self, function: u16) -> Option<Callee> {
-        let surroundings = &self.text.surroundings;
-        let called = surroundings.functions.get(usize::from(function))?;
+        let environment = &self.unit.environment;
+        let called = environment.functions.get(usize::from(function))?;
         let gives = gives(&called.code)?;
-        let made = called.code.native.made(&called.code);
-        let expected = Expected::of(&called.code, surroundings);
-        if made.expected.get_or_init(|| expected.clone()) != &expected {
+        let compilation = called.code.native.compilation(&called.code);
+        let expected = Expected::of(&called.code, environment);
+        if compilation.expected.get_or_init(|| expected.clone()) != &expected {
             return None;
         }
-        // A function that an operation calls before its first write writes nothing.
-        let wanted = match self.variant {
-            Variant::Dry => Variant::Plain,
-            variant => variant,
-        };
-        let entry = &raw const made.entries[made.variant(wanted) as usize];
+        let variant = compilation.variant(self.variant_of_function());
+        let entry = &raw const compilation.entries[variant as usize];
         Some(Callee { entry, params: called.params, gives })
+    }
+
+    /// The variant of a function that is called here: one that an operation calls before its first
+    /// write writes nothing.
+    pub(super) fn variant_of_function(&self) -> Variant {
+        if self.variant == Variant::Dry { Variant::Plain } else { self.variant }
     }
 
     pub(super) fn hold(&mut self, by: i64) {
@@ -234,22 +231,22 @@ impl Translator<'_, '_> {
     /// An operation that may be called directly, if it was compiled for what this code expects and
     /// calls nothing itself.
     fn operation(&self, op: u16, wanted: Variant) -> Option<Operation> {
-        let surroundings = &self.text.surroundings;
-        let is_of_script = matches!(self.text.way, Way::Script | Way::Function);
-        let plan = surroundings.plans.get(usize::from(op))?.as_ref()?;
+        let environment = &self.unit.environment;
+        let is_of_script = matches!(self.unit.kind, CodeKind::Script | CodeKind::Function);
+        let plan = environment.plans.get(usize::from(op))?.as_ref()?;
         if !is_of_script || plan.steps.is_some() || !is_flat(&plan.code) {
             return None;
         }
         let functions = &plan.code.functions;
-        let expected = Expected::of(&plan.code, &Surroundings { functions, ..*surroundings });
-        let made = plan.code.native.made(&plan.code);
-        if made.expected.get_or_init(|| expected.clone()) != &expected {
+        let expected = Expected::of(&plan.code, &Environment { functions, ..*environment });
+        let compilation = plan.code.native.compilation(&plan.code);
+        if compilation.expected.get_or_init(|| expected.clone()) != &expected {
             return None;
         }
         Some(Operation {
-            entry: &raw const made.entries[made.variant(wanted) as usize],
+            entry: &raw const compilation.entries[compilation.variant(wanted) as usize],
             number: op,
-            params: surroundings.params_of_op(op),
+            params: environment.params_of_op(op),
             states: KnownLevel::quiet_states(plan, wanted == Variant::Dry),
             may_lower: plan.may_lower(),
             has_result: plan.result.is_some(),
@@ -267,21 +264,17 @@ impl Translator<'_, '_> {
         let left = self.field(offset_of!(Context, left));
         self.or_slow(left, slow);
         let (entry, next) = self.callable(callee.entry, slow);
-        let fewer = self.b.ins().iadd_imm_s(left, -1);
-        self.set_field(offset_of!(Context, left), fewer);
         self.pass(args, callee.params, next);
-        self.set_field(offset_of!(Context, window), next);
-        let zero = self.b.ins().iconst(I64, 0);
-        self.set_field(offset_of!(Context, function), zero);
+        self.begin_callee(left, next, 0);
         let number = self.b.ins().iconst(I64, i64::from(callee.number) + 1);
         self.set_field(offset_of!(Context, op), number);
         // Refusals noted by an earlier operation do not count.
         let none = self.b.ins().iconst(I32, 0);
         self.store(Region::Context, none, self.context, offset_of!(Context, noted));
-        let answer = self.enter(entry);
+        let answer = self.enter(entry, left);
+        let zero = self.b.ins().iconst(I64, 0);
         self.set_field(offset_of!(Context, op), zero);
         self.set_field(offset_of!(Context, level), state);
-        self.set_field(offset_of!(Context, left), left);
         self.go_on_unless(answer, TRAPPED);
         answer
     }
@@ -297,7 +290,7 @@ impl Translator<'_, '_> {
 
     /// The start of the window of a callee; jumps to `slow` if the stack has no room.
     pub(super) fn next_window(&mut self, slow: Block) -> Value {
-        let size = i64::from(self.text.code.registers) * 8;
+        let size = i64::from(self.unit.code.registers) * 8;
         let window = self.field(offset_of!(Context, window));
         let next = self.b.ins().iadd_imm_s(window, size);
         let last = self.field(offset_of!(Context, last));
@@ -315,22 +308,40 @@ impl Translator<'_, '_> {
         }
     }
 
-    /// Enters the callee, whose window, function and operation the context has; afterwards the
-    /// context is that of the caller again.
-    fn enter(&mut self, entry: Value) -> Value {
-        let lists = i64::from(self.text.code.buffers) * size_of::<List>() as i64;
-        self.move_field(offset_of!(Context, lists), lists);
+    /// Makes the context that of a callee: with a window, and the number of its function plus 1, or
+    /// 0 if it is an operation. `left` is the number of calls that may be nested in the caller.
+    pub(super) fn begin_callee(&mut self, left: Value, window: Value, function: i64) {
+        let fewer = self.b.ins().iadd_imm_s(left, -1);
+        self.set_field(offset_of!(Context, left), fewer);
+        self.set_field(offset_of!(Context, window), window);
+        let function = self.b.ins().iconst(I64, function);
+        self.set_field(offset_of!(Context, function), function);
+        self.move_field(offset_of!(Context, lists), self.size_of_lists());
+    }
+
+    /// Makes the context that of the caller again.
+    pub(super) fn return_to_caller(&mut self, left: Value) {
+        // The stack may have moved.
+        let size = i64::from(self.unit.code.registers) * 8;
+        self.move_field(offset_of!(Context, window), -size);
+        self.move_field(offset_of!(Context, lists), -self.size_of_lists());
+        self.set_field(offset_of!(Context, left), left);
+        let own = self.unit.function.map_or(0, |number| i64::from(number) + 1);
+        let own = self.b.ins().iconst(I64, own);
+        self.set_field(offset_of!(Context, function), own);
+    }
+
+    fn size_of_lists(&self) -> i64 {
+        i64::from(self.unit.code.buffers) * size_of::<List>() as i64
+    }
+
+    /// Enters the callee, whose context has begun; afterwards the context is that of the caller.
+    fn enter(&mut self, entry: Value, left: Value) -> Value {
         let signature = self.signature(&[I64, I64], &[I64]);
         let zero = self.b.ins().iconst(I64, 0);
         let call = self.b.ins().call_indirect(signature, entry, &[self.context, zero]);
         let answer = self.b.inst_results(call)[0];
-        // The stack may have moved.
-        let size = i64::from(self.text.code.registers) * 8;
-        self.move_field(offset_of!(Context, window), -size);
-        self.move_field(offset_of!(Context, lists), -lists);
-        let own = self.text.function.map_or(0, |number| i64::from(number) + 1);
-        let own = self.b.ins().iconst(I64, own);
-        self.set_field(offset_of!(Context, function), own);
+        self.return_to_caller(left);
         answer
     }
 

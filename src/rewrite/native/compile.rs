@@ -13,10 +13,10 @@ use cranelift_module::{Linkage, Module, default_libcall_names};
 use super::Variant;
 use super::calls::gives;
 use super::context::Context;
-use super::operands::Surroundings;
-use super::translate::{Text, Translator};
+use super::operands::Environment;
+use super::translate::{Translator, Unit};
 use crate::mesh::{AttributeType, ElementKind};
-use crate::rewrite::engine::Way;
+use crate::rewrite::engine::CodeKind;
 use crate::rewrite::{Code, Function, Inst, Plan, Plans, key_paths};
 
 /// Code with more instructions or registers than this is left to the machine: compiling it would
@@ -78,22 +78,22 @@ impl Drop for Memory {
 impl Compiled {
     /// Compiles native code; `None` for code that is left to the machine, or on a processor that
     /// Cranelift does not support.
-    pub(super) fn make(text: Text<'_>, variant: Variant, plans: &Plans) -> Option<Self> {
-        let code = text.code;
+    pub(super) fn make(unit: Unit<'_>, variant: Variant, plans: &Plans) -> Option<Self> {
+        let code = unit.code;
         if code.insts.len() > MOST_INSTS || code.registers > MOST_REGISTERS {
             return None;
         }
         // The functions that it enters must be those that it keeps alive.
-        let functions = text.surroundings.functions.as_ptr();
-        if text.way != Way::Function && code.functions.as_ptr() != functions {
+        let functions = unit.environment.functions.as_ptr();
+        if unit.kind != CodeKind::Function && code.functions.as_ptr() != functions {
             return None;
         }
         // The same for the plans.
-        if plans.as_ptr() != text.surroundings.plans.as_ptr() {
+        if plans.as_ptr() != unit.environment.plans.as_ptr() {
             return None;
         }
         // Keys without paths need the machine, which notes their reads.
-        let drains = key_paths::drains(code, text.surroundings.functions, plans);
+        let drains = key_paths::drains(code, unit.environment.functions, plans);
         if drains.iter().any(|(_, why)| why.is_some()) {
             return None;
         }
@@ -106,7 +106,7 @@ impl Compiled {
         context.func.signature.returns.push(AbiParam::new(I64));
         let mut builder = FunctionBuilderContext::new();
         let function = FunctionBuilder::new(&mut context.func, &mut builder);
-        Translator::translate(function, text, variant, conv).finalize(module.target_config());
+        Translator::translate(function, unit, variant, conv).finalize(module.target_config());
         let signature = context.func.signature.clone();
         let name = module.declare_function("code", Linkage::Local, &signature).ok()?;
         module.define_function(name, &mut context).ok()?;
@@ -115,21 +115,21 @@ impl Compiled {
         // SAFETY: the function that has just been defined takes a pointer and a number and returns
         // a number, of 64 bits each, in the convention of `extern "C"` here.
         let entry = unsafe { std::mem::transmute::<*const u8, Entry>(start) };
-        let expected = Expected::of(code, &text.surroundings);
+        let expected = Expected::of(code, &unit.environment);
         let attributes = expected.types.iter().map(|(attribute, _)| *attribute).collect();
-        let functions = (text.way != Way::Function).then(|| Arc::clone(&code.functions));
+        let functions = (unit.kind != CodeKind::Function).then(|| Arc::clone(&code.functions));
         Some(Self {
             entry,
             expected,
             attributes,
-            is_callable: match text.way {
-                Way::Function => gives(code).is_some(),
-                Way::Whole | Way::Dry => is_flat(code),
-                Way::Script => false,
+            is_callable: match unit.kind {
+                CodeKind::Function => gives(code).is_some(),
+                CodeKind::Whole | CodeKind::Dry => is_flat(code),
+                CodeKind::Script => false,
             },
             entries: entries(code),
             functions,
-            first_function: text.surroundings.functions.as_ptr().addr(),
+            first_function: unit.environment.functions.as_ptr().addr(),
             plans: Arc::downgrade(plans),
             memory: Memory(Mutex::new(Some(module))),
         })
@@ -137,10 +137,10 @@ impl Compiled {
 
     /// Whether it was compiled for these attributes, operations and functions.
     #[inline]
-    pub(super) fn fits(&self, surroundings: &Surroundings<'_>) -> bool {
+    pub(super) fn fits(&self, environment: &Environment<'_>) -> bool {
         let (_, _, _) = (&self.memory, &self.functions, &self.plans);
-        self.first_function == surroundings.functions.as_ptr().addr()
-            && self.expected.holds(surroundings)
+        self.first_function == environment.functions.as_ptr().addr()
+            && self.expected.holds(environment)
     }
 
     /// The number of the entry at an instruction.
@@ -149,11 +149,11 @@ impl Compiled {
     }
 }
 
-/// The instructions after the turns of loops, at which native code may be entered.
+/// The instructions after the iterations of loops, at which native code may be entered.
 pub(super) fn entries(code: &Code) -> Vec<u32> {
     let insts = code.insts.iter().enumerate().take(code.insts.len().saturating_sub(1));
-    let turns = insts.filter(|(_, inst)| matches!(inst, Inst::Turn { .. } | Inst::Tick));
-    turns.map(|(at, _)| at as u32 + 1).collect()
+    let iterations = insts.filter(|(_, inst)| matches!(inst, Inst::Iteration { .. } | Inst::Tick));
+    iterations.map(|(at, _)| at as u32 + 1).collect()
 }
 
 /// Whether a code calls nothing.
@@ -174,23 +174,23 @@ fn attributes_in(code: &Code) -> impl Iterator<Item = u16> {
 }
 
 impl Expected {
-    /// The expectations of a code in its current surroundings.
-    pub(super) fn of(code: &Code, surroundings: &Surroundings<'_>) -> Self {
+    /// The expectations of a code in its current environment.
+    pub(super) fn of(code: &Code, environment: &Environment<'_>) -> Self {
         let mut expected = Self::default();
-        for code in code.with_called_of(surroundings.functions) {
+        for code in code.with_called_of(environment.functions) {
             let used = attributes_in(code);
-            expected.types.extend(used.map(|used| (used, surroundings.column(used))));
+            expected.types.extend(used.map(|used| (used, environment.column(used))));
             for inst in &code.insts {
                 let (Inst::Apply { op, .. } | Inst::Try { op, .. }) = *inst else { continue };
-                expected.params.push((op, surroundings.params_of_op(op)));
-                expected.plans = Some(surroundings.plans.as_ptr().addr());
+                expected.params.push((op, environment.params_of_op(op)));
+                expected.plans = Some(environment.plans.as_ptr().addr());
                 // Native code of the operation finds its attributes in the context of the caller.
-                let plan = surroundings.plans.get(usize::from(op));
+                let plan = environment.plans.get(usize::from(op));
                 if let Some(Some(plan)) = plan
                     && plan.steps.is_none()
                 {
                     let used = plan.code.with_called().into_iter().flat_map(attributes_in);
-                    expected.types.extend(used.map(|used| (used, surroundings.column(used))));
+                    expected.types.extend(used.map(|used| (used, environment.column(used))));
                 }
             }
         }
@@ -201,10 +201,10 @@ impl Expected {
         expected
     }
 
-    fn holds(&self, surroundings: &Surroundings<'_>) -> bool {
-        self.types.iter().all(|&(attribute, ty)| surroundings.column(attribute) == ty)
-            && self.params.iter().all(|&(op, width)| surroundings.params_of_op(op) == width)
-            && self.plans.is_none_or(|plans| plans == surroundings.plans.as_ptr().addr())
+    fn holds(&self, environment: &Environment<'_>) -> bool {
+        self.types.iter().all(|&(attribute, ty)| environment.column(attribute) == ty)
+            && self.params.iter().all(|&(op, width)| environment.params_of_op(op) == width)
+            && self.plans.is_none_or(|plans| plans == environment.plans.as_ptr().addr())
     }
 }
 

@@ -392,7 +392,7 @@ impl Run<'_> {
     /// By kind, the fields whose writes are reported.
     #[inline]
     fn listens(&self) -> [u32; 4] {
-        match (self.mesh.is_journaled(), self.machine.drains.is_empty()) {
+        match (self.mesh.keeps_journal(), self.machine.drains.is_empty()) {
             (true, _) => [Fields::ALL.bits(); 4],
             (false, true) => [0; 4],
             (false, false) => self.machine.drains.listens().map(Fields::bits),

@@ -5,7 +5,7 @@ use cranelift_codegen::ir::types::{F64, I64};
 use cranelift_codegen::ir::{InstBuilder, Value};
 use std::mem::offset_of;
 
-use super::access::{first, pointer, size_of_value};
+use super::access::{first, pointer};
 use super::stubs;
 use super::translate::{Region, Translator};
 use crate::mesh::tables::{FaceState, Tables};
@@ -82,7 +82,7 @@ impl Translator<'_, '_> {
                 self.b.switch_to_block(back);
             }
             Inst::LoadAttribute { attribute, to, element } => {
-                let Some(ty) = self.text.surroundings.type_of(attribute) else { return false };
+                let Some(ty) = self.unit.environment.type_of(attribute) else { return false };
                 let Some(place) = self.value_place(attribute, ty, element) else { return false };
                 let flags = self.flags(Region::Values);
                 let first = i32::from(to.0);
@@ -96,7 +96,7 @@ impl Translator<'_, '_> {
                         self.set_whole(to, value);
                     }
                     _ => {
-                        let parts = 0..(size_of_value(ty) / 8) as i32;
+                        let parts = 0..ty.width() as i32;
                         for part in parts {
                             let value = self.b.ins().load(F64, flags, place, part * 8);
                             self.set_real(Reg((first + part) as u16), value);
@@ -117,7 +117,7 @@ impl Translator<'_, '_> {
                 let length = self.length(edge);
                 self.set_real(to, length);
             }
-            Inst::Ask { question, to, elements } if is_whole(question) => {
+            Inst::Ask { question, to, elements } if question.reals() == 0 => {
                 self.ask_whole(question, to, elements);
             }
             Inst::Ask { .. } => {
@@ -193,24 +193,5 @@ impl Translator<'_, '_> {
         let way = [0, 1, 2].map(|part| self.b.ins().fsub(to[part], from[part]));
         let square = self.dot(way, way);
         self.b.ins().sqrt(square)
-    }
-}
-
-/// Whether the answer is a nonnegative int or a bool.
-fn is_whole(question: Question) -> bool {
-    match question {
-        Question::Degree
-        | Question::BoundaryVertex
-        | Question::Adjacent
-        | Question::BoundaryEdge
-        | Question::LinkCondition
-        | Question::StarShaped
-        | Question::FaceSize => true,
-        Question::NormalVertex
-        | Question::LengthEdge
-        | Question::KernelCentroid
-        | Question::Area
-        | Question::NormalFace
-        | Question::CentroidFace => false,
     }
 }

@@ -5,21 +5,21 @@ use std::time::Instant;
 
 use super::compile::Compiled;
 use super::context::{Context, Run, noted};
-use super::operands::Surroundings;
-use super::translate::Text;
+use super::operands::Environment;
+use super::translate::Unit;
 use super::{DEPTH, LEAST_STACK, MORE_STACK, Variant};
 use crate::mesh::{ColumnId, Mesh};
 use crate::rewrite::call::MOST_CALLS;
 use crate::rewrite::dispatch::Place;
-use crate::rewrite::engine::Way;
+use crate::rewrite::engine::CodeKind;
 use crate::rewrite::{Call, Engine, Function, Inst, Machine, Message, Outcome, Reg, Trap, Watch};
 
 impl Call<'_> {
-    /// Counts a turn of a loop of code that the machine runs. Returns whether native code may take
-    /// over the rest.
+    /// Counts an iteration of a loop of code that the machine runs. Returns whether native code may
+    /// take over the rest.
     #[inline]
     pub(in super::super) fn has_looped(&self) -> bool {
-        self.code.native.made(self.code).count()
+        self.code.native.compilation(self.code).count()
     }
 }
 
@@ -52,8 +52,8 @@ impl Machine {
         self.compiled(mesh, &call).is_some()
     }
 
-    /// Runs the rest of the code of a call, from after a turn of a loop, as native code; `None` if
-    /// the machine has to run it.
+    /// Runs the rest of the code of a call, from after an iteration of a loop, as native code;
+    /// `None` if the machine has to run it.
     pub(in super::super) fn go_on_native(
         &mut self,
         mesh: &mut Mesh,
@@ -72,35 +72,35 @@ impl Machine {
         if self.engine == Engine::Machine || self.depth >= DEPTH || self.drains.is_reading() {
             return None;
         }
-        let wanted = match (call.way, mesh.is_journaled() || !self.drains.is_empty()) {
-            (Way::Dry, _) => Variant::Dry,
+        let wanted = match (call.kind, mesh.keeps_journal() || !self.drains.is_empty()) {
+            (CodeKind::Dry, _) => Variant::Dry,
             (_, true) => Variant::Careful,
             (_, false) => Variant::Plain,
         };
-        let made = call.code.native.made(call.code);
-        let variant = made.variant(wanted);
-        let compiled = match made.variants[variant as usize].get() {
+        let compilation = call.code.native.compilation(call.code);
+        let variant = compilation.variant(wanted);
+        let compiled = match compilation.variants[variant as usize].get() {
             Some(compiled) => compiled,
-            None if self.engine == Engine::NativeAtOnce || made.count() => {
-                made.variants[variant as usize].get_or_init(|| self.compile(call, variant))
+            None if self.engine == Engine::NativeAtOnce || compilation.count() => {
+                compilation.variants[variant as usize].get_or_init(|| self.compile(call, variant))
             }
             None => return None,
         };
-        let surroundings =
-            Surroundings { plans: call.plans, functions: call.functions, types: &self.types };
-        compiled.as_ref().filter(|compiled| compiled.fits(&surroundings))
+        let environment =
+            Environment { plans: call.plans, functions: call.functions, types: &self.types };
+        compiled.as_ref().filter(|compiled| compiled.fits(&environment))
     }
 
     #[cold]
     fn compile(&mut self, call: &Call<'_>, variant: Variant) -> Option<Compiled> {
         let started = Instant::now();
-        let surroundings =
-            Surroundings { plans: call.plans, functions: call.functions, types: &self.types };
-        let Call { code, refusals, way, function, .. } = *call;
-        let text = Text { code, refusals, way, function, surroundings };
-        let compiled = Compiled::make(text, variant, &self.plans);
+        let environment =
+            Environment { plans: call.plans, functions: call.functions, types: &self.types };
+        let Call { code, refusals, kind, function, .. } = *call;
+        let unit = Unit { code, refusals, kind, function, environment };
+        let compiled = Compiled::make(unit, variant, &self.plans);
         if let Some(compiled) = &compiled {
-            code.native.made(code).publish(variant, compiled);
+            code.native.compilation(code).publish(variant, compiled);
         }
         self.compiling += started.elapsed();
         compiled
@@ -158,7 +158,7 @@ impl Machine {
     ) -> Result<Outcome, Trap> {
         let (frames, depth) = (self.frames, self.depth);
         // An operation or script counts its own functions.
-        if call.way != Way::Function {
+        if call.kind != CodeKind::Function {
             self.frames = 0;
         }
         self.depth += 1;

@@ -7,7 +7,7 @@
 
 use super::access::pointer;
 use super::compile::entries;
-use super::operands::{Surroundings, Use};
+use super::operands::{Environment, Use};
 use crate::mesh::ElementKind;
 use crate::rewrite::neighbors::of_loop;
 use crate::rewrite::{Code, HalfedgeField, Inst, Question, Reg};
@@ -125,12 +125,12 @@ impl Facts {
     }
 
     /// Applies the effect of an instruction that continues with the next one.
-    fn take(&mut self, inst: &Inst, surroundings: &Surroundings) {
+    fn take(&mut self, inst: &Inst, environment: &Environment) {
         let before = match *inst {
             Inst::Copy { from, .. } | Inst::WalkBegin { from, .. } => self.of(from),
             _ => Fact::default(),
         };
-        self.forget_written(inst, surroundings);
+        self.forget_written(inst, environment);
         if moves_spokes(inst) {
             self.0.iter_mut().for_each(|fact| fact.spoke = None);
         }
@@ -174,7 +174,7 @@ impl Facts {
                     fact.lives = false;
                 }
             }
-            Inst::Call { function, .. } if surroundings.only_reads(function) => {}
+            Inst::Call { function, .. } if environment.only_reads(function) => {}
             // Other functions and operations may erase.
             Inst::Call { .. } | Inst::Apply { .. } | Inst::Try { .. } => {
                 self.0.fill(Fact::default());
@@ -183,8 +183,8 @@ impl Facts {
         }
     }
 
-    fn forget_written(&mut self, inst: &Inst, surroundings: &Surroundings) {
-        surroundings.each_operand(inst, &mut |operand| {
+    fn forget_written(&mut self, inst: &Inst, environment: &Environment) {
+        environment.each_operand(inst, &mut |operand| {
             if operand.used != Use::Read {
                 for reg in operand.registers() {
                     if self.of(reg).kind == Some(ElementKind::Halfedge) {
@@ -214,7 +214,7 @@ pub(super) struct KnownAt(Vec<Option<Facts>>);
 
 impl KnownAt {
     /// Computes the facts; `start` are those at the beginning of the code.
-    pub(super) fn of(code: &Code, start: &Facts, surroundings: &Surroundings) -> Self {
+    pub(super) fn of(code: &Code, start: &Facts, environment: &Environment) -> Self {
         let insts = &code.insts;
         let mut known = Self(vec![None; insts.len() + 1]);
         let is_target = targets(code);
@@ -235,13 +235,13 @@ impl KnownAt {
                     let mut there = facts.clone();
                     match inst {
                         Inst::WalkNext { .. } | Inst::NeighborsNext { .. } => {
-                            there.take(inst, surroundings)
+                            there.take(inst, environment)
                         }
-                        _ => there.forget_written(inst, surroundings),
+                        _ => there.forget_written(inst, environment),
                     }
                     known.join(to.min(insts.len()), &there, &mut changed);
                 }
-                facts.take(inst, surroundings);
+                facts.take(inst, environment);
                 if ends(inst) {
                     walk.facts = None;
                 }
@@ -291,9 +291,9 @@ impl Walk {
     }
 
     /// Moves past an instruction.
-    pub(super) fn pass(&mut self, inst: &Inst, surroundings: &Surroundings) {
+    pub(super) fn pass(&mut self, inst: &Inst, environment: &Environment) {
         if let Some(facts) = &mut self.facts {
-            facts.take(inst, surroundings);
+            facts.take(inst, environment);
         }
         if ends(inst) {
             self.facts = None;

@@ -22,7 +22,7 @@ impl Translator<'_, '_> {
     /// Translates an instruction about members of families; false if it is another one, or is left
     /// to the machine.
     pub(super) fn family(&mut self, inst: &Inst) -> bool {
-        let buffers = self.text.code.buffers;
+        let buffers = self.unit.code.buffers;
         let on = self.b.create_block();
         match *inst {
             Inst::BufferClear { buffer } if buffer < buffers => {

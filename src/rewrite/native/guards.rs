@@ -178,7 +178,7 @@ impl Translator<'_, '_> {
     /// The conditions of a vertex, answered by one walk around it, that this and the following
     /// instructions ask one after the other, each with the refusal if it does not hold.
     fn asked_about_star(&self, vertex: Reg) -> Vec<Asked> {
-        let insts = self.text.code.insts.get(self.at..).unwrap_or_default();
+        let insts = self.unit.code.insts.get(self.at..).unwrap_or_default();
         let pairs = insts.chunks_exact(2).enumerate().map_while(|(pair, two)| {
             let at = self.at + 2 * pair;
             let is_entered = (at.max(self.at + 1)..at + 2).any(|at| self.blocks[at].is_some());
@@ -347,7 +347,7 @@ impl Translator<'_, '_> {
 
     /// Lets a stub execute the instructions up to, but without, `end`.
     fn set_by_machine(&mut self, end: usize) {
-        let (first, code) = (self.at, self.text.code);
+        let (first, code) = (self.at, self.unit.code);
         let all = &code.insts[first..end];
         all.iter().for_each(|inst| self.spill_operands(inst));
         let span = self.b.ins().iconst(I64, (first | end << 32) as i64);

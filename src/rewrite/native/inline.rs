@@ -15,10 +15,10 @@ use super::context::Context;
 use super::facts::{Fact, Facts, KnownAt, Walk, targets};
 use super::liveness::Liveness;
 use super::registers::reals;
-use super::translate::{Text, Translator};
-use super::{Variant, stubs};
-use crate::rewrite::engine::Way;
-use crate::rewrite::{Function, Inst, List, Reg};
+use super::stubs;
+use super::translate::{Translator, Unit};
+use crate::rewrite::engine::CodeKind;
+use crate::rewrite::{Function, Inst, Reg};
 
 /// The greatest number of instructions of an inlined function, of all inlined functions in one
 /// code, and the greatest depth of inlining.
@@ -27,7 +27,7 @@ const MOST_IN_ALL: usize = 1200;
 const DEPTH: usize = 4;
 
 /// The place where an inlined function continues when it returns.
-pub(super) struct Back {
+pub(super) struct Continuation {
     exit: Block,
     /// The variables of the caller for its value, and whether they hold reals.
     results: Vec<(Variable, bool)>,
@@ -43,10 +43,10 @@ pub(super) struct Inlined {
 impl<'a> Translator<'a, '_> {
     /// A function that may be inlined here, and the number of slots that it gives.
     fn inlined(&self, number: u16) -> Option<(&'a Function, u16)> {
-        let called = self.text.surroundings.functions.get(usize::from(number))?;
+        let called = self.unit.environment.functions.get(usize::from(number))?;
         let code = &called.code;
         let is_running =
-            self.inlined.running.contains(&number) || self.text.function == Some(number);
+            self.inlined.running.contains(&number) || self.unit.function == Some(number);
         let fits = code.insts.len() <= MOST
             && self.inlined.insts + code.insts.len() <= MOST_IN_ALL
             && self.inlined.running.len() < DEPTH;
@@ -73,13 +73,7 @@ impl<'a> Translator<'a, '_> {
         let left = self.field(offset_of!(Context, left));
         self.or_slow(left, slow);
         let next = self.next_window(slow);
-        let fewer = self.b.ins().iadd_imm_s(left, -1);
-        self.set_field(offset_of!(Context, left), fewer);
-        self.set_field(offset_of!(Context, window), next);
-        let running = self.b.ins().iconst(I64, i64::from(number) + 1);
-        self.set_field(offset_of!(Context, function), running);
-        let lists = i64::from(self.text.code.buffers) * size_of::<List>() as i64;
-        self.move_field(offset_of!(Context, lists), lists);
+        self.begin_callee(left, next, i64::from(number) + 1);
         if holds {
             self.hold(1);
         }
@@ -94,17 +88,17 @@ impl<'a> Translator<'a, '_> {
         let results = (0..gives).map(|part| Reg(to.0.wrapping_add(part)));
         let results =
             results.map(|reg| (self.variable(reg), self.is_real(reg))).collect::<Vec<_>>();
-        self.inline_body(number, called, &params, Back { exit, results }, trapped);
+        self.inline_body(number, called, &params, Continuation { exit, results }, trapped);
 
         self.b.switch_to_block(exit);
-        self.return_to_caller(lists, left);
+        self.return_to_caller(left);
         if holds {
             self.hold(-1);
         }
         self.b.ins().jump(on, &[]);
 
         self.b.switch_to_block(trapped);
-        self.return_to_caller(lists, left);
+        self.return_to_caller(left);
         let at = self.b.ins().iconst(I64, self.at as i64);
         self.call_stub(stubs::left as *const () as usize, &[at]);
         self.b.ins().jump(self.leave, &[]);
@@ -115,44 +109,30 @@ impl<'a> Translator<'a, '_> {
         true
     }
 
-    fn return_to_caller(&mut self, lists: i64, left: Value) {
-        let size = i64::from(self.text.code.registers) * 8;
-        self.move_field(offset_of!(Context, window), -size);
-        self.move_field(offset_of!(Context, lists), -lists);
-        self.set_field(offset_of!(Context, left), left);
-        let own = self.text.function.map_or(0, |number| i64::from(number) + 1);
-        let own = self.b.ins().iconst(I64, own);
-        self.set_field(offset_of!(Context, function), own);
-    }
-
     /// Translates the code of an inlined function.
     fn inline_body(
         &mut self,
         number: u16,
         called: &'a Function,
         params: &[(Value, bool, Fact)],
-        back: Back,
+        continuation: Continuation,
         trapped: Block,
     ) {
         let code = &called.code;
-        let surroundings = self.text.surroundings;
+        let environment = self.unit.environment;
         let registers = usize::from(code.registers);
-        let text = Text { code, way: Way::Function, function: Some(number), ..self.text };
+        let unit = Unit { code, kind: CodeKind::Function, function: Some(number), ..self.unit };
         let is_target = targets(code);
         let blocks = is_target.iter().map(|&is| is.then(|| self.b.create_block())).collect();
         let facts = Facts::of_params(registers, params.iter().map(|(_, _, fact)| *fact));
-        let known_at = KnownAt::of(code, &facts, &surroundings);
-        // A function that an operation calls before its first write writes nothing.
-        let variant = match self.variant {
-            Variant::Dry => Variant::Plain,
-            variant => variant,
-        };
+        let known_at = KnownAt::of(code, &facts, &environment);
+        let variant = self.variant_of_function();
         self.inlined.running.push(number);
         self.inlined.insts += code.insts.len();
-        let outer_text = replace(&mut self.text, text);
+        let outer_unit = replace(&mut self.unit, unit);
         let outer_variant = replace(&mut self.variant, variant);
         let outer_variables = replace(&mut self.variables, vec![None; registers]);
-        let is_real = reals(&code.insts, registers, &surroundings);
+        let is_real = reals(&code.insts, registers, &environment);
         let outer_real = replace(&mut self.is_real, is_real);
         let outer_blocks = replace(&mut self.blocks, blocks);
         let outer_known = replace(&mut self.known, Walk::with(facts));
@@ -163,9 +143,9 @@ impl<'a> Translator<'a, '_> {
         let outer_leave = replace(&mut self.leave, trapped);
         let outer_keeps = replace(&mut self.keeps_window, false);
         let outer_drains = take(&mut self.live_at_drains);
-        let outer_back = self.back.replace(back);
+        let outer_continuation = self.continuation.replace(continuation);
 
-        let live = Liveness::of(code, registers, &surroundings).at(0);
+        let live = Liveness::of(code, registers, &environment).at(0);
         let (passed, others): (Vec<Reg>, Vec<Reg>) =
             live.into_iter().partition(|reg| usize::from(reg.0) < params.len());
         others.into_iter().for_each(|reg| self.reload(reg));
@@ -176,7 +156,7 @@ impl<'a> Translator<'a, '_> {
         self.body(&known_at);
         self.faults();
 
-        self.text = outer_text;
+        self.unit = outer_unit;
         self.variant = outer_variant;
         self.variables = outer_variables;
         self.is_real = outer_real;
@@ -189,13 +169,13 @@ impl<'a> Translator<'a, '_> {
         self.leave = outer_leave;
         self.keeps_window = outer_keeps;
         self.live_at_drains = outer_drains;
-        self.back = outer_back;
+        self.continuation = outer_continuation;
         self.inlined.running.pop();
     }
 
     /// Sets the value of an inlined function in its caller; false if the function is not inlined.
     pub(super) fn give_back(&mut self, from: Reg) -> bool {
-        let Some(Back { results, .. }) = &self.back else { return false };
+        let Some(Continuation { results, .. }) = &self.continuation else { return false };
         let results = results.clone();
         for (part, (variable, is_real)) in (0..).zip(results) {
             let reg = Reg(from.0.wrapping_add(part));
@@ -207,7 +187,7 @@ impl<'a> Translator<'a, '_> {
 
     /// Returns from an inlined function to its caller; false if the function is not inlined.
     pub(super) fn go_back(&mut self) -> bool {
-        let exit = self.back.as_ref().map(|back| back.exit);
+        let exit = self.continuation.as_ref().map(|to| to.exit);
         if let Some(exit) = exit {
             self.b.ins().jump(exit, &[]);
         }

@@ -10,7 +10,6 @@ use cranelift_codegen::ir::types::I64;
 use cranelift_codegen::ir::{Block, InstBuilder, Value};
 use cranelift_frontend::Variable;
 
-use super::access::size_of_value;
 use super::context::Context;
 use super::stubs;
 use super::translate::{Region, Translator};
@@ -32,7 +31,7 @@ impl Translator<'_, '_> {
             | Inst::Collect { buffer, .. }
             | Inst::HoldPosition { buffer, .. }
             | Inst::HoldAttribute { buffer, .. }
-                if buffer >= self.text.code.buffers =>
+                if buffer >= self.unit.code.buffers =>
             {
                 return false;
             }
@@ -117,11 +116,11 @@ impl Translator<'_, '_> {
                 self.hold_back(inst, (buffer, attribute::POSITION), vertex, (value, 3));
             }
             Inst::HoldAttribute { buffer, attribute, element, value } => {
-                let Some((kind, ty)) = self.text.surroundings.column(attribute) else {
+                let Some((kind, ty)) = self.unit.environment.column(attribute) else {
                     return false;
                 };
                 self.living(kind, element);
-                let width = (size_of_value(ty) / 8).max(1) as u16;
+                let width = ty.width() as u16;
                 self.hold_back(inst, (buffer, attribute.into()), element, (value, width));
             }
             _ => return false,
@@ -131,7 +130,7 @@ impl Translator<'_, '_> {
 
     /// Empties the buffers of the code. A stub adds those that the machine has not yet.
     pub(super) fn begin_lists(&mut self) {
-        let buffers = self.text.code.buffers;
+        let buffers = self.unit.code.buffers;
         if buffers == 0 {
             return;
         }

@@ -1,7 +1,7 @@
 //! Liveness: the registers that are read before they are written, from each instruction on.
 
 use super::facts::{ends, targets};
-use super::operands::{Surroundings, Use};
+use super::operands::{Environment, Use};
 use crate::rewrite::{Code, Inst, Reg};
 
 /// A set of registers.
@@ -38,14 +38,14 @@ pub(super) struct Liveness<'a> {
     insts: &'a [Inst],
     constants: usize,
     registers: u16,
-    surroundings: &'a Surroundings<'a>,
+    environment: &'a Environment<'a>,
     nothing: Set,
     /// By instruction, if it is the first or the target of a jump.
     live: Vec<Option<Set>>,
 }
 
 impl<'a> Liveness<'a> {
-    pub(super) fn of(code: &'a Code, registers: usize, surroundings: &'a Surroundings<'a>) -> Self {
+    pub(super) fn of(code: &'a Code, registers: usize, environment: &'a Environment<'a>) -> Self {
         let insts = code.insts.as_slice();
         let nothing = Set(vec![0; registers.div_ceil(64)]);
         let mut live: Vec<Option<Set>> = vec![None; insts.len() + 1];
@@ -55,7 +55,7 @@ impl<'a> Liveness<'a> {
             }
         }
         let &Code { constants, registers, .. } = code;
-        let mut found = Self { insts, constants, registers, surroundings, nothing, live };
+        let mut found = Self { insts, constants, registers, environment, nothing, live };
         // The live sets only grow, so this ends.
         while found.go_back(0, |_, _| {}) {}
         found
@@ -79,13 +79,13 @@ impl<'a> Liveness<'a> {
                 now.unite(known);
             }
             see(at, &now);
-            let surroundings = self.surroundings;
-            surroundings.each_operand(inst, &mut |operand| {
+            let environment = self.environment;
+            environment.each_operand(inst, &mut |operand| {
                 if operand.used == Use::Write {
                     operand.registers().for_each(|reg| now.remove(reg));
                 }
             });
-            surroundings.each_operand(inst, &mut |operand| {
+            environment.each_operand(inst, &mut |operand| {
                 if operand.used != Use::Write {
                     operand.registers().for_each(|reg| now.add(reg));
                 }

@@ -17,11 +17,11 @@
 //! * Everything else is done by the machine, in safe code. After each call of the machine the
 //!   addresses of the window and the tables are loaded again, since they may have moved. Addresses
 //!   of tables are kept across such calls only in code that neither adds elements nor makes room
-//!   for some, nor calls or asks anything that does ([`operands::Surroundings::may_add`]): nothing
+//!   for some, nor calls or asks anything that does ([`operands::Environment::may_add`]): nothing
 //!   else moves tables.
 //! * Lists of neighbors are read only for vertices that have a list, from its start to its end
 //!   ([`neighbors`]). Where native code takes over in the middle of such a loop, the machine has
-//!   read the same list: a machine has lists for a whole range of turns, or for none.
+//!   read the same list: a machine has lists for a whole range of iterations, or for none.
 //! * Native code accesses a [`List`](super::List) in place: it reads below its length, and appends
 //!   within its capacity. The lists of the running code are those that it has asked for at its
 //!   start; their address is loaded again after each call that may have added some.
@@ -31,14 +31,14 @@
 //!   ([`context::Context::settle`]).
 //! * A stub notifies journals and drains of a write before the write. It only records and moves no
 //!   table.
-//! * Native code calls a function or an operation directly only where [`Made::entries`] has its
-//!   address. The entry lives as long as the caller: functions are in one list with the caller,
+//! * Native code calls a function or an operation directly only where [`Compilation::entries`] has
+//!   its address. The entry lives as long as the caller: functions are in one list with the caller,
 //!   which the script or operation holds; operations are in the plans for which the caller was
 //!   compiled ([`Expected`]), and native code is entered only if these are the machine's plans. The
 //!   callee was compiled for the same attributes as the caller expects, or its address is not there
-//!   ([`Made::expected`]). The window of the callee is within the stack, which is tested before the
-//!   call, as is the nesting depth, so that native code uses a bounded amount of the processor's
-//!   stack, which it has from where it is entered ([`LEAST_STACK`]).
+//!   ([`Compilation::expected`]). The window of the callee is within the stack, which is tested
+//!   before the call, as is the nesting depth, so that native code uses a bounded amount of the
+//!   processor's stack, which it has from where it is entered ([`LEAST_STACK`]).
 //! * An operation that a script calls uses the context of the script, which becomes that of the
 //!   operation and afterwards that of the script again; the addresses in it stay valid. An
 //!   operation that needs more gets a run of its own.
@@ -50,9 +50,10 @@
 //!   returns.
 //! * The memory of native code is first writable, then executable, never both. It is freed with the
 //!   value that owns it, which is borrowed while the code runs.
-//! * Where several threads run the turns of a loop, each has a machine of its own, and accesses the
-//!   mesh through a copy of its head, which has the addresses of the tables. The code that they run
-//!   writes to no table, and the mesh is borrowed until all are done: see `rewrite/spread.rs`.
+//! * Where several threads run the iterations of a loop, each has a machine of its own, and
+//!   accesses the mesh through a copy of its head, which has the addresses of the tables. The code
+//!   that they run writes to no table, and the mesh is borrowed until all are done: see
+//!   `rewrite/spread.rs`.
 //! * No panic unwinds through native code: the functions that it calls catch a panic, and it is
 //!   resumed after native code has been left.
 //!
@@ -125,9 +126,9 @@ pub(super) enum Variant {
     Dry,
 }
 
-/// The number of runs of a code and of turns of its loops on the machine before it is compiled,
-/// which takes as long as a few thousand of them. It is small in debug builds, so that tests reach
-/// native code soon.
+/// The number of runs of a code and of iterations of its loops on the machine before it is
+/// compiled, which takes as long as a few thousand of them. It is small in debug builds, so that
+/// tests reach native code soon.
 const RUNS: u32 = if cfg!(debug_assertions) { 40 } else { 2000 };
 
 /// The greatest number of functions of native code that call each other directly, and the greatest
@@ -142,11 +143,11 @@ const MORE_STACK: usize = 4 << 20;
 
 /// The native code of a code, compiled when the code has run often enough.
 #[derive(Default)]
-pub struct Native(OnceLock<Box<Made>>);
+pub struct Native(OnceLock<Box<Compilation>>);
 
 #[derive(Default)]
-struct Made {
-    /// The number of its runs and of the turns of its loops, up to [`RUNS`].
+struct Compilation {
+    /// The number of its runs and of the iterations of its loops, up to [`RUNS`].
     runs: AtomicU32,
     /// Whether the code, or something that it calls, may write to the mesh.
     writes: bool,
@@ -181,12 +182,12 @@ impl std::fmt::Debug for Native {
 }
 
 impl Native {
-    fn made(&self, code: &Code) -> &Made {
+    fn compilation(&self, code: &Code) -> &Compilation {
         self.0.get_or_init(|| {
-            Box::new(Made {
+            Box::new(Compilation {
                 writes: code.insts.iter().any(may_write),
                 drains: code.opens_drain(),
-                ..Made::default()
+                ..Compilation::default()
             })
         })
     }
@@ -197,7 +198,7 @@ fn may_write(inst: &Inst) -> bool {
     inst.is_observed_write() || matches!(inst, Inst::Call { .. } | Inst::Apply { .. })
 }
 
-impl Made {
+impl Compilation {
     /// The variant to use where `wanted` is wanted: several variants of a code may be the same.
     fn variant(&self, wanted: Variant) -> Variant {
         match wanted {
@@ -208,7 +209,7 @@ impl Made {
         }
     }
 
-    /// Counts a run, or a turn of a loop. Returns whether it now pays to compile the code.
+    /// Counts a run, or an iteration of a loop. Returns whether it now pays to compile the code.
     #[inline]
     fn count(&self) -> bool {
         let runs = self.runs.load(Ordering::Relaxed);

@@ -3,7 +3,7 @@
 use super::may_write;
 use crate::mesh::{AttributeType, ElementKind};
 use crate::rewrite::vectors::{Lanes, Matrix};
-use crate::rewrite::{Code, Function, Inst, Plan, Question, Reg};
+use crate::rewrite::{Code, Function, Inst, Plan, Reg};
 
 /// Whether an instruction adds an element or makes room for some.
 fn adds(inst: &Inst) -> bool {
@@ -53,14 +53,14 @@ impl Operand {
 
 /// The items that a code refers to by number and on which the widths of operands depend.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Surroundings<'a> {
+pub(super) struct Environment<'a> {
     pub(super) plans: &'a [Option<Plan>],
     pub(super) functions: &'a [Function],
     /// The attributes of the program: the kind of the elements, and the type of the values.
     pub(super) types: &'a [Option<(ElementKind, AttributeType)>],
 }
 
-impl Surroundings<'_> {
+impl Environment<'_> {
     /// The type of an attribute on the mesh.
     pub(super) fn type_of(&self, attribute: u16) -> Option<AttributeType> {
         self.column(attribute).map(|(_, ty)| ty)
@@ -265,19 +265,9 @@ impl Surroundings<'_> {
             Inst::NextLiving { element, .. } => operands! { Change Whole element, 1; },
             Inst::Ask { question, to, elements: [first, second] } => {
                 operands! { Read Whole first, 1; Read Whole second, 1; }
-                match question {
-                    Question::Degree
-                    | Question::BoundaryVertex
-                    | Question::Adjacent
-                    | Question::BoundaryEdge
-                    | Question::LinkCondition
-                    | Question::StarShaped
-                    | Question::FaceSize => operands! { Write Whole to, 1; },
-                    Question::LengthEdge | Question::Area => operands! { Write Real to, 1; },
-                    Question::NormalVertex
-                    | Question::KernelCentroid
-                    | Question::NormalFace
-                    | Question::CentroidFace => operands! { Write Real to, 3; },
+                match question.reals() {
+                    0 => operands! { Write Whole to, 1; },
+                    reals => operands! { Write Real to, reals; },
                 }
             }
             Inst::JumpIf { condition, .. }
@@ -376,7 +366,7 @@ impl Surroundings<'_> {
             Inst::Try { op, args, to, .. } => operands! {
                 Read Any args, self.params_of_op(op); Write Whole to, 1;
             },
-            Inst::Turn { done, total, .. } => operands! {
+            Inst::Iteration { done, total, .. } => operands! {
                 Read Whole done, 1; Read Whole total, 1;
             },
             Inst::PrintTextOf { from }
@@ -386,7 +376,6 @@ impl Surroundings<'_> {
             | Inst::Fail { around: Some((_, from)), .. }
             | Inst::ExpectAlive { from, .. } => operands! { Read Whole from, 1; },
             Inst::PrintReal { from, .. } => operands! { Read Real from, 1; },
-            Inst::PrintVec { from, .. } => operands! { Read Real from, 3; },
             Inst::PrintWide { from, size, columns, .. } => operands! {
                 Read Real from, u16::from(size) * u16::from(columns);
             },

@@ -9,7 +9,7 @@ use std::mem::offset_of;
 
 use super::context::Context;
 use super::facts::Fact;
-use super::operands::{Class, Surroundings, Use};
+use super::operands::{Class, Environment, Use};
 use super::translate::{Region, Translator};
 use crate::rewrite::{Inst, Reg};
 
@@ -30,7 +30,7 @@ impl Translator<'_, '_> {
     /// The registers that an instruction uses in some ways.
     fn registers(&self, inst: &Inst, is_one: impl Fn(Use) -> bool) -> Vec<Reg> {
         let mut all = Vec::new();
-        self.text.surroundings.each_operand(inst, &mut |operand| {
+        self.unit.environment.each_operand(inst, &mut |operand| {
             if is_one(operand.used) {
                 all.extend(operand.registers());
             }
@@ -160,10 +160,10 @@ impl Translator<'_, '_> {
 }
 
 /// By number, whether a register holds only reals.
-pub(super) fn reals(insts: &[Inst], registers: usize, surroundings: &Surroundings) -> Vec<bool> {
+pub(super) fn reals(insts: &[Inst], registers: usize, environment: &Environment) -> Vec<bool> {
     let mut votes = vec![(false, false); registers];
     for inst in insts {
-        surroundings.each_operand(inst, &mut |operand| {
+        environment.each_operand(inst, &mut |operand| {
             for reg in operand.registers() {
                 if let Some((real, whole)) = votes.get_mut(usize::from(reg.0)) {
                     *real |= operand.class == Class::Real;

@@ -17,11 +17,11 @@ use super::compile::entries;
 use super::context::{Context, noted};
 use super::facts::{Facts, KnownAt, Walk, ends, jumps, targets};
 use super::guards::{Guard, Set};
-use super::inline::{Back, Inlined};
+use super::inline::{Continuation, Inlined};
 use super::liveness::Liveness;
-use super::operands::{Surroundings, Use};
+use super::operands::{Environment, Use};
 use super::registers::reals;
-use crate::rewrite::engine::Way;
+use crate::rewrite::engine::CodeKind;
 use crate::rewrite::{Code, Inst, Label, Phase, Refusal, Reg};
 
 /// The answers of native code.
@@ -29,15 +29,15 @@ pub(super) const APPLIED: i64 = 0;
 pub(super) const REFUSED: i64 = 1;
 pub(super) const TRAPPED: i64 = 2;
 
-/// A code and the items that it refers to by number.
+/// A unit of compilation: a code and the items that it refers to by number.
 #[derive(Clone, Copy)]
-pub(super) struct Text<'a> {
+pub(super) struct Unit<'a> {
     pub(super) code: &'a Code,
     pub(super) refusals: &'a [Refusal],
-    pub(super) way: Way,
+    pub(super) kind: CodeKind,
     /// The number of the function.
     pub(super) function: Option<u16>,
-    pub(super) surroundings: Surroundings<'a>,
+    pub(super) environment: Environment<'a>,
 }
 
 /// The parts of memory, which never overlap.
@@ -70,7 +70,7 @@ pub(super) enum Region {
 
 pub(super) struct Translator<'a, 'f> {
     pub(super) b: FunctionBuilder<'f>,
-    pub(super) text: Text<'a>,
+    pub(super) unit: Unit<'a>,
     pub(super) variant: Variant,
     pub(super) conv: CallConv,
     pub(super) context: Value,
@@ -99,7 +99,7 @@ pub(super) struct Translator<'a, 'f> {
     /// By drain, the registers that its paths may read.
     pub(super) live_at_drains: Vec<(usize, Vec<Reg>)>,
     /// The place to which the current function returns, if it is inlined.
-    pub(super) back: Option<Back>,
+    pub(super) continuation: Option<Continuation>,
     pub(super) inlined: Inlined,
 }
 
@@ -107,50 +107,50 @@ impl<'a, 'f> Translator<'a, 'f> {
     /// Translates a whole code.
     pub(super) fn translate(
         mut b: FunctionBuilder<'f>,
-        text: Text<'a>,
+        unit: Unit<'a>,
         variant: Variant,
         conv: CallConv,
     ) -> FunctionBuilder<'f> {
-        let insts = &text.code.insts;
-        let registers = usize::from(text.code.registers);
+        let insts = &unit.code.insts;
+        let registers = usize::from(unit.code.registers);
         let entry = b.create_block();
         b.append_block_params_for_function_params(entry);
         b.switch_to_block(entry);
         let (context, start) = (b.block_params(entry)[0], b.block_params(entry)[1]);
-        let is_target = targets(text.code);
+        let is_target = targets(unit.code);
         let blocks = is_target.iter().map(|&is| is.then(|| b.create_block())).collect();
         let leave = b.create_block();
         b.set_cold_block(leave);
-        let mut liveness = Liveness::of(text.code, registers, &text.surroundings);
+        let mut liveness = Liveness::of(unit.code, registers, &unit.environment);
         let drains = insts.iter().enumerate();
         let drains = drains.filter(|(_, inst)| matches!(inst, Inst::DrainStale { .. }));
         let drains: Vec<usize> = drains.map(|(at, _)| at).collect();
         let live_at_drains = drains.into_iter().map(|at| (at, liveness.behind(at))).collect();
-        let loops = insts.iter().any(|inst| matches!(inst, Inst::Turn { .. }));
+        let loops = insts.iter().any(|inst| matches!(inst, Inst::Iteration { .. }));
         let mut this = Self {
             b,
-            text,
+            unit,
             variant,
             conv,
             context,
             variables: vec![None; registers],
-            is_real: reals(insts, registers, &text.surroundings),
+            is_real: reals(insts, registers, &unit.environment),
             blocks,
             known: Walk::new(registers),
-            may_add: text.surroundings.may_add(text.code),
+            may_add: unit.environment.may_add(unit.code),
             at: 0,
             skip: 0,
             fault: None,
             faults: Vec::new(),
-            guards: Guard::all(text.code),
+            guards: Guard::all(unit.code),
             set: Vec::new(),
             leave,
-            keeps_window: text.way == Way::Script && !loops,
+            keeps_window: unit.kind == CodeKind::Script && !loops,
             live_at_drains,
-            back: None,
+            continuation: None,
             inlined: Inlined::default(),
         };
-        let known_at = KnownAt::of(text.code, &Facts::none(registers), &text.surroundings);
+        let known_at = KnownAt::of(unit.code, &Facts::none(registers), &unit.environment);
         this.constants();
         this.begin(start, &liveness);
         this.rest(&known_at);
@@ -170,16 +170,16 @@ impl<'a, 'f> Translator<'a, 'f> {
 
     /// Translates the constants of the code, which hold at all entries.
     fn constants(&mut self) {
-        let Text { code, surroundings, .. } = self.text;
+        let Unit { code, environment, .. } = self.unit;
         for inst in &code.insts[..code.constants.min(code.insts.len())] {
             self.value(inst);
-            self.known.pass(inst, &surroundings);
+            self.known.pass(inst, &environment);
         }
     }
 
     /// Translates the code after the constants.
     fn rest(&mut self, known_at: &KnownAt) {
-        let Text { code, surroundings, .. } = self.text;
+        let Unit { code, environment, .. } = self.unit;
         let insts = &code.insts;
         let mut last_jump = vec![0; insts.len() + 1];
         for (from, to) in jumps(code) {
@@ -204,7 +204,7 @@ impl<'a, 'f> Translator<'a, 'f> {
             }
             if self.skip > 0 {
                 self.skip -= 1;
-                self.known.pass(inst, &surroundings);
+                self.known.pass(inst, &environment);
                 continue;
             }
             (self.at, self.fault) = (at, None);
@@ -212,7 +212,7 @@ impl<'a, 'f> Translator<'a, 'f> {
                 self.set.clear();
             }
             reached = self.inst(inst) && !ends(inst);
-            self.known.pass(inst, &surroundings);
+            self.known.pass(inst, &environment);
         }
         if let Some(block) = self.blocks[insts.len()] {
             if reached {
@@ -226,12 +226,12 @@ impl<'a, 'f> Translator<'a, 'f> {
         }
     }
 
-    /// Begins at the entry that `start` tells: at the beginning, or at the turn of a loop, with the
-    /// registers loaded from the window.
+    /// Begins at the entry that `start` tells: at the beginning, or at the iteration of a loop,
+    /// with the registers loaded from the window.
     fn begin(&mut self, start: Value, liveness: &Liveness<'_>) {
         // A script leaves all its registers in the window, changed or not.
         let first = if self.keeps_window { liveness.all() } else { liveness.at(0) };
-        let entries = entries(self.text.code);
+        let entries = entries(self.unit.code);
         if !entries.is_empty() {
             let (begin, elsewhere) = (self.b.create_block(), self.b.create_block());
             self.b.set_cold_block(elsewhere);
@@ -278,12 +278,12 @@ impl<'a, 'f> Translator<'a, 'f> {
                 self.call_function(inst, function, [args, to], holds);
             }
             Inst::Spread { part, .. } => {
-                let Text { code, surroundings, .. } = self.text;
+                let Unit { code, environment, .. } = self.unit;
                 let Some(Some(part)) = code.parts.get(usize::from(part)) else { return true };
                 // A part reads the registers that it needs from the window.
                 let mut read = vec![false; self.variables.len()];
                 for inst in &part.code.insts {
-                    surroundings.each_operand(inst, &mut |operand| {
+                    environment.each_operand(inst, &mut |operand| {
                         for reg in operand.registers().filter(|_| operand.used != Use::Write) {
                             if let Some(read) = read.get_mut(usize::from(reg.0)) {
                                 *read = true;
@@ -359,7 +359,7 @@ impl<'a, 'f> Translator<'a, 'f> {
     }
 
     pub(super) fn block(&mut self, to: Label) -> Block {
-        let at = (to.0 as usize).min(self.text.code.insts.len());
+        let at = (to.0 as usize).min(self.unit.code.insts.len());
         // Every target of a jump has a block.
         self.blocks[at].unwrap_or(self.leave)
     }
@@ -388,7 +388,7 @@ impl<'a, 'f> Translator<'a, 'f> {
         let (on, off) = (self.b.create_block(), self.b.create_block());
         self.b.ins().brif(condition, on, &[], off, &[]);
         self.b.switch_to_block(off);
-        let reason = self.text.refusals.get(usize::from(refusal));
+        let reason = self.unit.refusals.get(usize::from(refusal));
         let phase = reason.map_or(Phase::Match, |reason| reason.phase);
         let now = i64::from(noted(Some((phase, refusal))));
         let now = self.b.ins().iconst(I32, now);

@@ -1,5 +1,5 @@
-//! Translation of instructions that write to the mesh, count turns of loops, and maintain the keys
-//! of drains.
+//! Translation of instructions that write to the mesh, count iterations of loops, and maintain the
+//! keys of drains.
 //!
 //! Journals and drains are notified before a write: a stub is called if a journal is open, or a
 //! drain is open whose keys depend on the field.
@@ -11,14 +11,14 @@ use cranelift_codegen::ir::types::{F64, I8, I32, I64};
 use cranelift_codegen::ir::{Block, InstBuilder, Value};
 
 use super::Variant;
-use super::access::{TABLES, first, pointer, size_of_value, table};
+use super::access::{TABLES, first, pointer, table};
 use super::context::Context;
 use super::stubs;
 use super::translate::{Region, Translator};
 use crate::mesh::tables::{FaceState, Tables};
 use crate::mesh::{AttributeType, ElementKind};
 use crate::rewrite::paths::Fields;
-use crate::rewrite::watch::{DEPTHS, Loop, Progress, TURNS_PER_LOOK};
+use crate::rewrite::watch::{DEPTHS, ITERATIONS_PER_POLL, Loop, Progress};
 use crate::rewrite::{Inst, Label, Reg, Room};
 
 impl Translator<'_, '_> {
@@ -74,7 +74,7 @@ impl Translator<'_, '_> {
                 }
             }
             Inst::StoreAttribute { attribute, element, value } => {
-                let Some((kind, ty)) = self.text.surroundings.column(attribute) else {
+                let Some((kind, ty)) = self.unit.environment.column(attribute) else {
                     return false;
                 };
                 let Some(place) = self.value_place(attribute, ty, element) else { return false };
@@ -89,7 +89,7 @@ impl Translator<'_, '_> {
                     self.store(Region::Values, is_true, place, 0);
                     return true;
                 }
-                for part in 0..(size_of_value(ty) / 8) as u16 {
+                for part in 0..ty.width() as u16 {
                     let bits = self.whole(Reg(value.0.wrapping_add(part)));
                     self.store(Region::Values, bits, place, usize::from(part) * 8);
                 }
@@ -97,7 +97,7 @@ impl Translator<'_, '_> {
             Inst::New { .. } => self.add(),
             Inst::Erase { .. } => {
                 // All that are erased together by one call.
-                let (first, code) = (self.at, self.text.code);
+                let (first, code) = (self.at, self.unit.code);
                 let end = self.end_of_run(|inst| matches!(inst, Inst::Erase { .. }));
                 code.insts[first..end].iter().for_each(|inst| self.spill_operands(inst));
                 let span = self.b.ins().iconst(I64, (first | end << 32) as i64);
@@ -118,8 +118,8 @@ impl Translator<'_, '_> {
                 let count = self.whole(count);
                 self.expect_room(inst, &[(kind, count)]);
             }
-            Inst::Tick => self.turn(stubs::tick as *const () as usize),
-            Inst::Turn { depth, done, total } => {
+            Inst::Tick => self.iteration(stubs::tick as *const () as usize),
+            Inst::Iteration { depth, done, total } => {
                 if usize::from(depth) < DEPTHS {
                     let progress = self.field(offset_of!(Context, progress));
                     let place =
@@ -131,7 +131,7 @@ impl Translator<'_, '_> {
                         self.store(Region::Progress, value, progress, place + offset);
                     }
                 }
-                self.turn(stubs::turn as *const () as usize);
+                self.iteration(stubs::iteration as *const () as usize);
             }
             Inst::DrainStale { to, otherwise } => {
                 self.spill_for_drain();
@@ -192,13 +192,13 @@ impl Translator<'_, '_> {
         self.set_whole(to, found);
     }
 
-    /// Counts a turn; once in [`TURNS_PER_LOOK`] turns a stub calls the watcher.
-    fn turn(&mut self, stub: usize) {
+    /// Counts an iteration; once in [`ITERATIONS_PER_POLL`] iterations a stub calls the watcher.
+    fn iteration(&mut self, stub: usize) {
         let progress = self.field(offset_of!(Context, progress));
-        let turns = offset_of!(Progress, turns);
-        let before = self.load(I32, Region::Progress, progress, turns);
+        let iterations = offset_of!(Progress, iterations);
+        let before = self.load(I32, Region::Progress, progress, iterations);
         let now = self.b.ins().iadd_imm_s(before, 1);
-        let rest = self.b.ins().band_imm_u(now, i64::from(TURNS_PER_LOOK - 1));
+        let rest = self.b.ins().band_imm_u(now, i64::from(ITERATIONS_PER_POLL - 1));
         let [look, pass, on] = [(); 3].map(|()| self.b.create_block());
         self.b.set_cold_block(look);
         self.b.ins().brif(rest, pass, &[], look, &[]);
@@ -206,7 +206,7 @@ impl Translator<'_, '_> {
         self.call_here(stub);
         self.b.ins().jump(on, &[]);
         self.b.switch_to_block(pass);
-        self.store(Region::Progress, now, progress, turns);
+        self.store(Region::Progress, now, progress, iterations);
         self.join(on);
     }
 
@@ -235,7 +235,7 @@ impl Translator<'_, '_> {
 
     /// Translates this instruction and those of its sort that follow it as one.
     fn add(&mut self) {
-        let (first, code) = (self.at, self.text.code);
+        let (first, code) = (self.at, self.unit.code);
         let end = self.end_of_run(|inst| added(inst).is_some());
         let all = &code.insts[first..end];
         let on = self.b.create_block();

@@ -17,7 +17,7 @@ fn apply_to_all() -> Code {
         asm.bind(head);
         asm.emit(Inst::BufferNext { buffer, index, to: args, otherwise: done });
         asm.emit(Inst::JumpUnlessLiving { of, element: args, to: head });
-        asm.emit(Inst::Turn { depth: 0, done: index, total: index });
+        asm.emit(Inst::Iteration { depth: 0, done: index, total: index });
         asm.trap_at(3, Inst::Apply { op: 0, args, applied, result });
         asm.emit(Inst::JumpIf { condition: applied, to: head });
         asm.emit(Inst::Jump { to: head });
@@ -87,7 +87,7 @@ fn an_op_that_must_not_refuse_traps_with_its_reason() {
 struct Impatient(Vec<(u16, u64, Option<u64>)>);
 
 impl Watch for Impatient {
-    fn turn(&mut self, depth: u16, done: u64, total: Option<u64>) -> ControlFlow<()> {
+    fn iteration(&mut self, depth: u16, done: u64, total: Option<u64>) -> ControlFlow<()> {
         self.0.push((depth, done, total));
         match self.0.len() {
             0..4 => ControlFlow::Continue(()),
@@ -107,8 +107,8 @@ fn the_watcher_sees_all_loops_and_interrupts() {
         let [zero, one, none] = [0, 1, -1].map(|n| asm.constant_int(n));
         let (done, head) = (copy(asm, zero), asm.label());
         asm.bind(head);
-        asm.emit(Inst::Turn { depth: 0, done, total: none });
-        asm.emit(Inst::Turn { depth: 1, done: one, total: one });
+        asm.emit(Inst::Iteration { depth: 0, done, total: none });
+        asm.emit(Inst::Iteration { depth: 1, done: one, total: one });
         asm.emit(Inst::AddInt { to: done, left: done, right: one });
         asm.emit(Inst::Jump { to: head });
     });
@@ -221,9 +221,9 @@ fn malformed_code_does_not_panic() {
 #[test]
 #[ignore = "measures"]
 fn time_per_instruction() {
-    const TURNS: i64 = 20_000_000;
+    const ITERATIONS: i64 = 20_000_000;
     let code = code(0, |asm| {
-        let [zero, one, end] = [0, 1, TURNS].map(|n| asm.constant_int(n));
+        let [zero, one, end] = [0, 1, ITERATIONS].map(|n| asm.constant_int(n));
         let (sum, index) = (copy(asm, zero), copy(asm, zero));
         let (square, condition, head) = (asm.reg(), asm.reg(), asm.label());
         asm.bind(head);
@@ -237,7 +237,7 @@ fn time_per_instruction() {
     let start = std::time::Instant::now();
     let run = Machine::default().run(&mut Mesh::default(), &code, &[], &mut Unwatched);
     run.unwrap();
-    let each = start.elapsed().as_nanos() as f64 / (6 * TURNS) as f64;
+    let each = start.elapsed().as_nanos() as f64 / (6 * ITERATIONS) as f64;
     println!("{each:.2} ns an instruction");
 
     let plans = Plans::from([Some(flip())]);

@@ -80,7 +80,7 @@ fn truth(from: Reg) -> Inst {
 }
 
 fn vector(from: Reg) -> Inst {
-    Inst::PrintVec { from, digits: RealDigits::All }
+    Inst::PrintWide { from, size: 3, columns: 1, digits: RealDigits::All }
 }
 
 /// Why some code traps.

@@ -207,7 +207,7 @@ fn an_operation_that_is_not_proved_cannot_be_called() {
 struct Stop;
 
 impl Watch for Stop {
-    fn turn(&mut self, _: u16, _: u64, _: Option<u64>) -> ControlFlow<()> {
+    fn iteration(&mut self, _: u16, _: u64, _: Option<u64>) -> ControlFlow<()> {
         ControlFlow::Break(())
     }
 }

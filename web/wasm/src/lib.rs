@@ -33,7 +33,7 @@ thread_local! {
 
 #[link(wasm_import_module = "host")]
 unsafe extern "C" {
-    /// A script has gone through so many turns of so many, or of nobody knows how many: 0.
+    /// A script has gone through so many iterations of so many, or of nobody knows how many: 0.
     fn progress(done: f64, total: f64);
 }
 

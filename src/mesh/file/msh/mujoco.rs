@@ -57,7 +57,7 @@ pub(super) fn read(text: &[u8]) -> Option<Contents> {
         let index = i32::from_le_bytes(index);
         let vertex = u32::try_from(index).ok().filter(|&v| (v as usize) < vertices);
         if vertex.is_none() {
-            contents.strays.add(None, || {
+            contents.bad_indices.add(None, || {
                 format!("there is no vertex {index}: there are {vertices}, counted from 0")
             });
         }

@@ -317,7 +317,7 @@ impl<'t> Reader<'t> {
             let vertex = self.nodes.get(&node).copied();
             if vertex.is_none() {
                 let line = self.is_text.then_some(line);
-                self.contents.strays.add(line, || format!("there is no node {node}"));
+                self.contents.bad_indices.add(line, || format!("there is no node {node}"));
             }
             self.corners.push(vertex.unwrap_or(MISSING));
         }

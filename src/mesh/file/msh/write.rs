@@ -208,7 +208,7 @@ impl<'w> Writer<'w> {
         let kinds = [(ElementKind::Vertex, "NodeData"), (ElementKind::Face, "ElementData")];
         for (kind, section) in kinds {
             let columns = self.file.mesh.columns(kind);
-            let held = columns.filter(|(_, c)| c.is_sayable() && is_held(kind, c.attribute_type()));
+            let held = columns.filter(|(_, c)| c.is_public() && is_held(kind, c.attribute_type()));
             for (id, column) in held {
                 let width = column.default_value().reals().len();
                 let order: Vec<u32> = match kind {

@@ -107,14 +107,20 @@ impl Reader {
         let [vertices, faces, corners] =
             [self.contents.positions.len(), self.ends.len(), self.corners.len()];
         let Contents {
-            mut positions, mut vertex_lines, mut face_lines, kept, damage, strays, ..
+            mut positions,
+            mut vertex_lines,
+            mut face_lines,
+            kept,
+            damage,
+            bad_indices,
+            ..
         } = part.contents;
         let all = &mut self.contents;
         all.positions.append(&mut positions);
         all.vertex_lines.extend(vertex_lines.drain(..).map(|line| line + lines));
         all.face_lines.extend(face_lines.drain(..).map(|line| line + lines));
         all.damage.append(damage, lines);
-        all.strays.append(strays, lines);
+        all.bad_indices.append(bad_indices, lines);
         let tables = [
             (&mut all.kept.corner_texture, kept.corner_texture),
             (&mut all.kept.corner_normals, kept.corner_normals),
@@ -128,7 +134,7 @@ impl Reader {
             rows.width = rows.width.max(part.width);
             rows.rows.extend(part.rows);
         }
-        all.kept.append(kept.passed_over, kept.notes, lines);
+        all.kept.append(kept.skipped, kept.notes, lines);
         self.corners.append(&mut part.corners);
         self.ends.extend(part.ends.drain(..).map(|end| end + corners));
         extend(&mut self.weights, part.weights, vertices, 1.0);
@@ -153,7 +159,7 @@ impl Reader {
 
     /// The contents of the file, after all of it has been read.
     fn finish(mut self) -> Contents {
-        self.look_for_strays();
+        self.look_for_bad_indices();
         for (face, place, name) in std::mem::take(&mut self.states) {
             self.contents.kept.enter_state(face, place, &name);
         }

@@ -113,7 +113,7 @@ impl Reader {
                     let name = scanner.text().into_owned();
                     self.states.push((self.ends.len() as u32, place, name));
                 }
-                None => self.contents.kept.pass_over(&shown(keyword), line),
+                None => self.contents.kept.skip(&shown(keyword), line),
             },
         }
     }
@@ -269,7 +269,7 @@ impl Reader {
     fn resolve_back(&mut self, back: u64, kind: usize, line: u32) -> u32 {
         if back == 0 {
             let words = "0 is not an index: they count from 1, or back from -1";
-            self.contents.strays.add(Some(line), || words.to_owned());
+            self.contents.bad_indices.add(Some(line), || words.to_owned());
             return MISSING;
         }
         self.counts_back = true;
@@ -277,7 +277,7 @@ impl Reader {
         let place = (have as u64).checked_sub(back);
         if place.is_none() {
             let words = || KINDS[kind].missing(-(back as i64), have);
-            self.contents.strays.add(Some(line), words);
+            self.contents.bad_indices.add(Some(line), words);
         }
         place.map_or(MISSING, |place| place as u32)
     }
@@ -318,9 +318,9 @@ impl Reader {
 
     /// Finds indices beyond the ends of their tables; all of a kind are reported as the highest
     /// one.
-    pub(super) fn look_for_strays(&mut self) {
+    pub(super) fn look_for_bad_indices(&mut self) {
         let have = self.have();
-        let Contents { kept, strays, .. } = &mut self.contents;
+        let Contents { kept, bad_indices, .. } = &mut self.contents;
         let tables = [&mut self.corners, &mut kept.corner_texture, &mut kept.corner_normals];
         for (kind, table) in tables.into_iter().enumerate() {
             let Highest { index, line } = self.highest[kind];
@@ -330,7 +330,7 @@ impl Reader {
             for place in table.iter_mut() {
                 if *place != MISSING && *place as usize >= have[kind] {
                     *place = MISSING;
-                    strays.add(Some(line), || KINDS[kind].missing(index as i64, have[kind]));
+                    bad_indices.add(Some(line), || KINDS[kind].missing(index as i64, have[kind]));
                 }
             }
         }

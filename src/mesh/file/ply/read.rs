@@ -37,7 +37,7 @@ pub(in crate::mesh::file) fn read(text: &[u8]) -> Result<Contents, Failure> {
             "tristrips" => rows.strips()?,
             "edge" => rows.edges(),
             _ if element.count == 0 => {}
-            _ => rows.pass_over(""),
+            _ => rows.skip(""),
         }
         if is_cut_off {
             break;
@@ -57,7 +57,7 @@ fn check_corners(contents: &mut Contents) {
     for corner in &mut corners {
         if *corner as usize >= vertices {
             let index = *corner;
-            contents.strays.add(None, || match index {
+            contents.bad_indices.add(None, || match index {
                 MISSING => {
                     "there is an index of a vertex that is not a number from 0 on".to_owned()
                 }
@@ -240,7 +240,7 @@ impl Rows<'_> {
     fn edges(&mut self) {
         let ends = ["vertex1", "vertex2"].map(|name| self.take(name, false));
         let [Some((from, _)), Some((to, _))] = ends else {
-            return self.pass_over(" without `vertex1` and `vertex2`");
+            return self.skip(" without `vertex1` and `vertex2`");
         };
         let pairs = from.numbers.iter().zip(&to.numbers);
         self.contents.edges = pairs.map(|(&v, &w)| [index(v), index(w)]).collect();
@@ -248,7 +248,7 @@ impl Rows<'_> {
     }
 
     /// Notes that the rows are not in the mesh; `which` is said behind the name of the element.
-    fn pass_over(&mut self, which: &str) {
+    fn skip(&mut self, which: &str) {
         let name = shown(self.element.name.as_bytes());
         let what = ["element", "elements"].map(|word| format!("{word} `{name}`{which}"));
         self.contents.kept.note_count(what, self.element.count);

@@ -70,7 +70,7 @@ pub(in crate::mesh::file) fn write(
 
     let mut edges = Vec::new();
     let order: Vec<u32> = mesh.edges().map(|e| e.0).collect();
-    if mesh.columns(ElementKind::Edge).any(|(_, column)| column.is_sayable()) {
+    if mesh.columns(ElementKind::Edge).any(|(_, column)| column.is_public()) {
         let ends = mesh.edges().flat_map(|e| {
             let h = mesh.edge_halfedge(e);
             let number = |v| f64::from(numbers.vertex(v).unwrap_or(1) - 1);
@@ -185,7 +185,7 @@ impl Head {
     ) {
         let columns = || {
             kinds.iter().flat_map(|&(kind, order)| {
-                let columns = file.mesh.columns(kind).filter(|(_, column)| column.is_sayable());
+                let columns = file.mesh.columns(kind).filter(|(_, column)| column.is_public());
                 columns.map(move |(id, column)| (id, column, usual(kind, column), order))
             })
         };
@@ -380,7 +380,7 @@ fn write_rows(
             }
         }
         first = corners.end.max(first);
-        if encoding == Encoding::Ascii { printer.end_line()? } else { printer.hand_on()? }
+        if encoding == Encoding::Ascii { printer.end_line()? } else { printer.flush_if_full()? }
     }
     Ok(())
 }

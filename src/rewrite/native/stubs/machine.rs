@@ -4,7 +4,7 @@ use super::{Answer, LEAVE, failed};
 use crate::mesh::ElementKind;
 use crate::rewrite::memory::Budget;
 use crate::rewrite::native::context::{Context, Run, noted};
-use crate::rewrite::question::ask;
+use crate::rewrite::question::{Answered, ask};
 use crate::rewrite::window::Window;
 use crate::rewrite::{
     Call, Fault, Inst, Machine, Message, Outcome, Question, Trap, access, vectors,
@@ -37,7 +37,7 @@ fn opens_drain(call: &Call<'_>, at: usize) -> bool {
     matches!(call.code.insts.get(at), Some(Inst::DrainOpen { .. }))
 }
 
-/// Calls the watcher, which may interrupt, at a turn of a loop at which this is due.
+/// Calls the watcher, which may interrupt, at an iteration of a loop at which this is due.
 pub(super) fn tick(context: &mut Context, run: &mut Run<'_>, inst: i64) -> Answer {
     let Run { machine, watch, .. } = run;
     match machine.progress.tick(*watch).is_break() {
@@ -46,11 +46,12 @@ pub(super) fn tick(context: &mut Context, run: &mut Run<'_>, inst: i64) -> Answe
     }
 }
 
-/// Calls the watcher at a turn of a loop whose progress is stored, and checks the memory limit.
-pub(super) fn turn(context: &mut Context, run: &mut Run<'_>, inst: i64) -> Answer {
-    let Some(Inst::Turn { depth, .. }) = run.inst(context, inst) else { return Ok(LEAVE) };
+/// Calls the watcher at an iteration of a loop whose progress is stored, and checks the memory
+/// limit.
+pub(super) fn iteration(context: &mut Context, run: &mut Run<'_>, inst: i64) -> Answer {
+    let Some(Inst::Iteration { depth, .. }) = run.inst(context, inst) else { return Ok(LEAVE) };
     let Run { machine, mesh, watch, .. } = run;
-    if machine.progress.look_at_turn(*watch, depth).is_break() {
+    if machine.progress.poll_at_iteration(*watch, depth).is_break() {
         return Err(failed(context, run, inst, Message::Interrupted));
     }
     let Machine { buffers, drains, memory: limit, .. } = &**machine;
@@ -83,27 +84,11 @@ pub(super) fn ask_whole(
     first: i64,
     second: i64,
 ) -> Answer {
-    let mesh = &*run.mesh;
-    let vertex = |id: i64| access::vertex(mesh, id as u32);
-    let edge = || access::edge(mesh, first as u32);
-    const DEGREE: i64 = Question::Degree as i64;
-    const BOUNDARY_VERTEX: i64 = Question::BoundaryVertex as i64;
-    const ADJACENT: i64 = Question::Adjacent as i64;
-    const BOUNDARY_EDGE: i64 = Question::BoundaryEdge as i64;
-    const LINK_CONDITION: i64 = Question::LinkCondition as i64;
-    const STAR_SHAPED: i64 = Question::StarShaped as i64;
-    const FACE_SIZE: i64 = Question::FaceSize as i64;
-    let answer = match question {
-        DEGREE => vertex(first).map(|v| mesh.degree(v) as i64),
-        BOUNDARY_VERTEX => vertex(first).map(|v| mesh.is_boundary_vertex(v).into()),
-        ADJACENT => vertex(second).and_then(|w| Ok(mesh.adjacent(vertex(first)?, w).into())),
-        BOUNDARY_EDGE => edge().map(|e| mesh.is_boundary_edge(e).into()),
-        LINK_CONDITION => edge().map(|e| mesh.link_condition(e).into()),
-        STAR_SHAPED => edge().map(|e| mesh.kernel_centroid(e).is_some().into()),
-        FACE_SIZE => access::face(mesh, first as u32).map(|f| mesh.face_size(f) as i64),
-        _ => Ok(LEAVE),
-    };
-    Ok(answer.unwrap_or(LEAVE))
+    let Some(question) = Question::ALL.get(question as usize) else { return Ok(LEAVE) };
+    Ok(match question.answer(run.mesh, [first, second].map(|id| id as u32)) {
+        Ok(Answered::Whole(whole)) => whole,
+        _ => LEAVE,
+    })
 }
 
 /// Computes with vectors and matrices, from registers in the window into the window.

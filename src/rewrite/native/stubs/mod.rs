@@ -45,7 +45,7 @@ macro_rules! stubs {
 stubs! {
     machine::step(span: i64), anything;
     machine::tick(inst: i64), guarded;
-    machine::turn(inst: i64), guarded;
+    machine::iteration(inst: i64), guarded;
     machine::answer(inst: i64), unsettled;
     machine::ask_whole(question: i64, first: i64, second: i64), unsettled;
     machine::compute(inst: i64), guarded;
