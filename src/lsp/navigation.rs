@@ -183,7 +183,7 @@ impl Server {
             let edits = edits(document, changed).into_iter().map(Edit::from);
             DocumentChange::from(TextDocumentEdit {
                 text_document: OptionalVersionedTextDocumentIdentifier {
-                    version: self.documents.get(document.uri()).map(Document::version),
+                    version: self.documents.get(&document.uri().0).map(Document::version),
                     text_document_identifier: TextDocumentIdentifier {
                         uri: document.uri().clone(),
                     },
