@@ -39,15 +39,9 @@ impl Collect<'_, '_, '_, '_> {
 
     /// Follows pointers.
     pub(super) fn load(&mut self, source: Source, to: Reg) {
-        let mut from = self.registers.bound(&mut self.output.asm, source.from());
+        let mut from = self.registers.bound(&mut self.output.asm, source.from);
         for &pointer in source.pointers() {
-            match pointer {
-                Pointer::FaceHalfedge => {
-                    let (of, element) = (ElementField::Face, from);
-                    self.output.asm.emit(Inst::LoadHalfedge { of, to, element });
-                }
-                pointer => self.load_field(halfedge_field(pointer), to, from),
-            }
+            self.load_field(halfedge_field(pointer), to, from);
             from = to;
         }
     }
