@@ -10,11 +10,12 @@ use super::element::{Fate, element_of};
 use super::missing_conditions::lacking;
 use super::names::SymbolId;
 use super::proposal::{Proposal, kind_of, written};
-use super::side::{draws_erased, mentions, subject};
+use super::side::{draws_erased, subject};
 use super::snapshot::Snapshot;
 use super::soundness::resolves;
 use crate::diagnostic::{Diagnostic, Edit};
 use crate::diagram::Kind;
+use crate::resolve::drawn_parts;
 use crate::source::Span;
 use crate::syntax::tree::{Item, Name, Rule, Side};
 
@@ -163,13 +164,13 @@ fn account_for(
     let mut proposals = Vec::new();
     let statements = rule.before.iter().flat_map(|side| &side.statements);
     for statement in statements.filter(|statement| !draws_erased(statement, after)) {
-        let draws = |name: &String| mentions(statement).any(|drawn| drawn == name);
         let is_stated = |name: &Name| {
             let stated = after.statements.iter().filter_map(subject);
             stated.into_iter().any(|known| known.ident.text == name.ident.text)
         };
         let Some(of) = subject(statement).filter(|of| !is_stated(of)) else { continue };
-        if names.iter().any(|(_, name)| draws(name)) {
+        let mut drawn = drawn_parts(statement).chain([of]);
+        if drawn.any(|drawn| names.iter().any(|(_, name)| *name == drawn.ident.text)) {
             let text = snapshot.sources().slice(statement.span()).to_owned();
             let title = format!("restate `{text}` in `after`");
             proposals.push((title, vec![append(snapshot, after, &[text])]));

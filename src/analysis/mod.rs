@@ -80,7 +80,6 @@ pub use program::Analysis;
 pub use rename::{rename, rename_shared, renameable, stays_the_same};
 pub use signature::{Call, signature};
 pub use snapshot::Snapshot;
-pub use soundness::applied;
 pub use spans::around;
 pub use tokens::{Class, Coloured, Marks, tokens};
 pub use unused::{Unused, unused};

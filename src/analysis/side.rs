@@ -3,6 +3,7 @@
 //! Derived from the tree alone, families included, so that it is available while the rule is
 //! unfinished. A `keep` in `after` stands for the statement of `before`.
 
+use crate::resolve::drawn_names;
 use crate::syntax::tree::{Arrow, Loop, Name, Rule, Side, Spoke, Star, Statement};
 
 /// A name as it is drawn: the word, and for a member of a family its shift from the index.
@@ -261,47 +262,14 @@ pub fn subject(statement: &Statement) -> Option<&Name> {
     }
 }
 
-/// The names that a statement draws.
-pub(super) fn mentions(statement: &Statement) -> impl Iterator<Item = &String> {
-    let mut words: Vec<&String> =
-        subject(statement).map(|name| &name.ident.text).into_iter().collect();
-    match statement {
-        Statement::Loop(orbit) => {
-            for item in &orbit.items {
-                if let Arrow::Halfedge(name) | Arrow::Path(Some(name)) = &item.arrow {
-                    words.push(&name.ident.text);
-                }
-            }
-        }
-        Statement::Edge { halfedges, .. } => {
-            words.extend(halfedges.iter().map(|half| &half.ident.text));
-        }
-        Statement::Vertex(star) => {
-            for spoke in &star.spokes {
-                if let Spoke::Halfedge(name) | Spoke::Fan(Some(name), _) = spoke {
-                    words.push(&name.ident.text);
-                }
-            }
-        }
-        _ => {}
-    }
-    words.into_iter()
-}
-
 /// True if a statement draws something that a side erases.
 pub(super) fn draws_erased(statement: &Statement, side: &Side) -> bool {
     let erased = side.statements.iter().filter_map(|statement| match statement {
         Statement::Erase(names, _) => Some(names),
         _ => None,
     });
-    let corners = match statement {
-        Statement::Loop(orbit) => orbit.items.as_slice(),
-        _ => &[],
-    };
-    erased.flatten().map(|name| &name.ident.text).any(|erased| {
-        mentions(statement).any(|drawn| drawn == erased)
-            || corners.iter().any(|corner| corner.from.ident.text == *erased)
-    })
+    let draws = |word: &str| drawn_names(statement).any(|(name, _)| name.ident.text == word);
+    erased.flatten().any(|name| draws(&name.ident.text))
 }
 
 /// The statements of `before` that `after` neither states nor keeps, and that draw nothing that it

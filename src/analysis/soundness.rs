@@ -5,11 +5,10 @@
 //! attributes and its functions; the other ops of the file are left out to save time.
 
 use std::collections::HashMap;
-use std::ops::Range;
 
 use super::files::Reader;
 use super::snapshot::Snapshot;
-use crate::diagnostic::Edit;
+use crate::diagnostic::{Edit, applied};
 use crate::source::Sources;
 use crate::syntax::tree::{Item, Op};
 
@@ -41,7 +40,7 @@ impl Reader for Known<'_> {
 /// True if edits inside an op or right after it leave it sound, or if it is not sound anyway.
 pub(super) fn stays_sound(snapshot: &Snapshot, op: &Op, edits: &[Edit]) -> bool {
     let whole = op.span.range();
-    let Some(rewritten) = applied(snapshot.text(), whole.clone(), edits) else { return false };
+    let Some((rewritten, _)) = applied(snapshot.text(), whole.clone(), edits) else { return false };
     let is_sound = |op: &str| errors(snapshot, op).is_empty();
     is_sound(&rewritten) || !is_sound(&snapshot.text()[whole])
 }
@@ -49,7 +48,7 @@ pub(super) fn stays_sound(snapshot: &Snapshot, op: &Op, edits: &[Edit]) -> bool 
 /// True if edits inside an op that has errors leave none of a code, and bring none of other codes.
 pub(super) fn resolves(snapshot: &Snapshot, op: &Op, edits: &[Edit], code: &str) -> bool {
     let rewritten = applied(snapshot.text(), op.span.range(), edits);
-    let Some(rewritten) = rewritten else { return false };
+    let Some((rewritten, _)) = rewritten else { return false };
     let known = snapshot.diagnostics_so_far();
     let is_known = |left: &&str| known.iter().any(|told| told.is_error() && told.code == *left);
     errors(snapshot, &rewritten).iter().all(|left| *left != code && is_known(left))
@@ -74,22 +73,4 @@ fn errors(snapshot: &Snapshot, op: &str) -> Vec<&'static str> {
     let errors = told.filter(|told| told.is_error() && told.span().file == alone.file());
     let own = errors.filter(|told| told.span().end as usize > context.len());
     own.map(|told| told.code).collect()
-}
-
-/// A part of a text, after edits; `None` if they overlap, or one lies outside of it.
-pub fn applied(text: &str, part: Range<usize>, edits: &[Edit]) -> Option<String> {
-    let mut edits: Vec<_> = edits.iter().map(|edit| (edit.span.range(), &edit.text)).collect();
-    edits.sort_by_key(|(range, _)| range.start);
-    let mut out = String::new();
-    let mut at = part.start;
-    for (range, new) in edits {
-        if range.start < at || range.end > part.end {
-            return None;
-        }
-        out.push_str(&text[at..range.start]);
-        out.push_str(new);
-        at = range.end;
-    }
-    out.push_str(&text[at..part.end]);
-    Some(out)
 }

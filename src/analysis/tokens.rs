@@ -201,19 +201,14 @@ fn type_spans(snapshot: &Snapshot) -> HashSet<Span> {
 
 /// The types that `let` and `var` declare, at any depth.
 fn declared_types(block: &Block, spans: &mut HashSet<Span>) {
-    for action in &block.statements {
-        if let ActionKind::Let { ty: Some(ty), .. } = &action.kind {
-            spans.insert(ty.span);
+    Part::Block(block).each_within(|part| {
+        let Part::Block(block) = part else { return };
+        for action in &block.statements {
+            if let ActionKind::Let { ty: Some(ty), .. } = &action.kind {
+                spans.insert(ty.span);
+            }
         }
-        action.each_part(&mut |part| within(part, spans));
-    }
-}
-
-fn within(part: Part, spans: &mut HashSet<Span>) {
-    match part {
-        Part::Block(block) => declared_types(block, spans),
-        Part::Expr(value) => value.each_part(&mut |part| within(part, spans)),
-    }
+    });
 }
 
 /// The places where `keeps` names a property.

@@ -1,6 +1,6 @@
 //! Claims of a drawing beyond the pointers that bind its names; the matcher tests them.
 
-use super::matching::{Bound, Claim, Source, Step};
+use super::matching::{Bound, Claim, Step, Way};
 use super::reach::Reach;
 use crate::diagram::{Kind, Loop, LoopKind, NameId, Spoke, Star};
 
@@ -42,7 +42,7 @@ impl Reach<'_> {
                 let begins = !is_path(at)
                     && (is_path(at + count - 1) || (at == 0 && !(0..count).any(is_path)));
                 let claim = Claim::Leads(
-                    Source::Face(Bound::Element(item.item.name)),
+                    Way::Face.of(Bound::Element(item.item.name)),
                     Bound::Element(face),
                 );
                 if begins && rule.is_first(item.item.name) && !self.has_step(&claim) {
@@ -76,7 +76,7 @@ impl Reach<'_> {
             (Step::Bind { name, source }, Claim::Leads(from, to)) => {
                 name == to
                     && source == from
-                    && rule.is_member(name.name()) == rule.is_member(source.from().name())
+                    && rule.is_member(name.name()) == rule.is_member(source.from.name())
             }
             _ => false,
         })

@@ -19,29 +19,34 @@ pub enum Bound {
     Last(NameId),
 }
 
-/// One or two pointers from something bound: a halfedge, except in the last variant.
+/// One or two pointers from something bound: a halfedge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Source {
+pub struct Source {
+    pub way: Way,
+    pub from: Bound,
+}
+
+/// One or two pointers from a halfedge.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Way {
     /// `h.next`
-    Next(Bound),
+    Next,
     /// `h.prev`
-    Prev(Bound),
+    Prev,
     /// `h.twin`
-    Twin(Bound),
+    Twin,
     /// `h.vertex`, the origin.
-    Origin(Bound),
+    Origin,
     /// `h.next.vertex`
-    Target(Bound),
+    Target,
     /// `h.edge`
-    Edge(Bound),
+    Edge,
     /// `h.face`
-    Face(Bound),
+    Face,
     /// `h.prev.twin`, the next spoke counterclockwise.
-    Counterclockwise(Bound),
+    Counterclockwise,
     /// `h.twin.next`, the next spoke clockwise.
-    Clockwise(Bound),
-    /// `f.halfedge`
-    FaceHalfedge(NameId),
+    Clockwise,
 }
 
 /// One step of matching.
@@ -140,53 +145,32 @@ impl Bound {
     }
 }
 
-impl Source {
-    /// The name it starts from.
-    pub fn from(self) -> Bound {
-        match self {
-            Source::Next(from)
-            | Source::Prev(from)
-            | Source::Twin(from)
-            | Source::Origin(from)
-            | Source::Target(from)
-            | Source::Edge(from)
-            | Source::Face(from)
-            | Source::Counterclockwise(from)
-            | Source::Clockwise(from) => from,
-            Source::FaceHalfedge(face) => Bound::Element(face),
-        }
+impl Way {
+    /// The way from a halfedge that is bound.
+    pub fn of(self, from: Bound) -> Source {
+        Source { way: self, from }
     }
+}
 
+impl Source {
     /// The pointers that lead from there.
     pub fn pointers(self) -> &'static [Pointer] {
-        match self {
-            Source::Next(_) => &[Pointer::Next],
-            Source::Prev(_) => &[Pointer::Prev],
-            Source::Twin(_) => &[Pointer::Twin],
-            Source::Origin(_) => &[Pointer::Vertex],
-            Source::Target(_) => &[Pointer::Next, Pointer::Vertex],
-            Source::Edge(_) => &[Pointer::Edge],
-            Source::Face(_) => &[Pointer::Face],
-            Source::Counterclockwise(_) => &[Pointer::Prev, Pointer::Twin],
-            Source::Clockwise(_) => &[Pointer::Twin, Pointer::Next],
-            Source::FaceHalfedge(_) => &[Pointer::FaceHalfedge],
+        match self.way {
+            Way::Next => &[Pointer::Next],
+            Way::Prev => &[Pointer::Prev],
+            Way::Twin => &[Pointer::Twin],
+            Way::Origin => &[Pointer::Vertex],
+            Way::Target => &[Pointer::Next, Pointer::Vertex],
+            Way::Edge => &[Pointer::Edge],
+            Way::Face => &[Pointer::Face],
+            Way::Counterclockwise => &[Pointer::Prev, Pointer::Twin],
+            Way::Clockwise => &[Pointer::Twin, Pointer::Next],
         }
     }
 
     /// The same from another name.
     pub fn map(self, image: impl FnOnce(NameId) -> NameId) -> Self {
-        match self {
-            Source::Next(from) => Source::Next(from.map(image)),
-            Source::Prev(from) => Source::Prev(from.map(image)),
-            Source::Twin(from) => Source::Twin(from.map(image)),
-            Source::Origin(from) => Source::Origin(from.map(image)),
-            Source::Target(from) => Source::Target(from.map(image)),
-            Source::Edge(from) => Source::Edge(from.map(image)),
-            Source::Face(from) => Source::Face(from.map(image)),
-            Source::Counterclockwise(from) => Source::Counterclockwise(from.map(image)),
-            Source::Clockwise(from) => Source::Clockwise(from.map(image)),
-            Source::FaceHalfedge(face) => Source::FaceHalfedge(image(face)),
-        }
+        self.way.of(self.from.map(image))
     }
 
     /// The same for the member that is `by` further around the cycle.
@@ -199,7 +183,7 @@ impl Claim {
     /// The names that it is about, in order.
     pub fn names(&self) -> Vec<NameId> {
         match self {
-            Claim::Leads(source, to) => vec![source.from().name(), to.name()],
+            Claim::Leads(source, to) => vec![source.from.name(), to.name()],
             Claim::Distinct(left, right) => vec![*left, *right],
             Claim::Kind(face, _) => vec![*face],
             Claim::InOrder { halfedges, .. } => halfedges.to_vec(),

@@ -1,6 +1,6 @@
 //! The pointers that a drawing states between named halfedges.
 
-use super::matching::{Bound, Source};
+use super::matching::{Bound, Source, Way};
 use crate::diagram::{Drawing, Kind, NameId};
 
 /// A pointer that the drawing states between two named halfedges.
@@ -25,9 +25,9 @@ impl Pointer {
     pub fn forward(self) -> Source {
         let from = Bound::Element(self.from);
         match self.leads {
-            Leads::Next => Source::Next(from),
-            Leads::Twin => Source::Twin(from),
-            Leads::Counterclockwise => Source::Counterclockwise(from),
+            Leads::Next => Way::Next.of(from),
+            Leads::Twin => Way::Twin.of(from),
+            Leads::Counterclockwise => Way::Counterclockwise.of(from),
         }
     }
 
@@ -35,9 +35,9 @@ impl Pointer {
     pub fn backward(self) -> Source {
         let to = Bound::Element(self.to);
         match self.leads {
-            Leads::Next => Source::Prev(to),
-            Leads::Twin => Source::Twin(to),
-            Leads::Counterclockwise => Source::Clockwise(to),
+            Leads::Next => Way::Prev.of(to),
+            Leads::Twin => Way::Twin.of(to),
+            Leads::Counterclockwise => Way::Clockwise.of(to),
         }
     }
 }

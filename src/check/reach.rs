@@ -4,7 +4,7 @@
 //! 0 stands for every index.
 
 use super::chain::{Corner, corners};
-use super::matching::{Bound, Claim, Source, Step};
+use super::matching::{Bound, Claim, Source, Step, Way};
 use super::pointer::{Pointer, pointers};
 use super::port::{Links, Port};
 use super::problem::{Problem, enumerate};
@@ -163,12 +163,12 @@ impl Reach<'_> {
             Kind::Edge => {
                 let halves = view.edge_statement(element)?.halfedge_names();
                 let half = halves.into_iter().find(bound)?;
-                Some((half, Source::Edge(Bound::Element(half))))
+                Some((half, Way::Edge.of(Bound::Element(half))))
             }
             Kind::Face => {
                 let mut items = view.loop_of_face(element)?.item_names();
                 let half = items.find(|item| rule.kind(*item) == Kind::Halfedge && bound(item))?;
-                Some((half, Source::Face(Bound::Element(half))))
+                Some((half, Way::Face.of(Bound::Element(half))))
             }
             Kind::Vertex => {
                 let corner = self.corners.iter().find(|corner| corner.vertex == element)?;
@@ -187,8 +187,8 @@ impl Reach<'_> {
             usable.clone().find(|port| port.leaving().is_some()).or_else(|| usable.next())?;
         let halfedge = Bound::Element(port.item());
         let source = match port {
-            Port::Out(_) => Source::Origin(halfedge),
-            Port::In(_) => Source::Target(halfedge),
+            Port::Out(_) => Way::Origin.of(halfedge),
+            Port::In(_) => Way::Target.of(halfedge),
         };
         Some((port.item(), source))
     }
@@ -271,9 +271,9 @@ impl Reach<'_> {
                 return Err(vec![self.unreachable(op, &[face])]);
             }
             let first = Bound::First(path);
-            self.steps.push(Step::Bind { name: Bound::Last(path), source: Source::Prev(first) });
+            self.steps.push(Step::Bind { name: Bound::Last(path), source: Way::Prev.of(first) });
             let vertex = item.from.name;
-            let source = Source::Origin(first);
+            let source = Way::Origin.of(first);
             if self.is_bound(vertex) {
                 self.steps.push(Step::Test(Claim::Leads(source, Bound::Element(vertex))));
             } else {
@@ -363,11 +363,11 @@ impl Reach<'_> {
                 let after = orbit.items[(at + 1) % count].item.name;
                 self.steps.push(Step::Bind {
                     name: Bound::First(path),
-                    source: Source::Next(Bound::Element(before)),
+                    source: Way::Next.of(Bound::Element(before)),
                 });
                 self.steps.push(Step::Bind {
                     name: Bound::Last(path),
-                    source: Source::Prev(Bound::Element(after)),
+                    source: Way::Prev.of(Bound::Element(after)),
                 });
             }
         }

@@ -7,11 +7,10 @@ use std::str::FromStr;
 use clap::{Args, Parser, Subcommand, ValueEnum, ValueHint};
 use clap_complete::Shell;
 
-use super::option_groups::{
-    EncodingArguments, EngineArguments, LevelName, RepairArguments, ThreadArguments,
-};
+use super::option_groups::{EncodingArguments, EngineArguments, RepairArguments, ThreadArguments};
 use super::output::is_standard;
 use crate::draw::View;
+use crate::mesh::Level;
 
 /// A language in which operations on halfedge meshes are drawn, before and after.
 #[derive(Debug, Parser)]
@@ -274,7 +273,7 @@ pub(super) struct InfoArguments {
     pub mesh: PathBuf,
     /// Only tell whether the mesh is of this level; exit code 1 if not
     #[arg(long, value_enum, value_name = "LEVEL")]
-    pub level: Option<LevelName>,
+    pub level: Option<Level>,
     /// Format of the answer
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,

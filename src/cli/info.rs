@@ -31,7 +31,7 @@ pub(super) fn info(arguments: &InfoArguments) -> Result<(), Failure> {
     let mut obj = meshes::read(&arguments.mesh, &arguments.repair)?;
     obj.bring_all();
     if let Some(level) = arguments.level {
-        return tell_level(arguments, &obj.mesh, level.level());
+        return tell_level(arguments, &obj.mesh, level);
     }
     let summary = Summary::of(&obj.mesh);
     match arguments.format {
@@ -51,7 +51,7 @@ pub(super) fn info(arguments: &InfoArguments) -> Result<(), Failure> {
 fn describe_dump(shown: &str, arguments: &InfoArguments) -> Result<(), Failure> {
     let dump = meshes::read_tables(&arguments.mesh, &arguments.repair)?;
     if let Some(level) = arguments.level {
-        return tell_level(arguments, &meshes::only_table(&arguments.mesh, dump)?, level.level());
+        return tell_level(arguments, &meshes::only_table(&arguments.mesh, dump)?, level);
     }
     let meshes = dump.meshes.iter().map(|(name, mesh)| (name.as_str(), Summary::of(mesh)));
     match arguments.format {

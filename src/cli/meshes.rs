@@ -220,10 +220,10 @@ pub(super) fn write(
     }
     let gathered = file.gather(format);
     if let Some(encoding) = encoding.encoding {
-        file.encoding = encoding.encoding();
+        file.encoding = encoding;
     }
     if let Some(version) = encoding.msh {
-        file.msh_version = version.version();
+        file.msh_version = version;
     }
     let written = if is_standard(path) {
         let mut bytes = Vec::new();

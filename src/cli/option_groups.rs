@@ -3,6 +3,7 @@
 #[cfg(feature = "threads")]
 use std::num::NonZeroUsize;
 
+use clap::builder::PossibleValue;
 use clap::{Args, ValueEnum};
 
 use super::failure::Failure;
@@ -91,10 +92,10 @@ fn distance(text: &str) -> Result<f64, String> {
 pub(super) struct EncodingArguments {
     /// Encoding of the numbers of .ply and .stl, if not as they were read
     #[arg(long, value_enum, value_name = "KIND", verbatim_doc_comment)]
-    pub encoding: Option<EncodingName>,
+    pub encoding: Option<Encoding>,
     /// The version of .msh, if not that which was read
     #[arg(long, value_enum, value_name = "VERSION")]
-    pub msh: Option<MshName>,
+    pub msh: Option<MshVersion>,
 }
 
 impl EncodingArguments {
@@ -102,10 +103,10 @@ impl EncodingArguments {
     pub fn expect(&self, format: FileFormat) -> Result<(), Failure> {
         let has_bytes = [FileFormat::Ply, FileFormat::Stl].contains(&format);
         let problem = match self.encoding {
-            Some(EncodingName::BigEndian) if format != FileFormat::Ply => {
+            Some(Encoding::BigEndian) if format != FileFormat::Ply => {
                 "`--encoding big-endian` is for .ply alone"
             }
-            Some(EncodingName::Binary) if !has_bytes => {
+            Some(Encoding::LittleEndian) if !has_bytes => {
                 "`--encoding binary` is for .ply and .stl; other files are text"
             }
             _ if self.msh.is_some() && format != FileFormat::Msh => "`--msh` is for .msh alone",
@@ -115,68 +116,47 @@ impl EncodingArguments {
     }
 }
 
-/// An encoding, as it is said on the command line.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(super) enum EncodingName {
-    /// As text
-    Ascii,
-    /// As bytes
-    Binary,
-    /// As bytes, the highest first (.ply alone)
-    BigEndian,
-}
+impl ValueEnum for Encoding {
+    fn value_variants<'v>() -> &'v [Self] {
+        &[Self::Ascii, Self::LittleEndian, Self::BigEndian]
+    }
 
-impl EncodingName {
-    /// The encoding.
-    pub fn encoding(self) -> Encoding {
-        match self {
-            Self::Ascii => Encoding::Ascii,
-            Self::Binary => Encoding::LittleEndian,
-            Self::BigEndian => Encoding::BigEndian,
-        }
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        let (name, help) = match self {
+            Self::Ascii => ("ascii", "As text"),
+            Self::LittleEndian => ("binary", "As bytes"),
+            Self::BigEndian => ("big-endian", "As bytes, the highest first (.ply alone)"),
+        };
+        Some(PossibleValue::new(name).help(help))
     }
 }
 
-/// A version of Gmsh files, as it is said on the command line.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(super) enum MshName {
-    /// Version 2.2
-    #[value(name = "2.2")]
-    V2,
-    /// Version 4.1
-    #[value(name = "4.1")]
-    V4,
-}
+impl ValueEnum for MshVersion {
+    fn value_variants<'v>() -> &'v [Self] {
+        &[Self::V2, Self::V4]
+    }
 
-impl MshName {
-    /// The version.
-    pub fn version(self) -> MshVersion {
-        match self {
-            Self::V2 => MshVersion::V2,
-            Self::V4 => MshVersion::V4,
-        }
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        let (name, help) = match self {
+            Self::V2 => ("2.2", "Version 2.2"),
+            Self::V4 => ("4.1", "Version 4.1"),
+        };
+        Some(PossibleValue::new(name).help(help))
     }
 }
 
-/// A level of mesh, as it is said on the command line.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(super) enum LevelName {
-    /// Every orbit is in order
-    Map,
-    /// As other libraries want it: no pinches, no two-sided faces
-    Surface,
-    /// Edges and faces are told by their vertices
-    Simple,
-}
+impl ValueEnum for Level {
+    fn value_variants<'v>() -> &'v [Self] {
+        &Self::ALL
+    }
 
-impl LevelName {
-    /// The level.
-    pub fn level(self) -> Level {
-        match self {
-            Self::Map => Level::Map,
-            Self::Surface => Level::Surface,
-            Self::Simple => Level::Simple,
-        }
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        let help = match self {
+            Self::Map => "Every orbit is in order",
+            Self::Surface => "As other libraries want it: no pinches, no two-sided faces",
+            Self::Simple => "Edges and faces are told by their vertices",
+        };
+        Some(PossibleValue::new(self.name()).help(help))
     }
 }
 

@@ -39,12 +39,9 @@ impl Collect<'_, '_, '_, '_> {
 
     /// Follows pointers.
     pub(super) fn load(&mut self, source: Source, to: Reg) {
-        let mut from = self.registers.bound(&mut self.output.asm, source.from());
+        let mut from = self.registers.bound(&mut self.output.asm, source.from);
         for &pointer in source.pointers() {
-            match element_field(pointer) {
-                Some(of) => self.output.asm.emit(Inst::LoadHalfedge { of, to, element: from }),
-                None => self.load_field(halfedge_field(pointer), to, from),
-            }
+            self.load_field(halfedge_field(pointer), to, from);
             from = to;
         }
     }

@@ -2,7 +2,7 @@
 
 use super::collect::Collect;
 use super::collected::Run;
-use crate::check::matching::{Bound, Source};
+use crate::check::matching::{Bound, Way};
 use crate::diagram::{NameId, Spoke};
 use crate::rewrite::{Cell, ElementField, Inst, Walk};
 
@@ -69,7 +69,7 @@ impl Collect<'_, '_, '_, '_> {
         let walk = Walk::Star;
         let inst = match (before, after) {
             (Some(before), Some(after)) => {
-                self.load(Source::Counterclockwise(Bound::Element(before)), from);
+                self.load(Way::Counterclockwise.of(Bound::Element(before)), from);
                 Inst::Collect { walk, buffer, from, until: self.element(after), whole: false }
             }
             // The fan is the whole star.

@@ -1,5 +1,7 @@
 //! A diagnostic and its parts.
 
+use std::ops::Range;
+
 use crate::source::Span;
 
 /// The severity of a diagnostic.
@@ -27,6 +29,26 @@ pub struct Edit {
     pub span: Span,
     /// The replacement text.
     pub text: String,
+}
+
+/// A part of a text after edits, and their places in it, in the order of the text; `None` if they
+/// overlap, or one lies outside of it.
+pub fn applied<'e>(
+    text: &str,
+    part: Range<usize>,
+    edits: impl IntoIterator<Item = &'e Edit>,
+) -> Option<(String, Vec<Range<usize>>)> {
+    let mut edits: Vec<&Edit> = edits.into_iter().collect();
+    edits.sort_by_key(|edit| edit.span.start);
+    let (mut out, mut places, mut at) = (String::new(), Vec::new(), part.start);
+    for edit in edits {
+        out.push_str(text.get(at..edit.span.start as usize)?);
+        places.push(out.len()..out.len() + edit.text.len());
+        out.push_str(&edit.text);
+        at = edit.span.end as usize;
+    }
+    out.push_str(text.get(at..part.end)?);
+    Some((out, places))
 }
 
 /// A change that is certain to resolve the diagnostic.

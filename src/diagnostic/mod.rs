@@ -11,7 +11,7 @@ mod render;
 mod shown;
 mod words;
 
-pub use data::{Diagnostic, Edit, Fix, Label, Severity};
+pub use data::{Diagnostic, Edit, Fix, Label, Severity, applied};
 pub use explain::{explain, explained};
 pub use render::{Rendering, render};
 pub use shown::shown;

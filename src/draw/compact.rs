@@ -6,9 +6,9 @@
 
 use std::fmt::Write;
 
-use super::shape::{FADED, Group, Ink, Paint, Picture, Shape, Stroke};
-use super::steps::{Grain, data};
-use super::svg::escaped;
+use super::shape::{FADED, Group, Ink, Paint, Picture, Shape};
+use super::steps::Grain;
+use super::svg::{escaped, stroke_attributes};
 use super::words::Words;
 
 /// The number of steps per unit.
@@ -42,8 +42,8 @@ impl Picture {
             "}}</style><rect class=\"f{}\" width=\"100%\" height=\"100%\"/>",
             name(Ink::Paper)
         );
-        let words = Words::of(self, "", STEPS, EM);
-        text.push_str(&words.definitions("href"));
+        let words = Words::of(self, ["", "href"], STEPS, EM);
+        text.push_str(&words.definitions());
         for group in &self.groups {
             write_group(&mut text, group, &words);
         }
@@ -81,36 +81,16 @@ fn write_group(text: &mut String, group: &Group, words: &Words) {
 }
 
 fn write_shape(text: &mut String, shape: &Shape, words: &Words) {
-    let mut more = String::new();
-    let class = match shape.paint {
+    let attributes = match shape.paint {
         Paint::Fill(ink @ Ink::Colour(_)) => {
-            let _ = write!(more, " style=\"fill:#{:06x}\"", ink.colours()[0]);
-            'f'.to_string()
+            format!("class=\"f\" style=\"fill:#{:06x}\"", ink.colours()[0])
         }
-        Paint::Fill(ink) => format!("f{}", name(ink)),
+        Paint::Fill(ink) => format!("class=\"f{}\"", name(ink)),
         Paint::Stroke(stroke) => {
-            write_stroke(&mut more, stroke);
-            format!("s{}", name(stroke.ink))
+            format!("class=\"s{}\"{}", name(stroke.ink), stroke_attributes(stroke, steps))
         }
     };
-    if shape.glyphs.is_empty() {
-        let data = data(&shape.path, GRAIN);
-        let _ = write!(text, "<path class=\"{class}\"{more} d=\"{data}\"/>");
-        return;
-    }
-    let (id, [x, y]) = words.used(&shape.glyphs);
-    let turn = words.turned(shape.turn);
-    let _ = write!(text, "<use class=\"{class}\" href=\"#{id}\" x=\"{x}\" y=\"{y}\"{turn}/>");
-}
-
-fn write_stroke(more: &mut String, stroke: Stroke) {
-    let _ = write!(more, " stroke-width=\"{}\"", steps(stroke.width));
-    if let Some([dash, gap]) = stroke.dash {
-        let _ = write!(more, " stroke-dasharray=\"{} {}\"", steps(dash), steps(gap));
-    }
-    if stroke.opacity < 1.0 {
-        let _ = write!(more, " stroke-opacity=\"{}\"", stroke.opacity);
-    }
+    text.push_str(&words.element(shape, &attributes, GRAIN));
 }
 
 /// A length in steps; NaN becomes 0.

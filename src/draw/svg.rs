@@ -3,13 +3,13 @@
 //! Colours are in attributes, so that any viewer shows them; a style sheet overrides them in dark
 //! mode. Coordinates are rounded only when they are written.
 
-use std::fmt::Write;
+use std::fmt::{Display, Write};
 
 use base64::Engine as _;
 use base64::prelude::BASE64_STANDARD;
 
-use super::shape::{FADED, Group, Ink, Paint, Path, Picture, Shape, Stroke};
-use super::steps::{Grain, data};
+use super::shape::{FADED, Group, Ink, Paint, Picture, Stroke};
+use super::steps::Grain;
 use super::words::Words;
 
 impl Picture {
@@ -47,8 +47,8 @@ impl Picture {
         let title = escaped(&self.title);
         // Pages hold several pictures, so that ids begin with the title.
         let prefix = format!("{title}-");
-        let words = Words::of(self, &prefix, 1.0, 1000.0);
-        text.push_str(&words.definitions("xlink:href"));
+        let words = Words::of(self, [&prefix, "xlink:href"], 1.0, 1000.0);
+        text.push_str(&words.definitions());
         for group in &self.groups {
             write_group(&mut text, group, &words);
         }
@@ -66,42 +66,32 @@ fn write_group(text: &mut String, group: &Group, words: &Words) {
         let _ = writeln!(text, "<title>{}</title>", escaped(&group.title));
     }
     for shape in &group.shapes {
-        match shape.paint {
-            Paint::Fill(ink) => write_fill(text, shape, ink, words),
-            Paint::Stroke(stroke) => write_stroke(text, &shape.path, stroke),
-        }
+        let ink = match shape.paint {
+            Paint::Fill(ink) | Paint::Stroke(Stroke { ink, .. }) => ink,
+        };
+        let ([light, _], class) = (ink.colours(), ink.class());
+        let attributes = match shape.paint {
+            Paint::Fill(_) => format!("class=\"fill-{class}\" fill=\"#{light:06x}\""),
+            Paint::Stroke(stroke) => format!(
+                "class=\"stroke-{class}\" fill=\"none\" stroke=\"#{light:06x}\"{}",
+                stroke_attributes(stroke, number)
+            ),
+        };
+        let _ = writeln!(text, "{}", words.element(shape, &attributes, TENTHS));
     }
     text.push_str("</g>\n");
 }
 
-fn write_fill(text: &mut String, shape: &Shape, ink: Ink, words: &Words) {
-    let ([light, _], class) = (ink.colours(), ink.class());
-    let fill = format!("class=\"fill-{class}\" fill=\"#{light:06x}\"");
-    if shape.glyphs.is_empty() {
-        let _ = writeln!(text, "<path {fill} d=\"{}\"/>", data(&shape.path, TENTHS));
-        return;
-    }
-    let (id, [x, y]) = words.used(&shape.glyphs);
-    let turn = words.turned(shape.turn);
-    let _ = writeln!(text, "<use {fill} xlink:href=\"#{id}\" x=\"{x}\" y=\"{y}\"{turn}/>");
-}
-
-fn write_stroke(text: &mut String, path: &Path, stroke: Stroke) {
-    let ([light, _], class) = (stroke.ink.colours(), stroke.ink.class());
-    let mut more = String::new();
-    if let Some([dash, gap]) = stroke.dash {
-        let _ = write!(more, " stroke-dasharray=\"{} {}\"", number(dash), number(gap));
+/// The width, the dashes and the opacity of a stroke, its lengths rounded by `length`.
+pub(super) fn stroke_attributes<T: Display>(stroke: Stroke, length: fn(f64) -> T) -> String {
+    let mut text = format!(" stroke-width=\"{}\"", length(stroke.width));
+    if let Some([dash, gap]) = stroke.dash.map(|dash| dash.map(length)) {
+        let _ = write!(text, " stroke-dasharray=\"{dash} {gap}\"");
     }
     if stroke.opacity < 1.0 {
-        let _ = write!(more, " stroke-opacity=\"{}\"", stroke.opacity);
+        let _ = write!(text, " stroke-opacity=\"{}\"", stroke.opacity);
     }
-    let _ = writeln!(
-        text,
-        "<path class=\"stroke-{class}\" fill=\"none\" stroke=\"#{light:06x}\" \
-         stroke-width=\"{}\"{more} d=\"{}\"/>",
-        number(stroke.width),
-        data(path, TENTHS)
-    );
+    text
 }
 
 /// Coordinates of pictures are rounded to tenths.

@@ -11,7 +11,7 @@ use std::fmt::Write;
 use glam::DVec2;
 
 use super::letters::{Glyph, Style, letter as outline};
-use super::shape::Picture;
+use super::shape::{Picture, Shape};
 use super::steps::{Grain, data};
 use super::svg::escaped;
 
@@ -23,6 +23,8 @@ type Set = (Style, char, [i64; 3]);
 pub(super) struct Words<'a> {
     /// The text before every id.
     prefix: &'a str,
+    /// The attribute that references a definition.
+    link: &'a str,
     /// The number of steps to a unit of the picture.
     steps: f64,
     /// The size at which letters are defined.
@@ -33,7 +35,7 @@ pub(super) struct Words<'a> {
 impl<'a> Words<'a> {
     /// Collects the words of a picture, for a writer with `steps` steps to a unit, which defines
     /// letters at a size of `em`.
-    pub fn of(picture: &Picture, prefix: &'a str, steps: f64, em: f64) -> Self {
+    pub fn of(picture: &Picture, [prefix, link]: [&'a str; 2], steps: f64, em: f64) -> Self {
         let mut numbers = BTreeMap::new();
         for shape in picture.groups.iter().flat_map(|group| &group.shapes) {
             if !shape.glyphs.is_empty() {
@@ -41,12 +43,12 @@ impl<'a> Words<'a> {
                 numbers.entry(set(&shape.glyphs)).or_insert(number);
             }
         }
-        Self { prefix, steps, em, numbers }
+        Self { prefix, link, steps, em, numbers }
     }
 
-    /// The definitions of letters and words; `link` is the attribute that references a definition.
-    pub fn definitions(&self, link: &str) -> String {
-        let Self { prefix, steps, em, .. } = self;
+    /// The definitions of letters and words.
+    pub fn definitions(&self) -> String {
+        let Self { prefix, link, steps, em, .. } = self;
         let letters = self.numbers.keys().flatten();
         let letters: BTreeSet<_> = letters.map(|&(style, code, _)| (style, code)).collect();
         // Without a colour: they inherit that of their use.
@@ -92,19 +94,19 @@ impl<'a> Words<'a> {
         text
     }
 
-    /// The id of the word that some letters make, and its origin in steps.
-    pub fn used(&self, glyphs: &[Glyph]) -> (String, [f64; 2]) {
-        let number = self.numbers.get(&set(glyphs)).copied().unwrap_or(0);
-        let at = glyphs.first().map_or(DVec2::ZERO, |first| first.at);
-        (format!("{}w{number}", self.prefix), self.place(at))
-    }
-
-    /// The rotation of a word where it is used, if there is one.
-    pub fn turned(&self, turn: Option<(i32, DVec2)>) -> String {
-        turn.map_or_else(String::new, |(turn, around)| {
+    /// A shape as an element with these attributes: its path, or its word where that is used.
+    pub fn element(&self, shape: &Shape, attributes: &str, grain: Grain) -> String {
+        let Some(first) = shape.glyphs.first() else {
+            return format!("<path {attributes} d=\"{}\"/>", data(&shape.path, grain));
+        };
+        let Self { prefix, link, .. } = self;
+        let number = self.numbers.get(&set(&shape.glyphs)).copied().unwrap_or(0);
+        let [x, y] = self.place(first.at);
+        let turn = shape.turn.map_or_else(String::new, |(turn, around)| {
             let [x, y] = self.place(around);
             format!(" transform=\"rotate({turn} {x} {y})\"")
-        })
+        });
+        format!("<use {attributes} {link}=\"#{prefix}w{number}\" x=\"{x}\" y=\"{y}\"{turn}/>")
     }
 
     /// A place in steps, rounded to tenths of a unit.

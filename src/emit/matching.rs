@@ -3,7 +3,7 @@
 use super::build::Writer;
 use super::language::type_of;
 use super::value::Term;
-use crate::check::matching::{Bound, Claim, Source};
+use crate::check::matching::{Bound, Claim, Source, Way};
 use crate::diagram::{Binary, LoopKind, NameId, Pointer, Type};
 use crate::lower::{Begin, EmptyPath, Matching, Step, Walk};
 
@@ -120,7 +120,7 @@ impl Writer<'_, '_> {
     fn source(&self, source: Source) -> Term {
         let language = self.names.language;
         let follow = |term: Term, pointer: &Pointer| language.follow(*pointer, &term);
-        source.pointers().iter().fold(self.bound(source.from()), follow)
+        source.pointers().iter().fold(self.bound(source.from), follow)
     }
 
     /// The condition that a claim holds.
@@ -128,11 +128,11 @@ impl Writer<'_, '_> {
         let (language, term) = (self.names.language, |name: &NameId| self.names.term(*name));
         match claim {
             // The same, without `prev`.
-            Claim::Leads(Source::Prev(from), to) => {
-                self.source(Source::Next(*to)).is(self.bound(*from))
+            Claim::Leads(Source { way: Way::Prev, from }, to) => {
+                self.source(Way::Next.of(*to)).is(self.bound(*from))
             }
-            Claim::Leads(Source::Counterclockwise(from), to) => {
-                self.source(Source::Clockwise(*to)).is(self.bound(*from))
+            Claim::Leads(Source { way: Way::Counterclockwise, from }, to) => {
+                self.source(Way::Clockwise.of(*to)).is(self.bound(*from))
             }
             Claim::Leads(source, to) => self.source(*source).is(self.bound(*to)),
             Claim::Distinct(left, right) => term(left).is(term(right)).not(),

@@ -24,24 +24,14 @@ fn is_torn(source: &str, block: &Block) -> bool {
         let between = source.get(one.end as usize..other.start as usize);
         between.is_some_and(|between| !between.contains('\n'))
     };
-    let mut pairs = block.statements.windows(2);
-    pairs.any(|pair| does_nothing(&pair[0]) && on_one_line(pair[0].span, pair[1].span))
-        || block.statements.iter().any(|action| {
-            let mut found = false;
-            action.each_part(&mut |part| found = found || part_is_torn(source, part));
-            found
-        })
-}
-
-fn part_is_torn(source: &str, part: Part) -> bool {
-    match part {
-        Part::Block(block) => is_torn(source, block),
-        Part::Expr(value) => {
-            let mut found = false;
-            value.each_part(&mut |part| found = found || part_is_torn(source, part));
-            found
-        }
-    }
+    let mut found = false;
+    Part::Block(block).each_within(|part| {
+        let Part::Block(block) = part else { return };
+        let mut pairs = block.statements.windows(2);
+        found |=
+            pairs.any(|pair| does_nothing(&pair[0]) && on_one_line(pair[0].span, pair[1].span));
+    });
+    found
 }
 
 fn does_nothing(action: &Action) -> bool {

@@ -1,6 +1,6 @@
 //! Claims and refusals in words.
 
-use crate::check::matching::{Bound, Claim, Source, Step};
+use crate::check::matching::{Bound, Claim, Source, Step, Way};
 use crate::diagram::{Drawing, Kind, LoopKind, NameId};
 
 /// A bound name, without backticks.
@@ -15,7 +15,7 @@ pub fn bound(drawing: &Drawing, bound: Bound) -> String {
 /// A pointer as it is written: `a.next`.
 pub fn source(drawing: &Drawing, source: Source) -> String {
     let pointers: Vec<_> = source.pointers().iter().map(|pointer| pointer.word()).collect();
-    format!("{}.{}", bound(drawing, source.from()), pointers.join("."))
+    format!("{}.{}", bound(drawing, source.from), pointers.join("."))
 }
 
 /// The words of a claim, as the table prints it.
@@ -56,7 +56,8 @@ pub(super) fn refusal(drawing: &Drawing, claim: &Claim, steps: &[Step]) -> Strin
     let joined = |names: &[NameId]| joined(names, |name| rule.quoted(name), ", ");
     match claim {
         Claim::Leads(from, to) => {
-            if let (Source::Next(Bound::Element(half)), Bound::Element(_)) = (from, to)
+            if let Source { way: Way::Next, from: Bound::Element(half) } = from
+                && let Bound::Element(_) = to
                 && let Some(corners) = corners_of_full_loop(drawing, *half, steps)
             {
                 let face = drawing.before.face(*half).expect("it lies in a loop");
@@ -67,18 +68,14 @@ pub(super) fn refusal(drawing: &Drawing, claim: &Claim, steps: &[Step]) -> Strin
                 };
             }
             let element = bound(drawing, *to);
-            match *from {
-                Source::Origin(half) => {
-                    format!("{} does not start at {}", tick(bound(drawing, half)), tick(element))
-                }
-                Source::Target(half) => {
-                    format!("{} does not end at {}", tick(bound(drawing, half)), tick(element))
-                }
-                Source::Face(half) => {
-                    format!("{} does not lie in {}", tick(bound(drawing, half)), tick(element))
-                }
-                _ => format!("{} is not {}", tick(source(drawing, *from)), tick(element)),
-            }
+            let half = || tick(bound(drawing, from.from));
+            let (half, fails) = match from.way {
+                Way::Origin => (half(), "does not start at"),
+                Way::Target => (half(), "does not end at"),
+                Way::Face => (half(), "does not lie in"),
+                _ => (tick(source(drawing, *from)), "is not"),
+            };
+            format!("{half} {fails} {}", tick(element))
         }
         Claim::Distinct(left, right) => {
             let kind = rule.kind(*left).word();
@@ -124,7 +121,7 @@ fn corners_of_full_loop(drawing: &Drawing, half: NameId, steps: &[Step]) -> Opti
     let is_here = |bound: Bound| items.iter().any(|item| item.item.name == bound.name());
     let along = steps.iter().filter(|step| match step {
         Step::Bind { name, source } => {
-            is_here(*name) && matches!(source, Source::Next(_) | Source::Prev(_))
+            is_here(*name) && matches!(source.way, Way::Next | Way::Prev)
         }
         _ => false,
     });

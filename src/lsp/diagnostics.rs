@@ -17,7 +17,7 @@ impl Server {
     /// Proves one more op of a document that changed, or publishes its diagnostics; false if there
     /// is nothing to do.
     pub(super) fn publish_next(&mut self) -> bool {
-        let next = self.documents.iter_mut().find(|document| !document.is_published);
+        let next = self.documents.values_mut().find(|document| !document.is_published);
         let Some(document) = next else { return false };
         let is_left = document.snapshot().examine_next();
         let is_first = is_left && document.is_kept_waiting();

@@ -56,7 +56,7 @@ impl Server {
     /// `hedgerow/cursor`
     pub(super) fn cursor(&mut self, params: DiagramParams) {
         let uri = params.text_document.uri;
-        let Some(document) = self.documents.get(&uri) else { return };
+        let Some(document) = self.documents.get(&uri.0) else { return };
         if let Some(position) = params.position {
             let offset = document.offset(position);
             self.follow(&uri, offset);
@@ -65,7 +65,7 @@ impl Server {
 
     /// Shows the op around the cursor in the preview, if that is open.
     pub(super) fn follow(&mut self, uri: &Uri, offset: usize) {
-        let Some(document) = self.documents.get(uri) else { return };
+        let Some(document) = self.documents.get(&uri.0) else { return };
         let snapshot = document.snapshot();
         if self.preview.is_some()
             && let Some(op) = op_here(snapshot, offset)

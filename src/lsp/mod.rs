@@ -22,7 +22,6 @@ mod notifications;
 // The client and its documents.
 mod client;
 mod document;
-mod documents;
 mod files;
 pub mod position;
 pub mod uri;

@@ -9,10 +9,10 @@ use super::requests::{Answer, Refusal};
 use super::server::Server;
 use crate::analysis::names::{Mention, Role};
 use crate::analysis::{
-    applied, definition, mentions_of_shared, occurrences, rename, rename_shared, renameable,
-    shared, stays_the_same, used_path,
+    definition, mentions_of_shared, occurrences, rename, rename_shared, renameable, shared,
+    stays_the_same, used_path,
 };
-use crate::diagnostic;
+use crate::diagnostic::{self, applied};
 
 impl Server {
     /// `textDocument/definition`
@@ -148,7 +148,8 @@ impl Server {
     ) -> Result<(), String> {
         let texts = changes.iter().filter_map(|(document, edits)| {
             let text = document.snapshot().text();
-            Some((document.name().to_owned(), applied(text, 0..text.len(), edits)?))
+            let (renamed, _) = applied(text, 0..text.len(), edits)?;
+            Some((document.name().to_owned(), renamed))
         });
         let texts: HashMap<String, String> = texts.collect();
         for document in concerned {
@@ -183,7 +184,7 @@ impl Server {
             let edits = edits(document, changed).into_iter().map(Edit::from);
             DocumentChange::from(TextDocumentEdit {
                 text_document: OptionalVersionedTextDocumentIdentifier {
-                    version: self.documents.get(document.uri()).map(Document::version),
+                    version: self.documents.get(&document.uri().0).map(Document::version),
                     text_document_identifier: TextDocumentIdentifier {
                         uri: document.uri().clone(),
                     },

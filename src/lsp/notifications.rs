@@ -93,7 +93,7 @@ impl Server {
         self.files.hold(&item.uri, &item.text);
         self.workspace.opened(&name);
         let document = Document::new(item, self.client.encoding, self.files.clone());
-        self.documents.open(document);
+        self.documents.insert(document.uri().0.clone(), document);
         self.file_changed(&name);
     }
 
@@ -102,7 +102,7 @@ impl Server {
             version,
             text_document_identifier: TextDocumentIdentifier { uri },
         } = params.text_document;
-        if let Some(document) = self.documents.get_mut(&uri) {
+        if let Some(document) = self.documents.get_mut(&uri.0) {
             document.change(version, params.content_changes);
             self.file_changed(&name(&uri));
         }
@@ -110,7 +110,7 @@ impl Server {
 
     fn closed(&mut self, params: DidCloseTextDocumentParams) {
         let uri = params.text_document.uri;
-        if self.documents.close(&uri).is_some() {
+        if self.documents.remove(&uri.0).is_some() {
             self.files.release(&uri);
             self.file_changed(&name(&uri));
             // Clears its diagnostics.

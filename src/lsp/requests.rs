@@ -99,7 +99,9 @@ impl Server {
 
     /// An open document.
     pub(super) fn document(&self, uri: &Uri) -> Result<&Document, Refusal> {
-        self.documents.get(uri).ok_or_else(|| Refusal::invalid(format!("`{}` is not open", uri.0)))
+        self.documents
+            .get(&uri.0)
+            .ok_or_else(|| Refusal::invalid(format!("`{}` is not open", uri.0)))
     }
 
     /// An open document and a byte in it.

@@ -1,6 +1,6 @@
 //! The server: takes messages and returns messages.
 
-use std::collections::VecDeque;
+use std::collections::{BTreeMap, VecDeque};
 
 use gen_lsp_types::{LspNotificationMethod, LspRequestMethod};
 use lsp_server::{ErrorCode, Message, Notification, Request, RequestId, Response};
@@ -10,12 +10,14 @@ use serde_json::Value;
 use super::client::Client;
 use super::diagram_page::DiagramPage;
 use super::document::Document;
-use super::documents::Documents;
 use super::files::Files;
 use super::progress::Progress;
 use super::subprocess::Subprocess;
 use super::workspace::Workspace;
 use crate::analysis::Reader;
+
+/// The open documents, by their URIs.
+pub(super) type Documents = BTreeMap<String, Document>;
 
 /// The stage of the conversation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -70,7 +72,7 @@ impl Server {
             errands: Vec::new(),
             stage: Stage::Silent,
             client: Client::default(),
-            documents: Documents::default(),
+            documents: Documents::new(),
             workspace: Workspace::default(),
             waiting: VecDeque::new(),
             deferred: Vec::new(),
@@ -149,7 +151,7 @@ impl Server {
 
     /// The text of an open document, as the server holds it.
     pub fn text(&self, uri: &str) -> Option<&str> {
-        Some(self.documents.get(&uri.into())?.text())
+        Some(self.documents.get(uri)?.text())
     }
 
     /// True if a request is about all ops of a document, and not all of them have been examined.
@@ -163,7 +165,7 @@ impl Server {
         );
         let uri = request.params.pointer("/textDocument/uri").and_then(Value::as_str);
         let document = uri.filter(|_| asks_all && self.stage == Stage::Ready);
-        let document = document.and_then(|uri| self.documents.get(&uri.into()));
+        let document = document.and_then(|uri| self.documents.get(uri));
         document.is_some_and(|document| !document.is_published)
     }
 
@@ -226,12 +228,12 @@ impl Server {
 
     /// All programs of the workspace, those first that are open.
     pub(super) fn programs(&self) -> impl Iterator<Item = &Document> {
-        self.documents.iter().chain(self.workspace.closed())
+        self.documents.values().chain(self.workspace.closed())
     }
 
     /// Discards the snapshots of all programs that use a file of this name.
     pub(super) fn file_changed(&mut self, name: &str) {
-        self.documents.file_changed(name);
+        self.documents.values_mut().for_each(|document| document.file_changed(name));
         self.workspace.file_changed(name);
     }
 

@@ -11,9 +11,9 @@ use gen_lsp_types::{TextDocumentItem, Uri, WorkspaceFoldersChangeEvent};
 use serde_json::Value;
 
 use super::document::Document;
-use super::documents::Documents;
 use super::files::{Files, name};
 use super::position::Encoding;
+use super::server::Documents;
 use super::uri;
 use crate::analysis::Reader;
 use crate::library;
@@ -52,7 +52,7 @@ impl Workspace {
                 wanted.extend(files.clone().under(&name(folder)));
             }
         }
-        for document in open.iter() {
+        for document in open.values() {
             let used = document.snapshot().used_names();
             wanted.extend(used.filter(|name| !name.starts_with(library::FOLDER)));
         }

@@ -8,7 +8,6 @@ use crate::source::Span;
 use crate::syntax::Part;
 use crate::syntax::tree::{self, Ident};
 
-use super::depth::each_part;
 use super::fields::{Field, fields_of};
 use super::program::StatementKind;
 use super::scopes::{Binding, Local};
@@ -271,7 +270,7 @@ fn fixed(name: &Ident, local: &Local) -> Option<Diagnostic> {
 /// The fields that assignments in a block name more than once.
 pub(super) fn set_often(block: &tree::Block) -> BTreeSet<String> {
     let (mut once, mut often) = (BTreeSet::new(), BTreeSet::new());
-    each_part(Part::Block(block), |part| {
+    Part::Block(block).each_within(|part| {
         let Part::Block(block) = part else { return };
         for action in &block.statements {
             if let tree::ActionKind::Assign { target, .. } = &action.kind {
@@ -313,7 +312,7 @@ fn is_path(expr: &tree::Expr) -> bool {
 /// True if a value reads a name.
 fn reads(value: &tree::Expr, word: &str) -> bool {
     let mut found = false;
-    each_part(Part::Expr(value), |part| {
+    Part::Expr(value).each_within(|part| {
         if let Part::Expr(tree::Expr { kind: tree::ExprKind::Name(name), .. }) = part {
             found |= name.ident.text == word;
         }

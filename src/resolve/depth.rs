@@ -27,23 +27,6 @@ pub(super) fn shallow_block(block: &Block, report: &mut Report) -> bool {
     shallow(Part::Block(block), report)
 }
 
-/// Calls `look` with a part and all its parts, at any depth, in no particular order.
-pub(super) fn each_part<'a>(part: Part<'a>, mut look: impl FnMut(Part<'a>)) {
-    let mut open = vec![part];
-    while let Some(part) = open.pop() {
-        look(part);
-        inside(part, &mut |inner| open.push(inner));
-    }
-}
-
-/// Calls `look` with the children of a part: for a block, the parts of its statements.
-fn inside<'a>(part: Part<'a>, look: &mut dyn FnMut(Part<'a>)) {
-    match part {
-        Part::Expr(expr) => expr.each_part(look),
-        Part::Block(block) => block.statements.iter().for_each(|action| action.each_part(look)),
-    }
-}
-
 fn shallow(root: Part, report: &mut Report) -> bool {
     let mut open = vec![(root, 0, 0)];
     while let Some((part, depth, nested)) = open.pop() {
@@ -55,7 +38,7 @@ fn shallow(root: Part, report: &mut Report) -> bool {
             Part::Expr(expr) => left_side(expr),
             Part::Block(_) => None,
         };
-        inside(part, &mut |inner| {
+        part.each_part(&mut |inner| {
             let is_left =
                 matches!((inner, left), (Part::Expr(inner), Some(left)) if ptr::eq(inner, left));
             open.push((inner, depth + 1, nested + u32::from(!is_left)));

@@ -9,7 +9,7 @@ use crate::syntax::tree::{self, Arrow, LoopKeyword, Statement};
 
 use super::fields::is_pointer;
 use super::lists::{mention, restate};
-use super::mention::path_of;
+use super::mention::{drawn_parts, path_of};
 use super::names::Names;
 use super::report::Report;
 
@@ -88,13 +88,7 @@ fn lacking(side: &tree::Side, before: &Side, names: &Names) -> Vec<Lacking> {
     let mut created = Vec::new();
     for statement in &side.statements {
         let listed: Vec<&tree::Name> = match statement {
-            Statement::Loop(l) => {
-                let arrows = l.items.iter().filter_map(|item| match &item.arrow {
-                    Arrow::Halfedge(name) | Arrow::Path(Some(name)) => Some(name),
-                    Arrow::Path(None) => None,
-                });
-                arrows.collect()
-            }
+            Statement::Loop(_) => drawn_parts(statement).collect(),
             Statement::Erase(listed, _) => listed.iter().collect(),
             Statement::Keep(kept, _) => {
                 let kept: Vec<_> =

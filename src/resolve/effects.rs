@@ -11,7 +11,6 @@ use crate::syntax::tree::{self, Action, ActionKind, ExprKind, Item};
 
 use super::builtin::SHUFFLE;
 use super::declared::{Declared, What};
-use super::depth::each_part;
 use super::fields::fields_of;
 use super::sequence_names::WHOLE_MESH;
 use super::signature::Effects;
@@ -58,7 +57,7 @@ pub(super) fn all_effects(units: &[Unit], declared: &[Declared]) -> Vec<TreeEffe
 /// The effects of an expression, with those of the functions that it calls.
 pub(super) fn effects_of(expr: &tree::Expr, declared: &Declared) -> Effects {
     let mut effects = own_effects(Part::Expr(expr), declared).effects;
-    each_part(Part::Expr(expr), |part| {
+    Part::Expr(expr).each_within(|part| {
         if let Part::Expr(tree::Expr { kind: ExprKind::Call { function, .. }, .. }) = part
             && let Some(called) = declared.function(&function.text)
         {
@@ -70,7 +69,7 @@ pub(super) fn effects_of(expr: &tree::Expr, declared: &Declared) -> Effects {
 
 fn own_effects(part: Part, declared: &Declared) -> TreeEffects {
     let mut found = TreeEffects::default();
-    each_part(part, |part| match part {
+    part.each_within(|part| match part {
         Part::Expr(expr) => found.of_expr(expr, declared),
         Part::Block(block) => {
             for action in &block.statements {

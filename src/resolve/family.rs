@@ -11,7 +11,7 @@ use crate::diagnostic::{Diagnostic, Edit, Fix, quoted};
 use crate::source::Span;
 use crate::syntax::tree::{self, Arrow, Ident, Index, Name, Side, Spoke, Statement};
 
-use super::mention::{Mention, mentions};
+use super::mention::{Mention, drawn_parts, mentions};
 use super::report::Report;
 
 /// The largest constant that a subscript can add to the index. The checker examines cycles that are
@@ -229,22 +229,10 @@ impl Letter {
     }
 
     fn statement(&mut self, statement: &Statement, report: &mut Report) {
-        let (each, subject, parts) = match statement {
-            Statement::Loop(orbit) => {
-                let items = orbit.items.iter().filter_map(|item| match &item.arrow {
-                    Arrow::Halfedge(name) | Arrow::Path(Some(name)) => Some(name),
-                    Arrow::Path(None) => None,
-                });
-                (orbit.each.as_ref(), &orbit.name, items.collect::<Vec<_>>())
-            }
-            Statement::Edge { name, halfedges, .. } => (None, name, halfedges.iter().collect()),
-            Statement::Vertex(star) => {
-                let spokes = star.spokes.iter().filter_map(|spoke| match spoke {
-                    Spoke::Halfedge(name) | Spoke::Fan(Some(name), _) => Some(name),
-                    Spoke::Fan(None, _) => None,
-                });
-                (star.each.as_ref(), &star.name, spokes.collect())
-            }
+        let (each, subject) = match statement {
+            Statement::Loop(orbit) => (orbit.each.as_ref(), &orbit.name),
+            Statement::Edge { name, .. } => (None, name),
+            Statement::Vertex(star) => (star.each.as_ref(), &star.name),
             _ => return,
         };
         if let Some(variable) = each {
@@ -265,8 +253,8 @@ impl Letter {
             return;
         }
         let free = each.is_some() || subject.index.is_some();
-        let odd = parts.into_iter().find(|part| part.index.is_some() != free);
-        if let Some(part) = odd {
+        let mut parts = drawn_parts(statement);
+        if let Some(part) = parts.find(|part| part.index.is_some() != free) {
             let error = mixed(part, subject, free);
             report.add(match statement {
                 Statement::Loop(orbit) if !free => repeated(error, orbit),

@@ -16,26 +16,6 @@ use super::typed::typed;
 use super::typing::Typing;
 use super::words::short;
 
-/// A field of a type, for completion lists.
-pub(super) struct Entry {
-    pub(super) name: &'static str,
-    pub(super) ty: Type,
-    pub(super) is_attribute: bool,
-}
-
-/// The fields of a type that are values.
-pub(super) fn entries_of(ty: Type) -> Vec<Entry> {
-    let entry = |(name, field): &(&'static str, Field)| {
-        let (ty, is_attribute) = match field {
-            Field::Pointer(_, ty) => (*ty, false),
-            Field::Attribute(_, ty) => (*ty, true),
-            Field::Part(_, ty) => (*ty, false),
-        };
-        Entry { name, ty, is_attribute }
-    };
-    fields_of(ty).iter().map(entry).collect()
-}
-
 /// The function of elements of type `ty` that a word names, in this language or another.
 fn function_of(ty: Type, word: &str) -> Option<&str> {
     let takes =

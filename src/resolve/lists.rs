@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use crate::diagnostic::Diagnostic;
-use crate::diagram::{Edge, Kind, Loop, LoopItem, NameId, Ref, Side, Spoke, Star};
+use crate::diagram::{Kind, NameId, Ref, Side, Spoke};
 use crate::source::Span;
 use crate::syntax::tree::{self, Statement};
 
@@ -205,47 +205,29 @@ pub(super) fn mention(id: NameId, name: &tree::Name) -> Ref {
 /// Repeats in `after` what `before` states of a name, as if it were written where the
 /// name is kept; `false` if it states nothing.
 pub(super) fn restate(kept: Ref, before: &Side, after: &mut Side) -> bool {
-    let span = kept.span;
-    let here = |r: Ref| Ref { span, ..r };
-    let count = |side: &Side| side.loops.len() + side.edges.len() + side.stars.len();
-    let stated = count(after);
-    let loops = before.loops.iter().filter(|l| l.face.name == kept.name);
-    after.loops.extend(loops.take(1).map(|l| {
-        Loop {
-            kind: l.kind,
-            face: kept,
-            each: l.each,
-            items: l
-                .items
-                .iter()
-                .map(|item| LoopItem { from: here(item.from), item: here(item.item) })
-                .collect(),
-            end: here(l.end),
-            span,
+    let mut stated = Side::default();
+    let is = |subject: Ref| subject.name == kept.name;
+    stated.loops.extend(before.loops.iter().find(|orbit| is(orbit.face)).cloned());
+    stated.edges.extend(before.edges.iter().find(|edge| is(edge.edge)).cloned());
+    stated.stars.extend(before.stars.iter().find(|star| is(star.vertex)).cloned());
+    stated.mentions_mut().for_each(|mention| mention.span = kept.span);
+    for orbit in &mut stated.loops {
+        (orbit.face, orbit.span) = (kept, kept.span);
+    }
+    for edge in &mut stated.edges {
+        (edge.edge, edge.span) = (kept, kept.span);
+    }
+    for star in &mut stated.stars {
+        (star.vertex, star.span) = (kept, kept.span);
+        for spoke in &mut star.spokes {
+            if let Spoke::Rest(span) = spoke {
+                *span = kept.span;
+            }
         }
-    }));
-    let edges = before.edges.iter().filter(|e| e.edge.name == kept.name);
-    after.edges.extend(edges.take(1).map(|edge| Edge {
-        edge: kept,
-        halfedges: edge.halfedges.map(here),
-        span,
-    }));
-    let stars = before.stars.iter().filter(|s| s.vertex.name == kept.name);
-    after.stars.extend(stars.take(1).map(|star| {
-        Star {
-            vertex: kept,
-            each: star.each,
-            spokes: star
-                .spokes
-                .iter()
-                .map(|spoke| match spoke {
-                    Spoke::Halfedge(r) => Spoke::Halfedge(here(*r)),
-                    Spoke::Fan(r) => Spoke::Fan(here(*r)),
-                    Spoke::Rest(_) => Spoke::Rest(span),
-                })
-                .collect(),
-            span,
-        }
-    }));
-    count(after) > stated
+    }
+    let states = stated.mentions().next().is_some();
+    after.loops.append(&mut stated.loops);
+    after.edges.append(&mut stated.edges);
+    after.stars.append(&mut stated.stars);
+    states
 }

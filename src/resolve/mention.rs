@@ -72,6 +72,12 @@ fn push_mentions<'a>(statement: &'a Statement, mentions: &mut Vec<Mention<'a>>) 
     }
 }
 
+/// The halfedges, paths and fans with names that a statement lists, in the order of the text.
+pub fn drawn_parts(statement: &Statement) -> impl Iterator<Item = &Name> {
+    let lists = |kind| matches!(kind, Kind::Halfedge | Kind::Path | Kind::Fan);
+    drawn_names(statement).filter(move |(_, kind)| lists(*kind)).map(|(name, _)| name)
+}
+
 /// The names that a statement draws, in the order of the text, with the kinds that their places
 /// give them.
 pub fn drawn_names(statement: &Statement) -> impl Iterator<Item = (&Name, Kind)> {

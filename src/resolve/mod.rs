@@ -73,7 +73,7 @@ mod testing;
 
 pub use crate::syntax::tree::Digits;
 pub use file::{Fields, Resolved, Types, resolve, resolve_all};
-pub use mention::drawn_names;
+pub use mention::{drawn_names, drawn_parts};
 pub use program::{
     Block, Body, Function, Op as ResolvedOp, Print, Program, Script, Statement, StatementKind,
     Steps, Test, TestMesh, Variable, Visit,

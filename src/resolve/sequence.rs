@@ -6,7 +6,6 @@ use crate::source::Span;
 use crate::syntax::Part;
 use crate::syntax::tree::{self, Ident};
 
-use super::depth::each_part;
 use super::foreign_words;
 use super::range::TAKES_INTS;
 use super::scopes::{Binding, Local};
@@ -222,7 +221,7 @@ impl Typing<'_> {
             is_drawn || self.scopes.find(word).is_some() || self.declared.is_called(word)
         };
         let (mut found, mut names_others) = (None, false);
-        each_part(Part::Expr(value), |part| match part {
+        Part::Expr(value).each_within(|part| match part {
             Part::Expr(tree::Expr { kind: tree::ExprKind::Name(name), .. }) => {
                 let is_letter = name.index.is_none() && name.ident.text.len() == 1;
                 if found.is_none() && is_letter && !is_known(&name.ident.text) {

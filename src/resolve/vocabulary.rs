@@ -5,7 +5,7 @@ use crate::diagram::{Type, Wanted, overloads};
 
 use super::builtin::{SHUFFLE, function_names};
 use super::constructors::{constructed, ways};
-use super::field::{Entry, entries_of};
+use super::fields::{Field, fields_of};
 use super::lookup::CONSTANTS;
 use super::sequence_names::{WHOLE_MESH, fold_names, sequences_of};
 use super::testing::CONSTRUCTORS;
@@ -84,9 +84,9 @@ fn word(wanted: Wanted) -> &'static str {
 
 /// The fields and sequences of a value of this type.
 pub fn fields(ty: Type) -> Vec<FieldWord> {
-    let values = entries_of(ty).into_iter().map(|entry| {
-        let Entry { name, ty, is_attribute } = entry;
-        FieldWord { name, ty: Some(ty), is_attribute }
+    let values = fields_of(ty).iter().map(|(name, field)| {
+        let (Field::Pointer(_, ty) | Field::Attribute(_, ty) | Field::Part(_, ty)) = *field;
+        FieldWord { name, ty: Some(ty), is_attribute: matches!(field, Field::Attribute(..)) }
     });
     let sequences =
         sequences_of(ty).iter().map(|name| FieldWord { name, ty: None, is_attribute: false });

@@ -13,6 +13,25 @@ pub enum Part<'t> {
     Block(&'t Block),
 }
 
+impl<'t> Part<'t> {
+    /// Calls `look` with the direct parts of a value, or of the statements of a block.
+    pub fn each_part(self, look: &mut dyn FnMut(Part<'t>)) {
+        match self {
+            Part::Expr(expr) => expr.each_part(look),
+            Part::Block(block) => block.statements.iter().for_each(|action| action.each_part(look)),
+        }
+    }
+
+    /// Calls `look` with a part and all its parts, at any depth, in no particular order.
+    pub fn each_within(self, mut look: impl FnMut(Part<'t>)) {
+        let mut open = vec![self];
+        while let Some(part) = open.pop() {
+            look(part);
+            part.each_part(&mut |inner| open.push(inner));
+        }
+    }
+}
+
 impl Expr {
     /// Calls `look` with the direct parts of a value, in the order of the text.
     pub fn each_part<'t>(&'t self, look: &mut dyn FnMut(Part<'t>)) {

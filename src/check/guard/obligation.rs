@@ -121,84 +121,66 @@ impl Statement {
     /// The condition as a table prints it, without backticks.
     pub fn claim(&self, rule: &Rule) -> String {
         let word = |name: NameId| &rule.name(name).text;
+        let it = word(self.subject());
         match self {
-            Self::ThreeSides(face) => format!("{} has 3 sides or more", word(*face)),
-            Self::MeetsOnce(face) => format!("{} meets no vertex twice", word(*face)),
-            Self::CornerOnce { face, vertex } => {
-                format!("{} meets {} once", word(*face), word(*vertex))
-            }
-            Self::FacesDiffer { vertex, .. } => {
-                format!("no face lies around {} twice", word(*vertex))
-            }
-            Self::TwoSpokes(vertex) => format!("{} has 2 spokes or more", word(*vertex)),
-            Self::OneHole { vertex, .. } => format!("{} lies on at most one hole", word(*vertex)),
-            Self::OneHoleAlong(path) => {
-                format!("each vertex along {} lies on one hole", word(*path))
-            }
-            Self::NeighborsDiffer { vertex, .. } => {
-                format!("the neighbors of {} are distinct", word(*vertex))
-            }
+            Self::ThreeSides(_) => format!("{it} has 3 sides or more"),
+            Self::MeetsOnce(_) => format!("{it} meets no vertex twice"),
+            Self::CornerOnce { vertex, .. } => format!("{it} meets {} once", word(*vertex)),
+            Self::FacesDiffer { .. } => format!("no face lies around {it} twice"),
+            Self::TwoSpokes(_) => format!("{it} has 2 spokes or more"),
+            Self::OneHole { .. } => format!("{it} lies on at most one hole"),
+            Self::OneHoleAlong(_) => format!("each vertex along {it} lies on one hole"),
+            Self::NeighborsDiffer { .. } => format!("the neighbors of {it} are distinct"),
             Self::SingleEdge { ends: [v, w], .. } => {
                 let (v, w) = (v.min(w), v.max(w));
                 format!("one edge joins {} and {}", word(*v), word(*w))
             }
-            Self::CornersDiffer(vertex) => {
-                format!("the faces around {} differ in corners", word(*vertex))
-            }
-            Self::CornersOwn { face, .. } => {
-                format!("no other face has the corners of {}", word(*face))
-            }
+            Self::CornersDiffer(_) => format!("the faces around {it} differ in corners"),
+            Self::CornersOwn { .. } => format!("no other face has the corners of {it}"),
         }
     }
 
     /// The reason why an operation refuses where it would not hold.
     pub fn refusal(&self, rule: &Rule) -> String {
         let quoted = |name: NameId| rule.quoted(name);
+        let it = quoted(self.subject());
         // The two vertices whose stars become one, if there are two.
         let merged = |from: &[NameId]| match from {
             [v, w] => Some((quoted(*v), quoted(*w))),
             _ => None,
         };
         match self {
-            Self::ThreeSides(face) => format!("{} would have fewer than 3 sides", quoted(*face)),
-            Self::MeetsOnce(face) => format!("{} would meet a vertex twice", quoted(*face)),
-            Self::CornerOnce { face, vertex } => {
-                format!("{} would meet {} twice", quoted(*face), quoted(*vertex))
+            Self::ThreeSides(_) => format!("{it} would have fewer than 3 sides"),
+            Self::MeetsOnce(_) => format!("{it} would meet a vertex twice"),
+            Self::CornerOnce { vertex, .. } => format!("{it} would meet {} twice", quoted(*vertex)),
+            Self::FacesDiffer { from, .. } => match merged(from) {
+                Some((v, w)) => format!("a face around both {v} and {w} would meet {it} twice"),
+                None => format!("a face would meet {it} twice"),
+            },
+            Self::TwoSpokes(_) => format!("{it} would keep a single edge"),
+            Self::OneHole { from, .. } => match merged(from) {
+                Some((v, w)) => format!(
+                    "both {v} and {w} lie on the boundary: the surface would be pinched at {it}"
+                ),
+                None => format!("the surface would be pinched at {it}"),
+            },
+            Self::OneHoleAlong(_) => {
+                format!("the surface would be pinched at a vertex of {it}")
             }
-            Self::FacesDiffer { vertex, from } => match merged(from) {
+            Self::NeighborsDiffer { from, .. } => match merged(from) {
                 Some((v, w)) => {
-                    format!("a face around both {v} and {w} would meet {} twice", quoted(*vertex))
+                    format!(
+                        "{v} and {w} have a neighbor in common: two edges would join it to {it}"
+                    )
                 }
-                None => format!("a face would meet {} twice", quoted(*vertex)),
-            },
-            Self::TwoSpokes(vertex) => format!("{} would keep a single edge", quoted(*vertex)),
-            Self::OneHole { vertex, from } => match merged(from) {
-                Some((v, w)) => format!(
-                    "both {v} and {w} lie on the boundary: the surface would be pinched at {}",
-                    quoted(*vertex)
-                ),
-                None => format!("the surface would be pinched at {}", quoted(*vertex)),
-            },
-            Self::OneHoleAlong(path) => {
-                format!("the surface would be pinched at a vertex of {}", quoted(*path))
-            }
-            Self::NeighborsDiffer { vertex, from } => match merged(from) {
-                Some((v, w)) => format!(
-                    "{v} and {w} have a neighbor in common: two edges would join it to {}",
-                    quoted(*vertex)
-                ),
-                None => format!("two edges would join {} to one neighbor", quoted(*vertex)),
+                None => format!("two edges would join {it} to one neighbor"),
             },
             Self::SingleEdge { ends: [v, w], .. } => {
                 let (v, w) = (v.min(w), v.max(w));
                 format!("two edges would join {} and {}", quoted(*v), quoted(*w))
             }
-            Self::CornersDiffer(vertex) => {
-                format!("two faces around {} would have the same corners", quoted(*vertex))
-            }
-            Self::CornersOwn { face, .. } => {
-                format!("another face has the corners that {} would have", quoted(*face))
-            }
+            Self::CornersDiffer(_) => format!("two faces around {it} would have the same corners"),
+            Self::CornersOwn { .. } => format!("another face has the corners that {it} would have"),
         }
     }
 

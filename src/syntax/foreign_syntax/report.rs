@@ -2,7 +2,7 @@
 //! line in one error.
 
 use super::finding::Found;
-use crate::diagnostic::{Diagnostic, Edit, Fix};
+use crate::diagnostic::{Diagnostic, Edit, Fix, applied};
 use crate::source::Span;
 use std::ops::Range;
 
@@ -129,22 +129,14 @@ fn merged(text: &str, mut edits: Vec<Edit>) -> Vec<Edit> {
 /// The title of a fix: the line after the edits.
 fn title(text: &str, span: Span, edits: &[Edit]) -> String {
     let line = line_of(text, span.start);
-    let mut here: Vec<&Edit> = edits
+    let here: Vec<&Edit> = edits
         .iter()
         .filter(|edit| line.start <= edit.span.start as usize && edit.span.end as usize <= line.end)
         .collect();
-    here.sort_by_key(|edit| edit.span.start);
     let old = |edit: &Edit| text.get(edit.span.range()).unwrap_or("").trim().to_owned();
     let is_word =
         |text: &str| text.len() > 2 && text.chars().all(|c| c.is_alphanumeric() || c == '_');
-    let mut mended = String::new();
-    let mut at = line.start;
-    for edit in &here {
-        mended.push_str(text.get(at..edit.span.start as usize).unwrap_or(""));
-        mended.push_str(&edit.text);
-        at = edit.span.end as usize;
-    }
-    mended.push_str(text.get(at..line.end).unwrap_or(""));
+    let (mended, _) = applied(text, line.clone(), here.iter().copied()).unwrap_or_default();
     let mended = mended.split_whitespace().collect::<Vec<_>>().join(" ");
     let new = edits.first().map_or("", |edit| edit.text.trim());
     if let [only] = here.as_slice()

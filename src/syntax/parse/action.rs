@@ -31,7 +31,8 @@ pub(super) fn code<'t>() -> Code<'t> {
 
 /// `{ … }`; if the closing brace is missing, the end of the item closes the block.
 fn braces<'t>(action: Rule<'t, Action>) -> Rule<'t, Block> {
-    let broken = recover::action().map(|span| Action { kind: ActionKind::Broken, span });
+    let broken = recover::skip(recover::follows_action)
+        .map(|span| Action { kind: ActionKind::Broken, span });
     let statements = just(T::RightBrace)
         .not()
         .ignore_then(action.recover_with(via_parser(broken)))
@@ -78,7 +79,7 @@ fn head<'t>(expression: &Rule<'t, Expr>) -> Rule<'t, Expr> {
 
 /// A value at the end of a statement; if it cannot be read, the statement is kept.
 fn tail<'t>(expression: &Rule<'t, Expr>) -> Rule<'t, Expr> {
-    let broken = recover::action_value().map(broken_value);
+    let broken = recover::skip_from_first(recover::follows_action).map(broken_value);
     expression.clone().recover_with(via_parser(broken)).boxed()
 }
 

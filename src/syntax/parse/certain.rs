@@ -1,7 +1,7 @@
 //! Fixes are tried: one that leaves an error without a fix where it was applied is not offered.
 
 use super::file::parse_once;
-use crate::diagnostic::{Diagnostic, Edit};
+use crate::diagnostic::{Diagnostic, Edit, applied};
 use crate::source::{LineTable, Span};
 use std::collections::{BTreeSet, HashSet};
 use std::ops::Range;
@@ -15,7 +15,7 @@ pub(super) fn keep_certain(text: &str, item: Span, told: &mut [Diagnostic]) {
     let (Some(first), Some(last)) = (edits.first(), edits.last()) else { return };
     let start = first.span.start.min(item.start) as usize;
     let end = last.span.end.max(item.end) as usize;
-    let Some((mended, places)) = mended(text, start..end, &edits) else { return };
+    let Some((mended, places)) = applied(text, start..end, &edits) else { return };
     let lines = LineTable::new(&mended);
     let left = parse_once(item.file, &mended).diagnostics;
     let left = left.iter().filter(|left| left.is_error() && left.fixes.is_empty());
@@ -28,20 +28,4 @@ pub(super) fn keep_certain(text: &str, item: Span, told: &mut [Diagnostic]) {
     for told in told {
         told.fixes.retain(|fix| !fix.edits.iter().any(|edit| wrong.contains(&edit.span)));
     }
-}
-
-/// A part of a text after edits that are in order, and the place of each in it.
-fn mended(text: &str, part: Range<usize>, edits: &[Edit]) -> Option<(String, Vec<Range<usize>>)> {
-    let mut mended = String::new();
-    let mut places = Vec::new();
-    let mut at = part.start;
-    for edit in edits {
-        mended.push_str(text.get(at..edit.span.start as usize)?);
-        let start = mended.len();
-        mended.push_str(&edit.text);
-        places.push(start..mended.len());
-        at = edit.span.end as usize;
-    }
-    mended.push_str(text.get(at..part.end)?);
-    Some((mended, places))
 }

@@ -16,8 +16,8 @@ use chumsky::prelude::*;
 /// `before { … }` or `after { … }`
 pub(super) fn side<'t>(keyword: T, expression: Rule<'t, Expr>) -> Rule<'t, Side> {
     let end = select! { T::RightBrace => (), kind if recover::begins_part(kind) => () };
-    let statement = statement(expression)
-        .recover_with(via_parser(recover::drawing_statement().map(Statement::Broken)));
+    let broken = recover::skip(recover::follows_drawing_statement).map(Statement::Broken);
+    let statement = statement(expression).recover_with(via_parser(broken));
     let statements = end.not().ignore_then(statement).repeated().collect::<Vec<_>>();
     just(keyword)
         .ignore_then(mark(T::LeftBrace))
@@ -190,7 +190,7 @@ fn names<'t>(keyword: T) -> Rule<'t, (Vec<Name>, Span)> {
 
 /// `v.position = …`
 fn assignment<'t>(expression: Rule<'t, Expr>) -> Rule<'t, Statement> {
-    let broken = recover::drawing_value().map(broken_value);
+    let broken = recover::skip_from_first(recover::follows_drawing_statement).map(broken_value);
     recover::assignment_ahead()
         .ignore_then(name())
         .then_ignore(just(T::Dot))

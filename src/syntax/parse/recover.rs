@@ -37,34 +37,16 @@ fn begins_action(kind: T) -> bool {
     )
 }
 
-/// Skips the rest of a statement of a drawing.
-pub(super) fn drawing_statement<'t>() -> Rule<'t, Span> {
-    skip(follows_drawing_statement)
-}
-
-/// Skips the value of a statement of a drawing.
-pub(super) fn drawing_value<'t>() -> Rule<'t, Span> {
-    skip_from_first(follows_drawing_statement)
-}
-
-fn follows_drawing_statement(input: &mut Input, kind: T, level: usize) -> bool {
+/// True if what is skipped of a statement of a drawing ends before a token.
+pub(super) fn follows_drawing_statement(input: &mut Input, kind: T, level: usize) -> bool {
     kind.begins_drawing_statement()
         || begins_part(kind)
         || kind == T::RightBrace && level == 0
         || kind.is_name() && begins_assignment(input)
 }
 
-/// Skips the rest of a statement of a block.
-pub(super) fn action<'t>() -> Rule<'t, Span> {
-    skip(follows_action)
-}
-
-/// Skips the value of a statement of a block.
-pub(super) fn action_value<'t>() -> Rule<'t, Span> {
-    skip_from_first(follows_action)
-}
-
-fn follows_action(input: &mut Input, kind: T, level: usize) -> bool {
+/// True if what is skipped of a statement of a block ends before a token.
+pub(super) fn follows_action(input: &mut Input, kind: T, level: usize) -> bool {
     level == 0
         && (kind == T::RightBrace
             || begins_action(kind)
@@ -159,11 +141,12 @@ type Stop = for<'t, 'p> fn(&mut Input<'t, 'p>, T, usize) -> bool;
 /// Skips one token, and then up to where `stop` holds; fails if there is no token, so that no
 /// repetition loops indefinitely. The last argument of `stop` counts the braces opened on the way;
 /// a skip ends after the brace that closes the outermost of them, unless `else` follows.
-fn skip<'t>(stop: Stop) -> Rule<'t, Span> {
+pub(super) fn skip<'t>(stop: Stop) -> Rule<'t, Span> {
     skipping(stop, true)
 }
 
-fn skip_from_first<'t>(stop: Stop) -> Rule<'t, Span> {
+/// The same from the first token on: what is skipped may be empty.
+pub(super) fn skip_from_first<'t>(stop: Stop) -> Rule<'t, Span> {
     skipping(stop, false)
 }
 
