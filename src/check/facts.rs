@@ -6,7 +6,7 @@ use super::guard::Obligation;
 use super::matching::Step;
 use super::properties::{SizeChange, degree_changes, evenly, kept, kept_by_families, size_changes};
 use super::sizes::Sizes;
-use crate::diagram::{Drawing, LoopKind, Property};
+use crate::diagram::{Drawing, LoopKind, Property, Rule};
 
 /// The facts about a rule.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -63,9 +63,18 @@ fn what_is_offered_for_a_foreign_word_is_there() {
             expect(format!("script main() {{ for x in {elements} {{ print x.{field} }} }}"));
         }
     }
-    for word in ["valence", "norm", "lerp", "average", "cot", "ln", "vector"] {
-        let text = format!("script main() {{ for v in vertices {{ print {word}(v) }} }}");
-        assert!(fixed(&text).is_some(), "{word} has an equal");
+    let calls = [
+        "valence(v)",
+        "norm(v.position)",
+        "lerp(v, v.halfedge.target, 0.5)",
+        "average(v)",
+        "cot(v.halfedge)",
+        "ln(angle(v.halfedge))",
+        "vector(1.0)",
+    ];
+    for call in calls {
+        let text = format!("script main() {{ for v in vertices {{ print {call} }} }}");
+        assert!(fixed(&text).is_some(), "{call} has an equal");
         expect(text);
     }
     assert!(offered > 10, "only {offered} are offered");

@@ -152,6 +152,26 @@ fn two_that_hang_together_around_a_cut_edge_keep_it() {
     assert_eq!(validate_level(&mesh, Level::Simple), Ok(()));
 }
 
+/// A floor with a wall on it, of any number of polygons: the floor stays whole.
+#[test]
+fn a_floor_with_a_wall_stays_whole() {
+    for walls in 1..=4_u32 {
+        let at = |x: u32, y: u32| 7 * y + x;
+        let cells = (0..6).flat_map(|y| (0..6).map(move |x| (x, y)));
+        let floor =
+            cells.map(|(x, y)| vec![at(x, y), at(x + 1, y), at(x + 1, y + 1), at(x, y + 1)]);
+        let wall = (0..walls).map(|x| vec![at(x + 1, 3), at(x + 2, 3), 50 + x, 49 + x]);
+        let polygons: Vec<_> = floor.chain(wall).collect();
+        let polygons: Vec<_> = polygons.iter().map(Vec::as_slice).collect();
+        let (mesh, report) = repaired(50 + walls, &polygons);
+        assert_eq!(report.crowded_edges, walls as usize);
+        // The wall has a copy of each vertex that it shared.
+        assert_eq!(report.split_vertices, walls as usize + 1);
+        assert_eq!(mesh.holes().count(), 2);
+        assert_eq!(validate_level(&mesh, Level::Simple), Ok(()));
+    }
+}
+
 #[test]
 fn points_are_merged_within_a_tolerance() {
     let at = |x: f64| DVec3::new(x, 0.0, 0.0);

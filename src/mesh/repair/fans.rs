@@ -6,6 +6,13 @@
 //! two of them are in the same fan at each end of the edge. If these two run in opposite
 //! directions, they are joined there; otherwise another corner is isolated, until no such edge is
 //! left.
+//!
+//! At an edge of three polygons or more, two of them are joined first where they run in opposite
+//! directions and are a fan of their own around one end of the edge: they are one sheet, on which
+//! the others stand. Since that joins their fans around the other end, it continues along a line of
+//! such edges.
+
+use std::collections::HashMap;
 
 use super::RepairReport;
 use super::polygon_list::{NONE, PolygonList};
@@ -29,6 +36,7 @@ pub(super) fn split(list: &mut PolygonList, report: &mut RepairReport) {
     }
     let (corners, ends) = (list.corners.clone(), list.ends.clone());
     let loops = Loops::new(&corners, &ends);
+    join_sheets(list, &loops, &mut twins);
     let positions = list.positions.len();
     loop {
         list.corners.copy_from_slice(&corners);
@@ -89,21 +97,92 @@ impl PolygonList {
     }
 }
 
+/// Joins two sides of edges of three polygons or more where they are a sheet around one end.
+fn join_sheets(list: &PolygonList, loops: &Loops, twins: &mut [u32]) {
+    let sides = list.sides();
+    let crowded: Vec<_> = sides.edges().filter(|edge| edge.len() > 2).collect();
+    if crowded.is_empty() {
+        return;
+    }
+    let mut fans = Fans { next: (0..twins.len() as u32).collect() };
+    for (side, &twin) in (0..).zip(&*twins) {
+        if twin != NONE && side < twin {
+            fans.join(loops, [side, twin]);
+        }
+    }
+    let ends = |edge: &[(u32, u32)]| {
+        [edge[0].1, loops.next(edge[0].1)].map(|corner| list.corners[corner as usize])
+    };
+    let mut around: HashMap<u32, Vec<usize>> = HashMap::new();
+    for (number, edge) in crowded.iter().enumerate() {
+        ends(edge).into_iter().for_each(|end| around.entry(end).or_default().push(number));
+    }
+    let mut waiting: Vec<usize> = (0..crowded.len()).rev().collect();
+    while let Some(number) = waiting.pop() {
+        let edge = crowded[number];
+        for end in ends(edge) {
+            let mut fan = |side: u32| {
+                let is_begin = list.corners[side as usize] == end;
+                fans.of(if is_begin { side } else { loops.next(side) })
+            };
+            let at_end: Vec<_> = edge.iter().map(|&(_, side)| (fan(side), side)).collect();
+            let sheet = at_end.iter().find_map(|&(fan, a)| {
+                let mut others = at_end.iter().filter(|&&(of, other)| of == fan && other != a);
+                let (&(_, b), None) = (others.next()?, others.next()) else { return None };
+                let is_open = [a, b].iter().all(|&side| twins[side as usize] == NONE);
+                let are_opposite = list.corners[a as usize] != list.corners[b as usize];
+                (is_open && are_opposite).then_some([a, b])
+            });
+            let Some([a, b]) = sheet else { continue };
+            (twins[a as usize], twins[b as usize]) = (b, a);
+            fans.join(loops, [a, b]);
+            waiting.extend(ends(edge).iter().flat_map(|end| &around[end]));
+        }
+    }
+}
+
+/// The corners at each vertex that are connected, as a forest of disjoint sets.
+struct Fans {
+    next: Vec<u32>,
+}
+
+impl Fans {
+    /// The set of a corner.
+    fn of(&mut self, mut corner: u32) -> u32 {
+        while self.next[corner as usize] != corner {
+            let further = self.next[self.next[corner as usize] as usize];
+            self.next[corner as usize] = further;
+            corner = further;
+        }
+        corner
+    }
+
+    /// Connects the corners at both ends of two sides that are joined.
+    fn join(&mut self, loops: &Loops, [a, b]: [u32; 2]) {
+        for [one, other] in [[a, loops.next(b)], [loops.next(a), b]] {
+            let [one, other] = [one, other].map(|corner| self.of(corner));
+            self.next[one.max(other) as usize] = one.min(other);
+        }
+    }
+}
+
 /// Joins the sides of edges that are left with two in opposite directions, and isolates corners at
 /// the other unjoined edges. Returns whether any corner was isolated.
 fn isolate(list: &PolygonList, loops: &Loops, twins: &mut [u32]) -> bool {
     let mut found = false;
     for edge in list.sides().edges() {
-        let unjoined = edge.len() > 1 && twins[edge[0].1 as usize] == NONE;
-        if let &[(_, a), (_, b)] = edge
-            && unjoined
+        let is_open = |&&(_, side): &&(u32, u32)| twins[side as usize] == NONE;
+        let open: Vec<_> = edge.iter().filter(is_open).map(|&(_, side)| side).collect();
+        if let (2, &[a, b]) = (edge.len(), open.as_slice())
             && list.corners[a as usize] != list.corners[b as usize]
         {
             twins[a as usize] = b;
             twins[b as usize] = a;
             continue;
         }
-        for &(_, side) in edge.iter().skip(1).filter(|_| unjoined) {
+        // One of them keeps its vertices, if no others are joined there.
+        let kept = usize::from(edge.len() == open.len());
+        for &side in open.iter().skip(kept) {
             // The previous side at the same corner is joined, or else the corner would be a fan of
             // its own.
             let before = loops.prev(side) as usize;

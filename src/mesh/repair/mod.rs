@@ -13,8 +13,8 @@
 //! 5. neighbours across edges of two polygons are oriented consistently, by turning as few as
 //!    possible in each connected part (`orient`);
 //! 6. the surface is cut along edges of three polygons or more, except between two of them that are
-//!    connected around both ends, and where turning does not help, as on a Möbius strip; a vertex
-//!    becomes one for each fan of polygons around it (`fans`).
+//!    one sheet around one end, from where this continues along the line, and where turning does not
+//!    help, as on a Möbius strip; a vertex becomes one for each fan of polygons around it (`fans`).
 //!
 //! Nothing is closed or filled, no point moves farther than the tolerance, and what is already a
 //! mesh stays unchanged: so a second repair changes nothing. Corners, polygons and vertices record
