@@ -32,6 +32,7 @@
 //! | `$a:operand` | a number, or a name with what is read and called behind it |
 //! | `$a:exponent` | the same, without a power behind it |
 //! | `$i:next` | a step of what `$i` stands for by one: `i++` |
+//! | `@` | `$b`, what can stand before a value |
 //! | `$:end` | nothing, at the end of a line or before the next statement of a drawing |
 //! | `$:sign` | nothing, before a sign with which the value before it would go on |
 //!
@@ -44,6 +45,9 @@ use super::types::{is_element, is_type};
 use super::value::{is_of_statement, operand_end, owner_ends, place_end, whole_end};
 use crate::syntax::token::{Token, TokenKind as T};
 use std::ops::Range;
+
+/// The element `@`.
+const BEFORE_VALUE: &str = "$b=(/,/=/+/-/{/}/return/not/and/or/if/while/where/by/require/print/assert/else/</>/<=/>=/==/!=";
 
 /// The maximum number of tokens of a hole.
 const LONGEST: usize = 400;
@@ -139,6 +143,7 @@ impl Pattern {
 
 impl Element {
     fn of(written: &'static str) -> Self {
+        let written = if written == "@" { BEFORE_VALUE } else { written };
         let (touches, written) = without_mark(written, '~');
         let (same_line, written) = without_mark(written, '_');
         let what = match written.strip_prefix('$') {

@@ -1,86 +1,15 @@
-//! The table of foreign forms and their equivalents here. [`pattern`](super::pattern) describes the
-//! syntax of patterns; of several that match, the first counts.
-//!
-//! In a message, `{}` stands for the text of the first literal element of the pattern, and `$a` for
-//! the text of the hole of that name.
-
-mod assignments;
-mod code;
-mod items;
-mod lists;
-mod loops;
-mod parts;
-mod signs;
-mod statements;
-mod values;
-mod variables;
+//! The table of foreign forms and their equivalents here, `table.txt`, which tells how it is read.
 
 use super::pattern::Pattern;
-use super::place::{ANY, CODE, DRAWING, HEAD, PARTS, Places};
+use super::place::{ANY, CODE, DRAWING, HEAD, PARAMETERS, PARTS, Places};
 use crate::syntax::token::TokenKind;
 use logos::Logos;
 use std::collections::HashMap;
 use std::ops::Range;
 use std::sync::LazyLock;
 
-/// A line of the table.
-struct Line {
-    /// Where it stands, if not where the other lines of its list do.
-    place: Option<Places>,
-    seen: &'static str,
-    ours: &'static str,
-    fix: Option<&'static str>,
-    says: &'static str,
-}
-
-/// A form whose meaning is certain; `ours` is both the fix and what the rest is parsed with.
-const fn sure(seen: &'static str, ours: &'static str, says: &'static str) -> Line {
-    Line { place: None, seen, ours, fix: Some(ours), says }
-}
-
-/// A form whose meaning is certain, but whose `fix` differs from `ours`, with which the rest of the
-/// item is parsed.
-const fn fixed(
-    seen: &'static str,
-    ours: &'static str,
-    fix: &'static str,
-    says: &'static str,
-) -> Line {
-    Line { place: None, seen, ours, fix: Some(fix), says }
-}
-
-/// A form without a fix; the rest of the item is parsed as if it were `ours`.
-const fn told(seen: &'static str, ours: &'static str, says: &'static str) -> Line {
-    Line { place: None, seen, ours, fix: None, says }
-}
-
-impl Line {
-    /// The same form in other places.
-    const fn at(self, place: Places) -> Self {
-        Self { place: Some(place), ..self }
-    }
-}
-
-const STEPS: &str = "an op is drawn, `before { … } after { … }`; one that calls others has `steps { … }`, and a script or `fn` statements of any kind";
-const VALUES: &str =
-    "a drawing has no variables: a value is written where it is used, or computed by a `fn`";
-const TYPED: &str = "a type stands behind its name: `$n: $t`";
-
-/// The lines of the table, in the order in which they are tried, each list with the places where
-/// its lines stand.
-const LINES: &[(Places, &[Line])] = &[
-    (ANY, signs::LINES),
-    (HEAD, items::LINES),
-    (PARTS, parts::LINES),
-    (DRAWING, lists::LINES),
-    (DRAWING, statements::LINES),
-    (DRAWING, assignments::LINES),
-    (CODE, loops::LINES),
-    (CODE, variables::LINES),
-    (CODE, code::LINES),
-    (CODE | PARTS, values::LINES),
-    (ANY, signs::ENDS),
-];
+/// The lines of the table, in the order in which they are tried.
+const TABLE: &str = include_str!("table.txt");
 
 /// A piece of a template, which replaces a pattern.
 #[derive(Clone, Debug)]
@@ -105,22 +34,20 @@ pub(super) struct Form {
 }
 
 impl Form {
-    fn of(place: Places, line: &Line) -> Self {
-        let ours = pieces(line.ours);
+    /// A line of the table behind its sign; where the fix `is_certain`, it is the last part.
+    fn of(place: Places, says: &'static str, line: &'static str, is_certain: bool) -> Self {
+        let mut parts = line.split("==>").map(str::trim);
+        let [seen, ours] = [(); 2].map(|()| parts.next().unwrap_or_default());
+        let fix = parts.next().or(is_certain.then_some(ours));
+        let ours = pieces(ours);
         let is_ours = |piece: &Piece| {
             piece.hole.is_some()
                 || piece.kind.spelling().is_some()
                 || piece.kind == TokenKind::Int
                 || piece.word == "main"
         };
-        debug_assert!(ours.iter().all(is_ours), "`{}` is not of the language", line.ours);
-        Self {
-            place: line.place.unwrap_or(place),
-            says: line.says,
-            seen: Pattern::of(line.seen),
-            ours,
-            fix: line.fix.map(|fix| (pieces(fix), fix)),
-        }
+        debug_assert!(ours.iter().all(is_ours), "`{line}` is not of the language");
+        Self { place, says, seen: Pattern::of(seen), ours, fix: fix.map(|fix| (pieces(fix), fix)) }
     }
 
     /// The pattern that matches it.
@@ -157,10 +84,36 @@ impl Form {
 /// The parsed table.
 pub(super) fn forms() -> &'static [Form] {
     static FORMS: LazyLock<Vec<Form>> = LazyLock::new(|| {
-        let lists = LINES.iter();
-        lists.flat_map(|(place, lines)| lines.iter().map(|line| Form::of(*place, line))).collect()
+        let (mut place, mut says) = (ANY, "");
+        let forms = TABLE.lines().filter_map(|line| {
+            let (sign, rest) = line.split_once(' ').unwrap_or((line, ""));
+            match sign {
+                ":" => says = rest,
+                "+" | "-" => return Some(Form::of(place, says, rest, sign == "+")),
+                _ if line.starts_with('[') => place = places(line),
+                _ => {}
+            }
+            None
+        });
+        forms.collect()
     });
     &FORMS
+}
+
+/// The places in brackets.
+fn places(line: &str) -> Places {
+    let words = line.trim_matches(['[', ']']).split(' ');
+    words.fold(0, |places, word| {
+        places
+            | match word {
+                "head" => HEAD,
+                "parts" => PARTS,
+                "drawing" => DRAWING,
+                "code" => CODE,
+                "parameters" => PARAMETERS,
+                _ => ANY,
+            }
+    })
 }
 
 /// The numbers of the forms that can begin with a token of this spelling, in order.
