@@ -387,14 +387,11 @@ fn missing_file(path: &str, name: &str, span: Span, missing: Option<&Missing>) -
         true => error.note(why.to_owned()),
         false => error.note(format!("{name}: {why}")),
     };
-    match missing.and_then(|missing| missing.meant.as_ref()) {
-        Some(meant) => error.saying(format!("did you mean `{meant}`?")).fix(
-            format!("write `\"{meant}\"`"),
-            span,
-            format!("\"{meant}\""),
-        ),
-        None => error,
-    }
+    error.with(missing.and_then(|missing| missing.meant.as_ref()), |error, meant| {
+        let path = format!("\"{meant}\"");
+        let error = error.saying(format!("did you mean `{meant}`?"));
+        error.fix(format!("write `{path}`"), span, path)
+    })
 }
 
 /// For each file that the first part uses, directly or through others, the first `use` in that part
@@ -424,10 +421,9 @@ pub(super) fn broken_file(name: &str, used: Span, errors: &[&Diagnostic]) -> Dia
         count => format!("{count} errors"),
     };
     let error = Diagnostic::error("broken-file", format!("`{name}` has {many}"), used);
-    match errors.first() {
-        Some(first) => error.label(first.span(), first.message.clone()).note(first.message.clone()),
-        None => error,
-    }
+    error.with(errors.first(), |error, first| {
+        error.label(first.span(), first.message.clone()).note(first.message.clone())
+    })
 }
 
 /// The error that the last file of a chain uses the first.

@@ -64,11 +64,11 @@ impl Scripting<'_> {
             let error = suggest(error, word, name.span, self.typing.scopes.names())
                 .note("a variable begins with `let` or `var`");
             // In a loop or a branch, it may be meant for what follows them, too.
-            let is_new = self.typing.scopes.is_outermost() && !reads(value, word);
-            let error = match error.fixes.is_empty() && is_new {
-                true => error.fix(format!("write `var {word} = …`"), name.span.before(), "var "),
-                false => error,
-            };
+            let is_outermost = self.typing.scopes.is_outermost();
+            let is_new = error.fixes.is_empty() && is_outermost && !reads(value, word);
+            let error = error.when(is_new, |error| {
+                error.fix(format!("write `var {word} = …`"), name.span.before(), "var ")
+            });
             self.typing.report.add(error);
             self.typing.report.confuse(word);
             let ty = self.typing.expression(value).map(|value| value.ty);

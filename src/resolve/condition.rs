@@ -66,11 +66,8 @@ pub(super) fn guard(
                 let message = format!("there is no level `{}`", word.text);
                 let error = Diagnostic::error("unknown-level", message, word.span);
                 let error = suggest(error, &word.text, word.span, names)
-                    .note(format!("the levels are {}", quoted(names)));
-                let error = match is_condition(&word.text) {
-                    true => asked(error, word, *span, params),
-                    false => error,
-                };
+                    .note(format!("the levels are {}", quoted(names)))
+                    .when(is_condition(&word.text), |error| asked(error, word, *span, params));
                 report.add(error);
             }
         }

@@ -462,10 +462,9 @@ fn clash(head: &Head, other: &Head) -> Diagnostic {
     let what = format!("{} attribute", head.element.a_word());
     let name = Ident { text: head.name.clone(), span: head.span };
     let error = duplicate(&what, &name, other.span);
-    match head.span.file == other.span.file {
-        true => error,
-        false => error.note("the attributes of all files of a program have one namespace"),
-    }
+    error.when(head.span.file != other.span.file, |error| {
+        error.note("the attributes of all files of a program have one namespace")
+    })
 }
 
 /// The error for a private item of another file; `code` is that of an unknown one.

@@ -192,15 +192,12 @@ impl Typing<'_> {
         let message =
             format!("`{}` takes {}, but {}", function.text, arguments(wanted), are_given(given));
         let error = Diagnostic::error("wrong-count", message, span);
-        let error = match called(&function.text) {
-            ways if ways.is_empty() => error,
-            ways => error.note(format!("it is {ways}")),
-        };
+        let ways = called(&function.text);
+        let error = error.when(!ways.is_empty(), |error| error.note(format!("it is {ways}")));
         let is_distance = function.text == "length" && given == 2;
-        self.report.reject(match is_distance {
-            true => error.note("how far two points are apart is `distance(v, w)`"),
-            false => error,
-        })
+        self.report.reject(error.when(is_distance, |error| {
+            error.note("how far two points are apart is `distance(v, w)`")
+        }))
     }
 
     /// Reports `midpoint(v, w)`, which is `mix` of the two points.

@@ -320,10 +320,7 @@ pub(super) fn converted(
             let zero = format!("{}(0)", wanted.word());
             error.fix(format!("write `{zero}`"), expr.span, zero)
         }
-        _ => match near(expr, ty, wanted) {
-            Some(note) => error.note(note),
-            None => error,
-        },
+        _ => error.with(near(expr, ty, wanted), Diagnostic::note),
     })
 }
 
