@@ -62,7 +62,7 @@ pub fn serve_on(
                 message.write(&mut output)?;
             }
         }
-        server.errands();
+        server.take_subprocesses();
         if let Some(code) = server.exit_code() {
             return Ok(code);
         }
@@ -101,10 +101,10 @@ fn serve_messages(incoming: &Receiver<Incoming>, outgoing: &Sender<Outgoing>) ->
         if answers.into_iter().flatten().any(|message| outgoing.send(message).is_err()) {
             return 1;
         }
-        for errand in server.errands() {
+        for subprocess in server.take_subprocesses() {
             let outgoing = outgoing.clone();
             thread::spawn(move || {
-                for message in errand.run() {
+                for message in subprocess.run() {
                     // A client that has disconnected needs no answer.
                     let _ = outgoing.send(Outgoing::Message(message));
                 }
