@@ -292,14 +292,14 @@ impl Typing<'_> {
         }
         if self.declared.has_attribute(&name.text) {
             // The declaration has been rejected already.
-            return self.report.give_up();
+            return self.report.fail_silently();
         }
         if let Some(declared) = self.declared.hidden_attribute(ty, &name.text) {
             return self.report.reject(private("unknown-attribute", name, declared));
         }
         if let Some(how) = self.not_assigned(ty, &name.text) {
             if self.report.says(how) {
-                return self.report.give_up();
+                return self.report.fail_silently();
             }
             let message = format!("`{}` is a pointer, and pointers are not assigned", name.text);
             return self

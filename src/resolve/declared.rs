@@ -266,7 +266,7 @@ impl Declared {
     /// Reports a name that is ambiguous; one that the file declares several times has been reported.
     pub(super) fn expect_one(&self, name: &Ident, report: &mut Report) -> Option<()> {
         if self.repeated.contains(&name.text) {
-            return report.give_up();
+            return report.fail_silently();
         }
         let (Some(first), Some(other)) = (self.called(&name.text), self.others.get(&name.text))
         else {

@@ -131,7 +131,7 @@ fn bare_in_list(rule: &tree::Rule, list: &str, names: &[&Name], report: &mut Rep
     });
     report.add(error);
     for word in words {
-        report.confuse(word);
+        report.suppress(word);
     }
 }
 
@@ -148,7 +148,7 @@ fn same_form(
     let word = mention.text.as_ref();
     let here = mention.index.is_some();
     let first = *forms.entry(word.to_owned()).or_insert((here, mention.span));
-    let is_told = letter.told.iter().any(|told| told == word) || report.is_confused(word);
+    let is_told = letter.told.iter().any(|told| told == word) || report.is_suppressed(word);
     if first.0 == here || !mention.is_named() || is_told {
         return;
     }
@@ -168,7 +168,7 @@ fn same_form(
             .label(first.1, "the name is taken here")
             .note("a name stands for one element, or with a subscript for a family");
         report.add(error);
-        report.confuse(word);
+        report.suppress(word);
         return;
     }
     let (message, note) = match here {

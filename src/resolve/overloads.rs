@@ -304,7 +304,7 @@ impl Typing<'_> {
             self.report.fail();
             return false;
         }
-        if mesh_maker(word).is_some() && self.report.is_confused("mesh") {
+        if mesh_maker(word).is_some() && self.report.is_suppressed("mesh") {
             // That a script cannot name a mesh has been reported.
             self.report.fail();
             return false;

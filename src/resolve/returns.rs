@@ -199,7 +199,7 @@ impl Scripting<'_> {
                     ));
                 self.typing.report.reject(error)
             }
-            Value::Unknown => self.typing.report.give_up(),
+            Value::Unknown => self.typing.report.fail_silently(),
         }
     }
 }
