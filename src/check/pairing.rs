@@ -1,6 +1,6 @@
 //! The twins after, and the loop that is missing, as far as the ends of halfedges determine them.
 
-use super::problem::Remedy;
+use super::problem::Repair;
 use crate::diagram::{Drawing, Edge, Kind, LoopItem, NameId, Spoke};
 
 /// Two halfedges that become twins.
@@ -71,30 +71,30 @@ pub(super) fn unpaired(drawing: &Drawing) -> Vec<NameId> {
         .collect()
 }
 
-/// The remedy that pairs anew all halfedges of `after` that have no twin, or one with other ends, if
+/// The repair that pairs anew all halfedges of `after` that have no twin, or one with other ends, if
 /// each fits exactly one other: in edges that are free, or else in new ones.
-pub(super) fn pairing(drawing: &Drawing) -> Option<Remedy> {
+pub(super) fn pairing(drawing: &Drawing) -> Option<Repair> {
     pairing_with(drawing, Vec::new())
 }
 
 /// The same, for each way in which one vertex may take the spokes of one that is erased, if these
 /// spokes go nowhere yet.
-pub(super) fn pairings(drawing: &Drawing) -> Vec<Remedy> {
+pub(super) fn pairings(drawing: &Drawing) -> Vec<Repair> {
     let rule = drawing.rule;
     let vertices = || rule.names_of(Kind::Vertex);
     let erased = vertices().filter(|&vertex| drawing.erased(vertex).is_some());
     let moves = erased.flat_map(|from| {
         vertices().filter(|&vertex| drawing.survives(vertex)).map(move |to| vec![(from, to)])
     });
-    let mut found: Vec<Remedy> = Vec::new();
+    let mut found: Vec<Repair> = Vec::new();
     for moved in [Vec::new()].into_iter().chain(moves.filter(|_| rule.cycle.is_none())) {
-        let remedy = pairing_with(drawing, moved);
-        found.extend(remedy.filter(|remedy| !found.contains(remedy)));
+        let repair = pairing_with(drawing, moved);
+        found.extend(repair.filter(|repair| !found.contains(repair)));
     }
     found
 }
 
-fn pairing_with(drawing: &Drawing, moved: Vec<(NameId, NameId)>) -> Option<Remedy> {
+fn pairing_with(drawing: &Drawing, moved: Vec<(NameId, NameId)>) -> Option<Repair> {
     let ends = Ends::new(drawing, moved);
     let is_wrong = |edge: &&Edge| {
         let [one, other] = edge.halfedges.map(|half| ends.drawn(half.name));
@@ -123,14 +123,14 @@ fn pairing_with(drawing: &Drawing, moved: Vec<(NameId, NameId)>) -> Option<Remed
     match all.as_slice() {
         [] => None,
         [only] => Some(only.clone()),
-        _ => Some(Remedy::All(all)),
+        _ => Some(Repair::All(all)),
     }
 }
 
 /// Distributes pairs over the edges that are free, or have wrong halfedges: each to one that an
 /// outer halfedge of it belongs to, or else any of its halfedges, or else to those that are left
 /// over. Pairs that no edge is left for get new ones.
-fn in_edges(drawing: &Drawing, wrong: &[NameId], mut pairs: Vec<Pair>) -> Vec<Remedy> {
+fn in_edges(drawing: &Drawing, wrong: &[NameId], mut pairs: Vec<Pair>) -> Vec<Repair> {
     let rule = drawing.rule;
     let mut free: Vec<_> = free_edges(drawing).chain(wrong.iter().copied()).collect();
     let mut named = Vec::new();
@@ -159,8 +159,8 @@ fn in_edges(drawing: &Drawing, wrong: &[NameId], mut pairs: Vec<Pair>) -> Vec<Re
     }
     // In the order of the text.
     named.sort_by_key(|(edge, _)| *edge);
-    let others = (!pairs.is_empty()).then_some(Remedy::PairAll(pairs));
-    let named = (!named.is_empty()).then_some(Remedy::Pair(named));
+    let others = (!pairs.is_empty()).then_some(Repair::PairAll(pairs));
+    let named = (!named.is_empty()).then_some(Repair::Pair(named));
     others.into_iter().chain(named).collect()
 }
 
@@ -174,7 +174,7 @@ pub(super) fn free_edges(drawing: &Drawing) -> impl Iterator<Item = NameId> {
 
 /// The missing loops of `after`, if there are any and each follows from the ends of its halfedges:
 /// those that it had before, if one is missing also others, of which one may have unknown ends.
-pub(super) fn missing_loops(drawing: &Drawing) -> Option<Vec<Remedy>> {
+pub(super) fn missing_loops(drawing: &Drawing) -> Option<Vec<Repair>> {
     let rule = drawing.rule;
     let lost = rule.before.loops.iter().filter(|orbit| {
         drawing.survives(orbit.face.name) && drawing.after.loop_of_face(orbit.face.name).is_none()
@@ -199,7 +199,7 @@ pub(super) fn missing_loops(drawing: &Drawing) -> Option<Vec<Remedy>> {
         let face = orbit.face.name;
         let own = orbit.item_names().filter(is_open);
         let own: Vec<_> = if lost.len() == 1 { all.clone() } else { own.collect() };
-        draws.push(Remedy::Draw { face, items: around(drawing, &ends, &own, &new)? });
+        draws.push(Repair::Draw { face, items: around(drawing, &ends, &own, &new)? });
     }
     Some(draws)
 }

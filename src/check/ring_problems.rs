@@ -6,8 +6,8 @@ use super::chain::vertex_after;
 use super::fan_repair::fan_names;
 use super::joint::moved_alone;
 use super::port::Port;
-use super::problem::{Problem, Remedy, enumerate};
-use super::remedies::missing_edge;
+use super::problem::{Problem, Repair, enumerate};
+use super::repairs::missing_edge;
 use super::star_order::{Token, agrees};
 use crate::diagnostic::{Diagnostic, all_of};
 use crate::diagram::{Drawing, Kind, NameId, Spoke};
@@ -75,7 +75,7 @@ impl Case<'_> {
             };
             problems.push(Problem {
                 diagnostic: diagnostic.note(advice),
-                remedies: vec![Remedy::Take(vertex)],
+                repairs: vec![Repair::Take(vertex)],
             });
         }
         problems
@@ -102,7 +102,7 @@ impl Case<'_> {
             diagnostic: diagnostic.note(format!(
                 "list {spoke} in the vertex statement of the vertex where it starts now"
             )),
-            remedies: vec![Remedy::Take(vertex)],
+            repairs: vec![Repair::Take(vertex)],
         }
     }
 
@@ -192,7 +192,7 @@ impl Case<'_> {
         let erased = erased.filter(|&vertex| self.drawing.erased(vertex).is_some());
         Problem {
             diagnostic: diagnostic.note("going clockwise around a vertex, from a halfedge to `twin.next`, these come into one cycle, so they start at one vertex"),
-            remedies: erased.map(Remedy::Take).collect(),
+            repairs: erased.map(Repair::Take).collect(),
         }
     }
 
