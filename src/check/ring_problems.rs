@@ -1,6 +1,6 @@
 //! Problems of the rings of spokes of a case, in words.
 
-use super::arrangement::{Arc, Lies};
+use super::arrangement::{Arc, ArcContent};
 use super::case::{Case, Step};
 use super::chain::vertex_after;
 use super::fan_repair::fan_names;
@@ -21,14 +21,14 @@ impl Case<'_> {
         let mut problems = Vec::new();
         let mut fans = fan_names(rule);
         let arcs = self.cycles.iter().flatten().filter_map(|step| match step {
-            Step::Arc(arc) => Some((self.label(arc.lies, arc.vertex)?, arc.lies)),
+            Step::Arc(arc) => Some((self.label(arc.content, arc.vertex)?, arc.content)),
             Step::Port(Port::Out(path)) if rule.kind(*path) == Kind::Path => {
-                let lies = self.first_spokes.iter().find(|(name, _)| name == path)?.1;
-                Some((self.first_spoke_label(*path)?, lies))
+                let content = self.first_spokes.iter().find(|(name, _)| name == path)?.1;
+                Some((self.first_spoke_label(*path)?, content))
             }
             Step::Port(_) => None,
         });
-        for (vertex, lies) in arcs {
+        for (vertex, content) in arcs {
             let Some(erased) = self.drawing.erased(vertex) else { continue };
             if told.contains(&vertex) {
                 continue;
@@ -56,8 +56,8 @@ impl Case<'_> {
                 .map(|half| rule.name(half).text.clone())
                 .collect::<Vec<_>>()
                 .join(" ");
-            let advice = match lies {
-                Lies::Fan(fan) => format!(
+            let advice = match content {
+                ArcContent::Fan(fan) => format!(
                     "list {} in the vertex statement of the vertex that takes its spokes",
                     rule.quoted(fan)
                 ),
@@ -147,8 +147,8 @@ impl Case<'_> {
                     span.or_else(|| self.drawing.after.mention(item)),
                 )
             }
-            Step::Arc(arc) => match arc.lies {
-                Lies::Fan(fan) => (
+            Step::Arc(arc) => match arc.content {
+                ArcContent::Fan(fan) => (
                     format!("the fan {} starts at {text}", rule.quoted(fan)),
                     self.drawing.after.mention(fan),
                 ),
@@ -241,8 +241,9 @@ impl Case<'_> {
                     _ => None,
                 })
                 .collect();
-            let arcs =
-                cycle.iter().any(|step| matches!(step, Step::Arc(arc) if arc.lies != Lies::Empty));
+            let arcs = cycle
+                .iter()
+                .any(|step| matches!(step, Step::Arc(arc) if arc.content != ArcContent::Empty));
             let outside = arcs.then(|| "spokes outside of the drawing".to_string());
             all_of(drawn.into_iter().chain(outside))
         };
@@ -287,10 +288,10 @@ impl Case<'_> {
                 Step::Port(Port::Out(path)) => {
                     let mut spokes = self.first_spokes.iter();
                     match spokes.find(|(name, _)| name == path).map(|found| found.1) {
-                        Some(Lies::Fan(fan)) => Some(Token::Fan(fan)),
+                        Some(ArcContent::Fan(fan)) => Some(Token::Fan(fan)),
                         // Another token stands for it.
-                        Some(Lies::Empty | Lies::Spoke(_)) => None,
-                        Some(Lies::Rest) | None => Some(Token::Rest),
+                        Some(ArcContent::Empty | ArcContent::Spoke(_)) => None,
+                        Some(ArcContent::Rest) | None => Some(Token::Rest),
                     }
                 }
                 Step::Arc(arc) => arc_token(*arc),
@@ -311,10 +312,10 @@ impl Case<'_> {
 
     /// The token that a statement lists for an arc.
     pub(super) fn arc_token(&self, arc: Arc) -> Option<Token> {
-        match arc.lies {
-            Lies::Fan(fan) => Some(Token::Fan(fan)),
-            Lies::Rest => Some(Token::Rest),
-            Lies::Empty | Lies::Spoke(_) => None,
+        match arc.content {
+            ArcContent::Fan(fan) => Some(Token::Fan(fan)),
+            ArcContent::Rest => Some(Token::Rest),
+            ArcContent::Empty | ArcContent::Spoke(_) => None,
         }
     }
 
