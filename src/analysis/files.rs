@@ -12,7 +12,7 @@ use std::vec::IntoIter;
 
 use strsim::damerau_levenshtein;
 
-use super::parse_cache::Readings;
+use super::parse_cache::ParseCache;
 use crate::diagnostic::Diagnostic;
 use crate::library::{self, FOLDER};
 use crate::resolve::{Unit, qualifier};
@@ -76,7 +76,7 @@ pub(super) fn fetch(
     sources: &mut Sources,
     root: FileId,
     reader: &mut dyn Reader,
-    readings: &mut Readings,
+    parse_cache: &mut ParseCache,
 ) -> Absent {
     let mut absent = Absent::new();
     for file in sources.ids() {
@@ -88,7 +88,7 @@ pub(super) fn fetch(
     while let Some(file) = open.pop() {
         let source = sources.get(file);
         let here = source.name().to_owned();
-        let paths = uses(&readings.read(file, source));
+        let paths = uses(&parse_cache.read(file, source));
         for (path, _) in paths {
             let name = name_of(&here, &path);
             let found = match sources.find(&name) {
@@ -319,9 +319,14 @@ struct Open {
 
 impl Parts {
     /// Collects the files of the program `root` from `sources`.
-    pub fn of(sources: &Sources, root: FileId, absent: &Absent, readings: &mut Readings) -> Self {
+    pub fn of(
+        sources: &Sources,
+        root: FileId,
+        absent: &Absent,
+        parse_cache: &mut ParseCache,
+    ) -> Self {
         let mut parts = Self::default();
-        let mut open = vec![parts.open(sources, root, None, readings)];
+        let mut open = vec![parts.open(sources, root, None, parse_cache)];
         while let Some(last) = open.last_mut() {
             let Some((path, span)) = last.uses.next() else {
                 open.pop();
@@ -340,7 +345,7 @@ impl Parts {
                 continue;
             }
             let used = known.unwrap_or_else(|| {
-                open.push(parts.open(sources, used, Some(span), readings));
+                open.push(parts.open(sources, used, Some(span), parse_cache));
                 parts.parts.len() - 1
             });
             let uses = &mut parts.parts[place].uses;
@@ -357,9 +362,9 @@ impl Parts {
         sources: &Sources,
         file: FileId,
         way: Option<Span>,
-        readings: &mut Readings,
+        parse_cache: &mut ParseCache,
     ) -> Open {
-        let parsed = readings.read(file, sources.get(file));
+        let parsed = parse_cache.read(file, sources.get(file));
         let uses = uses(&parsed).into_iter();
         let place = self.parts.len();
         self.places.insert(file, place);
@@ -387,14 +392,11 @@ fn missing_file(path: &str, name: &str, span: Span, missing: Option<&Missing>) -
         true => error.note(why.to_owned()),
         false => error.note(format!("{name}: {why}")),
     };
-    match missing.and_then(|missing| missing.meant.as_ref()) {
-        Some(meant) => error.saying(format!("did you mean `{meant}`?")).fix(
-            format!("write `\"{meant}\"`"),
-            span,
-            format!("\"{meant}\""),
-        ),
-        None => error,
-    }
+    error.with(missing.and_then(|missing| missing.meant.as_ref()), |error, meant| {
+        let path = format!("\"{meant}\"");
+        let error = error.saying(format!("did you mean `{meant}`?"));
+        error.fix(format!("write `{path}`"), span, path)
+    })
 }
 
 /// For each file that the first part uses, directly or through others, the first `use` in that part
@@ -424,10 +426,9 @@ pub(super) fn broken_file(name: &str, used: Span, errors: &[&Diagnostic]) -> Dia
         count => format!("{count} errors"),
     };
     let error = Diagnostic::error("broken-file", format!("`{name}` has {many}"), used);
-    match errors.first() {
-        Some(first) => error.label(first.span(), first.message.clone()).note(first.message.clone()),
-        None => error,
-    }
+    error.with(errors.first(), |error, first| {
+        error.label(first.span(), first.message.clone()).note(first.message.clone())
+    })
 }
 
 /// The error that the last file of a chain uses the first.

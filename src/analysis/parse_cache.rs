@@ -8,11 +8,11 @@ use crate::syntax::{Parsed, parse};
 
 /// The last parse result of each file, with its text at that time.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Readings {
+pub(super) struct ParseCache {
     known: HashMap<FileId, (String, Rc<Parsed>)>,
 }
 
-impl Readings {
+impl ParseCache {
     /// The parse of a file. An unchanged file is not parsed again.
     pub(super) fn read(&mut self, file: FileId, source: &Source) -> Rc<Parsed> {
         let text = source.text();

@@ -7,7 +7,7 @@ use super::endless_drains::endless_drains;
 use super::files::{Absent, Reader, fetch, is_about_lost, lost_attributes};
 use super::hidden_guards::hidden_guards;
 use super::kept_comments::keep_comments;
-use super::parse_cache::Readings;
+use super::parse_cache::ParseCache;
 use super::reading::Reading;
 use crate::check::{Counterexample, Proved};
 use crate::diagnostic::Diagnostic;
@@ -45,24 +45,24 @@ impl Analysis {
     /// Nothing is added to `sources`, so a `use` of a missing file is an error, even if the library
     /// has it: see [`Analysis::with`].
     pub fn of(sources: &Sources, file: FileId) -> Self {
-        Self::of_present(sources, file, &Absent::new(), &mut Readings::default())
+        Self::of_present(sources, file, &Absent::new(), &mut ParseCache::default())
     }
 
     /// As [`Analysis::of`], after adding the files it uses to `sources`: those of the library, and
     /// others from the reader.
     pub fn with(sources: &mut Sources, file: FileId, reader: &mut dyn Reader) -> Self {
-        let mut readings = Readings::default();
-        let absent = fetch(sources, file, reader, &mut readings);
-        Self::of_present(sources, file, &absent, &mut readings)
+        let mut parse_cache = ParseCache::default();
+        let absent = fetch(sources, file, reader, &mut parse_cache);
+        Self::of_present(sources, file, &absent, &mut parse_cache)
     }
 
     fn of_present(
         sources: &Sources,
         file: FileId,
         absent: &Absent,
-        readings: &mut Readings,
+        parse_cache: &mut ParseCache,
     ) -> Self {
-        let reading = Reading::of(sources, file, absent, readings);
+        let reading = Reading::of(sources, file, absent, parse_cache);
         let Reading { parts, program, functions, mut diagnostics, .. } = reading;
         let used = parts.first().map(|root| root.uses.as_slice()).unwrap_or_default().iter();
         let seen = std::iter::once(file).chain(used.map(|&used| parts[used].file));

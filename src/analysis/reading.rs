@@ -5,7 +5,7 @@ use super::files::{Absent, Part, Parts, without_consequences};
 use super::foreign::tell_as_elsewhere;
 use super::library_hints::tell_where;
 use super::open_loops::tell_how_to_close;
-use super::parse_cache::Readings;
+use super::parse_cache::ParseCache;
 use crate::diagnostic::Diagnostic;
 use crate::resolve::{Fields, Program, Resolved, Types, resolve_all};
 use crate::run::Functions;
@@ -29,8 +29,13 @@ pub(super) struct Reading {
 
 impl Reading {
     /// Reads the program `root` and the files of `sources` that it uses.
-    pub fn of(sources: &Sources, root: FileId, absent: &Absent, readings: &mut Readings) -> Self {
-        let Parts { parts, mut diagnostics, .. } = Parts::of(sources, root, absent, readings);
+    pub fn of(
+        sources: &Sources,
+        root: FileId,
+        absent: &Absent,
+        parse_cache: &mut ParseCache,
+    ) -> Self {
+        let Parts { parts, mut diagnostics, .. } = Parts::of(sources, root, absent, parse_cache);
         let units: Vec<_> = parts.iter().map(|part| part.unit(sources)).collect();
         let Resolved { program, diagnostics: mut resolved, fields, types } = resolve_all(&units);
         without_consequences(&parts, &mut resolved, sources);

@@ -14,10 +14,10 @@ use super::endless_drains::endless_drains;
 use super::files::{Reader, fetch, name_of};
 use super::hidden_guards::hidden_guards;
 use super::kept_comments::keep_comments;
-use super::memory::{Memory, Passage};
 use super::names::Names;
 use super::op_context::{Meanings, Read};
 use super::reading::Reading;
+use super::snapshot_cache::{CacheKey, SnapshotCache};
 use super::{Examined, NoExample, StepsVerdict, Verdict, example, files};
 use crate::check::Proved;
 use crate::diagnostic::Diagnostic;
@@ -64,7 +64,7 @@ pub struct Snapshot {
     planned: OnceCell<Planned>,
     /// The examples of ops in steps that have been computed.
     examples: RefCell<BTreeMap<usize, Result<Rc<diagram::Op>, NoExample>>>,
-    memory: Rc<RefCell<Memory>>,
+    cache: Rc<RefCell<SnapshotCache>>,
 }
 
 impl Snapshot {
@@ -76,11 +76,11 @@ impl Snapshot {
     /// Analyzes the next text of the same document.
     pub fn next(&self, text: &str, reader: &mut dyn Reader) -> Self {
         let name = self.sources.get(self.file).name();
-        let next = Self::read(name, text, reader, Rc::clone(&self.memory));
+        let next = Self::read(name, text, reader, Rc::clone(&self.cache));
         let readable: HashSet<&str> = next.diagrams().map(|(name, _)| name).collect();
         let lost = self.diagrams().filter(|(name, _)| !readable.contains(name));
         let lost = lost.map(|(name, diagram)| (name.to_owned(), Rc::new(diagram.clone())));
-        self.memory.borrow_mut().lose(lost, text);
+        self.cache.borrow_mut().lose(lost, text);
         next
     }
 
@@ -90,13 +90,18 @@ impl Snapshot {
         own.filter_map(|op| Some((op.name.as_str(), op.diagram.as_ref()?)))
     }
 
-    fn read(name: &str, text: &str, reader: &mut dyn Reader, memory: Rc<RefCell<Memory>>) -> Self {
+    fn read(
+        name: &str,
+        text: &str,
+        reader: &mut dyn Reader,
+        cache: Rc<RefCell<SnapshotCache>>,
+    ) -> Self {
         let mut sources = Sources::new();
         let file = sources.add(name, text);
         let reading = {
-            let readings = &mut memory.borrow_mut().readings;
-            let absent = fetch(&mut sources, file, reader, readings);
-            Reading::of(&sources, file, &absent, readings)
+            let parse_cache = &mut cache.borrow_mut().parse_cache;
+            let absent = fetch(&mut sources, file, reader, parse_cache);
+            Reading::of(&sources, file, &absent, parse_cache)
         };
         let Reading { mut parts, program, fields, types, functions, diagnostics: mut told } =
             reading;
@@ -131,7 +136,7 @@ impl Snapshot {
             examples: RefCell::default(),
             told,
             lost,
-            memory,
+            cache,
         }
     }
 
@@ -230,7 +235,7 @@ impl Snapshot {
         let mut here = self.diagrams();
         match own.or_else(|| here.find(|(of, _)| of == name).map(|(_, diagram)| diagram)) {
             Some(diagram) => Some(Rc::new(diagram.clone())),
-            None => self.memory.borrow().lost.get(name).cloned(),
+            None => self.cache.borrow().lost.get(name).cloned(),
         }
     }
 
@@ -324,8 +329,8 @@ impl Snapshot {
         let meaning = self.meanings()[op];
         let op = &self.program.ops[op];
         let span = op.diagram.as_ref().map_or(op.span, |diagram| diagram.span);
-        let passage = Passage { text: self.sources.slice(span), span, meaning };
-        let known = self.memory.borrow().recall(passage);
+        let key = CacheKey { text: self.sources.slice(span), span, meaning };
+        let known = self.cache.borrow().get(key);
         if let Some(known) = known.filter(|_| op.diagram.is_some()) {
             return known;
         }
@@ -338,7 +343,7 @@ impl Snapshot {
         if is_alone && was_read {
             let ops = self.program.ops.iter().filter_map(|op| op.diagram.as_ref());
             let written = ops.map(|diagram| self.sources.slice(diagram.span));
-            self.memory.borrow_mut().keep(passage, &examined, written);
+            self.cache.borrow_mut().keep(key, &examined, written);
         }
         examined
     }

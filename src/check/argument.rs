@@ -3,7 +3,7 @@
 //! A port is written `In(x)` where `x` arrives, and `x` where it leaves; `>` leads clockwise from
 //! one port to the next. What lies outside the drawing is in parentheses.
 
-use super::arrangement::{Arc, Lies};
+use super::arrangement::{Arc, ArcContent};
 use super::case::Step;
 use super::chain::Chain;
 use super::port::Port;
@@ -221,10 +221,10 @@ impl Words<'_> {
 
     /// The spokes of an arc in words; `None` if it is known to hold no spoke.
     fn arc(&self, arc: Arc) -> Option<String> {
-        match arc.lies {
-            Lies::Empty | Lies::Spoke(_) => None,
-            Lies::Fan(fan) => Some(format!("(*{})", self.word(fan))),
-            Lies::Rest => Some(format!("(outside, at {})", self.word(arc.vertex))),
+        match arc.content {
+            ArcContent::Empty | ArcContent::Spoke(_) => None,
+            ArcContent::Fan(fan) => Some(format!("(*{})", self.word(fan))),
+            ArcContent::Rest => Some(format!("(outside, at {})", self.word(arc.vertex))),
         }
     }
 }

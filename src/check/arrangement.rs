@@ -10,16 +10,16 @@ use super::chain::Corner;
 use super::port::Port;
 use crate::diagram::{Drawing, Kind, NameId, Rule, Spoke, Star};
 
-/// The owner of a piece of a star.
+/// The content of an arc; or for the first spoke of a path, where it belongs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Lies {
-    /// In a named fan.
+pub(super) enum ArcContent {
+    /// Spokes of a named fan.
     Fan(NameId),
-    /// In no named fan: it stays with its vertex.
+    /// Spokes of no named fan: they stay with their vertex.
     Rest,
-    /// It is this outer halfedge that the statement lists: the first spoke of a path.
+    /// This outer halfedge, which the statement lists: the first spoke of a path.
     Spoke(NameId),
-    /// The piece is known to hold no spoke.
+    /// No spoke, as is known.
     Empty,
 }
 
@@ -32,8 +32,8 @@ pub(super) struct Arc {
     pub to: Port,
     /// The vertex it lies at before.
     pub vertex: NameId,
-    /// The owner of its spokes.
-    pub lies: Lies,
+    /// What it holds.
+    pub content: ArcContent,
 }
 
 /// One way in which the arcs of a vertex can run.
@@ -43,7 +43,7 @@ pub(super) struct Arc {
 pub(super) struct Arrangement {
     pub arcs: Vec<Arc>,
     /// For each path that starts at the vertex, where its first spoke belongs.
-    pub first_spokes: Vec<(NameId, Lies)>,
+    pub first_spokes: Vec<(NameId, ArcContent)>,
     /// The paths that the statement leaves no room for a halfedge, so that they are empty.
     pub empty_paths: Vec<NameId>,
     /// True if it stands for others too, in which settled chains lie elsewhere.
@@ -183,7 +183,8 @@ fn read(drawing: &Drawing, corner: &Corner, order: &[usize]) -> Option<Arrangeme
             if drawing.rule.kind(item) == Kind::Path {
                 let exits = !chain.closed && port == chain.exit();
                 let empty = exits && next.entry() == Port::In(item) && drawing.may_be_empty(item);
-                way.first_spokes.push((item, if empty { Lies::Empty } else { Lies::Rest }));
+                way.first_spokes
+                    .push((item, if empty { ArcContent::Empty } else { ArcContent::Rest }));
                 pieces.push(Piece::First(way.first_spokes.len() - 1, empty));
             } else {
                 pieces.push(Piece::Spoke(item));
@@ -194,7 +195,7 @@ fn read(drawing: &Drawing, corner: &Corner, order: &[usize]) -> Option<Arrangeme
                 from: chain.exit(),
                 to: next.entry(),
                 vertex: corner.vertex,
-                lies: Lies::Rest,
+                content: ArcContent::Rest,
             };
             way.arcs.push(arc);
             pieces.push(Piece::Arc(way.arcs.len() - 1));
@@ -211,21 +212,23 @@ fn agree(drawing: &Drawing, star: &Star, pieces: &[Piece], way: &mut Arrangement
     // The statement reads counterclockwise, pieces run clockwise.
     let stated: Vec<_> = star.spokes.iter().rev().collect();
     let count = pieces.len();
-    let place = |lies: Lies, piece: Piece, way: &mut Arrangement| -> Option<()> {
+    let place = |content: ArcContent, piece: Piece, way: &mut Arrangement| -> Option<()> {
         match piece {
             Piece::Spoke(_) => return None,
             // Without a spoke in the arc, the halfedge would be its own twin.
-            Piece::Arc(arc) if lies == Lies::Empty && is_own_twin(drawing, way.arcs[arc]) => {
+            Piece::Arc(arc)
+                if content == ArcContent::Empty && is_own_twin(drawing, way.arcs[arc]) =>
+            {
                 return None;
             }
-            Piece::Arc(arc) => way.arcs[arc].lies = lies,
-            Piece::First(first, empty) => match lies {
-                Lies::Empty if !empty => return None,
-                Lies::Empty => {
-                    way.first_spokes[first].1 = Lies::Empty;
+            Piece::Arc(arc) => way.arcs[arc].content = content,
+            Piece::First(first, empty) => match content {
+                ArcContent::Empty if !empty => return None,
+                ArcContent::Empty => {
+                    way.first_spokes[first].1 = ArcContent::Empty;
                     way.empty_paths.push(way.first_spokes[first].0);
                 }
-                _ => way.first_spokes[first].1 = if empty { Lies::Empty } else { lies },
+                _ => way.first_spokes[first].1 = if empty { ArcContent::Empty } else { content },
             },
         }
         Some(())
@@ -233,8 +236,8 @@ fn agree(drawing: &Drawing, star: &Star, pieces: &[Piece], way: &mut Arrangement
     let anchor = stated.iter().position(|spoke| matches!(spoke, Spoke::Halfedge(_)));
     let Some(anchor) = anchor else {
         // One fan, and nothing else.
-        let lies = stated.first().map_or(Lies::Empty, |spoke| belongs(spoke));
-        return pieces.iter().try_for_each(|&piece| place(lies, piece, way));
+        let content = stated.first().map_or(ArcContent::Empty, |spoke| belongs(spoke));
+        return pieces.iter().try_for_each(|&piece| place(content, piece, way));
     };
     let Spoke::Halfedge(first) = stated[anchor] else { return None };
     let start = pieces.iter().position(|&piece| piece == Piece::Spoke(first.name))?;
@@ -249,11 +252,11 @@ fn agree(drawing: &Drawing, star: &Star, pieces: &[Piece], way: &mut Arrangement
         step += 1;
         // What follows up to the next listed spoke is in the fan stated here, or empty.
         let fan = stated[(anchor + step) % stated.len()];
-        let lies = if step < stated.len() && !matches!(fan, Spoke::Halfedge(_)) {
+        let content = if step < stated.len() && !matches!(fan, Spoke::Halfedge(_)) {
             step += 1;
             belongs(fan)
         } else {
-            Lies::Empty
+            ArcContent::Empty
         };
         while at < count && !matches!(pieces[(start + at) % count], Piece::Spoke(_)) {
             let piece = pieces[(start + at) % count];
@@ -262,11 +265,11 @@ fn agree(drawing: &Drawing, star: &Star, pieces: &[Piece], way: &mut Arrangement
                 // Between the two there is no spoke, so they are one: the path begins with
                 // an outer halfedge.
                 (Piece::First(first, false), [Piece::Arc(arc), Piece::Spoke(outer)])
-                    if lies == Lies::Empty && way.arcs[arc].to == Port::Out(outer) =>
+                    if content == ArcContent::Empty && way.arcs[arc].to == Port::Out(outer) =>
                 {
-                    way.first_spokes[first].1 = Lies::Spoke(outer);
+                    way.first_spokes[first].1 = ArcContent::Spoke(outer);
                 }
-                _ => place(lies, piece, way)?,
+                _ => place(content, piece, way)?,
             }
             at += 1;
         }
@@ -289,7 +292,8 @@ pub(super) fn agreeing<'a>(
     if loops.any(|orbit| orbit.items.iter().all(|item| is_empty(item.item.name))) {
         return None;
     }
-    let empty = ways.iter().flat_map(|way| &way.arcs).filter(|arc| arc.lies == Lies::Empty);
+    let empty =
+        ways.iter().flat_map(|way| &way.arcs).filter(|arc| arc.content == ArcContent::Empty);
     let twins: Vec<_> = empty
         .filter_map(|arc| match (arc.from, arc.to) {
             (Port::Out(x), Port::In(y)) => Some([x, y]),
@@ -302,7 +306,7 @@ pub(super) fn agreeing<'a>(
             let leaves = |arc: &Arc| arc.from == Port::Out(y);
             let Some(found) = way.arcs.iter().position(leaves) else { continue };
             if way.arcs[found].to == Port::In(x) {
-                way.to_mut().arcs[found].lies = Lies::Empty;
+                way.to_mut().arcs[found].content = ArcContent::Empty;
             } else if !way.stands_for_others {
                 return None;
             }
@@ -318,9 +322,9 @@ fn is_own_twin(drawing: &Drawing, arc: Arc) -> bool {
         && drawing.rule.kind(item) == Kind::Halfedge
 }
 
-fn belongs(spoke: &Spoke) -> Lies {
+fn belongs(spoke: &Spoke) -> ArcContent {
     match spoke {
-        Spoke::Fan(fan) => Lies::Fan(fan.name),
-        Spoke::Halfedge(_) | Spoke::Rest(_) => Lies::Rest,
+        Spoke::Fan(fan) => ArcContent::Fan(fan.name),
+        Spoke::Halfedge(_) | Spoke::Rest(_) => ArcContent::Rest,
     }
 }

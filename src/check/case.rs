@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use super::arrangement::{Arc, Arrangement, Lies};
+use super::arrangement::{Arc, ArcContent, Arrangement};
 use super::chain::vertex_after;
 use super::port::{Links, Port};
 use super::problem::Problem;
@@ -22,7 +22,7 @@ pub(super) enum Step {
 pub(super) struct Case<'a> {
     pub drawing: &'a Drawing<'a>,
     /// For each path, where its first spoke lies.
-    pub first_spokes: Vec<(NameId, Lies)>,
+    pub first_spokes: Vec<(NameId, ArcContent)>,
     /// The rings of spokes, clockwise.
     pub cycles: Vec<Vec<Step>>,
     /// An arc whose ends are not both free in `after`.
@@ -69,19 +69,19 @@ impl<'a> Case<'a> {
     }
 
     /// The vertex that a piece belongs to after; `vertex` is the one it lies at before.
-    pub(super) fn label(&self, lies: Lies, vertex: NameId) -> Option<NameId> {
-        match lies {
-            Lies::Fan(fan) => Some(self.drawing.after.star_of_spoke(fan).unwrap_or(vertex)),
-            Lies::Rest => Some(vertex),
-            Lies::Spoke(outer) => self.drawing.origin_after(outer),
-            Lies::Empty => None,
+    pub(super) fn label(&self, content: ArcContent, vertex: NameId) -> Option<NameId> {
+        match content {
+            ArcContent::Fan(fan) => Some(self.drawing.after.star_of_spoke(fan).unwrap_or(vertex)),
+            ArcContent::Rest => Some(vertex),
+            ArcContent::Spoke(outer) => self.drawing.origin_after(outer),
+            ArcContent::Empty => None,
         }
     }
 
     /// The vertex that the first spoke of a path belongs to, once fans have moved.
     pub(super) fn first_spoke_label(&self, path: NameId) -> Option<NameId> {
-        let lies = self.first_spokes.iter().find(|(name, _)| *name == path)?.1;
-        self.label(lies, self.drawing.origin_before(path)?)
+        let content = self.first_spokes.iter().find(|(name, _)| *name == path)?.1;
+        self.label(content, self.drawing.origin_before(path)?)
     }
 
     pub fn problems(&self) -> Vec<Problem> {
@@ -135,7 +135,7 @@ impl<'a> Case<'a> {
                         _ => None,
                     },
                 ],
-                Step::Arc(arc) => [self.label(arc.lies, arc.vertex), None],
+                Step::Arc(arc) => [self.label(arc.content, arc.vertex), None],
             };
             for vertex in says.into_iter().flatten() {
                 match label {

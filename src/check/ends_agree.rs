@@ -9,7 +9,7 @@
 use std::collections::BTreeSet;
 
 use super::pairing::pairing;
-use super::problem::{Problem, Remedy, enumerate};
+use super::problem::{Problem, Repair, enumerate};
 use crate::diagnostic::{Diagnostic, Edit, Fix};
 use crate::diagram::{Drawing, Edge, Kind, LoopKind, NameId, Ref, Rule, Side, Spoke, Star, View};
 use crate::source::Span;
@@ -160,7 +160,7 @@ impl Law<'_> {
     }
 
     /// Reports all edges whose halfedges are not twins at once: what is swapped in one is swapped
-    /// in another. If a loop may be drawn the wrong way round, in the view, that is a remedy.
+    /// in another. If a loop may be drawn the wrong way round, in the view, that is a repair.
     fn tell_of_edges(&mut self, wrong: Vec<(&Edge, Diagnostic)>, turned: Option<&View>) {
         if self.drawing.rule.cycle.is_some() {
             wrong.into_iter().for_each(|(_, diagnostic)| self.tell(diagnostic));
@@ -168,20 +168,20 @@ impl Law<'_> {
         }
         let halves: Vec<_> = wrong.iter().flat_map(|(edge, _)| edge.halfedges).collect();
         let halves: Vec<_> = halves.iter().map(|half| half.name).collect();
-        let mut remedies: Vec<_> = pairing(self.drawing).into_iter().collect();
+        let mut repairs: Vec<_> = pairing(self.drawing).into_iter().collect();
         if let Some(view) = turned {
             let loops = halves.iter().filter_map(|&half| view.loop_of_item(half));
             let mut loops: Vec<_> = loops.map(|orbit| orbit.span).collect();
             loops.sort_unstable();
             loops.dedup();
-            remedies.extend(loops.into_iter().map(Remedy::Turn));
+            repairs.extend(loops.into_iter().map(Repair::Turn));
         }
         let mut wrong = wrong.into_iter();
         let Some((_, mut diagnostic)) = wrong.next() else { return };
         for (edge, _) in wrong {
             diagnostic = diagnostic.label(edge.span, "nor can these");
         }
-        self.problems.push(Problem { diagnostic, remedies });
+        self.problems.push(Problem { diagnostic, repairs });
     }
 
     fn spokes_start_at_their_vertex(&mut self) {

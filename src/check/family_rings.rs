@@ -25,7 +25,7 @@
 
 use std::borrow::Cow;
 
-use super::arrangement::{Arc, Arrangement, Lies, agreeing, arrangements};
+use super::arrangement::{Arc, ArcContent, Arrangement, agreeing, arrangements};
 use super::broken::Broken;
 use super::case::{Case, Step};
 use super::chain::{Chain, Corner, corners, vertex_after};
@@ -147,11 +147,11 @@ fn in_any_order(corner: &Corner) -> Arrangement {
         from: corner.chains[at].exit(),
         to: corner.chains[(at + 1) % count].entry(),
         vertex: corner.vertex,
-        lies: Lies::Rest,
+        content: ArcContent::Rest,
     };
     let firsts = |chain: &Chain| {
         let paths = chain.ports.iter().filter_map(|port| port.leaving());
-        paths.map(|path| (path, Lies::Rest)).collect::<Vec<_>>()
+        paths.map(|path| (path, ArcContent::Rest)).collect::<Vec<_>>()
     };
     Arrangement {
         arcs: (0..count).map(arc).collect(),
@@ -183,21 +183,21 @@ fn everywhere(rule: &Rule, vertex: NameId, way: &Arrangement) -> Vec<Arrangement
             Port::Out(item) => Port::Out(name(item)),
             Port::In(item) => Port::In(name(item)),
         };
-        let lies = |lies: Lies| match lies {
-            Lies::Fan(fan) => Lies::Fan(name(fan)),
-            Lies::Spoke(half) => Lies::Spoke(name(half)),
-            lies => lies,
+        let content = |content: ArcContent| match content {
+            ArcContent::Fan(fan) => ArcContent::Fan(name(fan)),
+            ArcContent::Spoke(half) => ArcContent::Spoke(name(half)),
+            content => content,
         };
         let arcs = way.arcs.iter().map(|arc| Arc {
             from: port(arc.from),
             to: port(arc.to),
             vertex: name(arc.vertex),
-            lies: lies(arc.lies),
+            content: content(arc.content),
         });
         let firsts = way.first_spokes.iter();
         Arrangement {
             arcs: arcs.collect(),
-            first_spokes: firsts.map(|&(path, at)| (name(path), lies(at))).collect(),
+            first_spokes: firsts.map(|&(path, at)| (name(path), content(at))).collect(),
             empty_paths: way.empty_paths.iter().map(|&path| name(path)).collect(),
             stands_for_others: way.stands_for_others,
         }

@@ -4,7 +4,7 @@
 //! spokes left, the ring that they join, and the one other vertex that it belongs to, can be read
 //! off.
 
-use super::arrangement::{Lies, agreeing, arrangements};
+use super::arrangement::{ArcContent, agreeing, arrangements};
 use super::case::{Case, Step};
 use super::chain::{Chain, Corner, corners, vertex_after};
 use super::port::{Links, Port};
@@ -53,10 +53,10 @@ impl Taken {
                 Some(statement(rule, corner, fan)?)
             }
         };
-        let ring = case.ring(cycle, |arc| match arc.lies {
-            Lies::Rest if arc.vertex == erased && !is_stated => Some(Token::Fan(fan)),
+        let ring = case.ring(cycle, |arc| match arc.content {
+            ArcContent::Rest if arc.vertex == erased && !is_stated => Some(Token::Fan(fan)),
             // A fan without a name cannot be moved.
-            Lies::Rest if arc.vertex == erased => None,
+            ArcContent::Rest if arc.vertex == erased => None,
             _ => case.arc_token(arc),
         });
         let spokes = ring.into_iter().map(|token| match token {
@@ -90,7 +90,7 @@ fn ring_that_takes<'c>(case: &'c Case, erased: NameId) -> Option<(&'c [Step], Na
     let labels = |cycle: &[Step]| -> Vec<NameId> {
         let label = |step: &Step| match *step {
             Step::Port(port) => vertex_after(case.drawing, port),
-            Step::Arc(arc) => case.label(arc.lies, arc.vertex),
+            Step::Arc(arc) => case.label(arc.content, arc.vertex),
         };
         cycle.iter().filter_map(label).collect()
     };

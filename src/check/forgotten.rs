@@ -1,7 +1,7 @@
 //! Names that are drawn before, and nowhere after.
 
 use super::names_are_accounted_for::after_keyword;
-use super::problem::{Problem, Remedy, enumerate, is_or_are};
+use super::problem::{Problem, Repair, enumerate, is_or_are};
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Drawing, Kind, Loop, LoopItem, LoopKind, NameId, Ref, Rule};
 
@@ -78,17 +78,17 @@ pub(super) fn is_forgotten(drawing: &Drawing, kind: Kind, names: &[NameId]) -> P
         }),
         Kind::Halfedge | Kind::Path => diagnostic,
     };
-    let remedies = match kind {
+    let repairs = match kind {
         Kind::Vertex | Kind::Edge | Kind::Face => {
-            let keep = may_be_kept.then(|| Remedy::Keep(names.to_vec()));
-            keep.into_iter().chain([Remedy::Erase(names.to_vec())]).collect()
+            let keep = may_be_kept.then(|| Repair::Keep(names.to_vec()));
+            keep.into_iter().chain([Repair::Erase(names.to_vec())]).collect()
         }
         Kind::Fan => {
             let vertex = drawing.before.star_of_spoke(names[0]);
             let erased = vertex.filter(|&vertex| drawing.erased(vertex).is_some());
-            erased.map(Remedy::Take).into_iter().collect()
+            erased.map(Repair::Take).into_iter().collect()
         }
         Kind::Halfedge | Kind::Path => Vec::new(),
     };
-    Problem { diagnostic, remedies }
+    Problem { diagnostic, repairs }
 }

@@ -1,13 +1,13 @@
-//! Remedies for everything that is wrong with a rule at once.
+//! Repairs for everything that is wrong with a rule at once.
 //!
 //! A person seldom forgets one name, but an `erase` line, or an edge and a name in `new`. And two
-//! names that are exchanged look like many other mistakes. So whole remedies are put together and
+//! names that are exchanged look like many other mistakes. So whole repairs are put together and
 //! tried, in tiers, the simplest first.
 
 use strsim::damerau_levenshtein;
 
 use super::pairing::{kept_loops, missing_loops, pairing, pairings};
-use super::problem::{Remedy, enumerate};
+use super::problem::{Repair, enumerate};
 use super::unknown_names::is_unknown;
 use crate::diagram::{Drawing, Expr, ExprKind, Kind, Loop, NameId, Rule};
 
@@ -20,8 +20,8 @@ const MOST_FORGOTTEN: usize = 4;
 /// The most loops of a rule that are closed together.
 const MOST_OPEN: usize = 2;
 
-/// A tier: the remedies of a rule that are equally simple.
-pub(super) type Tier = fn(&Rule) -> Vec<Remedy>;
+/// A tier: the repairs of a rule that are equally simple.
+pub(super) type Tier = fn(&Rule) -> Vec<Repair>;
 
 pub(super) const TIERS: [Tier; 7] = [
     misspelt,
@@ -34,7 +34,7 @@ pub(super) const TIERS: [Tier; 7] = [
 ];
 
 /// Writes a name that stands in `before` alone as a similar one of its kind that `after` draws.
-fn misspelt(rule: &Rule) -> Vec<Remedy> {
+fn misspelt(rule: &Rule) -> Vec<Repair> {
     if rule.cycle.is_some() {
         return Vec::new();
     }
@@ -42,15 +42,15 @@ fn misspelt(rule: &Rule) -> Vec<Remedy> {
     let is_alone = |&old: &NameId| {
         drawing.survives(old) && drawing.after.mention(old).is_none() && !is_named(rule, old)
     };
-    let remedies = elements(rule).filter(is_alone).flat_map(|old| {
+    let repairs = elements(rule).filter(is_alone).flat_map(|old| {
         let others = rule.names_of(rule.kind(old));
         let meant = others.filter(move |&new| {
             let is_drawn = drawing.before.mention(new).is_some();
             drawing.after.mention(new).is_some() && is_slip(rule, old, new, is_drawn)
         });
-        meant.map(move |new| Remedy::Rename { old, new })
+        meant.map(move |new| Repair::Rename { old, new })
     });
-    remedies.collect()
+    repairs.collect()
 }
 
 /// True if a name may be a misspelling of another; where that stands beside it, only if a letter is
@@ -81,7 +81,7 @@ fn is_named(rule: &Rule, name: NameId) -> bool {
 
 /// Accounts for all names: lists, draws and pairs whatever is missing. A misspelt parameter is not
 /// new.
-fn accounted_for(rule: &Rule) -> Vec<Remedy> {
+fn accounted_for(rule: &Rule) -> Vec<Repair> {
     let unknown = unknown(rule);
     let mut params = forgotten(rule);
     params.retain(|&name| rule.params.contains(&Some(name)));
@@ -92,41 +92,41 @@ fn accounted_for(rule: &Rule) -> Vec<Remedy> {
     if unknown.iter().any(is_misspelt) {
         return Vec::new();
     }
-    let mut begun = vec![Begun { remedies: Vec::new(), rule: rule.clone() }];
+    let mut begun = vec![Begun { repairs: Vec::new(), rule: rule.clone() }];
     if !unknown.is_empty() {
-        begun = begun.iter().filter_map(|one| one.with(Remedy::Create(unknown.clone()))).collect();
+        begun = begun.iter().filter_map(|one| one.with(Repair::Create(unknown.clone()))).collect();
     }
     go_on(&mut begun, |rule| {
         let drawing = &Drawing::new(rule);
-        let drawn = missing_loops(drawing).map(Remedy::All);
+        let drawn = missing_loops(drawing).map(Repair::All);
         drawn.into_iter().chain(kept_loops(drawing)).collect()
     });
     go_on(&mut begun, |rule| pairings(&Drawing::new(rule)));
     let whole = begun.iter().flat_map(Begun::account_for_the_rest);
-    whole.filter(|one| !one.remedies.is_empty()).map(|one| Remedy::All(one.remedies)).collect()
+    whole.filter(|one| !one.repairs.is_empty()).map(|one| Repair::All(one.repairs)).collect()
 }
 
-/// Remedies, and the rule with them applied.
+/// Repairs, and the rule with them applied.
 #[derive(Clone)]
 struct Begun {
-    remedies: Vec<Remedy>,
+    repairs: Vec<Repair>,
     rule: Rule,
 }
 
-/// Adds to each of these the same with one more remedy, for each that there is.
-fn go_on(begun: &mut Vec<Begun>, more: impl Fn(&Rule) -> Vec<Remedy>) {
+/// Adds to each of these the same with one more repair, for each that there is.
+fn go_on(begun: &mut Vec<Begun>, more: impl Fn(&Rule) -> Vec<Repair>) {
     let longer = begun
         .iter()
-        .flat_map(|one| more(&one.rule).into_iter().filter_map(|remedy| one.with(remedy)));
+        .flat_map(|one| more(&one.rule).into_iter().filter_map(|repair| one.with(repair)));
     let longer: Vec<_> = longer.collect();
     begun.extend(longer);
 }
 
 impl Begun {
-    fn with(&self, remedy: Remedy) -> Option<Self> {
-        let rule = remedy.apply(&self.rule)?;
-        let remedies = self.remedies.iter().cloned().chain([remedy]).collect();
-        Some(Self { remedies, rule })
+    fn with(&self, repair: Repair) -> Option<Self> {
+        let rule = repair.apply(&self.rule)?;
+        let repairs = self.repairs.iter().cloned().chain([repair]).collect();
+        Some(Self { repairs, rule })
     }
 
     /// The ways to keep or erase what is left.
@@ -138,7 +138,7 @@ impl Begun {
             others.iter().partition(|&&name| self.rule.kind(name) != Kind::Halfedge);
         let mut found = self.keep_or_erase(&vertices, &others);
         if !orbits.is_empty() {
-            let kept = self.with(Remedy::Keep(orbits));
+            let kept = self.with(Repair::Keep(orbits));
             found.extend(kept.iter().flat_map(|kept| kept.keep_or_erase(&vertices, &[])));
         }
         if !halves.is_empty() && halves.len() < others.len() {
@@ -166,12 +166,12 @@ impl Begun {
         }
         let erased = match gone.is_empty() {
             true => Some(self.clone()),
-            false => self.with(Remedy::Erase(gone)),
+            false => self.with(Repair::Erase(gone)),
         };
         let Some(erased) = erased else { return Vec::new() };
         let gone = erased.rule.erased.iter().map(|erased| erased.name);
         let gone = gone.filter(|&name| self.rule.kind(name) == Kind::Vertex);
-        let taken = gone.filter_map(|vertex| erased.with(Remedy::Take(vertex)));
+        let taken = gone.filter_map(|vertex| erased.with(Repair::Take(vertex)));
         taken.filter_map(|taken| taken.keep_vertices()).chain(erased.keep_vertices()).collect()
     }
 
@@ -180,7 +180,7 @@ impl Begun {
         let vertices = forgotten(&self.rule);
         let vertices = vertices.into_iter().filter(|&name| self.rule.kind(name) == Kind::Vertex);
         let vertices: Vec<_> = vertices.collect();
-        if vertices.is_empty() { Some(self.clone()) } else { self.with(Remedy::Keep(vertices)) }
+        if vertices.is_empty() { Some(self.clone()) } else { self.with(Repair::Keep(vertices)) }
     }
 }
 
@@ -213,7 +213,7 @@ fn elements(rule: &Rule) -> impl Iterator<Item = NameId> {
 
 /// Exchanges two names of a kind in all loops, or in one. If both stand in `before`, that may be what
 /// is wrong; then what else is said about one of them would be about the other.
-fn exchanged(rule: &Rule, kind: Kind) -> Vec<Remedy> {
+fn exchanged(rule: &Rule, kind: Kind) -> Vec<Repair> {
     let mut drawn: Vec<NameId> = Vec::new();
     for mention in rule.after.loops.iter().flat_map(mentions) {
         let first = rule.first_member(mention);
@@ -235,7 +235,7 @@ fn exchanged(rule: &Rule, kind: Kind) -> Vec<Remedy> {
         rule.is_member(one) == rule.is_member(other)
             && !(may_be_before && pair.iter().any(|&name| is_named(rule, name)))
     });
-    let remedies = alike.flat_map(|(one, other)| {
+    let repairs = alike.flat_map(|(one, other)| {
         let exchange = move |name: NameId| match rule.first_member(name) {
             first if first == one => rule.turned(other, rule.index(name).into()),
             first if first == other => rule.turned(one, rule.index(name).into()),
@@ -255,7 +255,7 @@ fn exchanged(rule: &Rule, kind: Kind) -> Vec<Remedy> {
         });
         everywhere.into_iter().chain(in_one)
     });
-    remedies.collect()
+    repairs.collect()
 }
 
 /// True if a corner may be mistyped in `before`: a loop meets a vertex twice there, and `after` draws
@@ -267,17 +267,17 @@ fn has_doubtful_corner(rule: &Rule) -> bool {
 }
 
 /// Writes another vertex at one corner of a loop.
-fn other_corner(rule: &Rule) -> Vec<Remedy> {
+fn other_corner(rule: &Rule) -> Vec<Repair> {
     let vertices: Vec<_> = rule.names_of(Kind::Vertex).collect();
     if rule.cycle.is_some() || vertices.len() > MOST_EXCHANGED || has_doubtful_corner(rule) {
         return Vec::new();
     }
-    let mut remedies = Vec::new();
+    let mut repairs = Vec::new();
     for orbit in &rule.after.loops {
         for at in 0..orbit.items.len() {
             let corner = orbit.items[at].from.name;
             let others = vertices.iter().filter(|&&other| other != corner);
-            remedies.extend(others.filter_map(|&other| {
+            repairs.extend(others.filter_map(|&other| {
                 let [new, old, face] =
                     [other, corner, orbit.face.name].map(|name| rule.quoted(name));
                 let how = format!("write {new} for {old} in the loop of {face}");
@@ -287,15 +287,15 @@ fn other_corner(rule: &Rule) -> Vec<Remedy> {
                 if at == 0 {
                     changed.end.name = other;
                 }
-                Some(Remedy::Redraw { loops, how })
+                Some(Repair::Redraw { loops, how })
             }));
         }
     }
-    remedies
+    repairs
 }
 
 /// Lets every halfedge stay where it was, if its twin is not drawn: there it stays, too.
-fn unmoved(rule: &Rule) -> Vec<Remedy> {
+fn unmoved(rule: &Rule) -> Vec<Repair> {
     let drawing = Drawing::new(rule);
     let moved = moved_alone(&drawing);
     let stays = |half: NameId| {
@@ -316,15 +316,15 @@ fn unmoved(rule: &Rule) -> Vec<Remedy> {
 }
 
 /// Draws the twins outside of halfedges that move, and pairs them anew.
-fn outer_twins(rule: &Rule) -> Vec<Remedy> {
+fn outer_twins(rule: &Rule) -> Vec<Repair> {
     let moved = moved_alone(&Drawing::new(rule));
     if moved.is_empty() || rule.cycle.is_some() {
         return Vec::new();
     }
-    let begun = Begun { remedies: Vec::new(), rule: rule.clone() };
-    let drawn = begun.with(Remedy::DrawTwins(moved));
+    let begun = Begun { repairs: Vec::new(), rule: rule.clone() };
+    let drawn = begun.with(Repair::DrawTwins(moved));
     let paired = drawn.and_then(|drawn| drawn.with(pairing(&Drawing::new(&drawn.rule))?));
-    paired.map(|paired| Remedy::All(paired.remedies)).into_iter().collect()
+    paired.map(|paired| Repair::All(paired.repairs)).into_iter().collect()
 }
 
 /// The halfedges whose ends change though their twins are drawn nowhere; of a family the first.
@@ -345,9 +345,9 @@ fn mentions(orbit: &Loop) -> impl Iterator<Item = NameId> {
     orbit.items.iter().flat_map(|item| [item.from.name, item.item.name])
 }
 
-/// The remedy that writes other names in the loops of `after`; `None` if `keep` states one of these
+/// The repair that writes other names in the loops of `after`; `None` if `keep` states one of these
 /// loops, or nothing changes.
-fn redraw(rule: &Rule, new: impl Fn(&Loop, NameId) -> NameId, how: String) -> Option<Remedy> {
+fn redraw(rule: &Rule, new: impl Fn(&Loop, NameId) -> NameId, how: String) -> Option<Repair> {
     let mut loops = rule.after.loops.clone();
     for (orbit, old) in loops.iter_mut().zip(&rule.after.loops) {
         for item in &mut orbit.items {
@@ -360,12 +360,12 @@ fn redraw(rule: &Rule, new: impl Fn(&Loop, NameId) -> NameId, how: String) -> Op
             return None;
         }
     }
-    (loops != rule.after.loops).then_some(Remedy::Redraw { loops, how })
+    (loops != rule.after.loops).then_some(Repair::Redraw { loops, how })
 }
 
 /// Closes the loops of `after` that do not end where they begin: by another end, or another
 /// beginning; the vertex that is replaced may have changed places with one in between.
-pub(super) fn closed(rule: &Rule) -> Vec<Remedy> {
+pub(super) fn closed(rule: &Rule) -> Vec<Repair> {
     let ways: Vec<_> = rule.after.loops.iter().map(|orbit| ways_to_close(rule, orbit)).collect();
     let is_open = |(_, ways): &(&Loop, &Vec<_>)| ways.len() > 1;
     let open = rule.after.loops.iter().zip(&ways).filter(is_open);
@@ -382,7 +382,7 @@ pub(super) fn closed(rule: &Rule) -> Vec<Remedy> {
         });
         choices = longer.collect();
     }
-    let remedies = choices.iter().filter_map(|chosen| {
+    let repairs = choices.iter().filter_map(|chosen| {
         let chosen: Vec<_> = statements.iter().map(|(span, _)| *span).zip(chosen).collect();
         let mut loops = Vec::new();
         let mut how: Vec<String> = Vec::new();
@@ -392,9 +392,9 @@ pub(super) fn closed(rule: &Rule) -> Vec<Remedy> {
             loops.push(closed.clone());
             how.extend(told.clone().filter(|_| rule.is_first(orbit.face.name)));
         }
-        Some(Remedy::Redraw { loops, how: how.join(", and ") })
+        Some(Repair::Redraw { loops, how: how.join(", and ") })
     });
-    remedies.collect()
+    repairs.collect()
 }
 
 /// The ways to close a loop, each with its words; the loop itself if it is closed.

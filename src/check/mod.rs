@@ -72,7 +72,7 @@ mod properties;
 mod property_not_kept;
 mod proved;
 mod reach;
-mod remedies;
+mod repairs;
 mod ring_problems;
 mod sizes;
 mod stale;

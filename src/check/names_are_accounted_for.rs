@@ -13,8 +13,8 @@ use std::collections::BTreeSet;
 use super::forgotten::{as_a_hole, is_forgotten};
 use super::outside::{beside, twin_beside};
 use super::pairing::{free_edges, missing_loops, pairing, unpaired};
-use super::problem::{Problem, Remedy, enumerate, is_or_are, keyword};
-use super::remedies::insertions;
+use super::problem::{Problem, Repair, enumerate, is_or_are, keyword};
+use super::repairs::insertions;
 use super::stale::Stale;
 use super::unknown_names::Unknown;
 use crate::diagnostic::{Diagnostic, all_of};
@@ -255,25 +255,25 @@ impl Law<'_> {
         };
         diagnostic = diagnostic.note(Stale::of_loop(drawing, &names).sentence());
         diagnostic.notes.extend(as_a_hole(drawing, first));
-        let mut remedies = vec![Remedy::Erase(names.clone())];
+        let mut repairs = vec![Repair::Erase(names.clone())];
         if let Some([draw]) = missing_loops(drawing).as_deref() {
-            remedies.push(draw.clone());
+            repairs.push(draw.clone());
         }
         if orbits.len() == 1 {
-            remedies.push(Remedy::Keep(vec![face]));
+            repairs.push(Repair::Keep(vec![face]));
         }
         if let &[item] = names.as_slice() {
-            remedies.extend(insertions(drawing, item));
+            repairs.extend(insertions(drawing, item));
         }
         for (orbit, _) in &orbits {
             let face = orbit.face.name;
             if drawing.after.mention(face).is_none() && drawing.erased(face).is_none() {
-                remedies.push(Remedy::Erase(names.iter().copied().chain([face]).collect()));
+                repairs.push(Repair::Erase(names.iter().copied().chain([face]).collect()));
                 self.explained.push(face);
             }
         }
         self.explained.extend(open.iter().filter(|&&name| drawing.after.pairing(name).is_none()));
-        self.problems.push(Problem { diagnostic, remedies });
+        self.problems.push(Problem { diagnostic, repairs });
     }
 
     /// Reports halfedges that are paired before, and not after.
@@ -332,13 +332,13 @@ impl Law<'_> {
             [(edge, missing)] if missing.len() == 2 => Some(edge.edge.name),
             _ => None,
         };
-        let mut remedies = self.pairings(whole);
-        if let [Remedy::Keep(_), ..] = remedies.as_slice() {
+        let mut repairs = self.pairings(whole);
+        if let [Repair::Keep(_), ..] = repairs.as_slice() {
             let rule =
                 "what `before` draws is drawn again in `after`, even where it stays as it is";
             diagnostic = diagnostic.note(rule);
         }
-        remedies.push(Remedy::Erase(names.clone()));
+        repairs.push(Repair::Erase(names.clone()));
         self.explained.extend(names.iter().filter(|&&name| drawing.is_outer(name)));
         for (edge, _) in edges {
             if drawing.after.mention(edge.edge.name).is_none() {
@@ -346,31 +346,31 @@ impl Law<'_> {
             }
         }
         // The other half of the missing edge is reported with it.
-        for remedy in &remedies {
-            if let Remedy::Pair(edges) = remedy {
+        for repair in &repairs {
+            if let Repair::Pair(edges) = repair {
                 let halves = edges.iter().flat_map(|(_, halves)| halves);
                 self.explained.extend(halves.filter(|half| !names.contains(half)));
             }
         }
-        self.problems.push(Problem { diagnostic, remedies });
+        self.problems.push(Problem { diagnostic, repairs });
     }
 
-    /// The remedies that pair unpaired halfedges: the edge as it was, if both of its halfedges are
+    /// The repairs that pair unpaired halfedges: the edge as it was, if both of its halfedges are
     /// unpaired, or by their ends, or, if exactly two halfedges are unpaired, those two.
-    fn pairings(&self, whole: Option<NameId>) -> Vec<Remedy> {
+    fn pairings(&self, whole: Option<NameId>) -> Vec<Repair> {
         let drawing = self.drawing;
         let free: Vec<_> = free_edges(drawing).collect();
         let kept = whole.filter(|edge| free.contains(edge));
-        let mut remedies: Vec<_> = kept.map(|edge| Remedy::Keep(vec![edge])).into_iter().collect();
+        let mut repairs: Vec<_> = kept.map(|edge| Repair::Keep(vec![edge])).into_iter().collect();
         if let [left, right] = unpaired(self.drawing)[..] {
             let own = [left, right].map(|half| drawing.before.edge(half));
             let is_own = |edge: &&NameId| own.contains(&Some(**edge));
             let own: Vec<_> = free.iter().filter(is_own).copied().collect();
             let edges = if own.is_empty() { free } else { own };
             let edges = edges.into_iter().filter(|&edge| kept != Some(edge));
-            remedies.extend(edges.map(|edge| Remedy::Pair(vec![(edge, [left, right])])));
+            repairs.extend(edges.map(|edge| Repair::Pair(vec![(edge, [left, right])])));
         }
-        remedies
+        repairs
     }
 
     /// Reports vertices, edges, faces and fans that are drawn before, and nowhere after; those of
@@ -430,16 +430,16 @@ impl Law<'_> {
                 }
                 let mut diagnostic =
                     lacks("edge of `after`", format!("`{word}.twin` and `{word}.edge`"));
-                let remedies = self.pairings(None);
-                if remedies.is_empty() {
+                let repairs = self.pairings(None);
+                if repairs.is_empty() {
                     diagnostic.notes.extend(twin_beside(drawing, name));
                 }
-                for remedy in &remedies {
-                    if let Remedy::Pair(edges) = remedy {
+                for repair in &repairs {
+                    if let Repair::Pair(edges) = repair {
                         self.explained.extend(edges.iter().flat_map(|(_, halves)| halves));
                     }
                 }
-                self.problems.push(Problem { diagnostic, remedies });
+                self.problems.push(Problem { diagnostic, repairs });
             }
         }
     }
@@ -469,9 +469,9 @@ impl Law<'_> {
                 diagnostic = diagnostic.label(listed, "");
             }
         }
-        let remedies = pairing(drawing).into_iter().collect();
+        let repairs = pairing(drawing).into_iter().collect();
         self.explained.extend(open);
-        self.problems.push(Problem { diagnostic, remedies });
+        self.problems.push(Problem { diagnostic, repairs });
         true
     }
 }

@@ -5,7 +5,7 @@
 //! vertex has its whole star drawn, or moved in fans, is part of law 7.
 
 use super::problem::{Problem, enumerate};
-use super::remedies::{draw_edge_of, draw_edges_of};
+use super::repairs::{draw_edge_of, draw_edges_of};
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Drawing, Kind, NameId};
 use crate::source::Span;

@@ -1,6 +1,6 @@
 //! The twins after, and the loop that is missing, as far as the ends of halfedges determine them.
 
-use super::problem::Remedy;
+use super::problem::Repair;
 use crate::diagram::{Drawing, Edge, Kind, Loop, LoopItem, NameId, Spoke};
 
 /// Two halfedges that become twins.
@@ -71,30 +71,30 @@ pub(super) fn unpaired(drawing: &Drawing) -> Vec<NameId> {
         .collect()
 }
 
-/// The remedy that pairs anew all halfedges of `after` that have no twin, or one with other ends, if
+/// The repair that pairs anew all halfedges of `after` that have no twin, or one with other ends, if
 /// each fits exactly one other: in edges that are free, or else in new ones.
-pub(super) fn pairing(drawing: &Drawing) -> Option<Remedy> {
+pub(super) fn pairing(drawing: &Drawing) -> Option<Repair> {
     pairing_with(drawing, Vec::new())
 }
 
 /// The same, for each way in which one vertex may take the spokes of one that is erased, if these
 /// spokes go nowhere yet.
-pub(super) fn pairings(drawing: &Drawing) -> Vec<Remedy> {
+pub(super) fn pairings(drawing: &Drawing) -> Vec<Repair> {
     let rule = drawing.rule;
     let vertices = || rule.names_of(Kind::Vertex);
     let erased = vertices().filter(|&vertex| drawing.erased(vertex).is_some());
     let moves = erased.flat_map(|from| {
         vertices().filter(|&vertex| drawing.survives(vertex)).map(move |to| vec![(from, to)])
     });
-    let mut found: Vec<Remedy> = Vec::new();
+    let mut found: Vec<Repair> = Vec::new();
     for moved in [Vec::new()].into_iter().chain(moves.filter(|_| rule.cycle.is_none())) {
-        let remedy = pairing_with(drawing, moved);
-        found.extend(remedy.filter(|remedy| !found.contains(remedy)));
+        let repair = pairing_with(drawing, moved);
+        found.extend(repair.filter(|repair| !found.contains(repair)));
     }
     found
 }
 
-fn pairing_with(drawing: &Drawing, moved: Vec<(NameId, NameId)>) -> Option<Remedy> {
+fn pairing_with(drawing: &Drawing, moved: Vec<(NameId, NameId)>) -> Option<Repair> {
     let ends = Ends::new(drawing, moved);
     let is_wrong = |edge: &&Edge| {
         let [one, other] = edge.halfedges.map(|half| ends.drawn(half.name));
@@ -123,14 +123,14 @@ fn pairing_with(drawing: &Drawing, moved: Vec<(NameId, NameId)>) -> Option<Remed
     match all.as_slice() {
         [] => None,
         [only] => Some(only.clone()),
-        _ => Some(Remedy::All(all)),
+        _ => Some(Repair::All(all)),
     }
 }
 
 /// Distributes pairs over the edges that are free, or have wrong halfedges: each to one that an
 /// outer halfedge of it belongs to, or else any of its halfedges, or else to those that are left
 /// over. Pairs that no edge is left for get new ones.
-fn in_edges(drawing: &Drawing, wrong: &[NameId], mut pairs: Vec<Pair>) -> Vec<Remedy> {
+fn in_edges(drawing: &Drawing, wrong: &[NameId], mut pairs: Vec<Pair>) -> Vec<Repair> {
     let rule = drawing.rule;
     let mut free: Vec<_> = free_edges(drawing).chain(wrong.iter().copied()).collect();
     let mut named = Vec::new();
@@ -159,8 +159,8 @@ fn in_edges(drawing: &Drawing, wrong: &[NameId], mut pairs: Vec<Pair>) -> Vec<Re
     }
     // In the order of the text.
     named.sort_by_key(|(edge, _)| *edge);
-    let others = (!pairs.is_empty()).then_some(Remedy::PairAll(pairs));
-    let named = (!named.is_empty()).then_some(Remedy::Pair(named));
+    let others = (!pairs.is_empty()).then_some(Repair::PairAll(pairs));
+    let named = (!named.is_empty()).then_some(Repair::Pair(named));
     others.into_iter().chain(named).collect()
 }
 
@@ -175,7 +175,7 @@ pub(super) fn free_edges(drawing: &Drawing) -> impl Iterator<Item = NameId> {
 /// The missing loops of `after`, if there are any and each follows from the ends of its halfedges:
 /// those that it had before, if one is missing also others, of which one may have unknown ends.
 /// `None` if they are what they were before: [`kept_loops`].
-pub(super) fn missing_loops(drawing: &Drawing) -> Option<Vec<Remedy>> {
+pub(super) fn missing_loops(drawing: &Drawing) -> Option<Vec<Repair>> {
     let rule = drawing.rule;
     let lost = rule.before.loops.iter().filter(|orbit| {
         drawing.survives(orbit.face.name) && drawing.after.loop_of_face(orbit.face.name).is_none()
@@ -204,7 +204,7 @@ pub(super) fn missing_loops(drawing: &Drawing) -> Option<Vec<Remedy>> {
         let items = around(drawing, &ends, &own, &new)?;
         let was: Vec<_> = orbit.corners().zip(orbit.item_names()).collect();
         is_changed |= !is_rotated(&was, &items);
-        draws.push(Remedy::Draw { face, items });
+        draws.push(Repair::Draw { face, items });
     }
     is_changed.then_some(draws)
 }
@@ -215,8 +215,8 @@ fn is_rotated<T: PartialEq>(one: &[T], other: &[T]) -> bool {
     one.len() == other.len() && (0..one.len()).any(rotated)
 }
 
-/// The remedy that keeps the loops of which `after` states nothing.
-pub(super) fn kept_loops(drawing: &Drawing) -> Option<Remedy> {
+/// The repair that keeps the loops of which `after` states nothing.
+pub(super) fn kept_loops(drawing: &Drawing) -> Option<Repair> {
     let rule = drawing.rule;
     let is_free =
         |name: NameId| drawing.survives(name) && drawing.after.loop_of_item(name).is_none();
@@ -228,7 +228,7 @@ pub(super) fn kept_loops(drawing: &Drawing) -> Option<Remedy> {
     };
     let left = rule.before.loops.iter().filter(is_left).map(|orbit| orbit.face.name);
     let left: Vec<_> = left.filter(|_| rule.cycle.is_none()).collect();
-    (!left.is_empty()).then_some(Remedy::Keep(left))
+    (!left.is_empty()).then_some(Repair::Keep(left))
 }
 
 /// The one way around by which items form a loop, perhaps with some of the others: by their ends

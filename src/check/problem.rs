@@ -9,13 +9,13 @@ use crate::source::Span;
 pub(super) struct Problem {
     /// The message.
     pub diagnostic: Diagnostic,
-    /// The remedies that might mend it, to be tried in [`mend`](super::mend).
-    pub remedies: Vec<Remedy>,
+    /// The repairs that might mend it, to be tried in [`mend`](super::mend).
+    pub repairs: Vec<Repair>,
 }
 
-/// Something that might mend a problem, or all problems of a rule.
+/// A candidate fix of a problem, or of all problems of a rule.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Remedy {
+pub(super) enum Repair {
     /// `erase` these names; of a family, all members.
     Erase(Vec<NameId>),
     /// `keep` these edges, faces or vertices.
@@ -43,12 +43,12 @@ pub(super) enum Remedy {
     /// The edges of these halfedges in `before`, each with an outer twin.
     DrawTwins(Vec<NameId>),
     /// One after the other.
-    All(Vec<Remedy>),
+    All(Vec<Repair>),
 }
 
 impl From<Diagnostic> for Problem {
     fn from(diagnostic: Diagnostic) -> Self {
-        Self { diagnostic, remedies: Vec::new() }
+        Self { diagnostic, repairs: Vec::new() }
     }
 }
 

@@ -34,10 +34,7 @@ pub(super) fn broken_claims(op: &Op, drawing: &Drawing, facts: &Facts) -> Vec<Pr
                     Some(format!("its time grows with {}", all_of(&facts.grows_with)))
                 }
             };
-            match why {
-                Some(why) => diagnostic.note(why).into(),
-                None => diagnostic.into(),
-            }
+            diagnostic.with(why, Diagnostic::note).into()
         })
         .collect()
 }

@@ -1,13 +1,13 @@
 //! Problems of the rings of spokes of a case, in words.
 
-use super::arrangement::{Arc, Lies};
+use super::arrangement::{Arc, ArcContent};
 use super::case::{Case, Step};
 use super::chain::vertex_after;
 use super::fan_repair::fan_names;
 use super::joint::moved_alone;
 use super::port::Port;
-use super::problem::{Problem, Remedy, enumerate};
-use super::remedies::missing_edge;
+use super::problem::{Problem, Repair, enumerate};
+use super::repairs::missing_edge;
 use super::star_order::{Token, agrees};
 use crate::diagnostic::{Diagnostic, all_of};
 use crate::diagram::{Drawing, Kind, NameId, Spoke};
@@ -21,14 +21,14 @@ impl Case<'_> {
         let mut problems = Vec::new();
         let mut fans = fan_names(rule);
         let arcs = self.cycles.iter().flatten().filter_map(|step| match step {
-            Step::Arc(arc) => Some((self.label(arc.lies, arc.vertex)?, arc.lies)),
+            Step::Arc(arc) => Some((self.label(arc.content, arc.vertex)?, arc.content)),
             Step::Port(Port::Out(path)) if rule.kind(*path) == Kind::Path => {
-                let lies = self.first_spokes.iter().find(|(name, _)| name == path)?.1;
-                Some((self.first_spoke_label(*path)?, lies))
+                let content = self.first_spokes.iter().find(|(name, _)| name == path)?.1;
+                Some((self.first_spoke_label(*path)?, content))
             }
             Step::Port(_) => None,
         });
-        for (vertex, lies) in arcs {
+        for (vertex, content) in arcs {
             let Some(erased) = self.drawing.erased(vertex) else { continue };
             if told.contains(&vertex) {
                 continue;
@@ -56,8 +56,8 @@ impl Case<'_> {
                 .map(|half| rule.name(half).text.clone())
                 .collect::<Vec<_>>()
                 .join(" ");
-            let advice = match lies {
-                Lies::Fan(fan) => format!(
+            let advice = match content {
+                ArcContent::Fan(fan) => format!(
                     "list {} in the vertex statement of the vertex that takes its spokes",
                     rule.quoted(fan)
                 ),
@@ -75,7 +75,7 @@ impl Case<'_> {
             };
             problems.push(Problem {
                 diagnostic: diagnostic.note(advice),
-                remedies: vec![Remedy::Take(vertex)],
+                repairs: vec![Repair::Take(vertex)],
             });
         }
         problems
@@ -102,7 +102,7 @@ impl Case<'_> {
             diagnostic: diagnostic.note(format!(
                 "list {spoke} in the vertex statement of the vertex where it starts now"
             )),
-            remedies: vec![Remedy::Take(vertex)],
+            repairs: vec![Repair::Take(vertex)],
         }
     }
 
@@ -147,8 +147,8 @@ impl Case<'_> {
                     span.or_else(|| self.drawing.after.mention(item)),
                 )
             }
-            Step::Arc(arc) => match arc.lies {
-                Lies::Fan(fan) => (
+            Step::Arc(arc) => match arc.content {
+                ArcContent::Fan(fan) => (
                     format!("the fan {} starts at {text}", rule.quoted(fan)),
                     self.drawing.after.mention(fan),
                 ),
@@ -192,7 +192,7 @@ impl Case<'_> {
         let erased = erased.filter(|&vertex| self.drawing.erased(vertex).is_some());
         Problem {
             diagnostic: diagnostic.note("going clockwise around a vertex, from a halfedge to `twin.next`, these come into one cycle, so they start at one vertex"),
-            remedies: erased.map(Remedy::Take).collect(),
+            repairs: erased.map(Repair::Take).collect(),
         }
     }
 
@@ -241,8 +241,9 @@ impl Case<'_> {
                     _ => None,
                 })
                 .collect();
-            let arcs =
-                cycle.iter().any(|step| matches!(step, Step::Arc(arc) if arc.lies != Lies::Empty));
+            let arcs = cycle
+                .iter()
+                .any(|step| matches!(step, Step::Arc(arc) if arc.content != ArcContent::Empty));
             let outside = arcs.then(|| "spokes outside of the drawing".to_string());
             all_of(drawn.into_iter().chain(outside))
         };
@@ -287,10 +288,10 @@ impl Case<'_> {
                 Step::Port(Port::Out(path)) => {
                     let mut spokes = self.first_spokes.iter();
                     match spokes.find(|(name, _)| name == path).map(|found| found.1) {
-                        Some(Lies::Fan(fan)) => Some(Token::Fan(fan)),
+                        Some(ArcContent::Fan(fan)) => Some(Token::Fan(fan)),
                         // Another token stands for it.
-                        Some(Lies::Empty | Lies::Spoke(_)) => None,
-                        Some(Lies::Rest) | None => Some(Token::Rest),
+                        Some(ArcContent::Empty | ArcContent::Spoke(_)) => None,
+                        Some(ArcContent::Rest) | None => Some(Token::Rest),
                     }
                 }
                 Step::Arc(arc) => arc_token(*arc),
@@ -311,10 +312,10 @@ impl Case<'_> {
 
     /// The token that a statement lists for an arc.
     pub(super) fn arc_token(&self, arc: Arc) -> Option<Token> {
-        match arc.lies {
-            Lies::Fan(fan) => Some(Token::Fan(fan)),
-            Lies::Rest => Some(Token::Rest),
-            Lies::Empty | Lies::Spoke(_) => None,
+        match arc.content {
+            ArcContent::Fan(fan) => Some(Token::Fan(fan)),
+            ArcContent::Rest => Some(Token::Rest),
+            ArcContent::Empty | ArcContent::Spoke(_) => None,
         }
     }
 

@@ -4,7 +4,7 @@
 //! new ones; each once, none with itself. (That none is missing is law 2.)
 
 use super::problem::Problem;
-use super::remedies::draw_edge_of;
+use super::repairs::draw_edge_of;
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Drawing, Side};
 

@@ -1,6 +1,6 @@
 //! Names of `after` that nothing introduces, and what was probably meant.
 
-use super::problem::{Problem, Remedy, enumerate};
+use super::problem::{Problem, Repair, enumerate};
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Drawing, Kind, NameId, Rule, Spoke};
 use crate::source::Span;
@@ -141,7 +141,7 @@ fn not_listed(drawing: &Drawing, mut names: Vec<(NameId, Span)>) -> Option<Probl
         let text = rule.quoted(given);
         diagnostic = diagnostic.note(format!("{text} is a parameter: `before` draws it"));
     }
-    let mut remedies = Vec::new();
+    let mut repairs = Vec::new();
     if rule.kind(first.0) == Kind::Fan {
         diagnostic = of_before(drawing, diagnostic, &rule.name(first.0).text);
     }
@@ -152,9 +152,9 @@ fn not_listed(drawing: &Drawing, mut names: Vec<(NameId, Span)>) -> Option<Probl
             _ => "if they are created here, list them".to_owned(),
         };
         diagnostic = diagnostic.note(format!("{what}: `new {}`", words.join(" ")));
-        remedies.push(Remedy::Create(elements));
+        repairs.push(Repair::Create(elements));
     }
-    Some(Problem { diagnostic, remedies })
+    Some(Problem { diagnostic, repairs })
 }
 
 /// Adds where `before` draws a fan that only `after` names.

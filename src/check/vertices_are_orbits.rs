@@ -165,18 +165,13 @@ pub(super) fn impossible(drawing: &Drawing, corner: &Corner) -> Problem {
                     "counterclockwise around {text} the spoke after `{spoke}` is \
                      `{spoke}.prev.twin`"
                 ));
-            match star.spokes.iter().all(|spoke| spoke.halfedge().is_some()) {
-                true => error.note("spokes that are not drawn are a fan, `*`"),
-                false => error,
-            }
+            let is_whole = star.spokes.iter().all(|spoke| spoke.halfedge().is_some());
+            error.when(is_whole, |error| error.note("spokes that are not drawn are a fan, `*`"))
         });
-        return match in_order(drawing, corner, star) {
-            Some(statement) => {
-                let title = format!("write `{statement}`");
-                diagnostic.fix(title, star.span, statement).into()
-            }
-            None => diagnostic.into(),
-        };
+        let diagnostic = diagnostic.with(in_order(drawing, corner, star), |told, statement| {
+            told.fix(format!("write `{statement}`"), star.span, statement)
+        });
+        return diagnostic.into();
     }
     let closed = corner.chains.iter().find(|chain| chain.closed);
     let spokes = closed.map(|chain| spokes_of(drawing, &chain.ports)).unwrap_or_default();

@@ -6,7 +6,7 @@ use super::arguments::{ApplyArguments, Format};
 use super::check::{depends, reports};
 use super::counts::Counts;
 use super::failure::Failure;
-use super::output::{complain, complain_json, is_standard, say, say_json};
+use super::output::{eprint_json, eprint_line, is_standard, print_json, print_line};
 use super::program::{self, Program, settings};
 use super::{meshes, place};
 use crate::mesh::{
@@ -26,7 +26,7 @@ pub(super) fn apply(arguments: &ApplyArguments) -> Result<(), Failure> {
         let failure = Failure::Told(reports(&told, &program.sources), 1.into());
         if let Some(lacks) = &program.analysis.lacks[op] {
             let name = &program.analysis.program.ops[op].name;
-            complain(&format!("`{name}` is not proved: it {}", depends(lacks)));
+            eprint_line(&format!("`{name}` is not proved: it {}", depends(lacks)));
         }
         return Err(failure);
     };
@@ -69,19 +69,19 @@ pub(super) fn apply(arguments: &ApplyArguments) -> Result<(), Failure> {
                 ..Report::nothing(plan, before)
             };
             match (arguments.format, output.is_some_and(is_standard)) {
-                (Format::Json, false) => say_json(&report)?,
-                (Format::Json, true) => complain_json(&report)?,
-                (Format::Human, false) => say(&report.show()),
-                (Format::Human, true) => complain(&report.show()),
+                (Format::Json, false) => print_json(&report)?,
+                (Format::Json, true) => eprint_json(&report)?,
+                (Format::Human, false) => print_line(&report.show()),
+                (Format::Human, true) => eprint_line(&report.show()),
             }
             if output.is_none() && arguments.format == Format::Human {
-                complain("the result is not kept; `-o FILE` writes it");
+                eprint_line("the result is not kept; `-o FILE` writes it");
             }
             Ok(())
         }
         Applied::Refused(reason) => {
             if arguments.format == Format::Json {
-                say_json(&Report {
+                print_json(&Report {
                     refused: Some(reason.clone()),
                     repaired: obj.repaired,
                     ..Report::nothing(plan, before)

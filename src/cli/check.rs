@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use super::arguments::{CheckArguments, Format};
 use super::failure::Failure;
-use super::output::{complain_of, say, say_json, table};
+use super::output::{eprint_diagnostics, print_json, print_line, table};
 use super::witness::Witnesses;
 use super::{fix, program};
 use crate::analysis::{
@@ -51,20 +51,20 @@ pub(super) fn check(arguments: &CheckArguments) -> Result<(), Failure> {
         }
         match arguments.format {
             Format::Human => {
-                complain_of(&program.analysis.diagnostics, &program.sources);
+                eprint_diagnostics(&program.analysis.diagnostics, &program.sources);
                 let file = path.display().to_string();
                 if !verdicts.is_empty() {
-                    say(&show(&file, &verdicts, arguments.verbose));
+                    print_line(&show(&file, &verdicts, arguments.verbose));
                 } else if program.analysis.is_sound() {
-                    say(&format!("{file}: {}", without_ops(&program.analysis)));
+                    print_line(&format!("{file}: {}", without_ops(&program.analysis)));
                 }
                 if arguments.explain {
                     for argument in why_proved(&program.analysis) {
-                        say(&explained(&argument));
+                        print_line(&explained(&argument));
                     }
                 }
                 for rule in &aliases {
-                    say(&super::aliases::show(rule));
+                    print_line(&super::aliases::show(rule));
                 }
             }
             Format::Json => files.push(FileReport {
@@ -77,7 +77,7 @@ pub(super) fn check(arguments: &CheckArguments) -> Result<(), Failure> {
         }
     }
     if arguments.format == Format::Json {
-        say_json(&Report { proved: sound && unreadable.is_none(), files })?;
+        print_json(&Report { proved: sound && unreadable.is_none(), files })?;
     }
     match unreadable {
         Some(failure) => Err(Failure::Silent(failure.exit_code())),

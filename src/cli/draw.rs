@@ -8,7 +8,7 @@ use super::check::show_rule;
 use super::failure::Failure;
 use super::files::write;
 use super::meshes::expect_place;
-use super::output::{complain, is_standard, say};
+use super::output::{eprint_line, is_standard, print_line};
 use super::plan::show as show_plan;
 use super::program::{self, Program};
 use crate::analysis::{Analysis, Verdict, example, verdicts};
@@ -51,7 +51,7 @@ pub(super) fn draw(arguments: &DrawArguments) -> Result<(), Failure> {
         return match &arguments.output {
             Some(output) => write(output, text.as_bytes()),
             None => {
-                say(&text);
+                print_line(&text);
                 Ok(())
             }
         };
@@ -74,11 +74,11 @@ pub(super) fn draw(arguments: &DrawArguments) -> Result<(), Failure> {
     match (arguments.drawn, &arguments.output) {
         (Some(Drawn::Text), Some(output)) => write(output, text().as_bytes()),
         (Some(Drawn::Text), None) => {
-            say(text().trim_end());
+            print_line(text().trim_end());
             Ok(())
         }
         (Some(Drawn::Svg), None) => {
-            say(sheet().svg().trim_end());
+            print_line(sheet().svg().trim_end());
             Ok(())
         }
         (Some(Drawn::Svg), Some(output)) => write(output, sheet().svg().as_bytes()),
@@ -108,7 +108,7 @@ fn diagram(program: &Program, op: usize) -> Result<Cow<'_, Op>, Failure> {
     if analysis.plans[op].is_none() && analysis.program.ops[op].diagram.is_some() {
         let name = &analysis.program.ops[op].name;
         let file = program.sources.get(analysis.file).name();
-        complain(&format!("warning: `{name}` is not proved; `hedgerow check {file}` tells why"));
+        eprint_line(&format!("warning: `{name}` is not proved; `hedgerow check {file}` tells why"));
     }
     let (resolved, plan) = (&analysis.program.ops[op], &analysis.plans[op]);
     let not_understood = || {

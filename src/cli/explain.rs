@@ -3,7 +3,7 @@
 use super::arguments::ExplainArguments;
 use super::failure::Failure;
 use super::library::{self, declared};
-use super::output::{say, table};
+use super::output::{print_line, table};
 use crate::analysis::{MEANINGS, Word, functions, meaning, word};
 use crate::diagnostic::{explain as explanation, explained};
 use crate::diagram::{Property, Type};
@@ -13,12 +13,12 @@ use crate::resolve::{closest, constants};
 pub(super) fn explain(arguments: &ExplainArguments) -> Result<(), Failure> {
     let Some(asked) = arguments.word.as_deref() else {
         let rows: Vec<_> = explained().map(|(code, law)| vec![code.into(), law.into()]).collect();
-        say(&table(&rows, &[]));
+        print_line(&table(&rows, &[]));
         return Ok(());
     };
     let asked = usual(bare(asked));
     if asked == "properties" {
-        say(&table(&properties(), &[]));
+        print_line(&table(&properties(), &[]));
         return Ok(());
     }
     if let Some(words) = listed(asked) {
@@ -61,7 +61,7 @@ pub(super) fn explain(arguments: &ExplainArguments) -> Result<(), Failure> {
             text += &format!("\n\n{phrase}: {meaning}");
         }
     }
-    say(&format!("{asked}\n\n{text}"));
+    print_line(&format!("{asked}\n\n{text}"));
     Ok(())
 }
 
@@ -96,7 +96,7 @@ fn list(words: &[&str]) {
         Some(vec![format!("{called}{more}"), meaning.to_owned()])
     });
     let rows: Vec<_> = rows.collect();
-    say(&table(&rows, &[]));
+    print_line(&table(&rows, &[]));
 }
 
 fn described(Word { forms, meaning }: Word) -> String {

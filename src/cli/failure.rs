@@ -6,7 +6,7 @@ use std::process::ExitCode;
 use serde::Serialize;
 
 use super::check::{DiagnosticReport, reports};
-use super::output::{complain, complain_of, say_json};
+use super::output::{eprint_diagnostics, eprint_line, print_json};
 use crate::diagnostic::Diagnostic;
 use crate::source::Sources;
 
@@ -40,7 +40,7 @@ impl Failure {
 
     /// A failure for these diagnostics, which are printed.
     pub fn of(diagnostics: &[Diagnostic], sources: &Sources, code: u8) -> Self {
-        complain_of(diagnostics, sources);
+        eprint_diagnostics(diagnostics, sources);
         Self::Told(reports(diagnostics, sources), code.into())
     }
 
@@ -54,7 +54,7 @@ impl Failure {
             },
             Failure::NotProved | Failure::Refused(_) | Failure::Silent(_) => return Ok(()),
         };
-        say_json(&Report { error, diagnostics })
+        print_json(&Report { error, diagnostics })
     }
 
     /// The reason, if it is not printed already.
@@ -69,8 +69,8 @@ impl Failure {
     pub fn tell(&self) {
         match self {
             Failure::NotProved | Failure::Told(..) | Failure::Silent(_) => {}
-            Failure::Usage(message) => complain(&format!("error: {message}")),
-            Failure::Refused(reason) => complain(&format!("refused: {reason}")),
+            Failure::Usage(message) => eprint_line(&format!("error: {message}")),
+            Failure::Refused(reason) => eprint_line(&format!("refused: {reason}")),
         }
     }
 

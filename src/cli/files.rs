@@ -5,13 +5,13 @@ use std::path::Path;
 use super::failure::Failure;
 use super::interrupt;
 use super::meshes::expect_place;
-use super::output::{is_standard, pour};
+use super::output::{is_standard, write_stdout};
 use crate::mesh::{FileReason, replace_file};
 
 /// Writes a file.
 pub(super) fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     if is_standard(path) {
-        return pour(bytes);
+        return write_stdout(bytes);
     }
     expect_place(path)?;
     expect_waiting(path);

@@ -10,7 +10,7 @@ use std::path::Path;
 
 use super::failure::Failure;
 use super::files;
-use super::output::complain;
+use super::output::eprint_line;
 use super::program::{self, Program};
 use crate::diagnostic::{Diagnostic, Edit, Fix};
 use crate::source::{FileId, Source, Span};
@@ -68,18 +68,18 @@ pub(super) fn mended(path: &Path) -> Result<Program, Failure> {
         first = Program::of(name.clone(), text.clone());
     };
     for Applied { line, title, .. } in &applied {
-        complain(&format!("{name}:{line}: {title}"));
+        eprint_line(&format!("{name}:{line}: {title}"));
     }
     let done = applied.len();
     if done > 0 {
         let text = program.sources.get(program.analysis.file).text();
         files::write(path, text.as_bytes())?;
         let fixes = if done == 1 { "fix" } else { "fixes" };
-        complain(&format!("{}: {done} {fixes} written", path.display()));
+        eprint_line(&format!("{}: {done} {fixes} written", path.display()));
     } else if !program.analysis.is_sound() {
         let told = program.analysis.diagnostics.iter();
         let has_fix = told.filter(|told| told.is_error()).any(|told| told.fixes.len() == 1);
-        complain(&match has_fix {
+        eprint_line(&match has_fix {
             true => format!("{}: no fix is certain to leave fewer errors", path.display()),
             false => format!("{}: no error has a certain fix", path.display()),
         });

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use super::arguments::FmtArguments;
 use super::failure::Failure;
-use super::output::{complain, complain_of, pour};
+use super::output::{eprint_diagnostics, eprint_line, write_stdout};
 use super::program::expect_program;
 use crate::analysis::{program_text, read_program};
 use crate::format::{Formatted, format};
@@ -52,7 +52,7 @@ fn from_standard_input(check: bool) -> Result<bool, Failure> {
     if check {
         return Ok(is_as_it_should(&text, &formatted, STANDARD_INPUT));
     }
-    pour(formatted.text.as_bytes())?;
+    write_stdout(formatted.text.as_bytes())?;
     Ok(formatted.diagnostics.is_empty())
 }
 
@@ -80,14 +80,14 @@ fn formatted(text: &str, name: &str) -> Result<Formatted, Failure> {
             "`{name}` is left as it is: {refusal} (a mistake of hedgerow; please report it)"
         ))
     })?;
-    complain_of(&formatted.diagnostics, &sources);
+    eprint_diagnostics(&formatted.diagnostics, &sources);
     Ok(formatted)
 }
 
 fn is_as_it_should(text: &str, formatted: &Formatted, name: &str) -> bool {
     let same = formatted.text == text;
     if !same {
-        complain(&format!("`{name}` is not formatted"));
+        eprint_line(&format!("`{name}` is not formatted"));
     }
     same && formatted.diagnostics.is_empty()
 }

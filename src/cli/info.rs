@@ -7,7 +7,7 @@ use serde::Serialize;
 use super::arguments::{Format, InfoArguments};
 use super::failure::Failure;
 use super::meshes;
-use super::output::{say, say_json, table};
+use super::output::{print_json, print_line, table};
 use crate::mesh::{
     AttributeSummary, Bin, Element, Lengths, Level, Measures, Mesh, MeshFile, RepairReport,
     Summary, validate_level,
@@ -35,14 +35,14 @@ pub(super) fn info(arguments: &InfoArguments) -> Result<(), Failure> {
     }
     let summary = Summary::of(&obj.mesh);
     match arguments.format {
-        Format::Json => say_json(&InfoReport {
+        Format::Json => print_json(&InfoReport {
             summary: &summary,
             repaired: obj.repaired,
             parts: parts(&obj).collect(),
         }),
         Format::Human => {
             let rows: Vec<_> = parts(&obj).map(|(what, names)| row(what, listed(&names))).collect();
-            say(&show(&shown, &summary, rows));
+            print_line(&show(&shown, &summary, rows));
             Ok(())
         }
     }
@@ -55,22 +55,22 @@ fn describe_dump(shown: &str, arguments: &InfoArguments) -> Result<(), Failure> 
     }
     let meshes = dump.meshes.iter().map(|(name, mesh)| (name.as_str(), Summary::of(mesh)));
     match arguments.format {
-        Format::Json => say_json(&DumpReport {
+        Format::Json => print_json(&DumpReport {
             remarks: &dump.remarks,
             meshes: meshes.collect(),
             names: dump.names.iter().map(stands_for).collect(),
         }),
         Format::Human => {
             for remark in &dump.remarks {
-                say(remark);
+                print_line(remark);
             }
             for (name, summary) in meshes {
-                say(&show(&format!("{shown}, {name}"), &summary, Vec::new()));
+                print_line(&show(&format!("{shown}, {name}"), &summary, Vec::new()));
             }
             let names = dump.names.iter().map(stands_for);
             let rows: Vec<_> = names.map(|(name, elements)| row(name, elements)).collect();
             if !rows.is_empty() {
-                say(&format!("names\n{}", table(&rows, &[])));
+                print_line(&format!("names\n{}", table(&rows, &[])));
             }
             Ok(())
         }
@@ -113,10 +113,12 @@ fn tell_level(arguments: &InfoArguments, mesh: &Mesh, level: Level) -> Result<()
     let file = arguments.mesh.display();
     match (arguments.format, &below) {
         (Format::Json, _) => {
-            say_json(&LevelReport { level, holds: below.is_none(), reason: below.as_deref() })?
+            print_json(&LevelReport { level, holds: below.is_none(), reason: below.as_deref() })?
         }
-        (Format::Human, None) => say(&format!("{file}: of level {level}")),
-        (Format::Human, Some(reason)) => say(&format!("{file}: not of level {level}: {reason}")),
+        (Format::Human, None) => print_line(&format!("{file}: of level {level}")),
+        (Format::Human, Some(reason)) => {
+            print_line(&format!("{file}: not of level {level}: {reason}"))
+        }
     }
     if below.is_none() { Ok(()) } else { Err(Failure::Silent(1.into())) }
 }

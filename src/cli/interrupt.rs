@@ -10,7 +10,7 @@ use std::process::exit;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::failure::Failure;
-use super::output::complain;
+use super::output::eprint_line;
 
 /// The exit code of a command that was interrupted: 128 plus the number of the signal, as is usual
 /// in shells.
@@ -47,7 +47,7 @@ pub(super) fn expect_none() -> Result<(), Failure> {
     if !is_asked() {
         return Ok(());
     }
-    complain("interrupted: nothing is written");
+    eprint_line("interrupted: nothing is written");
     Err(Failure::Silent(CODE.into()))
 }
 

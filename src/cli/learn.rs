@@ -5,7 +5,7 @@ use std::path::Path;
 use super::arguments::LearnArguments;
 use super::failure::Failure;
 use super::files;
-use super::output::{complain, say, table};
+use super::output::{eprint_line, print_line, table};
 use crate::analysis::read_program;
 use crate::lessons::{self, Lesson, judge_file};
 
@@ -14,8 +14,10 @@ pub(super) fn learn(arguments: &LearnArguments) -> Result<(), Failure> {
     let Some(name) = &arguments.lesson else {
         let rows = lessons::all().map(|it| vec![it.number().to_string(), it.title.to_owned()]);
         let rows: Vec<_> = rows.collect();
-        say(&table(&rows, &[true, false]));
-        say("\n`hedgerow learn 1` begins; `hedgerow play` shows the same lessons in a browser");
+        print_line(&table(&rows, &[true, false]));
+        print_line(
+            "\n`hedgerow learn 1` begins; `hedgerow play` shows the same lessons in a browser",
+        );
         return Ok(());
     };
     let lesson = lessons::lesson(name).ok_or_else(|| {
@@ -30,11 +32,11 @@ pub(super) fn learn(arguments: &LearnArguments) -> Result<(), Failure> {
 
 fn show(lesson: &Lesson) -> Result<(), Failure> {
     let number = lesson.number();
-    say(&format!("{number}. {}\n\n{}\n\n{}", lesson.title, lesson.text, lesson.program));
+    print_line(&format!("{number}. {}\n\n{}\n\n{}", lesson.title, lesson.text, lesson.program));
     for mistake in &lesson.mistakes {
-        say(&format!("A common mistake: {}\n\n{}\n", mistake.title, mistake.text));
+        print_line(&format!("A common mistake: {}\n\n{}\n", mistake.title, mistake.text));
     }
-    say(&format!(
+    print_line(&format!(
         "`hedgerow learn {number} lesson.hedge --start` writes this program to a file; edit it, \
          and\n`hedgerow learn {number} lesson.hedge` says whether the lesson is solved. `hedgerow plan \
          lesson.hedge`\nshows the plan of an operation, `hedgerow play lesson.hedge` the view to click in"
@@ -49,7 +51,7 @@ fn start(lesson: &Lesson, file: &Path) -> Result<(), Failure> {
         return Err(Failure::usage(format!("`{shown}` is there already; give another name")));
     }
     files::write(file, lesson.program.as_bytes())?;
-    complain(&format!("written: {}", file.display()));
+    eprint_line(&format!("written: {}", file.display()));
     Ok(())
 }
 
@@ -60,12 +62,12 @@ fn check(lesson: &Lesson, file: &Path) -> Result<(), Failure> {
         Ok(()) => {
             let next = lessons::lesson(&(lesson.number() + 1).to_string());
             let next = next.map(|next| format!("; next: {}. {}", next.number(), next.title));
-            say(&format!("solved: {}{}", lesson.title, next.unwrap_or_default()));
+            print_line(&format!("solved: {}{}", lesson.title, next.unwrap_or_default()));
             Ok(())
         }
         Err(why) => {
-            complain(why.to_string().trim_end());
-            complain(&format!("not solved yet: {}", lesson.title));
+            eprint_line(why.to_string().trim_end());
+            eprint_line(&format!("not solved yet: {}", lesson.title));
             Err(Failure::NotProved)
         }
     }

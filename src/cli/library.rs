@@ -6,7 +6,7 @@ use std::path::Path;
 
 use super::arguments::StdArguments;
 use super::failure::Failure;
-use super::output::{say, table, wrapped};
+use super::output::{print_line, table, wrapped};
 use crate::diagnostic::quoted;
 use crate::library::{self, LibraryFile};
 use crate::source::Sources;
@@ -23,10 +23,10 @@ pub(super) fn std(arguments: &StdArguments) -> Result<(), Failure> {
         return copy(&found, to, arguments.name.is_some());
     }
     match (found.as_slice(), &arguments.name) {
-        ([file], Some(_)) => say(file.text.trim_end()),
+        ([file], Some(_)) => print_line(file.text.trim_end()),
         (files, _) => {
             let listed: Vec<_> = files.iter().map(|file| list(*file)).collect();
-            say(&listed.join("\n\n"));
+            print_line(&listed.join("\n\n"));
         }
     }
     Ok(())
@@ -172,7 +172,7 @@ fn copy(files: &[LibraryFile], to: &Path, single: bool) -> Result<(), Failure> {
             std::fs::create_dir_all(to).map_err(failed)?;
         }
         write_new(&place, file.text).map_err(failed)?;
-        say(&format!("{} -> {}", file.name, place.display()));
+        print_line(&format!("{} -> {}", file.name, place.display()));
     }
     Ok(())
 }

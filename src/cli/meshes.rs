@@ -7,7 +7,7 @@ use strsim::damerau_levenshtein;
 
 use super::failure::Failure;
 use super::option_groups::{EncodingArguments, RepairArguments};
-use super::output::{complain, is_standard, pour};
+use super::output::{eprint_line, is_standard, write_stdout};
 use super::program::{Program, is_mesh};
 use super::{files, interrupt};
 use crate::analysis::{Analysis, is_program};
@@ -114,7 +114,7 @@ fn expect_read(path: &Path, read: Result<MeshFile, FileError>) -> Result<MeshFil
             let line = line.map(|line| format!("line {line}: ")).unwrap_or_default();
             *first += &format!(" ({line}{words})");
         }
-        complain(&format!("{shown}: repaired: {}", steps.join(", ")));
+        eprint_line(&format!("{shown}: repaired: {}", steps.join(", ")));
     }
     Ok(file)
 }
@@ -248,10 +248,10 @@ pub(super) fn write(
         _ => Failure::usage(error),
     })?;
     if is_standard(path) {
-        pour(&bytes)?;
+        write_stdout(&bytes)?;
     }
     for name in gathered {
-        complain(&format!(
+        eprint_line(&format!(
             "{shown}: `{name}` is written for each vertex, whose corners all have the same"
         ));
     }
@@ -261,7 +261,7 @@ pub(super) fn write(
     tell_bare(path, format, bare);
     let lost = file.lost_groups(format);
     if !lost.is_empty() {
-        complain(&format!(
+        eprint_line(&format!(
             "warning: {shown} cannot hold the {} of the mesh; {} file can",
             all_of(lost.clone()),
             if lost.contains(&"texture files") { "a .ply" } else { "an .obj or .ply" }
@@ -269,7 +269,7 @@ pub(super) fn write(
     }
     tell_overruled(path, format, file);
     for loss in file.losses() {
-        complain(&format!("warning: {shown}: of the mesh that was read: {loss}"));
+        eprint_line(&format!("warning: {shown}: of the mesh that was read: {loss}"));
     }
     Ok(())
 }
@@ -280,7 +280,7 @@ fn tell_unheld(path: &Path, format: FileFormat, file: &MeshFile) {
     let told: Vec<_> = unheld.map(|(kind, name, ty)| format!("`{name}` ({kind} {ty})")).collect();
     if !told.is_empty() {
         let (shown, told) = (path.display(), told.join(", "));
-        complain(&format!("warning: {shown} cannot hold {told}; a .ply or .halfedges file can"));
+        eprint_line(&format!("warning: {shown} cannot hold {told}; a .ply or .halfedges file can"));
     }
 }
 
@@ -295,7 +295,7 @@ fn tell_lost_values(path: &Path, format: FileFormat, file: &MeshFile) {
             Loss::NoColours => format!("with parts that are not from 0 to 1 {are} read otherwise"),
         };
         let other = if loss == Loss::NoColours { ".ply or .halfedges" } else { ".halfedges" };
-        complain(&format!(
+        eprint_line(&format!(
             "warning: {shown}: {count} {values} of `{name}` ({kind}) {what}; a {other} file holds {}",
             if count == 1 { "it" } else { "them" },
             kind = kind.name(),
@@ -308,7 +308,7 @@ fn tell_lost_vertices(path: &Path, format: FileFormat, file: &MeshFile) {
     let (shown, [merged, left_out]) = (path.display(), file.lost_vertices(format));
     if merged > 0 {
         let lie = if merged == 1 { "vertex lies" } else { "vertices lie" };
-        complain(&format!(
+        eprint_line(&format!(
             "warning: {shown} knows vertices by their places alone: {merged} {lie} where another \
              does, and will be one with it; an .obj or .ply file can hold both"
         ));
@@ -316,7 +316,7 @@ fn tell_lost_vertices(path: &Path, format: FileFormat, file: &MeshFile) {
     if left_out > 0 {
         let are =
             if left_out == 1 { "vertex without a face is" } else { "vertices without a face are" };
-        complain(&format!(
+        eprint_line(&format!(
             "warning: {shown} holds triangles alone: {left_out} {are} left out; an .obj or .ply file \
              can hold them"
         ));
@@ -337,7 +337,7 @@ fn tell_bare(path: &Path, format: FileFormat, bare: [BareFaces; 2]) {
         let tell = |count: usize, which: &str, what: String| {
             let (faces, have) = if count == 1 { ("face", "has") } else { ("faces", "have") };
             if count > 0 {
-                complain(&format!("warning: {shown}: {count} {faces}{which} {have} {what}"));
+                eprint_line(&format!("warning: {shown}: {count} {faces}{which} {have} {what}"));
             }
         };
         tell(new, " with new corners", format!("no {kind} any more{rest}"));
@@ -356,7 +356,7 @@ fn tell_overruled(path: &Path, format: FileFormat, file: &MeshFile) {
     for (count, what) in file.overruled_faces().into_iter().zip(["an object", "a material"]) {
         if count > 0 {
             let (shown, faces) = (path.display(), if count == 1 { "face" } else { "faces" });
-            complain(&format!(
+            eprint_line(&format!(
                 "warning: {shown}: {count} {faces} without {what} will have that of the face before; \
                  a .ply file can hold such faces"
             ));
@@ -388,7 +388,7 @@ pub(super) fn tell_displaced(path: &Path, places: &Places, mesh: &Mesh) {
             let have = corners(told.defaulted);
             parts.push(format!("{} new {have} the default", told.defaulted));
         }
-        complain(&format!(
+        eprint_line(&format!(
             "warning: {shown}: `{attribute}` is wrong on {least}{some} of {all} faces: {}; operations \
              have to set it at new corners",
             parts.join(", and ")
@@ -401,7 +401,7 @@ pub(super) fn tell_displaced(path: &Path, places: &Places, mesh: &Mesh) {
         } else {
             format!("new {} have", kind.plural())
         };
-        complain(&format!(
+        eprint_line(&format!(
             "warning: {shown}: {count} {elements} the default of `{attribute}`, which the file that was \
              read has and the program does not name; operations have to set it"
         ));

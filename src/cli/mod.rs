@@ -67,7 +67,7 @@ pub fn main() -> ExitCode {
             suggest_set(&mut error);
             // Help and version are not failures.
             if !error.use_stderr() {
-                output::say(error.to_string().trim_end());
+                output::print_line(error.to_string().trim_end());
                 return ended(Ok(()));
             }
             let _ = error.print();
@@ -127,7 +127,7 @@ fn ended_as(wants_json: bool, done: Result<(), Failure>) -> ExitCode {
 
 /// The exit code of a command; prints its failure.
 fn ended(done: Result<(), Failure>) -> ExitCode {
-    match done.and_then(|()| output::all_said()) {
+    match done.and_then(|()| output::check_stdout()) {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
             failure.tell();

@@ -25,12 +25,12 @@ static LOST: Mutex<Option<io::Error>> = Mutex::new(None);
 static ENDS_WHEN_CLOSED: AtomicBool = AtomicBool::new(false);
 
 /// Prints a text to standard output, with a line end, and with control characters replaced.
-pub(super) fn say(text: &str) {
-    say_exactly(&shown(text));
+pub(super) fn print_line(text: &str) {
+    print_line_exactly(&shown(text));
 }
 
-/// As [`say`], for data: nothing is replaced.
-pub(super) fn say_exactly(text: &str) {
+/// As [`print_line`], for data: nothing is replaced.
+pub(super) fn print_line_exactly(text: &str) {
     let Err(error) = writeln!(stdout().lock(), "{text}") else { return };
     if error.kind() != io::ErrorKind::BrokenPipe {
         if let Ok(mut lost) = LOST.lock() {
@@ -53,14 +53,14 @@ pub(super) fn is_standard(path: &Path) -> bool {
 }
 
 /// Prints data as JSON to standard error, if standard output takes the result itself.
-pub(super) fn complain_json(data: &impl Serialize) -> Result<(), Failure> {
-    complain(&serde_json::to_string_pretty(data).map_err(Failure::usage)?);
+pub(super) fn eprint_json(data: &impl Serialize) -> Result<(), Failure> {
+    eprint_line(&serde_json::to_string_pretty(data).map_err(Failure::usage)?);
     Ok(())
 }
 
 /// Writes a result to standard output, as it is; Ctrl-C ends the process then, since a pipe may
 /// block until it is read.
-pub(super) fn pour(bytes: &[u8]) -> Result<(), Failure> {
+pub(super) fn write_stdout(bytes: &[u8]) -> Result<(), Failure> {
     interrupt::end_at_once();
     let mut out = stdout().lock();
     match out.write_all(bytes).and_then(|()| out.flush()) {
@@ -72,7 +72,7 @@ pub(super) fn pour(bytes: &[u8]) -> Result<(), Failure> {
 }
 
 /// Fails if some output could not be written.
-pub(super) fn all_said() -> Result<(), Failure> {
+pub(super) fn check_stdout() -> Result<(), Failure> {
     let lost = LOST.lock().ok().and_then(|mut lost| lost.take());
     lost.map_or(Ok(()), |error| {
         Err(Failure::usage(format!("cannot write to standard output: {error}")))
@@ -80,18 +80,18 @@ pub(super) fn all_said() -> Result<(), Failure> {
 }
 
 /// Prints data as JSON to standard output.
-pub(super) fn say_json(data: &impl Serialize) -> Result<(), Failure> {
-    say_exactly(&serde_json::to_string_pretty(data).map_err(Failure::usage)?);
+pub(super) fn print_json(data: &impl Serialize) -> Result<(), Failure> {
+    print_line_exactly(&serde_json::to_string_pretty(data).map_err(Failure::usage)?);
     Ok(())
 }
 
 /// Prints a text to standard error, with a line end, and with control characters replaced.
-pub(super) fn complain(text: &str) {
+pub(super) fn eprint_line(text: &str) {
     let _ = writeln!(stderr().lock(), "{}", shown(text));
 }
 
 /// Prints diagnostics to standard error.
-pub(super) fn complain_of(diagnostics: &[Diagnostic], sources: &Sources) {
+pub(super) fn eprint_diagnostics(diagnostics: &[Diagnostic], sources: &Sources) {
     let colour =
         stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty());
     let text = render(diagnostics, sources, Rendering { colour, most: MOST_DIAGNOSTICS });

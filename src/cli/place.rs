@@ -6,7 +6,7 @@
 //! the file, `edge:3-7#2`; without one the first is taken, with a note that there are others.
 
 use super::failure::Failure;
-use super::output::complain;
+use super::output::eprint_line;
 use crate::diagnostic::quoted;
 use crate::diagram::{Param, Type};
 use crate::mesh::{EdgeId, ElementKind, FaceId, HalfedgeId, MeshFile, VertexId};
@@ -112,7 +112,7 @@ pub(super) fn ids(
     let id = |(name, place): (String, Place)| {
         let Found { id, note } = place.find(obj).map_err(Failure::usage)?;
         if let Some(note) = note {
-            complain(&format!("note: {note}"));
+            eprint_line(&format!("note: {note}"));
         }
         Ok((name, id.to_string()))
     };

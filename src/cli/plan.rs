@@ -9,7 +9,7 @@ use serde::Serialize;
 use super::arguments::{PlanArguments, Shown};
 use super::failure::Failure;
 use super::files;
-use super::output::{complain, complain_of, say, say_exactly, table};
+use super::output::{eprint_diagnostics, eprint_line, print_line, print_line_exactly, table};
 use super::program::{self, Program};
 use crate::analysis::{Analysis, read_program};
 use crate::diagnostic::quoted;
@@ -61,7 +61,7 @@ pub(super) fn plan(arguments: &PlanArguments) -> Result<(), Failure> {
                 let has_own = ops.iter().any(|&op| is_own(&program, op));
                 for (_, script) in own_scripts(&program).filter(|_| !has_own) {
                     let name = &script.name;
-                    complain(&format!("left out: `{name}`, since only operations are emitted"));
+                    eprint_line(&format!("left out: `{name}`, since only operations are emitted"));
                 }
             }
             emitted(&program, emit(&ops))?
@@ -71,8 +71,8 @@ pub(super) fn plan(arguments: &PlanArguments) -> Result<(), Failure> {
         Some(output) => files::write(output, text.as_bytes()),
         None => {
             match arguments.shown {
-                Shown::Json => say_exactly(text.trim_end()),
-                Shown::Table | Shown::Cpp | Shown::Rust => say(text.trim_end()),
+                Shown::Json => print_line_exactly(text.trim_end()),
+                Shown::Table | Shown::Cpp | Shown::Rust => print_line(text.trim_end()),
             }
             Ok(())
         }
@@ -198,7 +198,7 @@ fn leave_out(
     ops.retain(|&op| match refused.next().flatten() {
         Some(NotEmitted { what, .. }) => {
             let name = &program.analysis.program.ops[op].name;
-            complain(&format!("left out: `{name}`, since {what} cannot be emitted"));
+            eprint_line(&format!("left out: `{name}`, since {what} cannot be emitted"));
             false
         }
         None => true,
@@ -208,7 +208,7 @@ fn leave_out(
 /// Emitted code; or what cannot be emitted, with its place.
 fn emitted(program: &Program, text: Result<String, NotEmitted>) -> Result<String, Failure> {
     text.map_err(|failure| {
-        complain_of(&[failure.diagnostic()], &program.sources);
+        eprint_diagnostics(&[failure.diagnostic()], &program.sources);
         Failure::Silent(1.into())
     })
 }

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use super::failure::Failure;
 use super::files::is_same;
-use super::output::{complain, complain_of};
+use super::output::{eprint_diagnostics, eprint_line};
 use crate::analysis::{Analysis, Disk, meant, read_program};
 use crate::diagnostic::{Diagnostic, counted, quoted};
 use crate::library;
@@ -61,11 +61,11 @@ impl Program {
     /// others; returns the former.
     pub fn complain_about(&self, asked: &[Span]) -> Vec<Diagnostic> {
         let (told, others) = self.analysis.concerning(asked, &self.sources);
-        complain_of(&told, &self.sources);
+        eprint_diagnostics(&told, &self.sources);
         if others > 0 {
             let errors = counted(others, "error", "errors");
             let file = self.sources.get(self.analysis.file).name();
-            complain(&format!("{errors} in other items: `hedgerow check {file}`"));
+            eprint_line(&format!("{errors} in other items: `hedgerow check {file}`"));
         }
         told
     }
@@ -169,7 +169,7 @@ pub(super) fn read_script(script: &str) -> Result<(Program, usize), Failure> {
         let runs = script.span.file == *file && prepare(known, number, plans).is_ok();
         runs.then_some(script)
     });
-    complain(&match own.next().filter(|_| name.is_none()) {
+    eprint_line(&match own.next().filter(|_| name.is_none()) {
         None => "nothing is run until this is fixed".to_owned(),
         Some(script) => format!(
             "nothing is run until this is fixed, but a script that does not depend on it, by its \

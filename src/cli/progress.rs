@@ -7,7 +7,7 @@ use std::time::Duration;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use super::interrupt;
-use super::output::{complain, say};
+use super::output::{eprint_line, print_line};
 use crate::rewrite::Watch;
 
 /// The number of times the bar is drawn, per second.
@@ -70,6 +70,6 @@ impl Watch for Progress {
 
     fn print(&mut self, line: &str) {
         let lines_to_stderr = self.lines_to_stderr;
-        self.bar.suspend(|| if lines_to_stderr { complain(line) } else { say(line) });
+        self.bar.suspend(|| if lines_to_stderr { eprint_line(line) } else { print_line(line) });
     }
 }

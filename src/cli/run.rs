@@ -8,7 +8,9 @@ use super::arguments::{Format, RunArguments};
 use super::counts::Counts;
 use super::draw::{expect_picture, write_picture};
 use super::failure::Failure;
-use super::output::{complain, complain_json, end_when_closed, is_standard, say, say_json, table};
+use super::output::{
+    end_when_closed, eprint_json, eprint_line, is_standard, print_json, print_line, table,
+};
 use super::program::{self, Program, settings};
 use super::progress::Progress;
 use super::view::{attribute, tell_if_blank};
@@ -82,7 +84,7 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
         let code = if is_interrupted { interrupt::CODE } else { 1 };
         let ops: Vec<_> = failure.report.ops.into_iter().map(Op::from).collect();
         if arguments.format == Format::Human && ops.iter().any(|op| op.applied + op.refused > 0) {
-            complain(&format!("until it stopped:\n{}\n", show_ops(&ops)));
+            eprint_line(&format!("until it stopped:\n{}\n", show_ops(&ops)));
         }
         failed(&[failure.diagnostic], code)
     })?;
@@ -111,24 +113,24 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
     if let Err(failure) = saved {
         // It shows what may have gone wrong.
         if arguments.format == Format::Human && !interrupt::is_asked() {
-            complain(&report.show());
+            eprint_line(&report.show());
         }
         return Err(failure);
     }
     match arguments.format {
-        Format::Json if poured => complain_json(&report),
-        Format::Json => say_json(&report),
+        Format::Json if poured => eprint_json(&report),
+        Format::Json => print_json(&report),
         Format::Human => {
             match poured {
-                true => complain(&report.show()),
-                false => say(&report.show()),
+                true => eprint_line(&report.show()),
+                false => print_line(&report.show()),
             }
             let output = arguments.output.as_deref();
             if output.is_some_and(|output| files::is_same(output, &arguments.mesh)) {
-                complain(&format!("`{}` is replaced by the result", arguments.mesh.display()));
+                eprint_line(&format!("`{}` is replaced by the result", arguments.mesh.display()));
             }
             if arguments.output.is_none() && arguments.picture.is_none() {
-                complain("the result is not kept; `-o FILE` writes it");
+                eprint_line("the result is not kept; `-o FILE` writes it");
             }
             Ok(())
         }

@@ -1,7 +1,7 @@
 //! `hedgerow run FILE::SCRIPT --help`: what a script does, and its parameters.
 
 use super::failure::Failure;
-use super::output::{complain_of, say, table};
+use super::output::{eprint_diagnostics, print_line, table};
 use super::program::{self, Program};
 use crate::resolve::Script;
 
@@ -18,14 +18,16 @@ pub(super) fn asked(mut arguments: impl Iterator<Item = String>) -> Option<Strin
 pub(super) fn help(script: &str) -> Result<(), Failure> {
     let (path, name) = program::part(script);
     let program = program::read(path)?;
-    complain_of(&program.analysis.diagnostics, &program.sources);
+    eprint_diagnostics(&program.analysis.diagnostics, &program.sources);
     let scripts = &program.analysis.program.scripts;
     let own = scripts.iter().filter(|script| program.analysis.is_own(script.span));
     let told: Vec<&Script> = match name {
         None if own.clone().count() > 1 => own.collect(),
         name => vec![&scripts[program::find_script(&program, name)?]],
     };
-    say(&told.into_iter().map(|script| about(&program, script)).collect::<Vec<_>>().join("\n\n"));
+    print_line(
+        &told.into_iter().map(|script| about(&program, script)).collect::<Vec<_>>().join("\n\n"),
+    );
     Ok(())
 }
 

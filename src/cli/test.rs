@@ -9,7 +9,7 @@ use super::arguments::{Format, TestArguments};
 use super::check::{DiagnosticReport, report, reports};
 use super::failure::Failure;
 use super::option_groups::RepairArguments;
-use super::output::{complain, complain_of, say, say_json};
+use super::output::{eprint_diagnostics, eprint_line, print_json, print_line};
 use super::program::{self, Program};
 use super::{interrupt, memory, meshes};
 use crate::analysis::{Analysis, expect_regular};
@@ -43,16 +43,16 @@ pub(super) fn test(arguments: &TestArguments) -> Result<(), Failure> {
     let passed = all().count() - failed;
     let sound = files.iter().all(|file| file.sound);
     match arguments.format {
-        Format::Json => say_json(&Summary { passed, failed, files })?,
+        Format::Json => print_json(&Summary { passed, failed, files })?,
         Format::Human => {
             let mut told = format!("{passed} passed, {failed} failed");
             let broken: usize = files.iter().map(|file| file.broken.len()).sum();
             if broken > 0 {
                 told.push_str(&format!(", {broken} not run"));
             }
-            say(&told);
+            print_line(&told);
             if passed + failed + broken == 0 && unreadable.is_none() {
-                complain(&match &arguments.filter {
+                eprint_line(&match &arguments.filter {
                     Some(filter) if arguments.exact => {
                         format!("warning: no test is called `{filter}`")
                     }
@@ -83,13 +83,13 @@ fn run_file(program: &Program, path: &Path, arguments: &TestArguments) -> FileRe
         Some(_) => analysis.concerning(&wanted(analysis, arguments), &program.sources).0,
         None => {
             if is_human {
-                complain_of(&analysis.diagnostics, &program.sources);
+                eprint_diagnostics(&analysis.diagnostics, &program.sources);
             }
             analysis.diagnostics.clone()
         }
     };
     if is_human {
-        say(&shown);
+        print_line(&shown);
     }
     let own = analysis.program.tests.iter().enumerate();
     for (number, test) in own.filter(|(_, test)| analysis.is_own(test.script.span)) {
@@ -104,10 +104,10 @@ fn run_file(program: &Program, path: &Path, arguments: &TestArguments) -> FileRe
         let failed = done.err().map(|failure| failure.diagnostic);
         if is_human {
             let word = if failed.is_some() { "FAILED" } else { "ok" };
-            say(&format!("  {word:6}  {name}"));
+            print_line(&format!("  {word:6}  {name}"));
             if let Some(failed) = &failed {
-                printed.0.iter().for_each(|line| say(&format!("          {line}")));
-                complain_of(std::slice::from_ref(failed), &program.sources);
+                printed.0.iter().for_each(|line| print_line(&format!("          {line}")));
+                eprint_diagnostics(std::slice::from_ref(failed), &program.sources);
             }
         }
         let source = program.sources.get(test.script.span.file);
@@ -123,7 +123,7 @@ fn run_file(program: &Program, path: &Path, arguments: &TestArguments) -> FileRe
     let own = unread.filter(|(name, span)| analysis.is_own(*span) && arguments.wants(name));
     let broken: Vec<_> = own.map(|(name, _)| name.clone()).collect();
     if is_human {
-        broken.iter().for_each(|name| say(&format!("  broken  {name}")));
+        broken.iter().for_each(|name| print_line(&format!("  broken  {name}")));
     }
     FileReport {
         file: shown,

@@ -6,7 +6,7 @@ use super::arguments::ViewArguments;
 use super::draw::write_picture;
 use super::failure::Failure;
 use super::meshes;
-use super::output::complain;
+use super::output::eprint_line;
 use crate::diagnostic::quoted;
 use crate::draw::{Picture, View, draw_mesh};
 use crate::mesh::{ColumnId, Mesh};
@@ -35,7 +35,7 @@ pub(super) fn tell_if_blank(picture: &Picture, mesh: &Mesh) {
     if !picture.is_blank() {
         return;
     }
-    complain(match mesh.faces().any(|face| mesh.get_is_hole(face) == Some(false)) {
+    eprint_line(match mesh.faces().any(|face| mesh.get_is_hole(face) == Some(false)) {
         false => "warning: nothing is seen: the mesh has no faces",
         true => {
             "warning: nothing is seen: no face has an area from here; `view --from x,y,z` looks \

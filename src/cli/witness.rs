@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 
 use super::failure::Failure;
-use super::output::complain;
+use super::output::eprint_line;
 use crate::analysis::Counterexample;
 use crate::draw::draw_op;
 use crate::mesh::{Dump, MeshFile, write_dump, write_mesh};
@@ -31,15 +31,15 @@ impl Witnesses {
             let name = self.name(example);
             let path = folder.join(format!("{name}.halfedges"));
             fs::write(&path, write_dump(&dump(example))).map_err(failed)?;
-            complain(&format!("written: {}", path.display()));
+            eprint_line(&format!("written: {}", path.display()));
             let path = folder.join(format!("{name}.svg"));
             fs::write(&path, draw_op(&example.drawn()).svg()).map_err(failed)?;
-            complain(&format!("written: {}", path.display()));
+            eprint_line(&format!("written: {}", path.display()));
             if example.is_polygons() {
                 let path = folder.join(format!("{name}.obj"));
                 let obj = MeshFile::from_mesh(example.before.clone());
                 write_mesh(&path, &obj).map_err(Failure::usage)?;
-                complain(&format!("written: {}", path.display()));
+                eprint_line(&format!("written: {}", path.display()));
             }
         }
         Ok(())

@@ -118,6 +118,19 @@ impl Diagnostic {
         self
     }
 
+    /// The diagnostic with what `add` makes of `more`, if there is any.
+    pub fn with<T>(self, more: Option<T>, add: impl FnOnce(Self, T) -> Self) -> Self {
+        match more {
+            Some(more) => add(self, more),
+            None => self,
+        }
+    }
+
+    /// The diagnostic with what `add` adds, if that is so.
+    pub fn when(self, is_so: bool, add: impl FnOnce(Self) -> Self) -> Self {
+        if is_so { add(self) } else { self }
+    }
+
     /// The primary place.
     pub fn span(&self) -> Span {
         self.labels[0].span

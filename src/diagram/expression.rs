@@ -139,47 +139,6 @@ pub struct Expr {
     pub span: Span,
 }
 
-impl Expr {
-    /// Calls `look` for the expression and all its parts, in no particular order.
-    pub fn each<'e>(&'e self, look: &mut impl FnMut(&'e Expr)) {
-        let mut open = vec![self];
-        while let Some(expr) = open.pop() {
-            look(expr);
-            expr.parts(&mut |part| open.push(part));
-        }
-    }
-
-    /// Calls `look` for the parts of the expression; for an aggregate, the collection comes last.
-    pub fn parts<'e>(&'e self, look: &mut dyn FnMut(&'e Expr)) {
-        match &self.kind {
-            ExprKind::Follow(_, inner)
-            | ExprKind::Read(_, inner)
-            | ExprKind::Component(_, inner)
-            | ExprKind::Unary(_, inner) => look(inner),
-            ExprKind::Binary(_, left, right) | ExprKind::Let(_, left, right) => {
-                [left, right].into_iter().for_each(|part| look(part));
-            }
-            ExprKind::Vector(parts)
-            | ExprKind::Call(_, parts)
-            | ExprKind::Invoke(_, parts)
-            | ExprKind::Try(_, parts) => parts.iter().for_each(look),
-            ExprKind::If(condition, then, otherwise) => {
-                [condition, then, otherwise].into_iter().for_each(|part| look(part));
-            }
-            ExprKind::Fold(fold) => {
-                fold.filter.iter().chain([&fold.body]).chain(fold.collection.base()).for_each(look);
-            }
-            ExprKind::Bool(_)
-            | ExprKind::Int(_)
-            | ExprKind::Real(_)
-            | ExprKind::Text(_)
-            | ExprKind::Element(_)
-            | ExprKind::Member(..)
-            | ExprKind::Local(_) => {}
-        }
-    }
-}
-
 #[derive(Clone, Debug, PartialEq)]
 pub enum ExprKind {
     /// A truth value.

@@ -7,7 +7,7 @@ use gen_lsp_types::*;
 use serde_json::{Value, json};
 
 use super::requests::{Answer, Refusal};
-use super::server::{Asked, Server};
+use super::server::{PendingRequest, Server};
 use super::subprocess::Subprocess;
 use super::{files, uri};
 use crate::analysis::{Offer, lenses, op_card, op_named};
@@ -101,7 +101,7 @@ impl Server {
                 take_focus: Some(false),
                 selection: None,
             };
-            self.ask::<ShowDocumentRequest>(params, Asked::Other);
+            self.ask::<ShowDocumentRequest>(params, PendingRequest::Other);
         } else {
             self.tell::<ShowMessageNotification>(ShowMessageParams {
                 kind: MessageType::Info,
@@ -114,7 +114,7 @@ impl Server {
     /// Queues a command of `hedgerow` for the process to run; the result is reported when it ends.
     fn run(&mut self, arguments: Vec<String>) -> Value {
         let shown = format!("hedgerow {}", arguments.join(" "));
-        self.errands.push(Subprocess { arguments });
+        self.subprocesses.push(Subprocess { arguments });
         json!(shown)
     }
 

@@ -15,23 +15,23 @@ const KEPT: usize = 64;
 
 /// The input: a message, or something else.
 #[derive(Debug)]
-pub enum Heard {
+pub enum Incoming {
     /// A message.
     Message(Message),
     /// An invalid message, and the error that answers it.
-    Refused(Spoken),
+    Refused(Outgoing),
 }
 
 /// The output: a message, or an error.
 #[derive(Debug)]
-pub enum Spoken {
+pub enum Outgoing {
     /// A message.
     Message(Message),
     /// An error about an invalid message. Its id may be one that no request can have.
     Error { id: Value, code: ErrorCode, why: String },
 }
 
-impl Spoken {
+impl Outgoing {
     /// Writes it, with its header.
     pub fn write(&self, output: &mut impl Write) -> io::Result<()> {
         match self {
@@ -51,9 +51,9 @@ impl Spoken {
 /// # Errors
 ///
 /// Fails if the stream breaks, or ends within a body.
-pub fn read(input: &mut impl BufRead) -> io::Result<Option<Heard>> {
+pub fn read(input: &mut impl BufRead) -> io::Result<Option<Incoming>> {
     let refused = |why: String| {
-        Heard::Refused(Spoken::Error { id: Value::Null, code: ErrorCode::ParseError, why })
+        Incoming::Refused(Outgoing::Error { id: Value::Null, code: ErrorCode::ParseError, why })
     };
     let length = match length(input)? {
         None => return Ok(None),
@@ -110,9 +110,13 @@ fn claimed_length(line: &[u8]) -> Option<String> {
 }
 
 /// A value as a message, or the error that answers it.
-fn message(value: Value) -> Heard {
+fn message(value: Value) -> Incoming {
     let refused = |id: Value, why: &str| {
-        Heard::Refused(Spoken::Error { id, code: ErrorCode::InvalidRequest, why: why.to_owned() })
+        Incoming::Refused(Outgoing::Error {
+            id,
+            code: ErrorCode::InvalidRequest,
+            why: why.to_owned(),
+        })
     };
     let Value::Object(fields) = &value else {
         let why = match value {
@@ -132,7 +136,7 @@ fn message(value: Value) -> Heard {
         return refused(id, "an id is a text or a whole number of 32 bits");
     }
     match serde_json::from_value(value) {
-        Ok(message) => Heard::Message(message),
+        Ok(message) => Incoming::Message(message),
         Err(_) => {
             let why = "this is neither a request nor a notification nor an answer";
             refused(id.unwrap_or_default(), why)

@@ -8,7 +8,7 @@ use serde_json::Value;
 use super::client::Settings;
 use super::document::Document;
 use super::files::name;
-use super::server::{Asked, Server};
+use super::server::{PendingRequest, Server};
 
 /// The texts of files that a server without a disk cannot read.
 #[derive(Deserialize)]
@@ -79,7 +79,10 @@ impl Server {
             register_options: serde_json::to_value(options).ok(),
         };
         let registrations = vec![registration];
-        self.ask::<RegistrationRequest>(RegistrationParams { registrations }, Asked::Other);
+        self.ask::<RegistrationRequest>(
+            RegistrationParams { registrations },
+            PendingRequest::Other,
+        );
     }
 
     fn initialized(&mut self) {
@@ -136,7 +139,10 @@ impl Server {
         if self.client.has_configuration() {
             let items =
                 vec![ConfigurationItem { scope_uri: None, section: Some("hedgerow".into()) }];
-            self.ask::<ConfigurationRequest>(ConfigurationParams { items }, Asked::Settings);
+            self.ask::<ConfigurationRequest>(
+                ConfigurationParams { items },
+                PendingRequest::Settings,
+            );
         }
     }
 

@@ -3,7 +3,7 @@
 use gen_lsp_types::*;
 use serde_json::json;
 
-use super::server::{Asked, Server};
+use super::server::{PendingRequest, Server};
 
 /// The number of ops that have to wait before progress is worth showing.
 const MANY: usize = 24;
@@ -26,7 +26,7 @@ impl Server {
                 self.progress = Some(Progress { token: token.clone(), is_open: false });
                 let token = ProgressToken::String(token);
                 let params = WorkDoneProgressCreateParams { token };
-                self.ask::<WorkDoneProgressCreateRequest>(params, Asked::Progress);
+                self.ask::<WorkDoneProgressCreateRequest>(params, PendingRequest::Progress);
             }
             Some(progress) if progress.is_open && done.is_multiple_of(STEP) => {
                 let percentage = done * 100 / all.max(1);

@@ -23,18 +23,18 @@ pub(super) type Documents = BTreeMap<String, Document>;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Stage {
     /// Not initialized.
-    Silent,
+    Uninitialized,
     /// Initialized.
     Ready,
     /// The client has sent `shutdown`.
     ShutDown,
     /// The client has sent `exit`: the process may end, with this exit code.
-    Gone(u8),
+    Exited(u8),
 }
 
 /// A request to the client that is not answered yet.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) enum Asked {
+pub(super) enum PendingRequest {
     /// Its settings.
     Settings,
     /// A token for progress.
@@ -53,12 +53,12 @@ pub struct Server {
     pub(super) files: Files,
     pub(super) preview: Option<DiagramPage>,
     pub(super) progress: Option<Progress>,
-    pub(super) errands: Vec<Subprocess>,
+    pub(super) subprocesses: Vec<Subprocess>,
     waiting: VecDeque<Message>,
     /// Requests that are answered when all ops of their document are proved.
     deferred: Vec<Request>,
     outgoing: Vec<Message>,
-    pub(super) asked: Vec<(RequestId, Asked)>,
+    pub(super) pending: Vec<(RequestId, PendingRequest)>,
     next_id: i32,
 }
 
@@ -69,15 +69,15 @@ impl Server {
             files: Files::new(reader),
             preview: None,
             progress: None,
-            errands: Vec::new(),
-            stage: Stage::Silent,
+            subprocesses: Vec::new(),
+            stage: Stage::Uninitialized,
             client: Client::default(),
             documents: Documents::new(),
             workspace: Workspace::default(),
             waiting: VecDeque::new(),
             deferred: Vec::new(),
             outgoing: Vec::new(),
-            asked: Vec::new(),
+            pending: Vec::new(),
             next_id: 0,
         }
     }
@@ -144,7 +144,7 @@ impl Server {
     /// The exit code, once the client has sent `exit`.
     pub fn exit_code(&self) -> Option<u8> {
         match self.stage {
-            Stage::Gone(code) => Some(code),
+            Stage::Exited(code) => Some(code),
             _ => None,
         }
     }
@@ -173,13 +173,13 @@ impl Server {
         let method = LspRequestMethod::from(request.method.as_str());
         let is_initialize = method == LspRequestMethod::Initialize;
         let refused = match self.stage {
-            Stage::Silent if !is_initialize => {
+            Stage::Uninitialized if !is_initialize => {
                 Some((ErrorCode::ServerNotInitialized, "the first request must be `initialize`"))
             }
             Stage::Ready if is_initialize => {
                 Some((ErrorCode::InvalidRequest, "`initialize` comes only once"))
             }
-            Stage::ShutDown | Stage::Gone(_) => {
+            Stage::ShutDown | Stage::Exited(_) => {
                 Some((ErrorCode::InvalidRequest, "the server is shut down"))
             }
             _ => None,
@@ -196,7 +196,7 @@ impl Server {
         match (self.stage, method) {
             (stage, LspNotificationMethod::Exit) => {
                 let was_asked = stage == Stage::ShutDown;
-                self.stage = Stage::Gone(u8::from(!was_asked));
+                self.stage = Stage::Exited(u8::from(!was_asked));
             }
             (Stage::Ready, _) => self.notice(notice),
             _ => {}
@@ -204,20 +204,20 @@ impl Server {
     }
 
     fn response(&mut self, response: Response) {
-        let at = self.asked.iter().position(|(id, _)| *id == response.id);
+        let at = self.pending.iter().position(|(id, _)| *id == response.id);
         let Some(at) = at else { return };
-        let (_, asked) = self.asked.remove(at);
-        match (asked, response.response_result) {
-            (Asked::Settings, Ok(value)) => self.settings_arrived(&value),
-            (Asked::Progress, Ok(_)) => self.progress_created(),
-            (Asked::Progress, Err(_)) => self.progress = None,
+        let (_, pending) = self.pending.remove(at);
+        match (pending, response.response_result) {
+            (PendingRequest::Settings, Ok(value)) => self.settings_arrived(&value),
+            (PendingRequest::Progress, Ok(_)) => self.progress_created(),
+            (PendingRequest::Progress, Err(_)) => self.progress = None,
             _ => {}
         }
     }
 
-    /// Takes the commands that are to be run beside the server: each is returned once.
-    pub fn errands(&mut self) -> Vec<Subprocess> {
-        std::mem::take(&mut self.errands)
+    /// Takes the subprocesses to start: each is returned once.
+    pub fn take_subprocesses(&mut self) -> Vec<Subprocess> {
+        std::mem::take(&mut self.subprocesses)
     }
 
     /// Reads the programs of the workspace that are not open.
@@ -250,13 +250,16 @@ impl Server {
     }
 
     /// Sends a request to the client.
-    pub(super) fn ask<R: gen_lsp_types::Request>(&mut self, params: R::Params, asked: Asked)
-    where
+    pub(super) fn ask<R: gen_lsp_types::Request>(
+        &mut self,
+        params: R::Params,
+        pending: PendingRequest,
+    ) where
         R::Params: Serialize,
     {
         let id = RequestId::from(format!("hedgerow-{}", self.fresh()));
         let request = Request::new(id.clone(), R::METHOD.as_str().to_owned(), params);
-        self.asked.push((id, asked));
+        self.pending.push((id, pending));
         self.outgoing.push(request.into());
     }
 }

@@ -6,7 +6,7 @@ use std::thread::{self, JoinHandle};
 
 use lsp_server::Message;
 
-use super::message::{Heard, Spoken, read};
+use super::message::{Incoming, Outgoing, read};
 use super::server::Server;
 use crate::analysis::{Disk, Reader};
 
@@ -17,23 +17,23 @@ use crate::analysis::{Disk, Reader};
 ///
 /// Fails if a stream breaks, or ends within a body.
 pub fn serve() -> io::Result<u8> {
-    let (said, heard) = channel();
-    let (speak, spoken) = channel::<Spoken>();
+    let (sender, incoming) = channel();
+    let (outgoing, receiver) = channel::<Outgoing>();
     let writer = thread::spawn(move || {
-        spoken.into_iter().try_for_each(|message| message.write(&mut stdout().lock()))
+        receiver.into_iter().try_for_each(|message| message.write(&mut stdout().lock()))
     });
     let reader = thread::spawn(move || {
         let mut input = stdin().lock();
-        while let Some(heard) = read(&mut input)? {
-            let is_exit = matches!(&heard, Heard::Message(Message::Notification(told)) if told.method == "exit");
-            if said.send(heard).is_err() || is_exit {
+        while let Some(message) = read(&mut input)? {
+            let is_exit = matches!(&message, Incoming::Message(Message::Notification(told)) if told.method == "exit");
+            if sender.send(message).is_err() || is_exit {
                 break;
             }
         }
         Ok(())
     });
-    let code = converse(&heard, &speak);
-    drop((heard, speak));
+    let code = serve_messages(&incoming, &outgoing);
+    drop((incoming, outgoing));
     // If writing has failed, the reader is not waited for.
     ended(writer)?;
     ended(reader)?;
@@ -52,17 +52,17 @@ pub fn serve_on(
     reader: Box<dyn Reader>,
 ) -> io::Result<u8> {
     let mut server = Server::new(reader);
-    while let Some(heard) = read(&mut input)? {
-        match heard {
-            Heard::Message(message) => server.accept(message),
-            Heard::Refused(answer) => answer.write(&mut output)?,
+    while let Some(incoming) = read(&mut input)? {
+        match incoming {
+            Incoming::Message(message) => server.accept(message),
+            Incoming::Refused(answer) => answer.write(&mut output)?,
         }
         while let Some(messages) = server.work() {
             for message in messages {
                 message.write(&mut output)?;
             }
         }
-        server.errands();
+        server.take_subprocesses();
         if let Some(code) = server.exit_code() {
             return Ok(code);
         }
@@ -76,37 +76,37 @@ fn ended(thread: JoinHandle<io::Result<()>>) -> io::Result<()> {
 
 /// Serves a client until it exits or disconnects; the exit code is 0 if it sent `shutdown` before
 /// `exit`.
-fn converse(said: &Receiver<Heard>, speak: &Sender<Spoken>) -> u8 {
+fn serve_messages(incoming: &Receiver<Incoming>, outgoing: &Sender<Outgoing>) -> u8 {
     let mut server = Server::new(Box::new(Disk));
     let mut idle = false;
     loop {
         // All waiting messages are taken in first, so that a cancellation takes effect in time.
-        let heard = match idle {
-            true => said.recv().map_err(|_| TryRecvError::Disconnected),
-            false => said.try_recv(),
+        let next = match idle {
+            true => incoming.recv().map_err(|_| TryRecvError::Disconnected),
+            false => incoming.try_recv(),
         };
-        let spoken = match heard {
-            Ok(Heard::Message(message)) => {
+        let answers = match next {
+            Ok(Incoming::Message(message)) => {
                 server.accept(message);
                 Some(Vec::new())
             }
-            Ok(Heard::Refused(answer)) => Some(vec![answer]),
+            Ok(Incoming::Refused(answer)) => Some(vec![answer]),
             Err(TryRecvError::Disconnected) if idle => return 1,
             Err(_) => {
                 let answers = server.work();
-                answers.map(|answers| answers.into_iter().map(Spoken::Message).collect())
+                answers.map(|answers| answers.into_iter().map(Outgoing::Message).collect())
             }
         };
-        idle = spoken.is_none();
-        if spoken.into_iter().flatten().any(|message| speak.send(message).is_err()) {
+        idle = answers.is_none();
+        if answers.into_iter().flatten().any(|message| outgoing.send(message).is_err()) {
             return 1;
         }
-        for errand in server.errands() {
-            let speak = speak.clone();
+        for subprocess in server.take_subprocesses() {
+            let outgoing = outgoing.clone();
             thread::spawn(move || {
-                for message in errand.run() {
+                for message in subprocess.run() {
                     // A client that has disconnected needs no answer.
-                    let _ = speak.send(Spoken::Message(message));
+                    let _ = outgoing.send(Outgoing::Message(message));
                 }
             });
         }

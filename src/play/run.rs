@@ -17,7 +17,7 @@ pub(super) const MOST_HISTORY: usize = 384 << 20;
 
 /// The outcome of a run.
 #[derive(Debug)]
-pub(super) struct Ran {
+pub(super) struct RunResult {
     pub report: Option<Report>,
     pub printed: Vec<String>,
     /// The number of operations that were applied.
@@ -28,31 +28,31 @@ pub(super) struct Ran {
     pub history: History,
 }
 
-/// The wanted part of a run: up to an application, with a history of the last states.
+/// The limits of a run: the application at which it stops, and the size of its history.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Wanted {
+pub(super) struct RunLimits {
     pub to: u64,
     /// The most bytes of the history.
     pub most: usize,
 }
 
-/// Runs a script up to the wanted application.
+/// Runs a script up to the limits.
 pub(super) fn run(
     session: &mut Session,
     script: &Script,
     arguments: Vec<(String, Argument)>,
-    wanted: Wanted,
+    limits: RunLimits,
     host: &mut dyn Host,
-) -> Ran {
-    let mut looker = Looker { host, printed: Vec::new(), applied: 0, most: wanted.to };
-    let (outcome, history) = session.run_recorded(script, arguments, wanted.most, &mut looker);
-    let Looker { printed, applied, .. } = looker;
+) -> RunResult {
+    let mut recording = RecordingHost { host, printed: Vec::new(), applied: 0, most: limits.to };
+    let (outcome, history) = session.run_recorded(script, arguments, limits.most, &mut recording);
+    let RecordingHost { printed, applied, .. } = recording;
     match outcome {
-        Ok(report) => Ran { report: Some(report), printed, applied, error: None, history },
+        Ok(report) => RunResult { report: Some(report), printed, applied, error: None, history },
         Err(error) => {
-            let is_stop = applied == wanted.to && error.code() == "interrupted";
+            let is_stop = applied == limits.to && error.code() == "interrupted";
             let report = error.report().cloned();
-            Ran { report, printed, applied, error: (!is_stop).then_some(error), history }
+            RunResult { report, printed, applied, error: (!is_stop).then_some(error), history }
         }
     }
 }
@@ -75,10 +75,10 @@ impl Workbench {
         // A new session, so that random numbers are the same in each run.
         self.set(before.clone());
         self.past.keep(before);
-        let wanted = Wanted { to: u64::MAX, most: self.most_history };
-        let ran = run(&mut self.session, &script, arguments.clone(), wanted, host);
+        let limits = RunLimits { to: u64::MAX, most: self.most_history };
+        let ran = run(&mut self.session, &script, arguments.clone(), limits, host);
         let answer = told(&ran);
-        let Ran { applied: total, history, .. } = ran;
+        let RunResult { applied: total, history, .. } = ran;
         self.last_run = Some(LastRun { script, arguments, total, history });
         Ok(self.state(answer))
     }
@@ -102,18 +102,18 @@ impl Workbench {
         let [start, end] = last.history.span();
         let half = ((end - start) / 2).max(1);
         let until = |to| if to < last.total { to } else { u64::MAX };
-        let around = Wanted { to: until(to.saturating_add(half)), most: self.most_history };
+        let around = RunLimits { to: until(to.saturating_add(half)), most: self.most_history };
         // A state that does not fit together with others is computed alone.
-        let alone = Wanted { to: until(to), most: 0 };
-        for wanted in [None, Some(around), Some(alone)] {
-            if let Some(wanted) = wanted {
+        let alone = RunLimits { to: until(to), most: 0 };
+        for limits in [None, Some(around), Some(alone)] {
+            if let Some(limits) = limits {
                 let before = self.past.last().ok_or("the mesh before the run is not kept")?;
                 if to == 0 {
                     return Ok(before.clone());
                 }
                 let mut session = self.session_of(before.clone());
                 let arguments = last.arguments.clone();
-                let ran = run(&mut session, &last.script, arguments, wanted, host);
+                let ran = run(&mut session, &last.script, arguments, limits, host);
                 if let Some(error) = ran.error.filter(|_| ran.applied < to) {
                     return Err(error.to_string());
                 }
@@ -130,7 +130,7 @@ impl Workbench {
 }
 
 /// The outcome of a run, as data.
-fn told(ran: &Ran) -> Value {
+fn told(ran: &RunResult) -> Value {
     let ops = |report: &Report| {
         let ops = report
             .ops
@@ -150,14 +150,14 @@ fn told(ran: &Ran) -> Value {
 /// The most printed lines that are kept.
 const MOST_LINES: usize = 2000;
 
-struct Looker<'h> {
+struct RecordingHost<'h> {
     host: &'h mut dyn Host,
     printed: Vec<String>,
     applied: u64,
     most: u64,
 }
 
-impl Watch for Looker<'_> {
+impl Watch for RecordingHost<'_> {
     fn iteration(&mut self, depth: u16, done: u64, total: Option<u64>) -> ControlFlow<()> {
         if depth == 0 { self.host.progress(done, total) } else { ControlFlow::Continue(()) }
     }

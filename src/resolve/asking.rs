@@ -23,7 +23,7 @@ impl Typing<'_> {
         let word = asking.word();
         let tree::ExprKind::Call { function, args } = &inner.kind else {
             if inner.kind == tree::ExprKind::Broken {
-                return self.report.give_up();
+                return self.report.fail_silently();
             }
             let message = format!("`{word}` stands before the call of an op");
             return self.report.reject(Diagnostic::error("not-an-op", message, inner.span));

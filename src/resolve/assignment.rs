@@ -30,7 +30,7 @@ impl Scripting<'_> {
         }
         match &target.kind {
             tree::ExprKind::Field(base, field) => self.write(base, field, value),
-            _ if is_broken(target) => self.typing.report.give_up(),
+            _ if is_broken(target) => self.typing.report.fail_silently(),
             _ => {
                 let message = "only a variable or an attribute of an element can be assigned";
                 let error = Diagnostic::error("not-assignable", message, target.span);
@@ -56,7 +56,7 @@ impl Scripting<'_> {
                 let error = Diagnostic::error("test-mesh", message, name.span)
                     .note("a test begins with `mesh = cube()`, or `mesh = load(\"cube.obj\")`");
                 self.typing.report.add(error);
-                self.typing.report.confuse(word);
+                self.typing.report.suppress(word);
                 return None;
             }
             let message = format!("there is no variable `{word}`");
@@ -64,13 +64,13 @@ impl Scripting<'_> {
             let error = suggest(error, word, name.span, self.typing.scopes.names())
                 .note("a variable begins with `let` or `var`");
             // In a loop or a branch, it may be meant for what follows them, too.
-            let is_new = self.typing.scopes.is_outermost() && !reads(value, word);
-            let error = match error.fixes.is_empty() && is_new {
-                true => error.fix(format!("write `var {word} = …`"), name.span.before(), "var "),
-                false => error,
-            };
+            let is_outermost = self.typing.scopes.is_outermost();
+            let is_new = error.fixes.is_empty() && is_outermost && !reads(value, word);
+            let error = error.when(is_new, |error| {
+                error.fix(format!("write `var {word} = …`"), name.span.before(), "var ")
+            });
             self.typing.report.add(error);
-            self.typing.report.confuse(word);
+            self.typing.report.suppress(word);
             let ty = self.typing.expression(value).map(|value| value.ty);
             self.assumed(name, ty);
             return None;

@@ -66,11 +66,8 @@ pub(super) fn guard(
                 let message = format!("there is no level `{}`", word.text);
                 let error = Diagnostic::error("unknown-level", message, word.span);
                 let error = suggest(error, &word.text, word.span, names)
-                    .note(format!("the levels are {}", quoted(names)));
-                let error = match is_condition(&word.text) {
-                    true => asked(error, word, *span, params),
-                    false => error,
-                };
+                    .note(format!("the levels are {}", quoted(names)))
+                    .when(is_condition(&word.text), |error| asked(error, word, *span, params));
                 report.add(error);
             }
         }
@@ -295,14 +292,14 @@ impl Typing<'_> {
         }
         if self.declared.has_attribute(&name.text) {
             // The declaration has been rejected already.
-            return self.report.give_up();
+            return self.report.fail_silently();
         }
         if let Some(declared) = self.declared.hidden_attribute(ty, &name.text) {
             return self.report.reject(private("unknown-attribute", name, declared));
         }
         if let Some(how) = self.not_assigned(ty, &name.text) {
             if self.report.says(how) {
-                return self.report.give_up();
+                return self.report.fail_silently();
             }
             let message = format!("`{}` is a pointer, and pointers are not assigned", name.text);
             return self

@@ -266,7 +266,7 @@ impl Declared {
     /// Reports a name that is ambiguous; one that the file declares several times has been reported.
     pub(super) fn expect_one(&self, name: &Ident, report: &mut Report) -> Option<()> {
         if self.repeated.contains(&name.text) {
-            return report.give_up();
+            return report.fail_silently();
         }
         let (Some(first), Some(other)) = (self.called(&name.text), self.others.get(&name.text))
         else {
@@ -462,10 +462,9 @@ fn clash(head: &Head, other: &Head) -> Diagnostic {
     let what = format!("{} attribute", head.element.a_word());
     let name = Ident { text: head.name.clone(), span: head.span };
     let error = duplicate(&what, &name, other.span);
-    match head.span.file == other.span.file {
-        true => error,
-        false => error.note("the attributes of all files of a program have one namespace"),
-    }
+    error.when(head.span.file != other.span.file, |error| {
+        error.note("the attributes of all files of a program have one namespace")
+    })
 }
 
 /// The error for a private item of another file; `code` is that of an unknown one.

@@ -188,7 +188,7 @@ impl<'a> Drawing<'a> {
     /// Records where an element is stated, and reports a second statement.
     pub(super) fn state(&mut self, what: Ref, span: Span) {
         let Some(first) = self.stated.insert(what.name, span) else { return };
-        if self.names.is_confused(what.name) {
+        if self.names.is_suppressed(what.name) {
             return self.report.fail();
         }
         let name = self.names.get(what.name);

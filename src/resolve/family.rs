@@ -20,7 +20,7 @@ pub(super) const WIDEST: i64 = 4;
 
 /// The index of a rule, while it is being read.
 #[derive(Debug, Default)]
-struct Letter {
+struct IndexReader {
     first: Option<(String, Span)>,
     /// Names that have been reported to have two forms.
     told: Vec<String>,
@@ -34,7 +34,7 @@ pub(super) fn read_index(
     params: &[tree::Param],
     report: &mut Report,
 ) -> Option<String> {
-    let mut letter = Letter::default();
+    let mut reader = IndexReader::default();
     let mut forms: HashMap<String, (bool, Span)> = HashMap::new();
     let created = created(rule);
     let is_param = |name: &&Name| params.iter().any(|of| of.name.ident.text == name.ident.text);
@@ -56,15 +56,15 @@ pub(super) fn read_index(
     for side in [&rule.before, &rule.after].into_iter().flatten() {
         for mention in mentions(side) {
             if let Some(index) = mention.index {
-                letter.subscript(index, report);
+                reader.subscript(index, report);
             }
-            same_form(&mention, params, &created, &mut forms, &mut letter, report);
+            same_form(&mention, params, &created, &mut forms, &mut reader, report);
         }
         for statement in &side.statements {
-            letter.statement(statement, report);
+            reader.statement(statement, report);
         }
     }
-    letter.first.map(|(letter, _)| letter)
+    reader.first.map(|(letter, _)| letter)
 }
 
 /// The error in the subscript of a parameter. Only a halfedge determines where a family begins: an
@@ -131,7 +131,7 @@ fn bare_in_list(rule: &tree::Rule, list: &str, names: &[&Name], report: &mut Rep
     });
     report.add(error);
     for word in words {
-        report.confuse(word);
+        report.suppress(word);
     }
 }
 
@@ -142,13 +142,13 @@ fn same_form(
     params: &[tree::Param],
     created: &HashMap<&str, (bool, Span)>,
     forms: &mut HashMap<String, (bool, Span)>,
-    letter: &mut Letter,
+    reader: &mut IndexReader,
     report: &mut Report,
 ) {
     let word = mention.text.as_ref();
     let here = mention.index.is_some();
     let first = *forms.entry(word.to_owned()).or_insert((here, mention.span));
-    let is_told = letter.told.iter().any(|told| told == word) || report.is_confused(word);
+    let is_told = reader.told.iter().any(|told| told == word) || report.is_suppressed(word);
     if first.0 == here || !mention.is_named() || is_told {
         return;
     }
@@ -168,7 +168,7 @@ fn same_form(
             .label(first.1, "the name is taken here")
             .note("a name stands for one element, or with a subscript for a family");
         report.add(error);
-        report.confuse(word);
+        report.suppress(word);
         return;
     }
     let (message, note) = match here {
@@ -190,10 +190,10 @@ fn same_form(
     let error =
         Diagnostic::error("two-forms", message, mention.span).label(first.1, label).note(note);
     report.add(error);
-    letter.told.push(word.to_owned());
+    reader.told.push(word.to_owned());
 }
 
-impl Letter {
+impl IndexReader {
     fn subscript(&mut self, index: &Index, report: &mut Report) {
         match &index.variable {
             Some(variable) => self.meet(variable, report),

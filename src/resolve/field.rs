@@ -145,10 +145,9 @@ impl Typing<'_> {
             }
             known => {
                 let error = error.note(format!("{} has {}", ty.a_word(), quoted(known)));
-                match ty.is_element() && !is_meant {
-                    true => error.note(declaration(&field.text, ty, None)),
-                    false => error,
-                }
+                error.when(ty.is_element() && !is_meant, |error| {
+                    error.note(declaration(&field.text, ty, None))
+                })
             }
         });
     }

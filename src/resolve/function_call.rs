@@ -55,7 +55,7 @@ impl Typing<'_> {
                     ),
                 })
             }
-            Value::Open | Value::Unknown => self.report.give_up(),
+            Value::Open | Value::Unknown => self.report.fail_silently(),
         }
     }
 
@@ -200,7 +200,7 @@ impl Scripting<'_> {
         let result = match signature.result {
             Value::Of(ty) => Some(ty),
             Value::Nothing => None,
-            Value::Open | Value::Unknown => return self.typing.report.give_up(),
+            Value::Open | Value::Unknown => return self.typing.report.fail_silently(),
         };
         let effects = signature.effects;
         if let Some(ty) = result.filter(|_| effects.changes.or(effects.prints).is_none()) {

@@ -100,7 +100,7 @@ impl<'a> Reader<'a> {
         if let Some(given) = self.names.parameter(word) {
             // A parameter drawn as another kind is reported where it is drawn.
             if self.names.find(word).is_none() && self.is_drawn(word) {
-                return self.report.give_up();
+                return self.report.fail_silently();
             }
             let message =
                 format!("`{word}` is listed in `new`, but it is a parameter; rename one of them");
@@ -149,7 +149,7 @@ impl<'a> Reader<'a> {
             return;
         }
         let Some(id) = self.drawn("keep", name) else { return };
-        if self.names.is_confused(id) {
+        if self.names.is_suppressed(id) {
             return self.report.fail();
         }
         let word = &name.ident.text;

@@ -33,7 +33,7 @@ impl Typing<'_> {
             return self.drawn(names, id, span, ExprKind::Element(id));
         }
         if let Some((number, ty)) = local {
-            let Some(ty) = ty else { return self.report.give_up() };
+            let Some(ty) = ty else { return self.report.fail_silently() };
             return Some(typed(ty, ExprKind::Local(number), span));
         }
         if let Some((_, value)) = CONSTANTS.iter().find(|(known, _)| *known == word) {
@@ -152,7 +152,7 @@ impl Typing<'_> {
         self.report.add(error);
         // An error with a fix is reported at every occurrence, any other only once.
         if !is_clear {
-            self.report.confuse(word);
+            self.report.suppress(word);
         }
     }
 }

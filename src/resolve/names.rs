@@ -29,7 +29,7 @@ pub(super) struct Names {
     /// The letter of the index, if there are families.
     letter: Option<String>,
     /// The names that are used as two kinds, which has been reported.
-    confused: HashSet<String>,
+    suppressed: HashSet<String>,
 }
 
 /// The origin of the kind of a name.
@@ -51,11 +51,11 @@ impl Names {
         let after = rule.after.as_ref().map(mentions).unwrap_or_default();
         let all = || before.iter().chain(&after);
         let kinds = kinds(params, all(), report);
-        let confused = kinds.iter().filter(|(_, origin)| origin.told);
+        let suppressed = kinds.iter().filter(|(_, origin)| origin.told);
         let mut names = Self {
             params: params.iter().map(|param| (param.name.clone(), param.span)).collect(),
             letter,
-            confused: confused.map(|(word, _)| word.clone()).collect(),
+            suppressed: suppressed.map(|(word, _)| word.clone()).collect(),
             ..Self::default()
         };
         for mention in all() {
@@ -163,8 +163,8 @@ impl Names {
     }
 
     /// True if it is used as two kinds, which has been reported.
-    pub(super) fn is_confused(&self, id: NameId) -> bool {
-        self.confused.contains(&self.get(id).text)
+    pub(super) fn is_suppressed(&self, id: NameId) -> bool {
+        self.suppressed.contains(&self.get(id).text)
     }
 
     /// The letter of the index, if there are families.

@@ -114,7 +114,7 @@ impl Scripting<'_> {
         let signature = &self.typing.ops[op];
         match signature.result {
             Value::Of(ty) => Some(ty),
-            Value::Open | Value::Unknown => self.typing.report.give_up(),
+            Value::Open | Value::Unknown => self.typing.report.fail_silently(),
             Value::Nothing => {
                 let message = format!("`{}` returns nothing", signature.name);
                 self.typing.report.reject(Diagnostic::error("returns-nothing", message, span).note(
@@ -172,7 +172,7 @@ impl Scripting<'_> {
                 let error = Diagnostic::error("misplaced-must", message, condition.span);
                 self.typing.report.reject(error)
             }
-            tree::ExprKind::Broken => self.typing.report.give_up(),
+            tree::ExprKind::Broken => self.typing.report.fail_silently(),
             _ => {
                 let message = "`if let` wants the call of an op";
                 let error = Diagnostic::error("not-an-op", message, condition.span);

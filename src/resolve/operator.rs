@@ -224,12 +224,9 @@ fn vertex_named<'t>(written: &'t tree::Expr, value: &Expr) -> Option<(&'t str, S
 /// Adds a note if an operand is a vertex, where its position is probably meant.
 fn place_note(error: Diagnostic, operands: &[(&tree::Expr, &Expr)]) -> Diagnostic {
     let vertex = operands.iter().find_map(|(written, value)| vertex_named(written, value));
-    match vertex {
-        Some((name, _)) => {
-            error.note(format!("the point at which a vertex lies is `{name}.position`"))
-        }
-        None => error,
-    }
+    error.with(vertex, |error, (name, _)| {
+        error.note(format!("the point at which a vertex lies is `{name}.position`"))
+    })
 }
 
 /// Adds the fix that vertices are replaced by their positions, if the operator takes these.

@@ -204,15 +204,12 @@ impl Typing<'_> {
         let message =
             format!("`{}` takes {}, but {}", function.text, arguments(wanted), are_given(given));
         let error = Diagnostic::error("wrong-count", message, span);
-        let error = match called(&function.text) {
-            ways if ways.is_empty() => error,
-            ways => error.note(format!("it is {ways}")),
-        };
+        let ways = called(&function.text);
+        let error = error.when(!ways.is_empty(), |error| error.note(format!("it is {ways}")));
         let is_distance = function.text == "length" && given == 2;
-        self.report.reject(match is_distance {
-            true => error.note("how far two points are apart is `distance(v, w)`"),
-            false => error,
-        })
+        self.report.reject(error.when(is_distance, |error| {
+            error.note("how far two points are apart is `distance(v, w)`")
+        }))
     }
 
     /// Reports `midpoint(v, w)`, which is `mix` of the two points.
@@ -319,7 +316,7 @@ impl Typing<'_> {
             self.report.fail();
             return false;
         }
-        if mesh_maker(word).is_some() && self.report.is_confused("mesh") {
+        if mesh_maker(word).is_some() && self.report.is_suppressed("mesh") {
             // That a script cannot name a mesh has been reported.
             self.report.fail();
             return false;

@@ -13,7 +13,7 @@ pub(super) struct Report {
     failed: bool,
     failed_silently: bool,
     /// Names about which nothing more is reported.
-    confused: Vec<String>,
+    suppressed: Vec<String>,
 }
 
 impl Report {
@@ -25,7 +25,7 @@ impl Report {
             let rest = rest.and_then(|rest| rest.strip_prefix(word.as_str()));
             rest.is_some_and(|rest| rest.starts_with(['`', '[']))
         };
-        if !self.confused.iter().any(begins) {
+        if !self.suppressed.iter().any(begins) {
             self.diagnostics.push(diagnostic);
         }
     }
@@ -37,13 +37,13 @@ impl Report {
     }
 
     /// Drops further diagnostics whose message starts with this name.
-    pub(super) fn confuse(&mut self, word: &str) {
-        self.confused.push(word.to_owned());
+    pub(super) fn suppress(&mut self, word: &str) {
+        self.suppressed.push(word.to_owned());
     }
 
     /// True if nothing more is reported about this name.
-    pub(super) fn is_confused(&self, word: &str) -> bool {
-        self.confused.iter().any(|known| known == word)
+    pub(super) fn is_suppressed(&self, word: &str) -> bool {
+        self.suppressed.iter().any(|known| known == word)
     }
 
     /// True if a diagnostic has this note.
@@ -57,8 +57,8 @@ impl Report {
         self.failed_silently = true;
     }
 
-    /// Fails without a diagnostic, and gives nothing in place of what has failed.
-    pub(super) fn give_up<T>(&mut self) -> Option<T> {
+    /// Marks the item as failed without a diagnostic, and gives nothing in place of what failed.
+    pub(super) fn fail_silently<T>(&mut self) -> Option<T> {
         self.fail();
         None
     }

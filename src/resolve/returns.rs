@@ -135,11 +135,9 @@ impl Scripting<'_> {
             Value::Of(ty) => {
                 let message = format!("`{name}` gives {}, so `return` wants a value", ty.a_word());
                 let error = Diagnostic::error("missing-return", message, span);
-                let error = match self.returns.first {
-                    Some(first) => error.label(first, "it gives a value here"),
-                    None => error,
-                };
-                self.typing.report.reject(error)
+                self.typing.report.reject(error.with(self.returns.first, |error, first| {
+                    error.label(first, "it gives a value here")
+                }))
             }
             _ => {
                 self.returns.value = Value::Nothing;
@@ -169,10 +167,9 @@ impl Scripting<'_> {
                         .note(format!("`round(x)` makes an int; or write `fn {name}(…) -> real`")),
                     _ => error,
                 };
-                self.typing.report.reject(match first == written.span {
-                    true => error,
-                    false => error.label(first, format!("this is {}", ty.a_word())),
-                })
+                self.typing.report.reject(error.when(first != written.span, |error| {
+                    error.label(first, format!("this is {}", ty.a_word()))
+                }))
             }
             Value::Open => {
                 self.returns.value = Value::Of(value.ty);
@@ -187,10 +184,9 @@ impl Scripting<'_> {
                     .saying("behind its parameters")
                     .label(written.span, format!("it gives {} here", ty.a_word()));
                 let result = format!("-> {} ", ty.word());
-                self.typing.report.reject(match self.returns.head {
-                    Some(head) => error.fix(format!("write `{}`", result.trim()), head, result),
-                    None => error,
-                })
+                self.typing.report.reject(error.with(self.returns.head, |error, head| {
+                    error.fix(format!("write `{}`", result.trim()), head, result)
+                }))
             }
             Value::Nothing => {
                 let message =
@@ -203,7 +199,7 @@ impl Scripting<'_> {
                     ));
                 self.typing.report.reject(error)
             }
-            Value::Unknown => self.typing.report.give_up(),
+            Value::Unknown => self.typing.report.fail_silently(),
         }
     }
 }

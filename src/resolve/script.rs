@@ -196,7 +196,7 @@ impl Scripting<'_> {
                 self.of_a_loop("continue", StatementKind::Continue, action.span)
             }
             ActionKind::Expr(expr) => self.alone(expr),
-            ActionKind::Block(_) | ActionKind::Broken => self.typing.report.give_up(),
+            ActionKind::Block(_) | ActionKind::Broken => self.typing.report.fail_silently(),
         }
     }
 

@@ -83,7 +83,7 @@ impl Typing<'_> {
                     }
                 }
             }
-            tree::ExprKind::Broken => self.report.give_up(),
+            tree::ExprKind::Broken => self.report.fail_silently(),
             _ => self.no_sequence(expr),
         }
     }

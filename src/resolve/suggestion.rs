@@ -64,10 +64,8 @@ fn suggested(
 ) -> Diagnostic {
     let Some(meant) = meant else { return diagnostic };
     let diagnostic = diagnostic.saying(format!("did you mean `{meant}`?"));
-    match is_slip(word, meant) && fits(meant) {
-        true => diagnostic.fix(format!("write `{meant}`"), span, meant),
-        false => diagnostic,
-    }
+    let is_certain = is_slip(word, meant) && fits(meant);
+    diagnostic.when(is_certain, |told| told.fix(format!("write `{meant}`"), span, meant))
 }
 
 /// The number of letters of a short name: `cos` and `cosh`, `sin` and `sign` are two.

@@ -25,7 +25,7 @@ pub(super) fn type_among(
     }
     if word.text.is_empty() {
         // The type is missing, and the parser has reported it.
-        return report.give_up();
+        return report.fail_silently();
     }
     let message = format!("there is no type `{}`", word.text);
     let error = Diagnostic::error("unknown-type", message, word.span);

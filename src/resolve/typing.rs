@@ -132,7 +132,7 @@ impl Typing<'_> {
             // Which of the two is meant, is not known.
             tree::ExprKind::Call { function, args } if self.declared.is_taken(&function.text) => {
                 let value = self.quietly(|typing| typing.call(function, args, span));
-                value.or_else(|| self.report.give_up())
+                value.or_else(|| self.report.fail_silently())
             }
             tree::ExprKind::Call { function, args } => self.call(function, args, span),
             tree::ExprKind::Must(inner) => self.misplaced_must(inner, span),
@@ -148,7 +148,7 @@ impl Typing<'_> {
             tree::ExprKind::Range(..) => self.misplaced_range(span),
             // Chains are handled before; the parser has reported what is broken.
             tree::ExprKind::Binary(..) | tree::ExprKind::Field(..) | tree::ExprKind::Broken => {
-                self.report.give_up()
+                self.report.fail_silently()
             }
         }
     }
@@ -259,7 +259,7 @@ impl Typing<'_> {
             tree::ActionKind::If { binding: None, condition, then, otherwise: Some(otherwise) } => {
                 self.choice(condition, [then, otherwise], action.span)
             }
-            tree::ActionKind::Broken => self.report.give_up(),
+            tree::ActionKind::Broken => self.report.fail_silently(),
             _ => self.no_value_at(action.span),
         }
     }
@@ -320,10 +320,7 @@ pub(super) fn converted(
             let zero = format!("{}(0)", wanted.word());
             error.fix(format!("write `{zero}`"), expr.span, zero)
         }
-        _ => match near(expr, ty, wanted) {
-            Some(note) => error.note(note),
-            None => error,
-        },
+        _ => error.with(near(expr, ty, wanted), Diagnostic::note),
     })
 }
 

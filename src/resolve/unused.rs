@@ -130,10 +130,9 @@ impl Unused<'_> {
             .label(pair.halfedges[1].span, "nor this");
         let statement = format!("edge {name}: {one} | {two}");
         let title = format!("insert `{statement}`");
-        match end_of_orbits(self.drawn[1]) {
-            Some(place) => error.fix(title, place, format!("\n    {statement}")),
-            None => error,
-        }
+        error.with(end_of_orbits(self.drawn[1]), |error, place| {
+            error.fix(title, place, format!("\n    {statement}"))
+        })
     }
 }
 

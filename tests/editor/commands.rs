@@ -17,9 +17,9 @@ fn commands_that_run_are_handed_to_the_process() {
     assert!(lacking.unwrap_err().1.contains("MESH"));
     let all = run(json!([URI, "s", "a.obj", "b.obj"]));
     client.request("workspace/executeCommand", all).unwrap();
-    let errands = client.server.errands();
-    assert_eq!(errands.len(), 1);
-    assert_eq!(errands[0].arguments, ["run", "/work/test.hedge::s", "a.obj", "-o", "b.obj"]);
+    let subprocesses = client.server.take_subprocesses();
+    assert_eq!(subprocesses.len(), 1);
+    assert_eq!(subprocesses[0].arguments, ["run", "/work/test.hedge::s", "a.obj", "-o", "b.obj"]);
     let unknown = json!({ "command": "hedgerow.dance", "arguments": [URI] });
     assert!(client.request("workspace/executeCommand", unknown).is_err());
 }

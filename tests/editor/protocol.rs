@@ -5,12 +5,12 @@ use std::path::{Path, PathBuf};
 use gen_lsp_types::{Position, Uri};
 use hedgerow::lsp::Encoding;
 use hedgerow::lsp::markdown::{fenced, prose, quoted};
-use hedgerow::lsp::message::{Heard, Spoken, read};
+use hedgerow::lsp::message::{Incoming, Outgoing, read};
 use hedgerow::lsp::position::Lines;
 use hedgerow::lsp::uri::{of_path, path};
 use lsp_server::Message;
 
-fn first(text: &str) -> Result<Option<Heard>, String> {
+fn first(text: &str) -> Result<Option<Incoming>, String> {
     read(&mut text.as_bytes()).map_err(|error| error.to_string())
 }
 
@@ -19,7 +19,7 @@ fn messages_are_read_and_nothing_else() {
     let exit = r#"{"jsonrpc":"2.0","method":"exit"}"#;
     let length = exit.len();
     let text = format!("content-length: {length}\r\nContent-Type: x\r\n\r\n{exit}{exit}");
-    let Ok(Some(Heard::Message(Message::Notification(told)))) = first(&text) else {
+    let Ok(Some(Incoming::Message(Message::Notification(told)))) = first(&text) else {
         panic!("it is a notification");
     };
     assert_eq!(told.method, "exit");
@@ -37,8 +37,8 @@ fn heard(header: &[u8], body: &str) -> Vec<String> {
     let mut heard = Vec::new();
     while let Some(next) = read(&mut input).expect("the conversation goes on") {
         heard.push(match next {
-            Heard::Message(Message::Notification(told)) => told.method,
-            Heard::Refused(Spoken::Error { why, .. }) => why,
+            Incoming::Message(Message::Notification(told)) => told.method,
+            Incoming::Refused(Outgoing::Error { why, .. }) => why,
             other => panic!("{other:?}"),
         });
     }
@@ -109,7 +109,7 @@ fn what_is_no_message_is_answered() {
         (r#"{"id":"a"}"#, r#""id":"a""#),
     ] {
         let text = format!("Content-Length: {}\r\n\r\n{body}", body.len());
-        let Ok(Some(Heard::Refused(answer))) = first(&text) else {
+        let Ok(Some(Incoming::Refused(answer))) = first(&text) else {
             panic!("{body} is no message");
         };
         let mut told = Vec::new();

@@ -1,27 +1,27 @@
-//! Remedies applied to a rule.
+//! Repairs applied to a rule.
 
 use super::super::fan_repair::Taken;
-use super::super::problem::Remedy;
+use super::super::problem::Repair;
 use crate::diagram::{Drawing, Edge, Kind, Loop, LoopItem, Name, NameId, Ref, Role, Rule, Side};
 use crate::source::Span;
 
-impl Remedy {
-    /// The rule with this remedy applied, if that is possible.
+impl Repair {
+    /// The rule with this repair applied, if that is possible.
     pub(in super::super) fn apply(&self, rule: &Rule) -> Option<Rule> {
         let mut mended = rule.clone();
         let span = rule.after.span;
         let mention = |name: NameId| Ref::plain(name, span);
         match self {
-            Remedy::Erase(names) => {
+            Repair::Erase(names) => {
                 mended.erased.extend(members(rule, names).map(mention));
             }
-            Remedy::Create(names) => {
+            Repair::Create(names) => {
                 if names.iter().any(|&name| rule.params.contains(&Some(name))) {
                     return None;
                 }
                 mended.created.extend(members(rule, names).map(mention));
             }
-            Remedy::Keep(names) => {
+            Repair::Keep(names) => {
                 let before = Drawing::new(rule).before;
                 for name in members(rule, names) {
                     let after = &mut mended.after;
@@ -34,7 +34,7 @@ impl Remedy {
                     after.kept.push(mention(name));
                 }
             }
-            Remedy::Take(erased) => {
+            Repair::Take(erased) => {
                 let taken = Taken::of(rule, *erased)?;
                 mended.names.extend(taken.fan);
                 mended.before.stars.extend(taken.before);
@@ -42,30 +42,30 @@ impl Remedy {
                 mended.after.stars.retain(|star| star.vertex.name != taker);
                 mended.after.stars.push(taken.after);
             }
-            Remedy::Insert { face, at, from, item } => {
+            Repair::Insert { face, at, from, item } => {
                 let orbits = &mut mended.after.loops;
                 let orbit = orbits.iter_mut().find(|orbit| orbit.face.name == *face)?;
                 let [from, item] = [*from, *item].map(mention);
                 orbit.items.insert(*at, LoopItem { from, item });
             }
-            Remedy::Rename { old, new } => {
+            Repair::Rename { old, new } => {
                 let mentions = mended.before.mentions_mut();
                 mentions.filter(|at| at.name == *old).for_each(|at| at.name = *new);
             }
-            Remedy::Pair(edges) => {
+            Repair::Pair(edges) => {
                 for &(edge, halfedges) in edges {
                     mended.after.kept.retain(|kept| kept.name != edge);
                     pair(&mut mended.after, edge, halfedges, span);
                 }
             }
-            Remedy::PairAll(pairs) => {
+            Repair::PairAll(pairs) => {
                 for (&halfedges, text) in pairs.iter().zip(edge_names(rule, pairs.len())) {
                     let edge = name_edge(&mut mended, text)?;
                     mended.created.push(mention(edge));
                     pair(&mut mended.after, edge, halfedges, span);
                 }
             }
-            Remedy::DrawTwins(halves) => {
+            Repair::DrawTwins(halves) => {
                 for &half in halves {
                     let [edge, twin] = words_of_twin(&mended, half);
                     let edge = name_edge(&mut mended, edge)?;
@@ -76,7 +76,7 @@ impl Remedy {
                     pair(&mut mended.before, edge, [half, twin], rule.before.span);
                 }
             }
-            Remedy::Draw { face, items } => {
+            Repair::Draw { face, items } => {
                 let mut drawn = Drawing::new(rule).before.loop_of_face(*face)?.clone();
                 let item = |&(from, item): &(NameId, NameId)| LoopItem {
                     from: mention(from),
@@ -87,14 +87,14 @@ impl Remedy {
                 drawn.span = span;
                 mended.after.loops.push(drawn);
             }
-            Remedy::Turn(statement) => {
+            Repair::Turn(statement) => {
                 let mut orbits = mended.before.loops.iter_mut().chain(&mut mended.after.loops);
                 turn(orbits.find(|orbit| orbit.span == *statement)?)?;
             }
-            Remedy::Redraw { loops, .. } => mended.after.loops.clone_from(loops),
-            Remedy::All(remedies) => {
-                for remedy in remedies {
-                    mended = remedy.apply(&mended)?;
+            Repair::Redraw { loops, .. } => mended.after.loops.clone_from(loops),
+            Repair::All(repairs) => {
+                for repair in repairs {
+                    mended = repair.apply(&mended)?;
                 }
             }
         }

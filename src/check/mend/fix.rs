@@ -1,8 +1,8 @@
-//! Remedies as edits of the source text.
+//! Repairs as edits of the source text.
 
 use super::super::fan_repair::Taken;
 use super::super::joint::is_used;
-use super::super::problem::{Remedy, enumerate};
+use super::super::problem::{Repair, enumerate};
 use super::apply::{edge_names, turn};
 use super::statements::{
     arrow, edge_statement, end_of_after, list_in_new, loop_statement, star_statement,
@@ -11,8 +11,8 @@ use crate::diagnostic::{Edit, Fix, all_of};
 use crate::diagram::{Drawing, Kind, Loop, NameId, Ref, Rule, Side};
 use crate::source::Span;
 
-impl Remedy {
-    /// The remedy as an edit of the source text, which a rule was read from.
+impl Repair {
+    /// The repair as an edit of the source text, which a rule was read from.
     pub(in super::super) fn fix(&self, rule: &Rule) -> Option<Fix> {
         self.fix_behind(rule, rule)
     }
@@ -23,7 +23,7 @@ impl Remedy {
             names.iter().map(|&name| now.name(name).text.as_str()).collect::<Vec<_>>().join(" ")
         };
         let statement = match self {
-            Remedy::Erase(names) => {
+            Repair::Erase(names) => {
                 let list = words(names);
                 if let Some(last) = rule.erased.iter().max_by_key(|erased| erased.span.end) {
                     let title = format!("erase {}", enumerate(now, names));
@@ -32,20 +32,20 @@ impl Remedy {
                 }
                 format!("erase {list}")
             }
-            Remedy::Create(names) => {
+            Repair::Create(names) => {
                 let title = format!("list {} in `new`", enumerate(now, names));
                 let edits = vec![list_in_new(rule, &words(names))?];
                 return Some(Fix { title, edits });
             }
-            Remedy::Keep(names) => match names.as_slice() {
+            Repair::Keep(names) => match names.as_slice() {
                 &[edge] if rule.kind(edge) == Kind::Edge => {
                     let statement = Drawing::new(rule).before.edge_statement(edge)?;
                     edge_statement(rule, edge, statement.halfedge_names())
                 }
                 names => format!("keep {}", words(names)),
             },
-            Remedy::Take(erased) => return take(now, *erased, end_of_after(rule)?),
-            Remedy::Insert { face, at, from, item } => {
+            Repair::Take(erased) => return take(now, *erased, end_of_after(rule)?),
+            Repair::Insert { face, at, from, item } => {
                 let orbit = rule.after.loops.iter().find(|orbit| orbit.face.name == *face)?;
                 let behind = orbit.items.get(*at).map_or(orbit.end, |item| item.from);
                 if !rule.name(*item).named {
@@ -57,7 +57,7 @@ impl Remedy {
                 let text = format!("{drawn} ");
                 return Some(Fix { title, edits: vec![Edit { span: behind.span.before(), text }] });
             }
-            Remedy::Turn(statement) => {
+            Repair::Turn(statement) => {
                 let mut orbits = rule.before.loops.iter().chain(&rule.after.loops);
                 let mut turned = orbits.find(|orbit| orbit.span == *statement)?.clone();
                 turn(&mut turned)?;
@@ -65,11 +65,11 @@ impl Remedy {
                 let title = format!("draw it the other way round: `{text}`");
                 return Some(Fix { title, edits: vec![Edit { span: *statement, text }] });
             }
-            Remedy::Redraw { loops, how } => {
+            Repair::Redraw { loops, how } => {
                 let edits = redraw(rule, loops);
                 return Some(Fix { title: how.clone(), edits });
             }
-            Remedy::Rename { old, new } => {
+            Repair::Rename { old, new } => {
                 let written = |side: &Side, name: NameId| -> Vec<Span> {
                     let mentions = side.mentions().filter(|at| at.name == name);
                     mentions.map(|at| at.span).collect()
@@ -90,9 +90,9 @@ impl Remedy {
                 let edit = |span: Span| Edit { span, text: text.clone() };
                 return Some(Fix { title, edits: spans.into_iter().map(edit).collect() });
             }
-            Remedy::Pair(edges) => return pair(rule, now, edges),
-            Remedy::PairAll(pairs) => return pair_all(rule, now, pairs),
-            Remedy::DrawTwins(halves) => {
+            Repair::Pair(edges) => return pair(rule, now, edges),
+            Repair::PairAll(pairs) => return pair_all(rule, now, pairs),
+            Repair::DrawTwins(halves) => {
                 let drawn = self.apply(now)?;
                 let edges = &drawn.before.edges[now.before.edges.len()..];
                 let edges = edges
@@ -103,16 +103,16 @@ impl Remedy {
                 let title = format!("draw the twins of {} in `before`", enumerate(rule, halves));
                 return Some(Fix { title, edits: vec![Edit { span, text }] });
             }
-            Remedy::Draw { .. } => {
+            Repair::Draw { .. } => {
                 let mended = self.apply(now)?;
                 loop_statement(&mended, mended.after.loops.last()?)?
             }
-            Remedy::All(remedies) => {
+            Repair::All(repairs) => {
                 let mut now = now.clone();
                 let mut fixes = Vec::new();
-                for remedy in remedies {
-                    fixes.push(remedy.fix_behind(rule, &now)?);
-                    now = remedy.apply(&now)?;
+                for repair in repairs {
+                    fixes.push(repair.fix_behind(rule, &now)?);
+                    now = repair.apply(&now)?;
                 }
                 return fixes.into_iter().reduce(both);
             }

@@ -1,5 +1,5 @@
-//! Fixes that are certain: a remedy is offered only after the laws have been tested on the rule
-//! with the remedy applied.
+//! Fixes that are certain: a repair is offered only after the laws have been tested on the rule
+//! with the repair applied.
 
 mod apply;
 mod fix;
@@ -8,7 +8,7 @@ mod statements;
 use super::forgotten::only_a_hole;
 use super::joint::{TIERS, Tier, closed};
 use super::new_is_placed::{self, placed};
-use super::problem::{Problem, Remedy};
+use super::problem::{Problem, Repair};
 use crate::diagnostic::{Diagnostic, Fix};
 use crate::diagram::{Drawing, Kind, NameId, Rule};
 
@@ -38,8 +38,8 @@ fn mend(
     laws: impl Fn(&Rule) -> Vec<Problem>,
 ) -> Vec<Diagnostic> {
     let before: Vec<_> = problems.iter().map(|problem| problem.diagnostic.clone()).collect();
-    let good = |remedy: &Remedy, at: usize| {
-        let mended = remedy.apply(rule).filter(changes_something)?;
+    let good = |repair: &Repair, at: usize| {
+        let mended = repair.apply(rule).filter(changes_something)?;
         let left = laws(&mended);
         let known = |problem: &Problem| {
             before.iter().enumerate().any(|(index, old)| {
@@ -51,15 +51,15 @@ fn mend(
         // Problems of a later law may appear once the names are in order; the fix is then not
         // wrong, but no longer certain. What seems to have been forgotten may be intended if
         // something else is wrong: it is erased, kept or created only if that leaves no problem.
-        let good = match remedy {
-            Remedy::Erase(_) | Remedy::Keep(_) => left.is_empty(),
+        let good = match repair {
+            Repair::Erase(_) | Repair::Keep(_) => left.is_empty(),
             // Vertices alone, without positions, may be meant to be other ones.
-            Remedy::Create(names) => {
+            Repair::Create(names) => {
                 left.is_empty() && !(are_vertices(rule, names) && lacks_position(&mended))
             }
             _ => left.iter().all(known),
         };
-        let fix = good.then(|| remedy.fix(rule)).flatten()?;
+        let fix = good.then(|| repair.fix(rule)).flatten()?;
         Some((fix, left.is_empty()))
     };
     let mut diagnostics = Vec::new();
@@ -67,7 +67,7 @@ fn mend(
     let mut causes = Vec::new();
     for (at, problem) in problems.into_iter().enumerate() {
         let mut diagnostic = problem.diagnostic;
-        let found: Vec<_> = problem.remedies.iter().filter_map(|remedy| good(remedy, at)).collect();
+        let found: Vec<_> = problem.repairs.iter().filter_map(|repair| good(repair, at)).collect();
         // A fix that mends everything is preferred to those that mend this problem alone.
         let all: Vec<_> = found.iter().filter(|(_, mends_all)| *mends_all).collect();
         let sure = match (found.as_slice(), all.as_slice()) {
@@ -106,16 +106,16 @@ pub(super) fn closing(rule: &Rule, laws: impl Fn(&Rule) -> Vec<Problem>) -> Opti
     }
 }
 
-/// The fixes, of these remedies, that mend everything.
-fn mending(rule: &Rule, remedies: Vec<Remedy>, laws: &impl Fn(&Rule) -> Vec<Problem>) -> Vec<Fix> {
+/// The fixes, of these repairs, that mend everything.
+fn mending(rule: &Rule, repairs: Vec<Repair>, laws: &impl Fn(&Rule) -> Vec<Problem>) -> Vec<Fix> {
     let mut fixes: Vec<Fix> = Vec::new();
-    for remedy in remedies {
-        let mended = remedy.apply(rule).filter(changes_something);
+    for repair in repairs {
+        let mended = repair.apply(rule).filter(changes_something);
         // A new vertex without a position may be meant to be another one.
         let is_good = mended.is_some_and(|mended| {
             laws(&mended).is_empty() && (lacks_position(rule) || !lacks_position(&mended))
         });
-        let fix = is_good.then(|| remedy.fix(rule)).flatten();
+        let fix = is_good.then(|| repair.fix(rule)).flatten();
         let is_new = |fix: &Fix| fixes.iter().all(|known| known.edits != fix.edits);
         fixes.extend(fix.filter(is_new));
     }

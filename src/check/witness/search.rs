@@ -9,7 +9,7 @@
 //! files hold them.
 
 use super::super::alias::Quotient;
-use super::super::arrangement::{Arc, Lies};
+use super::super::arrangement::{Arc, ArcContent};
 use super::super::port::Port;
 use super::completion::{Completions, End};
 use super::literal::{Carried, carry_out};
@@ -175,7 +175,7 @@ impl Search<'_> {
     fn glued_by(&self, arcs: &[Arc], shape: &Shape) -> Vec<[usize; 2]> {
         let Some(sketch) = Sketch::build(self.drawing, shape) else { return Vec::new() };
         let mut glued: Vec<[usize; 2]> = Vec::new();
-        for arc in arcs.iter().filter(|arc| arc.lies == Lies::Empty) {
+        for arc in arcs.iter().filter(|arc| arc.content == ArcContent::Empty) {
             let (Port::Out(from), Port::In(to)) = (arc.from, arc.to) else { continue };
             let first = |name: NameId| {
                 sketch.half_of[name.index()].or(sketch.runs[name.index()].first().copied())

@@ -51,7 +51,7 @@ impl Engine {
                 while let Some(more) = server.work() {
                     answers.extend(more);
                 }
-                server.errands();
+                server.take_subprocesses();
                 let _ = reply.send(serde_json::to_string(&answers).unwrap_or_else(|_| "[]".into()));
             }
         });

@@ -20,7 +20,7 @@ use tiny_http::Server;
 
 use super::arguments::PlayArguments;
 use super::failure::Failure;
-use super::output::complain;
+use super::output::eprint_line;
 use answers::Answers;
 use folder::Folder;
 use pages::Pages;
@@ -46,9 +46,9 @@ pub(super) fn play(arguments: &PlayArguments) -> Result<(), Failure> {
     // For programs that have started this one; people read it as well.
     let _ = writeln!(stdout(), "{address}").and_then(|()| stdout().flush());
     if !arguments.no_browser && open::that_detached(&address).is_err() {
-        complain("no browser could be opened: open the address above");
+        eprint_line("no browser could be opened: open the address above");
     }
-    complain("Ctrl-C ends it");
+    eprint_line("Ctrl-C ends it");
     loop {
         let request = server.recv().map_err(|error| failed(&error))?;
         // Each connection has a thread already, and may keep this one waiting for its body as well.

@@ -60,7 +60,7 @@ pub extern "C" fn lsp() -> *const u8 {
             answers.extend(more);
         }
         // Commands that run beside the server have no place to run here.
-        server.errands();
+        server.take_subprocesses();
         state.output.clear();
         state.output.extend([0; 4]);
         let written = serde_json::to_writer(&mut state.output, &answers);

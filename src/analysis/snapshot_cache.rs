@@ -1,11 +1,11 @@
-//! Memory that is carried from one snapshot of a document to the next: parse results, proofs, and
+//! What is carried from one snapshot of a document to the next: parse results, proofs, and
 //! the last diagram of each op that could be read.
 
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::rc::Rc;
 
 use super::Examined;
-use super::parse_cache::Readings;
+use super::parse_cache::ParseCache;
 use crate::diagram;
 use crate::source::Span;
 
@@ -13,8 +13,8 @@ use crate::source::Span;
 const MOST_REMEMBERED: usize = 1024;
 
 #[derive(Clone, Debug, Default)]
-pub(super) struct Memory {
-    pub(super) readings: Readings,
+pub(super) struct SnapshotCache {
+    pub(super) parse_cache: ParseCache,
     /// The last diagrams of ops that can no longer be read, by name.
     pub(super) lost: BTreeMap<String, Rc<diagram::Op>>,
     /// The proofs, by the text of the op.
@@ -30,19 +30,19 @@ struct Remembered {
     examined: Rc<Examined>,
 }
 
-/// A part of a text, and a fingerprint of what its words mean outside of it.
+/// The key of an op: its text and place, and a fingerprint of what its words mean outside of it.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Passage<'t> {
+pub(super) struct CacheKey<'t> {
     pub(super) text: &'t str,
     pub(super) span: Span,
     pub(super) meaning: u64,
 }
 
-impl Memory {
+impl SnapshotCache {
     /// The result for an op with this text, wherever it was.
-    pub(super) fn recall(&self, op: Passage) -> Option<Rc<Examined>> {
-        let known = self.proofs.get(op.text)?;
-        (known.meaning == op.meaning).then(|| moved(&known.examined, known.at, op.span))
+    pub(super) fn get(&self, key: CacheKey) -> Option<Rc<Examined>> {
+        let known = self.proofs.get(key.text)?;
+        (known.meaning == key.meaning).then(|| moved(&known.examined, known.at, key.span))
     }
 
     /// Keeps the last diagrams of ops, as long as `text` contains their names.
@@ -59,7 +59,7 @@ impl Memory {
     /// `written` ones.
     pub(super) fn keep<'t>(
         &mut self,
-        op: Passage,
+        key: CacheKey,
         examined: &Rc<Examined>,
         written: impl Iterator<Item = &'t str>,
     ) {
@@ -69,8 +69,8 @@ impl Memory {
             self.room = written.len() + MOST_REMEMBERED;
         }
         let remembered =
-            Remembered { meaning: op.meaning, at: op.span, examined: Rc::clone(examined) };
-        self.proofs.insert(op.text.to_owned(), remembered);
+            Remembered { meaning: key.meaning, at: key.span, examined: Rc::clone(examined) };
+        self.proofs.insert(key.text.to_owned(), remembered);
     }
 }
 

@@ -1,15 +1,15 @@
-//! Remedies that a drawing itself suggests: where a halfedge was left out of a loop, and which edge
+//! Repairs that a drawing itself suggests: where a halfedge was left out of a loop, and which edge
 //! statement is missing.
 
 use std::collections::BTreeSet;
 
-use super::problem::Remedy;
+use super::problem::Repair;
 use crate::diagnostic::all_of;
 use crate::diagram::{Drawing, Kind, Loop, NameId};
 
-/// The remedies that insert an item in a loop of `after`, at any place: from a vertex that is
+/// The repairs that insert an item in a loop of `after`, at any place: from a vertex that is
 /// forgotten, too, or else from one that is drawn.
-pub(super) fn insertions(drawing: &Drawing, item: NameId) -> Vec<Remedy> {
+pub(super) fn insertions(drawing: &Drawing, item: NameId) -> Vec<Repair> {
     let rule = drawing.rule;
     if rule.cycle.is_some() {
         return Vec::new();
@@ -23,10 +23,10 @@ pub(super) fn insertions(drawing: &Drawing, item: NameId) -> Vec<Remedy> {
     let is_kept = |orbit: &Loop| rule.after.kept.iter().any(|kept| kept.name == orbit.face.name);
     let loops = rule.after.loops.iter().filter(|orbit| !is_kept(orbit));
     let places = loops.flat_map(|orbit| (1..=orbit.items.len()).map(|at| (orbit.face.name, at)));
-    let remedies = places.flat_map(|(face, at)| {
-        starts.iter().map(move |&from| Remedy::Insert { face, at, from, item })
+    let repairs = places.flat_map(|(face, at)| {
+        starts.iter().map(move |&from| Repair::Insert { face, at, from, item })
     });
-    remedies.collect()
+    repairs.collect()
 }
 
 /// The advice to draw the edge statement that `before` lacks for a halfedge.
