@@ -39,7 +39,7 @@ pub(super) fn explain(arguments: &ExplainArguments) -> Result<(), Failure> {
     let texts: Vec<_> = text.into_iter().chain(of_library).chain(library::file(asked)).collect();
     if texts.is_empty() {
         if let Some(rows) = library::mentioning(&singular).filter(|_| singular.len() > 2) {
-            say(&format!("nothing is called `{asked}`; in the library:\n\n{rows}"));
+            print_line(&format!("nothing is called `{asked}`; in the library:\n\n{rows}"));
             return Ok(());
         }
         let advice = match closest(asked, explained().map(|(code, _)| code).chain(functions())) {

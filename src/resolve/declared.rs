@@ -18,7 +18,7 @@ use super::attribute_head::{Head, head};
 use super::builtin::function_names;
 use super::fields::is_taken;
 use super::file::{Fields, Types};
-use super::foreign_words;
+use super::foreign_words::{self, Here};
 use super::neighbor::path;
 use super::report::Report;
 use super::scopes::Scopes;
@@ -321,9 +321,10 @@ impl Declared {
             return suggest_function(error, &function.text, span, there, fits);
         }
         let here = foreign_words::function_called(word, &fits).or_else(|| mesh_maker(word));
-        match here {
-            Some(_) => foreign_words::tell(error, (word, span), here, []),
-            None => suggest_function(error, word, span, candidates, fits),
+        match (here, foreign_words::function(word)) {
+            (Some(_), _) => foreign_words::tell(error, (word, span), here, []),
+            (None, Some(Here::Written(ours))) => error.note(format!("it is written `{ours}`")),
+            _ => suggest_function(error, word, span, candidates, fits),
         }
     }
 

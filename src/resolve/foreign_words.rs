@@ -18,13 +18,11 @@ use super::suggestion::suggest;
 pub(super) enum Here {
     /// The equivalent in this language.
     Written(&'static str),
-    /// An equivalent that does not take these arguments.
-    Called(&'static str),
     /// A sentence that explains how it is done.
     Said(&'static str),
 }
 
-use Here::{Called, Said, Written};
+use Here::{Said, Written};
 
 const DECLARED: Here = Said("a variable begins with `let`, or with `var` if it changes");
 
@@ -82,14 +80,10 @@ pub(super) fn function(word: &str) -> Option<Here> {
     replacement("function", word).or_else(|| of_values(word))
 }
 
-/// The same in a call, of which it is known which functions fit it.
+/// The same in a call, without the functions that do not fit it.
 pub(super) fn function_called(word: &str, fits: impl Fn(&str) -> bool) -> Option<Here> {
     let is_meant = |here: &Here| !matches!(here, Written(ours) if !fits(ours));
-    let all = || replacements("function", word).chain(of_values(word));
-    all().find(is_meant).or_else(|| match all().next()? {
-        Written(ours) => Some(Called(ours)),
-        other => Some(other),
-    })
+    replacements("function", word).chain(of_values(word)).find(is_meant)
 }
 
 /// True if other languages have such a function of values.
@@ -156,7 +150,6 @@ pub(super) fn tell<'a>(
             span,
             ours,
         ),
-        Some(Called(ours)) => diagnostic.note(format!("`{word}` is called `{ours}` here")),
         Some(Said(sentence)) => diagnostic.note(sentence),
         None => suggest(diagnostic, word, span, candidates),
     }

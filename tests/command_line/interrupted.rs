@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use std::io::{BufRead, BufReader};
 use std::process::{Command, Stdio};
 use std::thread::sleep;
-use std::time::Duration;
+use std::time::Instant;
 
 use crate::bench::{Bench, SQUARE};
 
@@ -92,14 +92,16 @@ fn nothing_is_written_once_it_is_interrupted() {
     let bench = Bench::new();
     // Whatever moment the signal comes at, the file is the old one or the whole new one.
     let arguments = ["convert", "icosphere(7)", "new.ply", "--encoding", "ascii"];
+    let started = Instant::now();
     bench.succeeds(&arguments);
+    let time = started.elapsed();
     let whole = bench.read("new.ply");
     let mut codes = BTreeSet::new();
     for step in 0..16 {
         bench.write("new.ply", "old");
         let mut command = bench.command(&arguments);
         let child = command.stderr(Stdio::piped()).spawn().unwrap();
-        sleep(Duration::from_millis(step * 50));
+        sleep(time * step / 8);
         let sent = Command::new("kill").args(["-INT", &child.id().to_string()]).output().unwrap();
         let said = child.wait_with_output().unwrap();
         let written = bench.read("new.ply");
