@@ -1,6 +1,6 @@
 //! Reading meshes from files, and writing them.
 
-use std::io::{ErrorKind, Read, stdin};
+use std::io::{self, ErrorKind, Read, stdin};
 use std::path::{Path, PathBuf};
 
 use strsim::damerau_levenshtein;
@@ -126,10 +126,19 @@ fn unreadable(path: &Path, error: FileError) -> Failure {
         FileReason::UnknownEnding(_) if is_program(path) => {
             Failure::usage(format!("`{shown}` is a program; a mesh is wanted here"))
         }
-        FileReason::Io(_) if path.is_dir() => {
-            Failure::usage(format!("`{shown}` is a folder; a mesh is wanted here"))
+        FileReason::Io(reason) if path.is_dir() || reason.kind() == ErrorKind::NotFound => {
+            unopened(path, reason)
         }
-        FileReason::Io(reason) if reason.kind() == ErrorKind::NotFound => {
+        _ => Failure::usage(error),
+    }
+}
+
+/// The failure to open a file, with what was probably meant.
+fn unopened(path: &Path, error: &io::Error) -> Failure {
+    let shown = path.display();
+    Failure::usage(match error.kind() {
+        _ if path.is_dir() => format!("`{shown}` is a folder; a mesh is wanted here"),
+        ErrorKind::NotFound => {
             let advice = if let Ok(target) = path.read_link() {
                 format!("; it is a link to `{}`", target.display())
             } else if shown.to_string().contains('=') {
@@ -141,10 +150,10 @@ fn unreadable(path: &Path, error: FileError) -> Failure {
             } else {
                 String::new()
             };
-            Failure::usage(format!("cannot read `{shown}`: there is no such file{advice}"))
+            format!("cannot read `{shown}`: there is no such file{advice}")
         }
-        _ => Failure::usage(error),
-    }
+        _ => format!("cannot read `{shown}`: {error}"),
+    })
 }
 
 /// The mesh beside a path with a similar name, or with the same name and an extension.
@@ -179,7 +188,7 @@ pub(super) fn read_tables(path: &Path, arguments: &RepairArguments) -> Result<Du
     }
     let text = open_file(path)
         .and_then(std::io::read_to_string)
-        .map_err(|error| Failure::usage(format!("cannot read `{shown}`: {error}")))?;
+        .map_err(|error| unopened(path, &error))?;
     read_dump(&text).map_err(|error| Failure::usage(format!("{shown}: {error}")))
 }
 

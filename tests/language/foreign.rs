@@ -66,7 +66,7 @@ fn what_is_offered_for_a_foreign_word_is_there() {
     let calls = [
         "valence(v)",
         "norm(v.position)",
-        "lerp(v, v.halfedge.target, 0.5)",
+        "lerp(v.position, v.halfedge.target.position, 0.5)",
         "average(v)",
         "cot(v.halfedge)",
         "ln(angle(v.halfedge))",

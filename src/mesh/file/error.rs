@@ -344,9 +344,6 @@ impl fmt::Display for FileError {
 impl fmt::Display for FileReason {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Io(error) if error.kind() == io::ErrorKind::NotFound => {
-                f.write_str("there is no such file")
-            }
             Self::Io(error) => write!(f, "{error}"),
             Self::ReadOnly => f.write_str("the file is read-only"),
             Self::NoFolder(folder) => write!(f, "the folder `{folder}` does not exist"),
