@@ -231,7 +231,7 @@ pub enum StatementKind {
     AssertRefuses { op: usize, args: Vec<Expr>, why: Option<String>, reason: Option<String> },
     /// `break`, out of the innermost loop.
     Break,
-    /// `continue`, with the next turn of the innermost loop.
+    /// `continue`, with the next iteration of the innermost loop.
     Continue,
     /// `return`, `return x`, from the function or script.
     Return(Option<Expr>),
