@@ -412,6 +412,32 @@ fn tables_move_where_steps_are_only_asked_for() {
     assert!(lines[0].ends_with("6400"), "{lines:?}");
 }
 
+/// Functions that call themselves, with many variables that each of them keeps meanwhile: on a stack
+/// of 2 MiB, which is that of a test.
+#[test]
+fn functions_nest_as_deep_on_both() {
+    let kept: String = (0..150).map(|i| format!("let x{i} = sin(k + {i})\n")).collect();
+    let sum: Vec<_> = (0..150).map(|i| format!("x{i}")).collect();
+    let text = format!(
+        "fn deep(k: int) -> real {{
+           {kept}
+           let rest = if k > 0 {{ deeper(k - 1) }} else {{ 0.0 }}
+           rest + {}
+         }}
+         fn deeper(k: int) -> real {{ if count(vertices) > k mod 7 {{ deep(k) }} else {{ 0.5 }} }}
+         script main(most: int) {{ print deep(most) }}",
+        sum.join(" + ")
+    );
+    let prepared = script("deep.hedge", &text);
+    for most in [10, 100, 490, 600] {
+        let mut mesh = shape::cube();
+        let arguments = [("most".to_owned(), Argument::Int(most))];
+        let (report, lines) = run_on_both(&prepared, &mut mesh, &arguments, Engine::NativeAtOnce);
+        assert_eq!(report.is_ok(), most < 500);
+        assert_eq!(lines.len(), usize::from(most < 500));
+    }
+}
+
 /// To ask whether an operation would apply makes room for what it would create, so the tables may
 /// move behind each question.
 #[test]

@@ -162,7 +162,7 @@ impl Machine {
             self.frames = 0;
         }
         self.depth += 1;
-        let left = DEPTH.min(MOST_CALLS.saturating_sub(self.frames)) - 1;
+        let left = DEPTH.min(MOST_CALLS.saturating_sub(self.frames)).saturating_sub(1);
         let is_of_script = call.op.is_none() && call.steps.is_none() && call.depth == 0;
         let calls_directly = is_of_script && !watch.follows_operations();
         let mut run = Run {
