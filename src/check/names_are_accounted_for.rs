@@ -12,7 +12,7 @@ use std::collections::BTreeSet;
 
 use super::forgotten::{as_a_hole, is_forgotten};
 use super::outside::{beside, twin_beside};
-use super::pairing::{free_edges, missing_loops, pairing, unpaired};
+use super::pairing::{free_edges, lost_loops, missing_loops, pairing, unpaired};
 use super::problem::{Problem, Repair, enumerate, is_or_are, keyword};
 use super::repairs::insertions;
 use super::stale::Stale;
@@ -150,12 +150,8 @@ impl Law<'_> {
             .map(|orbit| (orbit, missing(orbit)))
             .filter(|(_, missing)| !missing.is_empty())
             .collect();
-        let lost = drawing.rule.before.loops.iter().map(|orbit| orbit.face);
-        let lost = lost.filter(|face| drawing.survives(face.name));
-        let lost: Vec<_> =
-            lost.filter(|face| drawing.after.loop_of_face(face.name).is_none()).collect();
-        match lost.as_slice() {
-            [_] if !orbits.is_empty() && drawing.rule.cycle.is_none() => {
+        match lost_loops(drawing).count() {
+            1 if !orbits.is_empty() && drawing.rule.cycle.is_none() => {
                 self.loop_is_missing(&orbits);
                 self.would_stand_there(&orbits);
             }

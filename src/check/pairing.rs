@@ -1,5 +1,6 @@
 //! The twins after, and the loop that is missing, as far as the ends of halfedges determine them.
 
+use super::alias::is_rotated;
 use super::problem::Repair;
 use crate::diagram::{Drawing, Edge, Kind, Loop, LoopItem, NameId, Spoke};
 
@@ -172,15 +173,21 @@ pub(super) fn free_edges(drawing: &Drawing) -> impl Iterator<Item = NameId> {
         .filter(|&edge| drawing.after.mention(edge).is_none() && drawing.erased(edge).is_none())
 }
 
+/// The loops of `before` whose faces survive and have no loop in `after`.
+pub(super) fn lost_loops<'d>(drawing: &'d Drawing) -> impl Iterator<Item = &'d Loop> {
+    let is_lost = |orbit: &&Loop| {
+        let face = orbit.face.name;
+        drawing.survives(face) && drawing.after.loop_of_face(face).is_none()
+    };
+    drawing.rule.before.loops.iter().filter(is_lost)
+}
+
 /// The missing loops of `after`, if there are any and each follows from the ends of its halfedges:
 /// those that it had before, if one is missing also others, of which one may have unknown ends.
 /// `None` if they are what they were before: [`kept_loops`].
 pub(super) fn missing_loops(drawing: &Drawing) -> Option<Vec<Repair>> {
     let rule = drawing.rule;
-    let lost = rule.before.loops.iter().filter(|orbit| {
-        drawing.survives(orbit.face.name) && drawing.after.loop_of_face(orbit.face.name).is_none()
-    });
-    let lost: Vec<_> = lost.collect();
+    let lost: Vec<_> = lost_loops(drawing).collect();
     let is_open = |item: &NameId| {
         let is_known = drawing.survives(*item) || drawing.created(*item).is_some();
         is_known && drawing.after.loop_of_item(*item).is_none()
@@ -209,26 +216,13 @@ pub(super) fn missing_loops(drawing: &Drawing) -> Option<Vec<Repair>> {
     is_changed.then_some(draws)
 }
 
-/// True if two loops are the same, perhaps from another item on.
-fn is_rotated<T: PartialEq>(one: &[T], other: &[T]) -> bool {
-    let rotated = |by: usize| one[by..].iter().chain(&one[..by]).eq(other);
-    one.len() == other.len() && (0..one.len()).any(rotated)
-}
-
 /// The repair that keeps the loops of which `after` states nothing.
 pub(super) fn kept_loops(drawing: &Drawing) -> Option<Repair> {
-    let rule = drawing.rule;
     let is_free =
         |name: NameId| drawing.survives(name) && drawing.after.loop_of_item(name).is_none();
-    let is_left = |orbit: &&Loop| {
-        let face = orbit.face.name;
-        drawing.survives(face)
-            && drawing.after.loop_of_face(face).is_none()
-            && orbit.item_names().all(is_free)
-    };
-    let left = rule.before.loops.iter().filter(is_left).map(|orbit| orbit.face.name);
-    let left: Vec<_> = left.filter(|_| rule.cycle.is_none()).collect();
-    (!left.is_empty()).then_some(Repair::Keep(left))
+    let left = lost_loops(drawing).filter(|orbit| orbit.item_names().all(is_free));
+    let left: Vec<_> = left.map(|orbit| orbit.face.name).collect();
+    (drawing.rule.cycle.is_none() && !left.is_empty()).then_some(Repair::Keep(left))
 }
 
 /// The one way around by which items form a loop, perhaps with some of the others: by their ends

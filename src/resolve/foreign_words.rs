@@ -77,7 +77,7 @@ pub(super) fn is_degree(ty: Type, word: &str) -> bool {
 
 /// The replacement of a foreign function name.
 pub(super) fn function(word: &str) -> Option<Here> {
-    replacement("function", word).or_else(|| of_values(word))
+    function_called(word, |_| true)
 }
 
 /// The same in a call, without the functions that do not fit it.

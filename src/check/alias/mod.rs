@@ -17,5 +17,5 @@ mod quotient;
 mod verdict;
 
 pub(super) use allowed::{allowed, drawable_where_one};
-pub(super) use quotient::Quotient;
+pub(super) use quotient::{Quotient, is_rotated};
 pub use verdict::{Identification, Verdict, identifications};

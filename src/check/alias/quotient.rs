@@ -273,7 +273,7 @@ fn drop_repetitions(side: &mut Side) {
         };
         one.face.name == other.face.name
             && one.kind == other.kind
-            && is_turned(&names(one), &names(other))
+            && is_rotated(&names(one), &names(other))
     });
     keep_first(&mut side.edges, |one, other| {
         let [a, b] = one.halfedge_names();
@@ -288,7 +288,7 @@ fn drop_repetitions(side: &mut Side) {
             });
             spokes.collect()
         };
-        one.vertex.name == other.vertex.name && is_turned(&names(one), &names(other))
+        one.vertex.name == other.vertex.name && is_rotated(&names(one), &names(other))
     });
 }
 
@@ -303,14 +303,9 @@ fn keep_first<T>(all: &mut Vec<T>, alike: impl Fn(&T, &T) -> bool) {
 }
 
 /// True if two cycles are the same up to rotation.
-fn is_turned<T: PartialEq>(one: &[T], other: &[T]) -> bool {
-    let count = one.len();
-    count == other.len()
-        && (count == 0
-            || (0..count).any(|turn| {
-                let mut places = 0..count;
-                places.all(|at| one[at] == other[(at + turn) % count])
-            }))
+pub(in crate::check) fn is_rotated<T: PartialEq>(one: &[T], other: &[T]) -> bool {
+    let rotated = |by: usize| one[by..].iter().chain(&one[..by]).eq(other);
+    one.len() == other.len() && (0..one.len().max(1)).any(rotated)
 }
 
 /// The spokes of a vertex that two statements of `after` describe, if both have a rest: all of the
