@@ -1,5 +1,6 @@
 """Pictures of meshes and operations, and their files."""
 
+import functools
 import signal
 
 import numpy as np
@@ -13,10 +14,11 @@ def test_pictures_of_meshes(tmp_path, sphere):
     sphere["heat"], sphere.faces["heat"], sphere.edges["crease"] = 0.5, 2, True
     plain = sphere.picture(tmp_path / "x.png")
     assert (tmp_path / "x.png").read_bytes() == plain.png == sphere._repr_png_() == plain._repr_png_()
+    plain = sphere.picture(size=60, view=(0, 0, 1))
     assert plain.png.startswith(b"\x89PNG")
     pictures = {sphere.picture(attribute=name, size=60, view=(0, 0, 1)).png for name in ("vertex.heat", "face.heat", "crease")}
     assert len(pictures | {plain.png}) == 4
-    assert Mesh()._repr_png_() is None and Mesh().picture().png
+    assert Mesh()._repr_png_() is None and Mesh().picture(size=60).png
     with pytest.raises(hedgerow.ArgumentError, match="may be several attributes: `vertex.heat`, `face.heat`"):
         sphere.picture(attribute="heat")
     with pytest.raises(KeyError, match="no attribute `none`"):
@@ -30,7 +32,8 @@ def test_pictures_of_meshes(tmp_path, sphere):
 def test_pictures_are_written_whole_or_not_at_all(tmp_path, sphere):
     resource = pytest.importorskip("resource")
     diagram = hedgerow.std.triangle.flip.diagram()
-    writes = {"d.svg": diagram.save, "p.png": sphere.picture, "q.PNG": sphere.picture().save}
+    small = functools.partial(sphere.picture, size=100)
+    writes = {"d.svg": diagram.save, "p.png": small, "q.PNG": small().save}
     limits, action = resource.getrlimit(resource.RLIMIT_FSIZE), signal.getsignal(signal.SIGXFSZ)
     for name, write in writes.items():
         (tmp_path / name).write_text("old")

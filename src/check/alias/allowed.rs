@@ -22,6 +22,9 @@ const MOST: usize = 400;
 /// The greatest number of these sets for which a mesh that breaks is searched.
 const MOST_SEARCHES: usize = 16;
 
+/// The number of meshes that did not break after which no further set is searched.
+const MOST_MESHES: usize = 4_000;
+
 /// Every way in which names that may be one are one, each proved.
 pub(in crate::check) struct Aliased {
     quotients: Vec<Quotient>,
@@ -37,7 +40,7 @@ pub(in crate::check) fn allowed(op: &Op, rule: &Rule) -> Result<Aliased, Broken>
     let wanted = wanted(rule);
     // Of the sets that break a law, the first that also breaks a mesh is reported, if there is one.
     let mut broken: Option<(Problem, Outcome)> = None;
-    let mut searches = 0;
+    let (mut searches, mut meshes) = (0, 0);
     for (names, quotients) in sets(rule, &wanted)? {
         for quotient in quotients {
             let quotient = quotient.finished();
@@ -48,7 +51,7 @@ pub(in crate::check) fn allowed(op: &Op, rule: &Rule) -> Result<Aliased, Broken>
                 }
                 Err(Failed::Impossible(_)) => {}
                 Err(Failed::Broken { why, arcs }) => {
-                    if searches == MOST_SEARCHES {
+                    if searches == MOST_SEARCHES || meshes >= MOST_MESHES {
                         continue;
                     }
                     searches += 1;
@@ -56,8 +59,10 @@ pub(in crate::check) fn allowed(op: &Op, rule: &Rule) -> Result<Aliased, Broken>
                     let arcs = arcs.as_deref();
                     let found = witness::find_where_one(op, rule, &quotient, arcs, code);
                     let problem = breaks(rule, &names, &wanted, &why);
-                    if matches!(found, Outcome::Breaks(_)) {
-                        return Err(told(problem, found));
+                    match found {
+                        Outcome::Breaks(_) => return Err(told(problem, found)),
+                        Outcome::Valid(tried) => meshes += tried,
+                        Outcome::NoMesh | Outcome::NotTried => {}
                     }
                     broken.get_or_insert((problem, found));
                 }
