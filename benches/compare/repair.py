@@ -6,7 +6,7 @@
 
 A generator makes closed and open triangle meshes and breaks them: faces are doubled, turned over,
 given a vertex twice, glued at edges and at vertices. For each tool the table has how many results
-are manifold (no edge of three faces, one fan at each vertex, neighbours that run alike), the faces
+are manifold (no edge of three faces, one fan at each vertex, neighbors that run alike), the faces
 that are left, and the boundary edges: fewer cuts leave fewer.
 
 hedgerow: `run --repair` with a script that does nothing. CGAL: `repair_polygon_soup`,

@@ -1,6 +1,6 @@
 """A masked policy for `hedgerow.gym`, with numpy alone: one small network looks at every halfedge.
 
-The network takes a row of the observation, the neighbourhood of a halfedge, and gives a number for
+The network takes a row of the observation, the neighborhood of a halfedge, and gives a number for
 each action there; the policy takes an action with the probability that softmax makes of all these
 numbers together, of actions that do not apply none. So it plays meshes of any size.
 """

@@ -50,6 +50,10 @@ pub(super) fn mending(snapshot: &Snapshot, part: &Range<usize>) -> Vec<Action> {
         }
         for (title, edits) in proposals(snapshot, &told, part) {
             let mends = accounts(snapshot, &told, &edits).then(|| told.clone());
+            // Beside a fix that is certain, what leaves errors only misleads.
+            if mends.is_none() && !told.fixes.is_empty() {
+                continue;
+            }
             actions.push(Action { title, purpose: Purpose::Proposal, edits, mends });
         }
     }

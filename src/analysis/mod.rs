@@ -18,7 +18,7 @@ mod disk;
 mod edits;
 pub mod element;
 mod empty_tests;
-mod endless_drains;
+mod endless_loops;
 mod examined;
 mod example;
 mod files;

@@ -10,7 +10,7 @@ use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 use std::rc::Rc;
 
 use super::empty_tests::empty_tests;
-use super::endless_drains::endless_drains;
+use super::endless_loops::endless_loops;
 use super::files::{Reader, fetch, name_of};
 use super::hidden_guards::hidden_guards;
 use super::kept_comments::keep_comments;
@@ -110,7 +110,7 @@ impl Snapshot {
         let ways = files::ways(&sources, &parts);
         let own = parts.remove(0);
         let used = parts.into_iter().map(|part| (part.file, part.parsed)).collect();
-        told.extend(endless_drains(&program));
+        told.extend(endless_loops(&program));
         told.extend(empty_tests(&program));
         keep_comments(&mut told, &sources);
         let due = due(&program, &functions, (file, &sources));

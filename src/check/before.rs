@@ -9,7 +9,9 @@ use std::collections::BTreeSet;
 use super::broken::Broken;
 use super::problem::{Problem, enumerate};
 use super::sizes::Sizes;
-use super::{alias, ends_agree, next_is_permutation, twin_is_involution, vertices_are_orbits};
+use super::{
+    alias, ends_agree, family_rings, next_is_permutation, twin_is_involution, vertices_are_orbits,
+};
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Drawing, Op, Rule};
 
@@ -46,12 +48,15 @@ pub(super) fn in_before(rule: &Rule) -> Option<Broken> {
     if problems.is_empty() {
         problems.extend(ends_agree::test(&drawing));
     }
-    if problems.is_empty() && rule.size().is_none() {
-        let rings = vertices_are_orbits::test(&drawing);
+    if problems.is_empty() {
+        let rings = match rule.size() {
+            None => vertices_are_orbits::test(&drawing),
+            Some(_) => family_rings::test(&drawing),
+        };
         problems.extend(rings.err().into_iter().flat_map(|broken| broken.problems));
     }
     if problems.is_empty() {
-        problems.extend(ends_agree::neighbours_are_twins(&drawing));
+        problems.extend(ends_agree::neighbors_are_twins(&drawing));
     }
     if let Some(told) = always_one(&still, &problems) {
         return Some(vec![Problem::from(told)].into());

@@ -27,10 +27,10 @@ pub(super) fn test(drawing: &Drawing) -> Vec<Problem> {
     law.problems
 }
 
-/// Tests the ends of neighbouring spokes: of two in a row in a vertex statement, the second is the
+/// Tests the ends of neighboring spokes: of two in a row in a vertex statement, the second is the
 /// twin of the halfedge before the first, so it ends where that starts. The law about vertices
 /// looks at the spokes and not at these ends.
-pub(super) fn neighbours_are_twins(drawing: &Drawing) -> Vec<Problem> {
+pub(super) fn neighbors_are_twins(drawing: &Drawing) -> Vec<Problem> {
     let rule = drawing.rule;
     let before = &drawing.before;
     let mut problems = Vec::new();

@@ -99,15 +99,20 @@ fn sizes_are_known(drawing: &Drawing, matching: &[Step]) -> Vec<Problem> {
 /// breaks.
 const FURTHER: u32 = 3;
 
+/// The shortest cycle that looks as people think of one: on a shorter one, neighbors coincide.
+const PLAIN: u32 = 3;
+
 /// Reports the problems of the members at index 0, and shows them on the shortest cycle that
-/// breaks.
+/// breaks, of at least [`PLAIN`] indices if there is one.
 fn reject(op: &Op, rule: &Rule, sizes: &Sizes, broken: Broken) -> Rejected {
     let mut problems = before::in_before(&sizes.large.rule).unwrap_or(broken).problems;
     let mut outcome = Outcome::NotTried;
     let tested = sizes.small.len() as u32;
     let further = (tested + 1..=tested + FURTHER)
         .map(|size| Cow::Owned(Unrolled::new(rule, size, Naming::Numbers)));
-    for short in sizes.small.iter().map(Cow::Borrowed).chain(further) {
+    let (shortest, short): (Vec<_>, Vec<_>) =
+        sizes.small.iter().map(Cow::Borrowed).partition(|one| one.size() < PLAIN);
+    for short in short.into_iter().chain(further).chain(shortest) {
         let Err(mut here) = prove_plain(op, &short.rule) else { continue };
         let found = witness::find(op, &short.rule, &mut here);
         if !matches!(found, Outcome::Breaks(_)) {

@@ -1,6 +1,6 @@
 //! Room for fans: a fan of `before` lies where a spoke can be.
 //!
-//! The loops draw some spokes as neighbours. A fan that is listed between two of these is empty
+//! The loops draw some spokes as neighbors. A fan that is listed between two of these is empty
 //! on every mesh: the op is sound, but applies almost nowhere, and so is not what was meant.
 
 use super::problem::Problem;
@@ -19,8 +19,8 @@ pub(super) fn test(drawing: &Drawing) -> Vec<Problem> {
                 Spoke::Fan(fan) => (rule.quoted(fan.name), fan.span),
                 Spoke::Rest(span) => ("this fan".to_owned(), span),
             };
-            let neighbours = [at + count - 1, at + 1].map(|at| star.spokes[at % count]);
-            let Some(pair) = drawn_as_neighbours(drawing, neighbours) else { continue };
+            let neighbors = [at + count - 1, at + 1].map(|at| star.spokes[at % count]);
+            let Some(pair) = drawn_as_neighbors(drawing, neighbors) else { continue };
             let [first, second] = pair.map(|spoke| rule.quoted(spoke));
             let message =
                 format!("{text} is always empty: in the loops {second} comes right behind {first}");
@@ -34,8 +34,8 @@ pub(super) fn test(drawing: &Drawing) -> Vec<Problem> {
 }
 
 /// Two spokes that the loops draw side by side, the second right behind the first counterclockwise;
-/// one of them is a neighbour of the fan.
-fn drawn_as_neighbours(drawing: &Drawing, [left, right]: [Spoke; 2]) -> Option<[NameId; 2]> {
+/// one of them is a neighbor of the fan.
+fn drawn_as_neighbors(drawing: &Drawing, [left, right]: [Spoke; 2]) -> Option<[NameId; 2]> {
     let view = &drawing.before;
     let clockwise = |spoke: NameId| {
         view.spoke_ahead(spoke).filter(|&next| drawing.rule.kind(next) == Kind::Halfedge)

@@ -3,6 +3,7 @@
 use super::distinct_names;
 use super::guard::{Obligation, Statement};
 use crate::diagram::{Drawing, NameId, Unrolled};
+use crate::mesh::OrbitCondition as Orbit;
 
 /// The map from the names of one size to those of the large one.
 pub(super) struct Fold<'a> {
@@ -58,8 +59,10 @@ pub(super) fn add_obligation(
     because: Option<&'static str>,
     found: &mut Vec<Obligation>,
 ) {
-    let wanted = statement.without_origin();
-    let known = found.iter_mut().find(|known| known.statement.without_origin() == wanted);
+    let is_it = |known: &Statement| {
+        (known.condition, known.of, known.at) == (statement.condition, statement.of, statement.at)
+    };
+    let known = found.iter_mut().find(|known| is_it(&known.statement));
     match known {
         Some(known) if because.is_none() => known.because = None,
         Some(_) => {}
@@ -73,63 +76,35 @@ pub(super) fn add_obligation(
 fn near(fold: &Fold, statement: Statement) -> Statement {
     let rule = &fold.other.rule;
     let large = &fold.large.rule;
-    let pivot = statement.subject();
-    let pivot = match &statement {
-        Statement::CornerOnce { vertex, .. } if !rule.is_member(pivot) => *vertex,
-        Statement::CornersOwn { vertex, .. } if !rule.is_member(pivot) => *vertex,
-        _ => pivot,
-    };
+    let Statement { condition, of, at, others } = statement;
+    let pivot = at.filter(|_| !rule.is_member(of)).unwrap_or(of);
     let far = |name: NameId| {
         let reach = 2 * i64::from(large.span_of_subscripts()) + 1;
         large.offset(name).abs() > reach
     };
     let name = |of: NameId| fold.name(of, pivot);
-    let origins = |from: Vec<NameId>| {
-        let mut folded: Vec<NameId> = Vec::new();
-        for source in from {
-            let source = large.first_member(name(source));
-            if !folded.contains(&source) {
-                folded.push(source);
-            }
+    if condition == Orbit::SingleEdge.into() {
+        let single = others.iter().find(|&&end| !rule.is_member(end));
+        if let Some(&vertex) = single.filter(|_| rule.is_member(of)) {
+            return Statement::new(Orbit::NeighborsDiffer, name(vertex));
         }
-        folded
-    };
-    match statement {
-        Statement::ThreeSides(face) => Statement::ThreeSides(name(face)),
-        Statement::MeetsOnce(face) => Statement::MeetsOnce(name(face)),
-        Statement::CornerOnce { face, vertex } => {
-            let (face, vertex) = (name(face), name(vertex));
-            match far(vertex) || far(face) {
-                true => Statement::MeetsOnce(large.first_member(face)),
-                false => Statement::CornerOnce { face, vertex },
-            }
+        return Statement::new(condition, name(of)).telling(others.into_iter().map(name).collect());
+    }
+    if let Some(corner) = at {
+        let far_apart = [of, corner].into_iter().any(|one| far(name(one)));
+        if condition == Orbit::CornerOnce.into() && far_apart {
+            return Statement::new(Orbit::MeetsOnce, large.first_member(name(of)));
         }
-        Statement::FacesDiffer { vertex, from } => {
-            Statement::FacesDiffer { vertex: name(vertex), from: origins(from) }
-        }
-        Statement::TwoSpokes(vertex) => Statement::TwoSpokes(name(vertex)),
-        Statement::OneHole { vertex, from } => {
-            Statement::OneHole { vertex: name(vertex), from: origins(from) }
-        }
-        Statement::OneHoleAlong(path) => Statement::OneHoleAlong(name(path)),
-        Statement::NeighborsDiffer { vertex, from } => {
-            Statement::NeighborsDiffer { vertex: name(vertex), from: origins(from) }
-        }
-        Statement::SingleEdge { halfedge, ends } => {
-            let single = ends.into_iter().find(|&end| !rule.is_member(end));
-            match single.filter(|_| rule.is_member(halfedge)) {
-                Some(vertex) => {
-                    Statement::NeighborsDiffer { vertex: name(vertex), from: Vec::new() }
-                }
-                None => Statement::SingleEdge { halfedge: name(halfedge), ends: ends.map(name) },
-            }
-        }
-        Statement::CornersDiffer(vertex) => Statement::CornersDiffer(name(vertex)),
-        Statement::CornersOwn { face, vertex } => {
-            match rule.is_member(face) && !rule.is_member(vertex) {
-                true => Statement::CornersDiffer(name(vertex)),
-                false => Statement::CornersOwn { face: name(face), vertex: name(vertex) },
-            }
+        if condition == Orbit::CornersOwn.into() && rule.is_member(of) && !rule.is_member(corner) {
+            return Statement::new(Orbit::CornersDiffer, name(corner));
         }
     }
+    let mut origins: Vec<NameId> = Vec::new();
+    for source in others {
+        let source = large.first_member(name(source));
+        if !origins.contains(&source) {
+            origins.push(source);
+        }
+    }
+    Statement { condition, of: name(of), at: at.map(name), others: origins }
 }

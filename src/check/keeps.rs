@@ -10,6 +10,6 @@ pub(super) fn left_to_test(drawing: &Drawing, level: Level) -> Vec<Obligation> {
         return Vec::new();
     }
     let mut left = obligations(drawing, level);
-    left.retain(|one| one.is_test() && drawing.rule.is_first(one.statement.subject()));
+    left.retain(|one| one.is_test() && drawing.rule.is_first(one.statement.of));
     left
 }

@@ -119,7 +119,10 @@ impl Law<'_> {
             let kind = self.drawing.rule.kind(name).word();
             let message = format!("the {kind} {text} cannot be erased: nobody knows what is in it");
             let mut problem = Diagnostic::error("erased-run", message, erased)
-                .note("only what is drawn one by one can be erased");
+                .note(match self.drawing.rule.kind(name) {
+                    Kind::Fan => "its spokes go on at another vertex: list the fan in the statement of that vertex in `after`",
+                    _ => "it goes on in another loop: draw it there in `after`; only what is drawn one by one can be erased",
+                });
             let orbit = self.drawing.before.loop_of_item(name);
             problem.notes.extend(orbit.and_then(|orbit| as_a_hole(self.drawing, orbit)));
             self.problems.push(problem.into());

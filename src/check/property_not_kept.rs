@@ -56,7 +56,7 @@ fn euler_changes(facts: &Facts) -> String {
 fn not_kept(drawing: &Drawing, mut diagnostic: Diagnostic, level: Level) -> Diagnostic {
     let rule = drawing.rule;
     for Obligation { statement, .. } in left_to_test(drawing, level) {
-        let subject = statement.subject();
+        let subject = statement.of;
         let place = drawing.after.mention(subject).unwrap_or(rule.after.span);
         diagnostic = diagnostic.label(place, format!("perhaps {}", statement.refusal(rule)));
     }

@@ -116,7 +116,7 @@ impl Case<'_> {
         let item = rule.quoted(port.item());
         let span = self.drawing.before.mention(port.item()).unwrap_or(rule.before.span);
         let message = format!(
-            "what lies around {text} outside of the drawing would lose its neighbour {item}"
+            "what lies around {text} outside of the drawing would lose its neighbor {item}"
         );
         Diagnostic::error("dangling-outside", message, span).into()
     }
@@ -191,7 +191,7 @@ impl Case<'_> {
         let erased = [first.0, second.0].into_iter();
         let erased = erased.filter(|&vertex| self.drawing.erased(vertex).is_some());
         Problem {
-            diagnostic: diagnostic.note("going clockwise around a vertex, from a halfedge to `twin.next`, these come into one cycle, so they start at one vertex"),
+            diagnostic: diagnostic.note("going clockwise around a vertex, from a halfedge to `twin.next`, these come into one ring, so they start at one vertex"),
             repairs: erased.map(Repair::Take).collect(),
         }
     }
@@ -267,7 +267,7 @@ impl Case<'_> {
             diagnostic = diagnostic.note(format!("another ring of spokes: {}", ring(one)));
         }
         diagnostic
-            .note(format!("going clockwise around {text}, from a halfedge to `twin.next`, must meet all its spokes in one cycle"))
+            .note(format!("going clockwise around {text}, from a halfedge to `twin.next`, must meet all its spokes in one ring"))
             .into()
     }
 

@@ -8,13 +8,13 @@ use super::check::show_rule;
 use super::failure::Failure;
 use super::files::write;
 use super::meshes::expect_place;
-use super::output::{eprint_line, is_standard, print_line};
+use super::output::{columns, eprint_line, is_standard, print_line};
 use super::plan::show as show_plan;
 use super::program::{self, Program};
 use crate::analysis::{Analysis, Verdict, example, verdicts};
 use crate::diagnostic::{Diagnostic, Severity, quoted};
 use crate::diagram::Op;
-use crate::draw::{Picture, Section, draw_op, draw_sheet, page, text_op};
+use crate::draw::{COLUMNS, Picture, Section, draw_op, draw_sheet, page, text_op};
 use crate::run::{Functions, calls_of_steps};
 
 /// The number of pixels per unit of a diagram.
@@ -64,8 +64,11 @@ pub(super) fn draw(arguments: &DrawArguments) -> Result<(), Failure> {
     })?;
     let diagram = &*diagram(&program, op)?;
     let note = not_proved(&program.analysis, op);
-    let text =
-        || text_op(diagram) + &note.iter().map(|note| format!("\n{note}\n")).collect::<String>();
+    let columns = columns().filter(|_| arguments.output.is_none()).unwrap_or(COLUMNS);
+    let text = || {
+        text_op(diagram, columns)
+            + &note.iter().map(|note| format!("\n{note}\n")).collect::<String>()
+    };
     let sheet = || {
         let mut sheet = draw_sheet(diagram);
         note.iter().for_each(|note| sheet.add_note(note));

@@ -3,7 +3,7 @@
 use super::arguments::ExplainArguments;
 use super::failure::Failure;
 use super::library::{self, declared};
-use super::output::{print_line, table};
+use super::output::{print_line, prose, table};
 use crate::analysis::{MEANINGS, Word, functions, meaning, word};
 use crate::diagnostic::{explain as explanation, explained};
 use crate::diagram::{Property, Type};
@@ -31,8 +31,11 @@ pub(super) fn explain(arguments: &ExplainArguments) -> Result<(), Failure> {
         Some(stem) => format!("{stem}ex"),
         None => plain.trim_end_matches('s').to_owned(),
     };
-    let known = |word: &str| explanation(word).is_some() || self::word(word).is_some();
-    let others = [plain.as_str(), singular.as_str()];
+    let known = |word: &str| {
+        explanation(word).is_some() || self::word(word).is_some() || !declared(word).is_empty()
+    };
+    let joined = asked.to_lowercase().replace(['-', ' '], "_");
+    let others = [plain.as_str(), singular.as_str(), joined.as_str()];
     let asked = others.into_iter().find(|other| !known(asked) && known(other)).unwrap_or(asked);
     let text = explanation(asked).map(str::to_owned).or_else(|| word(asked).map(described));
     let of_library = declared(asked).into_iter().map(|item| item.described());
@@ -61,7 +64,7 @@ pub(super) fn explain(arguments: &ExplainArguments) -> Result<(), Failure> {
             text += &format!("\n\n{phrase}: {meaning}");
         }
     }
-    print_line(&format!("{asked}\n\n{text}"));
+    print_line(&format!("{asked}\n\n{}", prose(&text)));
     Ok(())
 }
 
@@ -117,6 +120,11 @@ fn usual(asked: &str) -> &str {
         "array" | "lists" | "stack" => "list",
         "attribute" | "uv" | "uvs" | "texcoord" | "seam" | "wedge" => "attr",
         "oriented" | "orient" => "orientation",
+        "poke" => "inset_vertex",
+        "border" => "boundary",
+        "cases" => "case",
+        "witness" | "witnesses" => "counterexample",
+        "qem" | "qslim" => "quadric",
         _ => asked,
     }
 }

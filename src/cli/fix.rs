@@ -45,24 +45,24 @@ pub(super) fn mended(path: &Path) -> Result<Program, Failure> {
     }
     let source = first.sources.get(first.analysis.file);
     let (name, text) = (source.name().to_owned(), source.text().to_owned());
-    let mut vain = HashSet::new();
-    let mut spoilt = HashSet::new();
+    let mut ineffective = HashSet::new();
+    let mut harmful = HashSet::new();
     let before = errors_of_ops(&first);
     let (program, applied) = loop {
-        match rounds(first, &vain, &spoilt) {
+        match rounds(first, &ineffective, &harmful) {
             Ok((mended, applied)) => {
                 let after = errors_of_ops(&mended);
                 let worse = no_better(&before, &after).into_iter().filter(|op| {
                     applied.iter().filter_map(|fix| fix.op.as_ref()).any(|one| one == op)
                 });
-                let known = spoilt.len();
-                spoilt.extend(worse);
-                if spoilt.len() == known {
+                let known = harmful.len();
+                harmful.extend(worse);
+                if harmful.len() == known {
                     break (mended, applied);
                 }
             }
             Err(kind) => {
-                vain.insert(kind);
+                ineffective.insert(kind);
             }
         }
         first = Program::of(name.clone(), text.clone());
@@ -114,8 +114,8 @@ fn contains(outer: Span, inner: Span) -> bool {
 /// leave no better; the kind of another error that is fixed in vain if there is one.
 fn rounds(
     mut program: Program,
-    vain: &HashSet<Kind>,
-    spoilt: &HashSet<String>,
+    ineffective: &HashSet<Kind>,
+    harmful: &HashSet<String>,
 ) -> Result<(Program, Vec<Applied>), Kind> {
     let mut seen = HashSet::new();
     let mut longer: HashMap<Kind, usize> = HashMap::new();
@@ -126,9 +126,9 @@ fn rounds(
             break;
         }
         let told = program.analysis.diagnostics.iter();
-        let told = told.filter(|told| !vain.contains(&kind(told)));
+        let told = told.filter(|told| !ineffective.contains(&kind(told)));
         let told = told.map(|told| (told, op_of(&program, told)));
-        let told = told.filter(|(_, op)| op.as_ref().is_none_or(|op| !spoilt.contains(op)));
+        let told = told.filter(|(_, op)| op.as_ref().is_none_or(|op| !harmful.contains(op)));
         let Some((text, applied)) = round(source, program.analysis.file, told) else { break };
         let grows = text.len() > source.text().len();
         let kinds: HashSet<&Kind> = applied.iter().map(|applied| &applied.kind).collect();

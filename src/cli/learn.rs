@@ -5,7 +5,7 @@ use std::path::Path;
 use super::arguments::LearnArguments;
 use super::failure::Failure;
 use super::files;
-use super::output::{eprint_line, print_line, table};
+use super::output::{eprint_line, print_line, prose, table};
 use crate::analysis::read_program;
 use crate::lessons::{self, Lesson, judge_file};
 
@@ -32,15 +32,17 @@ pub(super) fn learn(arguments: &LearnArguments) -> Result<(), Failure> {
 
 fn show(lesson: &Lesson) -> Result<(), Failure> {
     let number = lesson.number();
-    print_line(&format!("{number}. {}\n\n{}\n\n{}", lesson.title, lesson.text, lesson.program));
+    let text = prose(lesson.text);
+    print_line(&format!("{number}. {}\n\n{text}\n\n{}", lesson.title, lesson.program));
     for mistake in &lesson.mistakes {
-        print_line(&format!("A common mistake: {}\n\n{}\n", mistake.title, mistake.text));
+        let text = prose(mistake.text);
+        print_line(&format!("A common mistake: {}\n\n{text}\n", mistake.title));
     }
-    print_line(&format!(
+    print_line(&prose(&format!(
         "`hedgerow learn {number} lesson.hedge --start` writes this program to a file; edit it, \
          and\n`hedgerow learn {number} lesson.hedge` says whether the lesson is solved. `hedgerow plan \
          lesson.hedge`\nshows the plan of an operation, `hedgerow play lesson.hedge` the view to click in"
-    ));
+    )));
     Ok(())
 }
 

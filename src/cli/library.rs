@@ -106,7 +106,12 @@ pub(super) fn declared(name: &str) -> Vec<Declared> {
 pub(super) fn mentioning(word: &str) -> Option<String> {
     let has_it = |text: &str| {
         let mut words = text.split(|c: char| !c.is_alphanumeric());
-        words.any(|other| other.to_lowercase().starts_with(word))
+        // "starts" is not about stars.
+        words.any(|other| {
+            let other = other.to_lowercase();
+            let end = other.strip_prefix(word);
+            end.is_some_and(|end| word.len() > 5 || ["", "s", "d", "ed", "ing"].contains(&end))
+        })
     };
     let items = library::files().flat_map(|file| items(file).1);
     let rows = items.filter_map(|Declared { file, word: kind, name, docs, .. }| {

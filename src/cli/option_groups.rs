@@ -69,7 +69,7 @@ impl ThreadArguments {
 #[derive(Debug, Default, Args)]
 pub(super) struct RepairArguments {
     /// Make a mesh of faces that are none: drop
-    /// degenerate and doubled ones, turn neighbours
+    /// degenerate and doubled ones, turn neighbors
     /// to run alike, cut where three meet at an edge,
     /// split pinched vertices; says what it did
     #[arg(long, verbatim_doc_comment)]

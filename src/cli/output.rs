@@ -98,17 +98,40 @@ pub(super) fn eprint_diagnostics(diagnostics: &[Diagnostic], sources: &Sources) 
     let _ = write!(stderr().lock(), "{text}");
 }
 
+/// The number of columns of the terminal, if it is printed to one.
+pub(super) fn columns() -> Option<usize> {
+    Term::stdout().size_checked().map(|(_, columns)| usize::from(columns))
+}
+
 /// A text behind `before` columns, in lines that fit into the terminal, if it is printed to one that
 /// is not narrow.
 pub(super) fn wrapped(text: &str, before: usize) -> String {
-    let columns = Term::stdout().size_checked().map(|(_, columns)| usize::from(columns));
-    match columns.and_then(|columns| columns.checked_sub(before)) {
+    match columns().and_then(|columns| columns.checked_sub(before)) {
         Some(room @ 20..) => {
             let lines: DocBuilder<_, ()> = RcAllocator.reflow(text);
             lines.pretty(room).to_string().replace('\n', &format!("\n{}", " ".repeat(before)))
         }
         _ => text.to_owned(),
     }
+}
+
+/// A text in which paragraphs that are too wide for the terminal are wrapped, if it is printed to
+/// one; code, lists and tables stay as they are.
+pub(super) fn prose(text: &str) -> String {
+    let Some(columns) = columns() else { return text.to_owned() };
+    let mut is_code = false;
+    let block = |block: &str| {
+        let was_code = is_code;
+        is_code ^= block.matches("```").count() % 2 == 1;
+        let is_list = |line: &str| line.starts_with([' ', '|', '-', '*', '#']);
+        let fits = |line: &str| line.chars().count() <= columns;
+        let is_prose = !was_code && !block.contains("```") && !block.lines().any(is_list);
+        if !is_prose || block.lines().all(fits) {
+            return block.to_owned();
+        }
+        wrapped(block, 0)
+    };
+    text.split("\n\n").map(block).collect::<Vec<_>>().join("\n\n")
 }
 
 /// Columns of text, each as wide as its widest cell; those marked in `right` are aligned right. Long

@@ -19,8 +19,8 @@ enum Known {
     Answer(Reg),
     /// The buffer of the halfedges along which the preview is asked.
     Along(u16),
-    /// Nothing: the preview is asked for this condition.
-    Nothing { condition: OrbitCondition, of: NameId, at: Option<NameId> },
+    /// Nothing yet: the preview is asked for this condition.
+    Preview { condition: OrbitCondition, of: NameId, at: Option<NameId> },
 }
 
 impl Collect<'_, '_, '_, '_> {
@@ -65,7 +65,7 @@ impl Collect<'_, '_, '_, '_> {
                 let Run { buffer, .. } = run.unwrap_or_else(|| self.collect_path(path));
                 Known::Along(buffer)
             }
-            Question::Holds { condition, of, at } => Known::Nothing { condition, of, at },
+            Question::Holds { condition, of, at } => Known::Preview { condition, of, at },
         }
     }
 
@@ -105,7 +105,7 @@ impl Collect<'_, '_, '_, '_> {
                 self.output.asm.emit(Inst::ForeseeAlong { condition, to, buffer });
                 to
             }
-            Known::Nothing { condition, of, at } => {
+            Known::Preview { condition, of, at } => {
                 let [element, at] = [of, at.unwrap_or(of)].map(|name| self.element(name));
                 let to = self.output.asm.reg();
                 self.output.asm.emit(Inst::Foresee { condition, to, element, at });

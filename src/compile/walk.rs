@@ -38,7 +38,7 @@ impl Collect<'_, '_, '_, '_> {
             let Home::Member { buffer: to, .. } = self.registers.home(half) else { continue };
             self.output.asm.emit(Inst::BufferClear { buffer: to });
             let turn = i16::try_from(turn).unwrap_or(0);
-            self.output.asm.emit(Inst::BufferDeal { from: buffer, to, place, period, turn });
+            self.output.asm.emit(Inst::BufferStride { from: buffer, to, place, period, turn });
             let cycle = *self.registers.cycle.get_or_insert(to);
             if let (0, Some(test)) = (place, &orbit.fits) {
                 let mark = self.output.asm.mark();

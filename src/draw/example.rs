@@ -3,7 +3,7 @@
 //!
 //! On a flat mesh the vertices have their positions there. On any other mesh they are laid out as
 //! in any drawing, and a vertex that the op moves to a place that the drawing does not determine
-//! goes to the centroid of its neighbours.
+//! goes to the centroid of its neighbors.
 
 use glam::DVec2;
 

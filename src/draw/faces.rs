@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use super::curve::{Curve, area, inside, mean};
+use super::curve::{Curve, area, inside, left, mean};
 use super::figure::Orbit;
 use super::hatch::{hatch, ticks};
 use super::label_boxes::Spot;
@@ -30,7 +30,7 @@ impl Panel<'_> {
     }
 
     /// True if a face or hole lies within its outline: the loop closes and is not the outside.
-    fn encloses(&self, orbit: &Orbit, outline: &[DVec2]) -> bool {
+    pub(super) fn encloses(&self, orbit: &Orbit, outline: &[DVec2]) -> bool {
         self.side.is_closed(&orbit.darts) && area(outline) > 0.0
     }
 
@@ -42,7 +42,7 @@ impl Panel<'_> {
         orbit.darts.iter().map(|&dart| self.along(dart)).collect()
     }
 
-    fn outline(&self, orbit: &Orbit) -> Vec<DVec2> {
+    pub(super) fn outline(&self, orbit: &Orbit) -> Vec<DVec2> {
         let mut corners = Vec::new();
         for dart in &orbit.darts {
             let curve = self.along(*dart);
@@ -77,9 +77,15 @@ impl Panel<'_> {
         }
         let low = outline.iter().map(|at| at.y).fold(f64::MIN, f64::max);
         let middle = mean(&outline);
+        let is_closed = self.side.is_closed(&orbit.darts);
+        let along: Vec<_> = orbit.darts.iter().map(|&dart| self.along(dart)).collect();
         self.text(group, orbit.face, LETTERS, |label| {
-            if is_inside {
+            // A loop that does not close still runs around something, or has an inner side.
+            if is_inside || !is_closed && !is_hole && area(&outline) > 0.0 {
                 return (label, inner_spots(&outline, &islands));
+            }
+            if !is_closed && !is_hole {
+                return (label, along.iter().flat_map(inner_side).collect());
             }
             let below = DVec2::new(middle.x, low.max(middle.y) + 40.0 + label.half.y);
             let spot = |step: f64| Spot { at: below + DVec2::X * (step * 14.0), cost: step.abs() };
@@ -104,4 +110,17 @@ impl Panel<'_> {
             |other: &Vec<DVec2>| area(other) < 0.0 && other.iter().all(|&at| inside(at, outline));
         outlines.filter(is_island).collect()
     }
+}
+
+/// Spots on the inner side of a halfedge, away from its own name.
+fn inner_side(curve: &Curve) -> Vec<Spot> {
+    let mut spots = Vec::new();
+    for (rank, part) in [0.5, 0.35, 0.65].into_iter().enumerate() {
+        let (point, direction) = curve.at(part * curve.length());
+        for away in [50.0, 70.0] {
+            let cost = rank as f64 + away / 10.0;
+            spots.push(Spot { at: point + left(direction) * away, cost });
+        }
+    }
+    spots
 }

@@ -1,6 +1,6 @@
 //! Places of the nodes of a figure.
 //!
-//! The outside becomes a convex polygon, and each inner node goes to the centroid of its neighbours
+//! The outside becomes a convex polygon, and each inner node goes to the centroid of its neighbors
 //! (W. T. Tutte, "How to draw a graph", 1963), with a node in every loop to hold it open: then no
 //! two strands cross. The edge an operation is called with is horizontal, from left to right.
 //! Lengths are in units of the polygon's radius. Where `after` differs is in

@@ -62,5 +62,5 @@ pub use png::TooLarge;
 pub use shape::{Picture, TextBox};
 pub use sheet::{draw_op, draw_sheet};
 pub use status::fates;
-pub use text::text_op;
+pub use text::{COLUMNS, text_op};
 pub use view::{View, draw_mesh};

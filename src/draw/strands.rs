@@ -3,17 +3,18 @@
 use std::f64::consts::TAU;
 
 use super::arrows::{double_arrow, draw, harpoon, head};
-use super::curve::{Curve, angle, distance, turn};
+use super::curve::{Curve, angle, area, distance, sides, turn};
 use super::fan::FAN;
-use super::figure::Dart;
+use super::figure::{Dart, Orbit};
 use super::label_boxes::Spot;
-use super::label_positions::beside;
+use super::label_positions::{beside, widest_circle};
 use super::panel::{LETTERS, Panel, SMALL_LETTERS};
 use super::shape::{Group, Path};
 use super::status::Status;
 
-/// The distance of a halfedge from its edge, inside its face.
+/// The distance of a halfedge from its edge, inside its face, and the least in a thin face.
 const ASIDE: f64 = 10.5;
+const LEAST_ASIDE: f64 = 3.0;
 /// The distance that arrows keep from each other at a corner.
 const BETWEEN: f64 = 5.0;
 /// The gap between spokes, in radians, below which arrows keep clear of a fan in it.
@@ -81,9 +82,10 @@ impl Panel<'_> {
             let Some(item) = item else { continue };
             let dart = Dart { strand: at, forward };
             let curve = self.along(dart);
-            let [start, end] = self.trims(dart);
+            let aside = self.aside(dart);
+            let [start, end] = self.trims(dart, aside);
             let length = curve.length();
-            let aside = if strand.is_path { ASIDE + 2.5 } else { ASIDE };
+            let aside = if strand.is_path { aside + 2.5 } else { aside };
             let (start, end) = if start + end > length - 12.0 {
                 (length * 0.3, length * 0.3)
             } else {
@@ -106,22 +108,40 @@ impl Panel<'_> {
         }
     }
 
-    /// The lengths trimmed from a dart at its ends, so that it keeps clear of its neighbours.
-    fn trims(&self, dart: Dart) -> [f64; 2] {
-        let orbit = self.side.loops.iter().find_map(|orbit| {
-            let at = orbit.darts.iter().position(|other| *other == dart)?;
-            Some((orbit, at))
-        });
-        let Some((orbit, at)) = orbit else { return self.outer_trims(dart) };
+    /// The lengths trimmed from a dart at its ends, so that it keeps clear of its neighbors.
+    fn trims(&self, dart: Dart, aside: f64) -> [f64; 2] {
+        let Some((orbit, at)) = self.in_loop(dart) else { return self.outer_trims(dart) };
         let count = orbit.darts.len();
         let neighbor = |step: usize| self.along(orbit.darts[(at + step) % count]);
         let (here, before, behind) = (self.along(dart), neighbor(count - 1), neighbor(1));
-        // The near halves of the neighbours, either of which may be the dart itself.
+        // The near halves of the neighbors, either of which may be the dart itself.
         let (middle, end) = (before.length() / 2.0, before.length());
         let before = before.cut(middle, end);
         let behind = behind.cut(0.0, behind.length() / 2.0);
-        let aside = here.offset(ASIDE);
-        [clear(&aside, &before, ASIDE), clear(&aside.reversed(), &behind, ASIDE)]
+        let arrow = here.offset(aside);
+        [clear(&arrow, &before, aside), clear(&arrow.reversed(), &behind, aside)]
+    }
+
+    /// The loop that a dart lies in, and its place there.
+    fn in_loop(&self, dart: Dart) -> Option<(&Orbit, usize)> {
+        self.side.loops.iter().find_map(|orbit| {
+            let at = orbit.darts.iter().position(|other| *other == dart)?;
+            Some((orbit, at))
+        })
+    }
+
+    /// The distance of a halfedge from its edge: less in a face that is too thin for the arrows of
+    /// both its sides.
+    fn aside(&self, dart: Dart) -> f64 {
+        let Some((orbit, _)) = self.in_loop(dart) else { return ASIDE };
+        let outline = self.outline(orbit);
+        let around: f64 = sides(&outline).map(|[a, b]| a.distance(b)).sum();
+        // The circle in a convex polygon has at most twice its area by its perimeter as radius.
+        let is_thin = area(&outline) < 2.0 * ASIDE * around;
+        if !is_thin || !self.encloses(orbit, &outline) {
+            return ASIDE;
+        }
+        (widest_circle(&outline) / 2.0).clamp(LEAST_ASIDE, ASIDE)
     }
 
     /// The same for a dart outside of all loops: up to the next spoke on its left.
@@ -148,8 +168,8 @@ impl Panel<'_> {
     }
 }
 
-/// The length trimmed from an arrow at a corner, so that it is as far from the neighbour as from
-/// its own edge, and clear of the arrow on that side of the neighbour.
+/// The length trimmed from an arrow at a corner, so that it is as far from the neighbor as from
+/// its own edge, and clear of the arrow on that side of the neighbor.
 fn clear(arrow: &Curve, neighbor: &Curve, side: f64) -> f64 {
     let other = neighbor.offset(side);
     let is_clear = |trim: &f64| {
@@ -157,7 +177,7 @@ fn clear(arrow: &Curve, neighbor: &Curve, side: f64) -> f64 {
         let far = |curve: &Curve| {
             curve.segments().map(|segment| distance(at, segment)).fold(f64::MAX, f64::min)
         };
-        far(neighbor) > ASIDE - 0.1 && far(&other) > BETWEEN
+        far(neighbor) > side.abs() - 0.1 && far(&other) > BETWEEN.min(side.abs() / 2.0)
     };
     let mut trims = (LEAST_TRIM..MOST_TRIM).map(f64::from);
     trims.find(is_clear).unwrap_or(MOST_TRIM.into())

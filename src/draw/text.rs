@@ -28,12 +28,13 @@ const RADIUS: f64 = 250.0;
 /// The distance from its vertex at which a fan is written.
 const FAN: DVec2 = DVec2::new(4.5, 2.0);
 /// The text between the two sides.
-const BETWEEN: &str = "    =>    ";
-/// The number of columns beyond which the sides stand one below the other.
-const COLUMNS: usize = 100;
+const BETWEEN: &str = "   =>   ";
+/// The usual number of columns, where nothing says how many there are.
+pub const COLUMNS: usize = 100;
 
-/// Draws an operation as text.
-pub fn text_op(op: &Op) -> String {
+/// Draws an operation as text; its sides stand one below the other where both do not fit into so
+/// many columns.
+pub fn text_op(op: &Op, columns: usize) -> String {
     let mut text = String::new();
     for rule in &op.rules {
         let what = match (&rule.example, &rule.label) {
@@ -41,14 +42,14 @@ pub fn text_op(op: &Op) -> String {
             (None, Some(label)) => format!(", rule {label}"),
             (None, None) => String::new(),
         };
-        text.push_str(&format!("{}{what}\n\n{}\n", op.name, text_rule(rule)));
+        text.push_str(&format!("{}{what}\n\n{}\n", op.name, text_rule(rule, columns)));
     }
     text.truncate(text.trim_end().len());
     text.push('\n');
     text
 }
 
-fn text_rule(rule: &Rule) -> String {
+fn text_rule(rule: &Rule, columns: usize) -> String {
     let rule = rule.to_draw();
     let figure = Figure::new(Drawing::new(&rule));
     let places = places(&figure).map(|unit| unit.iter().map(|&at| at * RADIUS).collect::<Vec<_>>());
@@ -76,7 +77,7 @@ fn text_rule(rule: &Rule) -> String {
     let [before, after] = [&before[rows.clone()], &after[rows]];
     let [width, other] = [before, after]
         .map(|lines| lines.iter().map(|line| line.chars().count()).max().unwrap_or(0));
-    let mut text = if width + BETWEEN.len() + other > COLUMNS {
+    let mut text = if width + BETWEEN.len() + other > columns {
         let between = ["", BETWEEN.trim_end(), ""].map(str::to_string);
         [trimmed(before), &between, trimmed(after)].concat().join("\n")
     } else {

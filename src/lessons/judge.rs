@@ -60,11 +60,15 @@ pub fn judge_file(lesson: &Lesson, file: &str, text: &str) -> Result<(), Rejecti
             }
             (mistake, given) => same(mistake, given).is_ok(),
         };
-        let is_it = |program: &String| match is_as_given {
-            true => words(text) == words(program),
-            false => does_the_same(program),
+        let mistakes = lesson.mistakes.iter();
+        let known = mistakes.clone().find(|it| it.programs().any(|it| words(it) == words(text)));
+        // What several mistakes do tells of none.
+        let mut alike = mistakes.filter(|it| it.programs().any(|it| does_the_same(it)));
+        let only = match is_as_given || known.is_some() {
+            true => None,
+            false => alike.next().filter(|_| alike.next().is_none()),
         };
-        let mistake = lesson.mistakes.iter().find(|mistake| mistake.programs().any(is_it));
+        let mistake = known.or(only);
         let why = match mistake {
             None if is_as_given => format!("the missing part is not written yet: {why}"),
             _ => why,

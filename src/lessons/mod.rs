@@ -3,7 +3,7 @@
 //! A lesson is a file of [`texts`](self): a title, the mesh to try it on, the text in Markdown, and
 //! the complete program. What is left out at first is between `//{` and `//}`; lines that begin
 //! with `//|` are shown instead of it. After that come the mistakes of hand-written operations that
-//! the lesson is about, twenty-three in all lessons together: a title, a text, and a diff of the
+//! the lesson is about, twenty-four in all lessons together: a title, a text, and a diff of the
 //! solution, as lines with `-`, `+` or a space before them; or several, of which each is the mistake.
 //!
 //! A text solves a lesson if it does what the lesson's own program does: every operation is proved,

@@ -4,7 +4,7 @@
 //! are set on a preview of the mesh, and the test looks at one orbit of the preview. Where the mesh
 //! itself has the answer, the mesh is asked.
 
-use crate::check::guard::{Obligation, Statement};
+use crate::check::guard::{Condition, Obligation, Statement};
 use crate::diagram::{Drawing, Kind, NameId, Pointer};
 use crate::mesh::OrbitCondition;
 
@@ -119,7 +119,7 @@ impl Guard {
             question: question(drawing, statement),
             // The paths of a family are walked together.
             at_each_index: statement.is_repeated(rule)
-                && !matches!(statement, Statement::OneHoleAlong(_)),
+                && statement.condition != Condition::OneHoleAlong,
             claim: statement.claim(rule),
             refusal: statement.refusal(rule),
         };
@@ -134,25 +134,14 @@ impl Guard {
 }
 
 fn question(drawing: &Drawing, statement: &Statement) -> Question {
-    let (condition, of, at) = match *statement {
-        Statement::OneHoleAlong(path) => return Question::OneHoleAlong(path),
-        Statement::ThreeSides(face) => (OrbitCondition::ThreeSides, face, None),
-        Statement::MeetsOnce(face) => (OrbitCondition::MeetsOnce, face, None),
-        Statement::CornerOnce { face, vertex } => (OrbitCondition::CornerOnce, face, Some(vertex)),
-        Statement::FacesDiffer { vertex, .. } => (OrbitCondition::FacesDiffer, vertex, None),
-        Statement::TwoSpokes(vertex) => (OrbitCondition::TwoSpokes, vertex, None),
-        Statement::OneHole { vertex, .. } => (OrbitCondition::OneHole, vertex, None),
-        Statement::NeighborsDiffer { vertex, .. } => {
-            (OrbitCondition::NeighborsDiffer, vertex, None)
-        }
-        Statement::SingleEdge { halfedge, .. } => match ends_without_edge(drawing, halfedge) {
-            Some(ends) => return Question::NotAdjacent(ends),
-            None => (OrbitCondition::SingleEdge, halfedge, None),
-        },
-        Statement::CornersDiffer(vertex) => (OrbitCondition::CornersDiffer, vertex, None),
-        Statement::CornersOwn { face, vertex } => (OrbitCondition::CornersOwn, face, Some(vertex)),
-    };
-    Question::Holds { condition, of, at }
+    let &Statement { condition, of, at, .. } = statement;
+    let is_edge = condition == OrbitCondition::SingleEdge.into();
+    let ends = is_edge.then(|| ends_without_edge(drawing, of)).flatten();
+    match (condition, ends) {
+        (Condition::OneHoleAlong, _) => Question::OneHoleAlong(of),
+        (Condition::Orbit(_), Some(ends)) => Question::NotAdjacent(ends),
+        (Condition::Orbit(condition), None) => Question::Holds { condition, of, at },
+    }
 }
 
 /// The ends of a halfedge of `after`, if another edge would join them exactly if one joins them

@@ -10,7 +10,7 @@ use super::server::Server;
 use crate::analysis::element::Element;
 use crate::analysis::{Card, OpCard, RuleVerdict, Word, hover};
 use crate::diagnostic::counted;
-use crate::draw::{draw_op, text_op};
+use crate::draw::{COLUMNS, draw_op, text_op};
 
 /// The largest image that clients draw, in bytes of its text in the Markdown.
 const LARGEST_IMAGE: usize = 70_000;
@@ -59,7 +59,7 @@ fn op_text(op: &OpCard, images: bool) -> String {
         let image = images.then(|| image(&draw_op(diagram).compact_svg(), &diagram.name));
         match image.flatten() {
             Some(image) => text.push_str(&image),
-            None => text.push_str(&fenced("text", &text_op(diagram))),
+            None => text.push_str(&fenced("text", &text_op(diagram, COLUMNS))),
         }
     }
     text

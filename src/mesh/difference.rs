@@ -9,6 +9,12 @@ use glam::DVec3;
 use super::connectivity::Mesh;
 use super::id::{EdgeId, FaceId, VertexId};
 
+/// A position, with as many digits as a person reads.
+fn place(position: DVec3) -> String {
+    let [x, y, z] = position.to_array().map(|at| (at * 1e6).round() / 1e6 + 0.0);
+    format!("({x}, {y}, {z})")
+}
+
 /// The first difference between two meshes, in terms of the first mesh.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Difference {
@@ -56,7 +62,8 @@ impl fmt::Display for Difference {
                 });
                 f.write_str(&each.collect::<Vec<_>>().join("; "))
             }
-            Self::Elsewhere { vertices, first, position: DVec3 { x, y, z } } => {
+            Self::Elsewhere { vertices, first, position } => {
+                let place = place(*position);
                 let them = match vertices {
                     1 => "a vertex lies".to_owned(),
                     several => format!("{several} vertices lie"),
@@ -64,15 +71,12 @@ impl fmt::Display for Difference {
                 let first = first.0;
                 write!(
                     f,
-                    "{them} where the other mesh has none; the first is vertex {first}, at ({x}, {y}, {z})"
+                    "{them} where the other mesh has none; the first is vertex {first}, at {place}"
                 )
             }
-            Self::Missing { first, position: DVec3 { x, y, z } } => {
-                let first = first.0;
-                write!(
-                    f,
-                    "no vertex lies where the other mesh has vertex {first}, at ({x}, {y}, {z})"
-                )
+            Self::Missing { first, position } => {
+                let (first, place) = (first.0, place(*position));
+                write!(f, "no vertex lies where the other mesh has vertex {first}, at {place}")
             }
             Self::Edge(edge, [v, w]) => write!(
                 f,

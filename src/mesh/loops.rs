@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use super::polygon_sides::EachSide;
 
-/// Polygons that give the neighbours of each of their corners.
+/// Polygons that give the neighbors of each of their corners.
 pub(super) struct Loops<'p> {
     /// The vertices of the corners, and where the polygons end.
     corners: &'p [u32],

@@ -4,13 +4,13 @@ use glam::DVec3;
 
 use crate::mesh::{Mesh, VertexId};
 
-/// The number of rounds in which neighbours pull, and the strength of the pull.
+/// The number of rounds in which neighbors pull, and the strength of the pull.
 const ROUNDS: usize = 200;
 const PULL: f64 = 0.2;
 
 /// The mesh with its vertices on a sphere, if all of them coincide: spread evenly along a spiral
 /// (R. Swinbank and R. J. Purser, "Fibonacci grids: A novel approach to global modelling", 2006),
-/// then pulled towards the middle of their neighbours and back to the sphere.
+/// then pulled towards the middle of their neighbors and back to the sphere.
 pub(super) fn laid_out(mesh: &Mesh) -> Mesh {
     let mut mesh = mesh.clone();
     let vertices: Vec<VertexId> = mesh.vertices().collect();

@@ -84,7 +84,7 @@ impl<'t> Functions<'t> {
             // None is ready: some call each other in a cycle.
             let cycles = ready.is_empty();
             if cycles {
-                ready = self.circle(&left);
+                ready = self.cycle(&left);
                 for &at in &ready {
                     self.give(at, Value::Nothing);
                 }
@@ -104,8 +104,8 @@ impl<'t> Functions<'t> {
         }
     }
 
-    /// The functions, among those that are left, that call each other in one circle.
-    fn circle(&self, left: &[usize]) -> Vec<usize> {
+    /// The functions, among those that are left, that call each other in one cycle.
+    fn cycle(&self, left: &[usize]) -> Vec<usize> {
         let calls = |at| self.open_calls(at).collect();
         let mut all = left.iter().map(|&at| (at, reached(at, calls)));
         let Some((first, called)) = all.find(|(at, called)| called.contains(at)) else {

@@ -65,6 +65,9 @@ fn combined(function: &Ident, written: &tree::Expr, ty: Type) -> Option<String> 
             "with `let h = {text}.halfedge`, the weight of an edge is `{weight}`"
         ));
     }
+    if word == "transpose" && ty.is_vector() {
+        return Some("a column times a row is `outer(p, q)`".into());
+    }
     let alone = overloads(word).iter().any(|way| way.wanted == [Wanted::Is(ty)]);
     alone.then(|| format!("of {} alone it is `{word}({text})`", ty.a_word()))
 }

@@ -36,11 +36,11 @@ impl Machine {
             Inst::LoadHole { face, .. } => (ElementKind::Face, face),
             Inst::LoadPosition { vertex, .. }
             | Inst::StorePosition { vertex, .. }
-            | Inst::HoldPosition { vertex, .. }
+            | Inst::DeferPosition { vertex, .. }
             | Inst::NeighborsBegin { vertex, .. } => (ElementKind::Vertex, vertex),
             Inst::LoadAttribute { attribute, element, .. }
             | Inst::StoreAttribute { attribute, element, .. }
-            | Inst::HoldAttribute { attribute, element, .. } => {
+            | Inst::DeferAttribute { attribute, element, .. } => {
                 (attribute::column(&self.columns, attribute).ok()?.kind, element)
             }
             Inst::Ask { question, elements: [element, _], .. } => (question.kind(), element),

@@ -62,7 +62,7 @@ impl Inst {
     /// Whether running drains are notified before the instruction is executed.
     #[inline]
     pub(super) fn is_observed_write(&self) -> bool {
-        self.writes() || matches!(self, Inst::ReleaseHeld { .. })
+        self.writes() || matches!(self, Inst::WriteDeferred { .. })
     }
 }
 

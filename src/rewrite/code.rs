@@ -88,7 +88,7 @@ impl Code {
     /// Whether this code may itself change the mesh.
     pub fn changes(&self) -> bool {
         let changes = |inst: &Inst| {
-            inst.writes() || matches!(inst, Inst::Apply { .. } | Inst::ReleaseHeld { .. })
+            inst.writes() || matches!(inst, Inst::Apply { .. } | Inst::WriteDeferred { .. })
         };
         self.insts.iter().any(changes)
     }

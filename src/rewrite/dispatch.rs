@@ -401,7 +401,7 @@ impl Machine {
                         w.set_bits(to.part(part), bits);
                     }
                 }
-                BufferNew { .. } | BufferAppend { .. } | BufferDeal { .. } => {
+                BufferNew { .. } | BufferAppend { .. } | BufferStride { .. } => {
                     let filled = self.fill(mesh, call.buffers, inst);
                     look_again!();
                     or_trap!(filled);
@@ -552,7 +552,7 @@ impl Machine {
                         or_trap!(access::place(mesh, w.id(vertex), w.vector(value)));
                     mesh.set_position(v, position);
                 }
-                HoldPosition { buffer, vertex, value } => {
+                DeferPosition { buffer, vertex, value } => {
                     let (v, position) =
                         or_trap!(access::place(mesh, w.id(vertex), w.vector(value)));
                     make_room!(buffer, memory::HELD);
@@ -562,14 +562,14 @@ impl Machine {
                     let column = or_trap!(attribute::column(&self.columns, attribute));
                     or_trap!(attribute::store(mesh, column, w.id(element), &w, value));
                 }
-                HoldAttribute { buffer, attribute, element, value } => {
+                DeferAttribute { buffer, attribute, element, value } => {
                     let column = or_trap!(attribute::column(&self.columns, attribute));
                     let target = (attribute, w.id(element));
                     make_room!(buffer, memory::HELD);
                     let held = &mut buffer!(buffer).grow();
                     or_trap!(attribute::hold(mesh, column, target, &w, value, held));
                 }
-                ReleaseHeld { buffer } => {
+                WriteDeferred { buffer } => {
                     let held = &mut buffer!(buffer).grow();
                     or_trap!(attribute::release(mesh, &self.columns, held));
                 }
@@ -660,7 +660,7 @@ impl Machine {
                     (insts, at) = (called.code.insts.as_slice(), 0);
                     look_again!();
                 }
-                Give { from, width } => {
+                ReturnValue { from, width } => {
                     self.given = (call.base, from, width);
                     come_back!();
                 }
@@ -789,7 +789,7 @@ impl Machine {
                 FailShowing { text } => {
                     let values = std::mem::take(&mut self.line);
                     break match call.texts.get(text as usize).cloned() {
-                        Some(said) => Message::Asserted { said, values },
+                        Some(message) => Message::Asserted { message, values },
                         None => Message::Malformed,
                     };
                 }
@@ -801,7 +801,7 @@ impl Machine {
                         append(&mut text, " around ");
                         append(&mut text, Element { kind, index: w.id(element) });
                     }
-                    break Message::Said(text);
+                    break Message::Failed(text);
                 }
             }
             if STEP {

@@ -75,7 +75,7 @@ impl Machine {
             Inst::BufferClear { buffer } => (at(buffer), true, 0),
             Inst::BufferNew { cycle, buffer, .. } => (at(buffer), true, length(cycle)),
             Inst::BufferAppend { from, to } => (at(to), false, length(from)),
-            Inst::BufferDeal { from, to, period, .. } => {
+            Inst::BufferStride { from, to, period, .. } => {
                 (at(to), false, length(from).div_ceil(period.max(1).into()))
             }
             _ => return Err(Message::Malformed),
@@ -95,7 +95,7 @@ impl Machine {
                 let [from, to] = self.two_buffers(at(from), to)?;
                 to.grow().extend_from_slice(from);
             }
-            Inst::BufferDeal { from, place, period, turn, .. } => {
+            Inst::BufferStride { from, place, period, turn, .. } => {
                 let [from, to] = self.two_buffers(at(from), to)?;
                 deal(from, [place, period], turn, &mut to.grow());
             }

@@ -14,8 +14,8 @@ pub struct Function {
     pub name: String,
     /// The number of slots of its parameters.
     pub params: u16,
-    /// The code, which ends with [`Give`](super::Inst::Give). The functions that it calls are those
-    /// of the script or operation.
+    /// The code, which ends with [`ReturnValue`](super::Inst::ReturnValue). The functions that it
+    /// calls are those of the script or operation.
     pub code: Code,
     /// The places in the source where the code can trap, by the numbers in [`Code::traps`].
     pub places: Vec<Span>,

@@ -181,7 +181,7 @@ pub enum Inst {
     BufferAppend { from: u16, to: u16 },
     /// Appends every `period`-th slot, from the one at `place` on, to another buffer, rotated so
     /// that the first one is at the index `turn`.
-    BufferDeal { from: u16, to: u16, place: u16, period: u16, turn: i16 },
+    BufferStride { from: u16, to: u16, place: u16, period: u16, turn: i16 },
     /// Fails if two slots of a buffer are the same. Reorders the slots.
     ExpectAllDistinct { buffer: u16, refusal: u16, otherwise: Label },
     /// Fails if the id space has no room for `count` new elements of a kind.
@@ -218,13 +218,13 @@ pub enum Inst {
     /// Traps if not finite.
     StorePosition { vertex: Reg, value: Reg },
     /// Keeps a position back in a buffer. Traps if it is not finite or the vertex is erased.
-    HoldPosition { buffer: u16, vertex: Reg, value: Reg },
+    DeferPosition { buffer: u16, vertex: Reg, value: Reg },
     StoreAttribute { attribute: u16, element: Reg, value: Reg },
     /// Keeps the value of an attribute back in a buffer. Traps if the element is erased.
-    HoldAttribute { buffer: u16, attribute: u16, element: Reg, value: Reg },
+    DeferAttribute { buffer: u16, attribute: u16, element: Reg, value: Reg },
     /// Writes the values that are kept back in a buffer, in order, and clears it. Elements that
     /// have been erased since are skipped.
-    ReleaseHeld { buffer: u16 },
+    WriteDeferred { buffer: u16 },
     /// Writes one pointer of every halfedge in a buffer.
     StoreAll { field: HalfedgeField, buffer: u16, value: Reg },
     /// Writes one pointer of every halfedge in a part of a buffer.
@@ -254,7 +254,7 @@ pub enum Inst {
     /// `holds`, the caller holds ids, so that none is reused during the call.
     Call { function: u16, args: Reg, to: Reg, holds: bool },
     /// Returns from a function; its value is in `width` slots from `from`.
-    Give { from: Reg, width: u16 },
+    ReturnValue { from: Reg, width: u16 },
 
     // Operations, progress and output (scripts).
     /// Applies an op with arguments in consecutive slots from `args`; `applied` becomes a bool; the

@@ -77,7 +77,7 @@ impl Drains {
                     self.attribute_set(mesh, (attribute, column.kind), w.id(element));
                 }
             }
-            Inst::ReleaseHeld { buffer } => {
+            Inst::WriteDeferred { buffer } => {
                 let held = scene.buffers.get(usize::from(buffer)).map_or(&[][..], |list| &**list);
                 for (target, id, _) in Held::new(scene.columns, held) {
                     let (kind, fields) = match target {
@@ -309,8 +309,8 @@ impl Drains {
             | Inst::BufferGet { .. } | Inst::BufferNext { .. } | Inst::Prefetch { .. }
             | Inst::New { .. } | Inst::BufferNew { .. }
             | Inst::Store { .. } | Inst::StoreHalfedge { .. } | Inst::StoreHole { .. }
-            | Inst::StorePosition { .. } | Inst::HoldPosition { .. } | Inst::StoreAttribute { .. }
-            | Inst::HoldAttribute { .. } | Inst::ReleaseHeld { .. } | Inst::StoreAll { .. }
+            | Inst::StorePosition { .. } | Inst::DeferPosition { .. } | Inst::StoreAttribute { .. }
+            | Inst::DeferAttribute { .. } | Inst::WriteDeferred { .. } | Inst::StoreAll { .. }
             | Inst::Erase { .. } | Inst::Recycle | Inst::Apply { .. } | Inst::Try { .. }
             | Inst::Random { .. } | Inst::RandomInt { .. } | Inst::BufferShuffle { .. }
             | Inst::Refused { .. } | Inst::Iteration { .. } | Inst::Tick | Inst::PrintText { .. }
@@ -321,9 +321,9 @@ impl Drains {
             | Inst::MeshKeep { .. } | Inst::MeshSame { .. } | Inst::Fail { .. }
             | Inst::FailShowing { .. } | Inst::DrainOpen { .. } | Inst::DrainAllStale
             | Inst::DrainStale { .. } | Inst::DrainKey { .. } | Inst::DrainLeast { .. }
-            | Inst::DrainTake | Inst::DrainClose | Inst::Call { .. } | Inst::Give { .. }
+            | Inst::DrainTake | Inst::DrainClose | Inst::Call { .. } | Inst::ReturnValue { .. }
             | Inst::PreviewStoreSpan { .. } | Inst::NextIndex { .. } | Inst::Member { .. }
-            | Inst::BufferGetWide { .. } | Inst::BufferAppend { .. } | Inst::BufferDeal { .. }
+            | Inst::BufferGetWide { .. } | Inst::BufferAppend { .. } | Inst::BufferStride { .. }
             | Inst::ExpectAllDistinct { .. } | Inst::ExpectRoomFor { .. } | Inst::StoreSpan { .. }
             | Inst::WalkNext { .. } | Inst::NeighborsNext { .. } => {}
         }

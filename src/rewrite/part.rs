@@ -142,12 +142,12 @@ impl Part {
         for inst in iteration {
             let mut inst = *inst;
             let keeps_here = match inst {
-                Inst::HoldPosition { buffer, .. } | Inst::HoldAttribute { buffer, .. } => {
+                Inst::DeferPosition { buffer, .. } | Inst::DeferAttribute { buffer, .. } => {
                     buffer == held
                 }
                 _ => true,
             };
-            if !inst.is_for_parts() || !keeps_here || matches!(inst, Inst::Give { .. }) {
+            if !inst.is_for_parts() || !keeps_here || matches!(inst, Inst::ReturnValue { .. }) {
                 return None;
             }
             if let Some(to) = inst.target_mut() {
@@ -159,7 +159,7 @@ impl Part {
             }
             insts.push(inst);
         }
-        insts.push(Inst::Give { from: Reg(0), width: 0 });
+        insts.push(Inst::ReturnValue { from: Reg(0), width: 0 });
         // The instruction before the iteration calls the watcher, as `Tick` does above.
         let in_turn = |&&(at, _): &&(u32, u32)| (first - 1..behind).contains(&at);
         let traps: Traps =
@@ -178,7 +178,9 @@ impl Part {
     /// The number of slots that an iteration keeps; for an `update`, the usual number.
     pub(super) fn keeps(&self) -> usize {
         let slots = self.code.insts.iter().map(|inst| match (self.task, inst) {
-            (Task::Update, Inst::HoldPosition { .. } | Inst::HoldAttribute { .. }) => HELD_USUALLY,
+            (Task::Update, Inst::DeferPosition { .. } | Inst::DeferAttribute { .. }) => {
+                HELD_USUALLY
+            }
             (Task::Aggregate | Task::Filter | Task::Keys, Inst::Keep { .. }) => 1,
             _ => 0,
         });
@@ -191,8 +193,8 @@ impl Part {
         let mut writes = Vec::new();
         for inst in &self.code.insts {
             let (element, attribute) = match *inst {
-                Inst::HoldPosition { vertex, .. } => (vertex, None),
-                Inst::HoldAttribute { attribute, element, .. } => (element, Some(attribute)),
+                Inst::DeferPosition { vertex, .. } => (vertex, None),
+                Inst::DeferAttribute { attribute, element, .. } => (element, Some(attribute)),
                 _ => continue,
             };
             if element != self.bounds[0] {
@@ -224,7 +226,8 @@ impl Part {
     pub fn reads_only(&self, functions: &[Function]) -> bool {
         self.code.with_called_of(functions).into_iter().all(|code| {
             code.insts.iter().all(|inst| {
-                let keeps = matches!(inst, Inst::HoldPosition { .. } | Inst::HoldAttribute { .. });
+                let keeps =
+                    matches!(inst, Inst::DeferPosition { .. } | Inst::DeferAttribute { .. });
                 inst.is_for_parts() && (!keeps || std::ptr::eq(code, &self.code))
             })
         })
@@ -249,8 +252,8 @@ impl Inst {
             | Inst::NextIndex { .. } | Inst::Member { .. } | Inst::BufferClear { .. }
             | Inst::BufferPush { .. } | Inst::BufferLength { .. } | Inst::BufferGet { .. }
             | Inst::BufferGetWide { .. } | Inst::BufferNext { .. } | Inst::BufferLiving { .. }
-            | Inst::BufferAppend { .. } | Inst::HoldPosition { .. } | Inst::HoldAttribute { .. }
-            | Inst::Call { .. } | Inst::Give { .. } | Inst::Iteration { .. } | Inst::Tick
+            | Inst::BufferAppend { .. } | Inst::DeferPosition { .. } | Inst::DeferAttribute { .. }
+            | Inst::Call { .. } | Inst::ReturnValue { .. } | Inst::Iteration { .. } | Inst::Tick
             | Inst::Fail { .. }
             | Inst::BufferFree { .. } | Inst::Keep { .. }
             // These do nothing in a part: its loops are not spread again, and no id is recycled.

@@ -1,7 +1,7 @@
 //! Readers: for each place of the mesh, the elements whose keys depend on it.
 //!
 //! A place is a vertex, an edge, a halfedge or a face with its fields; but the `halfedge` of a
-//! vertex or a face is a place of its own, since operations often change that of their neighbours
+//! vertex or a face is a place of its own, since operations often change that of their neighbors
 //! and few keys read it, and so are the attributes of a vertex, an edge or a face, which many
 //! operations write and few keys read. The whole mesh is a place too. When a place is written, its
 //! readers are removed and their keys recomputed, which notes them again wherever they still read.

@@ -208,7 +208,7 @@ impl<'c> Reads<'c> {
                         break;
                     }
                     inst if self.is_question && self.running.is_empty() && inst.writes() => break,
-                    Inst::Give { from, width } if !self.running.is_empty() => {
+                    Inst::ReturnValue { from, width } if !self.running.is_empty() => {
                         value.resize(value.len().max(usize::from(width)), Nodes::new());
                         for (part, all) in (0..width).zip(&mut value) {
                             unite(all, &self.nodes(&state, Reg(from.0.wrapping_add(part)))?);
@@ -332,7 +332,7 @@ impl<'c> Reads<'c> {
                     state.set(Reg(to.0.wrapping_add(part)), nodes.clone());
                 }
             }
-            Inst::BufferAppend { from, to } | Inst::BufferDeal { from, to, .. } => {
+            Inst::BufferAppend { from, to } | Inst::BufferStride { from, to, .. } => {
                 state.push(to, &self.buffered(state, from)?);
             }
             Inst::Call { function, args, to, .. } => {
@@ -384,13 +384,13 @@ impl<'c> Reads<'c> {
             Inst::Refuse | Inst::Return { .. } | Inst::New { .. }
             | Inst::BufferNew { .. } | Inst::Store { .. }
             | Inst::StoreHalfedge { .. } | Inst::StoreHole { .. }
-            | Inst::StorePosition { .. } | Inst::HoldPosition { .. }
-            | Inst::StoreAttribute { .. } | Inst::HoldAttribute { .. }
-            | Inst::ReleaseHeld { .. } | Inst::StoreAll { .. } | Inst::StoreSpan { .. }
+            | Inst::StorePosition { .. } | Inst::DeferPosition { .. }
+            | Inst::StoreAttribute { .. } | Inst::DeferAttribute { .. }
+            | Inst::WriteDeferred { .. } | Inst::StoreAll { .. } | Inst::StoreSpan { .. }
             | Inst::Erase { .. } | Inst::Apply { .. } | Inst::Refused { .. }
             | Inst::PrintEnd | Inst::PrintReason { .. } | Inst::RefusedFor { .. }
             | Inst::PrintDifference { .. } | Inst::MeshKeep { .. } | Inst::MeshSame { .. }
-            | Inst::Fail { .. } | Inst::FailShowing { .. } | Inst::Give { .. }
+            | Inst::Fail { .. } | Inst::FailShowing { .. } | Inst::ReturnValue { .. }
             | Inst::DrainOpen { .. } | Inst::DrainAllStale | Inst::DrainStale { .. }
             | Inst::DrainKey { .. } | Inst::DrainLeast { .. } | Inst::DrainTake
             | Inst::DrainClose => return Err(Unbounded::Effects),

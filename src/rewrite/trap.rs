@@ -60,12 +60,12 @@ pub enum Message {
     OutOfRange,
     /// A walk does not end, which happens on a broken mesh only.
     Endless,
-    /// There is nothing to take the mean, the minimum or the maximum of.
-    Said(String),
+    /// A failure in words: there is nothing to take the mean, the minimum or the maximum of.
+    Failed(String),
     /// An assertion does not hold.
     Asserted {
         /// The program's text.
-        said: String,
+        message: String,
         /// The values that were compared, as text; may be empty.
         values: String,
     },
@@ -160,7 +160,7 @@ impl fmt::Display for Message {
             Message::WildPointer(kind) => write!(f, "a pointer would lead to no {kind}"),
             Message::OutOfRange => f.write_str("the index is out of range"),
             Message::Endless => f.write_str("the mesh is broken: a walk does not end"),
-            Message::Said(text) | Message::Asserted { said: text, .. } => f.write_str(text),
+            Message::Failed(text) | Message::Asserted { message: text, .. } => f.write_str(text),
             Message::Refused { op, reason } => write!(f, "`{op}` refused: {reason}"),
             Message::BelowLevel { op, level, after: None, .. } => {
                 write!(f, "`{op}` is for meshes of level {level}, and this one is not")

@@ -53,7 +53,7 @@ impl Columns {
         for inst in code.into_iter().flat_map(Code::with_called).flat_map(|code| &code.insts) {
             let (attribute, writes) = match inst {
                 Inst::LoadAttribute { attribute, .. } => (*attribute, false),
-                Inst::StoreAttribute { attribute, .. } | Inst::HoldAttribute { attribute, .. } => {
+                Inst::StoreAttribute { attribute, .. } | Inst::DeferAttribute { attribute, .. } => {
                     (*attribute, true)
                 }
                 _ => continue,

@@ -186,7 +186,7 @@ impl<'p> Lowering<'p> {
 
     /// Appends the end of a function, reached without a `return`.
     pub(super) fn end(&mut self) {
-        self.asm.emit(Inst::Give { from: Reg(0), width: 0 });
+        self.asm.emit(Inst::ReturnValue { from: Reg(0), width: 0 });
     }
 
     /// Lowers the whole script.
@@ -346,7 +346,7 @@ impl<'p> Lowering<'p> {
         self.close_drains();
         let (from, width) = given.unwrap_or((Reg(0), 0));
         self.asm.emit(match self.ending {
-            Ending::Function => Inst::Give { from, width },
+            Ending::Function => Inst::ReturnValue { from, width },
             Ending::Script => Inst::Return { result: None },
             Ending::Steps => Inst::Return { result: given.map(|_| from) },
         });
@@ -378,10 +378,10 @@ impl<'p> Lowering<'p> {
         let value = self.value(value);
         let vertex = element;
         let inst = match (access, self.held) {
-            (Access::Position, Some(buffer)) => Inst::HoldPosition { buffer, vertex, value },
+            (Access::Position, Some(buffer)) => Inst::DeferPosition { buffer, vertex, value },
             (Access::Position, None) => Inst::StorePosition { vertex, value },
             (Access::Declared(number), Some(buffer)) => {
-                Inst::HoldAttribute { buffer, attribute: narrow(number), element, value }
+                Inst::DeferAttribute { buffer, attribute: narrow(number), element, value }
             }
             (Access::Declared(number), None) => {
                 Inst::StoreAttribute { attribute: narrow(number), element, value }

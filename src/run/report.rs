@@ -228,7 +228,7 @@ pub(super) fn code(trap: &Trap) -> &'static str {
         Message::KeyNotANumber => "key-not-a-number",
         Message::NoRoom(_) | Message::NoMemory(_) => "no-room",
         Message::Endless => "broken-mesh",
-        Message::Said(_) => "aggregate-of-nothing",
+        Message::Failed(_) => "aggregate-of-nothing",
         Message::Asserted { .. } => "assertion-failed",
         Message::Refused { .. } => "op-refused",
         Message::BelowLevel { .. } => "below-level",

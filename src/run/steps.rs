@@ -249,7 +249,7 @@ fn plan(
 /// of the step gets the step's name, since it is clear only beside that drawing.
 fn within(step: &Plan, refusal: &Refusal) -> Refusal {
     let Refusal { reason, phase } = refusal;
-    let is_drawn = *phase == Phase::Match && step.steps.is_none();
+    let is_drawn = matches!(phase, Phase::Match | Phase::Guard) && step.steps.is_none();
     Refusal {
         reason: if is_drawn { format!("in `{}`, {reason}", step.name) } else { reason.clone() },
         phase: *phase,

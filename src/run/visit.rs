@@ -130,7 +130,7 @@ impl Lowering<'_> {
         self.asm.emit(Inst::Jump { to: again });
         self.asm.bind(end);
         if let Some(buffer) = self.held.take() {
-            self.asm.emit(Inst::ReleaseHeld { buffer });
+            self.asm.emit(Inst::WriteDeferred { buffer });
         }
     }
 

@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use super::{Error, Op};
 use crate::analysis::example;
 use crate::diagram;
-use crate::draw::{draw_op, text_op};
+use crate::draw::{COLUMNS, draw_op, text_op};
 
 impl Op {
     /// The picture of the operation, before and after, as SVG; for an operation in steps, an
@@ -22,7 +22,7 @@ impl Op {
     /// # Errors
     /// As for [`svg`](Self::svg).
     pub fn drawn(&self) -> Result<String, Error> {
-        Ok(text_op(&*self.diagram()?).trim_end().to_owned())
+        Ok(text_op(&*self.diagram()?, COLUMNS).trim_end().to_owned())
     }
 
     fn diagram(&self) -> Result<Cow<'_, diagram::Op>, Error> {

@@ -100,6 +100,17 @@ fn explain_tells_of_codes_words_and_functions() {
     assert!(told.contains("std/smooth.hedge\nSmoothing: "), "{told}");
     assert!(told.contains("  script  laplacian"), "{told}");
     bench.fails(2, &["explain", "nothing"], "explain functions");
+    for (word, meant) in [
+        ("Catmull-Clark", "catmull_clark"),
+        ("link condition", "link_condition"),
+        ("border", "boundary"),
+        ("witness", "counterexample"),
+        ("poke", "inset_vertex"),
+        ("star", "star"),
+    ] {
+        let told = bench.succeeds(&["explain", word]);
+        assert!(told.starts_with(&format!("{meant}\n\n")), "{word}: {told}");
+    }
 }
 
 #[test]

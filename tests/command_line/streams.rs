@@ -91,7 +91,7 @@ fn on_terminal(bench: &Bench, arguments: &str, [no_colour, words]: [&str; 2]) ->
 fn tables_fit_into_a_terminal() {
     let bench = Bench::new();
     let longest = |text: &str| text.lines().map(|line| line.trim_end().chars().count()).max();
-    for command in ["std", "explain", "explain functions"] {
+    for command in ["std", "explain", "explain functions", "explain missing-reassignment"] {
         let arguments: Vec<_> = command.split(' ').collect();
         assert!(longest(&bench.succeeds(&arguments)) > Some(100), "{command}");
         if let Some(shown) = on_terminal(&bench, command, ["", "edge"]) {

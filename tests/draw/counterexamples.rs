@@ -122,3 +122,67 @@ fn an_edge_that_comes_apart_leaves_its_loops_whole() {
     let [outer, inner, a] = ["g'", "c", "a"].map(|name| at(name).expect("a name of `after`"));
     assert!(outer < inner && inner < a, "{outer}, {inner}, {a}");
 }
+
+/// The names of faces whose loops do not close in the picture stand at their own halfedges.
+#[test]
+fn faces_that_come_apart_have_their_names_inside() {
+    let program = "
+        op split(e: edge) -> m {
+          before {
+            face f0: v0 -a-> v1 -b-> v2 -c-> v0
+            face f1: v1 -d-> v0 -g-> v3 -h-> v1
+            edge e: a | d
+          }
+          after {
+            new m p q r s t u e1 e2 e3 f2 f3
+            face f0: v0 -a-> m -p-> v2 -c-> v0
+            face f2: m -q-> v1 -b-> v2 -r-> m
+            face f1: v1 -d-> m -s-> v3 -h-> v1
+            face f3: m -t-> v0 -g-> v3 -u-> m
+            edge e: a | d
+            edge e1: q | t
+            edge e2: p | r
+            edge e3: s | u
+            m.position = midpoint(e)
+          }
+        }";
+    let picture = draw_op(&counterexample(program));
+    let texts = picture.texts();
+    let at = |name: &str| {
+        let text = texts.iter().rfind(|text| text.text == name);
+        text.map(|text| text.from).unwrap_or_else(|| panic!("`{name}` is not in the picture"))
+    };
+    let [f0, f1, f2, f3] = ["f0", "f1", "f2", "f3"].map(at);
+    let (left, right, top, bottom) = (at("v0")[0], at("v1")[0], at("v2")[1], at("v3")[1]);
+    let middle = [(left + right) / 2.0, (top + bottom) / 2.0];
+    let within = |[x, y]: [f64; 2], is_left: bool, is_above: bool| {
+        let across = if is_left { left..middle[0] } else { middle[0]..right };
+        let down = if is_above { top..middle[1] } else { middle[1]..bottom };
+        across.contains(&x) && down.contains(&y)
+    };
+    assert!(within(f0, true, true) && within(f2, false, true), "{f0:?} {f2:?}");
+    assert!(within(f3, true, false) && within(f1, false, false), "{f3:?} {f1:?}");
+}
+
+/// Where `next` leads from one face into another, both have their halfedges and their names.
+#[test]
+fn faces_that_run_into_each_other_are_both_named() {
+    let program = "
+        op flip(e: edge) {
+          before {
+            face f0: v0 -a-> v1 -b-> v2 -c-> v0
+            face f1: v1 -d-> v0 -g-> v3 -h-> v1
+            edge e: a | d
+          }
+          after {
+            face f0: v3 -a-> v2 -b-> v0 -g-> v3
+            face f1: v2 -d-> v3 -h-> v1 -b-> v2
+            edge e: a | d
+          }
+        }";
+    let picture = draw_op(&counterexample(program));
+    for face in ["f0", "f1"] {
+        let many = picture.texts().iter().filter(|text| text.text == face).count();
+        assert_eq!(many, 2, "{face}");
+    }
+}

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
-use hedgerow::draw::{draw_op, draw_sheet, text_op};
+use hedgerow::draw::{COLUMNS, draw_op, draw_sheet, text_op};
 
 use super::{check_apart, example_ops, folder, ops_of, overlap, shipped_ops, steps};
 
@@ -17,7 +17,7 @@ fn pictures_are_as_committed() {
             true => stem,
             false => format!("{stem}-{}", op.name),
         };
-        for (end, drawn) in [("svg", draw_sheet(&op).svg()), ("txt", text_op(&op))] {
+        for (end, drawn) in [("svg", draw_sheet(&op).svg()), ("txt", text_op(&op, COLUMNS))] {
             let name = format!("{name}.{end}");
             let path = folder("examples/pictures").join(&name);
             if update {
@@ -242,7 +242,7 @@ fn a_picture_is_an_image() {
 fn text_drawings_are_whole_and_fit_into_a_terminal() {
     let mut stacked = 0;
     for (stem, op) in shipped_ops() {
-        let text = text_op(&op);
+        let text = text_op(&op, COLUMNS);
         let is_told =
             |line: &&str| ["new ", "erase ", &op.name].iter().any(|of| line.starts_with(of));
         for line in text.lines().filter(|line| !is_told(line)) {

@@ -1,7 +1,7 @@
 //! Whatever is drawn, proved or not, there is a picture, and nothing panics.
 
 use hedgerow::diagram::{NameId, Op, Ref, Rule, Side, Spoke};
-use hedgerow::draw::{draw_op, text_op};
+use hedgerow::draw::{COLUMNS, draw_op, text_op};
 
 use super::{check_apart, example_ops, ops_of};
 use support::dice::Dice;
@@ -76,7 +76,7 @@ fn every_mutant_has_a_picture() {
         let widest = if families { 80_000.0 } else { 20_000.0 };
         assert!(width.is_finite() && height.is_finite() && width < widest);
         assert!(!picture.svg().contains("NaN"));
-        assert!(!text_op(&op).is_empty());
+        assert!(!text_op(&op, COLUMNS).is_empty());
         drawn += 1;
     }
     assert_eq!(drawn, 180);
@@ -143,6 +143,6 @@ fn odd_patterns_have_pictures() {
             let path = std::path::Path::new(&folder).join(format!("odd-{}.png", op.name));
             std::fs::write(path, picture.png(2.0).expect("small enough")).expect("a folder");
         }
-        assert!(!text_op(&op).is_empty());
+        assert!(!text_op(&op, COLUMNS).is_empty());
     }
 }

@@ -5,7 +5,7 @@ use std::sync::LazyLock;
 
 use hedgerow::analysis::{Analysis, NoExample, Nowhere, example};
 use hedgerow::diagram::Op;
-use hedgerow::draw::{draw_op, text_op};
+use hedgerow::draw::{COLUMNS, draw_op, text_op};
 use hedgerow::source::Sources;
 
 use super::folder;
@@ -68,7 +68,7 @@ fn odd_ones_are_shown_or_it_is_said_why_not() {
             Ok(op) => {
                 let picture = draw_op(&op);
                 assert_eq!(picture.crossings(), 0, "{name}");
-                assert!(text_op(&op).contains("for example on"), "{name}");
+                assert!(text_op(&op, COLUMNS).contains("for example on"), "{name}");
                 let of = |rule: &hedgerow::diagram::Rule| {
                     let named = rule.names.iter().filter(|name| name.named);
                     let named: Vec<_> = named.map(|name| name.text.as_str()).collect();

@@ -162,7 +162,7 @@ fn a_flat_face_is_cut_into_good_shapes() {
     assert_eq!(corners.len(), 3, "each corner goes once");
 }
 
-/// The pairs of neighbouring triangles of a filled hole that bend by more than 134 degrees.
+/// The pairs of neighboring triangles of a filled hole that bend by more than 134 degrees.
 fn folds(mesh: &Mesh, hole: FaceId, order: &[HalfedgeId]) -> usize {
     let mut left: Vec<_> = mesh.face_halfedges(hole).collect();
     assert_eq!(order.len(), left.len() - 3);

@@ -28,12 +28,13 @@ fn common_mistakes_are_rejected_each_with_its_own_message() {
             let rejected = judge(&lesson, &mistake.program).expect_err(mistake.title);
             assert_eq!(rejected.mistake.as_ref(), Some(mistake), "{}", rejected.why);
             assert!(rejected.to_string().contains(mistake.text), "{rejected}");
-            assert!(messages.insert(rejected.why), "{} has the message of another", mistake.title);
+            let message = rejected.to_string();
+            assert!(messages.insert(message), "{} has the message of another", mistake.title);
             titles.insert(mistake.title);
         }
     }
-    assert_eq!(titles.len(), 23);
-    assert_eq!(messages.len(), 23);
+    assert_eq!(titles.len(), 24);
+    assert_eq!(messages.len(), 24);
 }
 
 #[test]
@@ -46,6 +47,13 @@ fn a_mistake_is_known_in_other_words_and_others_are_not_taken_for_it() {
     let refusing = flip.solution().replace("guard simple", "require false else \"no\"");
     assert_eq!(judge(&flip, &refusing).unwrap_err().mistake, None);
     assert_eq!(judge(&flip, "op flip(").unwrap_err().mistake, None);
+    // What two mistakes have in common, that no edge is flipped, tells of neither.
+    let script = lesson("11").expect("there is one");
+    let never = script.solution().replace("> pi", "> 7 * pi");
+    assert_eq!(judge(&script, &never).unwrap_err().mistake, None);
+    let title = |text: &str| judge(&script, text).unwrap_err().mistake.map(|mistake| mistake.title);
+    let degrees = script.solution().replace("> pi", "> 180");
+    assert_eq!(title(&degrees), Some("An angle is given in degrees"));
 }
 
 #[test]

@@ -189,7 +189,7 @@ impl<'a> Butterfly<'a> {
         Self { positions, third, ahead, behind }
     }
 
-    /// The neighbours of an inner vertex, from one of them on.
+    /// The neighbors of an inner vertex, from one of them on.
     fn ring(&self, v: usize, first: usize) -> Vec<usize> {
         let mut ring = vec![first];
         loop {

@@ -295,3 +295,19 @@ fn a_refusal_names_what_differs() {
     assert_eq!(lines[..4], ["`f` is not a quad"; 4]);
     assert_eq!(lines[4..], ["`f` is not a quad"; 4]);
 }
+
+/// A reason that names what a step draws names the step.
+#[test]
+fn a_reason_about_the_drawing_of_a_step_names_the_step() {
+    let text = "use \"std/triangle.hedge\"
+        op remove(e: edge) { steps { must flip(e) } }
+        script main() { for e in edges where not can remove(e) { print why remove(e) } }";
+    let analysis = sound(text);
+    for (mut mesh, reason) in [
+        (shape::tetrahedron(), "in `flip`, two edges would join `v2` and `v3`"),
+        (shape::triangle_grid(1, 1), "in `flip`, "),
+    ] {
+        let (_, lines) = run_main(&mut mesh, &analysis);
+        assert!(lines[0].starts_with(reason), "{lines:?}");
+    }
+}

@@ -265,7 +265,11 @@ function wire() {
   })
   splitter(find('split-main'), document.querySelector('main'), ['--left', '--right'], true)
   splitter(find('split-work'), find('work'), ['--editor', '--rest'], false)
-  panes.onCounterexample = (example, bytes) => bench.showExample(example, bytes)
+  panes.onCounterexample = (example, bytes) => {
+    bench.showExample(example, bytes)
+    // On a phone the mesh is below what was read.
+    document.getElementById('right').scrollIntoView({ block: 'nearest' })
+  }
   bench.onBreaks = many => panes.breaks(many)
   bench.onRestart = () => changed()
   bench.onPrograms = async files => {

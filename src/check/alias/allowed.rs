@@ -5,10 +5,10 @@ use super::quotient::Quotient;
 use super::verdict::{Failed, Sets, add, laws};
 use crate::check::broken::Broken;
 use crate::check::change::Change;
-use crate::check::ends_agree::neighbours_are_twins;
+use crate::check::ends_agree::neighbors_are_twins;
 use crate::check::facts::Facts;
 use crate::check::fold::add_obligation;
-use crate::check::guard::{Obligation, Statement, obligations};
+use crate::check::guard::{Condition, Obligation, obligations};
 use crate::check::problem::{Problem, enumerate};
 use crate::check::properties::kept;
 use crate::check::witness::{self, Outcome};
@@ -94,7 +94,7 @@ pub(in crate::check) fn drawable_where_one(rule: &Rule) -> Option<Vec<Vec<NameId
     let sets = sets(rule, &wanted(rule)).ok()?;
     let proved = |quotient: Quotient| {
         let quotient = quotient.finished();
-        laws(&quotient).is_ok() && neighbours_are_twins(&Drawing::new(&quotient.rule)).is_empty()
+        laws(&quotient).is_ok() && neighbors_are_twins(&Drawing::new(&quotient.rule)).is_empty()
     };
     let mut sets = sets.into_iter().filter(|(names, _)| !names.is_empty());
     sets.find_map(|(names, quotients)| quotients.into_iter().any(proved).then_some(names))
@@ -237,13 +237,10 @@ impl Aliased {
     pub fn obligations(&self, mut found: Vec<Obligation>, level: Level) -> Vec<Obligation> {
         for quotient in &self.quotients {
             let drawing = Drawing::new(&quotient.rule);
-            for Obligation { statement, because, .. } in obligations(&drawing, level) {
-                let statement = match statement {
-                    Statement::OneHoleAlong(piece) => {
-                        Statement::OneHoleAlong(quotient.path_of(piece))
-                    }
-                    statement => statement,
-                };
+            for Obligation { mut statement, because, .. } in obligations(&drawing, level) {
+                if statement.condition == Condition::OneHoleAlong {
+                    statement.of = quotient.path_of(statement.of);
+                }
                 add_obligation(statement, because, &mut found);
             }
         }

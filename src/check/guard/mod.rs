@@ -42,7 +42,7 @@ mod simple;
 mod sketch;
 mod surface;
 
-pub use obligation::{Obligation, Statement};
+pub use obligation::{Condition, Obligation, Statement};
 
 use crate::diagram::{Drawing, Level};
 

@@ -6,6 +6,7 @@ use super::evidence;
 use super::obligation::{Obligation, Statement};
 use super::sketch::Sketch;
 use crate::diagram::{Loop, LoopKind, NameId};
+use crate::mesh::OrbitCondition as Orbit;
 
 /// The obligations of `simple` beyond `surface`.
 pub(super) fn obligations(sketch: &Sketch) -> Vec<Obligation> {
@@ -18,7 +19,7 @@ pub(super) fn obligations(sketch: &Sketch) -> Vec<Obligation> {
         if gathers(sketch, vertex, &from) {
             by_edges.push(vertex);
             let because = evidence::neighbors(sketch, vertex, &from);
-            let statement = Statement::NeighborsDiffer { vertex, from };
+            let statement = Statement::new(Orbit::NeighborsDiffer, vertex).telling(from);
             obligations.push(Obligation::new(statement, because));
         }
     }
@@ -28,7 +29,8 @@ pub(super) fn obligations(sketch: &Sketch) -> Vec<Obligation> {
     for vertex in sketch.vertices() {
         if gathers(sketch, vertex, &sketch.outside(vertex)) {
             by_faces.push(vertex);
-            obligations.push(Obligation::new(Statement::CornersDiffer(vertex), None));
+            let statement = Statement::new(Orbit::CornersDiffer, vertex);
+            obligations.push(Obligation::new(statement, None));
         }
     }
     for orbit in sketch.loops() {
@@ -72,7 +74,8 @@ fn single_edge(sketch: &Sketch, halfedge: NameId, by_edges: &[NameId]) -> Option
         true => evidence::not_adjacent(sketch, ends),
         false => None,
     };
-    let obligation = Obligation::new(Statement::SingleEdge { halfedge, ends }, because);
+    let statement = Statement::new(Orbit::SingleEdge, halfedge).telling(ends.to_vec());
+    let obligation = Obligation::new(statement, because);
     Some(obligation.or_never(drawn > 1))
 }
 
@@ -100,10 +103,8 @@ fn corners_own(sketch: &Sketch, orbit: &Loop) -> Obligation {
     } else {
         None
     };
-    let statement = Statement::CornersOwn {
-        face: orbit.face.name,
-        vertex: lonely.copied().unwrap_or(corners[0]),
-    };
+    let corner = lonely.copied().unwrap_or(corners[0]);
+    let statement = Statement::new(Orbit::CornersOwn, orbit.face.name).at(corner);
     Obligation::new(statement, because)
 }
 

@@ -2,9 +2,10 @@
 //! loops that meet a vertex once.
 
 use super::evidence;
-use super::obligation::{Obligation, Statement};
+use super::obligation::{Condition, Obligation, Statement};
 use super::sketch::Sketch;
 use crate::diagram::{Kind, Loop, LoopKind, NameId};
+use crate::mesh::OrbitCondition as Orbit;
 
 /// The obligations of `surface`.
 pub(super) fn obligations(sketch: &Sketch) -> Vec<Obligation> {
@@ -31,7 +32,7 @@ pub(super) fn obligations(sketch: &Sketch) -> Vec<Obligation> {
 
 /// A loop of `after` has its drawn halfedges and those of its paths.
 fn three_sides(sketch: &Sketch, orbit: &Loop) -> Obligation {
-    let statement = Statement::ThreeSides(orbit.face.name);
+    let statement = Statement::new(Orbit::ThreeSides, orbit.face.name);
     let proved = sketch.fewest(orbit) >= 3;
     let because = "its drawn sides, and the fewest that its paths can have, make three";
     let is_known = sketch.paths(orbit).next().is_none();
@@ -45,7 +46,7 @@ fn two_spokes(sketch: &Sketch, vertex: NameId) -> Option<Obligation> {
     }
     let proved = sketch.spokes_for_sure(vertex) >= 2;
     let because = "two of its spokes are drawn";
-    let statement = Statement::TwoSpokes(vertex);
+    let statement = Statement::new(Orbit::TwoSpokes, vertex);
     Some(Obligation::new(statement, proved.then_some(because)))
 }
 
@@ -88,7 +89,8 @@ fn one_hole(sketch: &Sketch, vertex: NameId) -> Option<Obligation> {
     } else {
         evidence::one_hole(sketch, vertex, &from)
     };
-    Some(Obligation::new(Statement::OneHole { vertex, from }, because))
+    let statement = Statement::new(Orbit::OneHole, vertex).telling(from);
+    Some(Obligation::new(statement, because))
 }
 
 /// The vertices of a path get a corner in a hole where the path goes from a face to a hole.
@@ -99,7 +101,7 @@ fn one_hole_along(sketch: &Sketch, orbit: &Loop, path: NameId) -> Option<Obligat
     if orbit.kind == LoopKind::Face || was_hole || stays {
         return None;
     }
-    Some(Obligation::new(Statement::OneHoleAlong(path), None))
+    Some(Obligation::new(Statement::new(Condition::OneHoleAlong, path), None))
 }
 
 /// The obligation to meet once: where the pieces of a loop come from different loops, they may
@@ -111,13 +113,14 @@ fn meets_once(sketch: &Sketch, orbit: &Loop) -> Vec<Obligation> {
     let paths: Vec<_> = sketch.paths(orbit).collect();
     let loop_before = |path: NameId| sketch.drawing.before.face(path);
     let paths_may_meet = paths.iter().any(|&path| loop_before(path) != loop_before(paths[0]));
+    let once = Statement::new(Orbit::MeetsOnce, face);
     if repeated || paths_may_meet {
-        return vec![Obligation::new(Statement::MeetsOnce(face), None).or_never(repeated)];
+        return vec![Obligation::new(once, None).or_never(repeated)];
     }
     let mut tests = Vec::new();
     for &vertex in &corners {
         if paths.iter().any(|&path| sketch.may_lie_on(vertex, path)) {
-            let statement = Statement::CornerOnce { face, vertex };
+            let statement = Statement::new(Orbit::CornerOnce, face).at(vertex);
             tests.push(Obligation::new(statement, None));
         }
     }
@@ -126,7 +129,7 @@ fn meets_once(sketch: &Sketch, orbit: &Loop) -> Vec<Obligation> {
             true => "all its corners are named, and different names are different vertices",
             false => "its paths come from one loop, which has no other corner at the named ones",
         };
-        tests.push(Obligation::new(Statement::MeetsOnce(face), Some(because)));
+        tests.push(Obligation::new(once, Some(because)));
     }
     tests
 }
@@ -135,7 +138,7 @@ fn meets_once(sketch: &Sketch, orbit: &Loop) -> Vec<Obligation> {
 fn faces_differ(sketch: &Sketch, vertex: NameId) -> Option<Obligation> {
     debug_assert!(sketch.drawing.rule.kind(vertex) == Kind::Vertex);
     let from = sketch.outside(vertex);
-    let statement = Statement::FacesDiffer { vertex, from: from.clone() };
+    let statement = Statement::new(Orbit::FacesDiffer, vertex).telling(from.clone());
     match from.as_slice() {
         [] => None,
         [source] if *source == vertex => None,

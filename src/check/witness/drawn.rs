@@ -104,9 +104,11 @@ impl Writer<'_> {
             if met.contains(&start) {
                 continue;
             }
+            // Where the mesh is broken, `next` may lead into the loop of another face.
+            let face = mesh.face(start);
             let mut items = Vec::new();
             let mut at = start;
-            while mesh.halfedge_alive(at) && !met.contains(&at) {
+            while mesh.halfedge_alive(at) && mesh.face(at) == face && !met.contains(&at) {
                 met.push(at);
                 items.push(LoopItem {
                     from: self.name(mesh.vertex(at).into()),
@@ -114,16 +116,21 @@ impl Writer<'_> {
                 });
                 at = mesh.next(at);
             }
-            let face = mesh.face(start);
-            let face_lives = mesh.face_alive(face);
-            let known = |orbit: &Loop, name: Ref| orbit.face.name == name.name;
-            let face = self.name(face.into());
-            if !face_lives || side.loops.iter().any(|orbit| known(orbit, face)) {
+            if !mesh.face_alive(face) {
+                continue;
+            }
+            let name = self.name(face.into());
+            let known = side.loops.iter_mut().find(|orbit| orbit.face.name == name.name);
+            if let Some(known) = known {
+                let leads_there = self.elements[known.items[0].item.name.index()] == at.into();
+                let place = if leads_there { 0 } else { known.items.len() };
+                known.items.splice(place..place, items);
+                known.end = known.items[0].from;
                 continue;
             }
             side.loops.push(Loop {
-                kind: if mesh.is_hole(mesh.face(start)) { LoopKind::Hole } else { LoopKind::Face },
-                face,
+                kind: if mesh.is_hole(face) { LoopKind::Hole } else { LoopKind::Face },
+                face: name,
                 end: items[0].from,
                 items,
                 each: false,

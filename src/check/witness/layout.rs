@@ -1,5 +1,5 @@
 //! Positions for a small mesh: the longest loop outside on a circle, everything else in the
-//! middle of its neighbours.
+//! middle of its neighbors.
 //!
 //! After W. T. Tutte, "How to draw a graph", 1963, with a few rounds of averaging instead of
 //! a linear system.
@@ -41,7 +41,7 @@ pub(super) fn lay_out(place: &mut Place) {
                 count += 1.0;
             }
             let middle = if count > 0.0 { sum / count } else { DVec3::ZERO };
-            // A vertex with one neighbour would fall onto it.
+            // A vertex with one neighbor would fall onto it.
             let apart = if count == 1.0 && round + 1 == ROUNDS {
                 let turn = at as f64;
                 DVec3::new(turn.cos(), turn.sin(), 0.0) * 0.1

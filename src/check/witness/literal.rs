@@ -208,7 +208,7 @@ impl Rewrite<'_> {
         }
     }
 
-    /// Puts new vertices in the middle of their new neighbours; the positions that the op sets do
+    /// Puts new vertices in the middle of their new neighbors; the positions that the op sets do
     /// not matter here.
     fn positions(&mut self) {
         for &Ref { name, .. } in &self.drawing.rule.created {

@@ -165,7 +165,7 @@ pub(super) fn size(mesh: &Mesh) -> String {
 
 fn orbit_word(kind: ElementKind) -> &'static str {
     match kind {
-        ElementKind::Vertex => "fan",
+        ElementKind::Vertex => "ring",
         ElementKind::Edge => "pair",
         ElementKind::Face | ElementKind::Halfedge => "loop",
     }

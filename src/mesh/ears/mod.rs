@@ -3,7 +3,7 @@
 //! G. Meisters, "Polygons have ears", 1975: every simple planar polygon except a triangle has at
 //! least two. Faces need not be planar here; each is projected along its normal. The best-shaped
 //! ear is cut first. Qualities are kept current: when a corner is cut off, those of its two
-//! neighbours change, and those of the ears that it was in; a [`tree`] finds the points in an ear.
+//! neighbors change, and those of the ears that it was in; a [`tree`] finds the points in an ear.
 //! A face of n sides thus takes about n log n steps.
 //!
 //! [`patch`] orders the corners such that the triangles bend little instead.

@@ -2,7 +2,7 @@
 //!
 //! P. Liepa, "Filling holes in meshes", 2003, section 3: dynamic programming builds a triangulation
 //! of a polygon from those of runs of its corners, short ones first. Of each run it keeps the one
-//! whose largest angle between neighbouring triangles, those around the hole included, is the
+//! whose largest angle between neighboring triangles, those around the hole included, is the
 //! least; of these, the one with the least area. Remaining ties, as in a flat hole, go to the one
 //! whose worst triangle has the largest smallest angle. Since only one triangulation of each run is
 //! kept, a triangle beyond its chord may bend more than with another one. The time is cubic in the
@@ -99,7 +99,7 @@ impl Mesh {
         order
     }
 
-    /// How much a filling bends: the number of pairs of neighbours with more than a right angle
+    /// How much a filling bends: the number of pairs of neighbors with more than a right angle
     /// between their normals, and the sum over all pairs.
     fn bends(
         &self,
@@ -150,7 +150,7 @@ impl Mesh {
 struct Fault {
     /// The number of their sides that join vertices that are already adjacent.
     joined: u32,
-    /// Grows with the largest angle between the normals of two neighbours.
+    /// Grows with the largest angle between the normals of two neighbors.
     bend: i64,
     area: i64,
     /// The least of the sines of their smallest angles, negated.

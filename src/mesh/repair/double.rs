@@ -97,7 +97,7 @@ fn groups(list: &PolygonList) -> Vec<Vec<usize>> {
 }
 
 /// A hash that does not depend on the first corner or the direction: it goes from the least vertex
-/// towards the lesser of its neighbours.
+/// towards the lesser of its neighbors.
 fn hash(corners: &[u32]) -> u64 {
     let mix = |hash: u64, &v: &u32| {
         (hash.rotate_left(26) ^ u64::from(v)).wrapping_mul(0x9E37_79B9_7F4A_7C15)

@@ -3,7 +3,7 @@
 //! Points are processed in order. One that lies no farther than the tolerance from a point that
 //! stays is merged into the nearest such point; otherwise it stays. So no point moves farther than
 //! the tolerance, those that stay are farther than it from each other, and a second run merges
-//! nothing. A grid of cells, four tolerances wide, finds the neighbours.
+//! nothing. A grid of cells, four tolerances wide, finds the neighbors.
 
 use glam::DVec3;
 

@@ -10,7 +10,7 @@
 //!    three corners is dropped (`clean`);
 //! 4. of polygons with the same corners in the same order only the first stays; likewise of two
 //!    that are each other's back, where an edge has more than two polygons (`double`);
-//! 5. neighbours across edges of two polygons are oriented consistently, by turning as few as
+//! 5. neighbors across edges of two polygons are oriented consistently, by turning as few as
 //!    possible in each connected part (`orient`);
 //! 6. the surface is cut along edges of three polygons or more, except between two of them that are
 //!    one sheet around one end, from where this continues along the line, and where turning does not

@@ -1,9 +1,9 @@
-//! Orienting polygons consistently with their neighbours.
+//! Orienting polygons consistently with their neighbors.
 
 use super::RepairReport;
 use super::polygon_list::{NONE, PolygonList};
 
-/// Turns polygons over so that neighbours are oriented consistently across every edge that has two
+/// Turns polygons over so that neighbors are oriented consistently across every edge that has two
 /// of them, as far as possible: in each connected part the smaller share is turned, or, if the
 /// shares are equal, the one without the first polygon.
 pub(super) fn orient(list: &mut PolygonList, report: &mut RepairReport) {

@@ -25,7 +25,7 @@ use crate::rewrite::{Code, Count, Inst, List, Reg};
 pub(super) fn gives(code: &Code) -> Option<u16> {
     let reached = reached(code);
     let mut widths = code.insts.iter().zip(reached).filter_map(|(inst, reached)| match inst {
-        Inst::Give { width, .. } if reached => Some(*width),
+        Inst::ReturnValue { width, .. } if reached => Some(*width),
         _ => None,
     });
     let first = widths.next()?;

@@ -168,7 +168,7 @@ fn attributes_in(code: &Code) -> impl Iterator<Item = u16> {
     code.insts.iter().filter_map(|inst| match *inst {
         Inst::LoadAttribute { attribute, .. }
         | Inst::StoreAttribute { attribute, .. }
-        | Inst::HoldAttribute { attribute, .. } => Some(attribute),
+        | Inst::DeferAttribute { attribute, .. } => Some(attribute),
         _ => None,
     })
 }

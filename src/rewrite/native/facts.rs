@@ -308,7 +308,7 @@ pub(super) fn ends(inst: &Inst) -> bool {
         Inst::Jump { .. }
             | Inst::Refuse
             | Inst::Return { .. }
-            | Inst::Give { .. }
+            | Inst::ReturnValue { .. }
             | Inst::Fail { .. }
             | Inst::FailShowing { .. }
     )

@@ -55,7 +55,7 @@ impl Translator<'_, '_> {
             Inst::BufferAppend { from, to } if from.max(to) < buffers && from != to => {
                 self.deal([from, to], [0, 1], 0, on);
             }
-            Inst::BufferDeal { from, to, place, period, turn }
+            Inst::BufferStride { from, to, place, period, turn }
                 if from.max(to) < buffers && from != to =>
             {
                 self.deal([from, to], [place, period.max(1)], turn, on);

@@ -37,7 +37,7 @@ pub(super) enum Set {
 }
 
 /// A condition that is asked, and the refusal if it does not hold.
-struct Asked {
+struct GuardCall {
     condition: OrbitCondition,
     to: Reg,
     refusal: u16,
@@ -177,7 +177,7 @@ impl Translator<'_, '_> {
 
     /// The conditions of a vertex, answered by one walk around it, that this and the following
     /// instructions ask one after the other, each with the refusal if it does not hold.
-    fn asked_about_star(&self, vertex: Reg) -> Vec<Asked> {
+    fn asked_about_star(&self, vertex: Reg) -> Vec<GuardCall> {
         let insts = self.unit.code.insts.get(self.at..).unwrap_or_default();
         let pairs = insts.chunks_exact(2).enumerate().map_while(|(pair, two)| {
             let at = self.at + 2 * pair;
@@ -190,7 +190,7 @@ impl Translator<'_, '_> {
                     && (element, asked) == (vertex, to)
                     && !is_entered =>
                 {
-                    Some(Asked { condition, to, refusal, otherwise })
+                    Some(GuardCall { condition, to, refusal, otherwise })
                 }
                 _ => None,
             }
@@ -199,7 +199,7 @@ impl Translator<'_, '_> {
     }
 
     /// Asks all these conditions by one call of a stub.
-    fn foresee_star(&mut self, vertex: Reg, all: &[Asked]) {
+    fn foresee_star(&mut self, vertex: Reg, all: &[GuardCall]) {
         let packed = all
             .iter()
             .rev()

@@ -29,8 +29,8 @@ impl Translator<'_, '_> {
             | Inst::NextIndex { buffer, .. }
             | Inst::Member { buffer, .. }
             | Inst::Collect { buffer, .. }
-            | Inst::HoldPosition { buffer, .. }
-            | Inst::HoldAttribute { buffer, .. }
+            | Inst::DeferPosition { buffer, .. }
+            | Inst::DeferAttribute { buffer, .. }
                 if buffer >= self.unit.code.buffers =>
             {
                 return false;
@@ -109,13 +109,13 @@ impl Translator<'_, '_> {
                     _ => self.collect((walk, buffer), [from, until], on),
                 }
             }
-            Inst::HoldPosition { buffer, vertex, value } => {
+            Inst::DeferPosition { buffer, vertex, value } => {
                 self.living(ElementKind::Vertex, vertex);
                 let finite = self.is_finite(value);
                 self.or_fault(finite);
                 self.hold_back(inst, (buffer, attribute::POSITION), vertex, (value, 3));
             }
-            Inst::HoldAttribute { buffer, attribute, element, value } => {
+            Inst::DeferAttribute { buffer, attribute, element, value } => {
                 let Some((kind, ty)) = self.unit.environment.column(attribute) else {
                     return false;
                 };

@@ -338,11 +338,11 @@ impl Environment<'_> {
                 Change Whole index, 1; Change Any to, 1;
             },
             Inst::Prefetch { index, .. } => operands! { Read Whole index, 1; },
-            Inst::StorePosition { vertex, value } | Inst::HoldPosition { vertex, value, .. } => {
+            Inst::StorePosition { vertex, value } | Inst::DeferPosition { vertex, value, .. } => {
                 operands! { Read Whole vertex, 1; Read Real value, 3; }
             }
             Inst::StoreAttribute { attribute, element, value }
-            | Inst::HoldAttribute { attribute, element, value, .. } => {
+            | Inst::DeferAttribute { attribute, element, value, .. } => {
                 let (width, class) = self.attribute(attribute);
                 operands! { Read Whole element, 1; }
                 tell(Use::Read, class, value, width);
@@ -358,7 +358,7 @@ impl Environment<'_> {
                     Change Any to, called.map_or(0, |function| given(&function.code));
                 }
             }
-            Inst::Give { from, width } => operands! { Read Any from, width; },
+            Inst::ReturnValue { from, width } => operands! { Read Any from, width; },
             Inst::Apply { op, args, applied, result } => operands! {
                 Read Any args, self.params_of_op(op);
                 Change Whole result, 1; Write Whole applied, 1;
@@ -386,13 +386,13 @@ impl Environment<'_> {
             | Inst::PreviewUndo
             | Inst::BufferNew { .. }
             | Inst::BufferAppend { .. }
-            | Inst::BufferDeal { .. }
+            | Inst::BufferStride { .. }
             | Inst::ExpectAllDistinct { .. }
             | Inst::Refuse
             | Inst::Return { result: None }
             | Inst::BufferClear { .. }
             | Inst::BufferLiving { .. }
-            | Inst::ReleaseHeld { .. }
+            | Inst::WriteDeferred { .. }
             | Inst::Recycle
             | Inst::DrainOpen { .. }
             | Inst::DrainAllStale
@@ -416,7 +416,7 @@ impl Environment<'_> {
 /// The greatest number of slots that a code gives.
 fn given(code: &Code) -> u16 {
     let widths = code.insts.iter().map(|inst| match inst {
-        Inst::Give { width, .. } => *width,
+        Inst::ReturnValue { width, .. } => *width,
         _ => 0,
     });
     widths.max().unwrap_or(0)

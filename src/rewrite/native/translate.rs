@@ -268,7 +268,7 @@ impl<'a, 'f> Translator<'a, 'f> {
                 self.end(result);
                 return false;
             }
-            Inst::Give { from, width } => {
+            Inst::ReturnValue { from, width } => {
                 if !self.give_back(from) {
                     self.give(from, width);
                 }

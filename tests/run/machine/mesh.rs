@@ -279,14 +279,14 @@ fn held_positions_are_written_at_the_end_and_the_last_one_stays() {
         let (buffer, value, other) = (asm.buffer(), asm.vec(), asm.vec());
         let [zero, one, gone] = [0, 1, 2].map(|id| asm.constant_int(id));
         asm.emit(Inst::LoadPosition { to: value, vertex: one });
-        asm.emit(Inst::HoldPosition { buffer, vertex: zero, value });
+        asm.emit(Inst::DeferPosition { buffer, vertex: zero, value });
         asm.emit(Inst::LoadPosition { to: other, vertex: zero });
-        asm.emit(Inst::HoldPosition { buffer, vertex: one, value: other });
-        asm.emit(Inst::HoldPosition { buffer, vertex: gone, value: other });
+        asm.emit(Inst::DeferPosition { buffer, vertex: one, value: other });
+        asm.emit(Inst::DeferPosition { buffer, vertex: gone, value: other });
         asm.emit(Inst::Erase { kind: ElementKind::Vertex, element: gone });
-        asm.emit(Inst::HoldPosition { buffer, vertex: zero, value: other });
-        asm.emit(Inst::HoldPosition { buffer, vertex: zero, value });
-        asm.emit(Inst::ReleaseHeld { buffer });
+        asm.emit(Inst::DeferPosition { buffer, vertex: zero, value: other });
+        asm.emit(Inst::DeferPosition { buffer, vertex: zero, value });
+        asm.emit(Inst::WriteDeferred { buffer });
     });
     assert_eq!([1, 0].map(|id| mesh.position(VertexId(id))), old);
 }

@@ -1,7 +1,7 @@
 //! The rewrite of a match, pointer by pointer as the language reference says, without any checks.
 //!
 //! In a loop of `after`, `x.next` is the following item, `x.vertex` the preceding name, `x.face`
-//! the loop; along a path `face` is written, and at its ends the links to its neighbours. The
+//! the loop; along a path `face` is written, and at its ends the links to its neighbors. The
 //! spokes of a fan get the vertex that lists it; the first halfedge of a path, which has no name,
 //! gets its vertex in no other way. An edge statement sets `twin` and `edge`. An outer halfedge
 //! starts where its vertex statement says, otherwise where its drawn twin ends, otherwise where it
