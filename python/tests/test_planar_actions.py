@@ -110,3 +110,38 @@ def test_sequences_agree(table):
             steps += 1
         expect(mesh, sequence["final"], right_scores(sequence["final"]), f"sequence {number}")
     assert steps == 800
+
+
+def test_a_row_goes_only_where_the_outline_is_straight():
+    cleanup, measure = hedgerow.std.planar_cleanup.cleanup, hedgerow.std.planar_cleanup.measure
+    for bend in (0.4, 1e-2, 1e-5, -1e-5, 0.0):
+        mesh = Mesh.grid(2)
+        positions = np.array(mesh.positions)
+        below = int(np.flatnonzero((positions[:, 0] == 1) & (positions[:, 1] == 0))[0])
+        positions[below] = [1, -bend, 0]
+        mesh.positions = positions
+        measure(mesh)
+        assert mesh["ideal"][below] == 3
+        h = mesh.halfedges
+        ends = h.ids[(h.vertex[h.ids] == below) & mesh.elements("face").is_hole[h.face[h.twin[h.ids]]]]
+        for end in ends:
+            reason = cleanup.why(mesh, end)
+            assert reason == (None if bend == 0 else "a corner of the boundary would go")
+        gone = 0
+        for halfedge in h.ids:
+            other = mesh.copy()
+            gone += bool(cleanup(other, halfedge))
+            assert other.area == pytest.approx(mesh.area, abs=1e-12)
+        assert gone
+
+
+def test_a_slanted_outline_is_straight():
+    turn = np.array([[np.cos(0.7), np.sin(0.7), 0], [-np.sin(0.7), np.cos(0.7), 0], [0, 0, 1]])
+    for scale in (1e-3, 1, 1e6):
+        mesh = Mesh.grid(7, 3)
+        mesh.positions = scale * (mesh.positions + [1 / 3, 0.1, 0]) @ turn
+        hedgerow.std.planar_cleanup.measure(mesh)
+        while mesh.face_count > 1:
+            can = hedgerow.std.planar_cleanup.cleanup.can(mesh)
+            assert hedgerow.std.planar_cleanup.cleanup(mesh, can.argmax())
+        assert mesh.area == pytest.approx(21 * scale**2)
