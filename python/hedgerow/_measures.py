@@ -74,14 +74,13 @@ class Measured:
         """The picture of the mesh, which a notebook shows; written to a ``.png`` file, if one is
         given.
 
-        ``view`` points from the mesh to the viewer; ``size`` is from 16 to 16384 pixels. ``attribute``
+        ``view`` points from the mesh to the viewer, its length means nothing; ``size`` is from 16 to 16384 pixels. ``attribute``
         is shown in colour: ``"heat"``, or ``"face.label"`` if elements of several kinds have one of the
         name.
         """
         expect_size("size", size)
         shown = None if attribute is None else self._shown(attribute)
-        x, y, z = map(float, view)
-        picture = Picture(mesh_png(self, float(size), (x, y, z), shown))
+        picture = Picture(mesh_png(self, float(size), _direction(view), shown))
         if path is not None:
             picture.save(path)
         return picture
@@ -91,6 +90,9 @@ class Measured:
 
     def _shown(self, attribute):
         """The kind and the name of an attribute."""
+        if not isinstance(attribute, str):
+            message = f"`attribute` is the name of an attribute, not {attribute!r}"
+            raise ArgumentError(message, "wrong-argument")
         kind, dot, name = attribute.rpartition(".")
         if dot:
             return kind, name
@@ -101,3 +103,16 @@ class Measured:
         if not kinds:
             raise KeyError(f"the mesh has no attribute `{name}`")
         return kinds[0], name
+
+
+def _direction(view):
+    """A direction as three numbers, the greatest of which is 1 or -1."""
+    try:
+        array = np.array([float(one) for one in view])
+    except (TypeError, ValueError, OverflowError):
+        array = np.zeros(0)
+    most = np.abs(array).max() if array.shape == (3,) else 0.0
+    if not (np.isfinite(most) and most > 0.0):
+        message = f"`view` is a direction: 3 finite numbers, of which one is not 0, not {view!r}"
+        raise ArgumentError(message, "wrong-argument")
+    return tuple((array / most).tolist())

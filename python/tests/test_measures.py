@@ -1,8 +1,11 @@
 """Measures of meshes."""
 
+import math
+
 import numpy as np
 import pytest
 
+import hedgerow
 from hedgerow import Mesh
 
 
@@ -18,6 +21,7 @@ def test_measures(ops, tmp_path):
     assert (outward > 0).all() and cube.vertex_normals.shape == (8, 3)
     empty = Mesh()
     assert (empty.area, empty.volume, empty.bounds, empty.euler_number) == (0, None, None, 0)
+    assert math.copysign(1, empty.area) == math.copysign(1, Mesh(grid.vertices, []).area) == 1
     assert empty.face_normals.shape == empty.vertex_normals.shape == (0, 3) and not empty.is_watertight
     told = grid.info()
     assert (told["vertices"], told["faces"], told["holes"], told["level"]) == (12, 6, 1, "simple")
@@ -36,3 +40,23 @@ def test_measures_agree_with_trimesh(sphere):
     other = sphere.to_trimesh()
     for name in ("area", "volume", "bounds", "euler_number", "is_watertight", "face_normals"):
         assert np.allclose(getattr(sphere, name), getattr(other, name)), name
+
+
+def test_directions_of_view():
+    mesh = Mesh.cube()
+    mesh.positions = mesh.positions * [1, 2, 3]
+
+    def seen(*view):
+        return mesh.picture(view=view, size=32).png
+
+    assert len({seen(0, 0, 1), seen(1, 0, 0), seen(1, 1, 1)}) == 3
+    for far in (1e-320, 1e-200, 1e200, 1e308):
+        assert seen(far, 0, 0) == seen(1, 0, 0) and seen(far, far, far) == seen(1, 1, 1)
+    assert mesh.picture(view=np.array([1, 0, 0]), size=32).png == seen(1, 0, 0)
+    for wrong in ((0, 0, 0), (np.nan, 0, 0), (np.inf, 0, 1), (1, 0), (1, 0, 0, 0), np.eye(3), 3, None, "abc", (1, "x", 0),
+                  (10**400, 0, 0), [[1], [0, 0], 1]):  # fmt: skip
+        with pytest.raises(hedgerow.ArgumentError, match="`view` is a direction: 3 finite numbers"):
+            mesh.picture(view=wrong)
+    for wrong in (3, b"heat", ["heat"]):
+        with pytest.raises(hedgerow.ArgumentError, match="`attribute` is the name of an attribute, not"):
+            mesh.picture(attribute=wrong)

@@ -122,7 +122,8 @@ impl Mesh {
 
     /// The sum of the areas of all faces; holes have none.
     pub fn surface_area(&self) -> f64 {
-        self.real_faces().map(|f| self.area(f)).sum()
+        // The sum of nothing, as `sum` has it, is -0.
+        self.real_faces().map(|f| self.area(f)).fold(0.0, |sum, area| sum + area)
     }
 
     /// The enclosed volume, negative if the surface is inside out; `None` if there is a hole or no
