@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import itertools
+
 import numpy as np
 
 from .errors import ArgumentError, MeshError
@@ -56,6 +58,34 @@ def _integers(array, what, error=MeshError):
     return np.ascontiguousarray(array, dtype=np.int64).reshape(-1)
 
 
+def _corners(faces):
+    """The corners of lists and arrays one after the other, whose types may differ."""
+    what = "corners of faces"
+    if all(isinstance(face, (list, tuple)) for face in faces):
+        corners = list(itertools.chain.from_iterable(faces))
+        types = set(map(type, corners))
+        if not types.isdisjoint((bool, np.bool_)):
+            raise _wrong(f"{what} are whole numbers, not bool", MeshError)
+        if all(issubclass(one, (int, np.integer)) for one in types):
+            try:
+                return np.array(corners, dtype=np.int64)
+            except OverflowError:
+                raise _wrong(f"{what} are too large", MeshError) from None
+        rows = [corners]
+    else:
+        rows = [_corners([face]) if isinstance(face, (list, tuple)) else face for face in faces]
+    try:
+        rows = [np.asarray(row) for row in rows]
+    except ValueError:
+        rows = [np.zeros((0, 0))]
+    if any(row.ndim != 1 for row in rows):
+        raise _wrong("faces are rows of corners, or lists of corners", MeshError)
+    if len({row.dtype for row in rows}) > 1:
+        # numpy would make reals of integers of which some have no sign.
+        rows = [_integers(row, what) for row in rows]
+    return _integers(np.concatenate(rows), what)
+
+
 def polygons(faces):
     """Corners of faces one after the other, and where each face ends."""
     if isinstance(faces, memoryview) or hasattr(faces, "__array__"):
@@ -69,12 +99,8 @@ def polygons(faces):
         except TypeError:
             raise _wrong("faces are rows of corners, or lists of corners", MeshError) from None
         if len(faces) == 0 or (lengths != lengths[0]).any():
-            filled = [np.asarray(face) for face in faces if len(face)]
-            corners = np.concatenate(filled) if filled else np.zeros(0, np.int64)
-            if corners.ndim != 1:
-                raise _wrong("faces are rows of corners, or lists of corners", MeshError)
-            return _integers(corners, "corners of faces"), np.cumsum(lengths)
-        array = np.asarray(faces)
+            return _corners(faces), np.cumsum(lengths)
+        array = _corners(faces).reshape(len(faces), lengths[0])
     if array.size == 0 and array.ndim < 2:
         array = array.reshape(0, 3)
     if array.ndim != 2:

@@ -164,6 +164,12 @@ class _ByName:
         else:
             super().__setitem__(key, values)
 
+    def __delitem__(self, key):
+        if self._names(key):
+            del self._table[key]
+        else:
+            super().__delitem__(key)
+
     def __contains__(self, key):
         return key in self._table if self._names(key) else super().__contains__(key)
 

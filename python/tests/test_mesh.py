@@ -462,6 +462,20 @@ def test_faces_of_every_kind():
         assert (Mesh(V, faces).faces == F).all()
     with pytest.raises(hedgerow.MeshError, match="corners"):
         Mesh(V, [[0, 1, 2], []])
+    # Lists whose integers are of several types.
+    five, unsigned = [*V.tolist(), [2, 0.5, 0]], np.array([0, 1, 2], np.uint64)
+    for faces in ([unsigned, np.array([0, 2, 3])], [unsigned, [0, 2, 3]], [[np.uint64(0), 1, np.int8(2)], (0, 2, 3)]):
+        assert (Mesh(V, faces).faces == F).all()
+    for square in (np.array([0, 1, 2, 3]), [0, 1, 2, 3], (np.uint64(0), 1, 2, 3)):
+        ragged = Mesh(five, [square, np.array([1, 4, 2], np.uint64)])
+        assert [face.tolist() for face in ragged.faces] == [[0, 1, 2, 3], [1, 4, 2]]
+    for faces in ([[True, False, 2], [0, 1, 3, 4]], [[True, False, 2]], [[np.True_, 0, 2]], [(1, False, 2), unsigned],
+                  [np.array([True, False, True]), [0, 1, 2, 3]], np.array([[True, False, True]])):  # fmt: skip
+        with pytest.raises(hedgerow.MeshError, match="whole numbers, not bool"):
+            Mesh(five, faces)
+    for faces in ([[2**63, 1, 2]], [[0, 1, 2], np.array([2**63, 1, 2, 3], np.uint64)], [[0, np.uint64(2**63), 1, 2], [0, 1, 2]]):
+        with pytest.raises(hedgerow.MeshError, match="corners of faces are too large"):
+            Mesh(five, faces)
 
 
 def test_repair():
@@ -477,3 +491,17 @@ def test_repair():
     for wrong in (-1.0, float("nan")):
         with pytest.raises(hedgerow.ArgumentError):
             Mesh(soup, [[0, 1, 2]], repair=wrong)
+
+
+def test_attributes_are_deleted_from_rows(sphere):
+    sphere["heat"], sphere.faces["label"], sphere.edges["crease"] = 1.0, 3, True
+    del sphere.faces["label"], sphere.vertices["heat"], sphere.edges["crease"]
+    assert "label" not in sphere.faces and "heat" not in sphere and sphere.edges.attributes == {}
+    with pytest.raises(KeyError, match="no face has an attribute `label`"):
+        del sphere.faces["label"]
+    with pytest.raises(ValueError):
+        del sphere.faces[0]
+    mixed = Mesh([*V.tolist(), [2, 0.5, 0]], [[0, 1, 2, 3], (1, 4, 2)])
+    mixed.faces["label"] = 3
+    del mixed.faces["label"]
+    assert mixed.elements("face").attributes == {}
