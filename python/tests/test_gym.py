@@ -421,3 +421,13 @@ def test_masks_are_sampled_from_as_it_says():
     pair = np.array([number % actions, number // actions])
     assert env.action_space.contains(pair) and env.unwrapped.decode(pair) == env.unwrapped.decode(number)
     assert env.step(pair)[-1]["is_applied"]
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_board_has_no_vertices_without_edges(kind):
+    mesh = grid(kind)
+    lone = hedgerow.Mesh([*mesh.vertices.tolist(), [9, 9, 0]], mesh.faces)
+    for make in (lambda: gym.Board(lone, kind), lambda: gym.PlanarMeshEnv(kind, mesh=lone)):
+        with pytest.raises(hedgerow.ArgumentError, match="vertex 25 has no edges"):
+            make()
+    assert lone.elements("vertex").attributes == {} and gym.Board(mesh, kind).mesh is mesh

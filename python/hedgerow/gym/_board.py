@@ -59,7 +59,8 @@ class Board:
     degrees. The *irregularity* of the mesh is the sum of the absolute scores. No action changes the
     sum of the scores, so its absolute value is the least irregularity that can be reached.
 
-    The mesh is changed; it gets the attributes ``ideal`` and ``score``.
+    The mesh is changed; it gets the attributes ``ideal`` and ``score``. Refused is one that is not planar
+    or closed, that has faces of another number of sides or a clockwise one, or a vertex without edges.
     """
 
     def __init__(self, mesh, kind="triangle", *, strict=False):
@@ -157,6 +158,10 @@ def _require_planar(mesh, rules):
         raise TypeError(f"a board is a `hedgerow.Mesh`, not {type(mesh).__name__}")
     if not mesh.face_count:
         raise ArgumentError("the mesh has no faces", "wrong-argument")
+    ids = mesh.vertex_ids
+    lone = ids[mesh.elements("vertex").halfedge[ids] < 0]
+    if len(lone):
+        raise ArgumentError(f"vertex {lone[0]} has no edges", "wrong-argument")
     faces = mesh.faces
     if not isinstance(faces, np.ndarray) or faces.shape[1] != rules.sides:
         raise ArgumentError(f"the mesh has other faces than {rules.kind}s", "wrong-argument")
