@@ -22,7 +22,12 @@ pub(crate) type ToAsk = (Vec<Option<ColumnId>>, Vec<(ColumnId, Value)>);
 
 /// The columns that a run needs, by the numbers of the attributes.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Columns(Vec<Option<Needed>>);
+pub(crate) struct Columns {
+    needed: Vec<Option<Needed>>,
+    /// The attributes that are declared with a default, and that the code does not use: new elements
+    /// have the default where the mesh has the attribute.
+    unused: Vec<(ElementKind, String, Value)>,
+}
 
 /// A column that is needed.
 #[derive(Clone, Debug)]
@@ -63,6 +68,15 @@ impl Columns {
                 written[usize::from(attribute)] |= writes;
             }
         }
+        let unused = attributes.iter().zip(&used).filter(|(attribute, used)| {
+            !*used && !attribute.private && attribute.default.is_some()
+        });
+        let unused = unused.filter_map(|(attribute, _)| {
+            let kind = attribute.element.element_kind()?;
+            // One without a value is an error where it is used.
+            Some((kind, attribute.name.clone(), default(attribute).ok()?))
+        });
+        let unused = unused.collect();
         let needed = (0..).zip(attributes.iter().zip(used.into_iter().zip(written)));
         let needed = needed.map(|(number, (attribute, (used, written))): (u32, _)| {
             let kind = attribute.element.element_kind().filter(|_| used);
@@ -84,28 +98,41 @@ impl Columns {
             });
             needed.transpose()
         });
-        Ok(Self(needed.collect::<Result<_, _>>()?))
+        Ok(Self { needed: needed.collect::<Result<_, _>>()?, unused })
     }
 
     /// The attributes, without scratch attributes.
     pub(super) fn public(&self) -> impl Iterator<Item = WantedAttribute<'_>> {
-        let needed = self.0.iter().flatten().filter(|needed| !needed.private);
+        let needed = self.needed.iter().flatten().filter(|needed| !needed.private);
         needed.map(|needed| (needed.kind, needed.name.as_str(), needed.default))
     }
 
     /// The kind and the name of each column, with the number of its attribute.
     pub(crate) fn names(&self) -> impl Iterator<Item = (ElementKind, &str, u16)> {
-        let all = (0..).zip(&self.0);
+        let all = (0..).zip(&self.needed);
         all.filter_map(|(number, needed)| {
             needed.as_ref().map(|needed| (needed.kind, needed.name.as_str(), number))
         })
     }
 
-    /// Adds the columns to a mesh, and returns their ids by the numbers of the attributes.
+    /// Adds the columns to a mesh, and returns their ids by the numbers of the attributes. All
+    /// attributes of the program that the mesh has get its defaults.
     ///
     /// # Errors
-    /// The mesh has a column of the same name with values of another type.
+    /// The mesh has a column of the same name with values of another type; it is as it was.
     pub(crate) fn bind(&self, mesh: &mut Mesh) -> Result<Vec<Option<ColumnId>>, Diagnostic> {
+        for needed in self.needed.iter().flatten() {
+            if mesh.find_column(needed.kind, &needed.name).is_some() {
+                let known = mesh.add_column(needed.kind, &needed.name, needed.default);
+                known.map_err(|conflict| needed.conflict(&conflict))?;
+            }
+        }
+        for (kind, name, default) in &self.unused {
+            if let Some(column) = mesh.find_column(*kind, name) {
+                // One of another type is another attribute.
+                let _ = mesh.set_default(column, *default);
+            }
+        }
         let mut bind = |needed: &Needed| {
             let (kind, name, default) = (needed.kind, &needed.name, needed.default);
             let column = mesh.add_column(kind, name, default).map_err(|c| needed.conflict(&c))?;
@@ -113,7 +140,7 @@ impl Columns {
             let _ = mesh.set_default(column, default);
             Ok(column)
         };
-        self.0.iter().map(|needed| needed.as_ref().map(&mut bind).transpose()).collect()
+        self.needed.iter().map(|needed| needed.as_ref().map(&mut bind).transpose()).collect()
     }
 
     /// Finds the columns on a mesh that stays as it is, but for scratch attributes and stand-ins.
@@ -136,15 +163,20 @@ impl Columns {
             }
             Ok(column)
         };
-        let columns = self.0.iter().map(|needed| needed.as_ref().map(&mut bind).transpose());
+        let columns = self.needed.iter().map(|needed| needed.as_ref().map(&mut bind).transpose());
         Ok((columns.collect::<Result<_, _>>()?, defaults))
     }
 
     /// True if a mesh lacks one of the attributes, or has another default for it.
     pub(crate) fn are_new_to(&self, mesh: &Mesh) -> bool {
+        let column = |kind, name| mesh.find_column(kind, name).and_then(|id| mesh.column(id));
+        let has_other =
+            |column: &Column, default: Value| !column.default_value().is_identical(default);
+        let mut unused = self.unused.iter();
         self.public().any(|(kind, name, default)| {
-            let column = mesh.find_column(kind, name).and_then(|id| mesh.column(id));
-            column.is_none_or(|column| !column.default_value().is_identical(default))
+            column(kind, name).is_none_or(|column| has_other(column, default))
+        }) || unused.any(|(kind, name, default)| {
+            column(*kind, name).is_some_and(|column| has_other(column, *default))
         })
     }
 
@@ -155,7 +187,8 @@ impl Columns {
 
     /// Resets the scratch attributes that the code may have written to their defaults.
     pub(crate) fn clear(&self, mesh: &mut Mesh) {
-        for needed in self.0.iter().flatten().filter(|needed| needed.private && needed.written) {
+        let needed = self.needed.iter().flatten();
+        for needed in needed.filter(|needed| needed.private && needed.written) {
             if let Some(column) = mesh.find_column(needed.kind, &needed.name) {
                 mesh.clear_column(column);
             }
@@ -164,7 +197,7 @@ impl Columns {
 
     /// Removes the scratch attributes from a mesh.
     pub(crate) fn release(&self, mesh: &mut Mesh) {
-        for needed in self.0.iter().flatten().filter(|needed| needed.private) {
+        for needed in self.needed.iter().flatten().filter(|needed| needed.private) {
             if let Some(column) = mesh.find_column(needed.kind, &needed.name) {
                 mesh.remove_column(column);
             }

@@ -25,12 +25,14 @@ impl Session {
             let what = format!("values for the attribute `{name}`");
             return Err(self.wrong_length(&what, values.len(), (kind, slots)));
         }
+        let is_new = self.mesh.find_column(kind, name).is_none();
         let zero = values.attribute_type().zero();
         let column = self.mesh.add_column(kind, name, zero).map_err(|conflict| {
             self.wrong("attribute-conflict", format!("{conflict} on this mesh"))
         })?;
         self.mesh.set_values(column, values);
-        if replace_stand_in(&mut self.mesh, kind, name) {
+        if replace_stand_in(&mut self.mesh, kind, name) || is_new {
+            // Its default becomes that of the program.
             self.engine.unbind();
         }
         self.masks.forget();

@@ -26,8 +26,8 @@ use crate::run::{self, Application, Argument, Failure, Prepared, Report};
 /// # Attributes
 ///
 /// The attributes of the program are added to the mesh when something that uses them and may change
-/// the mesh is called, and stay there: [`Mesh::find_column`] and [`Mesh::values`] read them. Their
-/// defaults are then those of the program. Questions, kept masks, and functions and scripts that do
+/// the mesh is called, and stay there: [`Mesh::find_column`] and [`Mesh::values`] read them. The
+/// defaults of all attributes that are on the mesh are then those of the program. Questions, kept masks, and functions and scripts that do
 /// not change the mesh add no attribute and leave the defaults as they are; what they need meanwhile
 /// is on [`mesh`](Self::mesh) as scratch columns, and on no copy. Scratch attributes have their
 /// defaults at the start of each call.
@@ -296,9 +296,9 @@ impl Session {
         self.expect_own(&script.program)?;
         let prepared = script.prepared()?;
         self.give(prepared, arguments)?;
+        let code = self.filled(prepared)?;
         let wanted = Bound::to_run(prepared.changes());
         self.bind(prepared.columns(), wanted, |engine| &mut engine.bound_scripts[script.index])?;
-        let code = self.filled(prepared)?;
         self.go((prepared, &code), watch)
     }
 

@@ -104,8 +104,9 @@ impl Session {
         arguments: impl Arguments,
         watch: &mut dyn Watch,
     ) -> Result<Option<Argument>, Error> {
-        let prepared = self.enter_function(function, arguments)?;
+        let prepared = self.take_function(function, arguments)?;
         let code = self.filled(prepared)?;
+        self.bind_function(function, prepared)?;
         match prepared.changes() {
             true => self.go((prepared, &code), watch).map(drop)?,
             false => self.look((prepared, &code), watch)?,
@@ -129,7 +130,7 @@ impl Session {
         arguments: impl Arguments,
         watch: &mut dyn Watch,
     ) -> Result<Values, Error> {
-        let prepared = self.enter_function(function, arguments)?;
+        let prepared = self.take_function(function, arguments)?;
         let name = function.name();
         let Some(ty) = function.result_type() else {
             return Err(self.wrong("wrong-argument", format!("`{name}` gives no value")));
@@ -147,6 +148,7 @@ impl Session {
         // The first call checks the arguments, and determines the level of the mesh.
         self.values[at] = Some(Argument::Element(kind, first));
         let code = self.filled(prepared)?;
+        self.bind_function(function, prepared)?;
         let runs = (prepared, &*code);
         self.look(runs, watch)?;
         self.take_value(runs, &mut values, first as usize);
@@ -191,7 +193,8 @@ impl Session {
         Ok(())
     }
 
-    fn enter_function<'f>(
+    /// Takes the arguments of a function.
+    fn take_function<'f>(
         &mut self,
         function: &'f Function,
         arguments: impl Arguments,
@@ -199,11 +202,15 @@ impl Session {
         self.expect_own(&function.program)?;
         let prepared = function.prepared()?;
         self.give(prepared, arguments)?;
+        Ok(prepared)
+    }
+
+    /// Finds the columns of a function, whose arguments have been checked.
+    fn bind_function(&mut self, function: &Function, prepared: &Prepared) -> Result<(), Error> {
         self.known.seek(prepared.wanted(), &self.mesh);
         let wanted = Bound::to_run(prepared.changes());
         let index = function.index;
-        self.bind(prepared.columns(), wanted, |engine| &mut engine.bound_functions[index])?;
-        Ok(prepared)
+        self.bind(prepared.columns(), wanted, |engine| &mut engine.bound_functions[index])
     }
 
     /// Runs a function that does not change the mesh. The known level stays, and the open journal
