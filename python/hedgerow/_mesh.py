@@ -388,7 +388,8 @@ class Mesh(MeshTables, Measured):
     # What is done with it.
 
     def copy(self):
-        """Another mesh that is equal, number by number."""
+        """Another mesh that is equal, number by number. Random numbers go on there as they would here;
+        after ``pickle`` they begin with seed 0, as on a new mesh."""
         made = type(self)._of(self._copied())
         made.__dict__.update(self.__dict__)
         return made

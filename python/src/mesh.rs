@@ -427,14 +427,15 @@ impl MeshTables {
         Ok(())
     }
 
-    /// Another one that is equal.
+    /// Another one that is equal, whose random numbers go on as here.
     #[pyo3(name = "_copied")]
     fn copied(&self, py: Python<'_>) -> PyResult<Self> {
         let mut state = self.hold(py)?;
         let file = state.file.clone();
         let session = &mut state.session;
-        let mesh = py.detach(move || session.copy_mesh());
-        Ok(Self::of(State { file, ..State::new(mesh) }))
+        let mut session = py.detach(move || session.copy());
+        session.watch(Signals::default());
+        Ok(Self::of(State { session, near: Vec::new(), file }))
     }
 
     /// The same mesh with numbers without gaps.

@@ -184,6 +184,16 @@ impl Machine {
         self.random = RandomNumbers::new(seed);
     }
 
+    /// True if its random numbers begin at a seed.
+    pub fn is_at_seed(&self, seed: u64) -> bool {
+        self.random == RandomNumbers::new(seed)
+    }
+
+    /// Gives the next runs the random numbers that another one would have.
+    pub fn go_on_from(&mut self, other: &Self) {
+        self.random = other.random.clone();
+    }
+
     /// Sets the meshes that the next run compares with, by number; the run may replace them.
     pub fn use_meshes(&mut self, meshes: Vec<Mesh>) {
         self.meshes = meshes;

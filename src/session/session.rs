@@ -153,15 +153,21 @@ impl Session {
         run::remove_stand_ins(mesh);
     }
 
-    /// Another session with the same mesh. It has no marks.
+    /// Another session with the same mesh, whose random numbers go on as here. It has no marks.
     pub fn copy(&self) -> Self {
         let mesh = self.copy_mesh();
         let mut copy = Self::new(&self.engine.program, mesh);
         copy.known = self.known;
         copy.use_engine(self.runs_by);
-        copy.seed(self.seed);
+        copy.seed = self.seed;
         if let Some(bytes) = self.memory {
             copy.limit_memory(bytes);
+        }
+        copy.engine.machine.go_on_from(&self.engine.machine);
+        for other in self.others.iter().filter(|other| !other.machine.is_at_seed(self.seed)) {
+            let mut engine = copy.new_engine(&other.program);
+            engine.machine.go_on_from(&other.machine);
+            copy.others.push(engine);
         }
         copy
     }
