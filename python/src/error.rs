@@ -4,6 +4,7 @@
 //! the diagnostics as data.
 
 use std::io::ErrorKind;
+use std::path::Path;
 
 use hedgerow::diagnostic::Diagnostic;
 use hedgerow::mesh::FileReason;
@@ -42,10 +43,28 @@ impl Kind {
     }
 }
 
-/// The exception of something wrong in a program.
-pub fn in_program(py: Python<'_>, error: &Error) -> PyErr {
-    let kind = if error.code() == "missing-file" { Kind::MissingFile } else { Kind::Program };
+/// The exception of something wrong in a program, which is that of a file or of a text.
+pub fn in_program(py: Python<'_>, error: &Error, path: Option<&Path>) -> PyErr {
+    let kind = match error.code() {
+        "missing-file" if is_there(error, path) => Kind::File,
+        "missing-file" => Kind::MissingFile,
+        _ => Kind::Program,
+    };
     told(py, kind, error)
+}
+
+/// Whether there is something where a file cannot be read: the file of the program itself, or one
+/// that it uses.
+fn is_there(error: &Error, path: Option<&Path>) -> bool {
+    let Some(first) = error.diagnostics().first() else { return false };
+    let (span, sources) = (first.span(), error.sources());
+    match sources.ids().find(|&file| file == span.file) {
+        Some(file) => {
+            let used = sources.slice(span).trim_matches('"');
+            Path::new(sources.get(file).name()).with_file_name(used).exists()
+        }
+        None => path.is_some_and(Path::exists),
+    }
 }
 
 /// The exception of a call that was not carried out.

@@ -1,6 +1,6 @@
 //! Programs.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use hedgerow::mesh::FileFormat;
 use pyo3::IntoPyObjectExt;
@@ -27,8 +27,12 @@ pub struct Program {
 }
 
 impl Program {
-    fn of(py: Python<'_>, program: Result<hedgerow::Program, hedgerow::Error>) -> PyResult<Self> {
-        let program = program.map_err(|error| in_program(py, &error))?;
+    fn of(
+        py: Python<'_>,
+        program: Result<hedgerow::Program, hedgerow::Error>,
+        path: Option<&Path>,
+    ) -> PyResult<Self> {
+        let program = program.map_err(|error| in_program(py, &error, path))?;
         Ok(Self { program, known: PyDict::new(py).unbind() })
     }
 
@@ -78,7 +82,7 @@ impl Program {
     #[pyo3(name = "_parse")]
     fn parse(py: Python<'_>, name: &str, text: &str) -> PyResult<Self> {
         let program = py.detach(|| hedgerow::Program::parse(name, text));
-        Self::of(py, program)
+        Self::of(py, program, None)
     }
 
     #[staticmethod]
@@ -89,8 +93,8 @@ impl Program {
             let message = format!("`{path}` is a mesh, not a program: `Mesh.load` reads meshes");
             return Err(saying(py, Kind::File, "bad-file", message));
         }
-        let program = py.detach(|| hedgerow::Program::load(path));
-        Self::of(py, program)
+        let program = py.detach(|| hedgerow::Program::load(&path));
+        Self::of(py, program, Some(&path))
     }
 
     /// The program of texts that were those of another one.
@@ -98,7 +102,7 @@ impl Program {
     #[pyo3(name = "_rebuild")]
     fn rebuild(py: Python<'_>, texts: Vec<(String, String)>) -> PyResult<Self> {
         let program = py.detach(|| hedgerow::Program::from_texts(&texts));
-        Self::of(py, program)
+        Self::of(py, program, None)
     }
 
     /// Names and texts of all its files, the program itself first.
