@@ -2,7 +2,8 @@
 
 use hedgerow::KeptMask;
 use numpy::PyArray1;
-use pyo3::exceptions::{PyIndexError, PyOverflowError};
+use pyo3::basic::CompareOp;
+use pyo3::exceptions::{PyIndexError, PyOverflowError, PyValueError};
 use pyo3::gc::{PyTraverseError, PyVisit};
 use pyo3::prelude::*;
 
@@ -122,6 +123,24 @@ impl LiveMask {
 
     fn __invert__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         self.array(py)?.bitnot()
+    }
+
+    /// Compares element by element, as an array does; so it has no hash.
+    fn __richcmp__<'py>(
+        &self,
+        py: Python<'py>,
+        other: &Bound<'py, PyAny>,
+        how: CompareOp,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        match how {
+            CompareOp::Eq | CompareOp::Ne => self.array(py)?.rich_compare(other, how),
+            _ => Ok(py.NotImplemented().into_bound(py)),
+        }
+    }
+
+    fn __bool__(&self) -> PyResult<bool> {
+        let message = "whether a live mask is true may mean two things: say `.any()` or `.all()`";
+        Err(PyValueError::new_err(message))
     }
 
     fn __getitem__(&self, py: Python<'_>, number: &Bound<'_, PyAny>) -> PyResult<bool> {
