@@ -1,6 +1,6 @@
 import os
 from collections.abc import Callable, Iterator, Sequence
-from typing import Any, Literal, NamedTuple, SupportsIndex, final
+from typing import Any, Literal, NamedTuple, NoReturn, SupportsIndex, final
 
 import numpy as np
 import numpy.typing as npt
@@ -34,10 +34,18 @@ class Elements:
     def edges(self) -> list[int]: ...
     @property
     def faces(self) -> list[int]: ...
+    def __new__(
+        cls,
+        vertices: Sequence[int] = (),
+        halfedges: Sequence[int] = (),
+        edges: Sequence[int] = (),
+        faces: Sequence[int] = (),
+    ) -> Elements: ...
     def __len__(self) -> int: ...
 
 @final
 class Applied:
+    def __new__(cls, result: int | None, created: Elements, erased: Elements) -> Applied: ...
     @property
     def result(self) -> int | None: ...
     @property
@@ -49,6 +57,7 @@ class Applied:
 
 @final
 class Refused:
+    def __new__(cls, reason: str, number: int) -> Refused: ...
     @property
     def reason(self) -> str: ...
     @property
@@ -104,12 +113,17 @@ class LiveMask:
     def __or__(self, other: npt.ArrayLike) -> _Bools: ...
     def __ror__(self, other: npt.ArrayLike) -> _Bools: ...
     def __invert__(self) -> _Bools: ...
+    def __eq__(self, other: object) -> _Bools: ...  # type: ignore[override]
+    def __ne__(self, other: object) -> _Bools: ...  # type: ignore[override]
+    __hash__: None  # type: ignore[assignment]
+    def __bool__(self) -> NoReturn: ...
     def __getitem__(self, number: SupportsIndex, /) -> bool: ...
     def __len__(self) -> int: ...
     def __array__(self, dtype: Any = None, copy: bool | None = None) -> np.ndarray: ...
 
 @final
 class Parameter:
+    def __new__(cls, name: str, type: str, default: str | None) -> Parameter: ...
     @property
     def name(self) -> str: ...
     @property
@@ -153,6 +167,7 @@ class Script:
         mesh: Mesh,
         /,
         *args: Any,
+        # Without a seed the random numbers go on; on a new mesh they begin with seed 0.
         seed: int | None = None,
         progress: _Progress | None = None,
         **kwargs: Any,

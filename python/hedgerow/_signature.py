@@ -42,7 +42,9 @@ def _default(text):
 def signature(parameters, options, result):
     """The signature of what takes a mesh, some parameters, and options by name."""
     kind = inspect.Parameter
-    all_of_it = [kind("mesh", kind.POSITIONAL_ONLY)]
+    # The mesh goes by its place alone: a parameter may be called so, too.
+    mesh = "_mesh" if any(one.name == "mesh" for one in parameters) else "mesh"
+    all_of_it = [kind(mesh, kind.POSITIONAL_ONLY)]
     for one in parameters:
         is_late = _is_late(all_of_it, one.default)
         place = kind.KEYWORD_ONLY if is_late else kind.POSITIONAL_OR_KEYWORD

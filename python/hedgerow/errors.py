@@ -2,8 +2,8 @@
 
 Besides these there are Python's own: ``TypeError`` for a value of another type than the parameter,
 ``KeyError`` and ``AttributeError`` for a name that there is not, ``ValueError`` for a number out of the
-range of what is made (``Mesh.icosphere(99)``), and ``KeyboardInterrupt`` for Ctrl-C, which ends a script
-after the step that it is at.
+range of what is made (``Mesh.icosphere(99)``) or for the truth of a live mask, and ``KeyboardInterrupt``
+for Ctrl-C, which ends a script after the step that it is at.
 """
 
 from __future__ import annotations
@@ -28,12 +28,16 @@ __all__ = [
 
 
 class Error(Exception):
-    """Something was not done; the mesh is as it was, but after a :class:`RunError` of a script.
+    """Something was not done; the mesh is as it was, except if what was called stopped midway: a script
+    and a function keep what they did until then, and ``each`` what it applied.
 
     ``code`` is the stable name of what is wrong (``hedgerow explain CODE`` tells more),
     ``diagnostics`` are dictionaries with ``code``, ``severity``, ``message``, ``file``, ``line``,
-    ``column``, ``notes`` and ``fixes``.
+    ``column``, ``notes`` and ``fixes``. ``applied`` is ``None``, but of an exception of ``each``, also of
+    a ``KeyboardInterrupt``: a bool for each element, whether the operation was applied there.
     """
+
+    applied: Any = None
 
     def __init__(
         self,
@@ -59,7 +63,7 @@ class ProgramError(Error):
 class ArgumentError(Error, ValueError):
     """An argument does not fit: one too many or missing, a number that is none of an element of this mesh
     or of one that has been erased, a value that is not finite, an array of another shape or length, a size
-    of a picture that is out of range."""
+    of a picture that is out of range, a direction of view that is none."""
 
 
 class MeshError(Error, ValueError):
@@ -70,8 +74,8 @@ class MeshError(Error, ValueError):
 
 class RunError(Error, RuntimeError):
     """Something failed while it ran: an ``assert``, an operation that a script ``must`` apply and that
-    refused, a division by zero, too large a number. An operation has done nothing then; ``report`` is
-    what a script did so far."""
+    refused, a division by zero, too large a number. An operation has done nothing then; a script and a
+    function keep what they did so far, which ``report`` tells."""
 
 
 class FileError(Error, OSError):

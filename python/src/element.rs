@@ -3,6 +3,9 @@
 use hedgerow::mesh::{Element, ElementKind};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
+use pyo3::types::PyType;
+
+use super::program::Reduced;
 
 /// The kind of a name: `vertex`, `halfedge`, `edge`, `face`, or their plurals.
 pub fn kind(name: &str) -> PyResult<ElementKind> {
@@ -31,6 +34,10 @@ impl Elements {
         Self { all: all.to_vec() }
     }
 
+    pub fn all(&self) -> &[Element] {
+        &self.all
+    }
+
     fn of(&self, kind: ElementKind) -> Vec<u32> {
         let of_kind = self.all.iter().filter(|element| element.kind == kind);
         of_kind.map(|element| element.index).collect()
@@ -39,6 +46,29 @@ impl Elements {
 
 #[pymethods]
 impl Elements {
+    #[new]
+    #[pyo3(signature = (vertices=vec![], halfedges=vec![], edges=vec![], faces=vec![]))]
+    fn made_of(vertices: Vec<u32>, halfedges: Vec<u32>, edges: Vec<u32>, faces: Vec<u32>) -> Self {
+        let kinds = [
+            (ElementKind::Vertex, vertices),
+            (ElementKind::Halfedge, halfedges),
+            (ElementKind::Edge, edges),
+            (ElementKind::Face, faces),
+        ];
+        let elements = |(kind, all): (ElementKind, Vec<u32>)| {
+            all.into_iter().map(move |index| Element { kind, index })
+        };
+        Self { all: kinds.into_iter().flat_map(elements).collect() }
+    }
+
+    fn __reduce__<'py>(
+        &self,
+        py: Python<'py>,
+    ) -> Reduced<'py, (Vec<u32>, Vec<u32>, Vec<u32>, Vec<u32>)> {
+        let all = (self.vertices(), self.halfedges(), self.edges(), self.faces());
+        Ok((PyType::new::<Self>(py).into_any(), all))
+    }
+
     #[getter]
     fn vertices(&self) -> Vec<u32> {
         self.of(ElementKind::Vertex)

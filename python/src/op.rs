@@ -55,7 +55,8 @@ item! {Op, "op", options [], result |_op| Some("hedgerow.Applied | hedgerow.Refu
 
     /// Applies the operation at one element after the other: `elements` are numbers for its first
     /// parameter that is an element and not given, or a bool for each number. The answer tells where
-    /// it was applied; an element that has gone meanwhile counts as refused.
+    /// it was applied; an element that has gone meanwhile counts as refused. What was applied before
+    /// an exception stays: `applied` of the exception is what the answer was until then.
     #[pyo3(signature = (mesh, elements, /, *args, **kwargs))]
     fn each<'py>(
         &self,
@@ -82,35 +83,44 @@ item! {Op, "op", options [], result |_op| Some("hedgerow.Applied | hedgerow.Refu
         let session = &mut state.session;
         session.use_program(self.item.program());
         let (op, parameters) = (&self.item, &self.parameters);
-        let applied = py.detach(move || {
+        let (applied, done) = py.detach(move || {
             let mut applied = vec![false; elements.len()];
-            for (&number, applied) in elements.iter().zip(&mut applied) {
+            let mut places = elements.iter().zip(&mut applied);
+            let done = places.try_for_each(|(&number, applied)| {
                 let element = Element { kind, index: number as u32 };
                 if session.is_alive(element) {
                     given.put(parameters, at, element.into());
                     *applied = session.apply(op, &given)?.is_applied();
                 }
-            }
-            Ok(applied)
+                Ok::<_, hedgerow::Error>(())
+            });
+            (applied, done)
         });
-        match applied {
-            Ok(applied) => Ok(PyArray1::from_vec(py, applied)),
-            Err(error) => Err(in_call(py, &error)),
+        let applied = PyArray1::from_vec(py, applied);
+        match done {
+            Ok(()) => Ok(applied),
+            Err(error) => {
+                let raised = in_call(py, &error);
+                // An exception of someone else, which ended it by a signal, may take no attribute.
+                let _ = raised.value(py).setattr("applied", applied);
+                Err(raised)
+            }
         }
     }
 
     /// Whether the operation would be applied; nothing is written. Without an element: a bool for
-    /// each, by number. With `near`, which is what an action on the mesh gave, only what may have
-    /// changed since the last such question is asked anew; the answer is the same.
-    #[pyo3(signature = (mesh, /, *args, near=None, **kwargs))]
+    /// each, by number. With `near=`, which is what an action on the mesh gave, only what may have
+    /// changed since the last such question is asked anew; the answer is the same. A parameter of
+    /// the operation that is called `near` is meant rather.
+    #[pyo3(signature = (mesh, /, *args, **kwargs))]
     fn can<'py>(
         &self,
         py: Python<'py>,
         mesh: &Bound<'py, MeshTables>,
         args: &Bound<'py, PyTuple>,
-        near: Option<&Bound<'py, PyAny>>,
         kwargs: Option<&Bound<'py, PyDict>>,
     ) -> PyResult<Bound<'py, PyAny>> {
+        let near = self.parameters.option(kwargs, "near")?;
         let values = Values::new(&self.parameters, args, kwargs)?;
         let mut state = mesh.get().hold(py)?;
         state.session.use_program(self.item.program());
@@ -118,11 +128,10 @@ item! {Op, "op", options [], result |_op| Some("hedgerow.Applied | hedgerow.Refu
         if self.parameters.first_free(&values).is_none() {
             return state.session.can(&self.item, &values).map_err(raised)?.into_bound_py_any(py);
         }
-        let near = near.filter(|near| !near.is_none());
         let is_outcome = |near: &Bound<'py, PyAny>| {
             near.is_instance_of::<Applied>() || near.is_instance_of::<Refused>()
         };
-        if near.is_some_and(|near| !is_outcome(near)) {
+        if near.as_ref().is_some_and(|near| !is_outcome(near)) {
             return Err(PyTypeError::new_err("`near` wants what an action gave: Applied or Refused"));
         }
         if near.is_some() && values.is_empty() {

@@ -3,8 +3,10 @@
 use hedgerow::mesh::Element;
 use hedgerow::{Reason, Session};
 use pyo3::prelude::*;
+use pyo3::types::PyType;
 
 use super::element::Elements;
+use super::program::Reduced;
 
 /// An operation has been applied. It counts as true.
 #[pyclass(frozen, module = "hedgerow")]
@@ -24,6 +26,16 @@ impl Applied {
 
 #[pymethods]
 impl Applied {
+    #[new]
+    fn made_of(result: Option<u32>, created: &Elements, erased: &Elements) -> Self {
+        Self { result, created: created.all().to_vec(), erased: erased.all().to_vec() }
+    }
+
+    fn __reduce__<'py>(&self, py: Python<'py>) -> Reduced<'py, (Option<u32>, Elements, Elements)> {
+        let class = PyType::new::<Self>(py).into_any();
+        Ok((class, (self.result, self.created(), self.erased())))
+    }
+
     #[classattr]
     fn __match_args__() -> (&'static str, &'static str, &'static str) {
         ("result", "created", "erased")
@@ -66,6 +78,16 @@ impl Refused {
 
 #[pymethods]
 impl Refused {
+    #[new]
+    fn made_of(reason: &str, number: usize) -> Self {
+        Self { reason: Reason { number, text: reason.into() } }
+    }
+
+    fn __reduce__<'py>(&self, py: Python<'py>) -> Reduced<'py, (String, usize)> {
+        let class = PyType::new::<Self>(py).into_any();
+        Ok((class, (self.reason.text.to_string(), self.reason.number)))
+    }
+
     #[classattr]
     fn __match_args__() -> (&'static str,) {
         ("reason",)

@@ -3,11 +3,12 @@
 use hedgerow::Argument;
 use hedgerow::diagram::Type;
 use hedgerow::mesh::ElementKind;
-use pyo3::exceptions::PyTypeError;
+use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
-use pyo3::types::{PyString, PyTuple};
+use pyo3::types::{PyDict, PyString, PyTuple, PyType};
 
 use super::argument::{Values, argument};
+use super::program::Reduced;
 
 /// A parameter of an operation, a script or a function.
 #[pyclass(frozen, module = "hedgerow")]
@@ -24,6 +25,18 @@ pub struct Parameter {
 
 #[pymethods]
 impl Parameter {
+    #[new]
+    fn new(name: String, r#type: &str, default: Option<String>) -> PyResult<Self> {
+        let ty = Type::ALL.into_iter().find(|ty| ty.word() == r#type);
+        let ty = ty.ok_or_else(|| PyValueError::new_err(format!("there is no type `{type}`")))?;
+        Ok(Self { name, ty, default })
+    }
+
+    fn __reduce__<'py>(&self, py: Python<'py>) -> Reduced<'py, (String, &str, Option<String>)> {
+        let class = PyType::new::<Self>(py).into_any();
+        Ok((class, (self.name.clone(), self.ty.word(), self.default.clone())))
+    }
+
     #[classattr]
     fn __match_args__() -> (&'static str, &'static str, &'static str) {
         ("name", "type", "default")
@@ -106,6 +119,20 @@ impl Parameters {
     /// Whether one has this name.
     pub fn has(&self, name: &str) -> bool {
         self.all.iter().any(|one| one.name == name)
+    }
+
+    /// Takes an option of a name out of the named arguments, unless one of them has this name.
+    pub fn option<'py>(
+        &self,
+        kwargs: Option<&Bound<'py, PyDict>>,
+        name: &str,
+    ) -> PyResult<Option<Bound<'py, PyAny>>> {
+        let Some(kwargs) = kwargs.filter(|_| !self.has(name)) else { return Ok(None) };
+        let found = kwargs.get_item(name)?;
+        if found.is_some() {
+            kwargs.del_item(name)?;
+        }
+        Ok(found.filter(|found| !found.is_none()))
     }
 
     /// All of them.

@@ -23,24 +23,6 @@ pub struct Script {
     parameters: Parameters,
 }
 
-impl Script {
-    /// Takes an option out of the named arguments, unless it is a parameter.
-    fn option<'py>(
-        &self,
-        kwargs: &Bound<'py, PyDict>,
-        name: &str,
-    ) -> PyResult<Option<Bound<'py, PyAny>>> {
-        if self.parameters.has(name) {
-            return Ok(None);
-        }
-        let found = kwargs.get_item(name)?;
-        if found.is_some() {
-            kwargs.del_item(name)?;
-        }
-        Ok(found.filter(|found| !found.is_none()))
-    }
-}
-
 item! {Script, "script", options OPTIONS, result |_script| Some("hedgerow.Report"), {
     #[pyo3(signature = (mesh, /, *args, **kwargs))]
     fn __call__<'py>(
@@ -51,21 +33,19 @@ item! {Script, "script", options OPTIONS, result |_script| Some("hedgerow.Report
         kwargs: Option<&Bound<'py, PyDict>>,
     ) -> PyResult<Bound<'py, PyAny>> {
         let (mut seed, mut progress) = (None, None);
-        if let Some(kwargs) = kwargs {
-            let [wanted, shown] = OPTIONS.map(|name| self.option(kwargs, name));
-            if let Some(wanted) = wanted? {
-                let wanted: i128 = wanted
-                    .extract()
-                    .map_err(|_| PyTypeError::new_err("`seed` wants a whole number"))?;
-                let wanted = u64::try_from(wanted)
-                    .map_err(|_| PyValueError::new_err("`seed` is from 0 to 2**64 - 1"))?;
-                seed = Some(wanted);
-            }
-            if let Some(shown) = shown? {
-                let made = py.import("hedgerow._progress")?.getattr("progress")?;
-                let made = made.call1((shown, self.item.name()))?;
-                progress = (!made.is_none()).then(|| made.unbind());
-            }
+        let [wanted, shown] = OPTIONS.map(|name| self.parameters.option(kwargs, name));
+        if let Some(wanted) = wanted? {
+            let wanted: i128 = wanted
+                .extract()
+                .map_err(|_| PyTypeError::new_err("`seed` wants a whole number"))?;
+            let wanted = u64::try_from(wanted)
+                .map_err(|_| PyValueError::new_err("`seed` is from 0 to 2**64 - 1"))?;
+            seed = Some(wanted);
+        }
+        if let Some(shown) = shown? {
+            let made = py.import("hedgerow._progress")?.getattr("progress")?;
+            let made = made.call1((shown, self.item.name()))?;
+            progress = (!made.is_none()).then(|| made.unbind());
         }
         let values = Values::new(&self.parameters, args, kwargs)?;
         let mut state = mesh.get().hold(py)?;

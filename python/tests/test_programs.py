@@ -1,5 +1,6 @@
 """Programs, operations, scripts and functions as Python has them."""
 
+import copy
 import gc
 import inspect
 import pickle
@@ -78,6 +79,24 @@ def test_errors_carry_what_was_rendered():
     with pytest.raises(hedgerow.ArgumentError, match="`a/broken.hedge` is a path, .* `load` reads files"):
         hedgerow.program("a/broken.hedge")
     assert hedgerow.check("// see ops.hedge") == []
+
+
+def test_programs_that_cannot_be_read(tmp_path):
+    (tmp_path / "folder.hedge").mkdir()
+    (tmp_path / "bytes.hedge").write_bytes(b"\xff\xfe op")
+    for name, error in (("folder", "FileError"), ("bytes", "FileError"), ("none", "MissingFileError")):
+        path = tmp_path / f"{name}.hedge"
+        (tmp_path / "uses.hedge").write_text(f'use "{name}.hedge"')
+        for load in (lambda: hedgerow.load(path), lambda: hedgerow.load(tmp_path / "uses.hedge")):
+            with pytest.raises(hedgerow.FileError, match=name) as caught:
+                load()
+            assert type(caught.value).__name__ == error
+            assert isinstance(caught.value, FileNotFoundError) == (name == "none")
+    with pytest.raises(FileNotFoundError):
+        hedgerow.program('use "std/nothing.hedge"')
+
+
+def test_meshes_are_no_programs():
     for name in ("bunny.obj", "bunny.PLY", "bunny.halfedges"):
         with pytest.raises(hedgerow.FileError, match=f"`{name}` is a mesh, not a program: `Mesh.load`"):
             hedgerow.load(name)
@@ -183,6 +202,25 @@ def test_seeds(ops, sphere):
         shaken("a")
 
 
+def test_random_numbers_of_a_copy_go_on(sphere):
+    text = "fn draw() -> real {{ random() }} script skip() {{ let _x = random() }} // {}"
+    one, other = (hedgerow.program(text.format(name)) for name in ("one", "other"))
+    fresh = Mesh.cube()
+    assert one.draw(fresh) == other.draw(Mesh.cube())
+    one.skip(sphere, seed=None)
+    assert one.draw(sphere) == one.draw(fresh) != one.draw(Mesh.cube())
+    one.skip(sphere, seed=7)
+    copies = [sphere.copy(), copy.copy(sphere), copy.deepcopy(sphere), sphere.copy().copy()]
+    assert len({one.draw(mesh) for mesh in [sphere, *copies]}) == 1
+    # Of each program, also of those that are not in use, and of one that has not been.
+    assert len({other.draw(mesh) for mesh in [sphere, *copies]}) == 1
+    assert one.draw(sphere) != one.draw(sphere) != one.draw(copies[0])
+    third = hedgerow.program(text.format("third"))
+    assert len({third.draw(mesh) for mesh in [sphere.copy(), sphere, *copies]}) == 1
+    assert third.draw(Mesh.cube()) == one.draw(Mesh.cube())
+    assert one.draw(pickle.loads(pickle.dumps(sphere))) == one.draw(Mesh.cube())
+
+
 def test_a_script_that_fails(ops, sphere):
     before = sphere.positions
     with pytest.raises(hedgerow.RunError, match="there are faces") as caught:
@@ -218,6 +256,78 @@ def test_wrong_arguments_leave_the_mesh(ops, sphere):
             with pytest.raises(TypeError):
                 call(mesh)
     assert sphere.to_bytes() == before
+
+
+def test_what_is_refused_adds_no_attribute():
+    program = hedgerow.program("""
+      attr w: vertex real = 0.25
+      attr other: vertex int = 1
+      fn bump(v: vertex) -> int { v.w = v.w + 1 v.other = 2 1 }
+      fn shrink(v: vertex, n: int) { v.w = v.w - n }
+      script grow(n: int) { for v in vertices { v.w = v.w + n } }
+      script both() { for v in vertices { v.w = 1.0 v.other = 1 } }
+    """)
+    mesh = Mesh.cube()
+    before, other = mesh.to_bytes(), mesh.copy()
+    calls = [
+        lambda: program.bump(mesh), lambda: program.bump(mesh, 99), lambda: program.bump(mesh, 0, 1),
+        lambda: program.shrink(mesh, 0), lambda: program.shrink(mesh), lambda: program.shrink(mesh, 8, 1),
+        lambda: program.grow(mesh), lambda: program.grow(mesh, 1, 2), lambda: program.grow(mesh, m=1),
+    ]  # fmt: skip
+    for call in calls:
+        with pytest.raises(hedgerow.ArgumentError):
+            call()
+        assert mesh == other and mesh.to_bytes() == before
+    mesh["other"] = 0.5
+    before = mesh.to_bytes()
+    with pytest.raises(hedgerow.MeshError, match="`other`"):
+        program.both(mesh)
+    assert mesh.to_bytes() == before
+    assert program.bump(Mesh.cube(), 0) == 1 and program.grow(mesh, 1) == {} and (mesh["w"] == 1.25).all()
+
+
+@pytest.mark.parametrize("default", ["1", "inherited(1)"])
+def test_new_elements_have_the_default_of_the_program(default):
+    program = hedgerow.program(f"""
+      use "std/triangle.hedge"
+      attr q: face int = {default}
+      script split_some() {{ for e in edges {{ split(e) }} }}
+      script look() {{ print "nothing" }}
+    """)
+    new = 5 if "inherited" in default else 1
+    for split in (lambda mesh: program.split(mesh, 3), lambda mesh: program.split_some(mesh),
+                  lambda mesh: program.split.each(mesh, [3])):  # fmt: skip
+        mesh = Mesh.icosphere(1)
+        mesh.faces["q"] = 5
+        split(mesh)
+        faces = mesh.faces["q"]
+        assert (faces[:80] == 5).all() and (faces[80:] == new).all() and len(faces) > 80
+    # Also if the mesh gets the attribute later.
+    mesh = Mesh.icosphere(1)
+    mesh.faces["q"] = 5
+    del mesh.faces["q"]
+    assert program.split(mesh, 3)
+    mesh.faces["q"] = 5
+    made = program.split(mesh, 5).created.faces
+    assert made and (mesh.faces["q"][made] == new).all()
+
+
+def test_a_default_that_nothing_uses_makes_no_attribute():
+    program = hedgerow.program('use "std/triangle.hedge" attr q: face int = 1 script look() { print "" }')
+    mesh = Mesh.icosphere(1)
+    assert program.split(mesh, 3) and "q" not in mesh.faces
+    # One of another type is another attribute.
+    mesh.faces["q"] = 0.5
+    made = program.split(mesh, 5).created.faces
+    assert mesh.elements("face").attributes == {"q": "real"} and (mesh.faces["q"][made] == 0).all()
+    # Questions, refusals, and what only looks leave the default as it was.
+    for call in (lambda mesh: program.split.can(mesh), lambda mesh: program.look(mesh),
+                 lambda mesh: program.flip(mesh, 0), lambda mesh: program.split.why(mesh, 0)):  # fmt: skip
+        mesh = Mesh.grid(1, triangles=True)
+        mesh.faces["q"] = 5
+        before = mesh.to_bytes()
+        call(mesh)
+        assert mesh.to_bytes() == before
 
 
 def test_erased_elements(ops, sphere):
@@ -258,6 +368,37 @@ def test_each(ops, sphere, rng):
         ops.flip.each(sphere, [True, False, True])
 
 
+def test_each_that_stops_tells_where_it_was_applied():
+    program = hedgerow.program("""
+      use "std/triangle.hedge"
+      attr gate: edge int = 1
+      op pick(e: edge) {
+        steps {
+          let _x = 10 div e.gate
+          must flip(e)
+        }
+      }
+      fn wreck() {
+        for e in edges { flip(e) }
+        assert false
+      }
+    """)
+    mesh = Mesh.icosphere(1)
+    mesh.edges["gate"] = np.where(mesh.edges.ids == 60, 0, 1)
+    before = mesh.copy()
+    edges = np.arange(50, 70)
+    with pytest.raises(hedgerow.RunError) as caught:
+        program.pick.each(mesh, edges)
+    applied = caught.value.applied
+    assert applied.dtype == bool and len(applied) == 20 and applied[:10].any() and not applied[10:].any()
+    assert (pickle.loads(pickle.dumps(caught.value)).applied == applied).all()
+    other = before.copy()
+    assert (program.pick.each(other, edges[:10]) == applied[:10]).all() and other == mesh != before
+    with pytest.raises(hedgerow.RunError) as caught, mesh.trial():
+        program.wreck(mesh)
+    assert caught.value.applied is None and mesh == other
+
+
 def test_live_masks(ops, rng):
     mesh = Mesh.grid(6, 6, triangles=True)
     actions = [ops.flip, ops.split, ops.collapse]
@@ -293,6 +434,21 @@ def test_live_masks(ops, rng):
     for number in (10**6, -1, 2**70):
         with pytest.raises(IndexError, match=f"no element {number}"):
             live[0][number]
+
+
+def test_a_live_mask_is_compared_as_an_array(ops):
+    mesh = Mesh.grid(2, triangles=True)
+    live = ops.flip.live(mesh)
+    array = live.array
+    for other in (True, False, array, ~array, live, ops.collapse.live(mesh), None):
+        assert ((live == other) == (array == other)).all() and ((live != other) == (array != other)).all()
+        assert ((other == live) == (array == other)).all() and (live == other).shape == array.shape
+    for truth in (bool, lambda live: not live, lambda live: live and live):
+        with pytest.raises(ValueError, match=r"`\.any\(\)` or `\.all\(\)`"):
+            truth(live)
+    assert live.any() and not live.all()
+    with pytest.raises(TypeError):
+        hash(live)
 
 
 def test_picks_of_a_live_mask(ops, rng):
@@ -383,6 +539,27 @@ def test_what_is_no_outcome_and_no_number_is_said_to_be_none(ops, sphere):
         with pytest.raises(TypeError, match="`e` wants the number of an edge"):
             ops.flip(sphere, other)
 
+def test_a_parameter_may_have_the_name_of_an_option():
+    program = hedgerow.program("""
+      op o(near: halfedge) {
+        before { face f: v -near-> w => v }
+        after { keep f  v.position = v.position * 2 }
+      }
+      script mesh(mesh: int, seed: int = 1) { print "{mesh} {seed}" }
+    """)
+    mesh = Mesh.cube()
+    for near in (3, 10**6):
+        if near == 3:
+            assert program.o.can(mesh, near=near) is program.o.can(mesh, near) is True
+        else:
+            with pytest.raises(hedgerow.ArgumentError, match="`near` is no halfedge"):
+                program.o.can(mesh, near=near)
+    assert program.o.can(mesh).all() and program.o.why(mesh, near=3) is None
+    assert str(inspect.signature(program.mesh)).startswith("(_mesh, /, mesh: int, seed: int = 1, *, progress=None)")
+    assert program.mesh.__doc__.startswith("mesh(_mesh") and "seed: int" in pydoc.render_doc(program.mesh)
+    assert program.mesh(mesh, mesh=4) == program.mesh(mesh, 4) == {}
+
+
 def test_pictures_and_proofs(ops, tmp_path):
     picture = ops.flip.diagram()
     assert picture._repr_svg_().startswith("<svg") and ops.flip._repr_svg_() == picture.svg
@@ -403,6 +580,22 @@ def test_programs_pickle(ops, sphere):
     # Operations of another program work on the same mesh.
     other = pickle.loads(pickle.dumps(ops.flip))
     assert other(sphere, 3) and ops.flip(sphere, 4)
+
+
+@pytest.mark.parametrize("again", [copy.copy, copy.deepcopy, lambda one: pickle.loads(pickle.dumps(one))])
+def test_outcomes_and_parameters_are_copied_and_pickled(ops, sphere, again):
+    done = ops.collapse(sphere, 20)
+    other = again(done)
+    assert type(other) is Applied and repr(other) == repr(done) and other.result == done.result
+    for kind in ("vertices", "halfedges", "edges", "faces"):
+        assert getattr(other.erased, kind) == getattr(done.erased, kind)
+    assert repr(again(done.erased)) == repr(done.erased)
+    no = ops.flip(Mesh.grid(1, 1, triangles=True), 0)
+    assert isinstance(no, Refused) and again(no) == no and again(no).number == no.number
+    for parameter in ops.move.parameters + ops.flip.parameters:
+        assert again(parameter) == parameter and str(again(parameter)) == str(parameter)
+    with pytest.raises(ValueError, match="no type `edges`"):
+        hedgerow.Parameter("e", "edges", None)
 
 
 def test_interrupts(ops, sphere):
