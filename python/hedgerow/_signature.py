@@ -43,7 +43,9 @@ def signature(parameters, options, result):
     """The signature of what takes a mesh, some parameters, and options by name."""
     kind = inspect.Parameter
     # The mesh goes by its place alone: a parameter may be called so, too.
-    mesh = "_mesh" if any(one.name == "mesh" for one in parameters) else "mesh"
+    mesh = "mesh"
+    while any(one.name == mesh for one in parameters):
+        mesh = f"_{mesh}"
     all_of_it = [kind(mesh, kind.POSITIONAL_ONLY)]
     for one in parameters:
         is_late = _is_late(all_of_it, one.default)

@@ -112,7 +112,10 @@ item! {Op, "op", options [], result |_op| Some("hedgerow.Applied | hedgerow.Refu
     /// each, by number. With `near=`, which is what an action on the mesh gave, only what may have
     /// changed since the last such question is asked anew; the answer is the same. A parameter of
     /// the operation that is called `near` is meant rather.
-    #[pyo3(signature = (mesh, /, *args, **kwargs))]
+    #[pyo3(
+        signature = (mesh, /, *args, **kwargs),
+        text_signature = "($self, mesh, /, *args, near=None, **kwargs)"
+    )]
     fn can<'py>(
         &self,
         py: Python<'py>,

@@ -397,6 +397,13 @@ def test_each_that_stops_tells_where_it_was_applied():
     with pytest.raises(hedgerow.RunError) as caught, mesh.trial():
         program.wreck(mesh)
     assert caught.value.applied is None and mesh == other
+    # Also of a signal.
+    text = "op o(e: edge) { steps { while is_slow(e) { let _x = 1 } } } fn is_slow(e: edge) -> bool { degree(e.halfedge.vertex) == 6 }"
+    slow = hedgerow.program(text).o
+    threading.Timer(0.2, signal.raise_signal, (signal.SIGINT,)).start()
+    with pytest.raises(KeyboardInterrupt) as caught:
+        slow.each(mesh, mesh.edges.ids)
+    assert len(caught.value.applied) == len(mesh.edges.ids) and not caught.value.applied.all()
 
 
 def test_live_masks(ops, rng):
@@ -557,6 +564,8 @@ def test_a_parameter_may_have_the_name_of_an_option():
     assert program.o.can(mesh).all() and program.o.why(mesh, near=3) is None
     assert str(inspect.signature(program.mesh)).startswith("(_mesh, /, mesh: int, seed: int = 1, *, progress=None)")
     assert program.mesh.__doc__.startswith("mesh(_mesh") and "seed: int" in pydoc.render_doc(program.mesh)
+    both = hedgerow.program("script s(mesh: int, _mesh: int) { print mesh + _mesh }").s
+    assert list(inspect.signature(both).parameters)[:3] == ["__mesh", "mesh", "_mesh"]
     assert program.mesh(mesh, mesh=4) == program.mesh(mesh, 4) == {}
 
 
