@@ -27,10 +27,10 @@ use crate::run::{self, Application, Argument, Failure, Prepared, Report};
 ///
 /// The attributes of the program are added to the mesh when something that uses them and may change
 /// the mesh is called, and stay there: [`Mesh::find_column`] and [`Mesh::values`] read them. The
-/// defaults of all attributes that are on the mesh are then those of the program. Questions, kept masks, and functions and scripts that do
-/// not change the mesh add no attribute and leave the defaults as they are; what they need meanwhile
-/// is on [`mesh`](Self::mesh) as scratch columns, and on no copy. Scratch attributes have their
-/// defaults at the start of each call.
+/// defaults of all attributes that are on the mesh are then those of the program. Questions, kept
+/// masks, and functions and scripts that do not change the mesh add no attribute and leave the
+/// defaults as they are; what they need meanwhile is on [`mesh`](Self::mesh) as scratch columns, and
+/// on no copy. Scratch attributes have their defaults at the start of each call.
 ///
 /// # What fails
 ///
