@@ -23,6 +23,9 @@ pub fn one(kind: ElementKind) -> String {
     format!("{article} {kind}")
 }
 
+/// The numbers of vertices, halfedges, edges and faces.
+type ByKind = (Vec<u32>, Vec<u32>, Vec<u32>, Vec<u32>);
+
 /// The numbers of some elements, by kind.
 #[pyclass(frozen, module = "hedgerow")]
 pub struct Elements {
@@ -61,10 +64,7 @@ impl Elements {
         Self { all: kinds.into_iter().flat_map(elements).collect() }
     }
 
-    fn __reduce__<'py>(
-        &self,
-        py: Python<'py>,
-    ) -> Reduced<'py, (Vec<u32>, Vec<u32>, Vec<u32>, Vec<u32>)> {
+    fn __reduce__<'py>(&self, py: Python<'py>) -> Reduced<'py, ByKind> {
         let all = (self.vertices(), self.halfedges(), self.edges(), self.faces());
         Ok((PyType::new::<Self>(py).into_any(), all))
     }
