@@ -74,9 +74,9 @@ class Measured:
         """The picture of the mesh, which a notebook shows; written to a ``.png`` file, if one is
         given.
 
-        ``view`` points from the mesh to the viewer, its length means nothing; ``size`` is from 16 to 16384 pixels. ``attribute``
-        is shown in colour: ``"heat"``, or ``"face.label"`` if elements of several kinds have one of the
-        name.
+        ``view`` points from the mesh to the viewer; its length means nothing. ``size`` is from 16 to 16384
+        pixels. ``attribute`` is shown in colour: ``"heat"``, or ``"face.label"`` if elements of several
+        kinds have one of the name.
         """
         expect_size("size", size)
         shown = None if attribute is None else self._shown(attribute)

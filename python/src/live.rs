@@ -139,7 +139,7 @@ impl LiveMask {
     }
 
     fn __bool__(&self) -> PyResult<bool> {
-        let message = "whether a live mask is true may mean two things: say `.any()` or `.all()`";
+        let message = "the truth of a live mask is ambiguous: use `.any()` or `.all()`";
         Err(PyValueError::new_err(message))
     }
 
