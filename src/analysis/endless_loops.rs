@@ -7,9 +7,6 @@ use crate::diagnostic::Diagnostic;
 use crate::diagram::{Elements, Expr, ExprKind, Kind, Rule};
 use crate::resolve::{Block, Program, ResolvedOp, Statement, StatementKind};
 
-/// The greatest depth to which functions that a value calls are looked at.
-const DEEPEST: usize = 8;
-
 /// A warning for each loop that may never end.
 pub(super) fn endless_loops(program: &Program) -> Vec<Diagnostic> {
     [endless_drains(program), endless_whiles(program)].concat()
@@ -46,20 +43,17 @@ fn only_tried<'p>(
     });
     // What is set in an iteration before it is read is not left over from the last one.
     let mut left_over: BTreeSet<u32> = set.collect();
-    let is_same = |value: &Expr, left_over: &BTreeSet<u32>| {
-        let mut same = is_fixed(value, program, DEEPEST);
+    let reads_one = |value: &Expr, left_over: &BTreeSet<u32>| {
+        let mut reads = false;
         value.each(&mut |part| {
-            same &= !matches!(part.kind, ExprKind::Local(read) if left_over.contains(&read));
+            reads |= matches!(part.kind, ExprKind::Local(read) if left_over.contains(&read));
         });
-        same
+        reads
     };
-    if !is_same(condition, &left_over) {
-        return None;
-    }
+    let mut reads = reads_one(condition, &left_over);
     let mut first = None;
     for statement in body {
-        let mut same = true;
-        statement.values(&mut |value| same &= is_same(value, &left_over));
+        statement.values(&mut |value| reads |= reads_one(value, &left_over));
         match &statement.kind {
             StatementKind::Set { variable, .. } => _ = left_over.remove(variable),
             StatementKind::Apply { op, then, otherwise, .. }
@@ -71,32 +65,36 @@ fn only_tried<'p>(
             StatementKind::Print(_) => {}
             _ => return None,
         }
-        if !same {
-            return None;
-        }
     }
-    first
+    first.filter(|_| !reads && are_fixed(condition, body, program))
 }
 
-/// True if a value is the same as long as the mesh and the variables are, and does not ask whether
-/// an op applies.
-fn is_fixed(value: &Expr, program: &Program, deepest: usize) -> bool {
-    let mut fixed = true;
-    value.each(&mut |part| match &part.kind {
-        ExprKind::Try(..) => fixed = false,
-        ExprKind::Call(builtin, _) => fixed &= !builtin.is_random(),
-        ExprKind::Invoke(number, _) => {
-            let function = program.functions.get(*number as usize);
-            let body = function.and_then(|function| function.body.as_ref());
-            fixed &= deepest > 0 && body.is_some();
-            for statement in body.filter(|_| fixed).iter().flat_map(|body| &body.block) {
-                statement.each(&mut |inner| {
-                    inner.values(&mut |value| fixed &= is_fixed(value, program, deepest - 1));
-                });
-            }
+/// True if the values of a loop are the same as long as the mesh and the variables are, and do not
+/// ask whether an op applies; nor do the functions that they call, directly or not.
+fn are_fixed(condition: &Expr, body: &Block, program: &Program) -> bool {
+    let (mut fixed, mut seen, mut open) = (true, BTreeSet::new(), Vec::new());
+    let mut look = |value: &Expr, open: &mut Vec<u32>| {
+        value.each(&mut |part| match &part.kind {
+            ExprKind::Try(..) => fixed = false,
+            ExprKind::Call(builtin, _) => fixed &= !builtin.is_random(),
+            ExprKind::Invoke(function, _) => open.push(*function),
+            _ => {}
+        });
+    };
+    look(condition, &mut open);
+    for statement in body {
+        statement.values(&mut |value| look(value, &mut open));
+    }
+    while let Some(number) = open.pop() {
+        if !seen.insert(number) {
+            continue;
         }
-        _ => {}
-    });
+        let function = program.functions.get(number as usize);
+        let Some(body) = function.and_then(|function| function.body.as_ref()) else { return false };
+        for statement in &body.block {
+            statement.each(&mut |inner| inner.values(&mut |value| look(value, &mut open)));
+        }
+    }
     fixed
 }
 

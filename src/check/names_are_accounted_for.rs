@@ -116,10 +116,11 @@ impl Law<'_> {
             let run = matches!(self.drawing.rule.kind(name), Kind::Path | Kind::Fan);
             let Some(erased) = self.drawing.erased(name).filter(|_| run) else { continue };
             let text = self.drawing.rule.quoted(name);
-            let kind = self.drawing.rule.kind(name).word();
-            let message = format!("the {kind} {text} cannot be erased: nobody knows what is in it");
+            let kind = self.drawing.rule.kind(name);
+            let what = kind.word();
+            let message = format!("the {what} {text} cannot be erased: nobody knows what is in it");
             let mut problem = Diagnostic::error("erased-run", message, erased)
-                .note(match self.drawing.rule.kind(name) {
+                .note(match kind {
                     Kind::Fan => "its spokes go on at another vertex: list the fan in the statement of that vertex in `after`",
                     _ => "it goes on in another loop: draw it there in `after`; only what is drawn one by one can be erased",
                 });

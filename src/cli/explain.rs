@@ -36,7 +36,10 @@ pub(super) fn explain(arguments: &ExplainArguments) -> Result<(), Failure> {
     };
     let joined = asked.to_lowercase().replace(['-', ' '], "_");
     let others = [plain.as_str(), singular.as_str(), joined.as_str()];
-    let asked = others.into_iter().find(|other| !known(asked) && known(other)).unwrap_or(asked);
+    let asked = match known(asked) {
+        true => asked,
+        false => others.into_iter().find(|other| known(other)).unwrap_or(asked),
+    };
     let text = explanation(asked).map(str::to_owned).or_else(|| word(asked).map(described));
     let of_library = declared(asked).into_iter().map(|item| item.described());
     let texts: Vec<_> = text.into_iter().chain(of_library).chain(library::file(asked)).collect();

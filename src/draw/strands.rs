@@ -82,8 +82,12 @@ impl Panel<'_> {
             let Some(item) = item else { continue };
             let dart = Dart { strand: at, forward };
             let curve = self.along(dart);
-            let aside = self.aside(dart);
-            let [start, end] = self.trims(dart, aside);
+            let place = self.in_loop(dart);
+            let aside = place.map_or(ASIDE, |(orbit, _)| self.aside(orbit));
+            let [start, end] = match place {
+                Some(place) => self.trims(place, aside),
+                None => self.outer_trims(dart),
+            };
             let length = curve.length();
             let aside = if strand.is_path { aside + 2.5 } else { aside };
             let (start, end) = if start + end > length - 12.0 {
@@ -109,11 +113,10 @@ impl Panel<'_> {
     }
 
     /// The lengths trimmed from a dart at its ends, so that it keeps clear of its neighbors.
-    fn trims(&self, dart: Dart, aside: f64) -> [f64; 2] {
-        let Some((orbit, at)) = self.in_loop(dart) else { return self.outer_trims(dart) };
+    fn trims(&self, (orbit, at): (&Orbit, usize), aside: f64) -> [f64; 2] {
         let count = orbit.darts.len();
         let neighbor = |step: usize| self.along(orbit.darts[(at + step) % count]);
-        let (here, before, behind) = (self.along(dart), neighbor(count - 1), neighbor(1));
+        let [here, before, behind] = [0, count - 1, 1].map(neighbor);
         // The near halves of the neighbors, either of which may be the dart itself.
         let (middle, end) = (before.length() / 2.0, before.length());
         let before = before.cut(middle, end);
@@ -130,10 +133,9 @@ impl Panel<'_> {
         })
     }
 
-    /// The distance of a halfedge from its edge: less in a face that is too thin for the arrows of
-    /// both its sides.
-    fn aside(&self, dart: Dart) -> f64 {
-        let Some((orbit, _)) = self.in_loop(dart) else { return ASIDE };
+    /// The distance of the halfedges of a loop from their edges: less in a face that is too thin for
+    /// the arrows of both its sides.
+    fn aside(&self, orbit: &Orbit) -> f64 {
         let outline = self.outline(orbit);
         let around: f64 = sides(&outline).map(|[a, b]| a.distance(b)).sum();
         // The circle in a convex polygon has at most twice its area by its perimeter as radius.

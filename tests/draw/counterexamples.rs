@@ -14,6 +14,20 @@ fn counterexample(program: &str) -> Op {
     Analysis::of(&sources, file).counterexamples[0].drawn()
 }
 
+/// A flip of an edge between two triangles, with what it draws after.
+fn flip(after: &str) -> String {
+    format!(
+        "op flip(e: edge) {{
+          before {{
+            face f0: v0 -a-> v1 -b-> v2 -c-> v0
+            face f1: v1 -d-> v0 -g-> v3 -h-> v1
+            edge e: a | d
+          }}
+          after {{ {after} }}
+        }}"
+    )
+}
+
 /// Checks what becomes of names in the first counterexample of a program, and what its picture says.
 fn check(program: &str, fates_of: &[(&str, &str)], verdict: &str, tell: &[&str]) {
     let op = counterexample(program);
@@ -37,18 +51,10 @@ fn check(program: &str, fates_of: &[(&str, &str)], verdict: &str, tell: &[&str])
 
 #[test]
 fn halfedges_that_were_forgotten_are_kept() {
-    let program = "
-        op flip(e: edge) {
-          before {
-            face f0: v0 -a-> v1 -b-> v2 -c-> v0
-            face f1: v1 -d-> v0 -g-> v3 -h-> v1
-            edge e: a | d
-          }
-          after {
-            face f0: v3 -a-> v2 -c-> v0 -g-> v3
-            edge e: a | d
-          }
-        }";
+    let program = flip(
+        "face f0: v3 -a-> v2 -c-> v0 -g-> v3 \
+         edge e: a | d",
+    );
     let fates = [
         ("a", "reassigned"),
         ("b", "kept"),
@@ -57,7 +63,7 @@ fn halfedges_that_were_forgotten_are_kept() {
         ("g", "reassigned"),
         ("h", "kept"),
     ];
-    check(program, &fates, "b.next is c, but c.prev is a", &["hole 2", "f0", "f1"]);
+    check(&program, &fates, "b.next is c, but c.prev is a", &["hole 2", "f0", "f1"]);
 }
 
 #[test]
@@ -167,20 +173,12 @@ fn faces_that_come_apart_have_their_names_inside() {
 /// Where `next` leads from one face into another, both have their halfedges and their names.
 #[test]
 fn faces_that_run_into_each_other_are_both_named() {
-    let program = "
-        op flip(e: edge) {
-          before {
-            face f0: v0 -a-> v1 -b-> v2 -c-> v0
-            face f1: v1 -d-> v0 -g-> v3 -h-> v1
-            edge e: a | d
-          }
-          after {
-            face f0: v3 -a-> v2 -b-> v0 -g-> v3
-            face f1: v2 -d-> v3 -h-> v1 -b-> v2
-            edge e: a | d
-          }
-        }";
-    let picture = draw_op(&counterexample(program));
+    let program = flip(
+        "face f0: v3 -a-> v2 -b-> v0 -g-> v3 \
+         face f1: v2 -d-> v3 -h-> v1 -b-> v2 \
+         edge e: a | d",
+    );
+    let picture = draw_op(&counterexample(&program));
     for face in ["f0", "f1"] {
         let many = picture.texts().iter().filter(|text| text.text == face).count();
         assert_eq!(many, 2, "{face}");
