@@ -15,13 +15,16 @@ use super::assigned::assigned;
 use super::components::parts;
 use super::curve::{Curve, area, crossings, mean};
 use super::example::moved_on_mesh;
-use super::figure::{Figure, Node};
+use super::figure::{Figure, Node, Strand};
 use super::layout::{NEAR, arrange, parts_in_a_row, pulls};
 use super::opened::{open_vertices, opened};
 use super::routing::{bend_beside, bend_paths};
 
 /// Twice the area of a loop that looks flat.
 const FLAT: f64 = 0.15;
+
+/// The height of a triangle on an edge, as a multiple of the edge's length.
+const EAR: f64 = 0.5;
 
 /// The places of the nodes on the side `after`; nodes that it does not show keep theirs.
 pub(super) fn places_after(figure: &Figure, before: &[Option<DVec2>]) -> Vec<Option<DVec2>> {
@@ -60,7 +63,26 @@ fn laid_out_anew(figure: &Figure, before: &[Option<DVec2>]) -> Vec<Option<DVec2>
     // The turn with the least sum of squared distances.
     let turn: DVec2 =
         pairs.iter().map(|[a, b]| (*a - old).rotate((*b - new) * DVec2::new(1.0, -1.0))).sum();
-    let turn = turn.normalize_or(DVec2::X);
+    // Edges that are on both sides are as long as they were.
+    let length = |strand: &Strand, places: &[Option<DVec2>]| {
+        let [from, to] = strand.ends().map(|end| places[end]);
+        Some(from?.distance(to?))
+    };
+    let (mut earlier, mut later) = (0.0, 0.0);
+    for strand in figure.after.strands.iter().filter(|strand| !strand.is_path) {
+        let is_same = |old: &&Strand| {
+            !old.is_path
+                && old.items.iter().any(|item| item.is_some() && strand.items.contains(item))
+        };
+        if let Some(old) = figure.before.strands.iter().find(is_same)
+            && let (Some(before), Some(after)) = (length(old, before), length(strand, &places))
+        {
+            (earlier, later) = (earlier + before, later + after);
+        }
+    }
+    let is_known = earlier.min(later) > NEAR;
+    let scale = if is_known { (earlier / later).clamp(0.25, 1.0) } else { 1.0 };
+    let turn = turn.normalize_or(DVec2::X) * scale;
     for place in places.iter_mut().flatten() {
         *place = old + turn.rotate(*place - new);
     }
@@ -144,6 +166,7 @@ fn placed(
     let side = &figure.after;
     let mut all = places.clone();
     arrange(side, &mut all, &pulls(side));
+    raise_ears(figure, &places, &mut all);
     for (place, at) in places.iter_mut().zip(&all) {
         *place = place.or(*at);
     }
@@ -158,6 +181,31 @@ fn placed(
     }
     bend_beside(figure, &mut places);
     places
+}
+
+/// Raises the tips of triangles on edges that have their places: as far as there is room in the
+/// loop on their other side.
+fn raise_ears(figure: &Figure, fixed: &[Option<DVec2>], places: &mut [Option<DVec2>]) {
+    let side = &figure.after;
+    let rings: Vec<_> = side.loops.iter().map(|orbit| side.around(&orbit.darts)).collect();
+    for ear in rings.iter().filter(|ring| ring.len() == 3) {
+        let mut free = (0..3).filter(|&at| fixed[ear[at]].is_none());
+        let (Some(at), None) = (free.next(), free.next()) else { continue };
+        let [tip, a, b] = [0, 1, 2].map(|step| ear[(at + step) % 3]);
+        let degree = side.strands.iter().filter(|strand| strand.ends().contains(&tip)).count();
+        let mut others = rings.iter().filter(|ring| ring.len() > 3 && ring.contains(&tip));
+        let (2, Some(other)) = (degree, others.next()) else { continue };
+        let ends = [a, b].map(|end| places[end]);
+        let around: Vec<_> = other.iter().filter_map(|&node| fixed[node]).collect();
+        if let [Some(a), Some(b)] = ends {
+            let base = (a + b) / 2.0;
+            let up = (a - b).perp().normalize_or_zero();
+            let room = up.dot(mean(&around) - base);
+            if room > 0.0 {
+                places[tip] = Some(base + up * room.min(EAR * a.distance(b)));
+            }
+        }
+    }
 }
 
 /// Places the new vertices that split an edge on that edge.

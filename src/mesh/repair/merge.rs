@@ -6,9 +6,7 @@
 //! nothing. A grid of cells, four tolerances wide, finds the neighbors.
 
 use glam::DVec3;
-
-/// Marks an empty place of the table.
-const EMPTY: u32 = u32::MAX;
+use hashbrown::HashTable;
 
 /// For each point, the point that it is merged into: itself if it stays.
 pub(super) fn merge(positions: &[DVec3], tolerance: f64) -> Vec<u32> {
@@ -20,24 +18,22 @@ pub(super) fn merge(positions: &[DVec3], tolerance: f64) -> Vec<u32> {
 }
 
 pub(in crate::mesh) fn merge_equal(positions: &[DVec3]) -> Vec<u32> {
-    let mut table = Table::new();
+    let mut table = HashTable::new();
     let mut merged = Vec::with_capacity(positions.len());
+    let hash_of = |&point: &u32| hash(positions[point as usize]);
     for (point, &position) in (0..).zip(positions) {
-        // 0 and -0 are equal.
-        let key = (position + DVec3::ZERO).to_array().map(f64::to_bits);
-        let known = table.find(hash(key), |other| positions[other as usize] == position);
-        if known.is_none() {
-            table.insert(hash(key), point);
-        }
-        merged.push(known.unwrap_or(point));
+        let is_equal = |&other: &u32| positions[other as usize] == position;
+        let entry = table.entry(hash(position), is_equal, hash_of).or_insert(point);
+        merged.push(*entry.get());
     }
     merged
 }
 
 fn merge_close(positions: &[DVec3], exact: &[u32], tolerance: f64) -> Vec<u32> {
     let width = 4.0 * tolerance;
-    let cell = |at: DVec3| (at / width).floor() + DVec3::ZERO;
-    let mut table = Table::new();
+    let cell = |at: DVec3| (at / width).floor();
+    let hash_of = |&point: &u32| hash(cell(positions[point as usize]));
+    let mut table = HashTable::new();
     let mut merged: Vec<u32> = Vec::with_capacity(positions.len());
     for (point, &at) in (0..).zip(positions) {
         if exact[point as usize] != point {
@@ -56,91 +52,28 @@ fn merge_close(positions: &[DVec3], exact: &[u32], tolerance: f64) -> Vec<u32> {
                 }
             }
             if is_new {
-                table.each(hash(place.to_array().map(f64::to_bits)), |other| {
+                for &other in table.iter_hash(hash(place)) {
                     let distance = at.distance(positions[other as usize]);
-                    if distance <= tolerance && distance < nearest.0 {
+                    if distance <= tolerance && (distance, other) < nearest {
                         nearest = (distance, other);
                     }
-                });
+                }
             }
         }
         if nearest.1 == point {
-            table.insert(hash(cell(at).to_array().map(f64::to_bits)), point);
+            table.insert_unique(hash_of(&point), point, hash_of);
         }
         merged.push(nearest.1);
     }
     merged
 }
 
-fn hash(key: [u64; 3]) -> u64 {
+fn hash(place: DVec3) -> u64 {
     let mut state = 0u64;
-    for part in key {
-        state = (state.rotate_left(26) ^ part).wrapping_mul(0x9E37_79B9_7F4A_7C15);
+    // 0 and -0 are equal.
+    for part in (place + DVec3::ZERO).to_array() {
+        state = (state.rotate_left(26) ^ part.to_bits()).wrapping_mul(0x9E37_79B9_7F4A_7C15);
         state ^= state >> 32;
     }
     state
-}
-
-/// Points by the hash of their place: open addressing with linear probing.
-struct Table {
-    /// The upper half of the hash, and the point.
-    places: Vec<(u32, u32)>,
-    used: usize,
-}
-
-impl Table {
-    fn new() -> Self {
-        Self { places: vec![(0, EMPTY); 1 << 10], used: 0 }
-    }
-
-    /// Visits the points with a hash, and possibly others.
-    fn each(&self, hash: u64, mut visit: impl FnMut(u32)) {
-        self.find(hash, |point| {
-            visit(point);
-            false
-        });
-    }
-
-    /// The first point with a hash that passes `is_it`.
-    fn find(&self, hash: u64, mut is_it: impl FnMut(u32) -> bool) -> Option<u32> {
-        let (tag, mut at) = self.start(hash);
-        loop {
-            match self.places[at] {
-                (_, EMPTY) => return None,
-                (other, point) if other == tag && is_it(point) => return Some(point),
-                _ => at = (at + 1) & (self.places.len() - 1),
-            }
-        }
-    }
-
-    fn insert(&mut self, hash: u64, point: u32) {
-        if self.used * 2 >= self.places.len() {
-            self.grow();
-        }
-        self.put(hash, point);
-        self.used += 1;
-    }
-
-    fn start(&self, hash: u64) -> (u32, usize) {
-        // The place depends on the tag alone, so that the table can grow without the points.
-        let tag = (hash >> 32) as u32;
-        (tag, tag.wrapping_mul(0x9E37_79B1) as usize & (self.places.len() - 1))
-    }
-
-    fn put(&mut self, hash: u64, point: u32) {
-        let (tag, mut at) = self.start(hash);
-        while self.places[at].1 != EMPTY {
-            at = (at + 1) & (self.places.len() - 1);
-        }
-        self.places[at] = (tag, point);
-    }
-
-    fn grow(&mut self) {
-        let larger = vec![(0, EMPTY); self.places.len() * 4];
-        for (tag, point) in std::mem::replace(&mut self.places, larger) {
-            if point != EMPTY {
-                self.put(u64::from(tag) << 32, point);
-            }
-        }
-    }
 }
