@@ -12,7 +12,7 @@ use super::program::StatementKind;
 use super::script::Scripting;
 use super::signature::{Effects, FunctionSignature, Parameter, Value};
 use super::typed::typed;
-use super::typing::{Place, Typing};
+use super::typing::{Place, Typing, converted};
 use super::words::{are_given, arguments};
 
 /// A call of a function.
@@ -92,12 +92,15 @@ impl Typing<'_> {
         let mut values: Vec<Option<Expr>> = Vec::new();
         for (place, arg) in args.iter().enumerate() {
             values.push(match params.get(place) {
-                Some(param) => {
-                    let whose = format!("`{}` of `{name}`", param.name);
-                    self.expression_for(arg, param.ty, &whose)
+                Some(Parameter { name: param, ty: Some(ty), .. }) => {
+                    let whose = format!("`{param}` of `{name}`");
+                    self.expression(arg).and_then(|value| {
+                        let error = converted(arg, value, *ty, &whose);
+                        error.map_err(|error| self.report.add(with_head(error, name, params))).ok()
+                    })
                 }
-                // One argument too many.
-                None => self.expression(arg),
+                // Of unknown type, or one argument too many.
+                _ => self.expression(arg),
             });
         }
         self.right_argument_count(name, params, args.len(), span)?;
@@ -129,16 +132,8 @@ impl Typing<'_> {
             least => format!("{least} to {}", arguments(most)),
         };
         let message = format!("`{name}` takes {wanted}, but {}", are_given(given));
-        let params: Vec<String> = params
-            .iter()
-            .map(|param| match param.ty {
-                Some(ty) => format!("{}: {}", param.name, ty.word()),
-                None => param.name.clone(),
-            })
-            .collect();
-        let error = Diagnostic::error("wrong-count", message, span)
-            .note(format!("it is `{name}({})`", params.join(", ")));
-        self.report.reject(error)
+        let error = Diagnostic::error("wrong-count", message, span);
+        self.report.reject(with_head(error, name, params))
     }
 
     /// Reports a function whose effects are not allowed in this place.
@@ -216,4 +211,18 @@ impl Scripting<'_> {
             .saying(format!("this is {}", ty.a_word()));
         self.typing.report.reject(error)
     }
+}
+
+/// An error about the arguments of a call, which shows the head of the callee where nothing else
+/// says how to go on.
+fn with_head(error: Diagnostic, name: &str, params: &[Parameter]) -> Diagnostic {
+    if !error.notes.is_empty() || !error.fixes.is_empty() {
+        return error;
+    }
+    let written = |param: &Parameter| {
+        let ty = param.ty.map(|ty| format!(": {}", ty.word())).unwrap_or_default();
+        format!("{}{ty}{}", param.name, if param.optional { " = …" } else { "" })
+    };
+    let params: Vec<_> = params.iter().map(written).collect();
+    error.note(format!("it is declared as `{name}({})`", params.join(", ")))
 }
