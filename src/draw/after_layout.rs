@@ -81,7 +81,7 @@ fn laid_out_anew(figure: &Figure, before: &[Option<DVec2>]) -> Vec<Option<DVec2>
         }
     }
     let is_known = earlier.min(later) > NEAR;
-    let scale = if is_known { (earlier / later).clamp(0.25, 1.0) } else { 1.0 };
+    let scale = if is_known { (earlier / later).clamp(0.5, 1.0) } else { 1.0 };
     let turn = turn.normalize_or(DVec2::X) * scale;
     for place in places.iter_mut().flatten() {
         *place = old + turn.rotate(*place - new);

@@ -29,15 +29,33 @@ impl Mesh {
     /// corners; an ear whose cut would join two vertices that are already adjacent comes last.
     pub fn ears(&self, f: FaceId) -> Vec<HalfedgeId> {
         let sides: Vec<_> = self.face_halfedges(f).collect();
-        let order = Polygon::new(self, f, &sides).cut();
-        order.into_iter().filter_map(|corner| sides.get(corner as usize).copied()).collect()
+        let vertices: Vec<_> =
+            sides.iter().map(|&h| self.get_vertex(h).unwrap_or(VertexId::NONE)).collect();
+        let place = |&v: &VertexId| self.get_position(v).unwrap_or(DVec3::ZERO);
+        let places = vertices.iter().map(place).collect();
+        let is_joined = |a, b| self.adjacent(a, b);
+        let mut polygon = Polygon::new(vertices, places, self.normal(f), is_joined);
+        let ears = std::iter::from_fn(|| polygon.cut_off());
+        ears.filter_map(|[_, corner, _]| sides.get(corner as usize).copied()).collect()
     }
 }
 
+/// The triangles of a polygon, which may go to holes and back along bridges, as numbers of its
+/// corners. A corner has the number of its vertex.
+pub(super) fn triangles(vertices: Vec<u32>, places: Vec<DVec3>, normal: DVec3) -> Vec<[u32; 3]> {
+    let count = vertices.len() as u32;
+    let mut polygon = Polygon::new(vertices, places, normal, |_, _| false);
+    let mut triangles: Vec<_> = std::iter::from_fn(|| polygon.cut_off()).collect();
+    let last = (0..count).find(|&corner| polygon.left.has(corner));
+    triangles.extend(last.map(|corner| polygon.around(corner)));
+    triangles
+}
+
 /// The part of a face that is left. Corners have the numbers of the sides that start there.
-struct Polygon<'m> {
-    mesh: &'m Mesh,
-    vertices: Vec<VertexId>,
+struct Polygon<V, J> {
+    /// True if an edge joins two vertices.
+    is_joined: J,
+    vertices: Vec<V>,
     places: Vec<DVec3>,
     /// The places projected along the normal.
     flat: Vec<DVec2>,
@@ -49,6 +67,8 @@ struct Polygon<'m> {
     /// For each corner, how often its quality has changed: older entries of the queue are stale.
     changes: Vec<u32>,
     queue: BinaryHeap<Ear>,
+    /// The number of corners that are left.
+    count: u32,
 }
 
 /// An ear in the queue.
@@ -80,54 +100,54 @@ impl PartialEq for Ear {
 
 impl Eq for Ear {}
 
-impl<'m> Polygon<'m> {
-    fn new(mesh: &'m Mesh, f: FaceId, sides: &[HalfedgeId]) -> Self {
-        let count = sides.len() as u32;
-        let vertices: Vec<_> =
-            sides.iter().map(|&h| mesh.get_vertex(h).unwrap_or(VertexId::NONE)).collect();
-        let place = |&v: &VertexId| mesh.get_position(v).unwrap_or(DVec3::ZERO);
-        let places: Vec<_> = vertices.iter().map(place).collect();
-        let normal = mesh.normal(f);
+impl<V: Copy + PartialEq, J: Fn(V, V) -> bool> Polygon<V, J> {
+    fn new(vertices: Vec<V>, places: Vec<DVec3>, normal: DVec3, is_joined: J) -> Self {
+        let count = vertices.len() as u32;
         let (right, up) = match normal == DVec3::Z || normal == DVec3::ZERO || normal.is_nan() {
             true => (DVec3::X, DVec3::Y),
             false => normal.any_orthonormal_pair(),
         };
         let flat: Vec<_> = places.iter().map(|at| DVec2::new(at.dot(right), at.dot(up))).collect();
-        Self {
-            mesh,
+        let mut polygon = Self {
+            is_joined,
             left: Tree::new(&flat),
+            inside_of: vec![Vec::new(); places.len()],
+            changes: vec![0; places.len()],
             vertices,
             places,
             flat,
             before: (0..count).map(|at| (at + count - 1) % count).collect(),
             behind: (0..count).map(|at| (at + 1) % count).collect(),
-            inside_of: vec![Vec::new(); sides.len()],
-            changes: vec![0; sides.len()],
             queue: BinaryHeap::new(),
-        }
+            count,
+        };
+        (0..count).for_each(|corner| polygon.enter(corner));
+        polygon
     }
 
-    /// The corners in the order in which they are cut off.
-    fn cut(mut self) -> Vec<u32> {
-        let count = self.places.len();
-        let mut order = Vec::with_capacity(count.saturating_sub(3));
-        for corner in 0..count as u32 {
-            self.enter(corner);
-        }
-        while order.len() + 3 < count {
-            let Some(ear) = self.queue.pop() else { break };
+    /// Cuts off the best ear, unless no more than a triangle is left; returns its corners.
+    fn cut_off(&mut self) -> Option<[u32; 3]> {
+        while self.count > 3 {
+            let ear = self.queue.pop()?;
             if self.changes[ear.corner as usize] == ear.change && self.left.has(ear.corner) {
-                order.push(ear.corner);
+                let corners = self.around(ear.corner);
                 self.take(ear.corner);
+                return Some(corners);
             }
         }
-        order
+        None
+    }
+
+    /// A corner between its neighbors.
+    fn around(&self, corner: u32) -> [u32; 3] {
+        [self.before[corner as usize], corner, self.behind[corner as usize]]
     }
 
     fn take(&mut self, corner: u32) {
         let at = corner as usize;
         let (before, behind) = (self.before[at], self.behind[at]);
         self.left.take(corner);
+        self.count -= 1;
         self.behind[before as usize] = behind;
         self.before[behind as usize] = before;
         self.enter(before);
@@ -152,12 +172,12 @@ impl<'m> Polygon<'m> {
     /// The sine of the smallest angle of the triangle; less than zero where the corner is reflex,
     /// or another corner lies in the triangle.
     fn quality(&mut self, corner: u32) -> f64 {
-        let around = [self.before[corner as usize], corner, self.behind[corner as usize]];
+        let around = self.around(corner);
         let [a, b, c] = around.map(|at| self.vertices[at as usize]);
         let [p, q, r] = around.map(|at| self.places[at as usize]);
         let sides = [p.distance(r), p.distance(q), q.distance(r)];
         let sine = smallest_sine((q - p).cross(r - q).length(), sides);
-        let joined = if self.mesh.adjacent(a, c) { -4.0 } else { 0.0 };
+        let joined = if (self.is_joined)(a, c) { -4.0 } else { 0.0 };
         let triangle = around.map(|at| self.flat[at as usize]);
         if turn(triangle) < 0.0 {
             return joined - 2.0 - sine;

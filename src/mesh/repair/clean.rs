@@ -28,15 +28,20 @@ pub(super) fn clean(list: &mut PolygonList, report: &mut RepairReport) {
             let mut open: Vec<Vec<Corner>> = vec![corners];
             while let Some(corners) = open.pop() {
                 match keyhole::cut(&corners, &list.positions) {
-                    Some([first, second]) => open.extend([second, first]),
-                    None => report.repeated_corners += cleaner.divide(&corners, &mut cleaned),
+                    Some(parts) => open.extend(parts.into_iter().rev()),
+                    None => cleaner.divide(&corners, &mut cleaned),
                 }
             }
         }
+        report.repeated_corners += std::mem::take(&mut cleaner.repeated);
+        let [returns, spurs] = std::mem::take(&mut cleaner.short);
         match cleaned.ends.len() - before {
             0 => report.degenerate_faces += 1,
-            1 => {}
-            _ => report.divided_faces += 1,
+            count => {
+                report.repeated_corners += returns;
+                report.spurs += spurs;
+                report.divided_faces += usize::from(count > 1);
+            }
         }
     }
     let Cleaned { corners, origins, ends, faces, .. } = cleaned;
@@ -54,11 +59,8 @@ struct Cleaned {
 }
 
 impl Cleaned {
-    /// Adds a polygon, unless it has fewer than three corners.
-    fn push(&mut self, corners: impl ExactSizeIterator<Item = Corner>) {
-        if corners.len() < 3 {
-            return;
-        }
+    /// Adds a polygon.
+    fn push(&mut self, corners: impl Iterator<Item = Corner>) {
         for (vertex, origin) in corners {
             self.corners.push(vertex);
             self.origins.push(origin);
@@ -75,32 +77,41 @@ struct Cleaner {
     open: Vec<Corner>,
     /// The places of vertices in `open`.
     places: std::collections::HashMap<u32, usize>,
+    /// The number of corners that repeated the previous one.
+    repeated: usize,
+    /// The numbers of loops of one and of two corners: the last corner that is the first, and spurs.
+    short: [usize; 2],
 }
 
 impl Cleaner {
-    /// Cuts off loops at repeated vertices. Returns the number of corners that repeat the previous
-    /// one.
-    fn divide(&mut self, corners: &[Corner], cleaned: &mut Cleaned) -> usize {
+    /// Cuts off loops at repeated vertices.
+    fn divide(&mut self, corners: &[Corner], cleaned: &mut Cleaned) {
         self.open.clear();
         self.places.clear();
-        let mut repeated = 0;
         for &(vertex, origin) in corners {
-            match self.places.get(&vertex).copied() {
-                Some(place) if place + 1 == self.open.len() => repeated += 1,
-                Some(place) => {
-                    for &(closed, _) in &self.open[place + 1..] {
-                        self.places.remove(&closed);
-                    }
-                    cleaned.push(self.open.drain(place..));
-                    self.open.push((vertex, origin));
+            if let Some(place) = self.places.get(&vertex).copied() {
+                if place + 1 == self.open.len() {
+                    self.repeated += 1;
+                    continue;
                 }
-                None => {
-                    self.places.insert(vertex, self.open.len());
-                    self.open.push((vertex, origin));
+                for &(closed, _) in &self.open[place..] {
+                    self.places.remove(&closed);
                 }
+                self.close(place, cleaned);
             }
+            self.places.insert(vertex, self.open.len());
+            self.open.push((vertex, origin));
         }
-        cleaned.push(self.open.drain(..));
-        repeated
+        self.close(0, cleaned);
+    }
+
+    /// Adds the corners from a place on as a polygon, or drops them if they are fewer than three.
+    fn close(&mut self, place: usize, cleaned: &mut Cleaned) {
+        let corners = self.open.drain(place..);
+        match corners.len() {
+            0 => {}
+            few @ (1 | 2) => self.short[few - 1] += 1,
+            _ => cleaned.push(corners),
+        }
     }
 }

@@ -2,9 +2,13 @@
 //!
 //! A face with a hole is often written as one polygon that goes to the hole along an edge, around
 //! it, and back along the same edge. A second cut beside that bridge turns it into two polygons
-//! that repeat no corner and cover the same area.
+//! that repeat no corner and cover the same area; where there is none, it becomes triangles.
+
+use std::collections::HashMap;
 
 use glam::DVec3;
+
+use crate::mesh::ears;
 
 /// The vertex of a corner, and the number of the corner in the input.
 pub(super) type Corner = (u32, u32);
@@ -12,8 +16,48 @@ pub(super) type Corner = (u32, u32);
 /// Longer polygons are not searched for a cut, which may consider all pairs of corners.
 const LONGEST: usize = 256;
 
-/// The two polygons into which a polygon with a hole is cut; `None` if it has no hole.
-pub(super) fn cut(corners: &[Corner], positions: &[DVec3]) -> Option<[Vec<Corner>; 2]> {
+/// The polygons into which a polygon with a hole is cut; `None` if it has no hole.
+pub(super) fn cut(corners: &[Corner], positions: &[DVec3]) -> Option<Vec<Vec<Corner>>> {
+    let halves = cut_in_two(corners, positions).map(Vec::from);
+    halves.or_else(|| has_hole(corners, positions).then(|| triangles(corners, positions)))
+}
+
+/// True if a part of a polygon between the two ways along a bridge has the opposite direction.
+fn has_hole(corners: &[Corner], positions: &[DVec3]) -> bool {
+    let count = corners.len();
+    let origin = positions[corners[0].0 as usize];
+    let place = |at: usize| positions[corners[at % count].0 as usize] - origin;
+    let mut sums = vec![DVec3::ZERO];
+    sums.extend((0..count).scan(DVec3::ZERO, |sum, at| {
+        *sum += place(at).cross(place(at + 1));
+        Some(*sum)
+    }));
+    let side = |at: usize| (corners[at].0, corners[(at + 1) % count].0);
+    let mut sides = HashMap::new();
+    (0..count).any(|to| {
+        let (start, end) = side(to);
+        let from = sides.get(&(end, start)).copied();
+        sides.insert((start, end), to);
+        from.is_some_and(|from: usize| {
+            let [inner, whole] = [sums[to] - sums[from + 1], sums[count]];
+            let outer = whole - inner;
+            inner.dot(outer) < 0.0
+        })
+    })
+}
+
+/// The triangles of a polygon.
+fn triangles(corners: &[Corner], positions: &[DVec3]) -> Vec<Vec<Corner>> {
+    let (vertices, places) =
+        corners.iter().map(|&(vertex, _)| (vertex, positions[vertex as usize])).unzip();
+    let closed = [corners, &corners[..1]].concat();
+    let normal = normal(&closed, positions).normalize_or_zero();
+    let triangles = ears::triangles(vertices, places, normal).into_iter();
+    triangles.map(|triangle| triangle.map(|at| corners[at as usize]).to_vec()).collect()
+}
+
+/// The two polygons into which a polygon with a hole is cut; `None` if there is no such cut.
+fn cut_in_two(corners: &[Corner], positions: &[DVec3]) -> Option<[Vec<Corner>; 2]> {
     let count = corners.len();
     if count > LONGEST {
         return None;

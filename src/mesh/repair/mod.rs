@@ -80,6 +80,8 @@ pub struct RepairReport {
     pub merged_vertices: usize,
     /// Corners that repeat the previous one, dropped.
     pub repeated_corners: usize,
+    /// Parts of polygons that only go to a vertex and back, dropped.
+    pub spurs: usize,
     /// Polygons divided where they return to a vertex.
     pub divided_faces: usize,
     /// Polygons with an unusable vertex or without three distinct corners, dropped.
@@ -109,6 +111,7 @@ impl RepairReport {
             (self.dropped_vertices, "dropped", "vertex", "vertices", " without coordinates"),
             (self.merged_vertices, "merged", "vertex", "vertices", " into others"),
             (self.repeated_corners, "dropped", "repeated corner", "repeated corners", ""),
+            (self.spurs, "dropped", "spur", "spurs", " of faces"),
             (self.divided_faces, "divided", "face", "faces", " with a vertex twice"),
             (self.degenerate_faces, "dropped", "degenerate face", "degenerate faces", ""),
             (self.doubled_faces, "dropped", "doubled face", "doubled faces", ""),
