@@ -217,7 +217,7 @@ fn size(name: &str, value: f64) -> Vec<String> {
 /// Measures of one kind with six decimals; with an exponent if the largest is very large or small.
 fn decimals<const N: usize>(measures: [f64; N]) -> [String; N] {
     let largest = measures.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-    let is_usual = largest == 0.0 || (1e-6..1e9).contains(&largest);
+    let is_usual = largest == 0.0 || (1e-2..1e9).contains(&largest);
     measures.map(|x| x + 0.0).map(|x| if is_usual { format!("{x:.6}") } else { format!("{x:.6e}") })
 }
 

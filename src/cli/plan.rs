@@ -12,7 +12,7 @@ use super::files;
 use super::output::{eprint_diagnostics, eprint_line, print_line, print_line_exactly, table};
 use super::program::{self, Program};
 use crate::analysis::{Analysis, read_program};
-use crate::diagnostic::quoted;
+use crate::diagnostic::{Diagnostic, quoted};
 use crate::emit::{NotEmitted, Selection, Style, cpp, rust};
 use crate::library;
 use crate::mesh::Level;
@@ -36,9 +36,12 @@ pub(super) fn plan(arguments: &PlanArguments) -> Result<(), Failure> {
         program::find_op(&program, None)?;
     }
     expect_named(arguments, &program, &ops)?;
+    let places: Vec<_> = ops.iter().map(|&op| program.analysis.program.ops[op].span).collect();
+    // What is emitted of a whole file lacks nothing without a word.
+    let (told, _) = program.analysis.concerning(&places, &program.sources);
+    let is_whole = arguments.shown == Shown::Table || !told.iter().any(Diagnostic::is_error);
     let plans = ops.iter().map(|&op| program.analysis.plans[op].as_ref());
-    let Some(plans) = plans.collect::<Option<Vec<_>>>() else {
-        let places: Vec<_> = ops.iter().map(|&op| program.analysis.program.ops[op].span).collect();
+    let Some(plans) = plans.collect::<Option<Vec<_>>>().filter(|_| is_whole) else {
         program.complain_about(&places);
         return Err(Failure::NotProved);
     };
@@ -58,8 +61,7 @@ pub(super) fn plan(arguments: &PlanArguments) -> Result<(), Failure> {
         Shown::Cpp | Shown::Rust => {
             if name.is_none() {
                 leave_out(&program, &mut ops, |op| emit(&[op]).err());
-                let has_own = ops.iter().any(|&op| is_own(&program, op));
-                for (_, script) in own_scripts(&program).filter(|_| !has_own) {
+                for (_, script) in own_scripts(&program) {
                     let name = &script.name;
                     eprint_line(&format!("left out: `{name}`, since only operations are emitted"));
                 }

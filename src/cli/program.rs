@@ -70,6 +70,20 @@ impl Program {
         told
     }
 
+    /// As [`find`]; what could not be read may be what is missing, and is shown.
+    fn find(
+        &self,
+        what: &str,
+        known: &[Candidate<'_>],
+        wanted: (Option<&str>, Option<usize>),
+    ) -> Result<usize, Failure> {
+        let found = find(what, known, wanted);
+        if found.is_err() && !self.analysis.is_sound() {
+            self.complain_about(&[]);
+        }
+        found
+    }
+
     /// Fails if an output would replace the program or a file that it uses.
     pub fn expect_apart<'o>(
         &self,
@@ -183,7 +197,9 @@ pub(super) fn read_script(script: &str) -> Result<(Program, usize), Failure> {
 
 /// Splits `FILE::NAME`; the name may be qualified.
 pub(super) fn part(text: &str) -> (&Path, Option<&str>) {
-    match text.split_once("::") {
+    // Folders may have colons in their names.
+    let parts = text.match_indices("::").map(|(at, sign)| (&text[..at], &text[at + sign.len()..]));
+    match { parts }.find(|(_, name)| !name.contains(['/', std::path::MAIN_SEPARATOR, '.'])) {
         Some((file, name)) => (Path::new(file), Some(name)),
         None => (Path::new(text), None),
     }
@@ -202,7 +218,7 @@ pub(super) fn find_op(program: &Program, name: Option<&str>) -> Result<usize, Fa
         );
         return Err(Failure::usage(message));
     }
-    find("operation", &visible(analysis, ops), (name, found))
+    program.find("operation", &visible(analysis, ops), (name, found))
 }
 
 /// The index of the script that `FILE::SCRIPT` names; without a name, the only one of the
@@ -226,7 +242,7 @@ pub(super) fn find_script(program: &Program, name: Option<&str>) -> Result<usize
              -o OUT` does one at a place"
         )));
     }
-    find("script", &scripts, (name, found))
+    program.find("script", &scripts, (name, found))
 }
 
 /// An item that a name may mean.

@@ -439,6 +439,20 @@ fn what_is_there_of_a_damaged_file_is_kept_on_demand() {
             1,
         ),
         (
+            FileFormat::Stl,
+            loop_of_four.replace("vertex 0 3 0", "vertex 0 3 0\nvertex 1 3 0\nvertex 2 3 0").into(),
+            "t:16: a loop of STL has three vertices",
+            [3, 1],
+            1,
+        ),
+        (
+            FileFormat::Stl,
+            loop_of_four[..loop_of_four.find("outer loop\nvertex 0 0 0\nvertex 2").unwrap()].into(),
+            "the file ends before `endsolid`",
+            [3, 1],
+            1,
+        ),
+        (
             FileFormat::Off,
             b"OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n3 0 1 2\n3 1 3".to_vec(),
             "the file ends where a vertex of a face should stand",

@@ -92,6 +92,10 @@ fn each_fault_is_mended_and_counted() {
             [7, 5],
             RepairReport { turned_faces: 2, twisted_edges: 1, split_vertices: 2, ..none },
         ),
+        // A spur, and a last corner that is the first.
+        (4, &[&[0, 1, 2, 0, 3]], [4, 1], RepairReport { spurs: 1, ..none }),
+        (4, &[&[3, 0, 1, 2, 0]], [4, 1], RepairReport { spurs: 1, ..none }),
+        (3, &[&[0, 1, 2, 0]], [3, 1], RepairReport { repeated_corners: 1, ..none }),
         // A face of a vertex that does not exist.
         (3, &[&[0, 1, 2], &[0, 1, 7]], [3, 1], RepairReport { degenerate_faces: 1, ..none }),
     ];
@@ -114,7 +118,9 @@ fn holes_of_faces_are_not_filled() {
     let one = [&[0, 1, 2, 3, 0][..], &around(4)].concat();
     let two = [&[0, 1, 2, 10, 9, 8, 11, 10, 2, 3, 0][..], &around(4)].concat();
     let chain = [&[0, 1, 2, 3, 0][..], &[4, 7, 6], &around(8), &[6, 5, 4]].concat();
-    for (polygon, area) in [(one, 12.0), (two, 11.0), (chain, 11.0)] {
+    // Both holes hang on one corner.
+    let shared = [&[0, 1, 2, 3, 0][..], &around(4), &[0], &around(8)].concat();
+    for (polygon, area) in [(one, 12.0), (two, 11.0), (chain, 11.0), (shared, 11.0)] {
         for turned in 0..polygon.len() {
             let mut polygon = polygon.clone();
             polygon.rotate_left(turned);
@@ -133,6 +139,19 @@ fn holes_of_faces_are_not_filled() {
             assert_eq!((report.divided_faces, report.split_vertices), (1, 0), "{polygon:?}");
         }
     }
+    // A round hole with very many corners.
+    let corner = |at: u32| {
+        let (y, x) = (f64::from(at) * std::f64::consts::TAU / 400.0).sin_cos();
+        DVec3::new(x, y, 0.0)
+    };
+    let outline = [(-2.0, -2.0), (2.0, -2.0), (2.0, 2.0), (-2.0, 2.0)];
+    let outline = outline.map(|(x, y)| DVec3::new(x, y, 0.0));
+    let positions: Vec<_> = outline.into_iter().chain((0..400).map(corner)).collect();
+    let polygon = [0, 1, 2, 3, 0, 4].into_iter().chain((4..404).rev()).collect();
+    let Repaired { mesh, .. } = repair(&positions, &[polygon], None);
+    let area: f64 = mesh.faces().filter(|&f| !mesh.is_hole(f)).map(|f| mesh.area(f)).sum();
+    let circle = 200.0 * (std::f64::consts::TAU / 400.0).sin();
+    assert!((area - (16.0 - circle)).abs() < 1e-9, "{area}");
     // Two polygons that hang at an edge have no hole.
     let positions = [square(0.0, 0.0, 1.0), square(2.0, 0.0, 1.0)].concat();
     let polygon = vec![0, 1, 2, 3, 0, 4, 5, 6, 7, 4];

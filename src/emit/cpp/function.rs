@@ -151,6 +151,10 @@ fn file(
         head.extend(fields.iter().map(String::as_str).chain(["\n"]));
     }
     head.extend(headers.iter().map(|header| format!("#include <{header}>\n")));
+    let body = match style.name("operations") {
+        "" => body,
+        name => format!("namespace {name} {{\n\n{}\n\n}}  // namespace {name}\n", body.trim_end()),
+    };
     if functions.is_empty() {
         return format!("{head}\n{body}");
     }

@@ -101,11 +101,16 @@ impl Style {
                 )));
             }
         }
-        let first = |name: &'static str| self.name(name).split("::").next().unwrap_or_default();
-        let space = first("namespace");
-        let is_class = space == self.name("mesh") || self.name("namespace") == self.name("mesh");
-        if space == "std" || is_class {
-            return Err(StyleError(format!("`namespace={space}` is no namespace of its own")));
+        for name in ["namespace", "operations"] {
+            let space = self.name(name);
+            let first = space.split("::").next().unwrap_or_default();
+            if first == "std" || [first, space].contains(&self.name("mesh")) {
+                return Err(StyleError(format!("`{name}={space}` is no namespace of its own")));
+            }
+        }
+        if self.is_member() && !self.name("operations").is_empty() {
+            let why = "members of a class, as `member=yes` says, stand in no other namespace";
+            return Err(StyleError(format!("`operations={}`: {why}", self.name("operations"))));
         }
         let mut code = self.code().filter(|_| self.is_member());
         match code.find(|(_, pattern)| free_words(pattern).iter().any(|(word, _)| *word == "mesh"))
@@ -255,9 +260,9 @@ impl Style {
     /// mesh, `new_vertex` and the like.
     pub(in crate::emit) fn chained(&self, of: &str, pointer: &str) -> String {
         match pointer {
-            "boundary" | "position" => fill(self.name(pointer), of, "", ""),
+            "boundary" | "position" => operand(self.name(pointer), of, ""),
             _ if pointer.starts_with("new_") => format!("{of}.{}", self.name(pointer)),
-            _ => fill(self.name("read"), of, self.name(pointer), ""),
+            _ => operand(self.name("read"), of, self.name(pointer)),
         }
     }
 
@@ -288,7 +293,7 @@ impl Style {
 
     /// An attribute of the program, to be read or set.
     pub(in crate::emit) fn attribute(&self, of: &str, name: &str) -> String {
-        fill(self.name("attribute"), of, name, "")
+        operand(self.name("attribute"), of, name)
     }
 
     /// A call that allocates.
@@ -305,6 +310,22 @@ impl Style {
             false => self.put("mesh", &name, of),
         }
     }
+}
+
+/// A value that any operator may stand before or behind.
+fn operand(pattern: &str, of: &str, pointer: &str) -> String {
+    let text = fill(pattern, of, pointer, "");
+    let mut depth = 0;
+    let outside = pattern.replace("->", ".");
+    let has_operator = outside.chars().any(|sign| {
+        match sign {
+            '(' | '[' | '{' => depth += 1,
+            ')' | ']' | '}' => depth -= 1,
+            _ => {}
+        }
+        depth == 0 && !(sign.is_alphanumeric() || "_.:)]}".contains(sign))
+    });
+    if has_operator { format!("({text})") } else { text }
 }
 
 /// A pattern with its parts filled in.

@@ -115,7 +115,7 @@ fn read_text(text: &[u8]) -> Contents {
     let mut points = Vec::with_capacity(text.len() / 80);
     // The number of points before this loop, and whether all of the loop has been read.
     let (mut before, mut is_whole) = (0, true);
-    let mut solids = 0;
+    let (mut solids, mut is_open) = (0, false);
     while scanner.next_line() {
         let line = scanner.line();
         let Some(word) = scanner.word() else { continue };
@@ -131,7 +131,7 @@ fn read_text(text: &[u8]) -> Contents {
                 }
             }
         } else if is("endloop") {
-            let is_of_three = (points.len() - before) % 3 == 0;
+            let is_of_three = points.len() - before == 3;
             if is_whole && !is_of_three {
                 damage.add(Some(line), || "a loop of STL has three vertices".to_owned());
             }
@@ -141,16 +141,18 @@ fn read_text(text: &[u8]) -> Contents {
             (before, is_whole) = (points.len(), true);
         } else if is("solid") {
             solids += 1;
-        } else if !["facet", "outer", "endfacet", "endsolid"].into_iter().any(is) {
+            is_open = true;
+        } else if is("endsolid") {
+            is_open = false;
+        } else if !["facet", "outer", "endfacet"].into_iter().any(is) {
             damage.add(Some(line), || format!("`{}` is not a word of an STL file", shown(word)));
         }
         scanner.end_line();
     }
-    let beyond = (points.len() - before) % 3;
-    if beyond != 0 {
-        let words = "the file ends within a triangle";
+    if is_open {
+        let words = "the file ends before `endsolid`: triangles may be missing";
         damage.add(Some(scanner.line()), || words.to_owned());
-        points.truncate(points.len() - beyond);
+        points.truncate(before);
     }
     let mut contents = share(points);
     contents.damage = damage;

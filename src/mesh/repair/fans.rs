@@ -125,14 +125,16 @@ fn join_sheets(list: &PolygonList, loops: &Loops, twins: &mut [u32]) {
                 let is_begin = list.corners[side as usize] == end;
                 fans.of(if is_begin { side } else { loops.next(side) })
             };
-            let at_end: Vec<_> = edge.iter().map(|&(_, side)| (fan(side), side)).collect();
-            let sheet = at_end.iter().find_map(|&(fan, a)| {
-                let mut others = at_end.iter().filter(|&&(of, other)| of == fan && other != a);
-                let (&(_, b), None) = (others.next()?, others.next()) else { return None };
+            let mut at_end: Vec<_> =
+                edge.iter().enumerate().map(|(at, &(_, side))| (fan(side), at, side)).collect();
+            at_end.sort_unstable();
+            let pairs = at_end.chunk_by(|one, other| one.0 == other.0).filter_map(|fan| {
+                let &[(_, at, a), (_, _, b)] = fan else { return None };
                 let is_open = [a, b].iter().all(|&side| twins[side as usize] == NONE);
                 let are_opposite = list.corners[a as usize] != list.corners[b as usize];
-                (is_open && are_opposite).then_some([a, b])
+                (is_open && are_opposite).then_some((at, [a, b]))
             });
+            let sheet = pairs.min().map(|(_, sides)| sides);
             let Some([a, b]) = sheet else { continue };
             (twins[a as usize], twins[b as usize]) = (b, a);
             fans.join(loops, [a, b]);

@@ -97,6 +97,7 @@ fn what_a_style_makes_compiles() {
             with_optional(mesh(&[("\n  VertexRef new_vertex()", members)])),
         ),
         (vec!["boundary=is_hole({of})"], mesh(&[]) + free),
+        (vec!["boundary={of}->boundary != false", "operations=course::ops"], mesh(&[])),
         (
             vec!["boundary=::is_hole({of})", "member=yes"],
             with_optional(mesh(&[("\n  VertexRef new_vertex()", plain)])) + free,
@@ -203,6 +204,8 @@ fn a_style_that_cannot_compile_is_refused() {
         (&["Vertex=V*"], "an alias is one, `using T = V*;`"),
         (&["namespace=Mesh"], "no namespace of its own"),
         (&["namespace=std::hedge"], "no namespace of its own"),
+        (&["operations=Mesh"], "`operations=Mesh` is no namespace of its own"),
+        (&["operations=ops", "member=yes"], "members of a class"),
         (&["namespace=turn", "function.flip=turn"], "cannot be that of a namespace"),
         (&["result=maybe"], "`result` is one of `bool` and `given`"),
         (&["function.flip=a::b"], "`a::b` is not a C++ name"),
