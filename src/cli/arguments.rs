@@ -235,7 +235,8 @@ pub(super) struct PlanArguments {
     #[arg(long = "as", value_enum, value_name = "KIND", default_value_t)]
     pub shown: Shown,
     /// Spelling of C++: fields (h->next), accessors (h->next()), or a
-    /// pattern, such as erase_vertex=delete_vertex({of})
+    /// pattern, such as erase_vertex=delete_vertex({of}); `hedgerow
+    /// explain style` lists them
     #[arg(long = "style", value_name = "STYLE", allow_hyphen_values = true, verbatim_doc_comment)]
     pub style: Vec<String>,
     /// For which mesh class: scotty3d, or a file of styles, one a

@@ -7,6 +7,7 @@ use super::output::{print_line, prose, table};
 use crate::analysis::{MEANINGS, Word, functions, meaning, word};
 use crate::diagnostic::{explain as explanation, explained};
 use crate::diagram::{Property, Type};
+use crate::emit::style_patterns;
 use crate::resolve::{closest, constants};
 
 /// Explains a diagnostic and how to fix it, or a word of the language.
@@ -19,6 +20,10 @@ pub(super) fn explain(arguments: &ExplainArguments) -> Result<(), Failure> {
     let asked = usual(bare(asked));
     if asked == "properties" {
         print_line(&table(&properties(), &[]));
+        return Ok(());
+    }
+    if asked == "style" {
+        print_line(&styles());
         return Ok(());
     }
     if let Some(words) = listed(asked) {
@@ -51,7 +56,7 @@ pub(super) fn explain(arguments: &ExplainArguments) -> Result<(), Failure> {
         let advice = match closest(asked, explained().map(|(code, _)| code).chain(functions())) {
             Some(near) => format!("did you mean `{near}`?"),
             None => "`hedgerow explain` lists the diagnostics, `hedgerow explain functions` the \
-                     functions; likewise `types`, `constants` and `properties`; `hedgerow std` \
+                     functions; likewise `types`, `constants`, `properties` and `style`; `hedgerow std` \
                      lists the library"
                 .to_owned(),
         };
@@ -80,6 +85,18 @@ fn properties() -> Vec<Vec<String>> {
         Some(vec![name.to_owned(), own.unwrap_or(meaning).to_owned()])
     };
     words.filter_map(row).collect()
+}
+
+/// The patterns of C++ that `--style` changes, a line each.
+fn styles() -> String {
+    let head = ["pattern", "--style fields", "--style accessors"];
+    let rows = std::iter::once(head).chain(style_patterns());
+    let rows: Vec<_> = rows.map(|row| row.map(str::to_owned).to_vec()).collect();
+    format!(
+        "How `hedgerow plan --as cpp` spells C++; `--style NAME=PATTERN` changes one, and \
+         `grammar/reference.md` says what each is\n\n{}",
+        table(&rows, &[])
+    )
 }
 
 /// The words of which `functions`, `types` and `constants` are lists.
@@ -126,6 +143,7 @@ fn usual(asked: &str) -> &str {
         "poke" => "inset_vertex",
         "border" => "boundary",
         "cases" => "case",
+        "styles" | "c++" | "C++" | "cpp" => "style",
         "witness" | "witnesses" => "counterexample",
         "qem" | "qslim" => "quadric",
         _ => asked,

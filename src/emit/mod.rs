@@ -45,7 +45,7 @@ mod rust;
 use crate::diagnostic::Diagnostic;
 use crate::source::Span;
 
-pub use cpp::{Style, StyleError, cpp};
+pub use cpp::{Style, StyleError, cpp, style_patterns};
 pub use rust::rust;
 pub use selection::Selection;
 

@@ -28,11 +28,39 @@ fn a_plan_as_code() {
     assert!(cpp.contains("bool Halfedge_Mesh::flip(EdgeRef e) {"), "{cpp}");
     assert!(cpp.contains("a->next() = c;"), "{cpp}");
     // Without an operation, all of the file.
-    bench.succeeds(&["plan", &example("remesh.hedge"), "--as", "rust", "-o", "remesh.rs"]);
+    let said = bench.run(&["plan", &example("remesh.hedge"), "--as", "rust", "-o", "remesh.rs"]);
+    assert_eq!(said.err, "left out: `remesh`, since only operations are emitted\n");
     let rust = std::fs::read_to_string(bench.path("remesh.rs")).unwrap();
     for op in ["split", "collapse", "flip"] {
         assert!(rust.contains(&format!("pub fn {op}(mesh: &mut Mesh, e: EdgeId")), "{rust}");
     }
+}
+
+/// Nothing is left out without a word because it could not be read.
+#[test]
+fn of_a_broken_file_nothing_is_emitted() {
+    let bench = Bench::new();
+    let op = |name: &str| {
+        format!(
+            "op {name}(e: edge) {{\n  before {{ face f: v -a-> w =P=> v  edge e: a | d }}\n  \
+             after {{ keep f e }}\n}}\n"
+        )
+    };
+    bench.write("two.hedge", op("9f") + &op("g"));
+    bench.write("gone.hedge", format!("use \"nope.hedge\"\n{}", op("g")));
+    bench.write("none.hedge", op("new"));
+    for (file, code, words) in [
+        ("two.hedge", 1, "syntax-error"),
+        ("gone.hedge", 1, "missing-file"),
+        ("none.hedge", 2, "the file has no operation"),
+        ("none.hedge", 2, "syntax-error"),
+    ] {
+        for language in ["cpp", "rust", "json"] {
+            bench.fails(code, &["plan", file, "--as", language, "-o", "out"], words);
+            assert!(!bench.has("out"));
+        }
+    }
+    bench.fails(2, &["draw", "none.hedge"], "syntax-error");
 }
 
 #[test]

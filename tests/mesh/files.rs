@@ -441,7 +441,7 @@ fn what_is_there_of_a_damaged_file_is_kept_on_demand() {
         (
             FileFormat::Stl,
             loop_of_four.replace("vertex 0 3 0", "vertex 0 3 0\nvertex 1 3 0\nvertex 2 3 0").into(),
-            "t:16: a loop of STL has three vertices",
+            "t:17: a loop of STL has three vertices",
             [3, 1],
             1,
         ),

@@ -9,5 +9,5 @@ pub(in crate::emit) mod support;
 
 pub(in crate::emit) use function::CALLED;
 pub use function::cpp;
-pub use pattern::StyleError;
+pub use pattern::{StyleError, style_patterns};
 pub use style::Style;

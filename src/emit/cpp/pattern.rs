@@ -54,6 +54,12 @@ pub(super) static PATTERNS: LazyLock<Vec<Pattern>> = LazyLock::new(|| {
     patterns.collect()
 });
 
+/// The patterns of a style: the name of each, its default, and its value with `accessors` where that
+/// differs.
+pub fn style_patterns() -> impl Iterator<Item = [&'static str; 3]> {
+    PATTERNS.iter().map(|known| [known.name, known.fields, known.accessors.unwrap_or_default()])
+}
+
 /// The reason why a style is not understood, or cannot compile.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct StyleError(pub(super) String);

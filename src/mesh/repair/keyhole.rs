@@ -25,7 +25,8 @@ pub(super) fn cut(corners: &[Corner], positions: &[DVec3]) -> Option<Vec<Vec<Cor
 /// True if a part of a polygon between the two ways along a bridge has the opposite direction.
 fn has_hole(corners: &[Corner], positions: &[DVec3]) -> bool {
     let count = corners.len();
-    let origin = positions[corners[0].0 as usize];
+    let Some(&(first, _)) = corners.first() else { return false };
+    let origin = positions[first as usize];
     let place = |at: usize| positions[corners[at % count].0 as usize] - origin;
     let mut sums = vec![DVec3::ZERO];
     sums.extend((0..count).scan(DVec3::ZERO, |sum, at| {
@@ -108,8 +109,9 @@ fn cut_beside(
     pairs.sort_unstable_by(|one, other| one.0.total_cmp(&other.0));
     let (_, a, b) = pairs.into_iter().find(|&(_, a, b)| {
         let (x, y) = (outline[a], hole[b]);
-        let ends = [outline[0].0, hole[0].0];
-        x.0 != y.0 && !ends.contains(&x.0) && !ends.contains(&y.0) && is_free(x, y)
+        // At a vertex that is passed twice, as the ends of the bridge, a cut may leave the polygon.
+        let times = |vertex| sides().filter(|side| side[0].0 == vertex).count();
+        times(x.0) == 1 && times(y.0) == 1 && is_free(x, y)
     })?;
     let first = [&outline[last_outer..], &hole[..=b], &outline[a..last_outer]].concat();
     let second = [&hole[last_inner..], &outline[..=a], &hole[b..last_inner]].concat();

@@ -14,7 +14,7 @@
 #include <vector>
 
 namespace hedgerow {
-inline namespace vc0ee2de0 {
+inline namespace vcf4322a5 {
 
 #ifndef HEDGEROW_spokes
 #define HEDGEROW_spokes
@@ -176,7 +176,7 @@ class Journal {
     --depth_;
     if (!done) {
       undo_since(begin);
-      written_.erase(written_.begin() + outer, written_.end());
+      written_.erase(written_.begin() + static_cast<std::ptrdiff_t>(outer), written_.end());
       tested_ = tested;
     } else if (depth_ == 0) {
       erase_gone();
@@ -299,7 +299,8 @@ class Journal {
   std::vector<T> living(const std::vector<T>& all) const {
     std::vector<T> found;
     for (T x : all) {
-      auto close = found.end() - std::min<std::ptrdiff_t>(found.size(), 16);
+      auto near = std::min(static_cast<std::ptrdiff_t>(found.size()), std::ptrdiff_t{16});
+      auto close = found.end() - near;
       if (lives(x) && std::find(close, found.end(), x) == found.end()) found.push_back(x);
     }
     return found;
@@ -368,9 +369,9 @@ class Journal {
 };
 #endif
 
-#ifndef HEDGEROW_pa08be602
-#define HEDGEROW_pa08be602
-namespace pa08be602 {
+#ifndef HEDGEROW_pdccd715a
+#define HEDGEROW_pdccd715a
+namespace pdccd715a {
 
 /// How often 2 divides a number.
 inline long long twos(long long n) {
@@ -461,11 +462,11 @@ std::optional<Mesh::VertexRef> divide(Mesh& mesh, Mesh::EdgeRef e, long long n) 
   if (12 <= n) return std::nullopt;  // that is too often
   hedgerow::Journal journal(mesh);
   return journal.whole(hedgerow::Level::surface, [&]() -> std::optional<VertexRef> {
-    VertexRef m = hedgerow::must(hedgerow::pa08be602::bisect(journal, e));
-    for (long long i = hedgerow::pa08be602::twos(n) + 1; i > 0; --i) {
+    VertexRef m = hedgerow::must(hedgerow::pdccd715a::bisect(journal, e));
+    for (long long i = hedgerow::pdccd715a::twos(n) + 1; i > 0; --i) {
       journal.undone_by([m, was = m->weight] { m->weight = was; });
       m->weight = m->weight + 1.0;
-      m = hedgerow::must(hedgerow::pa08be602::bisect(journal, m->halfedge->edge));
+      m = hedgerow::must(hedgerow::pdccd715a::bisect(journal, m->halfedge->edge));
     }
     long long i = 0;
     for (long long i_2 = n - 1; i_2 > 0; --i_2) {

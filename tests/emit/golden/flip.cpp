@@ -1,7 +1,7 @@
 #include <optional>
 
 namespace hedgerow {
-inline namespace vc0ee2de0 {
+inline namespace vcf4322a5 {
 
 #ifndef HEDGEROW_adjacent
 #define HEDGEROW_adjacent

@@ -5,7 +5,7 @@
 #include <vector>
 
 namespace hedgerow {
-inline namespace vc0ee2de0 {
+inline namespace vcf4322a5 {
 
 #ifndef HEDGEROW_prev
 #define HEDGEROW_prev

@@ -6,7 +6,7 @@
 #include <vector>
 
 namespace hedgerow {
-inline namespace vc0ee2de0 {
+inline namespace vcf4322a5 {
 
 #ifndef HEDGEROW_halfedges
 #define HEDGEROW_halfedges

@@ -10,7 +10,7 @@
 #include <type_traits>
 
 namespace hedgerow {
-inline namespace vc0ee2de0 {
+inline namespace vcf4322a5 {
 
 #ifndef HEDGEROW_vector_as_n
 #define HEDGEROW_vector_as_n
