@@ -2,9 +2,11 @@
 
 import copy
 import gc
+import importlib.metadata
 import inspect
 import pickle
 import pydoc
+import re
 import signal
 import threading
 import time
@@ -55,6 +57,18 @@ def test_signatures_and_docs(ops):
     assert "flip(mesh, /, e: int)" in pydoc.render_doc(ops.flip)
     assert "corner" in ops.flip.__doc__ and "neighbours" in ops.excess.__doc__
     assert ops.split.result == "vertex" and ops.flip.result is None and ops.flip.level == "simple"
+
+
+def test_examples_of_the_readme_run():
+    pytest.importorskip("gymnasium")
+    readme = importlib.metadata.metadata("hedgerow").get_payload()
+    examples, names = re.findall(r"```python\n(.*?)```", readme, re.DOTALL), {}
+    assert len(examples) > 2
+    for example in examples:
+        exec(example, names)
+    top = names["cube"].vertices[:, 2] > 0.9
+    # Four corners, the middles of four edges and of the face: creases keep the outline.
+    assert top.sum() == 9 and np.abs(names["cube"].vertices[top]).max() == 1
 
 
 def test_errors_carry_what_was_rendered():

@@ -50,7 +50,7 @@ fn of_a_broken_file_nothing_is_emitted() {
     bench.write("gone.hedge", format!("use \"nope.hedge\"\n{}", op("g")));
     bench.write("none.hedge", op("new"));
     for (file, code, words) in [
-        ("two.hedge", 1, "syntax-error"),
+        ("two.hedge", 1, "malformed-number"),
         ("gone.hedge", 1, "missing-file"),
         ("none.hedge", 2, "the file has no operation"),
         ("none.hedge", 2, "syntax-error"),

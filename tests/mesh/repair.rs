@@ -152,6 +152,10 @@ fn holes_of_faces_are_not_filled() {
     let area: f64 = mesh.faces().filter(|&f| !mesh.is_hole(f)).map(|f| mesh.area(f)).sum();
     let circle = 200.0 * (std::f64::consts::TAU / 400.0).sin();
     assert!((area - (16.0 - circle)).abs() < 1e-9, "{area}");
+    // Two triangles side by side with a vertex in common, in opposite directions, have none.
+    let corners = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (-1.0, 0.0), (-1.0, 1.0)];
+    let positions = corners.map(|(x, y)| DVec3::new(x, y, 0.0));
+    assert_eq!(repair(&positions, &[vec![0, 1, 2, 0, 3, 4]], None).mesh.face_count(), 2);
     // Two polygons that hang at an edge have no hole.
     let positions = [square(0.0, 0.0, 1.0), square(2.0, 0.0, 1.0)].concat();
     let polygon = vec![0, 1, 2, 3, 0, 4, 5, 6, 7, 4];

@@ -22,29 +22,53 @@ pub(super) fn cut(corners: &[Corner], positions: &[DVec3]) -> Option<Vec<Vec<Cor
     halves.or_else(|| has_hole(corners, positions).then(|| triangles(corners, positions)))
 }
 
-/// True if a part of a polygon between the two ways along a bridge has the opposite direction.
+/// True if a polygon returns to a vertex, and of the two parts there one lies in the other and has
+/// the opposite direction.
 fn has_hole(corners: &[Corner], positions: &[DVec3]) -> bool {
     let count = corners.len();
     let Some(&(first, _)) = corners.first() else { return false };
+    let place = |at: usize| positions[corners[at % count].0 as usize];
     let origin = positions[first as usize];
-    let place = |at: usize| positions[corners[at % count].0 as usize] - origin;
     let mut sums = vec![DVec3::ZERO];
     sums.extend((0..count).scan(DVec3::ZERO, |sum, at| {
-        *sum += place(at).cross(place(at + 1));
+        *sum += (place(at) - origin).cross(place(at + 1) - origin);
         Some(*sum)
     }));
-    let side = |at: usize| (corners[at].0, corners[(at + 1) % count].0);
-    let mut sides = HashMap::new();
-    (0..count).any(|to| {
-        let (start, end) = side(to);
-        let from = sides.get(&(end, start)).copied();
-        sides.insert((start, end), to);
-        from.is_some_and(|from: usize| {
-            let [inner, whole] = [sums[to] - sums[from + 1], sums[count]];
-            let outer = whole - inner;
-            inner.dot(outer) < 0.0
-        })
-    })
+    let is_hole = |from: usize, to: usize| {
+        let part = sums[to] - sums[from];
+        let rest = sums[count] - part;
+        let (inner, outer, axis) = match part.dot(sums[count]) < 0.0 {
+            true => (from..to, to..from + count, rest),
+            false => (to..from + count, from..to, part),
+        };
+        part.dot(rest) < 0.0 && {
+            let outline: Vec<_> = outer.clone().map(place).collect();
+            let mut inside = inner.map(place).filter(|at| !outline.contains(at));
+            inside.next().is_some_and(|point| surrounds(&outline, point, axis))
+        }
+    };
+    let mut visits: HashMap<u32, [usize; 2]> = HashMap::new();
+    for (at, &(vertex, _)) in corners.iter().enumerate() {
+        let [_, last] = visits.entry(vertex).or_insert([at; 2]);
+        if *last < at && is_hole(*last, at) {
+            return true;
+        }
+        *last = at;
+    }
+    // From the last visit on to the first: what is left where there are more than two.
+    visits.into_values().any(|[first, last]| first < last && is_hole(first, last))
+}
+
+/// True if a polygon runs around a point, seen along an axis.
+fn surrounds(outline: &[DVec3], point: DVec3, axis: DVec3) -> bool {
+    let (right, up) = axis.normalize_or(DVec3::Z).any_orthonormal_pair();
+    let flat = |at: DVec3| ((at - point).dot(right), (at - point).dot(up));
+    let ends = outline.iter().zip(outline.iter().cycle().skip(1));
+    let crossed = ends.filter(|&(&a, &b)| {
+        let [(ax, ay), (bx, by)] = [flat(a), flat(b)];
+        (ay > 0.0) != (by > 0.0) && ax + (bx - ax) * ay / (ay - by) > 0.0
+    });
+    crossed.count() % 2 == 1
 }
 
 /// The triangles of a polygon.
