@@ -342,7 +342,7 @@ class Mesh(MeshTables, Measured):
         faces = self._faces()
         if not isinstance(faces, np.ndarray) or faces.shape[1] != 3:
             raise MeshError(
-                f"{who} wants triangles: `hedgerow.std.triangulate` divides polygons", "not-triangles"
+                f"{who} wants triangles: `hedgerow.std.triangulate.triangulate(mesh)` divides polygons", "not-triangles"
             )
         return faces
 

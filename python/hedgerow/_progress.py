@@ -29,7 +29,7 @@ def progress(wanted, name):
             from tqdm.auto import tqdm
         except ImportError:
             raise ImportError(
-                "`progress=True` shows a bar of tqdm: pip install 'hedgerow[progress]', "
+                "`progress=True` shows a bar of tqdm: pip install tqdm, "
                 "or give a function of (done, total)"
             ) from None
         return _Bar(tqdm, name)

@@ -163,18 +163,23 @@ impl Lexed {
                 let message = format!("`{word}` is neither a number nor a name");
                 let found = Diagnostic::error("malformed-number", message, span);
                 let digits = word.trim_end_matches(|c: char| c.is_alphabetic());
-                let marked = matches!(&word[digits.len()..], "f" | "F" | "d" | "l" | "L" | "u");
+                // `0f` may be meant as a name.
+                let is_real = digits.contains(['.', 'e', 'E'])
+                    && matches!(&word[digits.len()..], "f" | "F" | "d" | "l" | "L" | "u");
                 let written = |ours: &str, note: &str| {
                     found.clone().note(note).fix(format!("write `{ours}`"), span, ours)
                 };
                 self.diagnostics.push(match decimal(word) {
                     Some(ours) => written(&ours, "an int consists of decimal digits"),
-                    None if marked => {
+                    None if is_real => {
                         written(digits, "a number has no letter for its type behind it")
                     }
-                    None => found.note("put a space or an operator before the letters"),
+                    None => found.note(
+                        "a name begins with a letter, and between a number and a name stands a \
+                         space or an operator",
+                    ),
                 });
-                match digits.contains(['.', 'e', 'E']) && marked {
+                match is_real {
                     true => TokenKind::Real,
                     false => TokenKind::Int,
                 }

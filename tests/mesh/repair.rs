@@ -119,7 +119,7 @@ fn holes_of_faces_are_not_filled() {
     let two = [&[0, 1, 2, 10, 9, 8, 11, 10, 2, 3, 0][..], &around(4)].concat();
     let chain = [&[0, 1, 2, 3, 0][..], &[4, 7, 6], &around(8), &[6, 5, 4]].concat();
     // Both holes hang on one corner.
-    let shared = [&[0, 1, 2, 3, 0][..], &around(4), &[0], &around(8)].concat();
+    let shared = [&[0, 1][..], &[5, 4, 7, 6, 5, 1], &around(8), &[1, 2, 3]].concat();
     for (polygon, area) in [(one, 12.0), (two, 11.0), (chain, 11.0), (shared, 11.0)] {
         for turned in 0..polygon.len() {
             let mut polygon = polygon.clone();

@@ -1,4 +1,4 @@
-"""Environments for agents that improve planar meshes: ``pip install hedgerow[gym]``.
+"""Environments for agents that improve planar meshes: ``pip install gymnasium``.
 
 An agent flips, splits and collapses edges of a planar mesh of triangles or of quads until each
 vertex has the degree that suits it. This is the game of A. Narayanan, Y. Pan and P.-O. Persson,
@@ -27,7 +27,7 @@ from __future__ import annotations
 try:
     import gymnasium
 except ImportError as error:
-    raise ImportError("hedgerow.gym needs gymnasium: `pip install hedgerow[gym]`") from error
+    raise ImportError("hedgerow.gym needs gymnasium: `pip install gymnasium`") from error
 
 from ._board import ACTIONS, Board
 from ._environment import PlanarMeshEnv
