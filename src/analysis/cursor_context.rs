@@ -1,6 +1,8 @@
 //! The syntactic context of a cursor, derived from the tokens before it: so it is known even where
 //! nothing around it can be parsed.
 
+use std::ops::Range;
+
 use super::following_words::following;
 use super::names::SideName;
 use super::snapshot::Snapshot;
@@ -14,8 +16,8 @@ pub enum CursorContext {
     Top,
     /// In a comment, a text or a number, or where a new name is declared.
     Nowhere,
-    /// In the quotes of a `use`.
-    Path,
+    /// In the quotes of a `use`, and what stands between these.
+    Path(Range<usize>),
     /// A type is wanted.
     Type,
     /// After `keeps`.
@@ -109,8 +111,9 @@ pub fn place(snapshot: &Snapshot, offset: usize) -> CursorContext {
         let written = snapshot.sources().slice(last.span);
         let is_open = written.len() == 1 || !written.ends_with('"');
         let is_inside = (last.span.end as usize) > offset || is_open;
+        let range = last.span.range();
         return match (is_use, is_inside) {
-            (true, true) => CursorContext::Path,
+            (true, true) => CursorContext::Path(range.start + 1..range.end - usize::from(!is_open)),
             _ => CursorContext::Nowhere,
         };
     }

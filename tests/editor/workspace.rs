@@ -293,3 +293,25 @@ fn files_without_the_name_are_not_analyzed() {
     let reads = reads.get();
     assert!(reads < 6 * COUNT, "{reads} files are read");
 }
+
+/// The words that complete a path are those of the files around, open or not, and of the library.
+#[test]
+fn a_path_leads_to_the_files_around() {
+    let mut client = Client::able("utf-8");
+    client.open_as("file:///work/lib/ops.hedge", "op turn(e: edge) { }\n");
+    client.open_as("file:///work/app/other.hedge", "op flip(e: edge) { }\n");
+    let given = json!({ "uri": "file:///work/far.hedge", "text": "op far(e: edge) { }\n" });
+    client.notify("hedgerow/files", json!({ "files": [given] }));
+    let mut paths = |path: &str| -> Vec<String> {
+        client.open_as(APP, &format!("use \"{path}\"\n"));
+        let here = json!({ "line": 0, "character": 5 + path.len() });
+        let params = json!({ "textDocument": { "uri": APP }, "position": here });
+        let found = client.request("textDocument/completion", params).unwrap();
+        let labels = found["items"].as_array().unwrap().iter().map(|item| &item["label"]);
+        let labels = labels.map(|label| label.as_str().unwrap().to_owned());
+        labels.filter(|label| !label.starts_with("std/")).collect()
+    };
+    assert_eq!(paths(""), ["../far.hedge", "other.hedge"]);
+    assert_eq!(paths("../"), ["../far.hedge"]);
+    assert_eq!(paths("../lib/"), ["../lib/ops.hedge"]);
+}

@@ -4,21 +4,20 @@ use std::collections::HashSet;
 
 use super::choice::{Choice, Completion};
 use super::drawing::{of_side, results};
+use super::path::paths;
 use super::value::{meshes, of_chain, of_file, values};
 use super::words::{PARTS, TOP, keywords, types};
 use crate::analysis::cursor_context::{CursorContext, place};
+use crate::analysis::files::Reader;
 use crate::analysis::snapshot::Snapshot;
 use crate::diagram::Property;
-use crate::library;
 
-/// The completions at a byte.
-pub fn completions(snapshot: &Snapshot, offset: usize) -> Vec<Completion> {
+/// The completions at a byte. The reader knows the files that a `use` may name.
+pub fn completions(snapshot: &Snapshot, offset: usize, reader: &mut dyn Reader) -> Vec<Completion> {
     let mut found = match place(snapshot, offset) {
         CursorContext::Top => keywords(TOP),
         CursorContext::Nowhere => Vec::new(),
-        CursorContext::Path => {
-            library::files().map(|file| Completion::new(file.name, Choice::File, 0)).collect()
-        }
+        CursorContext::Path(written) => paths(snapshot, offset, written, reader),
         CursorContext::Type => types(),
         CursorContext::Property => Property::ALL
             .map(|property| Completion::new(property.word(), Choice::Property, 0))
