@@ -15,6 +15,7 @@ mod cursor_context;
 mod dangling_twins;
 mod dependencies;
 mod disk;
+mod drawing_context;
 mod edits;
 pub mod element;
 mod empty_tests;
