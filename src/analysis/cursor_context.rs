@@ -86,6 +86,16 @@ pub fn before(snapshot: &Snapshot, offset: usize) -> &[Token] {
     }
 }
 
+/// True if an opening parenthesis follows the word at a byte on its line.
+pub fn is_called(snapshot: &Snapshot, offset: usize) -> bool {
+    let behind = snapshot.parsed().tokens[before(snapshot, offset).len()..].iter();
+    let mut behind = behind.skip_while(|token| (token.span.start as usize) < offset);
+    behind.next().is_some_and(|next| {
+        let gap = snapshot.text().get(offset..next.span.start as usize);
+        next.kind == T::LeftParen && gap.is_some_and(|gap| !gap.contains('\n'))
+    })
+}
+
 /// The context of the cursor at a byte.
 pub fn place(snapshot: &Snapshot, offset: usize) -> CursorContext {
     // A comment ends with its line; its blanks there are not part of its span.

@@ -7,7 +7,7 @@ use super::drawing::{can_be_one, indices, of_side, results};
 use super::path::paths;
 use super::value::{meshes, of_chain, of_file, values};
 use super::words::{PARTS, TOP, keywords, kinds, types, value_types};
-use crate::analysis::cursor_context::{CursorContext, place};
+use crate::analysis::cursor_context::{CursorContext, is_called, place};
 use crate::analysis::files::Reader;
 use crate::analysis::snapshot::Snapshot;
 use crate::diagram::Property;
@@ -15,6 +15,12 @@ use crate::diagram::Property;
 /// The completions at a byte. The reader knows the files that a `use` may name.
 pub fn completions(snapshot: &Snapshot, offset: usize, reader: &mut dyn Reader) -> Vec<Completion> {
     let mut found = fitting(snapshot, offset, place(snapshot, offset), reader);
+    if is_called(snapshot, offset) {
+        for completion in &mut found {
+            let call = format!("{}(", completion.word);
+            completion.snippet.take_if(|snippet| snippet.starts_with(&call));
+        }
+    }
     found.sort_by(|left, right| (left.rank, &left.word).cmp(&(right.rank, &right.word)));
     let mut words = HashSet::new();
     found.retain(|completion| words.insert(completion.word.clone()));
