@@ -9,6 +9,7 @@ mod aliases;
 mod always_refused;
 mod argument;
 mod before;
+mod being_declared;
 mod broken_dependencies;
 mod completion;
 mod cursor_context;
