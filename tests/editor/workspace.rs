@@ -315,3 +315,36 @@ fn a_path_leads_to_the_files_around() {
     assert_eq!(paths("../"), ["../far.hedge"]);
     assert_eq!(paths("../lib/"), ["../lib/ops.hedge"]);
 }
+
+/// What the client shows of a document changes with the files that it uses, and with the settings.
+#[test]
+fn what_is_outdated_is_requested_again() {
+    let mut client = Client::new(json!({ "capabilities": { "workspace": {
+        "codeLens": { "refreshSupport": true },
+        "semanticTokens": { "refreshSupport": true },
+        "inlayHint": { "refreshSupport": false },
+    } } }));
+    let expected = ["workspace/codeLens/refresh", "workspace/semanticTokens/refresh"];
+    let asked = |client: &mut Client| -> Vec<String> {
+        client.asked.drain(..).map(|asked| asked.method).collect()
+    };
+    let part = "file:///work/part.hedge";
+    client.open_as(part, "script part() { }\n");
+    client.open("use \"part.hedge\"\nscript main() { part() }\n");
+    assert!(asked(&mut client).is_empty());
+    let change = |client: &mut Client, uri: &str, text: &str| {
+        let change = json!({ "textDocument": { "uri": uri, "version": 2 },
+            "contentChanges": [{ "text": text }] });
+        client.notify("textDocument/didChange", change);
+    };
+    change(&mut client, part, "script other() { }\n");
+    assert_eq!(asked(&mut client), expected);
+    // What changes by its own text is requested anyway.
+    change(&mut client, URI, "use \"part.hedge\"\nscript main() { other() }\n");
+    assert!(asked(&mut client).is_empty());
+    let settings = json!({ "settings": { "codeLens": { "enable": false } } });
+    client.notify("workspace/didChangeConfiguration", settings.clone());
+    assert_eq!(asked(&mut client), expected);
+    client.notify("workspace/didChangeConfiguration", settings);
+    assert!(asked(&mut client).is_empty());
+}
