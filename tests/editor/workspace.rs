@@ -348,3 +348,35 @@ fn what_is_outdated_is_requested_again() {
     client.notify("workspace/didChangeConfiguration", settings);
     assert!(asked(&mut client).is_empty());
 }
+
+/// A disk on which `/work/link.hedge` leads to `/work/part.hedge`.
+struct Linked;
+
+impl Reader for Linked {
+    fn read(&mut self, _name: &str) -> Result<String, String> {
+        Ok("script saved() { }\n".to_owned())
+    }
+
+    fn identity(&mut self, name: &str) -> String {
+        name.replace("link", "part")
+    }
+
+    fn beside(&mut self, _name: &str) -> Vec<String> {
+        Vec::new()
+    }
+}
+
+#[test]
+fn a_link_leads_to_the_text_that_is_open() {
+    let mut client = Client::over(Box::new(Linked), json!({ "capabilities": {} }));
+    let part = "file:///work/part.hedge";
+    client.open_as(part, "script open() { }\n");
+    client.open("use \"link.hedge\"\nscript main() { later() }\n");
+    let errors =
+        |client: &Client| client.published().unwrap()["diagnostics"].as_array().unwrap().len();
+    assert_eq!(errors(&client), 1);
+    let change = json!({ "textDocument": { "uri": part, "version": 2 },
+        "contentChanges": [{ "text": "script later() { }\n" }] });
+    client.notify("textDocument/didChange", change);
+    assert_eq!(errors(&client), 0);
+}
