@@ -1,7 +1,10 @@
 //! The syntactic context of a cursor, derived from the tokens before it: so it is known even where
 //! nothing around it can be parsed.
 
-use super::following_words::following;
+use std::ops::Range;
+
+use super::drawing_context::{Wanted, side};
+use super::following_words::{Following, ends_value, following, kind};
 use super::names::SideName;
 use super::snapshot::Snapshot;
 use crate::syntax::tree::{self, Item, Rule};
@@ -14,22 +17,32 @@ pub enum CursorContext {
     Top,
     /// In a comment, a text or a number, or where a new name is declared.
     Nowhere,
-    /// In the quotes of a `use`.
-    Path,
+    /// In the quotes of a `use`, and what stands between these.
+    Path(Range<usize>),
     /// A type is wanted.
     Type,
+    /// The type of an element is wanted.
+    Kind,
+    /// The type of a value that is no element is wanted.
+    ValueType,
     /// After `keeps`.
     Property,
     /// After `guard`.
     Level,
+    /// Among the names of an `alias`.
+    Alias,
     /// After the arrow of an op's head.
     Result,
     /// After `mesh =` or `mesh ==`.
     Mesh,
     /// Only these words fit.
     Words(&'static [&'static str]),
+    /// A value goes on with one of these words, or something else begins.
+    GoesOn(&'static [&'static str], Box<CursorContext>),
     /// In an op, between its parts.
     OpBody,
+    /// In a subscript: the letter of the index.
+    Index(String),
     /// In a side of a rule, and what the drawing wants there.
     Side(SideName, Wanted),
     /// A value is wanted; the [`Start`] says what else may begin here.
@@ -53,28 +66,12 @@ pub enum Start {
     Default,
 }
 
-/// The next part that a drawing wants.
+/// The space between the last token and the cursor, or the word at it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Wanted {
-    Statement,
-    Face,
-    Edge,
-    LoopVertex,
-    /// The vertex of a vertex statement.
-    StarVertex,
-    LoopHalfedge,
-    /// A path of a loop.
-    Path,
-    EdgeHalfedge,
-    /// A spoke, or a statement.
-    Spoke,
-    Fan,
-    /// Something new, or a statement.
-    New,
-    /// Something to erase, or a statement.
-    Erase,
-    /// Something to keep, or a statement.
-    Keep,
+pub(super) enum Gap {
+    Nothing,
+    Blanks,
+    LineEnd,
 }
 
 /// The tokens before the word at a byte.
@@ -87,6 +84,16 @@ pub fn before(snapshot: &Snapshot, offset: usize) -> &[Token] {
         }
         _ => &tokens[..end],
     }
+}
+
+/// True if an opening parenthesis follows the word at a byte on its line.
+pub fn is_called(snapshot: &Snapshot, offset: usize) -> bool {
+    let behind = snapshot.parsed().tokens[before(snapshot, offset).len()..].iter();
+    let mut behind = behind.skip_while(|token| (token.span.start as usize) < offset);
+    behind.next().is_some_and(|next| {
+        let gap = snapshot.text().get(offset..next.span.start as usize);
+        next.kind == T::LeftParen && gap.is_some_and(|gap| !gap.contains('\n'))
+    })
 }
 
 /// The context of the cursor at a byte.
@@ -109,8 +116,9 @@ pub fn place(snapshot: &Snapshot, offset: usize) -> CursorContext {
         let written = snapshot.sources().slice(last.span);
         let is_open = written.len() == 1 || !written.ends_with('"');
         let is_inside = (last.span.end as usize) > offset || is_open;
+        let range = last.span.range();
         return match (is_use, is_inside) {
-            (true, true) => CursorContext::Path,
+            (true, true) => CursorContext::Path(range.start + 1..range.end - usize::from(!is_open)),
             _ => CursorContext::Nowhere,
         };
     }
@@ -124,14 +132,47 @@ pub fn place(snapshot: &Snapshot, offset: usize) -> CursorContext {
     let start = tokens.iter().rposition(|token| begins_item(snapshot, *token));
     let Some(start) = start else { return CursorContext::Top };
     let item = &tokens[start..];
-    let gap = &snapshot.text()[last.span.end as usize..offset.max(last.span.end as usize)];
-    match within(item) {
+    if is_in_subscript(item) {
+        let letter = index(snapshot, item).filter(|_| last.kind == T::LeftBracket);
+        return letter.map_or(CursorContext::Nowhere, CursorContext::Index);
+    }
+    let gap = gap(snapshot, tokens, offset);
+    match within(item, gap) {
         CursorContext::Value(_) if is_mesh(snapshot, item) => CursorContext::Mesh,
         found @ (CursorContext::Value(_) | CursorContext::OpBody | CursorContext::Nowhere) => {
-            following(item, !gap.contains('\n')).map_or(found, CursorContext::Words)
+            match following(snapshot, item, gap) {
+                Some(Following::Only(words)) => CursorContext::Words(words),
+                Some(Following::Also(words)) => CursorContext::GoesOn(words, Box::new(found)),
+                None => found,
+            }
         }
         found => found,
     }
+}
+
+/// The space behind some tokens, which are all before the cursor or the word at it.
+fn gap(snapshot: &Snapshot, tokens: &[Token], offset: usize) -> Gap {
+    let next = snapshot.parsed().tokens.get(tokens.len());
+    let end = next.map_or(offset, |next| offset.min(next.span.start as usize));
+    let start = tokens.last().map_or(end, |last| end.min(last.span.end as usize));
+    match snapshot.text().get(start..end) {
+        None | Some("") => Gap::Nothing,
+        Some(blanks) if blanks.contains('\n') => Gap::LineEnd,
+        _ => Gap::Blanks,
+    }
+}
+
+/// True if the tokens of an item end in a subscript.
+fn is_in_subscript(item: &[Token]) -> bool {
+    let is_index = |kind| matches!(kind, T::Word | T::Int | T::Plus | T::Minus);
+    let open = item.iter().rfind(|token| !is_index(token.kind));
+    open.is_some_and(|token| token.kind == T::LeftBracket)
+}
+
+/// The letter of the index that the tokens of an item declare last.
+fn index(snapshot: &Snapshot, item: &[Token]) -> Option<String> {
+    let each = item.iter().rposition(|token| token.kind == T::Each)?;
+    Some(snapshot.sources().slice(item.get(each + 1)?.span).to_owned())
 }
 
 /// True if the tokens of an item end with `mesh =`, `mesh ==` or `mesh !=`, and it is a test.
@@ -180,7 +221,7 @@ fn chain(snapshot: &Snapshot, tokens: &[Token]) -> Vec<String> {
 }
 
 /// The context where the tokens of an item end.
-fn within(mut tokens: &[Token]) -> CursorContext {
+fn within(mut tokens: &[Token], gap: Gap) -> CursorContext {
     if let [Token { kind: T::Private, .. }, item, ..] = tokens
         && item.kind != T::Attr
     {
@@ -211,61 +252,100 @@ fn within(mut tokens: &[Token]) -> CursorContext {
             }
             // A step.
             T::Require if opener == T::Steps => {}
-            T::Before | T::After | T::Rule | T::Steps | T::Require | T::Guard | T::Each => {
-                opener = token.kind;
-            }
+            T::Before | T::After | T::Rule | T::Steps => opener = token.kind,
+            T::Require | T::Guard | T::Alias | T::Each => opener = token.kind,
             _ => {}
         }
     }
-    let last = tokens[tokens.len() - 1].kind;
-    match tokens[0].kind {
+    let Some(last) = kind(tokens, tokens.len() - 1) else { return CursorContext::Nowhere };
+    let in_parens = open.last().is_some_and(|(bracket, _)| *bracket == T::LeftParen);
+    let mut blocks = open.iter().rev().filter(|(bracket, _)| *bracket == T::LeftBrace);
+    let found = match tokens[0].kind {
         _ if closed => CursorContext::Top,
+        T::Use if last == T::Text && gap == Gap::LineEnd => CursorContext::Top,
         T::Use => CursorContext::Nowhere,
-        T::Attr | T::Private => match last {
-            T::Colon => CursorContext::Type,
-            T::Equals => CursorContext::Value(Start::Default),
-            T::Private => CursorContext::Words(&["attr", "fn", "op", "script"]),
-            T::Attr => CursorContext::Nowhere,
-            _ => CursorContext::Type,
-        },
-        first => match open.iter().rev().find(|(bracket, _)| *bracket == T::LeftBrace) {
-            None => head(tokens, last),
-            Some((_, T::Before)) => side(tokens, SideName::Before),
-            Some((_, T::After)) => side(tokens, SideName::After),
+        T::Attr | T::Private => attribute(tokens, gap),
+        first => match blocks.find(|(_, of)| *of != T::Each) {
+            None => head(tokens, last, in_parens),
+            Some((_, T::Before)) => side(tokens, SideName::Before, gap),
+            Some((_, T::After)) => side(tokens, SideName::After, gap),
             Some((_, T::Steps)) => value(last),
-            Some((_, T::Each)) => CursorContext::Nowhere,
-            Some(_) if first == T::Op => op_body(opener, last),
+            Some(_) if first == T::Op => op_body(tokens, opener, last, gap),
             Some(_) => value(last),
         },
+    };
+    match found {
+        // Nothing else begins before the parenthesis is closed.
+        CursorContext::Value(Start::Statement)
+        | CursorContext::Side(_, Wanted::Statement)
+        | CursorContext::OpBody
+        | CursorContext::Top
+            if in_parens =>
+        {
+            CursorContext::Nowhere
+        }
+        found => found,
     }
 }
 
-/// The context in the head of an item.
-fn head(tokens: &[Token], last: T) -> CursorContext {
-    let keeps = tokens.iter().any(|token| token.kind == T::Keeps);
-    match last {
-        T::Colon => CursorContext::Type,
-        T::Arrow if tokens[0].kind == T::Op => CursorContext::Result,
-        T::Arrow => CursorContext::Type,
-        T::Equals => CursorContext::Value(Start::Value),
-        T::Keeps | T::Comma if keeps => CursorContext::Property,
+/// The context in the declaration of an attribute.
+fn attribute(tokens: &[Token], gap: Gap) -> CursorContext {
+    let Some(colon) = tokens.iter().position(|token| token.kind == T::Colon) else {
+        return match tokens {
+            [private] if private.kind == T::Private => {
+                CursorContext::Words(&["attr", "fn", "op", "script"])
+            }
+            _ => CursorContext::Nowhere,
+        };
+    };
+    match &tokens[colon + 1..] {
+        [] => CursorContext::Kind,
+        [_] => CursorContext::ValueType,
+        [_, _] if gap == Gap::LineEnd => CursorContext::Top,
+        [_, _] => CursorContext::Nowhere,
+        [_, _, equals] if equals.kind == T::Equals => CursorContext::Value(Start::Default),
+        [.., last] if !ends_value(last.kind) && last.kind != T::Text => {
+            CursorContext::Value(Start::Value)
+        }
+        _ if gap == Gap::LineEnd => CursorContext::Top,
         _ => CursorContext::Nowhere,
     }
 }
 
-fn op_body(opener: T, last: T) -> CursorContext {
+/// The context in the head of an item.
+fn head(tokens: &[Token], last: T, in_parens: bool) -> CursorContext {
+    let is_op = tokens[0].kind == T::Op;
+    let keeps = tokens.iter().any(|token| token.kind == T::Keeps);
+    let is_result = tokens.iter().nth_back(1).is_some_and(|token| token.kind == T::Arrow);
+    match last {
+        T::Colon => CursorContext::Type,
+        T::Arrow if is_op => CursorContext::Result,
+        T::Arrow => CursorContext::Type,
+        T::Equals => CursorContext::Value(Start::Value),
+        T::Keeps | T::Comma if keeps => CursorContext::Property,
+        _ if keeps || in_parens || !is_op => CursorContext::Nowhere,
+        _ if last == T::RightParen || is_result => CursorContext::Words(&["keeps"]),
+        _ => CursorContext::Nowhere,
+    }
+}
+
+fn op_body(tokens: &[Token], opener: T, last: T, gap: Gap) -> CursorContext {
     match (opener, last) {
         (_, T::Guard) => CursorContext::Level,
         (_, T::Rule) => CursorContext::Nowhere,
-        (T::Require, T::Word | T::RightParen | T::True | T::False | T::Int | T::Real) => {
-            CursorContext::OpBody
-        }
+        (T::Alias, _) if lists_more(tokens, last) || gap != Gap::LineEnd => CursorContext::Alias,
         (T::Require, T::Text) => CursorContext::OpBody,
         (T::Require, T::Else) => CursorContext::Nowhere,
         (T::Require, T::In) => CursorContext::Value(Start::Sequence),
-        (T::Require, _) => CursorContext::Value(Start::Value),
+        (T::Require, last) if !ends_value(last) => CursorContext::Value(Start::Value),
         _ => CursorContext::OpBody,
     }
+}
+
+/// True if the tokens end in an `alias` that lists too few names, or with a comma of one.
+fn lists_more(tokens: &[Token], last: T) -> bool {
+    let start = tokens.iter().rposition(|token| token.kind == T::Alias);
+    start.is_some_and(|start| tokens.len() - start <= 2) || last == T::Comma
 }
 
 /// The context in the block of a script.
@@ -284,74 +364,6 @@ fn value(last: T) -> CursorContext {
         T::Colon => return CursorContext::Type,
         _ => Start::Value,
     })
-}
-
-/// The context in a drawing.
-fn side(tokens: &[Token], side: SideName) -> CursorContext {
-    let begins = |kind| {
-        matches!(
-            kind,
-            T::Face | T::Hole | T::Loop | T::Edge | T::Vertex | T::New | T::Keep | T::Erase
-        )
-    };
-    let stops = |kind| begins(kind) || matches!(kind, T::Before | T::After | T::Equals);
-    let start = tokens.iter().rposition(|token| stops(token.kind));
-    let Some(start) = start else { return CursorContext::Side(side, Wanted::Statement) };
-    let rest: Vec<T> = tokens[start + 1..].iter().map(|token| token.kind).collect();
-    let last = rest.last().copied();
-    let has_colon = rest.contains(&T::Colon);
-    let wanted = match tokens[start].kind {
-        T::Equals => match last {
-            // `=P=>` ends with its own arrow, behind which the loop goes on.
-            _ if is_path(tokens, start) && rest.contains(&T::FatArrow) => in_loop(last),
-            // A value ends with a word, a number or a parenthesis.
-            Some(T::Word | T::RightParen | T::Int | T::Real) => Wanted::Statement,
-            _ if is_path(tokens, start) => Wanted::Path,
-            _ => return CursorContext::Value(Start::Value),
-        },
-        T::Face | T::Hole | T::Loop => match last {
-            None => Wanted::Face,
-            // Behind its first vertex.
-            Some(T::Word) if !rest.contains(&T::Arrow) && !rest.contains(&T::FatArrow) => {
-                return CursorContext::Nowhere;
-            }
-            _ if has_colon => in_loop(last),
-            _ => return CursorContext::Nowhere,
-        },
-        T::Edge => match last {
-            None => Wanted::Edge,
-            Some(T::Colon | T::Bar) => Wanted::EdgeHalfedge,
-            _ if !rest.contains(&T::Bar) => return CursorContext::Nowhere,
-            _ => Wanted::Statement,
-        },
-        T::Vertex => match last {
-            None => Wanted::StarVertex,
-            Some(T::Star) => Wanted::Fan,
-            _ if has_colon => Wanted::Spoke,
-            _ => return CursorContext::Nowhere,
-        },
-        T::New => Wanted::New,
-        T::Erase => Wanted::Erase,
-        T::Keep => Wanted::Keep,
-        _ => Wanted::Statement,
-    };
-    CursorContext::Side(side, wanted)
-}
-
-/// The part that a loop wants behind its colon.
-fn in_loop(last: Option<T>) -> Wanted {
-    match last {
-        Some(T::Colon | T::Arrow | T::FatArrow) => Wanted::LoopVertex,
-        Some(T::Minus) => Wanted::LoopHalfedge,
-        _ => Wanted::Statement,
-    }
-}
-
-/// True if an `=` begins an arrow of a loop: a vertex precedes it, after a colon or another arrow.
-fn is_path(tokens: &[Token], equals: usize) -> bool {
-    let kind = |back: usize| equals.checked_sub(back).map(|at| tokens[at].kind);
-    kind(1).is_some_and(T::is_wordlike)
-        && matches!(kind(2), Some(T::Colon | T::Arrow | T::FatArrow))
 }
 
 /// The rule that a cursor is in or, as it may be unfinished, after; with the indices of its item

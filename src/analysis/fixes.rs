@@ -12,7 +12,7 @@ use super::names::SymbolId;
 use super::proposal::{Proposal, kind_of, written};
 use super::side::{draws_erased, subject};
 use super::snapshot::Snapshot;
-use super::soundness::resolves;
+use super::soundness::{removes, resolves};
 use crate::diagnostic::{Diagnostic, Edit};
 use crate::diagram::Kind;
 use crate::resolve::drawn_parts;
@@ -100,7 +100,9 @@ fn proposals(snapshot: &Snapshot, told: &Diagnostic, part: &Range<usize>) -> Vec
                 let kind = kind_of(snapshot, *id);
                 order.iter().position(|&known| Some(known) == kind)
             });
-            list_as_new(snapshot, part.start, &after, &unknown)
+            let mut listed = list_as_new(snapshot, part.start, &after, &unknown);
+            listed.retain(|(_, edits)| removes(snapshot, op, edits, told));
+            listed
         }
         "unused-new" | "listed-twice" | "already-drawn" | "new-and-erased" | "cannot-keep" => {
             unlist(snapshot, told.span(), rule)

@@ -1,39 +1,54 @@
-//! The words that alone can follow a name or a value: `in`, `where`, `by`, `else`.
+//! The words that can follow a name or a value: `in`, `where`, `by`, `else`.
 
+use super::cursor_context::Gap;
+use super::snapshot::Snapshot;
+use crate::resolve::signatures;
 use crate::syntax::{Token, TokenKind as T};
 
-/// The words that can follow the tokens of an item, if nothing else can; `on_line` if the line has
-/// not ended behind them.
-pub(super) fn following(tokens: &[Token], on_line: bool) -> Option<&'static [&'static str]> {
+/// The words that can follow a name or a value.
+pub(super) enum Following {
+    /// Nothing else can follow.
+    Only(&'static [&'static str]),
+    /// Something else can follow, too.
+    Also(&'static [&'static str]),
+}
+
+/// The words that can follow the tokens of an item, before a gap.
+pub(super) fn following(snapshot: &Snapshot, tokens: &[Token], gap: Gap) -> Option<Following> {
+    use Following::{Also, Only};
     let last = tokens.len().checked_sub(1)?;
     let begins_loop = |kind| matches!(kind, T::For | T::Drain | T::Update);
     if tokens[last].kind == T::Word && kind(tokens, last.checked_sub(1)?).is_some_and(begins_loop) {
-        return Some(&["in"]);
+        return Some(Only(&["in"]));
     }
     if !kind(tokens, last).is_some_and(ends_value) {
         return None;
     }
     let mut closed = 0_usize;
+    let mut is_first = true;
     for at in (0..=last).rev() {
         let here = kind(tokens, at)?;
-        let begins = closed == 0 && kind(tokens, at + 1).is_some_and(begins_value);
         match here {
-            // Two values in a row: another statement has begun.
-            _ if begins && ends_value(here) => return None,
+            _ if closed == 0 && begins_statement(tokens, at + 1) => return None,
             T::RightParen => closed += 1,
-            T::LeftParen => closed = closed.checked_sub(1)?,
+            T::LeftParen if closed == 0 => return in_parens(snapshot, &tokens[..at], is_first),
+            T::LeftParen => closed -= 1,
             _ if closed > 0 => {}
+            T::Comma => is_first = false,
             T::In => {
                 return match kind(tokens, at.checked_sub(2)?)? {
-                    T::Drain => Some(&["by"]),
-                    T::For | T::Update => Some(&["where"]),
+                    T::Drain => Some(Only(&["by"])),
+                    T::For | T::Update => Some(Only(&["where"])),
                     _ => None,
                 };
             }
-            T::By => return Some(&["while", "div", "mod"]),
-            T::Where | T::While | T::If => return Some(&["and", "or", "div", "mod"]),
+            T::By => return Some(Only(&["while", "div", "mod"])),
+            T::Where | T::While | T::If => return Some(Only(&["and", "or", "div", "mod"])),
             T::Require | T::Assert => {
-                return on_line.then_some(&["and", "or", "div", "mod", "else"]);
+                return Some(match gap {
+                    Gap::LineEnd => Also(&["and", "or", "else"]),
+                    _ => Only(&["and", "or", "div", "mod", "else"]),
+                });
             }
             _ if !goes_on(here) => return None,
             _ => {}
@@ -42,16 +57,38 @@ pub(super) fn following(tokens: &[Token], on_line: bool) -> Option<&'static [&'s
     None
 }
 
+/// The words that can follow an argument in the parentheses behind some tokens: `for` only the first
+/// one, of a function that takes a value for each element of a sequence.
+fn in_parens(snapshot: &Snapshot, tokens: &[Token], is_first: bool) -> Option<Following> {
+    if let [.., item, _] = tokens
+        && matches!(item.kind, T::Op | T::Script | T::Fn)
+    {
+        return None; // parameters
+    }
+    let function = tokens.last().map_or("", |name| snapshot.sources().slice(name.span));
+    let mut ways = signatures(function).into_iter().flat_map(|way| way.takes);
+    Some(Following::Only(match is_first && ways.any(|takes| takes.contains(" for ")) {
+        true => &["and", "div", "for", "mod", "or"],
+        false => &["and", "div", "mod", "or"],
+    }))
+}
+
 /// The kind of a token; a field that is called as a keyword, `h.vertex`, is a word.
-fn kind(tokens: &[Token], at: usize) -> Option<T> {
+pub(super) fn kind(tokens: &[Token], at: usize) -> Option<T> {
     let here = tokens.get(at)?.kind;
     let is_field = at > 0 && tokens[at - 1].kind == T::Dot && here.is_wordlike();
     Some(if is_field { T::Word } else { here })
 }
 
-fn ends_value(kind: T) -> bool {
+pub(super) fn ends_value(kind: T) -> bool {
     let is_number = matches!(kind, T::Int | T::Real | T::True | T::False);
     is_number || matches!(kind, T::Word | T::RightParen | T::RightBracket)
+}
+
+/// True if a token cannot continue the value before it: another statement has begun.
+pub(super) fn begins_statement(tokens: &[Token], at: usize) -> bool {
+    let before = at.checked_sub(1).and_then(|before| kind(tokens, before));
+    before.is_some_and(ends_value) && kind(tokens, at).is_some_and(begins_value)
 }
 
 fn begins_value(kind: T) -> bool {
@@ -59,7 +96,7 @@ fn begins_value(kind: T) -> bool {
 }
 
 /// True if a token may be inside of a value.
-fn goes_on(kind: T) -> bool {
+pub(super) fn goes_on(kind: T) -> bool {
     ends_value(kind)
         || begins_value(kind)
         || matches!(kind, T::And | T::Or | T::Div | T::Mod | T::Why)

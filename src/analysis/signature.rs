@@ -59,7 +59,7 @@ fn calls(snapshot: &Snapshot, word: &str) -> Vec<Call> {
             _ => return None,
         };
         (name.text == own_name).then(|| {
-            let params: Vec<String> = params.iter().map(written).collect();
+            let params: Vec<String> = params.iter().map(|param| written(snapshot, param)).collect();
             let result = result.as_ref().map(|result| format!(" -> {}", result.text));
             Call {
                 label: format!("{word}({}){}", params.join(", "), result.unwrap_or_default()),
@@ -83,7 +83,14 @@ fn calls(snapshot: &Snapshot, word: &str) -> Vec<Call> {
     ways.collect()
 }
 
-fn written(param: &Param) -> String {
-    let optional = if param.default.is_some() { " = …" } else { "" };
+/// A parameter as it is declared; of a long default only that there is one.
+fn written(snapshot: &Snapshot, param: &Param) -> String {
+    let default = param.default.as_ref().map(|value| snapshot.sources().slice(value.span));
+    let is_short = |value: &&str| value.len() <= LONGEST_DEFAULT && !value.contains('\n');
+    let default = default.map(|value| Some(value).filter(is_short).unwrap_or("…"));
+    let optional = default.map_or(String::new(), |value| format!(" = {value}"));
     format!("{}: {}{optional}", param.name.ident.text, param.ty.text)
 }
+
+/// The length of the longest default that is shown, in bytes.
+const LONGEST_DEFAULT: usize = 20;

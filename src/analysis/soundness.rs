@@ -8,7 +8,7 @@ use std::collections::HashMap;
 
 use super::files::Reader;
 use super::snapshot::Snapshot;
-use crate::diagnostic::{Edit, applied};
+use crate::diagnostic::{Diagnostic, Edit, applied};
 use crate::source::Sources;
 use crate::syntax::tree::{Item, Op};
 
@@ -50,12 +50,21 @@ pub(super) fn resolves(snapshot: &Snapshot, op: &Op, edits: &[Edit], code: &str)
     let rewritten = applied(snapshot.text(), op.span.range(), edits);
     let Some((rewritten, _)) = rewritten else { return false };
     let known = snapshot.diagnostics_so_far();
-    let is_known = |left: &&str| known.iter().any(|told| told.is_error() && told.code == *left);
-    errors(snapshot, &rewritten).iter().all(|left| *left != code && is_known(left))
+    let is_known =
+        |left: &Diagnostic| known.iter().any(|told| told.is_error() && told.code == left.code);
+    errors(snapshot, &rewritten).iter().all(|left| left.code != code && is_known(left))
 }
 
-/// The codes of the errors of an op with another text.
-fn errors(snapshot: &Snapshot, op: &str) -> Vec<&'static str> {
+/// True if edits inside an op leave no error of the same code and words as one of it.
+pub(super) fn removes(snapshot: &Snapshot, op: &Op, edits: &[Edit], error: &Diagnostic) -> bool {
+    let rewritten = applied(snapshot.text(), op.span.range(), edits);
+    let Some((rewritten, _)) = rewritten else { return false };
+    let is_same = |left: &Diagnostic| left.code == error.code && left.message == error.message;
+    !errors(snapshot, &rewritten).iter().any(is_same)
+}
+
+/// The errors of an op with another text.
+fn errors(snapshot: &Snapshot, op: &str) -> Vec<Diagnostic> {
     let mut context = String::new();
     for item in snapshot.items() {
         if matches!(item, Item::Use(_) | Item::Attr(_) | Item::Fn(_)) {
@@ -72,5 +81,5 @@ fn errors(snapshot: &Snapshot, op: &str) -> Vec<&'static str> {
     let told = alone.told().chain(own.flat_map(|(at, _)| &alone.examined(at).diagnostics));
     let errors = told.filter(|told| told.is_error() && told.span().file == alone.file());
     let own = errors.filter(|told| told.span().end as usize > context.len());
-    own.map(|told| told.code).collect()
+    own.cloned().collect()
 }

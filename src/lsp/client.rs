@@ -139,6 +139,11 @@ impl Client {
         self.can("/workspace/configuration")
     }
 
+    /// True if the client can be asked to request something of a feature again.
+    pub(super) fn refreshes(&self, feature: &str) -> bool {
+        self.can(&format!("/workspace/{feature}/refreshSupport"))
+    }
+
     /// True if the client can be asked to watch files.
     pub(super) fn watches_files(&self) -> bool {
         self.can("/workspace/didChangeWatchedFiles/dynamicRegistration")

@@ -28,7 +28,7 @@ impl Server {
     /// `textDocument/completion`
     pub(super) fn completion(&mut self, params: CompletionParams) -> Answer<CompletionRequest> {
         let (document, offset) = self.place(&params.text_document_position_params)?;
-        let found = completions(document.snapshot(), offset);
+        let found = completions(document.snapshot(), offset, &mut self.files.clone());
         let snippets = self.client.takes_snippets();
         let item = |completion: Completion| {
             let mut item = CompletionItem {
@@ -41,6 +41,10 @@ impl Server {
             if let Some(snippet) = completion.snippet.filter(|_| snippets) {
                 item.insert_text = Some(snippet);
                 item.insert_text_format = Some(InsertTextFormat::Snippet);
+            }
+            if let Some(bytes) = completion.replaced {
+                let range = document.range_of(bytes);
+                item.text_edit = Some(TextEdit { range, new_text: completion.word.clone() }.into());
             }
             item.label = completion.word;
             item

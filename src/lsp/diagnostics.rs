@@ -5,7 +5,7 @@ use serde_json::json;
 
 use super::document::Document;
 use super::requests::Answer;
-use super::server::Server;
+use super::server::{PendingRequest, Server};
 use crate::analysis::{Unused, unused};
 use crate::diagnostic::{self, Severity};
 
@@ -14,11 +14,11 @@ const EXPLAINED: &str =
     "https://github.com/hedgerow-lang/hedgerow/blob/main/src/diagnostic/explained.md";
 
 impl Server {
-    /// Proves one more op of a document that changed, or publishes its diagnostics; false if there
-    /// is nothing to do.
+    /// Proves one more op of a document that changed, or publishes its diagnostics; once all are
+    /// published, lets the client update what it shows. False if there is nothing to do.
     pub(super) fn publish_next(&mut self) -> bool {
         let next = self.documents.values_mut().find(|document| !document.is_published);
-        let Some(document) = next else { return false };
+        let Some(document) = next else { return self.refresh() };
         let is_left = document.snapshot().examine_next();
         let is_first = is_left && document.is_kept_waiting();
         let params = (is_first || !is_left).then(|| PublishDiagnosticsParams {
@@ -41,6 +41,22 @@ impl Server {
             self.tell::<PublishDiagnosticsNotification>(params);
         }
         true
+    }
+
+    /// Lets the client request again what may have changed without a change of the text; false if
+    /// nothing has.
+    fn refresh(&mut self) -> bool {
+        let is_outdated = std::mem::take(&mut self.is_outdated);
+        if is_outdated && self.client.refreshes("codeLens") {
+            self.ask::<CodeLensRefreshRequest>((), PendingRequest::Other);
+        }
+        if is_outdated && self.client.refreshes("inlayHint") {
+            self.ask::<InlayHintRefreshRequest>((), PendingRequest::Other);
+        }
+        if is_outdated && self.client.refreshes("semanticTokens") {
+            self.ask::<SemanticTokensRefreshRequest>((), PendingRequest::Other);
+        }
+        is_outdated
     }
 
     /// `textDocument/diagnostic`

@@ -110,11 +110,13 @@ impl Document {
         self.forget();
     }
 
-    /// Discards the snapshot if the text uses a file of this name.
-    pub(super) fn file_changed(&mut self, name: &str) {
-        if self.uses(name) {
+    /// Discards the snapshot if the text uses a file of this name; returns whether it does.
+    pub(super) fn file_changed(&mut self, name: &str) -> bool {
+        let is_used = self.uses(name);
+        if is_used {
             self.forget();
         }
+        is_used
     }
 
     /// Discards the snapshot, as the text or what it depends on may have changed.

@@ -114,7 +114,11 @@ fn written(name: &str, text: &str) -> std::io::Result<Uri> {
 
 impl Reader for Files {
     fn read(&mut self, name: &str) -> Result<String, String> {
-        match self.held(name) {
+        let held = self.held(name).or_else(|| {
+            let own = self.identity(name);
+            self.held(&own)
+        });
+        match held {
             Some(held) => Ok(held.text.to_string()),
             None => self.rest.borrow_mut().read(name),
         }

@@ -73,7 +73,9 @@ impl Server {
             inlay_hint_provider: Some(true.into()),
             completion_provider: Some(CompletionOptions {
                 trigger_characters: Some(
-                    [".", ":", "-", "=", "|", ">", "*", "\"", " "].map(str::to_owned).to_vec(),
+                    [".", ":", "-", "=", "|", ">", "*", "[", "\"", "/", " "]
+                        .map(str::to_owned)
+                        .to_vec(),
                 ),
                 ..Default::default()
             }),

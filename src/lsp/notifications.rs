@@ -131,7 +131,7 @@ impl Server {
         if self.client.has_configuration() {
             self.ask_for_settings();
         } else if let Some(settings) = params.get("settings").filter(|value| value.is_object()) {
-            self.client.settings = Settings::read(settings);
+            self.set(Settings::read(settings));
         }
     }
 
@@ -149,8 +149,13 @@ impl Server {
     pub(super) fn settings_arrived(&mut self, answer: &Value) {
         let own = answer.get(0).unwrap_or(answer);
         if own.is_object() {
-            self.client.settings = Settings::read(own);
+            self.set(Settings::read(own));
         }
+    }
+
+    fn set(&mut self, settings: Settings) {
+        self.is_outdated |= self.client.settings != settings;
+        self.client.settings = settings;
     }
 }
 

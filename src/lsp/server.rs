@@ -54,6 +54,8 @@ pub struct Server {
     pub(super) preview: Option<DiagramPage>,
     pub(super) progress: Option<Progress>,
     pub(super) subprocesses: Vec<Subprocess>,
+    /// True if what the client shows of documents may have changed by more than their own text.
+    pub(super) is_outdated: bool,
     waiting: VecDeque<Message>,
     /// Requests that are answered when all ops of their document are proved.
     deferred: Vec<Request>,
@@ -70,6 +72,7 @@ impl Server {
             preview: None,
             progress: None,
             subprocesses: Vec::new(),
+            is_outdated: false,
             stage: Stage::Uninitialized,
             client: Client::default(),
             documents: Documents::new(),
@@ -233,7 +236,9 @@ impl Server {
 
     /// Discards the snapshots of all programs that use a file of this name.
     pub(super) fn file_changed(&mut self, name: &str) {
-        self.documents.values_mut().for_each(|document| document.file_changed(name));
+        for document in self.documents.values_mut() {
+            self.is_outdated |= document.file_changed(name);
+        }
         self.workspace.file_changed(name);
     }
 

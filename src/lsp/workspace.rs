@@ -88,7 +88,9 @@ impl Workspace {
 
     /// Discards the snapshots of those that use a file of this name.
     pub(super) fn file_changed(&mut self, name: &str) {
-        self.closed.values_mut().for_each(|document| document.file_changed(name));
+        for document in self.closed.values_mut() {
+            document.file_changed(name);
+        }
     }
 
     /// The programs that are not open, as they were read last.

@@ -107,7 +107,10 @@ fn answer(case: &Case) -> String {
         "snippet" => ask("completion", &here).map(|answer| {
             let items = answer["items"].as_array().unwrap();
             let item = items.iter().find(|item| item["label"] == argument).unwrap();
-            item["insertText"].as_str().unwrap_or("no snippet").to_owned()
+            match item["textEdit"]["newText"].as_str() {
+                Some(written) => format!("{}: {written}", range(&text, &item["textEdit"]["range"])),
+                None => item["insertText"].as_str().unwrap_or("no snippet").to_owned(),
+            }
         }),
         "signature" => ask("signatureHelp", &here).map(|answer| signature(&answer)),
         "actions" | "action" => {

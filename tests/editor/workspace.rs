@@ -293,3 +293,90 @@ fn files_without_the_name_are_not_analyzed() {
     let reads = reads.get();
     assert!(reads < 6 * COUNT, "{reads} files are read");
 }
+
+/// The words that complete a path are those of the files around, open or not, and of the library.
+#[test]
+fn a_path_leads_to_the_files_around() {
+    let mut client = Client::able("utf-8");
+    client.open_as("file:///work/lib/ops.hedge", "op turn(e: edge) { }\n");
+    client.open_as("file:///work/app/other.hedge", "op flip(e: edge) { }\n");
+    let given = json!({ "uri": "file:///work/far.hedge", "text": "op far(e: edge) { }\n" });
+    client.notify("hedgerow/files", json!({ "files": [given] }));
+    let mut paths = |path: &str| -> Vec<String> {
+        client.open_as(APP, &format!("use \"{path}\"\n"));
+        let here = json!({ "line": 0, "character": 5 + path.len() });
+        let params = json!({ "textDocument": { "uri": APP }, "position": here });
+        let found = client.request("textDocument/completion", params).unwrap();
+        let labels = found["items"].as_array().unwrap().iter().map(|item| &item["label"]);
+        let labels = labels.map(|label| label.as_str().unwrap().to_owned());
+        labels.filter(|label| !label.starts_with("std/")).collect()
+    };
+    assert_eq!(paths(""), ["../far.hedge", "other.hedge"]);
+    assert_eq!(paths("../"), ["../far.hedge"]);
+    assert_eq!(paths("../lib/"), ["../lib/ops.hedge"]);
+}
+
+/// What the client shows of a document changes with the files that it uses, and with the settings.
+#[test]
+fn what_is_outdated_is_requested_again() {
+    let mut client = Client::new(json!({ "capabilities": { "workspace": {
+        "codeLens": { "refreshSupport": true },
+        "semanticTokens": { "refreshSupport": true },
+        "inlayHint": { "refreshSupport": false },
+    } } }));
+    let expected = ["workspace/codeLens/refresh", "workspace/semanticTokens/refresh"];
+    let asked = |client: &mut Client| -> Vec<String> {
+        client.asked.drain(..).map(|asked| asked.method).collect()
+    };
+    let part = "file:///work/part.hedge";
+    client.open_as(part, "script part() { }\n");
+    client.open("use \"part.hedge\"\nscript main() { part() }\n");
+    assert!(asked(&mut client).is_empty());
+    let change = |client: &mut Client, uri: &str, text: &str| {
+        let change = json!({ "textDocument": { "uri": uri, "version": 2 },
+            "contentChanges": [{ "text": text }] });
+        client.notify("textDocument/didChange", change);
+    };
+    change(&mut client, part, "script other() { }\n");
+    assert_eq!(asked(&mut client), expected);
+    // What changes by its own text is requested anyway.
+    change(&mut client, URI, "use \"part.hedge\"\nscript main() { other() }\n");
+    assert!(asked(&mut client).is_empty());
+    let settings = json!({ "settings": { "codeLens": { "enable": false } } });
+    client.notify("workspace/didChangeConfiguration", settings.clone());
+    assert_eq!(asked(&mut client), expected);
+    client.notify("workspace/didChangeConfiguration", settings);
+    assert!(asked(&mut client).is_empty());
+}
+
+/// A disk on which `/work/link.hedge` leads to `/work/part.hedge`.
+struct Linked;
+
+impl Reader for Linked {
+    fn read(&mut self, _name: &str) -> Result<String, String> {
+        Ok("script saved() { }\n".to_owned())
+    }
+
+    fn identity(&mut self, name: &str) -> String {
+        name.replace("link", "part")
+    }
+
+    fn beside(&mut self, _name: &str) -> Vec<String> {
+        Vec::new()
+    }
+}
+
+#[test]
+fn a_link_leads_to_the_text_that_is_open() {
+    let mut client = Client::over(Box::new(Linked), json!({ "capabilities": {} }));
+    let part = "file:///work/part.hedge";
+    client.open_as(part, "script open() { }\n");
+    client.open("use \"link.hedge\"\nscript main() { later() }\n");
+    let errors =
+        |client: &Client| client.published().unwrap()["diagnostics"].as_array().unwrap().len();
+    assert_eq!(errors(&client), 1);
+    let change = json!({ "textDocument": { "uri": part, "version": 2 },
+        "contentChanges": [{ "text": "script later() { }\n" }] });
+    client.notify("textDocument/didChange", change);
+    assert_eq!(errors(&client), 0);
+}

@@ -1,5 +1,7 @@
 //! A completion, and its kind.
 
+use std::ops::Range;
+
 use crate::analysis::words::meaning;
 use crate::diagram::Kind;
 
@@ -26,6 +28,8 @@ pub struct Completion {
     pub detail: String,
     /// The text to write, with places to fill as `$1`, `${2:name}`; the word itself if `None`.
     pub snippet: Option<String>,
+    /// The bytes that it replaces; the word at the cursor if `None`.
+    pub replaced: Option<Range<usize>>,
     /// The rank: the smaller, the likelier.
     pub rank: u8,
 }
@@ -33,7 +37,8 @@ pub struct Completion {
 impl Completion {
     pub(super) fn new(word: impl Into<String>, choice: Choice, rank: u8) -> Self {
         let word = word.into();
-        Self { detail: meaning(&word).unwrap_or("").to_owned(), word, choice, snippet: None, rank }
+        let detail = meaning(&word).unwrap_or("").to_owned();
+        Self { detail, word, choice, snippet: None, replaced: None, rank }
     }
 
     pub(super) fn with(mut self, snippet: &str) -> Self {

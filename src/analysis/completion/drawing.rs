@@ -1,8 +1,9 @@
 //! Completions in a drawing.
 
 use super::choice::{Choice, Completion};
-use super::words::{DRAWINGS, LISTS, keywords, kinds};
-use crate::analysis::cursor_context::{Wanted, op_near, rule_near};
+use super::words::{DRAWINGS, LISTS, PERIOD, keywords, kinds};
+use crate::analysis::cursor_context::{op_near, rule_near};
+use crate::analysis::drawing_context::Wanted;
 use crate::analysis::element::{Fate, element_of};
 use crate::analysis::names::{SideName, Symbol, SymbolId, SymbolKind};
 use crate::analysis::side::{Sketch, left_open};
@@ -30,6 +31,30 @@ fn drawn(snapshot: &Snapshot, offset: usize) -> Vec<Completion> {
     .collect()
 }
 
+/// The names that an `alias` may list, vertices first.
+pub(super) fn can_be_one(snapshot: &Snapshot, offset: usize) -> Vec<Completion> {
+    let Some((item, at, rule)) = rule_near(snapshot, offset) else { return Vec::new() };
+    let [before, _] = Sketch::of(rule);
+    let own = snapshot.names().of_rule(item, at);
+    let drawn = own.filter(|(_, symbol)| before.draws(&symbol.name));
+    drawn
+        .filter_map(|(_, symbol)| match symbol.kind {
+            SymbolKind::Element(Some(kind @ Kind::Vertex)) => Some(named(symbol, kind, 0)),
+            SymbolKind::Element(Some(kind @ (Kind::Halfedge | Kind::Face))) => {
+                Some(named(symbol, kind, 1))
+            }
+            _ => None,
+        })
+        .collect()
+}
+
+/// The subscripts of a family, by the letter of its index.
+pub(super) fn indices(letter: &str) -> Vec<Completion> {
+    let near = ["", "+1", "-1"].into_iter().zip(0..);
+    near.map(|(step, rank)| Completion::new(format!("{letter}{step}"), Choice::Variable, rank))
+        .collect()
+}
+
 /// An element by its name.
 pub(super) fn named(symbol: &Symbol, kind: Kind, rank: u8) -> Completion {
     Completion {
@@ -49,13 +74,16 @@ pub(super) fn of_side(
     let mut found = Vec::new();
     let begins = matches!(
         wanted,
-        Wanted::Statement | Wanted::Spoke | Wanted::New | Wanted::Erase | Wanted::Keep
+        Wanted::Statement | Wanted::NextSpoke | Wanted::New | Wanted::Erase | Wanted::Keep
     );
     if begins {
         found.extend(keywords(DRAWINGS));
         if side == SideName::After {
             found.extend(keywords(LISTS));
         }
+    }
+    if matches!(wanted, Wanted::FirstVertex | Wanted::FirstSpoke) {
+        found.extend(keywords(PERIOD));
     }
     let Some((item, at, rule)) = rule_near(snapshot, offset) else { return found };
     let sides = Sketch::of(rule);
@@ -112,7 +140,9 @@ fn rank(
         (Wanted::StarVertex, Kind::Vertex) => {
             Some(open(own.stars.iter().all(|s| s.vertex.word != word)))
         }
-        (Wanted::LoopVertex, Kind::Vertex) => Some(open(!is_after || !own.draws(word))),
+        (Wanted::FirstVertex | Wanted::LoopVertex, Kind::Vertex) => {
+            Some(open(!is_after || !own.draws(word)))
+        }
         (Wanted::LoopHalfedge, Kind::Halfedge) => {
             let was_outer = before.draws(word) && before.place(word).is_none();
             Some(if was_outer { 3 } else { open(own.place(word).is_none()) })
@@ -123,9 +153,8 @@ fn rank(
             let is_due = !is_after || before.pair(word).is_some() || !before.draws(word);
             Some(open(is_due && own.pair(word).is_none()))
         }
-        (Wanted::Spoke, Kind::Halfedge) | (Wanted::Fan, Kind::Fan) => {
-            Some(open(own.star_of(word).is_none()))
-        }
+        (Wanted::FirstSpoke | Wanted::Spoke | Wanted::NextSpoke, Kind::Halfedge)
+        | (Wanted::Fan, Kind::Fan) => Some(open(own.star_of(word).is_none())),
         (Wanted::New, _) => (fate() == Some(Fate::Unknown)).then_some(0),
         (Wanted::Erase, kind) if !matches!(kind, Kind::Path | Kind::Fan) => match fate() {
             Some(Fate::Forgotten) => Some(0),

@@ -6,6 +6,7 @@ mod offer;
 
 // What is offered, by the place of the cursor.
 mod drawing;
+mod path;
 mod value;
 mod words;
 

@@ -3,7 +3,8 @@
 use super::choice::{Choice, Completion};
 use super::drawing::named;
 use super::words::{ACTIONS, keywords};
-use crate::analysis::cursor_context::{Start, item_near, rule_near};
+use crate::analysis::being_declared::being_declared;
+use crate::analysis::cursor_context::{Start, item_near, op_near, rule_near};
 use crate::analysis::loop_heads::bound_near;
 use crate::analysis::names::{Names, Symbol, SymbolKind};
 use crate::analysis::snapshot::Snapshot;
@@ -45,10 +46,18 @@ pub(super) fn values(snapshot: &Snapshot, offset: usize, start: Start) -> Vec<Co
     }
     let seen = snapshot.seen_items(None);
     found.extend(snapshot.items().iter().chain(seen).filter_map(called));
-    for word in ["if", "true", "false", "not", "can", "why", "pi"] {
+    let must = can_call(snapshot, offset).then_some("must");
+    for word in ["if", "true", "false", "not", "can", "why", "pi"].into_iter().chain(must) {
         found.push(Completion::new(word, Choice::Keyword, word_rank));
     }
     found
+}
+
+/// True if ops can be called at a byte, in a script, a test or steps.
+fn can_call(snapshot: &Snapshot, offset: usize) -> bool {
+    let is_drawn = op_near(snapshot, offset).is_some_and(|(_, op)| op.steps.is_none());
+    let item = item_near(snapshot, offset).map(|(_, item)| item);
+    matches!(item, Some(Item::Script(_) | Item::Test(_) | Item::Op(_))) && !is_drawn
 }
 
 /// What a mesh of a test can be.
@@ -83,8 +92,11 @@ fn variables(snapshot: &Snapshot, offset: usize) -> Vec<Completion> {
     let Some((item, node)) = item_near(snapshot, offset) else { return bound.collect() };
     let is_op = matches!(node, Item::Op(_));
     let rule = rule_near(snapshot, offset).map(|(_, rule, _)| rule);
-    let before =
-        |symbol: &Symbol| symbol.definition.is_some_and(|place| (place.end as usize) < offset);
+    let declared = being_declared(snapshot, offset);
+    let before = |symbol: &Symbol| {
+        let definition = symbol.definition.filter(|_| symbol.definition != declared);
+        definition.is_some_and(|place| (place.end as usize) < offset)
+    };
     let own = names.symbols().filter(|(_, symbol)| {
         symbol.item == Some(item) && (symbol.rule.is_none() || symbol.rule == rule)
     });

@@ -38,6 +38,9 @@ pub(super) const DRAWINGS: &[(&str, &str)] = &[
 pub(super) const LISTS: &[(&str, &str)] =
     &[("new", "new $0"), ("erase", "erase $0"), ("keep", "keep $0")];
 
+/// The beginning of a statement that repeats a period.
+pub(super) const PERIOD: &[(&str, &str)] = &[("each", "each ${1:i} { $0 }")];
+
 /// The beginnings of the statements of a script.
 pub(super) const ACTIONS: &[(&str, &str)] = &[
     ("let", "let ${1:x} = $0"),
@@ -70,6 +73,15 @@ pub(super) fn types() -> Vec<Completion> {
 
 /// The types of elements.
 pub(super) fn kinds() -> Vec<Completion> {
-    let words = ["edge", "face", "halfedge", "vertex"];
-    words.map(|word| Completion::new(word, Choice::Type, 0)).to_vec()
+    KINDS.map(|word| Completion::new(word, Choice::Type, 0)).to_vec()
 }
+
+/// The types of values that are no elements.
+pub(super) fn value_types() -> Vec<Completion> {
+    let mut found = types();
+    found.retain(|ty| !KINDS.contains(&ty.word.as_str()));
+    found
+}
+
+/// The words of the types of elements.
+const KINDS: [&str; 4] = ["edge", "face", "halfedge", "vertex"];

@@ -78,6 +78,7 @@ impl Repair {
                 // The side changes where the name is written less often.
                 let is_slip_after = after.len() <= before.len()
                     && written(&rule.before, *new).is_empty()
+                    && !rule.params.contains(&Some(*new))
                     && rule.erased.iter().chain(&rule.created).all(|listed| listed.name != *new)
                     && !is_used(rule, *new);
                 let (wrong, right, side, spans) = match is_slip_after {
