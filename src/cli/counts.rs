@@ -10,7 +10,7 @@ pub(super) struct Counts {
     pub vertices: usize,
     pub edges: usize,
     pub faces: usize,
-    pub boundary_loops: usize,
+    pub holes: usize,
 }
 
 impl Counts {
@@ -20,7 +20,7 @@ impl Counts {
             vertices: mesh.vertex_count(),
             edges: mesh.edge_count(),
             faces: mesh.face_count(),
-            boundary_loops: mesh.hole_count(),
+            holes: mesh.hole_count(),
         }
     }
 
@@ -30,7 +30,7 @@ impl Counts {
             ("vertices", self.vertices),
             ("edges", self.edges),
             ("faces", self.faces),
-            ("holes", self.boundary_loops),
+            ("holes", self.holes),
         ]
     }
 }

@@ -92,11 +92,9 @@ fn styles() -> String {
     let head = ["pattern", "--style fields", "--style accessors"];
     let rows = std::iter::once(head).chain(style_patterns());
     let rows: Vec<_> = rows.map(|row| row.map(str::to_owned).to_vec()).collect();
-    format!(
-        "How `hedgerow plan --as cpp` spells C++; `--style NAME=PATTERN` changes one, and \
-         `grammar/reference.md` says what each is\n\n{}",
-        table(&rows, &[])
-    )
+    let head = "How `hedgerow plan --as cpp` spells C++. `--style NAME=PATTERN` changes one; \
+                `grammar/reference.md` says what each is.";
+    format!("{}\n\n{}", prose(head), table(&rows, &[]))
 }
 
 /// The words of which `functions`, `types` and `constants` are lists.
