@@ -6,7 +6,8 @@
 
 use std::collections::BTreeSet;
 
-use crate::diagnostic::Diagnostic;
+use super::snapshot::Snapshot;
+use crate::diagnostic::{Diagnostic, Edit};
 use crate::diagram::Type;
 use crate::library::{self, LibraryFile};
 use crate::resolve::{Types, qualifier};
@@ -72,6 +73,48 @@ fn name_files(told: &mut Diagnostic, sources: &Sources, types: &Types) {
             files.iter().map(|file| format!("`{}`", file.name)).collect::<Vec<_>>().join(", ")
         )),
     };
+}
+
+/// An item of the library that a program can call once it uses its file.
+pub(super) struct Importable {
+    pub name: &'static str,
+    /// The file.
+    pub file: &'static str,
+    /// True for a function, which is called from anywhere.
+    pub is_function: bool,
+    /// The insertion of the `use`.
+    pub insertion: Edit,
+}
+
+/// The items of the library whose names begin with some letters, in files that a program does not
+/// use but could as they are.
+pub(super) fn importable(snapshot: &Snapshot, letters: &str) -> Vec<Importable> {
+    let (sources, span) = (snapshot.sources(), Span { file: snapshot.file(), start: 0, end: 0 });
+    let program = sources.get(span.file);
+    let used: BTreeSet<_> = snapshot.used_names().collect();
+    let mut found = Vec::new();
+    for file in library::files() {
+        let items = file.text.lines().filter_map(|line| {
+            let (kind, rest) = line.split_once(' ')?;
+            let (name, _) = rest.split_once('(')?;
+            let is_meant = matches!(kind, "op" | "fn" | "script") && name.starts_with(letters);
+            is_meant.then_some((name, kind == "fn"))
+        });
+        let mut items = items.peekable();
+        if items.peek().is_none()
+            || file.name == program.name()
+            || used.contains(file.name)
+            || !is_welcome(file.name, program.name(), sources)
+        {
+            continue;
+        }
+        let (span, text) = head(program.text(), span, &format!("use \"{}\"", file.name));
+        found.extend(items.map(|(name, is_function)| {
+            let insertion = Edit { span, text: text.clone() };
+            Importable { name, file: file.name, is_function, insertion }
+        }));
+    }
+    found
 }
 
 /// True if a program can use a file of the library as it is: no other file that it uses declares one

@@ -5,6 +5,7 @@ use gen_lsp_types::*;
 use super::requests::Answer;
 use super::server::Server;
 use crate::analysis::{Call, Choice, Completion, completions, signature};
+use crate::diagnostic::Edit;
 use crate::diagram::Kind;
 
 fn kind(choice: Choice) -> CompletionItemKind {
@@ -29,6 +30,8 @@ impl Server {
     pub(super) fn completion(&mut self, params: CompletionParams) -> Answer<CompletionRequest> {
         let (document, offset) = self.place(&params.text_document_position_params)?;
         let found = completions(document.snapshot(), offset, &mut self.files.clone());
+        let before = document.snapshot().text().get(..offset).unwrap_or_default();
+        let is_begun = before.ends_with(|sign: char| sign.is_alphanumeric() || sign == '_');
         let snippets = self.client.takes_snippets();
         let item = |completion: Completion| {
             let mut item = CompletionItem {
@@ -46,11 +49,16 @@ impl Server {
                 let range = document.range_of(bytes);
                 item.text_edit = Some(TextEdit { range, new_text: completion.word.clone() }.into());
             }
+            if let Some(Edit { span, text: new_text }) = completion.insertion {
+                let range = document.range_of(span.range());
+                item.additional_text_edits = Some(vec![TextEdit { range, new_text }]);
+            }
             item.label = completion.word;
             item
         };
         let list = CompletionList {
-            is_incomplete: false,
+            // What the library has is offered for the letters that are there.
+            is_incomplete: !is_begun,
             items: found.into_iter().map(item).collect(),
             ..Default::default()
         };

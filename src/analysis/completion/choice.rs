@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use crate::analysis::words::meaning;
+use crate::diagnostic::Edit;
 use crate::diagram::Kind;
 
 /// The kind of a completion.
@@ -30,6 +31,8 @@ pub struct Completion {
     pub snippet: Option<String>,
     /// The bytes that it replaces; the word at the cursor if `None`.
     pub replaced: Option<Range<usize>>,
+    /// What else has to be inserted: the `use` of its file.
+    pub insertion: Option<Edit>,
     /// The rank: the smaller, the likelier.
     pub rank: u8,
 }
@@ -38,7 +41,7 @@ impl Completion {
     pub(super) fn new(word: impl Into<String>, choice: Choice, rank: u8) -> Self {
         let word = word.into();
         let detail = meaning(&word).unwrap_or("").to_owned();
-        Self { detail, word, choice, snippet: None, replaced: None, rank }
+        Self { detail, word, choice, snippet: None, replaced: None, insertion: None, rank }
     }
 
     pub(super) fn with(mut self, snippet: &str) -> Self {

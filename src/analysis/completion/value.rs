@@ -5,6 +5,7 @@ use super::drawing::named;
 use super::words::{ACTIONS, keywords};
 use crate::analysis::being_declared::being_declared;
 use crate::analysis::cursor_context::{Start, item_near, op_near, rule_near};
+use crate::analysis::library_hints::{Importable, importable};
 use crate::analysis::loop_heads::bound_near;
 use crate::analysis::names::{Names, Symbol, SymbolKind};
 use crate::analysis::snapshot::Snapshot;
@@ -46,11 +47,32 @@ pub(super) fn values(snapshot: &Snapshot, offset: usize, start: Start) -> Vec<Co
     }
     let seen = snapshot.seen_items(None);
     found.extend(snapshot.items().iter().chain(seen).filter_map(called));
-    let must = can_call(snapshot, offset).then_some("must");
+    let can_call = can_call(snapshot, offset);
+    found.extend(of_library(snapshot, offset, can_call));
+    let must = can_call.then_some("must");
     for word in ["if", "true", "false", "not", "can", "why", "pi"].into_iter().chain(must) {
         found.push(Completion::new(word, Choice::Keyword, word_rank));
     }
     found
+}
+
+/// What the library has of the word that is being written, in files that are not used yet.
+fn of_library(snapshot: &Snapshot, offset: usize, can_call: bool) -> Vec<Completion> {
+    let written = snapshot.text().get(..offset).unwrap_or_default();
+    let is_letter = |sign: char| sign.is_alphanumeric() || sign == '_';
+    let letters = &written[written.trim_end_matches(is_letter).len()..];
+    if letters.is_empty() {
+        return Vec::new();
+    }
+    let found = importable(snapshot, letters).into_iter();
+    let found = found.filter(|item| can_call || item.is_function);
+    let call = |Importable { name, file, is_function, insertion }: Importable| Completion {
+        detail: file.to_owned(),
+        insertion: Some(insertion),
+        ..Completion::new(name, if is_function { Choice::Function } else { Choice::Op }, 9)
+            .with(&format!("{name}($1)"))
+    };
+    found.map(call).collect()
 }
 
 /// True if ops can be called at a byte, in a script, a test or steps.
