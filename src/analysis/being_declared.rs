@@ -17,11 +17,11 @@ pub(super) fn being_declared(snapshot: &Snapshot, offset: usize) -> Option<Span>
     for at in (0..tokens.len()).rev() {
         match kind(tokens, at)? {
             _ if closed == 0 && begins_statement(tokens, at + 1) => return None,
-            T::RightParen => closed += 1,
-            T::LeftParen => closed = closed.saturating_sub(1),
+            T::RightParen | T::RightBrace => closed += 1,
+            T::LeftParen | T::LeftBrace => closed = closed.saturating_sub(1),
             _ if closed > 0 => {}
             T::Let | T::Var => return Some(tokens.get(at + 1)?.span),
-            T::Colon | T::Comma | T::Equals => {}
+            T::Colon | T::Comma | T::Equals | T::If | T::Else => {}
             kind if !goes_on(kind) => return None,
             _ => {}
         }

@@ -4,7 +4,8 @@
 //! only has to be used. These files are found by searching their texts: this is needed only after
 //! an error, and the library declares each op and function at the beginning of a line.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashMap};
+use std::sync::LazyLock;
 
 use super::snapshot::Snapshot;
 use crate::diagnostic::{Diagnostic, Edit};
@@ -51,7 +52,7 @@ fn name_files(told: &mut Diagnostic, sources: &Sources, types: &Types) {
         let known = known.filter(|(at, _)| sources.slice(**at) == word);
         known.max_by_key(|(at, _)| at.start).map(|(_, ty)| *ty)
     };
-    let fits = parameters(file, word).any(|params| takes(&params, &given, variable));
+    let fits = parameters(file, word).any(|params| takes(params, &given, variable));
     *told = match others {
         // A function of the same name may be of other things, and mean something else; so may an op
         // with other parameters.
@@ -94,13 +95,8 @@ pub(super) fn importable(snapshot: &Snapshot, letters: &str) -> Vec<Importable> 
     let used: BTreeSet<_> = snapshot.used_names().collect();
     let mut found = Vec::new();
     for file in library::files() {
-        let items = file.text.lines().filter_map(|line| {
-            let (kind, rest) = line.split_once(' ')?;
-            let (name, _) = rest.split_once('(')?;
-            let is_meant = matches!(kind, "op" | "fn" | "script") && name.starts_with(letters);
-            is_meant.then_some((name, kind == "fn"))
-        });
-        let mut items = items.peekable();
+        let items = HEADS.iter().filter(|head| head.file == file.name);
+        let mut items = items.filter(|head| head.name.starts_with(letters)).peekable();
         if items.peek().is_none()
             || file.name == program.name()
             || used.contains(file.name)
@@ -109,7 +105,7 @@ pub(super) fn importable(snapshot: &Snapshot, letters: &str) -> Vec<Importable> 
             continue;
         }
         let (span, text) = head(program.text(), span, &format!("use \"{}\"", file.name));
-        found.extend(items.map(|(name, is_function)| {
+        found.extend(items.map(|&Head { name, is_function, .. }| {
             let insertion = Edit { span, text: text.clone() };
             Importable { name, file: file.name, is_function, insertion }
         }));
@@ -152,12 +148,53 @@ fn declares(file: &LibraryFile, word: &str, has_arguments: bool) -> bool {
     parameters(file, word).any(|params| !has_arguments || !params.is_empty())
 }
 
+/// The head of an op, a function or a script of the library.
+struct Head {
+    /// The name of the file.
+    file: &'static str,
+    name: &'static str,
+    is_function: bool,
+    params: Vec<&'static str>,
+}
+
+/// The heads of all that the library offers.
+static HEADS: LazyLock<Vec<Head>> = LazyLock::new(|| {
+    let of_file = |file: LibraryFile| {
+        let (name_of_file, mut rest) = (file.name, file.text);
+        std::iter::from_fn(move || {
+            let (line, below) = rest.split_once('\n')?;
+            let whole = std::mem::replace(&mut rest, below);
+            Some((line, whole))
+        })
+        .filter_map(move |(line, whole)| {
+            let (kind, name) = line.split_once('(')?.0.split_once(' ')?;
+            let behind = &whole[kind.len() + name.len() + 2..];
+            matches!(kind, "op" | "fn" | "script").then(|| Head {
+                file: name_of_file,
+                name,
+                is_function: kind == "fn",
+                params: listed(behind),
+            })
+        })
+    };
+    library::files().flat_map(of_file).collect()
+});
+
+/// The heads of each name.
+static HEADS_BY_NAME: LazyLock<HashMap<&str, Vec<&Head>>> = LazyLock::new(|| {
+    let mut heads: HashMap<_, Vec<_>> = HashMap::new();
+    HEADS.iter().for_each(|head| heads.entry(head.name).or_default().push(head));
+    heads
+});
+
 /// The parameters of each op, function and script of this name.
-fn parameters(file: &LibraryFile, word: &str) -> impl Iterator<Item = Vec<&'static str>> {
-    ["op", "fn", "script"].into_iter().filter_map(move |kind| {
-        let head = format!("\n{kind} {word}(");
-        file.text.split_once(&head).map(|(_, behind)| listed(behind))
-    })
+fn parameters<'h>(
+    file: &LibraryFile,
+    word: &str,
+) -> impl Iterator<Item = &'h [&'static str]> + use<'h> {
+    let heads = HEADS_BY_NAME.get(word).map_or(&[][..], Vec::as_slice);
+    let name = file.name;
+    heads.iter().filter(move |head| head.file == name).map(|head| head.params.as_slice())
 }
 
 /// The parts of a list with commas, up to its closing bracket.

@@ -198,8 +198,9 @@ pub(super) fn read_script(script: &str) -> Result<(Program, usize), Failure> {
 /// Splits `FILE::NAME`; the name may be qualified.
 pub(super) fn part(text: &str) -> (&Path, Option<&str>) {
     // Folders may have colons in their names.
-    let parts = text.match_indices("::").map(|(at, sign)| (&text[..at], &text[at + sign.len()..]));
-    match { parts }.find(|(_, name)| !name.contains(['/', std::path::MAIN_SEPARATOR, '.'])) {
+    let mut parts =
+        text.match_indices("::").map(|(at, sign)| (&text[..at], &text[at + sign.len()..]));
+    match parts.find(|(_, name)| !name.contains(['/', std::path::MAIN_SEPARATOR, '.'])) {
         Some((file, name)) => (Path::new(file), Some(name)),
         None => (Path::new(text), None),
     }

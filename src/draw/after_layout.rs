@@ -63,7 +63,7 @@ fn laid_out_anew(figure: &Figure, before: &[Option<DVec2>]) -> Vec<Option<DVec2>
     // The turn with the least sum of squared distances.
     let turn: DVec2 =
         pairs.iter().map(|[a, b]| (*a - old).rotate((*b - new) * DVec2::new(1.0, -1.0))).sum();
-    // Edges that are on both sides are as long as they were.
+    // It shrinks, by half at most, such that edges on both sides are on average as long as before.
     let length = |strand: &Strand, places: &[Option<DVec2>]| {
         let [from, to] = strand.ends().map(|end| places[end]);
         Some(from?.distance(to?))

@@ -70,12 +70,12 @@ impl Raster {
         let flat: Vec<_> = corners.iter().map(|corner| corner.truncate()).collect();
         let mut weights = vec![0.0; corners.len()];
         let plane = plane(corners);
+        let mut cuts = Vec::new();
         for row in self.rows_of(corners) {
             let y = row as f64 + 0.5;
-            let mut cuts: Vec<f64> = sides(&flat)
-                .filter(|[a, b]| (a.y <= y) != (b.y <= y))
-                .map(|[a, b]| a.x + (b.x - a.x) * (y - a.y) / (b.y - a.y))
-                .collect();
+            cuts.clear();
+            let cut = sides(&flat).filter(|[a, b]| (a.y <= y) != (b.y <= y));
+            cuts.extend(cut.map(|[a, b]| a.x + (b.x - a.x) * (y - a.y) / (b.y - a.y)));
             cuts.sort_by(f64::total_cmp);
             for pair in cuts.chunks_exact(2) {
                 for column in span(pair.iter().copied(), self.side) {

@@ -227,9 +227,18 @@ impl Seen {
             Some(_) => self.shaded(PALE, 1.0),
         };
         let mut weights = vec![0.0; corners.len()];
+        let (mut row, mut near_row) = (f64::NAN, Vec::new());
         raster.polygon(&self.corners, |at| {
+            if at.y != row {
+                row = at.y;
+                near_row.clear();
+                near_row.extend(lines.iter().rev().filter(|(side, _, half_width, _)| {
+                    let [low, high] = [side[0].y.min(side[1].y), side[0].y.max(side[1].y)];
+                    low - half_width <= row && row <= high + half_width
+                }));
+            }
             // Most places are far from the whole line through a side.
-            let near = lines.iter().rev().find(|(side, along, half_width, _)| {
+            let near = near_row.iter().find(|(side, along, half_width, _)| {
                 (at - side[0]).perp_dot(*along).abs() <= *half_width
                     && distance(at, *side) < *half_width
             });

@@ -276,6 +276,9 @@ fn parameter_drawn(word: &str, names: &Names, typing: &Typing) -> Option<String>
     })
 }
 
+/// The number of attributes that are listed where another is not known.
+const MOST_LISTED: usize = 20;
+
 impl Typing<'_> {
     /// The attribute of this name of an element, and the type of its values; a value of type `of`
     /// is assigned to it.
@@ -323,8 +326,9 @@ impl Typing<'_> {
             _ if let Some(note) = belongs => error.note(note),
             [] => error.note(format!("{element} has none; {}", declaration(&name.text, ty, of))),
             known => error.note(format!(
-                "{element} has {}; {}",
-                quoted(known),
+                "{element} has {}{}; {}",
+                quoted(&known[..known.len().min(MOST_LISTED)]),
+                if known.len() > MOST_LISTED { ", and others" } else { "" },
                 declaration(&name.text, ty, of)
             )),
         };

@@ -9,10 +9,20 @@ use crate::source::Span;
 /// among equals the first.
 pub fn closest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let length = word.chars().count();
+    if length > LONGEST {
+        return None;
+    }
     let most = length / 3;
+    let counts = letter_counts(word);
     let mut best: Option<(usize, &str)> = None;
     for candidate in candidates {
-        if candidate == word || candidate.chars().count().abs_diff(length) > most {
+        if candidate == word {
+            continue;
+        }
+        // An edit changes two counts at most.
+        let others = letter_counts(candidate);
+        let apart: usize = counts.iter().zip(others).map(|(a, b)| a.abs_diff(b)).sum();
+        if apart > 2 * most {
             continue;
         }
         let distance = damerau_levenshtein(word, candidate);
@@ -21,6 +31,16 @@ pub fn closest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) ->
         }
     }
     best.map(|(_, candidate)| candidate)
+}
+
+/// The number of letters of the longest word that is compared with others.
+const LONGEST: usize = 64;
+
+/// How often letters occur; some share a count.
+fn letter_counts(word: &str) -> [usize; 32] {
+    let mut counts = [0; 32];
+    word.chars().for_each(|letter| counts[letter as usize % 32] += 1);
+    counts
 }
 
 /// The longest candidate whose words are among those of `word`: `flip` of `flip_edge`.

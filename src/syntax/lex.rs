@@ -175,8 +175,8 @@ impl Lexed {
                         written(digits, "a number has no letter for its type behind it")
                     }
                     None => found.note(
-                        "a name begins with a letter, and between a number and a name stands a \
-                         space or an operator",
+                        "a name does not begin with a digit, and between a number and a name stands \
+                         a space or an operator",
                     ),
                 });
                 match is_real {

@@ -61,6 +61,8 @@ fn of_a_broken_file_nothing_is_emitted() {
         }
     }
     bench.fails(2, &["draw", "none.hedge"], "syntax-error");
+    // What is asked for by its name is whole.
+    bench.succeeds(&["plan", "two.hedge::g", "--as", "cpp"]);
 }
 
 #[test]

@@ -453,6 +453,13 @@ fn what_is_there_of_a_damaged_file_is_kept_on_demand() {
             1,
         ),
         (
+            FileFormat::Stl,
+            loop_of_four.replace("vertex 0 3 0\nendloop\nendfacet\n", "").into(),
+            "the file ends before `endsolid`",
+            [3, 1],
+            1,
+        ),
+        (
             FileFormat::Off,
             b"OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n3 0 1 2\n3 1 3".to_vec(),
             "the file ends where a vertex of a face should stand",

@@ -152,6 +152,15 @@ fn holes_of_faces_are_not_filled() {
     let area: f64 = mesh.faces().filter(|&f| !mesh.is_hole(f)).map(|f| mesh.area(f)).sum();
     let circle = 200.0 * (std::f64::consts::TAU / 400.0).sin();
     assert!((area - (16.0 - circle)).abs() < 1e-9, "{area}");
+    // A spur whose area is not zero in doubles.
+    let corners = [(0.1, 0.1), (0.9, 0.1), (0.9, 0.9), (0.1, 0.9), (0.3, 0.8)];
+    let positions = corners.map(|(x, y)| DVec3::new(x, y, 0.0));
+    for turned in 0..6 {
+        let mut polygon = vec![0, 1, 2, 4, 2, 3];
+        polygon.rotate_left(turned);
+        let Repaired { mesh, report, .. } = repair(&positions, &[polygon], None);
+        assert_eq!((mesh.face_count(), report.spurs), (1, 1));
+    }
     // Two triangles side by side with a vertex in common, in opposite directions, have none.
     let corners = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (-1.0, 0.0), (-1.0, 1.0)];
     let positions = corners.map(|(x, y)| DVec3::new(x, y, 0.0));

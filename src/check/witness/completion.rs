@@ -67,9 +67,13 @@ impl Completions<'_> {
         let Some((&path, others)) = paths.split_first() else {
             return self.on_paths(outer, shape, size);
         };
-        for length in usize::from(!self.drawing.may_be_empty(path))..=room {
+        self.step()?;
+        let least = |path| usize::from(!self.drawing.may_be_empty(path));
+        let for_others = others.iter().map(|&path| least(path)).sum();
+        let Some(room) = room.checked_sub(for_others) else { return Flow::Continue(()) };
+        for length in least(path)..=room {
             shape.lengths[path.index()] = length;
-            self.lengths(others, outer, shape.clone(), room - length, size)?;
+            self.lengths(others, outer, shape.clone(), room - length + for_others, size)?;
         }
         Flow::Continue(())
     }

@@ -101,10 +101,14 @@ impl Style {
                 )));
             }
         }
+        let first_of = |name| self.name(name).split("::").next().unwrap_or_default();
+        // Inside of `app::std` the name `std` would mean that.
+        let hides = |part| ["std", first_of("mesh"), first_of("namespace")].contains(&part);
         for name in ["namespace", "operations"] {
             let space = self.name(name);
-            let first = space.split("::").next().unwrap_or_default();
-            if first == "std" || [first, space].contains(&self.name("mesh")) {
+            let (first, inner) = space.split_once("::").unwrap_or((space, ""));
+            let is_class = [first, space].contains(&self.name("mesh"));
+            if first == "std" || is_class || inner.split("::").any(hides) {
                 return Err(StyleError(format!("`{name}={space}` is no namespace of its own")));
             }
         }

@@ -177,7 +177,7 @@ fn read_tables(text: &[u8]) -> Result<MeshFile, Failure> {
     let malformed = |words: String| (None, FileReason::Malformed(words));
     let text = std::str::from_utf8(text).map_err(|error| malformed(error.to_string()))?;
     // A number that is cut off is another number.
-    if !text.ends_with('\n') {
+    if !text.is_empty() && !text.ends_with('\n') {
         return Err(malformed("its last line does not end, so the file may be cut off".to_owned()));
     }
     let mut dump = read_dump(text).map_err(|error| malformed(error.to_string()))?;

@@ -143,7 +143,7 @@ fn read_text(text: &[u8]) -> Contents {
             solids += 1;
             is_open = true;
         } else if is("endsolid") {
-            is_open = false;
+            is_open = points.len() != before;
         } else if !["facet", "outer", "endfacet"].into_iter().any(is) {
             damage.add(Some(line), || format!("`{}` is not a word of an STL file", shown(word)));
         }

@@ -118,7 +118,9 @@ fn join_sheets(list: &PolygonList, loops: &Loops, twins: &mut [u32]) {
         ends(edge).into_iter().for_each(|end| around.entry(end).or_default().push(number));
     }
     let mut waiting: Vec<usize> = (0..crowded.len()).rev().collect();
+    let mut is_waiting = vec![true; crowded.len()];
     while let Some(number) = waiting.pop() {
+        is_waiting[number] = false;
         let edge = crowded[number];
         for end in ends(edge) {
             let mut fan = |side: u32| {
@@ -138,7 +140,8 @@ fn join_sheets(list: &PolygonList, loops: &Loops, twins: &mut [u32]) {
             let Some([a, b]) = sheet else { continue };
             (twins[a as usize], twins[b as usize]) = (b, a);
             fans.join(loops, [a, b]);
-            waiting.extend(ends(edge).iter().flat_map(|end| &around[end]));
+            let near = ends(edge).into_iter().flat_map(|end| around[&end].iter().copied());
+            waiting.extend(near.filter(|&near| !std::mem::replace(&mut is_waiting[near], true)));
         }
     }
 }

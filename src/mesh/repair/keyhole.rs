@@ -2,9 +2,10 @@
 //!
 //! A face with a hole is often written as one polygon that goes to the hole along an edge, around
 //! it, and back along the same edge. A second cut beside that bridge turns it into two polygons
-//! that repeat no corner and cover the same area; where there is none, it becomes triangles.
+//! that repeat no corner and cover the same area; where there is none, or the polygon is long, it
+//! becomes triangles.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use glam::DVec3;
 
@@ -29,23 +30,31 @@ fn has_hole(corners: &[Corner], positions: &[DVec3]) -> bool {
     let Some(&(first, _)) = corners.first() else { return false };
     let place = |at: usize| positions[corners[at % count].0 as usize];
     let origin = positions[first as usize];
-    let mut sums = vec![DVec3::ZERO];
+    let (mut sums, mut sizes) = (vec![DVec3::ZERO], 0.0);
     sums.extend((0..count).scan(DVec3::ZERO, |sum, at| {
-        *sum += (place(at) - origin).cross(place(at + 1) - origin);
+        let area = (place(at) - origin).cross(place(at + 1) - origin);
+        sizes += area.length();
+        *sum += area;
         Some(*sum)
     }));
-    let is_hole = |from: usize, to: usize| {
+    // What is smaller comes from rounding: a part that goes along edges and back.
+    let least = 1e-12 * sizes;
+    let mut budget = LONGEST * LONGEST + 4 * count;
+    let mut is_hole = |from: usize, to: usize| {
         let part = sums[to] - sums[from];
         let rest = sums[count] - part;
         let (inner, outer, axis) = match part.dot(sums[count]) < 0.0 {
             true => (from..to, to..from + count, rest),
             false => (to..from + count, from..to, part),
         };
-        part.dot(rest) < 0.0 && {
-            let outline: Vec<_> = outer.clone().map(place).collect();
-            let mut inside = inner.map(place).filter(|at| !outline.contains(at));
-            inside.next().is_some_and(|point| surrounds(&outline, point, axis))
+        if part.dot(rest) >= 0.0 || part.length().min(rest.length()) <= least {
+            return false;
         }
+        budget = budget.saturating_sub(outer.len());
+        let on_outline: HashSet<_> = outer.clone().map(|at| corners[at % count].0).collect();
+        let mut inside = inner.filter(|&at| !on_outline.contains(&corners[at % count].0));
+        let outline: Vec<_> = outer.map(place).collect();
+        budget > 0 && inside.next().is_some_and(|at| surrounds(&outline, place(at), axis))
     };
     let mut visits: HashMap<u32, [usize; 2]> = HashMap::new();
     for (at, &(vertex, _)) in corners.iter().enumerate() {

@@ -22,6 +22,11 @@ pub(in crate::mesh) fn merge_equal(positions: &[DVec3]) -> Vec<u32> {
     let mut merged = Vec::with_capacity(positions.len());
     let hash_of = |&point: &u32| hash(positions[point as usize]);
     for (point, &position) in (0..).zip(positions) {
+        // What equals nothing would be compared with all that hashes alike.
+        if position.is_nan() {
+            merged.push(point);
+            continue;
+        }
         let is_equal = |&other: &u32| positions[other as usize] == position;
         let entry = table.entry(hash(position), is_equal, hash_of).or_insert(point);
         merged.push(*entry.get());

@@ -205,6 +205,8 @@ fn a_style_that_cannot_compile_is_refused() {
         (&["namespace=Mesh"], "no namespace of its own"),
         (&["namespace=std::hedge"], "no namespace of its own"),
         (&["operations=Mesh"], "`operations=Mesh` is no namespace of its own"),
+        (&["operations=app::hedgerow"], "no namespace of its own"),
+        (&["operations=app::Mesh"], "no namespace of its own"),
         (&["operations=ops", "member=yes"], "members of a class"),
         (&["namespace=turn", "function.flip=turn"], "cannot be that of a namespace"),
         (&["result=maybe"], "`result` is one of `bool` and `given`"),
