@@ -19,16 +19,21 @@ fn undrawn(drawing: &Drawing, new: NameId, what: String) -> Option<String> {
     let rule = drawing.rule;
     let after = |half| [drawing.origin_after(half), drawing.target_after(half)];
     let [from, to] = after(new);
-    // An outer halfedge that comes to share an end with it, else any that stays.
+    // An outer halfedge that comes to share an end with it, if possible a new one, else any that
+    // stays.
     let outer = rule.names_of(Kind::Halfedge).filter(|&half| {
         drawing.is_outer(half) && drawing.erased(half).is_none() && rule.is_first(half)
     });
     let outer: Vec<_> = outer.collect();
-    let touches = |half: &&NameId| {
-        let [start, end] = after(**half);
-        (start.is_some() && start == to) || (end.is_some() && end == from)
+    let shared = |half: &NameId| {
+        let [start, end] = after(*half);
+        let ends = [(start, to), (end, from)].into_iter();
+        ends.filter_map(|(one, other)| one.filter(|_| one == other)).collect::<Vec<_>>()
     };
-    let &beside = outer.iter().find(touches).or(outer.first())?;
+    let is_new = |vertex: &NameId| drawing.created(*vertex).is_some();
+    let at_new = outer.iter().find(|half| shared(half).iter().any(is_new));
+    let touching = outer.iter().find(|half| !shared(half).is_empty());
+    let &beside = at_new.or(touching).or(outer.first())?;
     let text = rule.quoted(beside);
     let lacks = format!("no loop of `before` holds {text}, so nothing can be put beside it");
     if rule.cycle.is_some() {

@@ -9,7 +9,7 @@ use super::statements::statements;
 use super::vertices_are_orbits::Rings;
 use super::{alias, distinct_names, property_not_kept, reach, start, vertices_are_orbits};
 use crate::diagnostic::Diagnostic;
-use crate::diagram::{Drawing, Level, Op, Property, Rule};
+use crate::diagram::{Drawing, Kind, Level, Op, Property, Rule};
 
 /// The proof of one rule.
 #[derive(Clone, Debug)]
@@ -44,12 +44,19 @@ impl Proof {
     pub fn refuses_everywhere(&self, rule: &Rule) -> Option<Diagnostic> {
         let (level, span) = rule.guard?;
         let mut loops = rule.before.loops.iter().filter(|_| level > Level::Map);
-        let twice = loops.find_map(|orbit| Some((orbit, orbit.corner_met_twice()?)));
-        let refusal = match twice {
-            Some((orbit, corner)) => {
-                let [face, corner] = [orbit.face.name, corner].map(|name| rule.quoted(name));
-                format!("{face} meets {corner} twice")
+        let impossible = loops.find_map(|orbit| {
+            let face = rule.quoted(orbit.face.name);
+            let has_paths = orbit.item_names().any(|name| rule.kind(name) == Kind::Path);
+            match orbit.corner_met_twice() {
+                Some(corner) => Some(format!("{face} meets {} twice", rule.quoted(corner))),
+                None if !has_paths && !orbit.each && orbit.items.len() < 3 => {
+                    Some(format!("{face} has fewer than three sides"))
+                }
+                None => None,
             }
+        });
+        let refusal = match impossible {
+            Some(refusal) => refusal,
             None => {
                 let never = self.guard.iter().find(|obligation| obligation.is_never)?;
                 never.statement.refusal(self.drawn(rule))

@@ -133,7 +133,7 @@ impl Scene<'_> {
     }
 
     /// The number of faults of a path along some points: strands it crosses, loops it turns inside
-    /// out, and strands inside its loop that are not part of it.
+    /// out, strands inside its loops that are not part of them, and other loops that it lies in.
     fn faults(&self, path: usize, points: &[DVec2]) -> usize {
         let curve = Curve::smooth(points);
         let known = |at: usize| match at == path {
@@ -145,9 +145,6 @@ impl Scene<'_> {
         let others = others.filter_map(|(_, points)| points.as_ref());
         let mut faults = others.filter(|points| curve.crosses(&Curve::smooth(points))).count();
         for orbit in &self.side.loops {
-            if orbit.darts.iter().all(|dart| dart.strand != path) {
-                continue;
-            }
             let along = orbit.darts.iter().map(|dart| {
                 let mut points = all[dart.strand].clone()?;
                 if !dart.forward {
@@ -158,6 +155,10 @@ impl Scene<'_> {
             });
             let Some(outline) = along.collect::<Option<Vec<_>>>() else { continue };
             let outline = outline.concat();
+            if orbit.darts.iter().all(|dart| dart.strand != path) {
+                faults += usize::from(area(&outline) > 0.0 && inside(mean(points), &outline));
+                continue;
+            }
             faults += usize::from(area(&outline) < 0.0);
             for (at, points) in all.iter().enumerate() {
                 let is_part = orbit.darts.iter().any(|dart| dart.strand == at);

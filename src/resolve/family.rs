@@ -322,7 +322,10 @@ fn mixed(part: &Name, subject: &Name, free: bool) -> Diagnostic {
     let note = match free {
         true => "families fill their orbits: single names and families never share one".into(),
         false => {
-            format!("give `{name}` a subscript too, or draw its whole orbit with `each i {{ … }}`")
+            format!(
+                "give `{name}` a subscript too, or draw its whole orbit with `each i {{ … }}`; what is \
+                 done a given number of times is done in `steps`"
+            )
         }
     };
     Diagnostic::error("mixed-statement", message, part.span).note(note)

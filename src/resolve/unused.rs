@@ -53,7 +53,7 @@ impl Unused<'_> {
                 ));
             } else if word == "halfedge" {
                 error = error.note("`new` lists names alone: what is drawn tells their kinds");
-            } else if let Some([first, second]) = twice {
+            } else if let Some([first, second]) = twice.filter(|_| at == 0) {
                 error = drawn_twice(error, first, second, names);
             } else if let Some(pair) = pairs.as_ref().and_then(|pairs| pairs.get(at)) {
                 error = self.missing_edge(error, name, pair, names);

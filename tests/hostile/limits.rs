@@ -58,6 +58,28 @@ fn a_drawing_has_only_so_many_halfedges() {
     }
 }
 
+/// The search for a counterexample has a bound, however many lengths the paths may have.
+#[test]
+fn a_slip_in_a_drawing_of_many_paths_is_told() {
+    let count = 40;
+    let next = |at: usize| (at + 1) % count;
+    let sides = format!("v0 {}", listed(count, |at| format!("-a{at}-> v{}", next(at)), " "));
+    let edges = listed(count, |at| format!("edge e{at}: a{at} | b{at}"), "\n");
+    let face =
+        |at: usize| format!("face g{at}: v{} -b{at}-> v{at} =P{at}=> v{}", next(at), next(at));
+    let kept = listed(count - 1, |at| format!("e{}", at + 1), " ");
+    let text = format!(
+        "op p(f: face) {{ before {{ face f: {sides}\n{edges}\n{} }}
+        after {{ hole f: {sides} erase e0 keep {kept} {} }} }}",
+        listed(count, face, "\n"),
+        listed(count, |at| format!("g{at}"), " ")
+    );
+    let mut sources = Sources::new();
+    let file = sources.add("many.hedge", text);
+    let analysis = Analysis::with(&mut sources, file, &mut Nowhere);
+    assert!(analysis.diagnostics.iter().any(|told| told.is_error()));
+}
+
 #[test]
 fn a_drawing_has_only_so_many_spokes_and_names() {
     let names = |count| listed(count, |at| format!("a{at}"), "\n // c\n");

@@ -80,7 +80,7 @@ pub struct RepairReport {
     pub merged_vertices: usize,
     /// Corners that repeat the previous one, dropped.
     pub repeated_corners: usize,
-    /// Parts of polygons that only go to a vertex and back, dropped.
+    /// Edges along which polygons only go and come back, dropped.
     pub spurs: usize,
     /// Polygons divided where they return to a vertex.
     pub divided_faces: usize,
@@ -111,7 +111,7 @@ impl RepairReport {
             (self.dropped_vertices, "dropped", "vertex", "vertices", " without coordinates"),
             (self.merged_vertices, "merged", "vertex", "vertices", " into others"),
             (self.repeated_corners, "dropped", "repeated corner", "repeated corners", ""),
-            (self.spurs, "dropped", "spur", "spurs", " of faces"),
+            (self.spurs, "dropped", "spur edge", "spur edges", " of faces"),
             (self.divided_faces, "divided", "face", "faces", " with a vertex twice"),
             (self.degenerate_faces, "dropped", "degenerate face", "degenerate faces", ""),
             (self.doubled_faces, "dropped", "doubled face", "doubled faces", ""),

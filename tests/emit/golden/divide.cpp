@@ -14,7 +14,7 @@
 #include <vector>
 
 namespace hedgerow {
-inline namespace vcf4322a5 {
+inline namespace ve6f71ec2 {
 
 #ifndef HEDGEROW_spokes
 #define HEDGEROW_spokes
@@ -299,8 +299,8 @@ class Journal {
   std::vector<T> living(const std::vector<T>& all) const {
     std::vector<T> found;
     for (T x : all) {
-      auto near = std::min(static_cast<std::ptrdiff_t>(found.size()), std::ptrdiff_t{16});
-      auto close = found.end() - near;
+      auto count = static_cast<std::ptrdiff_t>(found.size());
+      auto close = found.end() - (count < 16 ? count : 16);
       if (lives(x) && std::find(close, found.end(), x) == found.end()) found.push_back(x);
     }
     return found;
@@ -369,9 +369,9 @@ class Journal {
 };
 #endif
 
-#ifndef HEDGEROW_pdccd715a
-#define HEDGEROW_pdccd715a
-namespace pdccd715a {
+#ifndef HEDGEROW_p5a7752d3
+#define HEDGEROW_p5a7752d3
+namespace p5a7752d3 {
 
 /// How often 2 divides a number.
 inline long long twos(long long n) {
@@ -462,11 +462,11 @@ std::optional<Mesh::VertexRef> divide(Mesh& mesh, Mesh::EdgeRef e, long long n) 
   if (12 <= n) return std::nullopt;  // that is too often
   hedgerow::Journal journal(mesh);
   return journal.whole(hedgerow::Level::surface, [&]() -> std::optional<VertexRef> {
-    VertexRef m = hedgerow::must(hedgerow::pdccd715a::bisect(journal, e));
-    for (long long i = hedgerow::pdccd715a::twos(n) + 1; i > 0; --i) {
+    VertexRef m = hedgerow::must(hedgerow::p5a7752d3::bisect(journal, e));
+    for (long long i = hedgerow::p5a7752d3::twos(n) + 1; i > 0; --i) {
       journal.undone_by([m, was = m->weight] { m->weight = was; });
       m->weight = m->weight + 1.0;
-      m = hedgerow::must(hedgerow::pdccd715a::bisect(journal, m->halfedge->edge));
+      m = hedgerow::must(hedgerow::p5a7752d3::bisect(journal, m->halfedge->edge));
     }
     long long i = 0;
     for (long long i_2 = n - 1; i_2 > 0; --i_2) {

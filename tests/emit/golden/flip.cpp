@@ -1,7 +1,7 @@
 #include <optional>
 
 namespace hedgerow {
-inline namespace vcf4322a5 {
+inline namespace ve6f71ec2 {
 
 #ifndef HEDGEROW_adjacent
 #define HEDGEROW_adjacent

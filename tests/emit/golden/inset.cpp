@@ -6,7 +6,7 @@
 #include <vector>
 
 namespace hedgerow {
-inline namespace vcf4322a5 {
+inline namespace ve6f71ec2 {
 
 #ifndef HEDGEROW_halfedges
 #define HEDGEROW_halfedges

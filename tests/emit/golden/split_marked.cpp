@@ -10,7 +10,7 @@
 #include <type_traits>
 
 namespace hedgerow {
-inline namespace vcf4322a5 {
+inline namespace ve6f71ec2 {
 
 #ifndef HEDGEROW_vector_as_n
 #define HEDGEROW_vector_as_n
