@@ -107,10 +107,14 @@ fn answer(case: &Case) -> String {
         "snippet" => ask("completion", &here).map(|answer| {
             let items = answer["items"].as_array().unwrap();
             let item = items.iter().find(|item| item["label"] == argument).unwrap();
-            match item["textEdit"]["newText"].as_str() {
-                Some(written) => format!("{}: {written}", range(&text, &item["textEdit"]["range"])),
-                None => item["insertText"].as_str().unwrap_or("no snippet").to_owned(),
-            }
+            let edit = |edit: &Value| {
+                let written = edit["newText"].as_str()?;
+                Some(format!("{}: {}", range(&text, &edit["range"]), written.trim()))
+            };
+            let word = edit(&item["textEdit"])
+                .unwrap_or_else(|| item["insertText"].as_str().unwrap_or("no snippet").to_owned());
+            let more = item["additionalTextEdits"].as_array().into_iter().flatten();
+            std::iter::once(word).chain(more.filter_map(edit)).collect::<Vec<_>>().join("\n")
         }),
         "signature" => ask("signatureHelp", &here).map(|answer| signature(&answer)),
         "actions" | "action" => {
