@@ -452,6 +452,20 @@ fn what_is_there_of_a_damaged_file_is_kept_on_demand() {
             [3, 1],
             1,
         ),
+        // A loop behind the solid.
+        (
+            FileFormat::Stl,
+            loop_of_four
+                .replace(
+                    "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 2",
+                    "endsolid\nvertex 2",
+                )
+                .replace("vertex 0 3 0\nendloop\nendfacet\nendsolid x\n", "")
+                .into(),
+            "the file ends before `endsolid`",
+            [3, 1],
+            1,
+        ),
         (
             FileFormat::Stl,
             loop_of_four.replace("vertex 0 3 0\nendloop\nendfacet\n", "").into(),

@@ -143,13 +143,13 @@ fn read_text(text: &[u8]) -> Contents {
             solids += 1;
             is_open = true;
         } else if is("endsolid") {
-            is_open = points.len() != before;
+            is_open = false;
         } else if !["facet", "outer", "endfacet"].into_iter().any(is) {
             damage.add(Some(line), || format!("`{}` is not a word of an STL file", shown(word)));
         }
         scanner.end_line();
     }
-    if is_open {
+    if is_open || points.len() > before {
         let words = "the file ends before `endsolid`: triangles may be missing";
         damage.add(Some(scanner.line()), || words.to_owned());
         points.truncate(before);
