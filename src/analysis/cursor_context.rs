@@ -86,6 +86,13 @@ pub fn before(snapshot: &Snapshot, offset: usize) -> &[Token] {
     }
 }
 
+/// The letters of the word before a byte, if the cursor is in one or behind it.
+pub fn letters_before(snapshot: &Snapshot, offset: usize) -> &str {
+    let before = snapshot.text().get(..offset).unwrap_or_default();
+    let is_letter = |sign: char| sign.is_alphanumeric() || sign == '_';
+    &before[before.trim_end_matches(is_letter).len()..]
+}
+
 /// True if an opening parenthesis follows the word at a byte on its line.
 pub fn is_called(snapshot: &Snapshot, offset: usize) -> bool {
     let behind = snapshot.parsed().tokens[before(snapshot, offset).len()..].iter();

@@ -1,8 +1,9 @@
 //! Library hints: the files of the library that declare a name that is called but unknown.
 //!
 //! `split(e)` alone is an unknown op; the library has several of that name, each in a file that
-//! only has to be used. These files are found by searching their texts: this is needed only after
-//! an error, and the library declares each op and function at the beginning of a line.
+//! only has to be used. Completion offers such names before there is an error. The library declares
+//! each op, function and script at the beginning of a line, so their heads are read once from its
+//! texts, when they are first asked for.
 
 use std::collections::{BTreeSet, HashMap};
 use std::sync::LazyLock;
@@ -94,20 +95,17 @@ pub(super) fn importable(snapshot: &Snapshot, letters: &str) -> Vec<Importable> 
     let program = sources.get(span.file);
     let used: BTreeSet<_> = snapshot.used_names().collect();
     let mut found = Vec::new();
-    for file in library::files() {
-        let items = HEADS.iter().filter(|head| head.file == file.name);
-        let mut items = items.filter(|head| head.name.starts_with(letters)).peekable();
-        if items.peek().is_none()
-            || file.name == program.name()
-            || used.contains(file.name)
-            || !is_welcome(file.name, program.name(), sources)
-        {
+    for heads in HEADS.chunk_by(|one, other| one.file == other.file) {
+        let mut fitting = heads.iter().filter(|head| head.name.starts_with(letters)).peekable();
+        let Some(&&Head { file, .. }) = fitting.peek() else { continue };
+        let is_known = file == program.name() || used.contains(file);
+        if is_known || !is_welcome(file, program.name(), sources) {
             continue;
         }
-        let (span, text) = head(program.text(), span, &format!("use \"{}\"", file.name));
-        found.extend(items.map(|&Head { name, is_function, .. }| {
+        let (span, text) = head(program.text(), span, &format!("use \"{file}\""));
+        found.extend(fitting.map(|&Head { name, is_function, .. }| {
             let insertion = Edit { span, text: text.clone() };
-            Importable { name, file: file.name, is_function, insertion }
+            Importable { name, file, is_function, insertion }
         }));
     }
     found

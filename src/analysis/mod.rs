@@ -66,6 +66,7 @@ pub use actions::actions;
 pub use aliases::{NamesAsOne, RuleAliases, aliases};
 pub use argument::{RuleArgument, why_proved};
 pub use completion::{Choice, Completion, completions};
+pub use cursor_context::letters_before;
 pub use disk::{Disk, expect_regular, is_program, program_text, read_program};
 pub use examined::Examined;
 pub use example::{NoExample, example};

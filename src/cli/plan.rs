@@ -38,9 +38,10 @@ pub(super) fn plan(arguments: &PlanArguments) -> Result<(), Failure> {
     expect_named(arguments, &program, &ops)?;
     let places: Vec<_> = ops.iter().map(|&op| program.analysis.program.ops[op].span).collect();
     // What is emitted of a whole file lacks nothing without a word.
-    let (told, _) = program.analysis.concerning(&places, &program.sources);
-    let is_part = name.is_some() || arguments.shown == Shown::Table;
-    let is_whole = is_part || !told.iter().any(Diagnostic::is_error);
+    let is_whole = name.is_some() || arguments.shown == Shown::Table || {
+        let (told, _) = program.analysis.concerning(&places, &program.sources);
+        !told.iter().any(Diagnostic::is_error)
+    };
     let plans = ops.iter().map(|&op| program.analysis.plans[op].as_ref());
     let Some(plans) = plans.collect::<Option<Vec<_>>>().filter(|_| is_whole) else {
         program.complain_about(&places);

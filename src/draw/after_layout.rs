@@ -26,6 +26,9 @@ const FLAT: f64 = 0.15;
 /// The height of a triangle on an edge, as a multiple of the edge's length.
 const EAR: f64 = 0.5;
 
+/// The least factor by which a side that is laid out anew is scaled.
+const LEAST_SCALE: f64 = 0.5;
+
 /// The places of the nodes on the side `after`; nodes that it does not show keep theirs.
 pub(super) fn places_after(figure: &Figure, before: &[Option<DVec2>]) -> Vec<Option<DVec2>> {
     let all_stay = || placed(figure, before, before.to_vec());
@@ -81,7 +84,7 @@ fn laid_out_anew(figure: &Figure, before: &[Option<DVec2>]) -> Vec<Option<DVec2>
         }
     }
     let is_known = earlier.min(later) > NEAR;
-    let scale = if is_known { (earlier / later).clamp(0.5, 1.0) } else { 1.0 };
+    let scale = if is_known { (earlier / later).clamp(LEAST_SCALE, 1.0) } else { 1.0 };
     let turn = turn.normalize_or(DVec2::X) * scale;
     for place in places.iter_mut().flatten() {
         *place = old + turn.rotate(*place - new);

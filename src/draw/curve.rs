@@ -192,19 +192,6 @@ pub(super) fn bounds(points: impl IntoIterator<Item = DVec2>) -> (DVec2, DVec2) 
     points.into_iter().fold(none, |(low, high), at| (low.min(at), high.max(at)))
 }
 
-/// True if a point lies inside a polygon.
-pub(super) fn inside(point: DVec2, polygon: &[DVec2]) -> bool {
-    let mut inside = false;
-    for [a, b] in sides(polygon) {
-        if (a.y > point.y) != (b.y > point.y)
-            && point.x < a.x + (point.y - a.y) / (b.y - a.y) * (b.x - a.x)
-        {
-            inside = !inside;
-        }
-    }
-    inside
-}
-
 /// The mean of some points; zero if there are none.
 pub(super) fn mean(points: &[DVec2]) -> DVec2 {
     points.iter().copied().sum::<DVec2>() / points.len().max(1) as f64

@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use super::curve::{Curve, area, inside, left, mean};
+use super::curve::{Curve, area, left, mean};
 use super::figure::Orbit;
 use super::hatch::{hatch, ticks};
 use super::label_boxes::Spot;
@@ -10,6 +10,7 @@ use super::label_positions::inner_spots;
 use super::panel::{Hatched, LETTERS, Panel};
 use super::shape::{Ink, Path, Stroke};
 use crate::diagram::{LoopKind, NameId};
+use crate::mesh::is_inside;
 
 impl Panel<'_> {
     /// The background colour around an edge.
@@ -106,8 +107,9 @@ impl Panel<'_> {
     /// The islands in a polygon: the outlines of the loops inside it that run clockwise.
     fn islands(&self, outline: &[DVec2]) -> Vec<Vec<DVec2>> {
         let outlines = self.side.loops.iter().map(|orbit| self.outline(orbit));
-        let is_island =
-            |other: &Vec<DVec2>| area(other) < 0.0 && other.iter().all(|&at| inside(at, outline));
+        let is_island = |other: &Vec<DVec2>| {
+            area(other) < 0.0 && other.iter().all(|&at| is_inside(at, outline))
+        };
         outlines.filter(is_island).collect()
     }
 }

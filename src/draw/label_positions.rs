@@ -4,9 +4,10 @@ use std::f64::consts::{PI, TAU};
 
 use glam::DVec2;
 
-use super::curve::{Curve, bounds, distance, inside, left, mean, sides, turn};
+use super::curve::{Curve, bounds, distance, left, mean, sides, turn};
 use super::label_boxes::{Spot, reach};
 use super::letters::Label;
+use crate::mesh::is_inside;
 
 /// The radius of a vertex.
 pub(super) const DOT: f64 = 4.5;
@@ -45,7 +46,7 @@ fn inner_points(outline: &[DVec2], islands: &[Vec<DVec2>]) -> Vec<(DVec2, f64)> 
     let (low, high) = bounds(outline.iter().copied());
     let outlines = islands.iter().map(Vec::as_slice).chain([outline]);
     let sides: Vec<_> = outlines.flat_map(sides).collect();
-    let in_sea = |at: DVec2| !islands.iter().any(|island| inside(at, island));
+    let in_sea = |at: DVec2| !islands.iter().any(|island| is_inside(at, island));
     let room = |at: DVec2| sides.iter().map(|side| distance(at, *side)).fold(f64::MAX, f64::min);
     let steps = 1..GRID;
     let points = steps.clone().flat_map(|row| steps.clone().map(move |column| (column, row)));
@@ -53,7 +54,7 @@ fn inner_points(outline: &[DVec2], islands: &[Vec<DVec2>]) -> Vec<(DVec2, f64)> 
         .map(|(column, row)| {
             low + (high - low) * DVec2::new(column.into(), row.into()) / f64::from(GRID)
         })
-        .filter(|&at| inside(at, outline) && in_sea(at))
+        .filter(|&at| is_inside(at, outline) && in_sea(at))
         .map(|at| (at, room(at)))
         .collect()
 }

@@ -5,7 +5,7 @@
 
 use glam::DVec2;
 
-use super::curve::{Curve, angle, crossings, distance, inside, sides};
+use super::curve::{Curve, angle, crossings, distance, sides};
 use super::family_sector::sector;
 use super::figure::{Dart, Figure, Node, Side, Strand};
 use super::label_boxes::{Room, Spot};
@@ -13,6 +13,7 @@ use super::letters::{Label, name};
 use super::shape::{Group, Ink, Path};
 use super::status::Status;
 use crate::diagram::{Kind, NameId};
+use crate::mesh::is_inside;
 
 /// The size of the letters.
 pub(super) const LETTERS: f64 = 17.0;
@@ -53,7 +54,7 @@ pub(super) struct Hatched {
 impl Hatched {
     /// True if it may cover a place.
     fn reaches(&self, at: DVec2) -> bool {
-        let is_inside = inside(at, &self.outline);
+        let is_inside = is_inside(at, &self.outline);
         match self.is_around {
             true => !is_inside && sides(&self.outline).any(|side| distance(at, side) < TICKS),
             false => is_inside,

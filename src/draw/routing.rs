@@ -8,9 +8,10 @@ use std::f64::consts::PI;
 
 use glam::DVec2;
 
-use super::curve::{Curve, angle, area, inside, left, mean, turn};
+use super::curve::{Curve, angle, area, left, mean, turn};
 use super::figure::{Figure, Node, Side, Strand};
 use super::layout::NEAR;
+use crate::mesh::is_inside;
 
 /// The factor by which a path that keeps its shape is flattened.
 const FLATTER: f64 = 0.7;
@@ -156,14 +157,14 @@ impl Scene<'_> {
             let Some(outline) = along.collect::<Option<Vec<_>>>() else { continue };
             let outline = outline.concat();
             if orbit.darts.iter().all(|dart| dart.strand != path) {
-                faults += usize::from(area(&outline) > 0.0 && inside(mean(points), &outline));
+                faults += usize::from(area(&outline) > 0.0 && is_inside(mean(points), &outline));
                 continue;
             }
             faults += usize::from(area(&outline) < 0.0);
             for (at, points) in all.iter().enumerate() {
                 let is_part = orbit.darts.iter().any(|dart| dart.strand == at);
                 if let Some(points) = points.as_ref().filter(|_| !is_part) {
-                    faults += usize::from(inside(mean(points), &outline));
+                    faults += usize::from(is_inside(mean(points), &outline));
                 }
             }
         }

@@ -4,7 +4,7 @@ use gen_lsp_types::*;
 
 use super::requests::Answer;
 use super::server::Server;
-use crate::analysis::{Call, Choice, Completion, completions, signature};
+use crate::analysis::{Call, Choice, Completion, completions, letters_before, signature};
 use crate::diagnostic::Edit;
 use crate::diagram::Kind;
 
@@ -30,8 +30,6 @@ impl Server {
     pub(super) fn completion(&mut self, params: CompletionParams) -> Answer<CompletionRequest> {
         let (document, offset) = self.place(&params.text_document_position_params)?;
         let found = completions(document.snapshot(), offset, &mut self.files.clone());
-        let before = document.snapshot().text().get(..offset).unwrap_or_default();
-        let is_begun = before.ends_with(|sign: char| sign.is_alphanumeric() || sign == '_');
         let snippets = self.client.takes_snippets();
         let item = |completion: Completion| {
             let mut item = CompletionItem {
@@ -58,7 +56,7 @@ impl Server {
         };
         let list = CompletionList {
             // What the library has is offered for the letters that are there.
-            is_incomplete: !is_begun,
+            is_incomplete: letters_before(document.snapshot(), offset).is_empty(),
             items: found.into_iter().map(item).collect(),
             ..Default::default()
         };

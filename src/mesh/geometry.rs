@@ -6,10 +6,20 @@
 //! from the vector area (Newell's method), which is half the sum of the cross products along the
 //! loop.
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 use super::connectivity::Mesh;
 use super::id::{EdgeId, FaceId, HalfedgeId, VertexId};
+
+/// True if a point of the plane lies inside a polygon.
+pub(crate) fn is_inside(point: DVec2, polygon: &[DVec2]) -> bool {
+    let next = polygon.iter().cycle().skip(1);
+    let crossed = polygon.iter().zip(next).filter(|(a, b)| {
+        (a.y > point.y) != (b.y > point.y)
+            && point.x < a.x + (point.y - a.y) / (b.y - a.y) * (b.x - a.x)
+    });
+    crossed.count() % 2 == 1
+}
 
 impl Mesh {
     /// The vector from the origin of `h` to its target.

@@ -85,6 +85,7 @@ pub use file::{
     write_mesh_to, write_mesh_unless,
 };
 pub use geometry::direction;
+pub(crate) use geometry::is_inside;
 pub use history::History;
 #[doc(hidden)]
 pub use id::Elements;

@@ -95,8 +95,8 @@ impl Typing<'_> {
                 Some(Parameter { name: param, ty: Some(ty), .. }) => {
                     let whose = format!("`{param}` of `{name}`");
                     self.expression(arg).and_then(|value| {
-                        let error = converted(arg, value, *ty, &whose);
-                        error.map_err(|error| self.report.add(with_head(error, name, params))).ok()
+                        let value = converted(arg, value, *ty, &whose);
+                        value.map_err(|error| self.report.add(with_head(error, name, params))).ok()
                     })
                 }
                 // Of unknown type, or one argument too many.

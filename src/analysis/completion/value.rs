@@ -4,7 +4,7 @@ use super::choice::{Choice, Completion};
 use super::drawing::named;
 use super::words::{ACTIONS, keywords};
 use crate::analysis::being_declared::being_declared;
-use crate::analysis::cursor_context::{Start, item_near, op_near, rule_near};
+use crate::analysis::cursor_context::{Start, item_near, letters_before, op_near, rule_near};
 use crate::analysis::library_hints::{Importable, importable};
 use crate::analysis::loop_heads::bound_near;
 use crate::analysis::names::{Names, Symbol, SymbolKind};
@@ -58,9 +58,7 @@ pub(super) fn values(snapshot: &Snapshot, offset: usize, start: Start) -> Vec<Co
 
 /// What the library has of the word that is being written, in files that are not used yet.
 fn of_library(snapshot: &Snapshot, offset: usize, can_call: bool) -> Vec<Completion> {
-    let written = snapshot.text().get(..offset).unwrap_or_default();
-    let is_letter = |sign: char| sign.is_alphanumeric() || sign == '_';
-    let letters = &written[written.trim_end_matches(is_letter).len()..];
+    let letters = letters_before(snapshot, offset);
     if letters.is_empty() {
         return Vec::new();
     }

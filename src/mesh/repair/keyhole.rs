@@ -7,9 +7,10 @@
 
 use std::collections::{HashMap, HashSet};
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 use crate::mesh::ears;
+use crate::mesh::is_inside;
 
 /// The vertex of a corner, and the number of the corner in the input.
 pub(super) type Corner = (u32, u32);
@@ -47,14 +48,15 @@ fn has_hole(corners: &[Corner], positions: &[DVec3]) -> bool {
             true => (from..to, to..from + count, rest),
             false => (to..from + count, from..to, part),
         };
-        if part.dot(rest) >= 0.0 || part.length().min(rest.length()) <= least {
+        let is_opposite = part.dot(rest) < 0.0 && part.length().min(rest.length()) > least;
+        if !is_opposite || budget < outer.len() {
             return false;
         }
-        budget = budget.saturating_sub(outer.len());
+        budget -= outer.len();
         let on_outline: HashSet<_> = outer.clone().map(|at| corners[at % count].0).collect();
         let mut inside = inner.filter(|&at| !on_outline.contains(&corners[at % count].0));
         let outline: Vec<_> = outer.map(place).collect();
-        budget > 0 && inside.next().is_some_and(|at| surrounds(&outline, place(at), axis))
+        inside.next().is_some_and(|at| surrounds(&outline, place(at), axis))
     };
     let mut visits: HashMap<u32, [usize; 2]> = HashMap::new();
     for (at, &(vertex, _)) in corners.iter().enumerate() {
@@ -71,13 +73,8 @@ fn has_hole(corners: &[Corner], positions: &[DVec3]) -> bool {
 /// True if a polygon runs around a point, seen along an axis.
 fn surrounds(outline: &[DVec3], point: DVec3, axis: DVec3) -> bool {
     let (right, up) = axis.normalize_or(DVec3::Z).any_orthonormal_pair();
-    let flat = |at: DVec3| ((at - point).dot(right), (at - point).dot(up));
-    let ends = outline.iter().zip(outline.iter().cycle().skip(1));
-    let crossed = ends.filter(|&(&a, &b)| {
-        let [(ax, ay), (bx, by)] = [flat(a), flat(b)];
-        (ay > 0.0) != (by > 0.0) && ax + (bx - ax) * ay / (ay - by) > 0.0
-    });
-    crossed.count() % 2 == 1
+    let flat = |at: &DVec3| DVec2::new((at - point).dot(right), (at - point).dot(up));
+    is_inside(DVec2::ZERO, &outline.iter().map(flat).collect::<Vec<_>>())
 }
 
 /// The triangles of a polygon.
