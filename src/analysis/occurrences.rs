@@ -49,7 +49,8 @@ pub fn shared(snapshot: &Snapshot, offset: usize) -> Option<Shared> {
     shared_item(snapshot, snapshot.names().symbol(mention.symbol))
 }
 
-fn shared_item(snapshot: &Snapshot, symbol: &Symbol) -> Option<Shared> {
+/// The item that a symbol stands for, if other files may name it.
+pub(super) fn shared_item(snapshot: &Snapshot, symbol: &Symbol) -> Option<Shared> {
     if symbol.item.is_some() {
         return None;
     }

@@ -105,10 +105,25 @@ impl Server {
                     supported: Some(true),
                     change_notifications: Some(true.into()),
                 }),
+                file_operations: Some(FileOperationOptions {
+                    will_rename: Some(renamed_files()),
+                    ..Default::default()
+                }),
                 ..Default::default()
             }),
             document_link_provider: Some(DocumentLinkOptions::default()),
             ..Default::default()
         }
     }
+}
+
+/// The files and folders of whose renaming the server is told.
+fn renamed_files() -> FileOperationRegistrationOptions {
+    let filter = |glob: &str, kind| FileOperationFilter {
+        scheme: None,
+        pattern: FileOperationPattern { glob: glob.into(), matches: Some(kind), options: None },
+    };
+    let programs = filter("**/*.hedge", FileOperationPatternKind::File);
+    let folders = filter("**", FileOperationPatternKind::Folder);
+    FileOperationRegistrationOptions { filters: vec![programs, folders] }
 }

@@ -1,16 +1,17 @@
-//! Definitions, references, highlights and renaming.
+//! Definitions, references, highlights, and renaming of names and files.
 
 use std::collections::HashMap;
 
 use gen_lsp_types::*;
 
 use super::document::Document;
+use super::files::name;
 use super::requests::{Answer, Refusal};
 use super::server::Server;
 use crate::analysis::names::{Mention, Role};
 use crate::analysis::{
-    definition, mentions_of_shared, occurrences, rename, rename_shared, renameable, shared,
-    stays_the_same, used_path,
+    definition, edits_for_moves, mentions_of_shared, occurrences, rename, rename_shared,
+    renameable, shared, stays_the_same, used_path,
 };
 use crate::diagnostic::{self, applied};
 
@@ -160,6 +161,29 @@ impl Server {
             }
         }
         Ok(())
+    }
+
+    /// `workspace/willRenameFiles`: the programs of the workspace use the files by their new paths.
+    pub(super) fn will_rename_files(
+        &mut self,
+        params: RenameFilesParams,
+    ) -> Answer<WillRenameFilesRequest> {
+        self.read_workspace();
+        let moves = params.files.iter().map(|file| (name(&file.old_uri), name(&file.new_uri)));
+        let moves: Vec<_> = moves.collect();
+        let moved = |file: &str| {
+            let moved = moves.iter().find_map(|(old, new)| {
+                let inside = file.strip_prefix(old.as_str())?;
+                // The file itself, or one in the folder.
+                (inside.is_empty() || inside.starts_with('/')).then(|| format!("{new}{inside}"))
+            });
+            moved.unwrap_or_else(|| file.to_owned())
+        };
+        let changes = self
+            .programs()
+            .map(|document| (document, edits_for_moves(document.snapshot(), &moved)));
+        let changes: Vec<_> = changes.filter(|(_, edits)| !edits.is_empty()).collect();
+        Ok((!changes.is_empty()).then(|| self.workspace_edit(&changes)))
     }
 
     /// Changes of programs; with the versions of those that are open, if the client supports that.

@@ -54,6 +54,7 @@ impl Server {
             Method::TextDocumentDocumentHighlight => self.respond(request, Self::highlight),
             Method::TextDocumentPrepareRename => self.respond(request, Self::prepare_rename),
             Method::TextDocumentRename => self.respond(request, Self::rename),
+            Method::WorkspaceWillRenameFiles => self.respond(request, Self::will_rename_files),
             Method::TextDocumentDocumentSymbol => self.respond(request, Self::document_symbols),
             Method::WorkspaceSymbol => self.respond(request, Self::workspace_symbols),
             Method::TextDocumentFoldingRange => self.respond(request, Self::folding),

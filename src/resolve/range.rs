@@ -27,6 +27,11 @@ impl Scripting<'_> {
             let error = Diagnostic::error("not-a-sequence", message, visited.sequence.span);
             self.typing.report.add(error.fix("drop `parallel`", parallel, "for"));
         }
+        if let (Some(from), Some(to)) = (literal(first), literal(end))
+            && from >= to
+        {
+            self.typing.report.add(empty(from, to, visited.sequence.span));
+        }
         let [first, end] =
             [first, end].map(|bound| self.typing.expression_as(bound, Type::Int, "a range"));
         self.typing.scopes.enter();
@@ -68,6 +73,28 @@ impl Typing<'_> {
     pub(super) fn misplaced_range(&mut self, span: Span) -> Option<Expr> {
         let message = "a range is not a value: only `for` takes one";
         self.report.reject(Diagnostic::error("not-a-sequence", message, span).note(TAKES_INTS))
+    }
+}
+
+/// The value of an int that is written as a number.
+fn literal(bound: &tree::Expr) -> Option<i64> {
+    match &bound.kind {
+        tree::ExprKind::Int(value) => Some(*value),
+        tree::ExprKind::Unary(tree::UnaryOp::Negate, value) => literal(value)?.checked_neg(),
+        _ => None,
+    }
+}
+
+/// The warning for a range without ints.
+fn empty(from: i64, to: i64, span: Span) -> Diagnostic {
+    let message = format!("this loop does nothing: `{from}..{to}` has no int");
+    let told = Diagnostic::warning("empty-range", message, span);
+    match from > to {
+        true => told.note(format!(
+            "a range counts up; `for k in 0..{} {{ let i = {from} - k … }}` counts down",
+            from.saturating_sub(to)
+        )),
+        false => told,
     }
 }
 

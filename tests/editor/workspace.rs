@@ -380,3 +380,68 @@ fn a_link_leads_to_the_text_that_is_open() {
     client.notify("textDocument/didChange", change);
     assert_eq!(errors(&client), 0);
 }
+
+/// The text of a program after the edits of an answer.
+fn after(edit: &Value, uri: &str, text: &str) -> String {
+    let changes = edit["documentChanges"].as_array().unwrap();
+    let Some(change) = changes.iter().find(|change| change["textDocument"]["uri"] == uri) else {
+        return text.to_owned();
+    };
+    let mut lines: Vec<_> = text.lines().map(str::to_owned).collect();
+    let mut edits: Vec<_> = change["edits"].as_array().unwrap().iter().collect();
+    edits.sort_by_key(|edit| std::cmp::Reverse(edit["range"]["start"]["character"].as_u64()));
+    for edit in edits {
+        let (start, end) = (&edit["range"]["start"], &edit["range"]["end"]);
+        assert_eq!(start["line"], end["line"]);
+        let at = |place: &Value| place["character"].as_u64().unwrap() as usize;
+        let line = &mut lines[start["line"].as_u64().unwrap() as usize];
+        line.replace_range(at(start)..at(end), edit["newText"].as_str().unwrap());
+    }
+    lines.join("\n") + "\n"
+}
+
+#[test]
+fn moved_files_are_used_by_their_new_paths() {
+    let ops = "use \"near.hedge\"\nuse \"std/triangle.hedge\"\nop turn(e: edge) { }\n";
+    let app = "use \"../lib/ops.hedge\"\nuse \"./other.hedge\"\n\
+               script s() { for e in edges { ops::turn(e) turn(e) } }\n";
+    let [near, other] = ["op near(e: edge) { }\n", "op other(e: edge) { }\n"];
+    let texts = [
+        ("/work/lib/ops.hedge", ops),
+        ("/work/lib/near.hedge", near),
+        ("/work/app/app.hedge", app),
+        ("/work/app/other.hedge", other),
+    ];
+    let files = texts.map(|(name, text)| (name.to_owned(), text.to_owned()));
+    let mut client = Client::over(
+        Box::new(Shelf(files.into())),
+        json!({ "workspaceFolders": work(), "capabilities": {
+            "general": { "positionEncodings": ["utf-8"] },
+            "workspace": { "workspaceEdit": { "documentChanges": true } },
+        } }),
+    );
+    client.open_as(APP, app);
+    let mut told = |moves: &[(&str, &str)]| {
+        let files = moves.iter().map(|(old, new)| {
+            json!({ "oldUri": format!("file:///work/{old}"), "newUri": format!("file:///work/{new}") })
+        });
+        let params = json!({ "files": files.collect::<Vec<_>>() });
+        client.request("workspace/willRenameFiles", params).unwrap()
+    };
+    let renamed = told(&[("lib/ops.hedge", "lib/more/turns.hedge")]);
+    let expected = app.replace("lib/ops.hedge", "lib/more/turns.hedge").replace("ops::", "turns::");
+    assert_eq!(after(&renamed, APP, app), expected);
+    let expected = ops.replace("near.hedge", "../near.hedge");
+    assert_eq!(after(&renamed, OPS, ops), expected);
+    // A folder, in which paths stay as they are.
+    let renamed = told(&[("lib", "app/std")]);
+    let expected = app.replace("../lib/ops.hedge", "./std/ops.hedge");
+    assert_eq!(after(&renamed, APP, app), expected);
+    assert_eq!(after(&renamed, OPS, ops), ops);
+    // All files together.
+    assert!(told(&[("lib", "a/lib"), ("app", "a/app")]).is_null());
+    let renamed = told(&[("app/app.hedge", "app.hedge"), ("app/other.hedge", "other.hedge")]);
+    assert_eq!(after(&renamed, APP, app), app.replace("../lib", "lib"));
+    // A path that only begins alike.
+    assert!(told(&[("lib/ops", "lib/moved")]).is_null());
+}
