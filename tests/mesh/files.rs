@@ -399,6 +399,41 @@ fn other_programs_files_are_read() {
 }
 
 #[test]
+fn rows_with_more_numbers_than_declared_keep_the_others_in_place() {
+    // Colours that the first line does not tell.
+    let off = "OFF\n4 2 0\n0 0 0 255 0 0\n1 0 0\n1 1 0 255 # 0\n\n0 1 0 1\n3 0 1 2\n3 0 2 3";
+    let file = read(FileFormat::Off, off.as_bytes()).unwrap();
+    assert_eq!((file.mesh.vertex_count(), file.mesh.face_count()), (4, 2));
+    let told = "3 vertices with more than the first word of the file says, first in line 3";
+    assert_eq!(file.losses(), [told]);
+    let ply = |rows: &str| {
+        let text = format!(
+            "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n\
+             property float z\nelement face 2\nproperty list uchar uint vertex_index\nend_header\n\
+             {rows}"
+        );
+        read(FileFormat::Ply, text.as_bytes()).unwrap()
+    };
+    let file = ply("0 0 0 7\r\n1 0 0 7\r\n1 1 0 7\r\n0 1 0 7\r\n3 0 1 2 9 9\r\n3 0 2 3 9\r\n");
+    let area = |MeshFile { mesh, .. }: &MeshFile| {
+        mesh.faces().filter(|&f| !mesh.is_hole(f)).map(|f| mesh.area(f)).sum::<f64>()
+    };
+    assert_eq!((file.mesh.face_count(), area(&file)), (2, 1.0));
+    assert_eq!(file.losses(), ["6 lines with more than the header declares, first in line 10"]);
+    // Rows that do not have lines of their own.
+    for rows in [
+        "0 0 0 1 0 0\n1 1 0 0 1 0\n3 0 1 2\n3 0 2 3\n",
+        "0 0 0 1 0 0\n\n1 1 0 0\n\n1 0\n3 0 1 2 3\n0 2 3\n",
+        "0 0\n0 1\n0 0\n1 1\n0 0\n1 0\n3 0\n1 2\n3 0\n2 3\n",
+        "0 0 0 1 0 0 1 1 0 0 1 0 3 0 1 2 3 0 2 3",
+    ] {
+        let file = ply(rows);
+        assert_eq!((file.mesh.face_count(), area(&file)), (2, 1.0), "{rows}");
+        assert_eq!(file.losses(), [""; 0]);
+    }
+}
+
+#[test]
 fn what_is_there_of_a_damaged_file_is_kept_on_demand() {
     let ply = |encoding: Encoding| {
         let mut file = MeshFile::from_mesh(shape::cube());

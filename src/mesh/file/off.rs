@@ -151,7 +151,7 @@ impl<'t> Reader<'t> {
             head.dimension = Some(number as usize);
         }
         let [vertices, faces, _] = self.counts()?;
-        self.vertices(vertices, head)?;
+        self.vertices(vertices, faces, head)?;
         self.faces(faces)
     }
 
@@ -238,10 +238,22 @@ impl<'t> Reader<'t> {
         }
     }
 
-    fn vertices(&mut self, count: usize, head: Head) -> Result<(), String> {
+    /// Reads the vertices, behind which there are some faces.
+    fn vertices(&mut self, count: usize, faces: usize, head: Head) -> Result<(), String> {
         let mut rows = VertexRows::default();
-        let read = (0..count).try_for_each(|_| {
+        let mut has_lines = None;
+        let read = (0..count).try_for_each(|at| {
+            self.scanner.next_line();
+            let begin = self.scanner.line();
             let read = self.vertex(head, &mut rows);
+            let left = (count - at - 1).saturating_add(faces);
+            if read.is_ok() && self.scanner.skip_surplus(begin, left, &mut has_lines) {
+                let what = [
+                    "vertex with more than the first word of the file says",
+                    "vertices with more than the first word of the file says",
+                ];
+                self.contents.kept.note(what, begin);
+            }
             if !self.skip(read)? {
                 // The other vertices keep their numbers.
                 self.contents.positions.push(DVec3::NAN);

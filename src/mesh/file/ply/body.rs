@@ -1,10 +1,15 @@
 //! Reading the body of a file: a table of numbers for each property.
 
 use super::header::{Element, Header, Property, Scalar};
-use crate::mesh::file::error::{Damage, Failure, FileReason};
+use crate::mesh::file::contents::Contents;
+use crate::mesh::file::error::{Failure, FileReason};
 use crate::mesh::file::format::Encoding;
 use crate::mesh::file::kept::{Kept, MISSING};
 use crate::mesh::file::scan::{Scanner, no_number, shown};
+
+/// The note on rows of a text that have more than their properties.
+const SURPLUS: [&str; 2] =
+    ["line with more than the header declares", "lines with more than the header declares"];
 
 /// The numbers of a property, row by row.
 #[derive(Default)]
@@ -51,6 +56,10 @@ pub(super) struct Body<'t> {
     bytes: &'t [u8],
     scanner: Scanner<'t>,
     lines: u32,
+    /// The number of rows that have not been read.
+    rows: usize,
+    /// True if each row of a text has a line of its own; `None` as long as it does not matter.
+    has_lines: Option<bool>,
     /// True if the file ended before all its elements were read.
     pub(super) is_cut_off: bool,
 }
@@ -63,6 +72,11 @@ impl<'t> Body<'t> {
             bytes: text,
             scanner: Scanner::new(if is_text { text } else { b"" }),
             lines: header.lines,
+            rows: header
+                .elements
+                .iter()
+                .fold(0, |rows, element| element.count.saturating_add(rows)),
+            has_lines: None,
             is_cut_off: false,
         }
     }
@@ -100,7 +114,7 @@ impl<'t> Body<'t> {
     pub(super) fn read(
         &mut self,
         element: &Element,
-        damage: &mut Damage,
+        contents: &mut Contents,
     ) -> Result<Vec<Table>, Failure> {
         let mut tables = self.tables(element);
         if element.properties.is_empty() {
@@ -108,9 +122,12 @@ impl<'t> Body<'t> {
         }
         let is_text = self.encoding == Encoding::Ascii;
         for row in 0..element.count {
+            self.rows = self.rows.saturating_sub(1);
+            self.scanner.next_line();
+            let begin = self.scanner.line();
             let is_whole = match self.row(element, &mut tables) {
                 Err((line, FileReason::Malformed(words))) if is_text => {
-                    damage.add(line, || words);
+                    contents.damage.add(line, || words);
                     self.scanner.end_line();
                     for (property, table) in element.properties.iter().zip(&mut tables) {
                         table.truncate(row, property.list.is_some());
@@ -121,7 +138,7 @@ impl<'t> Body<'t> {
                 read => read?,
             };
             if !is_whole {
-                damage.add(self.line(), || {
+                contents.damage.add(self.line(), || {
                     let name = shown(element.name.as_bytes());
                     format!("the file ends within {name} {} of {}", row + 1, element.count)
                 });
@@ -130,6 +147,9 @@ impl<'t> Body<'t> {
                 }
                 self.is_cut_off = true;
                 break;
+            }
+            if is_text && self.scanner.skip_surplus(begin, self.rows, &mut self.has_lines) {
+                contents.kept.note(SURPLUS, self.lines + begin);
             }
         }
         Ok(tables)

@@ -25,7 +25,7 @@ pub(in crate::mesh::file) fn read(text: &[u8]) -> Result<Contents, Failure> {
     contents.damage = header.damage.clone();
     for element in &header.elements {
         body.expect_numbers(element)?;
-        let tables = body.read(element, &mut contents.damage)?;
+        let tables = body.read(element, &mut contents)?;
         let is_cut_off = body.is_cut_off;
         if is_cut_off && tables.iter().all(Table::is_empty) {
             break;
