@@ -6,10 +6,14 @@ use std::{env, fs};
 
 fn main() {
     println!("cargo:rerun-if-changed=build.rs");
-    println!("cargo:rerun-if-changed=web/dist");
     let root = env::var("CARGO_MANIFEST_DIR").expect("cargo says where the crate lies");
     let out = env::var("OUT_DIR").expect("cargo says where to write");
-    let dist = Path::new(&root).join("web/dist");
+    let web = Path::new(&root).join("web");
+    let dist = web.join("dist");
+    // Cargo builds anew, each time, what watches a path that is missing.
+    if let Some(watched) = [&dist, &web].into_iter().find(|path| path.exists()) {
+        println!("cargo:rerun-if-changed={}", watched.display());
+    }
     let mut names: Vec<_> = fs::read_dir(&dist)
         .map(|files| {
             files.flatten().filter_map(|file| file.file_name().into_string().ok()).collect()

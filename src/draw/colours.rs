@@ -131,6 +131,7 @@ impl Colours {
     }
 
     /// The colour of an element.
+    #[cfg(feature = "play")]
     pub(crate) fn of_element(&self, mesh: &Mesh, index: u32) -> [u8; 3] {
         let value = self.value(mesh, index);
         if self.leaves(value) { LINE } else { self.colour(value) }

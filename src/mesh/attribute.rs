@@ -305,6 +305,11 @@ impl fmt::Display for ColumnConflict {
 
 impl std::error::Error for ColumnConflict {}
 
+/// True if a program can contain the name of an attribute, and files hold it.
+pub fn is_public_name(name: &str) -> bool {
+    !name.is_empty() && name.chars().all(|c| c.is_alphanumeric() || c == '_' || c == '\'')
+}
+
 /// One column with its name and default.
 #[derive(Clone, Debug)]
 pub struct Column {
@@ -325,7 +330,7 @@ impl Column {
     /// True if a program can contain the name. Columns with other names are scratch or bookkeeping,
     /// and are not written to files.
     pub fn is_public(&self) -> bool {
-        self.name.chars().all(|c| c.is_alphanumeric() || c == '_' || c == '\'')
+        is_public_name(&self.name)
     }
 
     pub fn default_value(&self) -> Value {

@@ -68,7 +68,7 @@ pub use glam;
 pub(crate) use adjacency::Adjacency;
 pub use arrays::NotATriangle;
 pub use attribute::{
-    Attribute, AttributeType, Column, ColumnConflict, ColumnData, ColumnId, Value,
+    Attribute, AttributeType, Column, ColumnConflict, ColumnData, ColumnId, Value, is_public_name,
 };
 pub use binary::{BinaryError, read_bytes, write_bytes};
 pub use build_error::BuildError;

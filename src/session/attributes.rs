@@ -3,7 +3,7 @@
 //! Neither changes pointers, so the level of the mesh stays known.
 
 use super::{Error, Session};
-use crate::mesh::{ColumnData, ElementKind, glam::DVec3};
+use crate::mesh::{ColumnData, ElementKind, glam::DVec3, is_public_name};
 use crate::run::replace_stand_in;
 
 impl Session {
@@ -12,7 +12,8 @@ impl Session {
     /// program declares another.
     ///
     /// # Errors
-    /// The number of values is not that of the slots (`wrong-argument`), or there is an attribute
+    /// The name has other characters than letters, digits, `_` and `'`, or the number of values is
+    /// not that of the slots (`wrong-argument`), or there is an attribute
     /// of that name with values of another type (`attribute-conflict`). Nothing has changed.
     pub fn set_attribute(
         &mut self,
@@ -20,6 +21,10 @@ impl Session {
         name: &str,
         values: ColumnData,
     ) -> Result<(), Error> {
+        if !is_public_name(name) {
+            let message = format!("`{name}` is not a name that a program can contain, nor a file");
+            return Err(self.wrong("wrong-argument", message));
+        }
         let slots = self.mesh.capacity(kind);
         if values.len() != slots {
             let what = format!("values for the attribute `{name}`");

@@ -1,6 +1,7 @@
 //! The texts that a run reads.
 
 use std::collections::HashMap;
+use std::sync::LazyLock;
 
 use super::{FileId, LineTable, Span};
 
@@ -67,9 +68,15 @@ impl Sources {
         self.named.entry(name.into()).or_insert(file);
     }
 
-    /// The text with the given id, which must come from [`Sources::add`] of this collection.
+    /// The text with the given id, which comes from [`Sources::add`] of this collection. For any
+    /// other, as that of an error without a place, it is an empty text without a name.
     pub fn get(&self, file: FileId) -> &Source {
-        &self.files[file.0 as usize]
+        static NONE: LazyLock<Source> = LazyLock::new(|| Source {
+            name: String::new(),
+            text: String::new(),
+            lines: LineTable::new(""),
+        });
+        self.files.get(file.0 as usize).unwrap_or(&NONE)
     }
 
     /// The first text with the given name.
