@@ -2,6 +2,7 @@
 
 use super::always_refused::always_refused;
 use super::files::touches;
+use super::no_change::changes_nothing;
 use crate::check::{Counterexample, Outcome, Proved, examine};
 use crate::compile::compile;
 use crate::diagnostic::{Diagnostic, Fix};
@@ -54,6 +55,7 @@ impl Examined {
                 }
                 found.diagnostics.extend(proof.warnings());
                 found.diagnostics.extend(whole.map(always_refused).unwrap_or_default());
+                found.diagnostics.extend(whole.and_then(changes_nothing));
                 found.proved = Some(proof);
             }
             Some(Err(rejection)) => {

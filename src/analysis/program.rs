@@ -2,7 +2,7 @@
 
 use super::Examined;
 use super::broken_dependencies::tell_what_is_lacking;
-use super::empty_tests::empty_tests;
+use super::empty_loops::empty_loops;
 use super::endless_loops::endless_loops;
 use super::files::{Absent, Reader, fetch, is_about_lost, lost_attributes};
 use super::hidden_guards::hidden_guards;
@@ -82,7 +82,7 @@ impl Analysis {
         let keeps = |op: usize| proved[op].as_ref().map(Proved::keeps).unwrap_or_default();
         diagnostics.extend(hidden_guards(&program, file, &seen, keeps));
         diagnostics.extend(endless_loops(&program));
-        diagnostics.extend(empty_tests(&program));
+        diagnostics.extend(empty_loops(&program));
         diagnostics.extend(plan_steps(&program, &functions, keeps, &mut plans));
         let lost = lost_attributes(&parts, &diagnostics);
         diagnostics.retain(|error| !is_about_lost(&lost, error));

@@ -9,7 +9,7 @@ use std::cell::{Cell, OnceCell, RefCell};
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 use std::rc::Rc;
 
-use super::empty_tests::empty_tests;
+use super::empty_loops::empty_loops;
 use super::endless_loops::endless_loops;
 use super::files::{Reader, fetch, name_of};
 use super::hidden_guards::hidden_guards;
@@ -111,7 +111,7 @@ impl Snapshot {
         let own = parts.remove(0);
         let used = parts.into_iter().map(|part| (part.file, part.parsed)).collect();
         told.extend(endless_loops(&program));
-        told.extend(empty_tests(&program));
+        told.extend(empty_loops(&program));
         keep_comments(&mut told, &sources);
         let due = due(&program, &functions, (file, &sources));
         let places = program.ops.iter().enumerate().map(|(number, op)| (op.span, number));

@@ -40,7 +40,10 @@ pub(super) fn explain(arguments: &ExplainArguments) -> Result<(), Failure> {
         explanation(word).is_some() || self::word(word).is_some() || !declared(word).is_empty()
     };
     let joined = asked.to_lowercase().replace(['-', ' '], "_");
-    let others = [plain.as_str(), singular.as_str(), joined.as_str()];
+    // `flip_edge` and `make_boundary` are `flip` and `boundary` here.
+    let apart = ["_edge", "_face", "_vertex"].iter().find_map(|end| joined.strip_suffix(end));
+    let apart = apart.or_else(|| joined.strip_prefix("make_")).unwrap_or(asked);
+    let others = [plain.as_str(), singular.as_str(), joined.as_str(), apart];
     let asked = match known(asked) {
         true => asked,
         false => others.into_iter().find(|other| known(other)).unwrap_or(asked),
@@ -134,6 +137,8 @@ fn usual(asked: &str) -> &str {
         "valence" => "degree",
         "decimate" => "simplify",
         "delete" | "remove" => "erase",
+        "float" | "double" => "real",
+        "string" => "text",
         "sort" | "queue" | "priority" | "heap" => "drain",
         "array" | "lists" | "stack" => "list",
         "attribute" | "uv" | "uvs" | "texcoord" | "seam" | "wedge" => "attr",

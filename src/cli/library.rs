@@ -70,7 +70,7 @@ pub(super) fn file(name: &str) -> Option<String> {
     let file = library::file(name)?;
     let (about, items) = items(file);
     let about = about.join("\n").trim_end().to_owned();
-    Some(format!("{}\n{about}\n\n{}", file.name, rows(items)))
+    Some(format!("{}\n\n{about}\n\n{}", file.name, rows(items)))
 }
 
 /// A public item of the library.

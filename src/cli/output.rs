@@ -7,7 +7,7 @@ use std::process::exit;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
-use console::Term;
+use console::{Term, measure_text_width};
 use pretty::{DocAllocator, DocBuilder, RcAllocator};
 use serde::Serialize;
 
@@ -90,23 +90,47 @@ pub(super) fn eprint_line(text: &str) {
     let _ = writeln!(stderr().lock(), "{}", shown(text));
 }
 
-/// Prints diagnostics to standard error.
+/// Prints diagnostics to standard error, with notes that fit into the terminal.
 pub(super) fn eprint_diagnostics(diagnostics: &[Diagnostic], sources: &Sources) {
-    let colour =
-        stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty());
+    let is_set = |name: &str| std::env::var_os(name).filter(|value| !value.is_empty());
+    let is_plain =
+        is_set("NO_COLOR").is_some() || is_set("TERM").is_some_and(|term| term == "dumb");
+    let colour = stderr().is_terminal() && !is_plain;
     let text = render(diagnostics, sources, Rendering { colour, most: MOST_DIAGNOSTICS });
-    let _ = write!(stderr().lock(), "{text}");
+    let columns = columns_of(&Term::stderr());
+    for line in text.lines() {
+        let note = [NOTE, HELP].iter().find_map(|word| Some(line.find(word)? + word.len()));
+        let is_note = |end: usize| measure_text_width(&line[..end]) == 2 + NOTE.len();
+        let line = match note.filter(|&end| is_note(end)).map(|end| line.split_at(end)) {
+            Some((head, rest)) => head.to_owned() + &fitted(rest, 2 + NOTE.len(), columns),
+            None => line.to_owned(),
+        };
+        let _ = writeln!(stderr().lock(), "{line}");
+    }
 }
 
-/// The number of columns of the terminal, if it is printed to one.
+/// The words before what a diagnostic adds, which are as long as each other.
+const NOTE: &str = "note: ";
+const HELP: &str = "help: ";
+
+/// The number of columns of standard output, if it is a terminal.
 pub(super) fn columns() -> Option<usize> {
-    Term::stdout().size_checked().map(|(_, columns)| usize::from(columns))
+    columns_of(&Term::stdout())
+}
+
+fn columns_of(term: &Term) -> Option<usize> {
+    term.size_checked().map(|(_, columns)| usize::from(columns))
 }
 
 /// A text behind `before` columns, in lines that fit into the terminal, if it is printed to one that
 /// is not narrow.
 pub(super) fn wrapped(text: &str, before: usize) -> String {
-    match columns().and_then(|columns| columns.checked_sub(before)) {
+    fitted(text, before, columns())
+}
+
+/// A text behind `before` columns, in lines that fit into some columns, if they are not few.
+fn fitted(text: &str, before: usize, columns: Option<usize>) -> String {
+    match columns.and_then(|columns| columns.checked_sub(before)) {
         Some(room @ 20..) => {
             let lines: DocBuilder<_, ()> = RcAllocator.reflow(text);
             lines.pretty(room).to_string().replace('\n', &format!("\n{}", " ".repeat(before)))
@@ -115,23 +139,44 @@ pub(super) fn wrapped(text: &str, before: usize) -> String {
     }
 }
 
-/// A text in which paragraphs that are too wide for the terminal are wrapped, if it is printed to
-/// one; code, lists and tables stay as they are.
+/// The line around code.
+const FENCE: &str = "```";
+
+/// A text in which paragraphs and items of lists that are too wide for the terminal are wrapped, if
+/// it is printed to one; code and tables stay as they are.
 pub(super) fn prose(text: &str) -> String {
     let Some(columns) = columns() else { return text.to_owned() };
-    let mut is_code = false;
-    let block = |block: &str| {
-        let was_code = is_code;
-        is_code ^= block.matches("```").count() % 2 == 1;
-        let is_list = |line: &str| line.starts_with([' ', '|', '-', '*', '#']);
-        let fits = |line: &str| line.chars().count() <= columns;
-        let is_prose = !was_code && !block.contains("```") && !block.lines().any(is_list);
-        if !is_prose || block.lines().all(fits) {
-            return block.to_owned();
+    let (mut is_code, mut out) = (false, Vec::new());
+    let mut lines = text.lines().peekable();
+    while let Some(line) = lines.next() {
+        is_code ^= line.trim_start().starts_with(FENCE);
+        let words = line.trim_start();
+        let indent = line.len() - words.len();
+        let is_item = |words: &str| words.starts_with("- ") || words.starts_with("* ");
+        if is_code || words.is_empty() || words.starts_with(['|', '#']) || words.starts_with(FENCE)
+        {
+            out.push(line.to_owned());
+            continue;
         }
-        wrapped(block, 0)
-    };
-    text.split("\n\n").map(block).collect::<Vec<_>>().join("\n\n")
+        // The lines of a paragraph are indented alike, those of an item more than its first.
+        let inside = indent + if is_item(words) { 2 } else { 0 };
+        let mut all = vec![line];
+        while let Some(next) = lines.next_if(|next| {
+            let words = next.trim_start();
+            let is_text = !words.is_empty() && !words.starts_with(['|', '#']) && !is_item(words);
+            is_text && !words.starts_with(FENCE) && next.len() - words.len() == inside
+        }) {
+            all.push(next);
+        }
+        let fits = |line: &&str| line.chars().count() <= columns;
+        if all.iter().all(fits) {
+            out.extend(all.into_iter().map(str::to_owned));
+            continue;
+        }
+        let paragraph = all.iter().map(|line| line.trim()).collect::<Vec<_>>().join(" ");
+        out.push(" ".repeat(indent) + &wrapped(&paragraph, inside));
+    }
+    out.join("\n")
 }
 
 /// Columns of text, each as wide as its widest cell; those marked in `right` are aligned right. Long
@@ -151,12 +196,17 @@ pub(super) fn table(rows: &[Vec<String>], right: &[bool]) -> String {
             let is_right = right.get(column) == Some(&true);
             if column > 0 && column + 1 == columns && !is_right {
                 let before = widths[..column].iter().map(|width| width + 2).sum();
-                return wrapped(cell, before);
+                // Beside a wide column there is too little room: below it there is more.
+                return match self::columns().is_some_and(|columns| before > columns / 2) {
+                    true => format!("\n    {}", wrapped(cell, 4)),
+                    false => wrapped(cell, before),
+                };
             }
             let gap = " ".repeat(widths[column] - cell.chars().count());
             if is_right { format!("{gap}{cell}") } else { format!("{cell}{gap}") }
         };
-        row.iter().enumerate().map(cell).collect::<Vec<_>>().join("  ").trim_end().to_string()
+        let cells = row.iter().enumerate().map(cell).collect::<Vec<_>>().join("  ");
+        cells.lines().map(str::trim_end).collect::<Vec<_>>().join("\n")
     };
     rows.iter().map(line).collect::<Vec<_>>().join("\n")
 }

@@ -25,7 +25,7 @@ const STYLE: &str = "\
 body { margin: 2rem auto; max-width: 62rem; padding: 0 1rem; background: var(--paper); color: var(--ink); font: 17px/1.5 Georgia, 'Times New Roman', serif }
 section { margin: 3rem 0; border-top: 1px solid var(--soft) }
 h1, h2, code, pre { font-family: ui-monospace, Consolas, monospace }
-h1 { font-size: 1.3rem } h2 { font-size: 1.1rem }
+h1 { font-size: 1.3rem; overflow-wrap: anywhere } h2 { font-size: 1.1rem }
 svg { display: block; max-width: 100%; height: auto; margin: 1rem auto }
 pre { background: var(--soft); padding: .8rem 1rem; overflow-x: auto; font-size: 13px; line-height: 1.4; border-radius: 6px }
 .verdict { color: var(--muted); margin: .3rem 0 }

@@ -122,6 +122,13 @@ impl Scripting<'_> {
             if self.declared_elsewhere(action, actions.get(at + 1)) {
                 continue;
             }
+            if let Some(next) = actions.get(at + 1)
+                && let Some(word) = leaves(&action.kind)
+            {
+                let message = format!("what follows `{word}` is never executed");
+                let told = Diagnostic::warning("unreachable-statement", message, next.span);
+                self.typing.report.add(told.label(action.span, format!("`{word}` is here")));
+            }
             if let Some(beside) = self.foreign_words(action, &actions[at + 1..]) {
                 foreign = beside;
                 continue;
@@ -360,4 +367,14 @@ fn parallel_without_where(parallel: Span) -> Diagnostic {
     Diagnostic::error("parallel-without-where", message, parallel)
         .note("its turns run one after the other, as those of a `for`; an `update` runs on all threads")
         .fix("drop `parallel`", parallel, "for")
+}
+
+/// The word of a statement behind which its block does not go on.
+fn leaves(kind: &ActionKind) -> Option<&'static str> {
+    match kind {
+        ActionKind::Return(_) => Some("return"),
+        ActionKind::Break => Some("break"),
+        ActionKind::Continue => Some("continue"),
+        _ => None,
+    }
 }

@@ -97,7 +97,7 @@ fn explain_tells_of_codes_words_and_functions() {
     let told = bench.succeeds(&["explain", "error[stale-vertex]: a spoke of `v1`"]);
     assert!(told.starts_with("stale-vertex"), "{told}");
     let told = bench.succeeds(&["explain", "smooth"]);
-    assert!(told.contains("std/smooth.hedge\nSmoothing: "), "{told}");
+    assert!(told.contains("std/smooth.hedge\n\nSmoothing: "), "{told}");
     assert!(told.contains("  script  laplacian"), "{told}");
     bench.fails(2, &["explain", "nothing"], "explain functions");
     for (word, meant) in [

@@ -399,6 +399,30 @@ fn other_programs_files_are_read() {
 }
 
 #[test]
+fn a_file_that_counts_from_another_number_is_told_so() {
+    let places = "0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0";
+    let obj = |faces: &str| format!("v {places}\n{faces}");
+    let off = |faces: &str| format!("OFF\n4 2 0\n{}\n{faces}", places.replace("v ", ""));
+    let told = |format, text: String| read(format, text.as_bytes()).unwrap_err();
+    let error = told(FileFormat::Obj, obj("f 0 1 2\nf 0 2 3\n"));
+    let start = "its faces seem to count vertices from 0, and the format counts from 1";
+    assert!(error.ends_with(start), "{error}");
+    let error = told(FileFormat::Off, off("3 1 2 3\n3 1 3 4\n"));
+    let start = "the faces seem to count vertices from 1, and the format counts from 0";
+    assert!(error.ends_with(start), "{error}");
+    // Indices that are wrong from whatever number they count.
+    for (format, text) in [
+        (FileFormat::Obj, obj("f 0 1 2\nf 1 3 4\n")),
+        (FileFormat::Obj, obj("f 0 1 2\nf 1 3 7\n")),
+        (FileFormat::Off, off("3 0 1 2\n3 1 3 4\n")),
+        (FileFormat::Off, off("3 1 2 3\n3 1 3 9\n")),
+    ] {
+        let error = told(format, text);
+        assert!(!error.contains("count vertices"), "{error}");
+    }
+}
+
+#[test]
 fn rows_with_more_numbers_than_declared_keep_the_others_in_place() {
     // Colours that the first line does not tell.
     let off = "OFF\n4 2 0\n0 0 0 255 0 0\n1 0 0\n1 1 0 255 # 0\n\n0 1 0 1\n3 0 1 2\n3 0 2 3";

@@ -70,7 +70,11 @@ fn malformed_files_are_refused_in_words() {
         ("T\nf 1 2 3.0\n", "4: `3.0` is not a corner of a face"),
         ("T\nf 1 2 3/1/1/1\n", "4: `3/1/1/1` is not a corner of a face"),
         ("T\nf 1 2 /1\n", "4: `/1` is not a corner of a face"),
-        ("T\nf 0 1 2\n", "4: 0 is not an index: they count from 1, or back from -1"),
+        (
+            "T\nf 0 1 2\n",
+            "4: 0 is not an index: they count from 1, or back from -1; the faces seem to count vertices \
+             from 0, and the format counts from 1",
+        ),
         ("T\nf 1 2 4\nv 0 0\n", "5: `v` needs three numbers"),
         ("T\nf 1 2 4\nf 1 2 3\n", "4: there is no vertex 4: the file has 3 vertices"),
         ("T\nf 1 2 -4\n", "4: there is no vertex -4: the file has 3 vertices"),

@@ -118,6 +118,17 @@ impl Contents {
         Ok(file)
     }
 
+    /// How the faces count vertices, of which there are some, if they seem to count from another
+    /// number than the format does: all indices would be right then.
+    fn wrong_start(&self, vertices: usize) -> Option<&'static str> {
+        let uses = |vertex: usize| self.polygons.corners().contains(&(vertex as u32));
+        match self.bad_indices.shifted_from()? {
+            1 if !uses(vertices.checked_sub(1)?) => Some("from 0, and the format counts from 1"),
+            0 if !uses(0) => Some("from 1, and the format counts from 0"),
+            _ => None,
+        }
+    }
+
     fn build_undamaged(
         mut self,
         repair: Option<Repair>,
@@ -152,7 +163,9 @@ impl Contents {
         let Some(repair) = repair else {
             let faults = Faults::of(&positions, &self.polygons);
             let lines = [&self.vertex_lines[..], &self.face_lines[..]];
-            let faults = FileFaults::new(&faults, self.bad_indices, lines);
+            let wrong_start = self.wrong_start(positions.len());
+            let mut faults = FileFaults::new(&faults, self.bad_indices, lines);
+            faults.wrong_start = wrong_start;
             return Err((faults.line(), FileReason::Faults(faults)));
         };
         self.kept.note_count(BAD_INDICES, self.bad_indices.count());

@@ -90,6 +90,9 @@ impl Indexed {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct FileFaults {
     pub kinds: Vec<FileFaultKind>,
+    /// From which number the faces count vertices, in words, if that alone seems to be wrong. A
+    /// repair would make another mesh of them.
+    pub wrong_start: Option<&'static str>,
 }
 
 /// The faults of one kind.
@@ -106,6 +109,10 @@ pub struct FileFaultKind {
 #[derive(Clone, Debug, Default)]
 pub(super) struct BadIndices {
     count: usize,
+    /// How many would refer to an element if the file counted as other formats do.
+    shifted: usize,
+    /// The number of the first element in the format, if any is shifted.
+    first_number: u32,
     first: Vec<(Option<u32>, String)>,
 }
 
@@ -121,8 +128,27 @@ impl BadIndices {
         }
     }
 
+    /// Adds an index that would refer to an element if the file counted as other formats do: 0 where
+    /// the first is 1, or the number of elements where the first is 0.
+    pub(super) fn add_shifted(
+        &mut self,
+        line: Option<u32>,
+        first_number: u32,
+        words: impl FnOnce() -> String,
+    ) {
+        self.shifted += 1;
+        self.first_number = first_number;
+        self.add(line, words);
+    }
+
     pub(super) fn count(&self) -> usize {
         self.count
+    }
+
+    /// The number of the first element in the format, if all would refer to elements if the file
+    /// counted as other formats do.
+    pub(super) fn shifted_from(&self) -> Option<u32> {
+        (self.count > 0 && self.shifted == self.count).then_some(self.first_number)
     }
 
     /// Adds the bad indices of the next part of a file, which starts after `lines` lines.
@@ -132,6 +158,8 @@ impl BadIndices {
             self.count -= 1;
         }
         self.count += part.count;
+        self.shifted += part.shifted;
+        self.first_number = self.first_number.max(part.first_number);
     }
 }
 
@@ -201,7 +229,11 @@ impl fmt::Display for FileFaults {
         if let [FileFaultKind { count: 1, first, .. }] = &self.kinds[..]
             && let Some((_, words)) = first.first()
         {
-            return write!(f, "{words}");
+            write!(f, "{words}")?;
+            return match self.wrong_start {
+                Some(start) => write!(f, "; the faces seem to count vertices {start}"),
+                None => Ok(()),
+            };
         }
         write!(f, "{} faults keep its faces from being a mesh", self.count())?;
         for FileFaultKind { kind, count, first } in &self.kinds {
@@ -216,6 +248,9 @@ impl fmt::Display for FileFaults {
             if first.len() < *count {
                 write!(f, "; …")?;
             }
+        }
+        if let Some(start) = self.wrong_start {
+            write!(f, "\n  its faces seem to count vertices {start}")?;
         }
         Ok(())
     }
@@ -388,7 +423,7 @@ impl FileError {
     /// True if a repair would fix it.
     pub fn is_mendable(&self) -> bool {
         match &self.reason {
-            FileReason::Faults(_) => true,
+            FileReason::Faults(faults) => faults.wrong_start.is_none(),
             FileReason::Damaged(words) => !words.ends_with(POINT),
             _ => false,
         }

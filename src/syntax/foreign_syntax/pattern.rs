@@ -31,6 +31,7 @@
 //! | `$a:owner` | the same, or with what is called behind it, before what is read or called last |
 //! | `$a:operand` | a number, or a name with what is read and called behind it |
 //! | `$a:exponent` | the same, without a power behind it |
+//! | `$a:degree` | the same, beginning with a number |
 //! | `$i:next` | a step of what `$i` stands for by one: `i++` |
 //! | `@` | `$b`, what can stand before a value |
 //! | `$:end` | nothing, at the end of a line or before the next statement of a drawing |
@@ -103,7 +104,7 @@ pub(super) enum Class {
     Place,
     Owner,
     Operand,
-    Exponent,
+    Exponent { is_number: bool },
     Next,
     End,
     Sign,
@@ -198,7 +199,8 @@ fn hole_of(written: &'static str) -> What {
         "place" => Class::Place,
         "owner" => Class::Owner,
         "operand" => Class::Operand,
-        "exponent" => Class::Exponent,
+        "exponent" => Class::Exponent { is_number: false },
+        "degree" => Class::Exponent { is_number: true },
         "next" => Class::Next,
         "end" => Class::End,
         "sign" => Class::Sign,
@@ -325,11 +327,12 @@ fn all_ends(what: &What, item: &Item, at: usize) -> Vec<usize> {
             Class::Place => place_end(item, at).into_iter().collect(),
             Class::Owner => owner_ends(item, at),
             Class::Operand => operand_end(item, at).into_iter().collect(),
-            Class::Exponent => {
+            Class::Exponent { is_number } => {
                 let is_last = |&end: &usize| {
                     item.word(end) != "^" && [end, end + 1].map(|at| item.word(at)) != ["*", "*"]
                 };
-                operand_end(item, at).filter(is_last).into_iter().collect()
+                let is_meant = !is_number || matches!(kind, Some(T::Int | T::Real));
+                operand_end(item, at).filter(is_last).filter(|_| is_meant).into_iter().collect()
             }
             Class::Next => Vec::new(),
             Class::End => {

@@ -46,9 +46,11 @@ impl Group {
         Self { what, span, says: vec![says], edits, more: 0, code }
     }
 
-    /// True if a finding belongs to this error: the same form or the same message.
+    /// True if a finding belongs to this error: the same form or the same message, and a fix as
+    /// certain.
     fn is_same(&self, found: &Found) -> bool {
-        self.what == found.what || self.says.contains(&found.says)
+        let is_alike = self.what == found.what || self.says.contains(&found.says);
+        is_alike && self.edits.is_some() == found.edits.is_some()
     }
 
     /// Adds the same form in another place.
@@ -145,17 +147,19 @@ fn title(text: &str, span: Span, edits: &[Edit]) -> String {
     {
         return format!("write `{}`", only.text.trim());
     }
+    let part = excerpt(text, line, &here);
     let is_moved = here.iter().any(|edit| edit.text.contains('\n'));
     match (here.is_empty() || is_moved, mended.is_empty()) {
         (true, _) | (_, true) if new.is_empty() => {
             format!("leave out `{}`", edits.first().map(old).unwrap_or_default())
         }
         (false, false) if mended.len() <= LONGEST => format!("write `{mended}`"),
+        _ if !here.is_empty() && !is_moved && part.len() <= LONGEST => format!("write `{part}`"),
         _ if edits.len() == 1 && !new.is_empty() && new.len() <= LONGEST && !new.contains('\n') => {
             format!("write `{new}`")
         }
         (true, _) => format!("write `{} …`", new.lines().next().unwrap_or("")),
-        _ => format!("write `{}`", excerpt(text, line, &here)),
+        _ => format!("write `{part}`"),
     }
 }
 

@@ -4,7 +4,7 @@ use super::failure::{Failure, Mistake, Phrase};
 use super::foreign_syntax::{IN_BRACES, path_meant, told_here};
 use super::text::MOST_DIGITS;
 use super::unclosed::Braces;
-use crate::diagnostic::{Diagnostic, one_of};
+use crate::diagnostic::{Diagnostic, Edit, Fix, one_of};
 use crate::source::Span;
 use crate::syntax::token::{Token, TokenKind as T};
 use crate::syntax::tree::split_qualified;
@@ -166,6 +166,9 @@ fn unexpected(failure: Failure, around: &Around) -> Diagnostic {
     let anew = starts_anew(&failure);
     let closes = failure.wanted.has(T::RightBrace);
     if let Some(open) = around.braces.open_at(around.at(failure.span)).filter(|_| closes) {
+        if let Some(told) = use_inside(around) {
+            return told;
+        }
         return not_closed(open, &failure, found, around);
     }
     if let Some(told) = keyword_as_name(&failure, around).or_else(|| no_value(&failure, around)) {
@@ -232,6 +235,31 @@ fn no_value(failure: &Failure, around: &Around) -> Option<Diagnostic> {
         let message = "between braces stands the value that is printed: `{count(edges)}`";
         Diagnostic::error("syntax-error", message, failure.span)
     })
+}
+
+/// The error for a `use` within the braces of an item, which are closed behind it.
+fn use_inside(around: &Around) -> Option<Diagnostic> {
+    let text = around.text;
+    let used = around.next.filter(|next| next.kind == T::Use)?.span;
+    let count = |brace: char| text.matches(brace).count();
+    let rest = text.get(used.start as usize..).filter(|_| count('{') == count('}'))?;
+    let message = "files are used at the head of a file, not inside of an item";
+    let mut told = Diagnostic::error("syntax-error", message, used);
+    let indent = line_before(text, used);
+    let line = rest.split_inclusive('\n').next().filter(|_| indent.trim().is_empty());
+    if let Some(line) = line {
+        let start = used.start - indent.len() as u32;
+        let old = Span { start, end: used.start + line.len() as u32, ..used };
+        let head = Span { start: 0, end: 0, ..used };
+        told.fixes.push(Fix {
+            title: "move it to the head of the file".to_owned(),
+            edits: vec![
+                Edit { span: head, text: format!("{}\n", line.trim_end()) },
+                Edit { span: old, text: String::new() },
+            ],
+        });
+    }
+    Some(told)
 }
 
 /// The error for an unclosed brace, at something that cannot be inside it. The lines tell where it
