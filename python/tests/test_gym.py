@@ -323,6 +323,75 @@ def test_an_environment_that_was_not_begun_is_copied(copied):
     env = gym.PlanarMeshEnv("quad", points=3)
     other = copied(env)
     assert (env.reset()[0] == other.reset()[0]).all()
+class Failing:
+    """A source of meshes that fails once."""
+
+    def __init__(self, kind, fails_at):
+        self.kind, self.left = kind, fails_at
+
+    def __call__(self, rng):
+        self.left -= 1
+        if not self.left:
+            raise OSError("no mesh")
+        return gym.random_mesh(self.kind, rng, points=8)
+
+
+def state(many):
+    """What many environments are, and whether what they have seen is so."""
+    boards = [env.board for env in many.envs]
+    for env, board in zip(many.envs, boards):
+        assert board.irregularity == gym.Board(board.mesh.copy(), many.envs[0].rules.kind).irregularity
+    seen = many._observations.copy(), many.action_masks()
+    many._look(range(many.num_envs))
+    np.testing.assert_array_equal(seen[0], many._observations)
+    np.testing.assert_array_equal(seen[1], many.action_masks())
+    generators = [env.np_random.bit_generator.state for env in many.envs]
+    meshes = [board.mesh.to_bytes() for board in boards]
+    return generators, meshes, [env._steps for env in many.envs], many._over.tolist()
+
+
+def test_a_refused_beginning_of_many_begins_none():
+    many = gym.PlanarMeshVectorEnv(2, points=4)
+    many.reset(seed=1)
+    before = state(many)
+    with pytest.raises(gymnasium.error.Error):
+        many.reset(seed=[5, -1])
+    assert state(many) == before
+    for env in many.envs:
+        env._mesh = Failing("triangle", 2)
+    with pytest.raises(OSError):
+        many.reset(options={"mesh": Failing("triangle", 2)})
+    assert state(many) == before
+    one = many.envs[0]
+    with pytest.raises(OSError):
+        one.reset(seed=7, options={"mesh": Failing("triangle", 1)})
+    assert state(many) == before
+
+
+@pytest.mark.parametrize("mode", ["next_step", "same_step"])
+def test_a_step_of_many_whose_new_mesh_fails_can_be_repeated(mode):
+    source = Failing("triangle", 0)
+    many = gym.PlanarMeshVectorEnv(2, mesh=source, max_steps=3, autoreset_mode=mode)
+
+    def step():
+        return many.step([int(mask.argmax()) for mask in many.action_masks()])
+
+    many.reset(seed=1)
+    step(), step()
+    many.reset(options={"reset_mask": [False, True]})
+    if mode == "next_step":
+        step()
+    before = state(many)
+    source.left = 1
+    with pytest.raises(OSError):
+        step()
+    # The first one has ended, and did so in a step that has been done.
+    assert state(many)[2:] == ([3, 1], [True, False])
+    assert mode == "same_step" or state(many) == before
+    *_, info = step()
+    assert state(many)[2:] == ([0, 2], [False, False]) and info["is_applied"].all()
+
+
     assert env.action_space.sample() == other.action_space.sample()
 
 

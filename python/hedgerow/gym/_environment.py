@@ -167,6 +167,28 @@ class PlanarMeshEnv(gymnasium.Env):
 
     def begin(self, seed, options):
         """Begins an episode, without an observation."""
+        self._begin([self], [seed], options)
+
+    @staticmethod
+    def _begin(envs, seeds, options):
+        """Begins an episode of some environments: of all, or, with an exception, of none. Their
+        generators are then as they were, too."""
+        # The attributes, since asking for a generator makes one.
+        before = [(env._np_random, env._np_random_seed) for env in envs]
+        states = [one and one.bit_generator.state for one, _ in before]
+        try:
+            boards = [env._board(seed, options) for env, seed in zip(envs, seeds)]
+        except BaseException:
+            for env, (one, seed), state in zip(envs, before, states):
+                env._np_random, env._np_random_seed = one, seed
+                if one:
+                    one.bit_generator.state = state
+            raise
+        for env, board in zip(envs, boards):
+            env.board, env._steps = board, 0
+
+    def _board(self, seed, options):
+        """The board of an episode that is about to begin."""
         mesh = (options or {}).get("mesh", self._mesh)
         _expect_source(mesh)
         super().reset(seed=seed)
@@ -180,7 +202,7 @@ class PlanarMeshEnv(gymnasium.Env):
             board = Board(made, **self._made_of)
             if isinstance(mesh, _mesh.Mesh) or not board.is_ideal:
                 break
-        self.board, self._steps = board, 0
+        return board
 
     def act(self, action):
         """Does an action, without an observation: the reward, and why it did not apply."""

@@ -55,6 +55,12 @@ class PlanarMeshVectorEnv(VectorEnv):
         if len(which):
             self._observations[which] = PlanarMeshEnv._look([self.envs[i] for i in which])
 
+    def _begin(self, which, seeds, options):
+        """Begins an episode of the environments of some numbers, without observations: of all, or,
+        with an exception, of none."""
+        PlanarMeshEnv._begin([self.envs[i] for i in which], seeds, options)
+        self._over[which] = False
+
     def reset(self, *, seed=None, options=None):
         options = dict(options or {})
         mask = np.asarray(options.pop("reset_mask", np.ones(self.num_envs, dtype=bool)))
@@ -69,9 +75,7 @@ class PlanarMeshVectorEnv(VectorEnv):
         if len(seeds) != self.num_envs:
             message = f"there are {self.num_envs} environments, not {len(seeds)} as there are seeds"
             raise ArgumentError(message, "wrong-argument")
-        for i in which:
-            self.envs[i].begin(seeds[i], options)
-            self._over[i] = False
+        self._begin(which, [seeds[i] for i in which], options)
         self._look(which)
         infos = {}
         for i in which:
@@ -85,13 +89,17 @@ class PlanarMeshVectorEnv(VectorEnv):
         again = self._over.copy()
         if again.any() and self.autoreset_mode == AutoresetMode.DISABLED:
             raise ArgumentError("an environment has ended: reset it first", "wrong-argument")
-        for i, move in enumerate(self._moves(actions, again)):
-            if move is None:
-                self.envs[i].begin(None, None)
-            else:
-                rewards[i], reasons[i] = self.envs[i]._do(*move)
-        self._look(range(self.num_envs))
-        for i in np.flatnonzero(~again):
+        moves = self._moves(actions, again)
+        which = np.flatnonzero(again)
+        # Before any moves, since a new mesh may not come about.
+        self._begin(which, [None] * len(which), None)
+        which = np.flatnonzero(~again)
+        try:
+            for i in which:
+                rewards[i], reasons[i] = self.envs[i]._do(*moves[i])
+        finally:
+            self._look(range(self.num_envs))
+        for i in which:
             ended[:, i] = self.envs[i].is_over()
         self._over = ended.any(axis=0)
         infos = {}
@@ -101,10 +109,10 @@ class PlanarMeshVectorEnv(VectorEnv):
                 last = {"final_obs": self._observations[i].copy()}
                 last["final_info"] = self.envs[i]._info(reasons[i])
                 infos = self._add_info(infos, last, i)
-                self.envs[i].begin(None, None)
                 reasons[i] = None
+            # If a new mesh does not come about, they begin again at the next step.
+            self._begin(which, [None] * len(which), None)
             self._look(which)
-            self._over = np.zeros(self.num_envs, dtype=bool)
         for i, env in enumerate(self.envs):
             infos = self._add_info(infos, env._info(reasons[i]), i)
         return self._observations.copy(), rewards, ended[0], ended[1], infos
