@@ -2,6 +2,7 @@
 
 import copy
 import pickle
+import signal
 
 import numpy as np
 import pytest
@@ -200,6 +201,45 @@ def test_greedy_takes_the_best(kind):
     assert reward == max(gains)
 
 
+@pytest.mark.parametrize("kind", KINDS)
+def test_an_interrupt_leaves_the_irregularity_of_the_mesh(kind, monkeypatch):
+    board = gym.Board(gym.random_mesh(kind, 1), kind)
+    before, mesh = board.irregularity, board.mesh.copy()
+    halfedge, action = np.argwhere(board.valid())[0].tolist()
+
+    def interrupted():
+        raise KeyboardInterrupt
+
+    def true():
+        return int(np.abs(board.mesh["score"][board.mesh.vertex_ids]).sum())
+
+    # At the moment when the operation has been done.
+    monkeypatch.setattr(board, "_sums", interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        board.gain(action, halfedge)
+    assert board.irregularity == before and board.mesh == mesh
+    board.apply(action, halfedge)
+    with pytest.raises(KeyboardInterrupt):
+        _ = board.irregularity
+    monkeypatch.undo()
+    assert board.irregularity == true() and board.mesh != mesh
+    # And wherever it comes.
+    rng = np.random.default_rng(2)
+    env = gym.PlanarMeshEnv(kind, points=6)
+    env.reset(seed=1)
+    board = env.board
+    usual = signal.signal(signal.SIGALRM, signal.default_int_handler)
+    try:
+        for _ in range(20):
+            signal.setitimer(signal.ITIMER_REAL, rng.uniform(0.001, 0.01))
+            with pytest.raises(KeyboardInterrupt):
+                while True:
+                    gym.greedy_action(env, rng)
+            assert board.irregularity == true()
+    finally:
+        signal.signal(signal.SIGALRM, usual)
+
+
 def test_pictures():
     env = gymnasium.make(IDS["triangle"], render_mode="rgb_array", render_size=120)
     env.reset(seed=1)
@@ -283,46 +323,6 @@ def test_many_at_once_do_as_each_alone(kind, mode):
     assert batch.observation_space.contains(a[0])
 
 
-def _same(a, b):
-    for ours, theirs in zip(a[:-1], b[:-1]):
-        np.testing.assert_array_equal(ours, theirs)
-    assert a[-1].keys() == b[-1].keys()
-    for name in ("action_mask", "irregularity", "is_success"):
-        np.testing.assert_array_equal(a[-1][name], b[-1][name])
-
-
-def test_registered_and_vectorised():
-    env = gymnasium.make_vec(IDS["quad"], num_envs=2, points=3)
-    assert isinstance(env, gym.PlanarMeshVectorEnv)
-    observation, info = env.reset(seed=1)
-    assert observation.shape == (2, 20, 24) and info["action_mask"].shape == (2, 100)
-    env.step(env.action_space.sample())
-    with pytest.raises(ValueError, match="as there are seeds"):
-        env.reset(seed=[1])
-
-
-def test_in_processes():
-    env = gymnasium.make_vec(
-        IDS["triangle"], num_envs=2, vectorization_mode="async", points=4,
-        vector_kwargs={"context": "spawn"},
-    )  # fmt: skip
-    try:
-        observation, _ = env.reset(seed=1)
-        same, _ = gymnasium.make_vec(IDS["triangle"], num_envs=2, points=4).reset(seed=1)
-        assert (observation == same).all()
-        assert env.step(env.action_space.sample())[1].shape == (2,)
-    finally:
-        env.close()
-
-
-COPIES = [copy.deepcopy, lambda env: pickle.loads(pickle.dumps(env))]
-
-
-@pytest.mark.parametrize("copied", COPIES)
-def test_an_environment_that_was_not_begun_is_copied(copied):
-    env = gym.PlanarMeshEnv("quad", points=3)
-    other = copied(env)
-    assert (env.reset()[0] == other.reset()[0]).all()
 class Failing:
     """A source of meshes that fails once."""
 
@@ -392,6 +392,46 @@ def test_a_step_of_many_whose_new_mesh_fails_can_be_repeated(mode):
     assert state(many)[2:] == ([0, 2], [False, False]) and info["is_applied"].all()
 
 
+def _same(a, b):
+    for ours, theirs in zip(a[:-1], b[:-1]):
+        np.testing.assert_array_equal(ours, theirs)
+    assert a[-1].keys() == b[-1].keys()
+    for name in ("action_mask", "irregularity", "is_success"):
+        np.testing.assert_array_equal(a[-1][name], b[-1][name])
+
+
+def test_registered_and_vectorised():
+    env = gymnasium.make_vec(IDS["quad"], num_envs=2, points=3)
+    assert isinstance(env, gym.PlanarMeshVectorEnv)
+    observation, info = env.reset(seed=1)
+    assert observation.shape == (2, 20, 24) and info["action_mask"].shape == (2, 100)
+    env.step(env.action_space.sample())
+    with pytest.raises(ValueError, match="as there are seeds"):
+        env.reset(seed=[1])
+
+
+def test_in_processes():
+    env = gymnasium.make_vec(
+        IDS["triangle"], num_envs=2, vectorization_mode="async", points=4,
+        vector_kwargs={"context": "spawn"},
+    )  # fmt: skip
+    try:
+        observation, _ = env.reset(seed=1)
+        same, _ = gymnasium.make_vec(IDS["triangle"], num_envs=2, points=4).reset(seed=1)
+        assert (observation == same).all()
+        assert env.step(env.action_space.sample())[1].shape == (2,)
+    finally:
+        env.close()
+
+
+COPIES = [copy.deepcopy, lambda env: pickle.loads(pickle.dumps(env))]
+
+
+@pytest.mark.parametrize("copied", COPIES)
+def test_an_environment_that_was_not_begun_is_copied(copied):
+    env = gym.PlanarMeshEnv("quad", points=3)
+    other = copied(env)
+    assert (env.reset()[0] == other.reset()[0]).all()
     assert env.action_space.sample() == other.action_space.sample()
 
 

@@ -69,7 +69,7 @@ class Board:
         self.mesh = mesh
         self.rules.measure(mesh)
         self._masks = self._live()
-        self.irregularity, self.least_irregularity = self._sums()
+        self._irregularity, self.least_irregularity = self._sums()
 
     def _live(self):
         """The masks of the operations by their columns, kept current; but for cleanups."""
@@ -89,6 +89,13 @@ class Board:
     def _sums(self):
         scores = self.mesh["score"][self.mesh.vertex_ids]
         return int(np.abs(scores).sum()), abs(int(scores.sum()))
+
+    @property
+    def irregularity(self):
+        """The sum of the absolute scores."""
+        if self._irregularity is None:
+            self._irregularity, _ = self._sums()
+        return self._irregularity
 
     @property
     def is_ideal(self):
@@ -138,19 +145,19 @@ class Board:
 
     def apply(self, action, halfedge):
         """Does an action, by its number, at a halfedge: what the operation returns."""
+        # It is not known until it is asked for, so that an interrupt leaves none that is wrong.
+        self._irregularity = None
+        return self._do(action, halfedge)
+
+    def _do(self, action, halfedge):
         number = self.mesh.halfedges.edge[halfedge] if self.rules.at_edges[action] else halfedge
-        result = self.rules.ops[action](self.mesh, int(number))
-        if result:
-            self.irregularity, _ = self._sums()
-        return result
+        return self.rules.ops[action](self.mesh, int(number))
 
     def gain(self, action, halfedge):
         """By how much an action would lower the irregularity; ``None`` if it does not apply."""
         before = self.irregularity
         with self.mesh.trial():
-            gain = before - self.irregularity if self.apply(action, halfedge) else None
-        self.irregularity = before
-        return gain
+            return before - self._sums()[0] if self._do(action, halfedge) else None
 
 
 def _require_planar(mesh, rules):
