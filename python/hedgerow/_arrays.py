@@ -50,11 +50,20 @@ def coordinates(vertices, error=MeshError):
     return np.ascontiguousarray(array, dtype=np.float64).reshape(-1)
 
 
+def _too_large(array):
+    """One of whole numbers that does not fit into 64 bits; ``None`` if all do, or some are none."""
+    if array.dtype == object:
+        all_whole = all(isinstance(one, (int, np.integer)) for one in array.flat)
+        return next((one for one in array.flat if not -(2**63) <= one < 2**63), None) if all_whole else None
+    most = array.max() if array.dtype.kind == "u" and array.size else 0
+    return most if most > np.iinfo(np.int64).max else None
+
+
 def _integers(array, what, error=MeshError):
+    if _too_large(array) is not None:
+        raise _wrong(f"{what} are too large", error)
     if array.size and array.dtype.kind not in "iu":
         raise _wrong(f"{what} are whole numbers, not {array.dtype}", error)
-    if array.dtype.kind == "u" and array.size and array.max() > np.iinfo(np.int64).max:
-        raise _wrong(f"{what} are too large", error)
     return np.ascontiguousarray(array, dtype=np.int64).reshape(-1)
 
 
@@ -109,8 +118,8 @@ def polygons(faces):
     return _integers(array, "corners of faces"), sides * np.arange(1, count + 1, dtype=np.int64)
 
 
-def numbers(elements, places):
-    """Numbers of elements in a row; also those at which one bool for each place holds."""
+def numbers(elements, kind, places):
+    """Numbers of elements of a kind in a row; also those at which one bool for each place holds."""
     try:
         array = np.asarray(elements)
     except ValueError as why:
@@ -121,6 +130,8 @@ def numbers(elements, places):
         if len(array) != places:
             raise _wrong(f"a mask of elements has {places} places, not {len(array)}")
         array = np.flatnonzero(array)
+    if (wrong := _too_large(array)) is not None:
+        raise _wrong(f"there is no {kind} {wrong}")
     return _integers(array, "numbers of elements", ArgumentError)
 
 
@@ -131,6 +142,8 @@ def attribute(values, slots, ids, what):
         array = np.asarray(values)
     except ValueError as why:
         raise _wrong(f"{what}: {why}") from None
+    if _too_large(array) is not None:
+        raise _wrong(f"{what} has a value that is too large")
     if array.dtype.kind not in "biuf":
         raise _wrong(f"{what} cannot have values of {array.dtype}: numbers and bools alone")
     shape = array.shape
@@ -154,8 +167,6 @@ def attribute(values, slots, ids, what):
     if of_one == () and kind == "b":
         return np.ascontiguousarray(array), "bool"
     if of_one == () and kind in "iu":
-        if kind == "u" and array.size and array.max() > np.iinfo(np.int64).max:
-            raise _wrong(f"{what} has a value that is too large")
         return np.ascontiguousarray(array, dtype=np.int64), "int"
     if len(of_one) == 2:
         array = array.swapaxes(1, 2)

@@ -3,11 +3,12 @@
 use hedgerow::diagram::Type;
 use hedgerow::mesh::{Element, ElementKind};
 use hedgerow::{Argument, Arguments, Given};
-use pyo3::exceptions::{PyOverflowError, PyTypeError, PyValueError};
+use pyo3::exceptions::{PyOverflowError, PyTypeError};
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyDict, PyFloat, PyString, PyTuple};
 
 use super::element::one;
+use super::error::{Kind, saying};
 use super::parameters::{Parameters, element_kind};
 
 /// Arguments of a call, in order and by name, as the library takes them.
@@ -85,6 +86,13 @@ pub fn argument(value: &Bound<'_, PyAny>, ty: Type, name: &str) -> PyResult<Argu
         let got = value.get_type().name().map_or_else(|_| "?".to_owned(), |name| name.to_string());
         PyTypeError::new_err(format!("`{name}` wants {wants}, not {got}"))
     };
+    let refused = |error: PyErr, wants: &str| {
+        let py = value.py();
+        match error.is_instance_of::<PyOverflowError>(py) {
+            true => saying(py, Kind::Argument, "wrong-argument", format!("`{name}` is too large")),
+            false => wrong(wants),
+        }
+    };
     let is_bool = || value.is_instance_of::<PyBool>();
     match ty {
         Type::Bool => match truth(value) {
@@ -95,29 +103,31 @@ pub fn argument(value: &Bound<'_, PyAny>, ty: Type, name: &str) -> PyResult<Argu
             if is_bool() || value.is_instance_of::<PyFloat>() {
                 return Err(wrong("a whole number"));
             }
-            let value: i64 = value.extract().map_err(|error: PyErr| {
-                match error.is_instance_of::<PyOverflowError>(value.py()) {
-                    true => PyValueError::new_err(format!("`{name}` is too large")),
-                    false => wrong("a whole number"),
-                }
-            })?;
-            Ok(Argument::Int(value))
+            let whole = value.extract::<i64>();
+            whole.map(Argument::Int).map_err(|error| refused(error, "a whole number"))
         }
         Type::Real => {
             if is_bool() || value.is_instance_of::<PyString>() {
                 return Err(wrong("a number"));
             }
-            Ok(Argument::Real(value.extract().map_err(|_| wrong("a number"))?))
+            let real = value.extract::<f64>();
+            real.map(Argument::Real).map_err(|error| refused(error, "a number"))
         }
-        Type::Vec2 => vector::<2>(value).ok_or_else(|| wrong("2 numbers")).map(Into::into),
-        Type::Vec3 => vector::<3>(value).ok_or_else(|| wrong("3 numbers")).map(Into::into),
-        Type::Vec4 => vector::<4>(value).ok_or_else(|| wrong("4 numbers")).map(Into::into),
+        Type::Vec2 => {
+            vector::<2>(value).map_err(|error| refused(error, "2 numbers")).map(Into::into)
+        }
+        Type::Vec3 => {
+            vector::<3>(value).map_err(|error| refused(error, "3 numbers")).map(Into::into)
+        }
+        Type::Vec4 => {
+            vector::<4>(value).map_err(|error| refused(error, "4 numbers")).map(Into::into)
+        }
         Type::Mat3 => {
-            let rows = matrix::<3>(value).ok_or_else(|| wrong("3 rows of 3 numbers"))?;
+            let rows = matrix::<3>(value).map_err(|error| refused(error, "3 rows of 3 numbers"))?;
             Ok(hedgerow::mesh::glam::DMat3::from_cols_array_2d(&rows).transpose().into())
         }
         Type::Mat4 => {
-            let rows = matrix::<4>(value).ok_or_else(|| wrong("4 rows of 4 numbers"))?;
+            let rows = matrix::<4>(value).map_err(|error| refused(error, "4 rows of 4 numbers"))?;
             Ok(hedgerow::mesh::glam::DMat4::from_cols_array_2d(&rows).transpose().into())
         }
         Type::Text => match value.cast::<PyString>() {
@@ -144,9 +154,9 @@ pub fn element(value: &Bound<'_, PyAny>, kind: ElementKind, name: &str) -> PyRes
     };
     match number {
         Some(index) => Ok(Element { kind, index }.into()),
-        None => Err(super::error::saying(
+        None => Err(saying(
             value.py(),
-            super::error::Kind::Argument,
+            Kind::Argument,
             "wrong-argument",
             format!("`{name}` is no {kind} of the mesh: {value}"),
         )),
@@ -163,17 +173,21 @@ fn truth(value: &Bound<'_, PyAny>) -> Option<bool> {
     (name == "bool_" || name == "bool").then(|| value.is_truthy().ok()).flatten()
 }
 
-fn vector<const LENGTH: usize>(value: &Bound<'_, PyAny>) -> Option<[f64; LENGTH]> {
+fn vector<const LENGTH: usize>(value: &Bound<'_, PyAny>) -> PyResult<[f64; LENGTH]> {
     if value.is_instance_of::<PyString>() {
-        return None;
+        return Err(none());
     }
-    let numbers: Vec<f64> =
-        value.try_iter().ok()?.map(|one| one?.extract()).collect::<PyResult<_>>().ok()?;
-    numbers.try_into().ok()
+    let numbers: Vec<f64> = value.try_iter()?.map(|one| one?.extract()).collect::<PyResult<_>>()?;
+    numbers.try_into().map_err(|_| none())
 }
 
-fn matrix<const SIZE: usize>(value: &Bound<'_, PyAny>) -> Option<[[f64; SIZE]; SIZE]> {
-    let rows = value.try_iter().ok()?;
-    let rows: Option<Vec<_>> = rows.map(|row| vector::<SIZE>(&row.ok()?)).collect();
-    rows?.try_into().ok()
+fn matrix<const SIZE: usize>(value: &Bound<'_, PyAny>) -> PyResult<[[f64; SIZE]; SIZE]> {
+    let rows: Vec<_> =
+        value.try_iter()?.map(|row| vector::<SIZE>(&row?)).collect::<PyResult<_>>()?;
+    rows.try_into().map_err(|_| none())
+}
+
+/// The exception of what is not of the type; it is told by what calls.
+fn none() -> PyErr {
+    PyTypeError::new_err(())
 }

@@ -73,7 +73,8 @@ item! {Op, "op", options [], result |_op| Some("hedgerow.Applied | hedgerow.Refu
         };
         let capacity = mesh.get().hold(py)?.session.mesh().capacity(kind) as i64;
         let numbers = py.import("hedgerow._arrays")?.getattr("numbers")?;
-        let elements: PyReadonlyArray1<'_, i64> = numbers.call1((elements, capacity))?.extract()?;
+        let elements = numbers.call1((elements, kind.name(), capacity))?;
+        let elements: PyReadonlyArray1<'_, i64> = elements.extract()?;
         let elements = values(&elements)?;
         if let Some(wrong) = elements.iter().find(|&&one| one < 0 || one >= capacity) {
             let message = format!("there is no {kind} {wrong}");

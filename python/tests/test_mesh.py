@@ -430,6 +430,9 @@ def test_elements_that_there_are(ops):
         raise LookupError
 
     with pytest.raises(LookupError):
+    for values in (10**30, -(10**30), [10**30] * n, 2**63, np.full(n, 2**63, np.uint64)):
+        with pytest.raises(hedgerow.ArgumentError, match="the vertex attribute `big` has a value that is too large"):
+            sphere["big"] = values
         ops.forever(mesh, progress=ask)
     assert asked
 

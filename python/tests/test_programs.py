@@ -254,6 +254,7 @@ def test_wrong_arguments_leave_the_mesh(ops, sphere):
         (ops.move, ([1, 2, float("nan")],), {}), (ops.move, (), {"times": 1.5}),
         (ops.move, (), {"times": True}), (ops.move, (), {"times": 2**80}),
         (ops.move, (), {"progress": 3}), (ops.move, (), {"tims": 3}),
+        (ops.move, ([1, "x", 10**400],), {}),
         (ops.shake, (float("inf"),), {}), (ops.shake, ("1",), {}), (ops.shake, (), {}),
         (ops.say, ("a",), {}), (ops.say, (1, 2), {}),
         (ops.gain, (1, 2, 3), {}), (ops.total, (1,), {}), (ops.word, (), {}),
@@ -270,6 +271,20 @@ def test_wrong_arguments_leave_the_mesh(ops, sphere):
             with pytest.raises(TypeError):
                 call(mesh)
     assert sphere.to_bytes() == before
+
+
+def test_numbers_that_are_too_large_are_told(ops, sphere):
+    too_large = [
+        (ops.shake, (10**400,), {}, "`.*` is too large"), (ops.move, ([1, -(10**400), 2],), {}, "`.*` is too large"),
+        (ops.move, (), {"times": 2**80}, "`times` is too large"),
+        (ops.flip, (10**30,), {}, "`e` is no edge of the mesh"),
+        (ops.flip.each, ([1, 10**30],), {}, f"there is no edge {10**30}"),
+        (ops.flip.each, ([2**63],), {}, f"there is no edge {2**63}"),
+    ]  # fmt: skip
+    for call, args, kwargs, message in too_large:
+        with pytest.raises(hedgerow.ArgumentError, match=message) as caught:
+            call(sphere, *args, **kwargs)
+        assert caught.value.code == "wrong-argument"
 
 
 def test_what_is_refused_adds_no_attribute():
