@@ -2,10 +2,12 @@
 
 use hedgerow::KeptMask;
 use numpy::PyArray1;
+use pyo3::IntoPyObjectExt;
 use pyo3::basic::CompareOp;
 use pyo3::exceptions::{PyIndexError, PyOverflowError, PyValueError};
 use pyo3::gc::{PyTraverseError, PyVisit};
 use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyTuple};
 
 use super::error::in_call;
 use super::mesh::MeshTables;
@@ -27,6 +29,22 @@ impl LiveMask {
         let mut state = self.mesh.get().hold(py)?;
         let mask = state.session.kept_mask(self.kept);
         mask.map(look).map_err(|error| in_call(py, &error))
+    }
+
+    /// What a method of the array gives for arguments, as numpy hands them on; `None` if they say
+    /// nothing.
+    fn reduced<'py>(
+        &self,
+        py: Python<'py>,
+        method: &str,
+        args: &Bound<'py, PyTuple>,
+        kwargs: Option<&Bound<'py, PyDict>>,
+    ) -> PyResult<Option<Bound<'py, PyAny>>> {
+        let mut named = kwargs.into_iter().flatten();
+        if args.iter().all(|one| one.is_none()) && named.all(|(_, one)| one.is_none()) {
+            return Ok(None);
+        }
+        self.array(py)?.call_method(method, args, kwargs).map(Some)
     }
 }
 
@@ -74,19 +92,49 @@ impl LiveMask {
         state.session.pick_kept(self.kept, share).map_err(|error| in_call(py, &error))
     }
 
-    /// At how many elements it would be applied, as an array tells.
-    fn sum(&self, py: Python<'_>) -> PyResult<usize> {
-        self.count(py)
+    /// At how many elements it would be applied, as an array tells; with arguments, what `sum` of
+    /// the array gives.
+    #[pyo3(signature = (*args, **kwargs))]
+    fn sum<'py>(
+        &self,
+        py: Python<'py>,
+        args: &Bound<'py, PyTuple>,
+        kwargs: Option<&Bound<'py, PyDict>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        match self.reduced(py, "sum", args, kwargs)? {
+            Some(sum) => Ok(sum),
+            None => self.count(py)?.into_bound_py_any(py),
+        }
     }
 
-    /// Whether there is an element at which it would be applied.
-    fn any(&self, py: Python<'_>) -> PyResult<bool> {
-        Ok(self.count(py)? > 0)
+    /// Whether there is an element at which it would be applied; with arguments, what `any` of the
+    /// array gives.
+    #[pyo3(signature = (*args, **kwargs))]
+    fn any<'py>(
+        &self,
+        py: Python<'py>,
+        args: &Bound<'py, PyTuple>,
+        kwargs: Option<&Bound<'py, PyDict>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        match self.reduced(py, "any", args, kwargs)? {
+            Some(any) => Ok(any),
+            None => (self.count(py)? > 0).into_bound_py_any(py),
+        }
     }
 
-    /// Whether it would be applied at all elements; it is not at numbers of erased ones.
-    fn all(&self, py: Python<'_>) -> PyResult<bool> {
-        self.with(py, |mask| !mask.contains(&false))
+    /// Whether it would be applied at all elements; it is not at numbers of erased ones. With
+    /// arguments, what `all` of the array gives.
+    #[pyo3(signature = (*args, **kwargs))]
+    fn all<'py>(
+        &self,
+        py: Python<'py>,
+        args: &Bound<'py, PyTuple>,
+        kwargs: Option<&Bound<'py, PyDict>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        match self.reduced(py, "all", args, kwargs)? {
+            Some(all) => Ok(all),
+            None => self.with(py, |mask| !mask.contains(&false))?.into_bound_py_any(py),
+        }
     }
 
     fn __and__<'py>(
@@ -123,6 +171,22 @@ impl LiveMask {
 
     fn __invert__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         self.array(py)?.bitnot()
+    }
+
+    fn __xor__<'py>(
+        &self,
+        py: Python<'py>,
+        other: &Bound<'py, PyAny>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        self.array(py)?.bitxor(other)
+    }
+
+    fn __rxor__<'py>(
+        &self,
+        py: Python<'py>,
+        other: &Bound<'py, PyAny>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        self.array(py)?.bitxor(other)
     }
 
     /// Compares element by element, as an array does; so it has no hash.

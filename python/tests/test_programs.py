@@ -459,7 +459,8 @@ def test_live_masks(ops, rng):
     assert (live[0] & other).tolist() == (other & live[0]).tolist() == (before & other).tolist()
     assert (live[0] | other).tolist() == (other | live[0]).tolist() == (before | other).tolist()
     assert (~live[0]).tolist() == (~before).tolist() and (live[0] & live[0]).tolist() == before.tolist()
-    assert live[0].pick(1.0) == live[0].numbers()[-1] and live[0].pick(0) == live[0].numbers()[0]
+    assert (live[0] ^ other).tolist() == (other ^ live[0]).tolist() == (before ^ other).tolist()
+    assert not (live[0] ^ live[0]).any() and (True ^ live[0]).tolist() == (~before).tolist()
     with mesh.trial():
         ops.flip(mesh, live[0].pick(0.5))
         assert len(live[0]) == len(before)
@@ -470,6 +471,26 @@ def test_live_masks(ops, rng):
     for number in (10**6, -1, 2**70):
         with pytest.raises(IndexError, match=f"no element {number}"):
             live[0][number]
+
+
+@pytest.mark.parametrize("reduce", [np.sum, np.any, np.all, np.count_nonzero, np.mean])
+def test_numpy_reduces_a_live_mask_as_an_array(ops, reduce):
+    live = ops.flip.live(Mesh.grid(2, triangles=True))
+    array = live.array
+    for given in ({}, {"axis": None}, {"axis": 0}, {"keepdims": True}, {"axis": 0, "keepdims": True}):
+        assert np.array_equal(reduce(live, **given), reduce(array, **given)), given
+    with pytest.raises(np.exceptions.AxisError if hasattr(np, "exceptions") else np.AxisError):
+        reduce(live, axis=1)
+
+
+def test_methods_of_a_live_mask_take_what_numpy_gives(ops):
+    live = ops.flip.live(Mesh.grid(2, triangles=True))
+    array, out = live.array, np.zeros((), np.int64)
+    assert np.sum(live, dtype=np.float32).dtype == np.float32 and type(live.sum()) is int
+    assert np.sum(live, out=out) is out and out == array.sum() == live.sum(None, None, None)
+    assert np.sum(live, where=~array) == 0 and live.any(axis=None, out=None) is True
+    with pytest.raises(TypeError):
+        live.sum(axes=0)
 
 
 def test_a_live_mask_is_compared_as_an_array(ops):
