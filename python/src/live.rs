@@ -9,7 +9,7 @@ use pyo3::gc::{PyTraverseError, PyVisit};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 
-use super::error::in_call;
+use super::error::{Kind, in_call, saying};
 use super::mesh::MeshTables;
 
 /// A mask of the places where an operation would be applied, kept current while the mesh changes.
@@ -88,6 +88,10 @@ impl LiveMask {
     /// The number of one of these elements: the one at `share` of the way through them, 0 the
     /// first, below 1; `None` if there are none. With a random number it is a random one.
     fn pick(&self, py: Python<'_>, share: f64) -> PyResult<Option<usize>> {
+        if !(0.0..1.0).contains(&share) {
+            let message = format!("`share` is a number from 0 and below 1, not {share}");
+            return Err(saying(py, Kind::Argument, "wrong-argument", message));
+        }
         let mut state = self.mesh.get().hold(py)?;
         state.session.pick_kept(self.kept, share).map_err(|error| in_call(py, &error))
     }
@@ -169,10 +173,6 @@ impl LiveMask {
         self.array(py)?.bitor(other)
     }
 
-    fn __invert__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        self.array(py)?.bitnot()
-    }
-
     fn __xor__<'py>(
         &self,
         py: Python<'py>,
@@ -187,6 +187,10 @@ impl LiveMask {
         other: &Bound<'py, PyAny>,
     ) -> PyResult<Bound<'py, PyAny>> {
         self.array(py)?.bitxor(other)
+    }
+
+    fn __invert__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.array(py)?.bitnot()
     }
 
     /// Compares element by element, as an array does; so it has no hash.

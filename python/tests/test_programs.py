@@ -520,6 +520,10 @@ def test_picks_of_a_live_mask(ops, rng):
         ops.split(mesh, 7)
         assert live.count() == len(live.numbers())
     assert live.count() == ops.flip.can(mesh).sum() and ops.flip.live(Mesh()).pick(0.5) is None
+    assert live.pick(0) == live.numbers()[0] and live.pick(np.nextafter(1, 0)) == live.numbers()[-1]
+    for share in (1, 7.0, -3.0, -1e-9, float("nan"), float("inf")):
+        with pytest.raises(hedgerow.ArgumentError, match="`share` is a number from 0 and below 1, not "):
+            live.pick(share)
 
 
 def test_asking_leaves_the_mesh_as_it_was():
