@@ -41,6 +41,11 @@ impl Elements {
         &self.all
     }
 
+    /// Whether both have the same elements of each kind, in the same order.
+    pub fn is_same(&self, other: &Self) -> bool {
+        ElementKind::ALL.into_iter().all(|kind| self.of(kind) == other.of(kind))
+    }
+
     fn of(&self, kind: ElementKind) -> Vec<u32> {
         let of_kind = self.all.iter().filter(|element| element.kind == kind);
         of_kind.map(|element| element.index).collect()
@@ -91,6 +96,17 @@ impl Elements {
 
     fn __len__(&self) -> usize {
         self.all.len()
+    }
+
+    fn __eq__(&self, other: &Bound<'_, PyAny>) -> bool {
+        let other = other.cast::<Self>().map(Bound::get);
+        other.is_ok_and(|other| self.is_same(other))
+    }
+
+    /// Of elements of different kinds in another order it is the same.
+    pub fn __hash__(&self) -> usize {
+        let of_one = |one: &Element| 4 * one.index as usize + one.kind as usize + 1;
+        self.all.iter().map(of_one).fold(0, usize::wrapping_add)
     }
 
     pub fn __repr__(&self) -> String {

@@ -57,6 +57,19 @@ impl Applied {
         true
     }
 
+    fn __eq__(&self, other: &Bound<'_, PyAny>) -> bool {
+        other.cast::<Self>().is_ok_and(|other| {
+            let other = other.get();
+            self.result == other.result
+                && self.created().is_same(&other.created())
+                && self.erased().is_same(&other.erased())
+        })
+    }
+
+    fn __hash__(&self) -> usize {
+        self.created().__hash__().wrapping_add(self.erased().__hash__().wrapping_mul(31))
+    }
+
     fn __repr__(&self) -> String {
         let result = self.result.map_or("None".to_owned(), |result| result.to_string());
         let [created, erased] = [self.created(), self.erased()].map(|all| all.__repr__());

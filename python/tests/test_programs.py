@@ -17,7 +17,7 @@ import numpy as np
 import pytest
 
 import hedgerow
-from hedgerow import Applied, Mesh, Refused
+from hedgerow import Applied, Elements, Mesh, Refused
 
 BROKEN = "op flip(e: edge) { before { edge e: a | d } after { } }"
 
@@ -653,6 +653,12 @@ def test_outcomes_and_parameters_are_copied_and_pickled(ops, sphere, again):
     for kind in ("vertices", "halfedges", "edges", "faces"):
         assert getattr(other.erased, kind) == getattr(done.erased, kind)
     assert repr(again(done.erased)) == repr(done.erased)
+    assert other == done and hash(other) == hash(done)
+    assert again(done.erased) == done.erased and hash(again(done.erased)) == hash(done.erased)
+    assert done != ops.collapse(sphere, 50) and done.erased != done.created and done != 3 != done.erased
+    assert Elements([1, 2], edges=[3]) == Elements([1, 2], edges=[3]) != Elements([2, 1], edges=[3])
+    assert Elements([1]) != Elements(faces=[1]) and Elements() == Elements()
+    assert Applied(1, Elements(), Elements()) != Applied(None, Elements(), Elements())
     no = ops.flip(Mesh.grid(1, 1, triangles=True), 0)
     assert isinstance(no, Refused) and again(no) == no and again(no).number == no.number
     for parameter in ops.move.parameters + ops.flip.parameters:
