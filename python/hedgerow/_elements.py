@@ -119,12 +119,12 @@ class ElementTable:
 
     def __contains__(self, number):
         """Whether a number is that of a living element, of faces of one that is no hole; a text,
-        whether it is an attribute."""
+        whether it is an attribute. Nothing else is in."""
         if isinstance(number, str):
             return number in self.attributes
         try:
             return self._mesh._is_alive(self._kind, number)
-        except OverflowError:
+        except (OverflowError, TypeError):
             return False
 
     def __getitem__(self, name):

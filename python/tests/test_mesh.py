@@ -442,6 +442,8 @@ def test_tables_are_copied(sphere):
     for table in (copy.copy(sphere.edges), copy.deepcopy(sphere.edges), pickle.loads(pickle.dumps(sphere.edges))):
         assert (table["rank"] == sphere.edges["rank"]).all() and len(table) == len(sphere.edges)
 
+    assert np.int64(1) in mesh.edges
+    assert not any(one in mesh.edges for one in (1.0, np.float64(1), None, (1,), [], b"1"))
 
 def test_what_python_attaches_goes_along(sphere):
     sphere.tag = [1]
