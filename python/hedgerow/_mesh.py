@@ -100,6 +100,12 @@ class Mesh(MeshTables, Measured):
         mesh._take(tables)
         return mesh
 
+    def _like(self, tables):
+        """A mesh of the same class, with what Python has attached to it."""
+        mesh = _bare(type(self), tables)
+        mesh.__dict__.update(self.__dict__)
+        return mesh
+
     @classmethod
     def load(cls, path, *, repair=False):
         """The mesh of a file: ``.obj``, ``.ply``, ``.stl``, ``.off``, ``.msh`` or ``.halfedges``.
@@ -390,14 +396,12 @@ class Mesh(MeshTables, Measured):
     def copy(self):
         """Another mesh that is equal, number by number. Random numbers go on there as they would here;
         after ``pickle`` they begin with seed 0, as on a new mesh."""
-        made = type(self)._of(self._copied())
-        made.__dict__.update(self.__dict__)
-        return made
+        return self._like(self._copied())
 
     __copy__ = copy
 
     def __deepcopy__(self, memo):
-        made = memo[id(self)] = type(self)._of(self._copied())
+        made = memo[id(self)] = _bare(type(self), self._copied())
         made.__dict__.update(deepcopy(self.__dict__, memo))
         return made
 
@@ -412,7 +416,7 @@ class Mesh(MeshTables, Measured):
         return cls._of(MeshTables._unpacked(bytes(data)))
 
     def __reduce__(self):
-        return type(self).from_bytes, (self.to_bytes(),), self.__dict__ or None
+        return _unpickled, (type(self), self.to_bytes()), self.__dict__ or None
 
     def trial(self):
         """What is done within ``with mesh.trial() as trial:`` is undone at the end, whatever ended
@@ -432,8 +436,9 @@ class Mesh(MeshTables, Measured):
     def compact(self):
         """The same mesh with numbers without gaps, and for its vertices and faces the numbers that
         they had here: ``(mesh, vertices, faces)``. All elements keep their order, but holes come
-        behind the faces. Attributes go along; what the file of the mesh said besides does not."""
-        return type(self)._of(self._compacted()), self.vertex_ids, self.face_ids
+        behind the faces. Attributes go along, and what Python has attached; what the file of the mesh
+        said besides does not."""
+        return self._like(self._compacted()), self.vertex_ids, self.face_ids
 
     def is_same(self, other, tolerance=0.0):
         """Whether both are the same but for the numbers of elements, and coordinates that differ by
@@ -456,6 +461,18 @@ class Mesh(MeshTables, Measured):
         if self.hole_count:
             parts.append(told(self.hole_count, "hole", "holes"))
         return f"<Mesh: {', '.join(parts)}>"
+
+
+def _bare(cls, tables):
+    """A mesh of a class, which is not asked to make it: it may want other arguments."""
+    nothing = np.zeros(0, dtype=np.int64)
+    mesh = MeshTables.__new__(cls, np.zeros(0), nothing, nothing)
+    mesh._take(tables)
+    return mesh
+
+
+def _unpickled(cls, data):
+    return _bare(cls, MeshTables._unpacked(data))
 
 
 def _repair(repair):

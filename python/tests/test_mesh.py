@@ -252,6 +252,25 @@ def test_a_subclass_stays_one(sphere):
     assert type(mine.copy()) is Mine and type(Mine.cube()) is Mine
 
 
+class Named(Mesh):
+    """A mesh that is made in another way."""
+
+    def __new__(cls, name, mesh):
+        return super().__new__(cls, mesh.vertices, mesh.faces)
+
+    def __init__(self, name, mesh):
+        self.name = name
+
+
+def test_a_subclass_may_be_made_of_other_arguments(ops, sphere):
+    mesh = Named("ball", sphere)
+    assert ops.collapse(mesh, 30)
+    for other in (mesh.copy(), copy.copy(mesh), copy.deepcopy(mesh), pickle.loads(pickle.dumps(mesh))):
+        assert type(other) is Named and other == mesh and other.name == "ball"
+    small, vertices, _ = mesh.compact()
+    assert type(small) is Named and small.name == "ball" and (small.vertices == mesh.vertices).all()
+
+
 def test_trials(ops, sphere):
     before = sphere.to_bytes()
     with sphere.trial():
@@ -411,6 +430,9 @@ def test_wrong_attributes(sphere):
         with pytest.raises(hedgerow.MeshError, match="of type real"):
             sphere["x"] = values
     del sphere["x"]
+    for values in (10**30, -(10**30), [10**30] * n, 2**63, np.full(n, 2**63, np.uint64)):
+        with pytest.raises(hedgerow.ArgumentError, match="the vertex attribute `big` has a value that is too large"):
+            sphere["big"] = values
     assert sphere.to_bytes() == before
 
 
@@ -420,6 +442,8 @@ def test_elements_that_there_are(ops):
     assert [number in faces for number in range(-1, faces.size + 1)].count(True) == len(faces) == 4
     assert all(face in faces for face in faces) and np.flatnonzero(faces.is_hole)[0] not in faces
     assert 2**70 not in mesh.edges and -1 not in mesh.edges
+    assert np.int64(1) in mesh.edges
+    assert not any(one in mesh.edges for one in (1.0, np.float64(1), None, (1,), [], b"1"))
     asked = []
 
     def ask(done, total):
@@ -430,9 +454,6 @@ def test_elements_that_there_are(ops):
         raise LookupError
 
     with pytest.raises(LookupError):
-    for values in (10**30, -(10**30), [10**30] * n, 2**63, np.full(n, 2**63, np.uint64)):
-        with pytest.raises(hedgerow.ArgumentError, match="the vertex attribute `big` has a value that is too large"):
-            sphere["big"] = values
         ops.forever(mesh, progress=ask)
     assert asked
 
@@ -442,8 +463,6 @@ def test_tables_are_copied(sphere):
     for table in (copy.copy(sphere.edges), copy.deepcopy(sphere.edges), pickle.loads(pickle.dumps(sphere.edges))):
         assert (table["rank"] == sphere.edges["rank"]).all() and len(table) == len(sphere.edges)
 
-    assert np.int64(1) in mesh.edges
-    assert not any(one in mesh.edges for one in (1.0, np.float64(1), None, (1,), [], b"1"))
 
 def test_what_python_attaches_goes_along(sphere):
     sphere.tag = [1]
