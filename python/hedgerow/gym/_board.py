@@ -147,9 +147,6 @@ class Board:
         """Does an action, by its number, at a halfedge: what the operation returns."""
         # It is not known until it is asked for, so that an interrupt leaves none that is wrong.
         self._irregularity = None
-        return self._do(action, halfedge)
-
-    def _do(self, action, halfedge):
         number = self.mesh.halfedges.edge[halfedge] if self.rules.at_edges[action] else halfedge
         return self.rules.ops[action](self.mesh, int(number))
 
@@ -157,7 +154,9 @@ class Board:
         """By how much an action would lower the irregularity; ``None`` if it does not apply."""
         before = self.irregularity
         with self.mesh.trial():
-            return before - self._sums()[0] if self._do(action, halfedge) else None
+            gain = before - self._sums()[0] if self.apply(action, halfedge) else None
+        self._irregularity = before
+        return gain
 
 
 def _require_planar(mesh, rules):
