@@ -39,15 +39,17 @@ const lessons = new Lessons(engine, editor, (lesson, program) => {
 const placed = name => folder + name
 
 async function changed() {
+  // Whoever opens several programs is done with it then. What is asked below waits for a script that runs.
+  await null
+  lessons.keep()
+  keepWork()
+  markChanged()
   const { files, shown } = editor.files
   if (!shown) return
   const others = files.filter(file => file !== shown).map(file => [placed(file.name), file.text])
   const { name } = shown
   await bench.program(placed(name), editor.text, Object.fromEntries(others))
   panes.refresh()
-  markChanged()
-  lessons.keep()
-  keepWork()
 }
 
 /** The texts of the link in the address, which are not kept until they are changed. */

@@ -244,6 +244,20 @@ test('what is written after sharing, or before a link is opened, is there again'
   await own.context().close()
 })
 
+test('what is written while a script runs is kept', async () => {
+  const own = await open('')
+  await own.locator('.cm-content').press('Control+a')
+  await own.keyboard.insertText('script forever() { var n = 0 while n >= 0 { n = 1 - n } }\n')
+  await own.waitForFunction(() => document.getElementById('script').value === 'forever')
+  await own.locator('#run').click()
+  await own.locator('#stop').waitFor()
+  await put(own, 'meanwhile')
+  await untilKept(own, '// meanwhile')
+  assert.ok(await own.locator('#stop').isVisible())
+  assert.match(await reloaded(own), /meanwhile/)
+  await own.context().close()
+})
+
 test('of two tabs the second does not overwrite what the first keeps, until that is closed', async () => {
   const first = await open('')
   const second = await first.context().newPage()
