@@ -164,7 +164,7 @@ async function chooseProgram(choice) {
   if (sort === 'lesson') return lessons.start(name)
   lessons.close()
   if (sort === 'earlier') {
-    earlier()?.files.toReversed().forEach(([name, text]) => editor.open(unchanged(name), text))
+    earlier()[name]?.files.toReversed().forEach(([name, text]) => editor.open(unchanged(name), text))
   } else if (sort === 'folder') {
     const { json } = await engine.open(name)
     if (json.error) throw new Error(json.error)
@@ -188,13 +188,17 @@ async function listPrograms() {
   const { solved } = lessons
   const titles = Object.fromEntries(lessons.list.map((lesson, at) =>
     [`lesson:${lesson.name}`, `${at + 1}. ${lesson.title}${solved.has(lesson.name) ? ' ✓' : ''}`]))
+  const before = Object.fromEntries(earlier().map(({ files, time }, at) => {
+    const when = time ? ` (${new Date(time).toLocaleString([], { dateStyle: 'medium', timeStyle: 'short' })})` : ''
+    return [`earlier:${at}`, files.map(([name]) => name).join(', ') + when]
+  }))
   const group = (label, keys, title = key => key.slice(key.indexOf(':') + 1)) =>
     keys.length ? [make('optgroup', { label }, ...keys.map(key => new Option(title(key), key)))] : []
   const sorted = sort => Object.keys(programs).filter(key => key.startsWith(`${sort}:`))
   const none = make('option', { value: '', hidden: true }, 'of your own')
   find('program').replaceChildren(none,
     ...group('folder', sorted('folder')),
-    ...group('before the link', earlier() ? ['earlier:your earlier work'] : []),
+    ...group('before the link', Object.keys(before), key => before[key]),
     ...group('lessons', Object.keys(titles), key => titles[key]),
     ...group('examples', sorted('example')),
     ...group('library', sorted('library')))

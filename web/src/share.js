@@ -41,15 +41,19 @@ export const keep = work => store(KEY, work)
 /** What was open the last time. */
 export const kept = () => sound(stored(KEY))
 
-/** What was kept before a link was opened and changed. */
-export const earlier = () => sound(stored(EARLIER))
+/** What was kept whenever a link was opened and changed, the last first. */
+export const earlier = () => [stored(EARLIER) ?? []].flat().map(sound).filter(Boolean)
 
-/** Puts what is kept aside, and says whether it could. */
-export const setAside = () => store(EARLIER, stored(KEY))
+/** Puts what is kept aside, beside all that was put there before, and says whether it could. */
+export function setAside() {
+  const work = { ...kept(), time: Date.now() }
+  const others = earlier().filter(it => JSON.stringify(it.files) !== JSON.stringify(work.files))
+  return store(EARLIER, [work, ...others])
+}
 
 /** Programs with their names, at least one; nothing if it is something else. */
 function sound(work) {
   const files = work?.files?.filter?.(file =>
     Array.isArray(file) && file.length === 2 && file.every(it => typeof it === 'string'))
-  return files?.length ? { files, mesh: String(work.mesh ?? '') } : null
+  return files?.length ? { files, mesh: String(work.mesh ?? ''), time: Number(work.time ?? 0) } : null
 }

@@ -239,8 +239,35 @@ test('what is written after sharing, or before a link is opened, is there again'
   assert.match(await own.evaluate(() => localStorage.getItem('hedgerow-work')), /third/)
   await put(own, 'fourth')
   await untilKept(own, 'fourth')
-  await own.selectOption('#program', 'earlier:your earlier work')
+  await own.selectOption('#program', 'earlier:0')
   await own.waitForFunction(() => document.querySelector('.cm-content').innerText.includes('third'))
+  await own.context().close()
+})
+
+test('of several links in turn, each that is changed leaves all that was before it', async () => {
+  const own = await open('')
+  await put(own, 'of a link')
+  await own.locator('#share').click()
+  await own.waitForFunction(() => location.hash.startsWith('#p='))
+  const link = new URL(own.url()).hash
+  // As an earlier page has kept it.
+  await own.evaluate(() => localStorage.setItem('hedgerow-earlier-work', '{"files":[["old.hedge","// old"]],"mesh":""}'))
+  await put(own, 'mine')
+  await untilKept(own, '// mine')
+  for (const words of ['one more', 'two more']) {
+    await own.goto('about:blank')
+    await own.goto(server().address + link)
+    await own.waitForSelector('body[data-ready]')
+    await put(own, words)
+    await untilKept(own, words)
+  }
+  const listed = await own.locator('#program [value^=earlier]').allTextContents()
+  assert.equal(listed.length, 3)
+  assert.match(listed[0], /^flip\.hedge \(.*\d.*\)$/)
+  for (const [at, words] of [[2, 'old'], [1, 'mine'], [0, 'one more']]) {
+    await own.selectOption('#program', `earlier:${at}`)
+    await own.waitForFunction(words => document.querySelector('.cm-content').innerText.includes(words), words)
+  }
   await own.context().close()
 })
 
