@@ -84,14 +84,17 @@ export class Lessons {
     this.#editor.replace(program)
   }
 
-  /** Keeps what has been written in a lesson, and is no mistake that was tried, until one comes back. */
+  /**
+   * Keeps what has been written in a lesson, and is no mistake that was tried, until one comes back. False
+   * if it cannot be kept.
+   */
   keep() {
     const { current } = this
     const text = current && this.#editor.files.named(this.file)?.text
-    if (text === undefined || text === null) return
-    if (current.mistakes.some(mistake => mistake.program === text)) return
+    if (text === undefined || text === null) return true
+    if (current.mistakes.some(mistake => mistake.program === text)) return true
     this.#texts.set(current.name, text)
-    store(TEXTS, Object.fromEntries(this.#texts))
+    return store(TEXTS, Object.fromEntries(this.#texts))
   }
 
   #tellSolved() {

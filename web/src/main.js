@@ -41,8 +41,7 @@ const placed = name => folder + name
 async function changed() {
   // Whoever opens several programs is done with it then. What is asked below waits for a script that runs.
   await null
-  lessons.keep()
-  keepWork()
+  keepAll()
   markChanged()
   const { files, shown } = editor.files
   if (!shown) return
@@ -56,24 +55,38 @@ async function changed() {
 let linked
 const texts = (files = work().files) => JSON.stringify(files.toSorted())
 
-/** Keeps what is open, except for a lesson, which is kept with its like; on this machine, nothing. */
+/** Keeps what has been written, and says it once if that cannot be. */
+function keepAll() {
+  const isKept = [lessons.keep(), keepWork()].every(it => it)
+  const isLost = !isKept && !local && editor.files.files.some(file => file.isChanged)
+  const why = !isLost ? '' : isElsewhere
+    ? 'another tab is open and keeps its programs: those here are not kept'
+    : 'this browser cannot keep what is written here, since its storage is full or refused: save it'
+  if (why === lost) return
+  if (why || find('shared').textContent === lost) tell(why, 'rejected', true)
+  lost = why
+}
+/** Why what has been written is not kept, as it was said. */
+let lost = ''
+
+/**
+ * Keeps what is open, except for a lesson, which is kept with its like; on this machine, nothing. False if
+ * it cannot be kept.
+ */
 function keepWork() {
   if (linked) {
-    if (linked === texts()) return
-    history.replaceState(null, '', location.pathname + location.search)
+    if (linked === texts()) return true
     const isOther = !local && kept() && texts(kept().files) !== linked
+    if (isOther && !setAside()) return false
+    history.replaceState(null, '', location.pathname + location.search)
     linked = undefined
-    if (isOther && setAside()) {
+    if (isOther) {
       listPrograms()
       tell('your earlier work is in the list of programs')
     }
   }
-  if (local) return
   const own = work(file => file.name !== lessons.file)
-  if (!own.files.length || keep(own) || !isElsewhere) return
-  if (editor.files.files.some(file => file.isChanged)) {
-    tell('another tab is open and keeps its programs: those here are not kept', 'rejected')
-  }
+  return local || !own.files.length || keep(own)
 }
 
 /** Opens what a link shares, beside what has been changed. */
@@ -214,13 +227,13 @@ function work(isOf = () => true) {
   return { files: all.map(file => [file.name, file.text]), mesh: bench.shape }
 }
 
-/** Says something about the page for a while. */
+/** Says something about the page for a while, or until something else is said. */
 let told
-function tell(text, kind = 'proved') {
+function tell(text, kind = 'proved', isLasting = false) {
   find('shared').className = kind
   find('shared').replaceChildren(inline(text))
   clearTimeout(told)
-  told = setTimeout(() => find('shared').replaceChildren(), 8000)
+  if (!isLasting) told = setTimeout(() => find('shared').replaceChildren(), 8000)
 }
 
 async function share() {

@@ -285,6 +285,44 @@ test('what is written while a script runs is kept', async () => {
   await own.context().close()
 })
 
+test('where the storage is full it is said, and what is kept stays until there is room', async () => {
+  const own = await open('')
+  const warned = () => own.waitForFunction(() => /storage is full/.test(document.getElementById('shared').textContent))
+  const fill = () => own.evaluate(() => {
+    for (let part = 'x'.repeat(2 ** 22), at = 0; part; at++) {
+      try {
+        localStorage.setItem(`fill${at}`, part)
+      } catch {
+        part = part.slice(part.length / 2 + 0.5)
+      }
+    }
+  })
+  const free = () => own.evaluate(() => Object.keys(localStorage).filter(key => key.startsWith('fill'))
+    .forEach(key => localStorage.removeItem(key)))
+  await put(own, 'of a link')
+  await own.locator('#share').click()
+  await own.waitForFunction(() => location.hash.startsWith('#p='))
+  const link = new URL(own.url()).hash
+  await put(own, 'mine')
+  await untilKept(own, '// mine')
+  await fill()
+  await put(own, `mine, and ${'more '.repeat(900)}`)
+  await warned()
+  await picture('full', own)
+  // What cannot be put aside is not overwritten.
+  await own.evaluate(hash => { location.hash = hash }, link)
+  await own.waitForFunction(() => document.querySelector('.cm-content').innerText === '// of a link')
+  await put(own, 'x')
+  await warned()
+  assert.match(await own.evaluate(() => localStorage.getItem('hedgerow-work')), /\/\/ mine/)
+  await free()
+  await put(own, 'changed')
+  await untilKept(own, '// changed')
+  assert.equal(await own.locator('#program [value^=earlier]').count(), 1)
+  await own.waitForFunction(() => !/storage/.test(document.getElementById('shared').textContent))
+  await own.context().close()
+})
+
 test('of two tabs the second does not overwrite what the first keeps, until that is closed', async () => {
   const first = await open('')
   const second = await first.context().newPage()
