@@ -99,6 +99,8 @@ export class Editor {
         lineNumbers(), foldGutter(), highlightActiveLineGutter(), highlightActiveLine(), history(),
         drawSelection(), bracketMatching(), highlightSelectionMatches(), lintGutter(),
         autocompletion(), indentUnit.of('  '), colours,
+        // Files are opened by the page, and not typed here as well.
+        EditorView.domEventHandlers({ drop: event => event.dataTransfer.files.length > 0 }),
         EditorView.contentAttributes.of({ 'aria-label': `program ${name}`, tabindex: '0' }),
         keymap.of([
           ...lintKeymap, ...searchKeymap, ...historyKeymap, ...defaultKeymap, indentWithTab,
