@@ -23,6 +23,8 @@ export class Bench {
   mesh = 'icosphere'
   /** Called when another program may break meshes: with the number of them. */
   onBreaks = () => {}
+  /** Called when another mesh has been opened. */
+  onMesh = () => {}
   /** Called with files that are no meshes. */
   onPrograms = async () => {}
   #engine
@@ -260,6 +262,7 @@ export class Bench {
     const { json } = await this.#ask({ ask: 'shape', name })
     this.mesh = name
     this.#source = { name }
+    this.onMesh()
     find('shape').value = name
     this.#done(json)
     await this.refresh({ frame: true })
@@ -282,6 +285,7 @@ export class Bench {
     }
     this.mesh = name
     this.#source = { name, bytes, repair, isFile: true }
+    this.onMesh()
     const key = `folder:${name}`
     find('shape').value = [...find('shape').options].some(option => option.value === key) ? key : ''
     this.#done(json)

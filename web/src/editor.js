@@ -100,7 +100,7 @@ export class Editor {
         drawSelection(), bracketMatching(), highlightSelectionMatches(), lintGutter(),
         autocompletion(), indentUnit.of('  '), colours,
         // Files are opened by the page, and not typed here as well.
-        EditorView.domEventHandlers({ drop: event => event.dataTransfer.files.length > 0 }),
+        EditorView.domEventHandlers({ drop: event => event.dataTransfer?.files.length > 0 }),
         EditorView.contentAttributes.of({ 'aria-label': `program ${name}`, tabindex: '0' }),
         keymap.of([
           ...lintKeymap, ...searchKeymap, ...historyKeymap, ...defaultKeymap, indentWithTab,
@@ -132,7 +132,10 @@ export class Editor {
     this.files.remove(name)
     const { files } = this.files
     if (isShown && files.length) this.show(files[Math.min(at, files.length - 1)])
-    else this.#events.files()
+    else {
+      this.#events.files()
+      this.#events.changed()
+    }
   }
 
   get text() {

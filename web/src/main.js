@@ -89,6 +89,9 @@ function keepWork() {
   return local || !own.files.length || keep(own)
 }
 
+/** Whether a mesh is one that an address can hold. */
+const isNamed = mesh => [...SHAPES, 'bunny'].includes(mesh)
+
 /** Opens what a link shares, beside what has been changed. */
 function openLink(given) {
   given.files.toReversed().forEach(([name, text]) => editor.open(unchanged(name), text))
@@ -291,11 +294,13 @@ function wire() {
   }
   bench.onBreaks = many => panes.breaks(many)
   bench.onRestart = () => changed()
+  bench.onMesh = keepAll
   bench.onPrograms = async files => {
     lessons.close()
     for (const file of files) editor.open(unchanged(file.name), await file.text())
   }
   lessons.onSolved = () => listPrograms()
+  window.addEventListener('pagehide', keepAll)
   window.addEventListener('hashchange', bench.doing(async () => {
     const given = await shared(location.hash)
     if (!given) return
@@ -347,6 +352,8 @@ async function begin() {
   if (started?.program) await chooseProgram(`folder:${started.program}`)
   else if (given) openLink(given)
   else if (own) {
+    // It is kept with them, already before it is open.
+    if (isNamed(own.mesh)) bench.mesh = own.mesh
     for (const [name, text] of own.files.toReversed()) {
       editor.open(name, text)
       editor.files.shown.kept = programs[`example:${name}`] ?? ''
@@ -357,7 +364,7 @@ async function begin() {
   if (started?.mesh) await bench.openFile(started.mesh)
   else {
     const mesh = (given ?? own)?.mesh
-    await bench.openShape([...SHAPES, 'bunny'].includes(mesh) ? mesh : 'icosphere')
+    await bench.openShape(isNamed(mesh) ? mesh : 'icosphere')
   }
   if (damage) bench.say(damage, 'rejected')
   document.body.dataset.ready = 'true'

@@ -244,6 +244,31 @@ test('what is written after sharing, or before a link is opened, is there again'
   await own.context().close()
 })
 
+test('what is closed stays closed, a mesh that is chosen and what was written last are there again', async () => {
+  const own = await open('')
+  const counts = pattern => own.waitForFunction(
+    source => new RegExp(source).test(document.getElementById('counts').textContent), pattern.source)
+  await put(own, 'first')
+  await own.getByRole('button', { name: 'a new program' }).click()
+  await put(own, 'second')
+  await untilKept(own, '// second')
+  own.on('dialog', dialog => dialog.accept())
+  await own.locator('#files .close').first().click()
+  await own.waitForFunction(() => !localStorage.getItem('hedgerow-work').includes('first'))
+  assert.match(await reloaded(own), /second/)
+  assert.equal(await own.locator('#files .file').count(), 1)
+  for (const [shape, pattern] of [['cube', /^8 vertices/], ['bunny', /^1839 vertices/]]) {
+    await own.selectOption('#shape', shape)
+    await counts(pattern)
+    assert.match(await reloaded(own), /second/)
+    await counts(pattern)
+  }
+  // At once, sooner than a pause in typing is waited for.
+  await put(own, 'last')
+  assert.match(await reloaded(own), /last/)
+  await own.context().close()
+})
+
 test('of several links in turn, each that is changed leaves all that was before it', async () => {
   const own = await open('')
   await put(own, 'of a link')
