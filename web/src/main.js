@@ -92,10 +92,12 @@ function keepWork() {
 /** Whether a mesh is one that an address can hold. */
 const isNamed = mesh => [...SHAPES, 'bunny'].includes(mesh)
 
-/** Opens what a link shares, beside what has been changed. */
-function openLink(given) {
+/** Opens what a link shares, beside what has been changed, with its mesh, or else another one. */
+async function openLink(given, other) {
   given.files.toReversed().forEach(([name, text]) => editor.open(unchanged(name), text))
   linked = texts()
+  const mesh = isNamed(given.mesh) ? given.mesh : other
+  if (mesh) await bench.openShape(mesh)
 }
 
 let moved
@@ -305,7 +307,7 @@ function wire() {
     const given = await shared(location.hash)
     if (!given) return
     lessons.close()
-    openLink(given)
+    await openLink(given)
   }))
   editor.files.onWanted = async uri => {
     const name = decodeURIComponent(uri).match(/std\/[\w.]+$/)?.[0]
@@ -344,13 +346,13 @@ async function begin() {
   await listPrograms()
   let [given, damage] = [null, '']
   try {
-    given = await shared(location.hash)
+    if (!started?.program) given = await shared(location.hash)
   } catch (error) {
     damage = error.message
   }
   const own = given || local ? null : kept()
   if (started?.program) await chooseProgram(`folder:${started.program}`)
-  else if (given) openLink(given)
+  else if (given) await openLink(given, 'icosphere')
   else if (own) {
     // It is kept with them, already before it is open.
     if (isNamed(own.mesh)) bench.mesh = own.mesh
@@ -362,10 +364,7 @@ async function begin() {
   }
   else await chooseProgram('example:flip.hedge')
   if (started?.mesh) await bench.openFile(started.mesh)
-  else {
-    const mesh = (given ?? own)?.mesh
-    await bench.openShape(isNamed(mesh) ? mesh : 'icosphere')
-  }
+  else if (!given) await bench.openShape(isNamed(own?.mesh) ? own.mesh : 'icosphere')
   if (damage) bench.say(damage, 'rejected')
   document.body.dataset.ready = 'true'
 }

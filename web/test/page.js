@@ -269,6 +269,32 @@ test('what is closed stays closed, a mesh that is chosen and what was written la
   await own.context().close()
 })
 
+test('a link opens its mesh, on a page that is open as well', async () => {
+  const own = await open('')
+  const counts = of => of.waitForFunction(
+    () => /^8 vertices/.test(document.getElementById('counts').textContent))
+  await own.selectOption('#shape', 'cube')
+  await counts(own)
+  await put(own, 'with a cube')
+  await untilKept(own, 'with a cube')
+  await own.locator('#share').click()
+  await own.waitForFunction(() => location.hash.startsWith('#p='))
+  const link = new URL(own.url()).hash
+  await own.context().close()
+  const other = await open('')
+  await put(other, 'mine')
+  await untilKept(other, '// mine')
+  await other.evaluate(hash => { location.hash = hash }, link)
+  await other.waitForFunction(() => document.querySelector('.cm-content').innerText === '// with a cube')
+  await counts(other)
+  // What is one's own keeps its mesh until the link is changed.
+  const { mesh } = JSON.parse(await other.evaluate(() => localStorage.getItem('hedgerow-work')))
+  assert.equal(mesh, 'icosphere')
+  assert.match(await reloaded(other), /with a cube/)
+  await counts(other)
+  await other.context().close()
+})
+
 test('of several links in turn, each that is changed leaves all that was before it', async () => {
   const own = await open('')
   await put(own, 'of a link')
