@@ -282,11 +282,22 @@ function wire() {
   on('program', 'change', () => chooseProgram(find('program').value))
   on('learn', 'click', () => lessons.start(lessons.next))
   on('share', 'click', share)
-  on('save', 'change', async () => {
-    const { value } = find('save')
-    find('save').value = ''
-    await save(value)
+  // A list that is there until one of it is taken, Escape is pressed, or something else has the focus.
+  const shut = () => find('save').open = false
+  on('save', 'click', async ({ target }) => {
+    const button = target.closest('button')
+    if (!button) return
+    find('save').firstElementChild.focus()
+    shut()
+    await save(button.value)
   })
+  on('save', 'keydown', event => {
+    if (event.key !== 'Escape' || !find('save').open) return
+    find('save').firstElementChild.focus()
+    shut()
+  })
+  on('save', 'focusout', event => event.relatedTarget && !find('save').contains(event.relatedTarget) && shut())
+  document.addEventListener('pointerdown', event => find('save').contains(event.target) || shut())
   splitter(find('split-main'), document.querySelector('main'), ['--left', '--right'], true)
   splitter(find('split-work'), find('work'), ['--editor', '--rest'], false)
   panes.onCounterexample = (example, bytes) => {

@@ -457,7 +457,10 @@ test('files are dropped, repaired and saved', async () => {
 
 /** What is downloaded as this, and its name. */
 async function saved(what) {
-  const [download] = await Promise.all([page.waitForEvent('download'), page.selectOption('#save', what)])
+  await page.locator('#save summary').click()
+  const [download] = await Promise.all([
+    page.waitForEvent('download'), page.locator(`#save [value=${what}]`).click(),
+  ])
   return [readFileSync(await download.path(), 'utf8'), download.suggestedFilename()]
 }
 
@@ -476,6 +479,40 @@ test('mesh, picture and program are downloaded', async () => {
   assert.equal(program, readFileSync(join(here, '../../examples/flip.hedge'), 'utf8'))
   const [picture] = await saved('svg')
   assert.match(picture, /^<svg [^]*<\/svg>\s*$/)
+})
+
+test('by keys, what to save is chosen first and saved then', async () => {
+  const own = await open('')
+  const downloads = []
+  own.on('download', download => downloads.push(download.suggestedFilename()))
+  const isOpen = () => own.locator('#save').evaluate(save => save.open)
+  await own.locator('#save summary').focus()
+  await own.keyboard.press('ArrowDown')
+  await own.keyboard.press('Enter')
+  assert.ok(await isOpen())
+  await picture('save', own)
+  await own.keyboard.press('Tab')
+  await own.keyboard.press('Escape')
+  assert.ok(!await isOpen())
+  assert.equal(await own.evaluate(() => document.activeElement.tagName), 'SUMMARY')
+  assert.deepEqual(downloads, [])
+  await own.keyboard.press('Enter')
+  for (let at = 0; at < 5; at++) await own.keyboard.press('Tab')
+  await Promise.all([own.waitForEvent('download'), own.keyboard.press('Enter')])
+  assert.deepEqual(downloads, ['flip.hedge'])
+  assert.ok(!await isOpen())
+  await own.locator('#save summary').click()
+  await own.locator('h1').click()
+  assert.ok(!await isOpen())
+  for (const [name, options] of [['save-dark', { colorScheme: 'dark' }], ['save-phone', { viewport: { width: 390, height: 844 } }]]) {
+    const other = await open('', options)
+    await other.locator('#save summary').click()
+    const { x, width } = await other.locator('#save div').boundingBox()
+    assert.ok(x >= 0 && x + width <= other.viewportSize().width, name)
+    await picture(name, other)
+    await other.context().close()
+  }
+  await own.context().close()
 })
 
 test('a mesh is dropped; faces and vertices are clicked', async () => {
