@@ -239,8 +239,12 @@ export class Bench {
 
   /** The mesh is another one. */
   #done({ past: [before, after] }, ran = null) {
+    const held = document.activeElement
     find('undo').disabled = !before
     find('redo').disabled = !after
+    // The focus does not stay on what can do nothing: the other one of both can.
+    if (held === find('undo') && !before) find('redo').focus()
+    if (held === find('redo') && !after) find('undo').focus()
     this.#scrubber(ran)
   }
 

@@ -136,7 +136,18 @@ function listFiles() {
   const add = make('button', { type: 'button', className: 'plain', title: 'A new program' }, '+')
   add.setAttribute('aria-label', 'a new program')
   add.addEventListener('click', () => newProgram())
+  // What had the focus has it again: the same button, or the program in its place.
+  const held = document.activeElement
+  const at = [...find('files').children].findIndex(part => part.contains(held))
   find('files').replaceChildren(...parts, add)
+  if (at >= 0) {
+    const label = held.getAttribute('aria-label')
+    const same = label && [...find('files').querySelectorAll('[aria-label]')]
+      .find(button => button.getAttribute('aria-label') === label)
+    const shows = find('files').querySelectorAll('.file')
+    const next = same || shows[Math.min(at, shows.length - 1)]
+    next?.focus()
+  }
   const keys = [...find('program').options].map(option => option.value)
   const key = ['lesson', 'folder', 'example', 'library'].map(sort => `${sort}:${shown?.name}`)
   find('program').value = key.find(key => keys.includes(key) && programs[key] !== undefined)

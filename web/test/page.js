@@ -776,6 +776,45 @@ test('without a mouse: the mesh is turned, an operation is applied, parts are ma
   await own.context().close()
 })
 
+test('by keys, the focus stays where something was done', async () => {
+  const own = await open('')
+  own.on('dialog', dialog => dialog.accept())
+  const focused = () => own.evaluate(() => {
+    const { id, dataset, className } = document.activeElement
+    return id || dataset.name || className
+  })
+  const press = async of => {
+    await of.focus()
+    await own.keyboard.press('Enter')
+    await own.waitForTimeout(300)
+  }
+  await put(own, 'mine')
+  for (let at = 0; at < 2; at++) {
+    await own.getByRole('button', { name: 'a new program' }).click()
+    await own.keyboard.insertText('// new')
+  }
+  const files = own.locator('#files .file')
+  for (const at of [0, 2]) {
+    await press(files.nth(at))
+    assert.equal(await focused(), ['flip.hedge', 'mine.hedge', 'mine2.hedge'][at])
+  }
+  await press(own.locator('#files .close').first())
+  assert.equal(await focused(), 'mine.hedge')
+  await press(own.locator('#files .close').last())
+  assert.equal(await focused(), 'mine.hedge')
+  await own.selectOption('#program', 'example:flip.hedge')
+  await own.waitForFunction(() => document.getElementById('op').value === 'flip')
+  await own.locator('#element').fill('3')
+  await press(own.locator('#element'))
+  await own.waitForFunction(() => /applied at edge 3/.test(document.getElementById('said').textContent))
+  for (const [id, other] of [['undo', 'redo'], ['redo', 'undo']]) {
+    await press(own.locator(`#${id}`))
+    await own.waitForFunction(id => document.getElementById(id).disabled, id)
+    assert.equal(await focused(), other)
+  }
+  await own.context().close()
+})
+
 test('on a phone an edge is touched and flips', async () => {
   const phone = await open('', { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true })
   await phone.locator('#view').scrollIntoViewIfNeeded()
