@@ -101,7 +101,9 @@ export class Editor {
         autocompletion(), indentUnit.of('  '), colours,
         // Files are opened by the page, and not typed here as well.
         EditorView.domEventHandlers({ drop: event => event.dataTransfer?.files.length > 0 }),
-        EditorView.contentAttributes.of({ 'aria-label': `program ${name}`, tabindex: '0' }),
+        EditorView.contentAttributes.of({
+          'aria-label': `program ${name}`, 'aria-describedby': 'editor-keys', tabindex: '0',
+        }),
         keymap.of([
           ...lintKeymap, ...searchKeymap, ...historyKeymap, ...defaultKeymap, indentWithTab,
         ]),

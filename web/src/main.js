@@ -309,6 +309,10 @@ function wire() {
   })
   on('save', 'focusout', event => event.relatedTarget && !find('save').contains(event.relatedTarget) && shut())
   document.addEventListener('pointerdown', event => find('save').contains(event.target) || shut())
+  // Who uses Tab is told how the editor, where it indents, is left.
+  const byKeys = isSo => document.body.classList.toggle('by-keys', isSo)
+  document.addEventListener('keydown', event => event.key === 'Tab' && byKeys(true), true)
+  document.addEventListener('pointerdown', () => byKeys(false), true)
   splitter(find('split-main'), document.querySelector('main'), ['--left', '--right'], true)
   splitter(find('split-work'), find('work'), ['--editor', '--rest'], false)
   panes.onCounterexample = (example, bytes) => {

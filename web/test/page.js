@@ -815,6 +815,22 @@ test('by keys, the focus stays where something was done', async () => {
   await own.context().close()
 })
 
+test('who comes into the editor by keys is told how it is left', async () => {
+  const own = await open('')
+  const hint = own.locator('#editor-keys')
+  await own.locator('.cm-content').click()
+  assert.ok(await hint.isHidden())
+  await own.keyboard.press('Tab')
+  assert.match(await hint.innerText(), /Escape, then Tab/)
+  assert.equal(await own.locator('.cm-content').getAttribute('aria-describedby'), 'editor-keys')
+  await picture('editor-keys', own)
+  await own.keyboard.press('Escape')
+  await own.keyboard.press('Tab')
+  assert.ok(!await own.evaluate(() => document.activeElement.closest('.cm-content')))
+  assert.ok(await hint.isHidden())
+  await own.context().close()
+})
+
 test('on a phone an edge is touched and flips', async () => {
   const phone = await open('', { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true })
   await phone.locator('#view').scrollIntoViewIfNeeded()
