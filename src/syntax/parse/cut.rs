@@ -64,7 +64,8 @@ impl Closings {
     /// True if the declaration at a token is inside an item whose `open` braces are all closed
     /// after it: the declaration is misplaced, and no brace is missing.
     fn is_inside(&self, text: &str, tokens: &[Token], at: usize, open: usize) -> bool {
-        let declares = matches!(tokens[at].kind, T::Attr | T::Private | T::Fn | T::Op | T::Script);
+        let kinds = [T::Attr, T::Private, T::Fn, T::Op, T::Script, T::Use];
+        let declares = kinds.contains(&tokens[at].kind);
         open > 0
             && declares
             && indent(text, tokens, at) != Some(0)

@@ -165,10 +165,10 @@ fn unexpected(failure: Failure, around: &Around) -> Diagnostic {
     let wanted = one_of(wanted(&failure));
     let anew = starts_anew(&failure);
     let closes = failure.wanted.has(T::RightBrace);
+    if failure.found == Some(T::Use) {
+        return use_inside(failure.span, around);
+    }
     if let Some(open) = around.braces.open_at(around.at(failure.span)).filter(|_| closes) {
-        if let Some(told) = use_inside(around) {
-            return told;
-        }
         return not_closed(open, &failure, found, around);
     }
     if let Some(told) = keyword_as_name(&failure, around).or_else(|| no_value(&failure, around)) {
@@ -237,15 +237,13 @@ fn no_value(failure: &Failure, around: &Around) -> Option<Diagnostic> {
     })
 }
 
-/// The error for a `use` within the braces of an item, which are closed behind it.
-fn use_inside(around: &Around) -> Option<Diagnostic> {
+/// The error for a `use` within an item.
+fn use_inside(used: Span, around: &Around) -> Diagnostic {
     let text = around.text;
-    let used = around.next.filter(|next| next.kind == T::Use)?.span;
-    let count = |brace: char| text.matches(brace).count();
-    let rest = text.get(used.start as usize..).filter(|_| count('{') == count('}'))?;
     let message = "files are used at the head of a file, not inside of an item";
     let mut told = Diagnostic::error("syntax-error", message, used);
     let indent = line_before(text, used);
+    let rest = text.get(used.start as usize..).unwrap_or("");
     let line = rest.split_inclusive('\n').next().filter(|_| indent.trim().is_empty());
     if let Some(line) = line {
         let start = used.start - indent.len() as u32;
@@ -259,7 +257,7 @@ fn use_inside(around: &Around) -> Option<Diagnostic> {
             ],
         });
     }
-    Some(told)
+    told
 }
 
 /// The error for an unclosed brace, at something that cannot be inside it. The lines tell where it
