@@ -7,7 +7,7 @@ use std::process::exit;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
-use console::{Term, measure_text_width};
+use console::{Term, strip_ansi_codes};
 use pretty::{DocAllocator, DocBuilder, RcAllocator};
 use serde::Serialize;
 
@@ -99,19 +99,17 @@ pub(super) fn eprint_diagnostics(diagnostics: &[Diagnostic], sources: &Sources) 
     let text = render(diagnostics, sources, Rendering { colour, most: MOST_DIAGNOSTICS });
     let columns = columns_of(&Term::stderr());
     for line in text.lines() {
-        let note = [NOTE, HELP].iter().find_map(|word| Some(line.find(word)? + word.len()));
-        let is_note = |end: usize| measure_text_width(&line[..end]) == 2 + NOTE.len();
-        let line = match note.filter(|&end| is_note(end)).map(|end| line.split_at(end)) {
-            Some((head, rest)) => head.to_owned() + &fitted(rest, 2 + NOTE.len(), columns),
+        let is_note = NOTES.iter().any(|head| strip_ansi_codes(line).starts_with(head));
+        let line = match line.split_once(": ").filter(|_| is_note) {
+            Some((head, rest)) => format!("{head}: {}", fitted(rest, NOTES[0].len(), columns)),
             None => line.to_owned(),
         };
         let _ = writeln!(stderr().lock(), "{line}");
     }
 }
 
-/// The words before what a diagnostic adds, which are as long as each other.
-const NOTE: &str = "note: ";
-const HELP: &str = "help: ";
+/// What begins the lines that a diagnostic adds below the text, of one length.
+const NOTES: [&str; 2] = ["  note: ", "  help: "];
 
 /// The number of columns of standard output, if it is a terminal.
 pub(super) fn columns() -> Option<usize> {
@@ -146,15 +144,17 @@ const FENCE: &str = "```";
 /// it is printed to one; code and tables stay as they are.
 pub(super) fn prose(text: &str) -> String {
     let Some(columns) = columns() else { return text.to_owned() };
+    let is_prose = |words: &str| {
+        !words.is_empty() && !words.starts_with(['|', '#']) && !words.starts_with(FENCE)
+    };
+    let is_item = |words: &str| words.starts_with("- ") || words.starts_with("* ");
     let (mut is_code, mut out) = (false, Vec::new());
     let mut lines = text.lines().peekable();
     while let Some(line) = lines.next() {
-        is_code ^= line.trim_start().starts_with(FENCE);
         let words = line.trim_start();
         let indent = line.len() - words.len();
-        let is_item = |words: &str| words.starts_with("- ") || words.starts_with("* ");
-        if is_code || words.is_empty() || words.starts_with(['|', '#']) || words.starts_with(FENCE)
-        {
+        is_code ^= words.starts_with(FENCE);
+        if is_code || !is_prose(words) {
             out.push(line.to_owned());
             continue;
         }
@@ -163,8 +163,7 @@ pub(super) fn prose(text: &str) -> String {
         let mut all = vec![line];
         while let Some(next) = lines.next_if(|next| {
             let words = next.trim_start();
-            let is_text = !words.is_empty() && !words.starts_with(['|', '#']) && !is_item(words);
-            is_text && !words.starts_with(FENCE) && next.len() - words.len() == inside
+            is_prose(words) && !is_item(words) && next.len() - words.len() == inside
         }) {
             all.push(next);
         }
