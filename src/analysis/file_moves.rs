@@ -59,14 +59,16 @@ fn qualifiers(snapshot: &Snapshot, moved: &dyn Fn(&str) -> String) -> Vec<Edit> 
         let file = shared_item(snapshot, names.symbol(mention.symbol))?.file;
         let (old, target) = (qualifier(&file), moved(&file));
         let new = qualifier(&target);
-        if new == old || !is_name(new) {
+        if new == old {
             return None;
         }
+        // A file may have a name that no program can write.
+        let text = if is_name(new) { qualified(new, "") } else { String::new() };
         let mark = qualified(old, "");
         let start = mention.span.start.checked_sub(mark.len() as u32)?;
         let whole = Span { start, end: mention.span.start, ..mention.span };
         let is_qualified = snapshot.text().get(whole.range())? == mark;
-        is_qualified.then(|| Edit { span: whole, text: qualified(new, "") })
+        is_qualified.then_some(Edit { span: whole, text })
     });
     edits.collect()
 }

@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use super::arguments::{CheckArguments, Format};
 use super::failure::Failure;
-use super::output::{eprint_diagnostics, print_json, print_line, table};
+use super::output::{eprint_diagnostics, print_json, print_line, table_rows};
 use super::witness::Witnesses;
 use super::{fix, program};
 use crate::analysis::{
@@ -133,8 +133,7 @@ fn show(file: &str, verdicts: &[Verdict], verbose: bool) -> String {
             below.push(turned.chain(only).chain(more).collect());
         }
     }
-    let rows = table(&rows, &[]);
-    let lines = rows.lines().map(String::from).zip(below);
+    let lines = table_rows(&rows, &[]).into_iter().zip(below);
     let lines = lines.flat_map(|(line, below)| std::iter::once(line).chain(below));
     std::iter::once(file.to_string()).chain(lines).collect::<Vec<_>>().join("\n")
 }

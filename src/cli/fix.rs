@@ -87,21 +87,26 @@ pub(super) fn mended(path: &Path) -> Result<Program, Failure> {
     Ok(program)
 }
 
-/// The numbers of errors in the ops whose drawings can be read. That new elements lack attributes
-/// does not count: only the author knows their values.
-fn errors_of_ops(program: &Program) -> HashMap<String, usize> {
+/// The numbers of errors in the ops whose drawings can be read, beside whether they are misread, which
+/// hides errors and so counts more. That new elements lack attributes does not count: only the author
+/// knows their values.
+fn errors_of_ops(program: &Program) -> HashMap<String, (bool, usize)> {
     let analysis = &program.analysis;
     let errors = analysis.diagnostics.iter().filter(|told| told.is_error());
     let errors: Vec<_> = errors.filter(|told| told.code != "missing-attribute").collect();
     let count = |span: Span| errors.iter().filter(|told| contains(span, told.span())).count();
-    let drawn = analysis.program.ops.iter().filter_map(|op| op.diagram.as_ref());
-    drawn.map(|op| (op.name.clone(), count(op.span))).collect()
+    let drawn =
+        analysis.program.ops.iter().filter_map(|op| Some((op.diagram.as_ref()?, op.misread)));
+    drawn.map(|(op, misread)| (op.name.clone(), (misread, count(op.span)))).collect()
 }
 
 /// The ops that have errors, and not fewer than before.
-fn no_better(before: &HashMap<String, usize>, after: &HashMap<String, usize>) -> Vec<String> {
+fn no_better(
+    before: &HashMap<String, (bool, usize)>,
+    after: &HashMap<String, (bool, usize)>,
+) -> Vec<String> {
     let worse = after.iter().filter(|(op, errors)| {
-        **errors > 0 && before.get(*op).is_some_and(|before| before <= *errors)
+        errors.1 > 0 && before.get(*op).is_some_and(|before| before <= *errors)
     });
     worse.map(|(op, _)| op.clone()).collect()
 }

@@ -181,6 +181,11 @@ pub(super) fn prose(text: &str) -> String {
 /// Columns of text, each as wide as its widest cell; those marked in `right` are aligned right. Long
 /// texts in the last one are wrapped.
 pub(super) fn table(rows: &[Vec<String>], right: &[bool]) -> String {
+    table_rows(rows, right).join("\n")
+}
+
+/// The rows of a [`table`], each of which may have several lines.
+pub(super) fn table_rows(rows: &[Vec<String>], right: &[bool]) -> Vec<String> {
     let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
     let width = |column: usize| {
         rows.iter()
@@ -195,8 +200,10 @@ pub(super) fn table(rows: &[Vec<String>], right: &[bool]) -> String {
             let is_right = right.get(column) == Some(&true);
             if column > 0 && column + 1 == columns && !is_right {
                 let before = widths[..column].iter().map(|width| width + 2).sum();
-                // Beside a wide column there is too little room: below it there is more.
-                return match self::columns().is_some_and(|columns| before > columns / 2) {
+                // Beside a wide column there may be too little room: below it there is more.
+                let is_below =
+                    |columns| before > columns / 2 && before + cell.chars().count() > columns;
+                return match self::columns().is_some_and(is_below) {
                     true => format!("\n    {}", wrapped(cell, 4)),
                     false => wrapped(cell, before),
                 };
@@ -207,5 +214,5 @@ pub(super) fn table(rows: &[Vec<String>], right: &[bool]) -> String {
         let cells = row.iter().enumerate().map(cell).collect::<Vec<_>>().join("  ");
         cells.lines().map(str::trim_end).collect::<Vec<_>>().join("\n")
     };
-    rows.iter().map(line).collect::<Vec<_>>().join("\n")
+    rows.iter().map(line).collect()
 }

@@ -169,6 +169,7 @@ impl Server {
         params: RenameFilesParams,
     ) -> Answer<WillRenameFilesRequest> {
         self.read_workspace();
+        let name = |uri: &Uri| name(uri).trim_end_matches('/').to_owned();
         let moves = params.files.iter().map(|file| (name(&file.old_uri), name(&file.new_uri)));
         let moves: Vec<_> = moves.collect();
         let moved = |file: &str| {

@@ -4,7 +4,7 @@
 //! statement that pairs them is forgotten. Then two halfedges without a twin run between the same
 //! vertices in opposite directions.
 
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, all_of};
 use crate::diagram::{Kind, NameId, Ref, Role, Side};
 use crate::source::Span;
 use crate::syntax::tree::{self, Statement};
@@ -24,7 +24,7 @@ pub(super) struct Unused<'a> {
 }
 
 impl Unused<'_> {
-    /// Reports each name, with the missing edge statement if it is unambiguous.
+    /// Reports each name with the missing edge statement, if it is unambiguous, or else all together.
     pub(super) fn report(&self, names: &Names, report: &mut Report) {
         let is_new = |half: NameId| self.created.iter().any(|created| created.name == half);
         let open = self.open(names, &is_new);
@@ -43,10 +43,10 @@ impl Unused<'_> {
             Some(_) => None,
             None => Some(of_new()).filter(fit).or_else(|| Some(of_all()).filter(fit)),
         };
+        let mut others: Vec<&tree::Name> = Vec::new();
         for (at, name) in self.listed.iter().enumerate() {
             let word = &name.ident.text;
-            let message = format!("`{word}` is listed in `new` but stands nowhere in `after`");
-            let mut error = Diagnostic::error("unused-new", message, name.span);
+            let mut error = unused(&format!("`{word}` is"), "stands", name.span);
             if self.is_placed(word) {
                 error = error.note(format!(
                     "its `position` is set, so it is a vertex: draw it in a loop, or list its spokes, `vertex {name}: h *S`"
@@ -57,9 +57,19 @@ impl Unused<'_> {
                 error = drawn_twice(error, first, second, names);
             } else if let Some(pair) = pairs.as_ref().and_then(|pairs| pairs.get(at)) {
                 error = self.missing_edge(error, name, pair, names);
+            } else {
+                others.push(name);
+                continue;
             }
             report.add(error);
         }
+        let Some((first, more)) = others.split_first() else { return };
+        let words = all_of(others.iter().map(|name| format!("`{}`", name.ident.text)));
+        let error = match more {
+            [] => unused(&format!("{words} is"), "stands", first.span),
+            _ => unused(&format!("{words} are"), "stand", first.span),
+        };
+        report.add(more.iter().fold(error, |error, name| error.label(name.span, "here, too")));
     }
 
     /// The halfedges in loops of `after`, but in no edge statement, that are new or freed.
@@ -226,4 +236,10 @@ fn end_of_orbits(after: &Side) -> Option<Span> {
     let edges = after.edges.iter().map(|edge| edge.span);
     let last = loops.chain(edges).max_by_key(|span| span.end)?;
     Some(last.after())
+}
+
+/// The error for names that are listed and not drawn.
+fn unused(who: &str, stands: &str, span: Span) -> Diagnostic {
+    let message = format!("{who} listed in `new` but {stands} nowhere in `after`");
+    Diagnostic::error("unused-new", message, span)
 }

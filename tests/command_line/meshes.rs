@@ -59,6 +59,16 @@ fn no_mesh() {
     nothing.fails(2, &["info", "."], "`.` is a folder; a mesh is wanted here");
 }
 
+/// What a repair would make another mesh of is not to be repaired.
+#[test]
+fn indices_from_zero() {
+    let bench = Bench::new();
+    bench.write("zero.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 0 1 2\nf 0 2 3\n");
+    let said = bench.run(&["info", "zero.obj"]);
+    assert!(said.err.contains("count vertices from 0, and the format counts from 1"), "{said:?}");
+    assert!(said.code == 2 && !said.err.contains("--repair"), "{said:?}");
+}
+
 /// Tables say that they are empty; a list of no polygons is probably something else.
 #[test]
 fn no_vertex() {

@@ -179,6 +179,18 @@ fn what_is_sure_is_written_until_nothing_is_left() {
     assert_eq!(bench.read("windows.hedge"), with_crlf(&mended));
 }
 
+/// An error of syntax hides others; a fix is not weighed against these.
+#[test]
+fn what_is_written_wrongly_is_mended_whatever_it_hides() {
+    let bench = Bench::new();
+    let text = "op move(v: vertex, d: vec3) {\n  before { vertex v: * }\n  \
+                after { keep v v.position += d }\n}\n";
+    bench.write("move.hedge", text);
+    let said = bench.run(&["check", "--fix", "move.hedge"]);
+    let mended = bench.read("move.hedge");
+    assert!(mended.contains("v.position = v.position + d"), "{said:?}");
+}
+
 /// Each round mends one level, and the text becomes longer.
 #[test]
 fn a_fix_whose_error_comes_back_again_and_again_is_not_written() {

@@ -433,8 +433,12 @@ fn moved_files_are_used_by_their_new_paths() {
     assert_eq!(after(&renamed, APP, app), expected);
     let expected = ops.replace("near.hedge", "../near.hedge");
     assert_eq!(after(&renamed, OPS, ops), expected);
+    // A name that no program can write.
+    let renamed = told(&[("lib/ops.hedge", "lib/my-ops.hedge")]);
+    let expected = app.replace("lib/ops.hedge", "lib/my-ops.hedge").replace("ops::", "");
+    assert_eq!(after(&renamed, APP, app), expected);
     // A folder, in which paths stay as they are.
-    let renamed = told(&[("lib", "app/std")]);
+    let renamed = told(&[("lib/", "app/std/")]);
     let expected = app.replace("../lib/ops.hedge", "./std/ops.hedge");
     assert_eq!(after(&renamed, APP, app), expected);
     assert_eq!(after(&renamed, OPS, ops), ops);

@@ -413,6 +413,7 @@ fn a_file_that_counts_from_another_number_is_told_so() {
     // Indices that are wrong from whatever number they count.
     for (format, text) in [
         (FileFormat::Obj, obj("f 0 1 2\nf 1 3 4\n")),
+        (FileFormat::Obj, obj("f 1/0 2/0 3/0\n")),
         (FileFormat::Obj, obj("f 0 1 2\nf 1 3 7\n")),
         (FileFormat::Off, off("3 0 1 2\n3 1 3 4\n")),
         (FileFormat::Off, off("3 1 2 3\n3 1 3 9\n")),
@@ -448,6 +449,7 @@ fn rows_with_more_numbers_than_declared_keep_the_others_in_place() {
     for rows in [
         "0 0 0 1 0 0\n1 1 0 0 1 0\n3 0 1 2\n3 0 2 3\n",
         "0 0 0 1 0 0\n\n1 1 0 0\n\n1 0\n3 0 1 2 3\n0 2 3\n",
+        "0 0 0 1 0 0\n1 1 0\n0 1 0\n3 0\n1 2\n3\n0 2 3\n",
         "0 0\n0 1\n0 0\n1 1\n0 0\n1 0\n3 0\n1 2\n3 0\n2 3\n",
         "0 0 0 1 0 0 1 1 0 0 1 0 3 0 1 2 3 0 2 3",
     ] {

@@ -123,7 +123,10 @@ impl Contents {
     fn wrong_start(&self, vertices: usize) -> Option<&'static str> {
         let uses = |vertex: usize| self.polygons.corners().contains(&(vertex as u32));
         match self.bad_indices.shifted_from()? {
-            1 if !uses(vertices.checked_sub(1)?) => Some("from 0, and the format counts from 1"),
+            // Not only texture coordinates and normals have the index 0.
+            1 if uses(MISSING as usize) && !uses(vertices.checked_sub(1)?) => {
+                Some("from 0, and the format counts from 1")
+            }
             0 if !uses(0) => Some("from 1, and the format counts from 0"),
             _ => None,
         }

@@ -226,8 +226,8 @@ impl<'t> Scanner<'t> {
 
     /// Skips the words behind a row of a table that are more than it should have; true if there are
     /// some. Where rows do not have lines of their own, the words belong to the next row. They have
-    /// if this one does, which began in the line `begin`, and at least as many lines follow as
-    /// `rows`; `has_lines` keeps the answer.
+    /// if this one does, which began in the line `begin`, and as many lines follow as `rows`;
+    /// `has_lines` keeps the answer.
     #[inline]
     pub(super) fn skip_surplus(
         &mut self,
@@ -242,7 +242,7 @@ impl<'t> Scanner<'t> {
             let lines = self.rest().split(|byte| matches!(byte, b'\n' | b'\r')).skip(1);
             let has_words = |line: &&[u8]| line.first().is_some_and(|first| *first != b'#');
             let lines = lines.map(<[u8]>::trim_ascii).filter(has_words);
-            self.line == begin && lines.count() >= rows
+            self.line == begin && lines.count() == rows
         });
         if is_surplus {
             self.end_line();

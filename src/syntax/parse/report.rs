@@ -165,7 +165,8 @@ fn unexpected(failure: Failure, around: &Around) -> Diagnostic {
     let wanted = one_of(wanted(&failure));
     let anew = starts_anew(&failure);
     let closes = failure.wanted.has(T::RightBrace);
-    if failure.found == Some(T::Use) {
+    let behind = around.item.get(around.at(failure.span) + 1).map(|next| next.kind);
+    if failure.found == Some(T::Use) && behind == Some(T::Text) {
         return use_inside(failure.span, around);
     }
     if let Some(open) = around.braces.open_at(around.at(failure.span)).filter(|_| closes) {
@@ -245,19 +246,35 @@ fn use_inside(used: Span, around: &Around) -> Diagnostic {
     let indent = line_before(text, used);
     let rest = text.get(used.start as usize..).unwrap_or("");
     let line = rest.split_inclusive('\n').next().filter(|_| indent.trim().is_empty());
-    if let Some(line) = line {
+    if let Some(line) = line.filter(|line| is_use(line)) {
         let start = used.start - indent.len() as u32;
         let old = Span { start, end: used.start + line.len() as u32, ..used };
-        let head = Span { start: 0, end: 0, ..used };
+        // Behind a byte order mark, what is said of the file, and the files that are used already.
+        let is_head = |line: &&str| {
+            let line = line.trim_start_matches('\u{feff}').trim();
+            line.is_empty() || line.starts_with("//!") || is_use(line)
+        };
+        let head = text.split_inclusive('\n').take_while(is_head).map(str::len).sum::<usize>();
+        let head = head.max(if text.starts_with('\u{feff}') { 3 } else { 0 }) as u32;
         told.fixes.push(Fix {
             title: "move it to the head of the file".to_owned(),
             edits: vec![
-                Edit { span: head, text: format!("{}\n", line.trim_end()) },
+                Edit {
+                    span: Span { start: head, end: head, ..used },
+                    text: format!("{}\n", line.trim_end()),
+                },
                 Edit { span: old, text: String::new() },
             ],
         });
     }
     told
+}
+
+/// True if a line uses a file, and has nothing behind it but a comment.
+fn is_use(line: &str) -> bool {
+    let path = line.strip_prefix("use").and_then(|rest| rest.trim_start().strip_prefix('"'));
+    let behind = path.and_then(|path| path.split_once('"')).map(|(_, behind)| behind.trim());
+    behind.is_some_and(|behind| behind.is_empty() || behind.starts_with("//"))
 }
 
 /// The error for an unclosed brace, at something that cannot be inside it. The lines tell where it

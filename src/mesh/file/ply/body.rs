@@ -67,15 +67,13 @@ pub(super) struct Body<'t> {
 impl<'t> Body<'t> {
     pub(super) fn new(header: &Header, text: &'t [u8]) -> Self {
         let is_text = header.encoding == Encoding::Ascii;
+        let rows = header.elements.iter().filter(|element| !element.properties.is_empty());
         Self {
             encoding: header.encoding,
             bytes: text,
             scanner: Scanner::new(if is_text { text } else { b"" }),
             lines: header.lines,
-            rows: header
-                .elements
-                .iter()
-                .fold(0, |rows, element| element.count.saturating_add(rows)),
+            rows: rows.fold(0, |rows, element| element.count.saturating_add(rows)),
             has_lines: None,
             is_cut_off: false,
         }
