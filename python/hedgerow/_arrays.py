@@ -59,9 +59,10 @@ def _too_large(array):
     return most if most > np.iinfo(np.int64).max else None
 
 
-def _integers(array, what, error=MeshError):
-    if _too_large(array) is not None:
-        raise _wrong(f"{what} are too large", error)
+def _integers(array, what, error=MeshError, too_large=None):
+    """Whole numbers in a row. ``too_large`` words the error about one that does not fit."""
+    if (wrong := _too_large(array)) is not None:
+        raise _wrong(too_large(wrong) if too_large else f"{what} are too large", error)
     if array.size and array.dtype.kind not in "iu":
         raise _wrong(f"{what} are whole numbers, not {array.dtype}", error)
     return np.ascontiguousarray(array, dtype=np.int64).reshape(-1)
@@ -130,9 +131,8 @@ def numbers(elements, kind, places):
         if len(array) != places:
             raise _wrong(f"a mask of elements has {places} places, not {len(array)}")
         array = np.flatnonzero(array)
-    if (wrong := _too_large(array)) is not None:
-        raise _wrong(f"there is no {kind} {wrong}")
-    return _integers(array, "numbers of elements", ArgumentError)
+    too_large = f"there is no {kind} {{}}".format
+    return _integers(array, "numbers of elements", ArgumentError, too_large)
 
 
 def attribute(values, slots, ids, what):

@@ -31,20 +31,20 @@ impl LiveMask {
         mask.map(look).map_err(|error| in_call(py, &error))
     }
 
-    /// What a method of the array gives for arguments, as numpy hands them on; `None` if they say
+    /// What a method of the array gives for arguments, as numpy hands them on; `bare` if they say
     /// nothing.
-    fn reduced<'py>(
+    fn reduced<'py, T: IntoPyObject<'py>>(
         &self,
         py: Python<'py>,
         method: &str,
-        args: &Bound<'py, PyTuple>,
-        kwargs: Option<&Bound<'py, PyDict>>,
-    ) -> PyResult<Option<Bound<'py, PyAny>>> {
+        (args, kwargs): (&Bound<'py, PyTuple>, Option<&Bound<'py, PyDict>>),
+        bare: impl FnOnce() -> PyResult<T>,
+    ) -> PyResult<Bound<'py, PyAny>> {
         let mut named = kwargs.into_iter().flatten();
         if args.iter().all(|one| one.is_none()) && named.all(|(_, one)| one.is_none()) {
-            return Ok(None);
+            return bare()?.into_bound_py_any(py);
         }
-        self.array(py)?.call_method(method, args, kwargs).map(Some)
+        self.array(py)?.call_method(method, args, kwargs)
     }
 }
 
@@ -105,10 +105,7 @@ impl LiveMask {
         args: &Bound<'py, PyTuple>,
         kwargs: Option<&Bound<'py, PyDict>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        match self.reduced(py, "sum", args, kwargs)? {
-            Some(sum) => Ok(sum),
-            None => self.count(py)?.into_bound_py_any(py),
-        }
+        self.reduced(py, "sum", (args, kwargs), || self.count(py))
     }
 
     /// Whether there is an element at which it would be applied; with arguments, what `any` of the
@@ -120,10 +117,7 @@ impl LiveMask {
         args: &Bound<'py, PyTuple>,
         kwargs: Option<&Bound<'py, PyDict>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        match self.reduced(py, "any", args, kwargs)? {
-            Some(any) => Ok(any),
-            None => (self.count(py)? > 0).into_bound_py_any(py),
-        }
+        self.reduced(py, "any", (args, kwargs), || Ok(self.count(py)? > 0))
     }
 
     /// Whether it would be applied at all elements; it is not at numbers of erased ones. With
@@ -135,10 +129,7 @@ impl LiveMask {
         args: &Bound<'py, PyTuple>,
         kwargs: Option<&Bound<'py, PyDict>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        match self.reduced(py, "all", args, kwargs)? {
-            Some(all) => Ok(all),
-            None => self.with(py, |mask| !mask.contains(&false))?.into_bound_py_any(py),
-        }
+        self.reduced(py, "all", (args, kwargs), || self.with(py, |mask| !mask.contains(&false)))
     }
 
     fn __and__<'py>(

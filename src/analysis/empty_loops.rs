@@ -52,8 +52,8 @@ fn asks_for_a_hole(condition: &Expr, face: u32) -> Option<&Expr> {
         ExprKind::Binary(Binary::And, left, right) => {
             asks_for_a_hole(left, face).or_else(|| asks_for_a_hole(right, face))
         }
-        ExprKind::Call(Builtin::IsHole, of) if matches!(&of[..], [Expr { kind: ExprKind::Local(of), .. }] if *of == face) => {
-            Some(condition)
+        ExprKind::Call(Builtin::IsHole, of) => {
+            of.iter().all(|of| of.kind == ExprKind::Local(face)).then_some(condition)
         }
         _ => None,
     }

@@ -14,6 +14,7 @@ use crate::diagram::Type;
 use crate::library::{self, LibraryFile};
 use crate::resolve::{Types, qualifier};
 use crate::source::{Sources, Span};
+use crate::syntax::place_of_use;
 use crate::syntax::tree::split_qualified;
 
 /// Adds to each unknown op or function which files of the library declare it.
@@ -230,25 +231,10 @@ fn takes(params: &[&str], given: &[&str], variable: impl Fn(&str) -> Option<Type
         && params.iter().zip(given).all(fits)
 }
 
-/// The place and the text to insert a `use` into a file: after the last one, else before the first
-/// item and its comments.
+/// The place and the text to insert a `use` into a file.
 fn head(text: &str, of: Span, line: &str) -> (Span, String) {
-    let at = |place: usize| {
-        let place = u32::try_from(place).unwrap_or(u32::MAX);
-        Span { start: place, end: place, ..of }
-    };
-    let (mut place, mut first, mut last) = (0, None, None);
-    for written in text.split_inclusive('\n') {
-        if written.starts_with("use ") {
-            last = Some(place + written.trim_end().len());
-        }
-        if first.is_none() && !written.trim().is_empty() && !written.starts_with("//!") {
-            first = Some(place);
-        }
-        place += written.len();
-    }
-    match last {
-        Some(last) => (at(last), format!("\n{line}")),
-        None => (at(first.unwrap_or(0)), format!("{line}\n\n")),
-    }
+    let (place, follows) = place_of_use(text);
+    let place = u32::try_from(place).unwrap_or(u32::MAX);
+    let text = if follows { format!("\n{line}") } else { format!("{line}\n\n") };
+    (Span { start: place, end: place, ..of }, text)
 }

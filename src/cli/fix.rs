@@ -87,10 +87,13 @@ pub(super) fn mended(path: &Path) -> Result<Program, Failure> {
     Ok(program)
 }
 
-/// The numbers of errors in the ops whose drawings can be read, beside whether they are misread, which
-/// hides errors and so counts more. That new elements lack attributes does not count: only the author
-/// knows their values.
-fn errors_of_ops(program: &Program) -> HashMap<String, (bool, usize)> {
+/// Whether ops are misread, which hides errors and so counts more, and the numbers of their errors, by
+/// their names.
+type OpErrors = HashMap<String, (bool, usize)>;
+
+/// The errors in the ops whose drawings can be read. That new elements lack attributes does not
+/// count: only the author knows their values.
+fn errors_of_ops(program: &Program) -> OpErrors {
     let analysis = &program.analysis;
     let errors = analysis.diagnostics.iter().filter(|told| told.is_error());
     let errors: Vec<_> = errors.filter(|told| told.code != "missing-attribute").collect();
@@ -101,10 +104,7 @@ fn errors_of_ops(program: &Program) -> HashMap<String, (bool, usize)> {
 }
 
 /// The ops that have errors, and not fewer than before.
-fn no_better(
-    before: &HashMap<String, (bool, usize)>,
-    after: &HashMap<String, (bool, usize)>,
-) -> Vec<String> {
+fn no_better(before: &OpErrors, after: &OpErrors) -> Vec<String> {
     let worse = after.iter().filter(|(op, errors)| {
         errors.1 > 0 && before.get(*op).is_some_and(|before| before <= *errors)
     });

@@ -97,14 +97,19 @@ pub(super) fn eprint_diagnostics(diagnostics: &[Diagnostic], sources: &Sources) 
         is_set("NO_COLOR").is_some() || is_set("TERM").is_some_and(|term| term == "dumb");
     let colour = stderr().is_terminal() && !is_plain;
     let text = render(diagnostics, sources, Rendering { colour, most: MOST_DIAGNOSTICS });
-    let columns = columns_of(&Term::stderr());
+    let mut out = stderr().lock();
+    let Some(columns) = columns_of(&Term::stderr()) else {
+        let _ = write!(out, "{text}");
+        return;
+    };
     for line in text.lines() {
         let is_note = NOTES.iter().any(|head| strip_ansi_codes(line).starts_with(head));
-        let line = match line.split_once(": ").filter(|_| is_note) {
-            Some((head, rest)) => format!("{head}: {}", fitted(rest, NOTES[0].len(), columns)),
-            None => line.to_owned(),
+        let _ = match line.split_once(": ").filter(|_| is_note) {
+            Some((head, rest)) => {
+                writeln!(out, "{head}: {}", fitted(rest, NOTES[0].len(), Some(columns)))
+            }
+            None => writeln!(out, "{line}"),
         };
-        let _ = writeln!(stderr().lock(), "{line}");
     }
 }
 

@@ -46,7 +46,7 @@ impl Unused<'_> {
         let mut others: Vec<&tree::Name> = Vec::new();
         for (at, name) in self.listed.iter().enumerate() {
             let word = &name.ident.text;
-            let mut error = unused(&format!("`{word}` is"), "stands", name.span);
+            let mut error = unused(&format!("`{word}`"), 1, name.span);
             if self.is_placed(word) {
                 error = error.note(format!(
                     "its `position` is set, so it is a vertex: draw it in a loop, or list its spokes, `vertex {name}: h *S`"
@@ -65,10 +65,7 @@ impl Unused<'_> {
         }
         let Some((first, more)) = others.split_first() else { return };
         let words = all_of(others.iter().map(|name| format!("`{}`", name.ident.text)));
-        let error = match more {
-            [] => unused(&format!("{words} is"), "stands", first.span),
-            _ => unused(&format!("{words} are"), "stand", first.span),
-        };
+        let error = unused(&words, others.len(), first.span);
         report.add(more.iter().fold(error, |error, name| error.label(name.span, "here, too")));
     }
 
@@ -238,8 +235,9 @@ fn end_of_orbits(after: &Side) -> Option<Span> {
     Some(last.after())
 }
 
-/// The error for names that are listed and not drawn.
-fn unused(who: &str, stands: &str, span: Span) -> Diagnostic {
-    let message = format!("{who} listed in `new` but {stands} nowhere in `after`");
+/// The error for a number of names that are listed and not drawn.
+fn unused(words: &str, count: usize, span: Span) -> Diagnostic {
+    let [are, stand] = if count == 1 { ["is", "stands"] } else { ["are", "stand"] };
+    let message = format!("{words} {are} listed in `new` but {stand} nowhere in `after`");
     Diagnostic::error("unused-new", message, span)
 }

@@ -12,6 +12,8 @@ mod lex;
 
 pub mod tree;
 
+mod head;
+
 mod parts;
 
 pub mod foreign_syntax;
@@ -19,6 +21,7 @@ pub mod foreign_syntax;
 mod parse;
 
 pub use foreign_syntax::written_elsewhere;
+pub use head::place_of_use;
 pub use lex::{Comment, CommentKind, Lexed, lex};
 pub use parse::{Parsed, parse};
 pub use parts::Part;

@@ -109,10 +109,10 @@ pub struct FileFaultKind {
 #[derive(Clone, Debug, Default)]
 pub(super) struct BadIndices {
     count: usize,
-    /// How many would refer to an element if the file counted as other formats do.
-    shifted: usize,
-    /// The number of the first element in the format, if any is shifted.
-    first_number: u32,
+    /// How many are 0 where the first is 1.
+    zeros: usize,
+    /// How many are the number of vertices where the first is 0.
+    ends: usize,
     first: Vec<(Option<u32>, String)>,
 }
 
@@ -128,17 +128,18 @@ impl BadIndices {
         }
     }
 
-    /// Adds an index that would refer to an element if the file counted as other formats do: 0 where
-    /// the first is 1, or the number of elements where the first is 0.
-    pub(super) fn add_shifted(
-        &mut self,
-        line: Option<u32>,
-        first_number: u32,
-        words: impl FnOnce() -> String,
-    ) {
-        self.shifted += 1;
-        self.first_number = first_number;
-        self.add(line, words);
+    /// Adds a 0 of a file that counts from 1.
+    pub(super) fn add_zero(&mut self, line: u32) {
+        self.zeros += 1;
+        self.add(Some(line), || "0 is not an index: they count from 1, or back from -1".to_owned());
+    }
+
+    /// Adds an index of no vertex in a file that counts from 0.
+    pub(super) fn add_vertex(&mut self, line: Option<u32>, index: f64, vertices: usize) {
+        self.ends += usize::from(index == vertices as f64);
+        self.add(line, || {
+            format!("there is no vertex {index}: there are {vertices}, counted from 0")
+        });
     }
 
     pub(super) fn count(&self) -> usize {
@@ -148,7 +149,12 @@ impl BadIndices {
     /// The number of the first element in the format, if all would refer to elements if the file
     /// counted as other formats do.
     pub(super) fn shifted_from(&self) -> Option<u32> {
-        (self.count > 0 && self.shifted == self.count).then_some(self.first_number)
+        match self.count {
+            0 => None,
+            count if count == self.zeros => Some(1),
+            count if count == self.ends => Some(0),
+            _ => None,
+        }
     }
 
     /// Adds the bad indices of the next part of a file, which starts after `lines` lines.
@@ -158,8 +164,8 @@ impl BadIndices {
             self.count -= 1;
         }
         self.count += part.count;
-        self.shifted += part.shifted;
-        self.first_number = self.first_number.max(part.first_number);
+        self.zeros += part.zeros;
+        self.ends += part.ends;
     }
 }
 

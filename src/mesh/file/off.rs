@@ -373,12 +373,7 @@ impl<'t> Reader<'t> {
             let index = self.next("a vertex of a face")?;
             let is_known = index.fract() == 0.0 && (0.0..vertices as f64).contains(&index);
             if !is_known {
-                let words =
-                    || format!("there is no vertex {index}: there are {vertices}, counted from 0");
-                match index == vertices as f64 {
-                    true => self.contents.bad_indices.add_shifted(Some(line), 0, words),
-                    false => self.contents.bad_indices.add(Some(line), words),
-                }
+                self.contents.bad_indices.add_vertex(Some(line), index, vertices);
             }
             corners.push(if is_known { index as u32 } else { MISSING });
         }

@@ -6,6 +6,7 @@ use super::text::MOST_DIGITS;
 use super::unclosed::Braces;
 use crate::diagnostic::{Diagnostic, Edit, Fix, one_of};
 use crate::source::Span;
+use crate::syntax::head::place_of_use;
 use crate::syntax::token::{Token, TokenKind as T};
 use crate::syntax::tree::split_qualified;
 
@@ -249,22 +250,13 @@ fn use_inside(used: Span, around: &Around) -> Diagnostic {
     if let Some(line) = line.filter(|line| is_use(line)) {
         let start = used.start - indent.len() as u32;
         let old = Span { start, end: used.start + line.len() as u32, ..used };
-        // Behind a byte order mark, what is said of the file, and the files that are used already.
-        let is_head = |line: &&str| {
-            let line = line.trim_start_matches('\u{feff}').trim();
-            line.is_empty() || line.starts_with("//!") || is_use(line)
-        };
-        let head = text.split_inclusive('\n').take_while(is_head).map(str::len).sum::<usize>();
-        let head = head.max(if text.starts_with('\u{feff}') { 3 } else { 0 }) as u32;
+        let (head, follows) = place_of_use(text);
+        let path = line.trim_end();
+        let new = if follows { format!("\n{path}") } else { format!("{path}\n") };
+        let head = Span { start: head as u32, end: head as u32, ..used };
         told.fixes.push(Fix {
             title: "move it to the head of the file".to_owned(),
-            edits: vec![
-                Edit {
-                    span: Span { start: head, end: head, ..used },
-                    text: format!("{}\n", line.trim_end()),
-                },
-                Edit { span: old, text: String::new() },
-            ],
+            edits: vec![Edit { span: head, text: new }, Edit { span: old, text: String::new() }],
         });
     }
     told

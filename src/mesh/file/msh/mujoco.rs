@@ -57,9 +57,7 @@ pub(super) fn read(text: &[u8]) -> Option<Contents> {
         let index = i32::from_le_bytes(index);
         let vertex = u32::try_from(index).ok().filter(|&v| (v as usize) < vertices);
         if vertex.is_none() {
-            contents.bad_indices.add(None, || {
-                format!("there is no vertex {index}: there are {vertices}, counted from 0")
-            });
+            contents.bad_indices.add_vertex(None, index.into(), vertices);
         }
         corners.push(vertex.unwrap_or(MISSING));
     }

@@ -268,8 +268,7 @@ impl Reader {
     #[cold]
     fn resolve_back(&mut self, back: u64, kind: usize, line: u32) -> u32 {
         if back == 0 {
-            let words = "0 is not an index: they count from 1, or back from -1";
-            self.contents.bad_indices.add_shifted(Some(line), 1, || words.to_owned());
+            self.contents.bad_indices.add_zero(line);
             return MISSING;
         }
         self.counts_back = true;

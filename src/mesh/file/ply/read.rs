@@ -57,15 +57,11 @@ fn check_corners(contents: &mut Contents) {
     for corner in &mut corners {
         if *corner as usize >= vertices {
             let index = *corner;
-            let words = || match index {
-                MISSING => {
+            match index {
+                MISSING => contents.bad_indices.add(None, || {
                     "there is an index of a vertex that is not a number from 0 on".to_owned()
-                }
-                _ => format!("there is no vertex {index}: there are {vertices}, counted from 0"),
-            };
-            match index as usize == vertices {
-                true => contents.bad_indices.add_shifted(None, 0, words),
-                false => contents.bad_indices.add(None, words),
+                }),
+                _ => contents.bad_indices.add_vertex(None, index.into(), vertices),
             }
             *corner = MISSING;
         }
