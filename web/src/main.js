@@ -253,8 +253,10 @@ function tell(text, kind = 'proved', isLasting = false) {
 }
 
 async function share() {
-  history.replaceState(null, '', await fragment(work()))
+  // What has just been written is kept first: from then on it is what the address holds.
+  keepAll()
   linked = texts()
+  history.replaceState(null, '', await fragment(work()))
   const without = bench.shape ? '' : '; your mesh is not in it'
   try {
     await navigator.clipboard.writeText(location.href)
@@ -332,6 +334,7 @@ function wire() {
   window.addEventListener('hashchange', bench.doing(async () => {
     const given = await shared(location.hash)
     if (!given) return
+    keepAll()
     lessons.close()
     await openLink(given)
   }))

@@ -244,6 +244,30 @@ test('what is written after sharing, or before a link is opened, is there again'
   await own.context().close()
 })
 
+test('what is shared or followed by a link at once after writing is kept', async () => {
+  const own = await open('')
+  // In one go, so that nothing is kept a moment after writing.
+  const press = (words, then) => own.evaluate(async ([words, then]) => {
+    const content = document.querySelector('.cm-content')
+    content.focus()
+    document.execCommand('selectAll')
+    document.execCommand('insertText', false, `// ${words}`)
+    await new Promise(requestAnimationFrame)
+    if (then) location.hash = then
+    else document.getElementById('share').click()
+  }, [words, then])
+  await press('of a link')
+  await own.waitForFunction(() => location.hash.startsWith('#p='))
+  const link = new URL(own.url()).hash
+  await put(own, 'mine')
+  await untilKept(own, '// mine')
+  assert.equal(await own.locator('#program [value^=earlier]').count(), 0)
+  await press('mine to the end', link)
+  await own.waitForFunction(() => document.querySelector('.cm-content').innerText === '// of a link')
+  assert.match(await own.evaluate(() => localStorage.getItem('hedgerow-work')), /mine to the end/)
+  await own.context().close()
+})
+
 test('what is closed stays closed, a mesh that is chosen and what was written last are there again', async () => {
   const own = await open('')
   const counts = pattern => own.waitForFunction(
