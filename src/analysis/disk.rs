@@ -78,9 +78,6 @@ pub fn is_program(path: &Path) -> bool {
 }
 
 /// Checks that a path leads to a regular file of at most `most` bytes.
-///
-/// # Errors
-/// The reason, in words.
 pub fn expect_regular(path: &Path, most: u64) -> Result<(), String> {
     let about = std::fs::metadata(path).map_err(|error| why(&error))?;
     if about.is_dir() {
@@ -96,9 +93,6 @@ pub fn expect_regular(path: &Path, most: u64) -> Result<(), String> {
 }
 
 /// Reads the text of a program from whatever the path leads to: the user has named it.
-///
-/// # Errors
-/// The reason, in words.
 pub fn read_program(path: &Path) -> Result<String, String> {
     let mut bytes = Vec::new();
     let read =

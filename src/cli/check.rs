@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use super::arguments::{CheckArguments, Format};
 use super::failure::Failure;
-use super::output::{eprint_diagnostics, print_json, print_line, table_rows};
+use super::output::{eprint_diagnostics, print_json, print_line, table_rows, wrapped};
 use super::witness::Witnesses;
 use super::{fix, program};
 use crate::analysis::{
@@ -127,15 +127,20 @@ fn show(file: &str, verdicts: &[Verdict], verbose: bool) -> String {
             let mut row = vec!["  proved".into(), name];
             row.extend(show_rule(rule));
             rows.push(row);
-            let turned = rule.turned.iter().map(|turned| format!("      note: {turned}"));
-            let only = rule.keeps_only.iter().map(|only| format!("      {}", only.words()));
+            let turned = rule.turned.iter().map(|turned| line(6, &format!("note: {turned}")));
+            let only = rule.keeps_only.iter().map(|only| line(6, &only.words()));
             let more = if verbose { details(rule) } else { Vec::new() };
             below.push(turned.chain(only).chain(more).collect());
         }
     }
     let lines = table_rows(&rows, &[]).into_iter().zip(below);
-    let lines = lines.flat_map(|(line, below)| std::iter::once(line).chain(below));
+    let lines = lines.flat_map(|(row, below)| std::iter::once(row).chain(below));
     std::iter::once(file.to_string()).chain(lines).collect::<Vec<_>>().join("\n")
+}
+
+/// An indented text, in as many lines as the terminal wants.
+fn line(indent: usize, text: &str) -> String {
+    format!("{}{}", " ".repeat(indent), wrapped(text, indent + 2))
 }
 
 /// The reason why an operation without errors is not proved.
@@ -158,17 +163,17 @@ fn details(rule: &RuleVerdict) -> Vec<String> {
         ("sides", changes(&rule.sizes)),
     ];
     let told = lines.into_iter().filter(|(_, text)| !text.is_empty());
-    let told = told.map(|(what, text)| format!("      {what}: {text}"));
+    let told = told.map(|(what, text)| line(6, &format!("{what}: {text}")));
     told.chain(rule.guard.iter().flat_map(guard)).collect()
 }
 
 /// The tests of a guard, and the statements that need none.
 fn guard(guard: &GuardVerdict) -> Vec<String> {
-    let tests = guard.tests.iter().map(|claim| format!("        tested: {claim}"));
+    let tests = guard.tests.iter().map(|claim| line(8, &format!("tested: {claim}")));
     let proved = guard.proved.iter();
     let proved = proved.map(|proved| {
         let ProvedStatement { statement, because } = proved;
-        format!("        proved: {statement}: {because}")
+        line(8, &format!("proved: {statement}: {because}"))
     });
     let title = format!("      guard {}, after it:", guard.level);
     std::iter::once(title).chain(tests).chain(proved).collect()
@@ -184,7 +189,7 @@ fn explained(argument: &RuleArgument) -> String {
     let mut lines = vec![format!("\n{}{}", argument.op, rule.collect::<String>())];
     for law in &argument.laws {
         lines.push(format!("  {}", law.law));
-        lines.extend(law.lines.iter().map(|line| format!("    {line}")));
+        lines.extend(law.lines.iter().map(|text| line(4, text)));
     }
     lines.join("\n")
 }

@@ -6,7 +6,7 @@ use std::process::ExitCode;
 use serde::Serialize;
 
 use super::check::{DiagnosticReport, reports};
-use super::output::{eprint_diagnostics, eprint_line, print_json};
+use super::output::{eprint_diagnostics, eprint_wrapped, print_json};
 use crate::diagnostic::Diagnostic;
 use crate::source::Sources;
 
@@ -69,8 +69,8 @@ impl Failure {
     pub fn tell(&self) {
         match self {
             Failure::NotProved | Failure::Told(..) | Failure::Silent(_) => {}
-            Failure::Usage(message) => eprint_line(&format!("error: {message}")),
-            Failure::Refused(reason) => eprint_line(&format!("refused: {reason}")),
+            Failure::Usage(message) => eprint_wrapped("error: ", message),
+            Failure::Refused(reason) => eprint_wrapped("refused: ", reason),
         }
     }
 

@@ -90,6 +90,13 @@ pub(super) fn eprint_line(text: &str) {
     let _ = writeln!(stderr().lock(), "{}", shown(text));
 }
 
+/// Prints a text of one line behind some words to standard error, in lines that fit into the
+/// terminal; a longer one as it is.
+pub(super) fn eprint_wrapped(words: &str, text: &str) {
+    let columns = columns_of(&Term::stderr()).filter(|_| !text.contains('\n'));
+    eprint_line(&format!("{words}{}", fitted(text, words.len(), columns)));
+}
+
 /// Prints diagnostics to standard error, with notes that fit into the terminal.
 pub(super) fn eprint_diagnostics(diagnostics: &[Diagnostic], sources: &Sources) {
     let is_set = |name: &str| std::env::var_os(name).filter(|value| !value.is_empty());

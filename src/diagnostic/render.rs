@@ -132,7 +132,8 @@ impl Page<'_> {
         let mut drawn = Vec::new();
         let written = report.finish().write(&mut self.texts, &mut drawn);
         written.ok()?;
-        let drawn = String::from_utf8_lossy(&drawn);
+        // Text without a label is light grey otherwise, which cannot be read on a light terminal.
+        let drawn = String::from_utf8_lossy(&drawn).replace("\u{1b}[38;5;249m", "\u{1b}[39m");
         let (_, below_head) = drawn.split_once('\n')?;
         Some(below_head.lines().map(|line| format!("{}\n", line.trim_end())).collect())
     }

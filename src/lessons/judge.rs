@@ -45,9 +45,6 @@ pub fn judge(lesson: &Lesson, text: &str) -> Result<(), Rejection> {
 }
 
 /// As [`judge`], for the text of a file, whose name appears in the messages.
-///
-/// # Errors
-/// As of [`judge`].
 pub fn judge_file(lesson: &Lesson, file: &str, text: &str) -> Result<(), Rejection> {
     let read = |text: &str| Program::parse_with(file, text, &mut Nowhere);
     let given = read(text);

@@ -17,7 +17,6 @@ pub trait Attribute: Copy + Sized {
     const TYPE: AttributeType;
 
     fn from_value(value: Value) -> Option<Self>;
-    fn into_value(self) -> Value;
     #[doc(hidden)]
     fn slice(data: &ColumnData) -> Option<&[Self]>;
     #[doc(hidden)]
@@ -203,10 +202,6 @@ macro_rules! attribute_types {
 
             fn from_value(value: Value) -> Option<Self> {
                 match value { Value::$variant(x) => Some(x), _ => None }
-            }
-
-            fn into_value(self) -> Value {
-                Value::$variant(self)
             }
 
             fn slice(data: &ColumnData) -> Option<&[Self]> {

@@ -23,9 +23,6 @@ impl Message {
     }
 
     /// Reads the length of the JSON in four bytes, little-endian, the JSON, and the rest.
-    ///
-    /// # Errors
-    /// The reason, in words.
     pub fn read(bytes: &[u8]) -> Result<Self, String> {
         let short = || "the message is too short".to_owned();
         let (length, rest) = bytes.split_first_chunk::<4>().ok_or_else(short)?;

@@ -38,9 +38,6 @@ pub trait Host {
     fn reader(&self) -> Box<dyn Reader>;
 
     /// The bytes of a mesh file that a page names and does not provide.
-    ///
-    /// # Errors
-    /// The reason, in words.
     fn mesh(&self, name: &str) -> Result<Vec<u8>, String> {
         Err(format!("{name}: there are no files here"))
     }

@@ -7,7 +7,7 @@ use crate::syntax::tree::{self, BinaryOp, UnaryOp};
 
 use super::typed::{to_real, typed};
 use super::typing::Typing;
-use super::words::{operator, subject};
+use super::words::{operator, short, subject};
 
 /// An operand as written, and its value.
 type Operand<'a> = (&'a tree::Expr, Expr);
@@ -68,6 +68,7 @@ impl Typing<'_> {
                 BinaryOp::Add if types.contains(&Type::Text) => error.note(
                     "texts are not joined; what is printed holds values: `print \"{x} of {y}\"`",
                 ),
+                BinaryOp::And | BinaryOp::Or => compared_again(error, written),
                 _ => with_places(place_note(error, &written), op, written),
             });
         };
@@ -227,6 +228,17 @@ fn place_note(error: Diagnostic, operands: &[(&tree::Expr, &Expr)]) -> Diagnosti
     error.with(vertex, |error, (name, _)| {
         error.note(format!("the point at which a vertex lies is `{name}.position`"))
     })
+}
+
+/// Adds the comparison that an alternative lacks, as in `x == 3 or 4`.
+fn compared_again(error: Diagnostic, [left, right]: [(&tree::Expr, &Expr); 2]) -> Diagnostic {
+    let tree::ExprKind::Binary(op, first, _) = &left.0.kind else { return error };
+    let ExprKind::Binary(_, compared, _) = &left.1.kind else { return error };
+    let is_compared = equal([compared.ty, right.1.ty]).is_some();
+    let name = short(first, 3).filter(|name| is_compared && !name.ends_with(')'));
+    let Some(name) = name.filter(|_| *op == BinaryOp::Equal) else { return error };
+    let again = format!("{name} == ");
+    error.fix(format!("write `{again}…`"), right.0.span.before(), again)
 }
 
 /// Adds the fix that vertices are replaced by their positions, if the operator takes these.

@@ -8,6 +8,7 @@
 use std::ops::ControlFlow;
 
 use super::engine::CodeKind;
+use super::inst::group;
 use super::{Call, Inst, Machine, Message, Outcome, Plan, Trap, Watch};
 use crate::mesh::Mesh;
 
@@ -44,19 +45,7 @@ impl Interner {
 impl Inst {
     /// Whether the instruction writes to the mesh.
     pub(super) fn writes(&self) -> bool {
-        matches!(
-            self,
-            Inst::New { .. }
-                | Inst::BufferNew { .. }
-                | Inst::Store { .. }
-                | Inst::StoreHalfedge { .. }
-                | Inst::StoreHole { .. }
-                | Inst::StorePosition { .. }
-                | Inst::StoreAttribute { .. }
-                | Inst::StoreAll { .. }
-                | Inst::StoreSpan { .. }
-                | Inst::Erase { .. }
-        )
+        matches!(self, group!(writes))
     }
 
     /// Whether running drains are notified before the instruction is executed.

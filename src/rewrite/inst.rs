@@ -342,11 +342,11 @@ impl Inst {
     }
 }
 
-/// A pattern of the instructions that only compute a value that is not an element from registers,
-/// or jump.
+/// A pattern of the instructions of a group.
 #[rustfmt::skip]
-macro_rules! computation {
-    () => {
+macro_rules! group {
+    // They only compute a value that is not an element from registers, or jump.
+    (computes) => {
         Inst::CopyVec { .. } | Inst::CopyWide { .. } | Inst::Not { .. } | Inst::And { .. }
         | Inst::Or { .. } | Inst::Equal { .. } | Inst::AddInt { .. } | Inst::SubInt { .. }
         | Inst::MulInt { .. } | Inst::DivInt { .. } | Inst::ModInt { .. } | Inst::NegInt { .. }
@@ -363,5 +363,44 @@ macro_rules! computation {
         | Inst::Jump { .. } | Inst::JumpIf { .. } | Inst::JumpUnless { .. }
         | Inst::JumpUnequal { .. } | Inst::JumpEqual { .. }
     };
+    // They refuse what is wrong in registers or in the room that is left.
+    (expects) => {
+        Inst::ExpectEqual { .. } | Inst::ExpectDistinct { .. } | Inst::ExpectAllDistinct { .. }
+        | Inst::Expect { .. } | Inst::ExpectFinite { .. } | Inst::ExpectRoom { .. }
+        | Inst::ExpectRoomFor { .. }
+    };
+    // They make, end or change the preview of a guard.
+    (previews) => {
+        Inst::PreviewClear | Inst::PreviewUndo | Inst::PreviewNew { .. }
+        | Inst::PreviewStore { .. } | Inst::PreviewStoreHalfedge { .. }
+        | Inst::PreviewStoreHole { .. } | Inst::PreviewStoreAll { .. }
+        | Inst::PreviewStoreSpan { .. }
+    };
+    // They write to the mesh.
+    (writes) => {
+        Inst::New { .. } | Inst::BufferNew { .. } | Inst::Store { .. }
+        | Inst::StoreHalfedge { .. } | Inst::StoreHole { .. } | Inst::StorePosition { .. }
+        | Inst::StoreAttribute { .. } | Inst::StoreAll { .. } | Inst::StoreSpan { .. }
+        | Inst::Erase { .. }
+    };
+    // They keep writes back, and make them.
+    (defers) => {
+        Inst::DeferPosition { .. } | Inst::DeferAttribute { .. } | Inst::WriteDeferred { .. }
+    };
+    // They print a part of a line.
+    (prints) => {
+        Inst::PrintText { .. } | Inst::PrintTextOf { .. } | Inst::PrintBool { .. }
+        | Inst::PrintInt { .. } | Inst::PrintReal { .. } | Inst::PrintWide { .. }
+        | Inst::PrintElement { .. }
+    };
+    // They occur in scripts only, apart from those above.
+    (scripts) => {
+        Inst::Apply { .. } | Inst::Refused { .. } | Inst::PrintEnd | Inst::PrintReason { .. }
+        | Inst::RefusedFor { .. } | Inst::PrintDifference { .. } | Inst::MeshKeep { .. }
+        | Inst::MeshSame { .. } | Inst::Fail { .. } | Inst::FailShowing { .. }
+        | Inst::DrainOpen { .. } | Inst::DrainAllStale | Inst::DrainStale { .. }
+        | Inst::DrainKey { .. } | Inst::DrainLeast { .. } | Inst::DrainTake | Inst::DrainClose
+        | Inst::ReturnValue { .. }
+    };
 }
-pub(super) use computation;
+pub(super) use group;

@@ -8,7 +8,7 @@
 use super::access::{load, load_halfedge};
 use super::attribute::{self, Held};
 use super::drain::{Drains, existing};
-use super::inst::computation;
+use super::inst::group;
 use super::paths::Fields;
 use super::preview::Looked;
 use super::readers::Place;
@@ -298,34 +298,17 @@ impl Drains {
             Inst::Foresee { .. } | Inst::ForeseeAlong { .. } => {}
             // These use registers, buffers and output only, write, or occur in ops only.
             #[rustfmt::skip]
-            computation!() | Inst::Const { .. } | Inst::Copy { .. } | Inst::Select { .. }
-            | Inst::ExpectEqual { .. } | Inst::ExpectDistinct { .. } | Inst::Expect { .. }
-            | Inst::ExpectFinite { .. } | Inst::ExpectRoom { .. } | Inst::PreviewClear
-            | Inst::PreviewUndo | Inst::PreviewNew { .. } | Inst::PreviewStore { .. }
-            | Inst::PreviewStoreHalfedge { .. } | Inst::PreviewStoreHole { .. }
-            | Inst::PreviewStoreAll { .. } | Inst::Refuse | Inst::Return { .. }
+            group!(computes) | group!(expects) | group!(previews) | group!(writes)
+            | group!(defers) | group!(prints) | group!(scripts) | Inst::Const { .. }
+            | Inst::Copy { .. } | Inst::Select { .. } | Inst::Refuse | Inst::Return { .. }
             | Inst::BufferClear { .. } | Inst::BufferPush { .. } | Inst::BufferLength { .. }
-            | Inst::BufferFree { .. } | Inst::Keep { .. }
-            | Inst::BufferGet { .. } | Inst::BufferNext { .. } | Inst::Prefetch { .. }
-            | Inst::New { .. } | Inst::BufferNew { .. }
-            | Inst::Store { .. } | Inst::StoreHalfedge { .. } | Inst::StoreHole { .. }
-            | Inst::StorePosition { .. } | Inst::DeferPosition { .. } | Inst::StoreAttribute { .. }
-            | Inst::DeferAttribute { .. } | Inst::WriteDeferred { .. } | Inst::StoreAll { .. }
-            | Inst::Erase { .. } | Inst::Recycle | Inst::Apply { .. } | Inst::Try { .. }
+            | Inst::BufferFree { .. } | Inst::Keep { .. } | Inst::BufferGet { .. }
+            | Inst::BufferNext { .. } | Inst::Prefetch { .. } | Inst::Recycle | Inst::Try { .. }
             | Inst::Random { .. } | Inst::RandomInt { .. } | Inst::BufferShuffle { .. }
-            | Inst::Refused { .. } | Inst::Iteration { .. } | Inst::Tick | Inst::PrintText { .. }
-            | Inst::PrintTextOf { .. } | Inst::PrintBool { .. } | Inst::PrintInt { .. }
-            | Inst::PrintReal { .. } | Inst::PrintWide { .. }
-            | Inst::PrintElement { .. } | Inst::ExpectAlive { .. } | Inst::PrintDifference { .. }
-            | Inst::PrintEnd | Inst::PrintReason { .. } | Inst::RefusedFor { .. }
-            | Inst::MeshKeep { .. } | Inst::MeshSame { .. } | Inst::Fail { .. }
-            | Inst::FailShowing { .. } | Inst::DrainOpen { .. } | Inst::DrainAllStale
-            | Inst::DrainStale { .. } | Inst::DrainKey { .. } | Inst::DrainLeast { .. }
-            | Inst::DrainTake | Inst::DrainClose | Inst::Call { .. } | Inst::ReturnValue { .. }
-            | Inst::PreviewStoreSpan { .. } | Inst::NextIndex { .. } | Inst::Member { .. }
-            | Inst::BufferGetWide { .. } | Inst::BufferAppend { .. } | Inst::BufferStride { .. }
-            | Inst::ExpectAllDistinct { .. } | Inst::ExpectRoomFor { .. } | Inst::StoreSpan { .. }
-            | Inst::WalkNext { .. } | Inst::NeighborsNext { .. } => {}
+            | Inst::Iteration { .. } | Inst::Tick | Inst::ExpectAlive { .. } | Inst::Call { .. }
+            | Inst::NextIndex { .. } | Inst::Member { .. } | Inst::BufferGetWide { .. }
+            | Inst::BufferAppend { .. } | Inst::BufferStride { .. } | Inst::WalkNext { .. }
+            | Inst::NeighborsNext { .. } => {}
         }
     }
 

@@ -11,7 +11,7 @@
 //! thread never reaches: it only keeps values, which the statement then combines in their order. If
 //! an iteration traps, one thread starts over.
 
-use super::inst::computation;
+use super::inst::group;
 use super::memory::HELD_USUALLY;
 use super::{Assembler, Code, Elements, Function, Inst, Label, Reg, Traps};
 
@@ -241,7 +241,7 @@ impl Inst {
         #[rustfmt::skip]
         let is = matches!(
             self,
-            computation!() | Inst::Const { .. } | Inst::Copy { .. } | Inst::Select { .. }
+            group!(computes) | Inst::Const { .. } | Inst::Copy { .. } | Inst::Select { .. }
             | Inst::Load { .. } | Inst::LoadHalfedge { .. } | Inst::LoadHole { .. }
             | Inst::LoadPosition { .. } | Inst::LoadAttribute { .. } | Inst::Capacity { .. }
             | Inst::NextLiving { .. } | Inst::JumpUnlessLiving { .. } | Inst::Alive { .. }

@@ -10,7 +10,7 @@
 use std::collections::BTreeMap;
 use std::mem;
 
-use super::inst::computation;
+use super::inst::group;
 use super::paths::{Fields, Node, Paths, START, Unbounded};
 use super::{Code, ElementField, Elements, Function, HalfedgeField, Inst, Plan, Reg, Walk};
 use crate::mesh::ElementKind;
@@ -356,44 +356,23 @@ impl<'c> Reads<'c> {
                 self.ask_operation(state, op, args)?;
                 state.set(to, Nodes::new());
             }
-            Inst::PreviewClear
-            | Inst::PreviewUndo
-            | Inst::PreviewNew { .. }
-            | Inst::PreviewStore { .. }
-            | Inst::PreviewStoreHalfedge { .. }
-            | Inst::PreviewStoreHole { .. }
-            | Inst::PreviewStoreAll { .. }
-            | Inst::PreviewStoreSpan { .. }
-            | Inst::Foresee { .. }
-            | Inst::ForeseeAlong { .. } => self.look_ahead(inst, state)?,
+            group!(previews) | Inst::Foresee { .. } | Inst::ForeseeAlong { .. } => {
+                self.look_ahead(inst, state)?
+            }
             // Values that are not elements; tests of such values; printing, which has no effect
             // here.
             #[rustfmt::skip]
-            computation!() | Inst::NextIndex { .. } | Inst::BufferLength { .. }
-            | Inst::Iteration { .. } | Inst::ExpectEqual { .. } | Inst::ExpectDistinct { .. }
-            | Inst::Expect { .. } | Inst::ExpectFinite { .. } | Inst::ExpectRoom { .. }
-            | Inst::ExpectAllDistinct { .. } | Inst::ExpectRoomFor { .. } | Inst::Tick
-            | Inst::PrintText { .. } | Inst::PrintTextOf { .. } | Inst::PrintBool { .. }
-            | Inst::PrintInt { .. } | Inst::PrintReal { .. }
-            | Inst::PrintWide { .. } | Inst::PrintElement { .. } | Inst::BufferFree { .. }
-            | Inst::Keep { .. } | Inst::Prefetch { .. } => {}
+            group!(computes) | group!(expects) | group!(prints) | Inst::NextIndex { .. }
+            | Inst::BufferLength { .. } | Inst::Iteration { .. } | Inst::Tick
+            | Inst::BufferFree { .. } | Inst::Keep { .. } | Inst::Prefetch { .. } => {}
             // The drain still holds ids, so nothing is recycled.
             Inst::Recycle => {}
             // Instructions that occur neither in a key nor in an operation up to its first write.
-            #[rustfmt::skip]
-            Inst::Refuse | Inst::Return { .. } | Inst::New { .. }
-            | Inst::BufferNew { .. } | Inst::Store { .. }
-            | Inst::StoreHalfedge { .. } | Inst::StoreHole { .. }
-            | Inst::StorePosition { .. } | Inst::DeferPosition { .. }
-            | Inst::StoreAttribute { .. } | Inst::DeferAttribute { .. }
-            | Inst::WriteDeferred { .. } | Inst::StoreAll { .. } | Inst::StoreSpan { .. }
-            | Inst::Erase { .. } | Inst::Apply { .. } | Inst::Refused { .. }
-            | Inst::PrintEnd | Inst::PrintReason { .. } | Inst::RefusedFor { .. }
-            | Inst::PrintDifference { .. } | Inst::MeshKeep { .. } | Inst::MeshSame { .. }
-            | Inst::Fail { .. } | Inst::FailShowing { .. } | Inst::ReturnValue { .. }
-            | Inst::DrainOpen { .. } | Inst::DrainAllStale | Inst::DrainStale { .. }
-            | Inst::DrainKey { .. } | Inst::DrainLeast { .. } | Inst::DrainTake
-            | Inst::DrainClose => return Err(Unbounded::Effects),
+            group!(writes)
+            | group!(defers)
+            | group!(scripts)
+            | Inst::Refuse
+            | Inst::Return { .. } => return Err(Unbounded::Effects),
         }
         Ok(())
     }

@@ -16,4 +16,6 @@ mod outputs;
 mod play;
 mod programs;
 mod streams;
+#[cfg(unix)]
+mod terminal;
 mod usage;

@@ -26,9 +26,6 @@ pub(super) struct Folder {
 impl Folder {
     /// The given folder; else that of the given program, else that of the given mesh, else the
     /// working folder.
-    ///
-    /// # Errors
-    /// The reason, in words.
     pub fn of(files: &[PathBuf]) -> Result<Self, String> {
         let [mut folder, mut program, mut mesh] = [const { None::<PathBuf> }; 3];
         for file in files {
@@ -71,17 +68,11 @@ impl Folder {
     }
 
     /// The text of a program that is listed.
-    ///
-    /// # Errors
-    /// The reason, in words.
     pub fn program(&self, name: &str) -> Result<String, String> {
         read_program(&self.listed(name)?).map_err(|why| format!("cannot read `{name}`: {why}"))
     }
 
     /// The bytes of a mesh file that is listed.
-    ///
-    /// # Errors
-    /// The reason, in words.
     pub fn mesh(&self, name: &str) -> Result<Vec<u8>, String> {
         let path = self.listed(name)?;
         let told = |why: String| format!("cannot read `{name}`: {why}");
@@ -91,9 +82,6 @@ impl Folder {
 
     /// Writes a program: a listed one that still has the text `was`, or one in the folder that is
     /// new, or not there any more.
-    ///
-    /// # Errors
-    /// The reason, in words.
     pub fn save(&self, name: &str, was: Option<&str>, text: &str) -> Result<(), String> {
         let path = self.listed(name).or_else(|_| self.new_program(name))?;
         let mut text = text.to_owned();

@@ -8,6 +8,7 @@ use super::facts::ends;
 use super::stubs;
 use super::translate::Translator;
 use crate::rewrite::Inst;
+use crate::rewrite::inst::group;
 
 impl Translator<'_, '_> {
     /// Continues if a condition holds; else the machine executes the instruction, which traps.
@@ -110,13 +111,7 @@ fn is_always_a_step(inst: &Inst) -> bool {
         Inst::PreviewStoreSpan { .. }
             | Inst::ForeseeAlong { .. }
             | Inst::StoreSpan { .. }
-            | Inst::PrintText { .. }
-            | Inst::PrintTextOf { .. }
-            | Inst::PrintBool { .. }
-            | Inst::PrintInt { .. }
-            | Inst::PrintReal { .. }
-            | Inst::PrintWide { .. }
-            | Inst::PrintElement { .. }
+            | group!(prints)
             | Inst::PrintEnd
     )
 }

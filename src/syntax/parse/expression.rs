@@ -98,12 +98,12 @@ fn binary(left: Expr, op: BinaryOp, right: Expr) -> Expr {
 /// A comparison of a comparison is a mistake unless it is in parentheses.
 fn comparison(left: Expr, op: BinaryOp, right: Expr, scene: &mut Scene) -> Expr {
     if right.kind != ExprKind::Broken
-        && let ExprKind::Binary(inner, first, _) = &left.kind
+        && let ExprKind::Binary(inner, first, middle) = &left.kind
         && is_comparison(*inner)
         && first.span.start == left.span.start
     {
         let span = left.span.to(right.span);
-        scene.emit(Failure::mistake(Mistake::ChainedComparison, span));
+        scene.emit(Failure::mistake(Mistake::ChainedComparison(middle.span), span));
     }
     binary(left, op, right)
 }

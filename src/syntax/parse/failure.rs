@@ -105,8 +105,8 @@ impl Wanted {
 /// A mistake with its own message.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Mistake {
-    /// `a < b < c`
-    ChainedComparison,
+    /// `a < b < c`, with the span of `b`.
+    ChainedComparison(Span),
     /// `before` or `after` twice in one rule, with the span of the first.
     TwiceDrawn(Span),
     /// A part in the wrong place, with the message.

@@ -104,10 +104,12 @@ fn mistaken(mistake: Mistake, span: Span, text: &str) -> Diagnostic {
                 false => told.note("of the library it begins with `std/`: `\"std/polygon.hedge\"`"),
             }
         }
-        Mistake::ChainedComparison => {
+        Mistake::ChainedComparison(middle) => {
             let message = "comparisons cannot be chained";
-            let both = "write `a < b and b < c`";
-            Diagnostic::error("chained-comparison", message, span).note(both)
+            let told = Diagnostic::error("chained-comparison", message, span);
+            let of = |start: u32, end: u32| text.get(start as usize..end as usize).unwrap_or("");
+            let ours = format!("{} and {}", of(span.start, middle.end), of(middle.start, span.end));
+            told.fix(format!("write `{ours}`"), span, ours)
         }
         Mistake::TwiceDrawn(first) => {
             let message = "this side of the rule is already drawn";
