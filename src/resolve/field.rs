@@ -146,7 +146,11 @@ impl Typing<'_> {
             known => {
                 let error = error.note(format!("{} has {}", ty.a_word(), quoted(known)));
                 error.when(ty.is_element() && !is_meant, |error| {
-                    error.note(declaration(&field.text, ty, None))
+                    error.note(declaration(
+                        &field.text,
+                        ty,
+                        self.wanted(written.span.to(field.span)),
+                    ))
                 })
             }
         });

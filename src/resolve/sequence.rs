@@ -290,20 +290,20 @@ impl Typing<'_> {
         };
         let edit = |span, text: String| Edit { span, text };
         let Span { start, .. } = body.span;
-        let (written, edits) = match filter {
+        let (title, edits) = match filter {
             None => {
                 let whole = body.span.to(sequence.span);
-                (format!("count({all})"), vec![edit(whole, all)])
+                (format!("write `count({all})`"), vec![edit(whole, all)])
             }
             Some(filter) => {
                 let over = format!(" for {} in {all}", variable.text);
                 let before = Span { start, end: filter.span.start, ..filter.span };
                 let edits =
                     vec![edit(before, String::new()), edit(filter.span.after(), over.clone())];
-                (format!("count(…{over})"), edits)
+                let moved = "write the condition in place of the element";
+                (format!("{moved}: `count(…{over})`"), edits)
             }
         };
-        let title = format!("write `{written}`");
         error.fixes.push(Fix { title, edits });
         self.report.add(error);
     }

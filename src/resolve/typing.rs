@@ -6,7 +6,7 @@
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Expr, ExprKind, Type, Unary};
 use crate::source::Span;
-use crate::syntax::tree;
+use crate::syntax::tree::{self, BinaryOp, UnaryOp};
 
 use super::declared::Declared;
 use super::depth::{left_side, shallow_expr};
@@ -44,6 +44,8 @@ pub(super) struct Typing<'a> {
     pub(super) may_change: bool,
     /// True inside an `update`.
     pub(super) updating: bool,
+    /// The type that an expression is to have, if that is known.
+    pub(super) wanted: Option<(Span, Type)>,
 }
 
 impl<'a> Typing<'a> {
@@ -59,7 +61,8 @@ impl<'a> Typing<'a> {
         for param in params {
             scopes.declare(local(param));
         }
-        Self { place, declared, scopes, report, ops: &[], may_change: false, updating: false }
+        let (may_change, updating) = (false, false);
+        Self { place, declared, scopes, report, ops: &[], may_change, updating, wanted: None }
     }
 }
 
@@ -84,6 +87,7 @@ impl Typing<'_> {
         wanted: Type,
         whose: &str,
     ) -> Option<Expr> {
+        self.wanted = Some((expr.span, wanted));
         let value = self.whole(expr)?;
         self.convert(expr, value, wanted, whose)
     }
@@ -96,6 +100,9 @@ impl Typing<'_> {
         let mut chain = Vec::new();
         let mut inner = expr;
         while let Some(left) = left_side(inner) {
+            if joins_bools(inner) {
+                self.wanted = Some((left.span, Type::Bool));
+            }
             chain.push((inner, left));
             inner = left;
         }
@@ -110,6 +117,9 @@ impl Typing<'_> {
     fn link(&mut self, outer: &tree::Expr, left: &tree::Expr, value: Option<Expr>) -> Option<Expr> {
         match &outer.kind {
             tree::ExprKind::Binary(op, _, right) => {
+                if joins_bools(outer) {
+                    self.wanted = Some((right.span, Type::Bool));
+                }
                 let right_value = self.expression(right);
                 let operands = [(left, value?), (&**right, right_value?)];
                 self.binary(*op, operands, outer.span)
@@ -138,6 +148,9 @@ impl Typing<'_> {
             tree::ExprKind::Must(inner) => self.misplaced_must(inner, span),
             tree::ExprKind::Asked(asking, inner) => self.asked(*asking, inner, span),
             tree::ExprKind::Unary(op, inner) => {
+                if *op == UnaryOp::Not {
+                    self.wanted = Some((inner.span, Type::Bool));
+                }
                 let value = self.expression(inner)?;
                 self.unary(*op, (inner, value), span)
             }
@@ -172,8 +185,14 @@ impl Typing<'_> {
         wanted: Type,
         whose: &str,
     ) -> Option<Expr> {
+        self.wanted = Some((expr.span, wanted));
         let value = self.expression(expr)?;
         self.convert(expr, value, wanted, whose)
+    }
+
+    /// The type that an expression is to have, if that is known.
+    pub(super) fn wanted(&self, span: Span) -> Option<Type> {
+        self.wanted.filter(|(wanted, _)| *wanted == span).map(|(_, ty)| ty)
     }
 
     /// An expression, converted to the type `wanted` by `whose` if that is known.
@@ -295,6 +314,11 @@ impl Typing<'_> {
         let message = "this block is a value, so a value stands at its end";
         self.report.reject(Diagnostic::error("not-a-value", message, span))
     }
+}
+
+/// True for `a and b` and `a or b`.
+fn joins_bools(expr: &tree::Expr) -> bool {
+    matches!(expr.kind, tree::ExprKind::Binary(BinaryOp::And | BinaryOp::Or, ..))
 }
 
 /// The value as one of the type `wanted` by `whose`, or the error that it has another type.

@@ -105,7 +105,21 @@ fn corners_own(sketch: &Sketch, orbit: &Loop) -> Obligation {
     };
     let corner = lonely.copied().unwrap_or(corners[0]);
     let statement = Statement::new(Orbit::CornersOwn, orbit.face.name).at(corner);
-    Obligation::new(statement, because)
+    Obligation::new(statement, because).or_never(has_double(sketch, orbit))
+}
+
+/// True if another face that is drawn has the corners of this one.
+fn has_double(sketch: &Sketch, orbit: &Loop) -> bool {
+    let corners = |of: &Loop| {
+        let is_whole = !of.each && sketch.paths(of).next().is_none();
+        is_whole.then(|| of.corners().collect::<BTreeSet<_>>())
+    };
+    let ours = corners(orbit);
+    ours.is_some()
+        && sketch.loops().iter().any(|other| {
+            let is_other = other.face.name != orbit.face.name && other.kind != LoopKind::Hole;
+            is_other && corners(other) == ours
+        })
 }
 
 /// True if a triangle has something else than its own corners across one of its edges. A triangle

@@ -80,6 +80,10 @@ pub(super) fn told_here(told: Diagnostic, failure: &Failure, around: &Around) ->
         T::If if failure.wanted.has(T::Where) && !begins_line(around.text, here.span) => {
             written(told, here.span, "where")
         }
+        T::For if failure.wanted.has(T::Where) => told.note(
+            "an aggregate goes over one sequence, and its value may be another aggregate: \
+             `max(max(length(e) for e in f.edges) for f in faces)`",
+        ),
         T::DotDot => told.note("a range stands in the head of a loop: `for i in 0..n { … }`"),
         T::Require | T::Guard if failure.wanted.has(T::LeftBrace) => {
             told.note("a condition stands in the braces of the op, between `before` and `after`")

@@ -60,10 +60,12 @@ pub(super) fn parentheses<'t>() -> Rule<'t, Span> {
     custom(|input: &mut Input<'t, '_>| {
         let start = input.cursor();
         let mut level = 0_usize;
+        let mut is_field = false;
         while let Some(kind) = input.peek() {
-            if ends_parentheses(kind) {
+            if !is_field && ends_parentheses(kind) {
                 break;
             }
+            is_field = kind == T::Dot;
             input.skip();
             match kind {
                 T::LeftParen => level += 1,
