@@ -16,6 +16,8 @@ pub struct RuleAliases {
     pub has_families: bool,
     /// Each set of names that was examined.
     pub sets: Vec<NamesAsOne>,
+    /// True if all combinations were examined.
+    pub complete: bool,
 }
 
 /// Names that stand for one element, all others distinct, and the outcome.
@@ -41,11 +43,15 @@ pub fn aliases(analysis: &Analysis) -> Vec<RuleAliases> {
     let own = |op: &&crate::resolve::ResolvedOp| op.span.file == analysis.file;
     let diagrams = analysis.program.ops.iter().filter(own).filter_map(|op| op.diagram.as_ref());
     let rules = diagrams.flat_map(|op| op.rules.iter().map(move |rule| (op, rule)));
-    let of_rule = rules.map(|(op, rule)| RuleAliases {
-        op: op.name.clone(),
-        rule: rule.label.clone(),
-        has_families: rule.has_families(),
-        sets: identifications(op, rule).into_iter().map(|one| NamesAsOne::new(rule, one)).collect(),
+    let of_rule = rules.map(|(op, rule)| {
+        let (sets, complete) = identifications(op, rule);
+        RuleAliases {
+            op: op.name.clone(),
+            rule: rule.label.clone(),
+            has_families: rule.has_families(),
+            sets: sets.into_iter().map(|one| NamesAsOne::new(rule, one)).collect(),
+            complete,
+        }
     });
     of_rule.collect()
 }

@@ -284,9 +284,11 @@ pub(super) fn is_about_lost(lost: &[Span], error: &Diagnostic) -> bool {
 /// The code of errors about attributes without a value in new elements.
 const MISSING: &str = "missing-attribute";
 
-/// True if a place lies in an item or at one of its ends.
+/// True if a place begins in an item, or at its end if it is empty: what stands behind an item does
+/// not belong to it.
 pub(super) fn touches(item: Span, place: Span) -> bool {
-    item.file == place.file && item.touches(place.start as usize)
+    let is_behind = place.start == item.end && place.start < place.end;
+    item.file == place.file && item.touches(place.start as usize) && !is_behind
 }
 
 /// The items of a file that cannot be parsed as written, each with whether its name is lost too.

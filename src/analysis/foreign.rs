@@ -4,6 +4,8 @@
 //! lines as one value. All errors of the resolver on such lines have one cause, which is reported
 //! instead.
 
+use std::collections::HashSet;
+
 use super::files::{Part, touches};
 use crate::diagnostic::Diagnostic;
 use crate::source::{Sources, Span};
@@ -23,10 +25,8 @@ const UNKNOWN: [&str; 7] = [
 /// Replaces the errors of the resolver on some lines by those of the foreign syntax in them.
 pub(super) fn tell_as_elsewhere(parts: &[Part], told: &mut Vec<Diagnostic>, sources: &Sources) {
     for part in parts {
-        let text = sources.get(part.file).text();
-        let line_at = |place: u32| {
-            text.get(..place as usize).map_or(0, |before| before.matches('\n').count())
-        };
+        let source = sources.get(part.file);
+        let line_at = |place: u32| source.line_column(place as usize).0;
         let line = |span: Span| line_at(span.start);
         for item in &part.parsed.tree.items {
             let whole = item.span();
@@ -43,9 +43,12 @@ pub(super) fn tell_as_elsewhere(parts: &[Part], told: &mut Vec<Diagnostic>, sour
             let tokens = &part.parsed.tokens;
             let begin = tokens.partition_point(|token| token.span.start < whole.start);
             let end = tokens.partition_point(|token| token.span.start < whole.end);
-            let asked = |span: Span| lines.iter().any(|lines| lines.contains(&line(span)));
-            let found = written_elsewhere(text, &tokens[begin..end], asked);
-            let lines: Vec<_> = found.iter().map(|found| line(found.span())).collect();
+            let asked = |span: Span| {
+                let line = line(span);
+                lines.iter().any(|lines| lines.contains(&line))
+            };
+            let found = written_elsewhere(source.text(), &tokens[begin..end], asked);
+            let lines: HashSet<_> = found.iter().map(|found| line(found.span())).collect();
             told.retain(|error| !inside(error) || !lines.contains(&line(error.span())));
             told.extend(found);
         }

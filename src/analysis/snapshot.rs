@@ -190,13 +190,19 @@ impl Snapshot {
         self.sources.find(&name_of(self.sources.get(self.file).name(), path))
     }
 
-    /// True if it depends on a file of this name, whether that exists or not.
+    /// True if it depends on a file of this name, or in a folder of this name, whether that exists or
+    /// not.
     pub fn looks_for(&self, file: &str) -> bool {
+        let is_it = |name: &str| {
+            name.strip_prefix(file).is_some_and(|rest| rest.is_empty() || rest.starts_with('/'))
+        };
+        let mut used = self.used().map(|(file, _)| self.sources.get(file).name());
         let has = self.sources.find(file).is_some_and(|found| found != self.file);
+        let has = has || used.any(is_it);
         let looks = |(here, tree): (FileId, &tree::File)| {
             let here = self.sources.get(here).name();
             let mut items = tree.items.iter();
-            items.any(|item| matches!(item, Item::Use(used) if name_of(here, &used.path) == file))
+            items.any(|item| matches!(item, Item::Use(used) if is_it(&name_of(here, &used.path))))
         };
         has || std::iter::once((self.file, &self.parsed.tree)).chain(self.used()).any(looks)
     }

@@ -190,8 +190,9 @@ fn changes(changes: &[SizeChange]) -> BTreeMap<String, String> {
         let per_index = (change.per_index != 0).then(|| format!("{:+}n", change.per_index));
         let gains = change.gains.iter().map(|run| format!("+{run}"));
         let loses = change.loses.iter().map(|run| format!("-{run}"));
+        let but = change.varies.then(|| "where no names are one".to_owned());
         let parts: Vec<_> =
-            constant.into_iter().chain(per_index).chain(gains).chain(loses).collect();
+            constant.into_iter().chain(per_index).chain(gains).chain(loses).chain(but).collect();
         (change.element.clone(), parts.join(" "))
     });
     told.collect()

@@ -23,6 +23,8 @@ pub struct SizeChange {
     pub gains: Vec<String>,
     /// The fans or paths that are lost.
     pub loses: Vec<String>,
+    /// True if it may be another where names of an `alias` are one.
+    pub varies: bool,
 }
 
 impl SizeChange {
@@ -227,6 +229,7 @@ pub(super) fn degree_changes(drawing: &Drawing) -> Vec<SizeChange> {
                 per_index: 0,
                 gains: gains.map(|&fan| rule.name(fan).text.clone()).collect(),
                 loses: loses.map(|&fan| rule.name(fan).text.clone()).collect(),
+                varies: false,
             }
         })
         .collect()
@@ -256,6 +259,7 @@ pub(super) fn size_changes(drawing: &Drawing) -> Vec<SizeChange> {
                 per_index: 0,
                 gains: only_in(&after, &before),
                 loses: only_in(&before, &after),
+                varies: false,
             })
         })
         .collect()

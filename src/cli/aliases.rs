@@ -39,7 +39,11 @@ pub(super) fn show(rule: &RuleAliases) -> String {
         let sets = sets.join(", or ");
         format!("  is impossible  {sets}: {why}")
     });
-    std::iter::once(title).chain(lines).chain(impossible).collect::<Vec<_>>().join("\n")
+    let more = (!rule.complete).then(|| {
+        "  further sets of names were not examined; an `alias` examines its own".to_owned()
+    });
+    let lines = std::iter::once(title).chain(lines).chain(impossible).chain(more);
+    lines.collect::<Vec<_>>().join("\n")
 }
 
 /// `v0 = v2, a = b`

@@ -114,8 +114,13 @@ impl Server {
     fn closed(&mut self, params: DidCloseTextDocumentParams) {
         let uri = params.text_document.uri;
         if self.documents.remove(&uri.0).is_some() {
-            self.files.release(&uri);
-            self.file_changed(&name(&uri));
+            let name = name(&uri);
+            // The same file may be open under another URI.
+            match self.documents.values().find(|other| self::name(other.uri()) == name) {
+                Some(other) => self.files.hold(other.uri(), other.text()),
+                None => self.files.release(&uri),
+            }
+            self.file_changed(&name);
             // Clears its diagnostics.
             self.tell::<PublishDiagnosticsNotification>(PublishDiagnosticsParams {
                 uri,

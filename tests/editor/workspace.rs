@@ -1,6 +1,6 @@
 //! Names over the files of a workspace, open or not.
 
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
@@ -448,4 +448,84 @@ fn moved_files_are_used_by_their_new_paths() {
     assert_eq!(after(&renamed, APP, app), app.replace("../lib", "lib"));
     // A path that only begins alike.
     assert!(told(&[("lib/ops", "lib/moved")]).is_null());
+}
+
+/// A disk whose files come and go.
+struct Changing(Rc<RefCell<BTreeMap<String, String>>>);
+
+impl Reader for Changing {
+    fn read(&mut self, name: &str) -> Result<String, String> {
+        self.0.borrow().get(name).cloned().ok_or_else(|| "there is no such file".to_owned())
+    }
+
+    fn beside(&mut self, _name: &str) -> Vec<String> {
+        Vec::new()
+    }
+
+    fn under(&mut self, _folder: &str) -> Vec<String> {
+        Vec::new()
+    }
+}
+
+fn errors_of(client: &mut Client, uri: &str) -> usize {
+    let params = json!({ "textDocument": { "uri": uri } });
+    let told = client.request("textDocument/diagnostic", params).unwrap();
+    told["items"].as_array().unwrap().len()
+}
+
+/// A client that is told of the folder alone has deleted what lies in it, too.
+#[test]
+fn a_folder_that_is_deleted_takes_its_files_along() {
+    let files = [("/work/lib/ops.hedge".to_owned(), "fn one() -> int { 1 }\n".to_owned())];
+    let disk = Rc::new(RefCell::new(BTreeMap::from(files)));
+    let changing = Box::new(Changing(Rc::clone(&disk)));
+    let mut client = Client::over(changing, json!({ "workspaceFolders": work() }));
+    client.open_as(APP, "use \"../lib/ops.hedge\"\nscript s() { print one() }\n");
+    assert_eq!(errors_of(&mut client, APP), 0);
+    disk.borrow_mut().clear();
+    let deleted = |uri: &str| json!({ "changes": [{ "uri": uri, "type": 3 }] });
+    client.notify("workspace/didChangeWatchedFiles", deleted("file:///work/li"));
+    assert_eq!(errors_of(&mut client, APP), 0, "this is another folder");
+    client.notify("workspace/didChangeWatchedFiles", deleted("file:///work/lib"));
+    assert!(errors_of(&mut client, APP) > 0);
+}
+
+/// Editors write one path as several URIs.
+#[test]
+fn a_file_that_is_closed_under_one_uri_stays_open_under_another() {
+    let mut client = editor(work());
+    client.open_as(OPS, "fn two() -> int { 2 }\n");
+    client.open_as(APP, "use \"../lib/ops.hedge\"\nscript s() { print two() }\n");
+    assert_eq!(errors_of(&mut client, APP), 0);
+    let other = "file:///work/lib/%6Fps.hedge";
+    client.open_as(other, "fn two() -> int { 2 }\n");
+    client.notify("textDocument/didClose", json!({ "textDocument": { "uri": other } }));
+    assert_eq!(errors_of(&mut client, APP), 0);
+    client.notify("textDocument/didClose", json!({ "textDocument": { "uri": OPS } }));
+    assert!(errors_of(&mut client, APP) > 0);
+}
+
+/// What stands behind an op does not belong to it, however the text has come about.
+#[test]
+fn what_stands_behind_an_op_leaves_its_verdict() {
+    let text = include_str!("../../examples/flip.hedge").trim_end();
+    let more = format!("{text}x");
+    let lenses = |client: &mut Client| {
+        let found = client.request("textDocument/codeLens", json!({ "textDocument": document() }));
+        let found = found.unwrap();
+        let titles = found.as_array().unwrap().iter().map(|lens| lens["command"]["title"].clone());
+        titles.collect::<Vec<_>>()
+    };
+    let mut typed = Client::able("utf-8");
+    typed.open(text);
+    let before = lenses(&mut typed);
+    typed.notify(
+        "textDocument/didChange",
+        json!({ "textDocument": { "uri": URI, "version": 2 }, "contentChanges": [{ "text": more }] }),
+    );
+    let mut fresh = Client::able("utf-8");
+    fresh.open(&more);
+    assert!(before.iter().any(|title| title.as_str().is_some_and(|it| it.contains("proved"))));
+    assert_eq!(lenses(&mut typed), before);
+    assert_eq!(lenses(&mut fresh), before);
 }

@@ -37,6 +37,29 @@ fn a_flip_keeps_everything_but_walks_to_know_it() {
 }
 
 #[test]
+fn degrees_of_names_that_may_be_one_are_said_to_vary() {
+    let flip = verdict(
+        "op flip(e: edge) {
+           before {
+             face f0: v0 -a-> v1 -b-> v2 =P=> v0
+             face f1: v1 -d-> v0 -g-> v3 =Q=> v1
+             edge e: a | d
+           }
+           alias v2 v3
+           after {
+             face f0: v3 -a-> v2 =P=> v0 -g-> v3
+             face f1: v2 -d-> v3 =Q=> v1 -b-> v2
+             edge e: a | d
+           }
+         }",
+    );
+    let degrees: Vec<_> = flip.degrees.iter().map(|(v, by)| format!("{v} {by}")).collect();
+    let varies = ["v2 +1 where no names are one", "v3 +1 where no names are one"];
+    assert_eq!(degrees, [["v0 -1", "v1 -1"], varies].concat());
+    assert!(flip.sizes.is_empty(), "{:?}", flip.sizes);
+}
+
+#[test]
 fn lengths_of_paths_follow_from_their_faces() {
     let dissolve = verdict(&DISSOLVE.replace("KEEPS", "keeps euler, boundary"));
     assert_eq!(dissolve.keeps, ["euler", "boundary"]);

@@ -10,7 +10,7 @@ use crate::check::facts::Facts;
 use crate::check::fold::add_obligation;
 use crate::check::guard::{Condition, Obligation, obligations};
 use crate::check::problem::{Problem, enumerate};
-use crate::check::properties::kept;
+use crate::check::properties::{SizeChange, degree_changes, kept, size_changes};
 use crate::check::witness::{self, Outcome};
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Drawing, Level, NameId, Op, Rule};
@@ -248,12 +248,23 @@ impl Aliased {
     }
 
     /// Removes from the properties that a rule keeps those that it does not keep where names are
-    /// one.
+    /// one, and notes the degrees and sizes that change in another way there.
     pub fn keeps_no_more(&self, facts: &mut Facts) {
         for quotient in &self.quotients {
             let drawing = Drawing::new(&quotient.rule);
             let here = kept(&drawing, Change::of(&quotient.rule), &facts.grows_with);
             facts.keeps.retain(|property| here.contains(property));
+            for (changes, here) in [
+                (&mut facts.degrees, degree_changes(&drawing)),
+                (&mut facts.sizes, size_changes(&drawing)),
+            ] {
+                for change in changes {
+                    let one = quotient.one_for(&change.element);
+                    let here = here.iter().find(|here| here.element == one);
+                    let parts = |it: &SizeChange| (it.constant, it.gains.len(), it.loses.len());
+                    change.varies |= here.map(parts) != Some(parts(change));
+                }
+            }
         }
     }
 }

@@ -43,6 +43,12 @@ impl Quotient {
         self.runs[path.index()].as_deref()
     }
 
+    /// The text of the name that stands for one with some text.
+    pub fn one_for<'a>(&'a self, text: &'a str) -> &'a str {
+        let at = self.rule.names.iter().position(|name| name.text == text);
+        at.map_or(text, |at| &self.rule.name(self.stands_for(NameId(at as u32))).text)
+    }
+
     /// The path of the rule it comes from in which a piece lies.
     pub fn path_of(&self, piece: NameId) -> NameId {
         let holds =

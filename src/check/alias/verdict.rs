@@ -46,10 +46,10 @@ const MOST_SETS: usize = 48;
 
 /// The outcomes of names of a rule being one: for each pair of one kind with all that follows from
 /// it, then for combinations of pairs. A rule with families has none: its names stand for different
-/// elements on every cycle.
-pub fn identifications(op: &Op, rule: &Rule) -> Vec<Identification> {
+/// elements on every cycle. False if there are further combinations, which were not examined.
+pub fn identifications(op: &Op, rule: &Rule) -> (Vec<Identification>, bool) {
     if rule.has_families() {
-        return Vec::new();
+        return (Vec::new(), true);
     }
     let count = rule.names.len();
     let drawing = Drawing::new(rule);
@@ -78,13 +78,14 @@ pub fn identifications(op: &Op, rule: &Rule) -> Vec<Identification> {
         }
         at += 1;
     }
+    let is_complete = at == sets.len();
     let judged = sets
         .into_iter()
         .map(|(names, quotients)| Identification { names, verdict: verdict(op, rule, quotients) });
     let mut all: Vec<_> = judged.collect();
     all.sort_by_key(|one| one.names.iter().map(Vec::len).sum::<usize>() - one.names.len());
     all.append(&mut found);
-    all
+    (all, is_complete)
 }
 
 impl Contradiction {

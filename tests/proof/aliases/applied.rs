@@ -95,7 +95,7 @@ enum Found {
 
 /// The op with `alias`es, for each set of names of a verdict that is fine.
 fn with_aliases(op: &Op, most: usize) -> Vec<Op> {
-    let found = identifications(op, &op.rules[0]);
+    let found = identifications(op, &op.rules[0]).0;
     let fine = found.iter().filter(|one| matches!(one.verdict, Verdict::Fine));
     fine.take(most).map(|one| with_alias(op, &one.names)).collect()
 }

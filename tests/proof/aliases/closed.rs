@@ -12,7 +12,7 @@ fn what_is_said_to_be_fine_can_be_declared() {
     let (mut accepted, mut refused) = (0, 0);
     for (_, op) in rules() {
         let rule = &op.rules[0];
-        let all = identifications(&op, rule);
+        let all = identifications(&op, rule).0;
         for one in all.iter().filter(|one| matches!(one.verdict, Verdict::Fine)) {
             let told = || format!("{}: {}", op.name, words(rule, &one.names));
             let Err(problems) = check(&with_alias(&op, &one.names)) else {
@@ -44,7 +44,7 @@ fn two_statements_of_one_vertex_are_laid_on_each_other() {
     for (_, op) in rules() {
         let rule = &op.rules[0];
         let stars: Vec<NameId> = rule.before.stars.iter().map(|star| star.vertex.name).collect();
-        for one in identifications(&op, rule) {
+        for one in identifications(&op, rule).0 {
             let both =
                 |class: &Vec<NameId>| class.iter().filter(|name| stars.contains(name)).count() > 1;
             if let Verdict::Unproved(why) = &one.verdict {

@@ -32,3 +32,26 @@ fn verdicts_are_printed_and_meshes_written() {
     let faces = sets.iter().find(|set| set["names"][0][0] == "f0").unwrap();
     assert_eq!(faces["verdict"], "breaks");
 }
+
+#[test]
+fn a_list_that_is_not_complete_says_so() {
+    let folder = tempfile::tempdir().unwrap();
+    let run = |sides: usize, more: &[&str]| {
+        let arrows: String = (0..sides).map(|at| format!("v{at} -h{at}-> ")).collect();
+        let text = format!(
+            "op look(h0: halfedge) {{ before {{ face f: {arrows}v{sides} =P=> v0 }} after {{ keep f }} }}"
+        );
+        let program = folder.path().join(format!("look{sides}.hedge"));
+        fs::write(&program, text).unwrap();
+        let mut command = Command::new(env!("CARGO_BIN_EXE_hedgerow"));
+        let output = command.args(["check", "--aliases"]).args(more).arg(&program);
+        String::from_utf8(output.output().unwrap().stdout).unwrap()
+    };
+    for (sides, is_complete) in [(2, true), (5, false)] {
+        let text = run(sides, &[]);
+        assert_eq!(!text.contains("were not examined"), is_complete, "{text}");
+        let json: serde_json::Value =
+            serde_json::from_str(&run(sides, &["--format", "json"])).unwrap();
+        assert_eq!(json["files"][0]["aliases"][0]["complete"], is_complete, "{json}");
+    }
+}

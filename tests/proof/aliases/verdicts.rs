@@ -21,7 +21,7 @@ fn verdicts_are_true_on_small_meshes() {
     let mut sets_met = 0;
     for (_, op) in rules() {
         let rule = &op.rules[0];
-        let all = identifications(&op, rule);
+        let all = identifications(&op, rule).0;
         let mut seen: Vec<&Vec<Vec<NameId>>> = Vec::new();
         for mesh in maps(160, 7) {
             for place in places(&op, &mesh) {
@@ -83,7 +83,7 @@ fn what_would_break_shows_its_mesh() {
     let mut shown = 0;
     for (_, op) in rules() {
         let rule = &op.rules[0];
-        for one in identifications(&op, rule) {
+        for one in identifications(&op, rule).0 {
             let Verdict::Breaks { why, example } = &one.verdict else {
                 continue;
             };
