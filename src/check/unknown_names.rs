@@ -139,7 +139,13 @@ fn not_listed(drawing: &Drawing, mut names: Vec<(NameId, Span)>) -> Option<Probl
         elements.partition(|&name| rule.params.contains(&Some(name)));
     if let Some(&given) = given.first() {
         let text = rule.quoted(given);
-        diagnostic = diagnostic.note(format!("{text} is a parameter: `before` draws it"));
+        let isolated = match rule.kind(given) {
+            Kind::Vertex => {
+                ", with halfedges around it; where it has none, pass its position instead"
+            }
+            _ => "",
+        };
+        diagnostic = diagnostic.note(format!("{text} is a parameter: `before` draws it{isolated}"));
     }
     let mut repairs = Vec::new();
     if rule.kind(first.0) == Kind::Fan {

@@ -1,6 +1,6 @@
 //! Calls of built-in functions: the overload is chosen by the types of the arguments.
 
-use crate::diagnostic::{Diagnostic, one_of};
+use crate::diagnostic::{Diagnostic, Edit, Fix, one_of};
 use crate::diagram::{Access, Expr, ExprKind, Overload, Type, Wanted, overloads};
 use crate::source::Span;
 use crate::syntax::tree::{self, Ident};
@@ -174,6 +174,10 @@ impl Typing<'_> {
             self.middle_of_two(args, &values, span);
             return None;
         }
+        if matches!(word, "min" | "max") && args.len() > 2 {
+            self.of_several(function, args, span);
+            return None;
+        }
         self.right_count(function, count, args.len(), span)?;
         let values: Vec<Expr> = values.into_iter().collect::<Option<_>>()?;
         // The best fit wins; among equals, the first.
@@ -213,6 +217,20 @@ impl Typing<'_> {
         self.report.reject(error.when(is_distance, |error| {
             error.note("how far two points are apart is `distance(v, w)`")
         }))
+    }
+
+    /// Reports `max(a, b, c)`, which is `max(max(a, b), c)`.
+    fn of_several(&mut self, function: &Ident, args: &[tree::Expr], span: Span) {
+        let word = &function.text;
+        let message = format!("`{word}` takes two arguments, but {}", are_given(args.len()));
+        let error = Diagnostic::error("wrong-count", message, span);
+        let inner = args.len() - 2;
+        let edit = |span, text| Edit { span, text };
+        let first = edit(args[0].span.before(), format!("{word}(").repeat(inner));
+        let closed = args[1..=inner].iter().map(|arg| edit(arg.span.after(), ")".to_owned()));
+        let edits = std::iter::once(first).chain(closed).collect();
+        let title = format!("write `{0}({0}(a, b), c)`", word);
+        self.report.add(Diagnostic { fixes: vec![Fix { title, edits }], ..error });
     }
 
     /// Reports `midpoint(v, w)`, which is `mix` of the two points.
