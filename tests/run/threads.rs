@@ -34,7 +34,11 @@ fn warm(t: real) {
 fn test_neighbors() {
   update v in vertices {
     v.is_wrong = v.is_wrong
-        or sum(w.position.x for w in v.neighbors) != sum(h.target.position.x for h in v.halfedges)
+        or sum(w.position.x for w in v.neighbors) != sum(h.twin.vertex.position.x for h in v.halfedges)
+        or sum(h.target.position.x for h in v.halfedges where h.target.heat > 0)
+            != sum(h.twin.vertex.position.x for h in v.halfedges where h.twin.vertex.heat > 0)
+        or max(length(h) * h.target.heat for h in v.halfedges)
+            != max(length(h) * h.twin.vertex.heat for h in v.halfedges)
   }
   assert not any(v.is_wrong for v in vertices)
 }
@@ -120,7 +124,7 @@ fn updates_do_what_one_thread_does() {
 }
 
 /// Loops that ask for the neighbors of all vertices again read lists of them, until an operation is
-/// applied. Loops over halfedges never read lists.
+/// applied. Loops over halfedges read none if they ask for more than their targets.
 #[test]
 fn neighbors_are_those_of_the_mesh_as_it_is() {
     let stir = [

@@ -2,7 +2,7 @@
 
 use super::operator::wide;
 use super::{copy, width};
-use crate::diagram::{ExprKind, Fold, FoldFunction, Type};
+use crate::diagram::{Around, Collection, Expr, ExprKind, Fold, FoldFunction, Pointer, Type};
 use crate::mesh::ElementKind;
 use crate::rewrite::{Assembler, Elements, Inst, Label, Lanes, Reg};
 
@@ -191,4 +191,35 @@ impl Sum {
             });
         }
     }
+}
+
+/// The aggregate of the neighbors of a vertex for one of its halfedges that uses nothing of them but
+/// their targets, `mean(h.target.position for h in v.halfedges)`: neighbors may be listed.
+pub(super) fn over_neighbors(fold: &Fold) -> Option<Fold> {
+    let Collection::Around(Around::VertexHalfedges, vertex) = &fold.collection else { return None };
+    let keeps_element = matches!(fold.function, FoldFunction::ArgMin | FoldFunction::ArgMax);
+    let is_it =
+        |expr: &Expr| matches!(expr.kind, ExprKind::Local(variable) if variable == fold.variable);
+    let is_target =
+        |kind: &ExprKind| matches!(kind, ExprKind::Follow(Pointer::Target, of) if is_it(of));
+    let (mut mentions, mut targets) = (0, 0);
+    for part in fold.filter.iter().chain([&fold.body]) {
+        part.each(&mut |expr| {
+            mentions += usize::from(is_it(expr));
+            targets += usize::from(is_target(&expr.kind));
+        });
+    }
+    if keeps_element || targets == 0 || targets < mentions {
+        return None;
+    }
+    let mut found = fold.clone();
+    found.collection = Collection::Around(Around::VertexNeighbors, vertex.clone());
+    for part in found.filter.iter_mut().chain([&mut found.body]) {
+        part.visit_mut(&mut |kind| {
+            if is_target(kind) {
+                *kind = ExprKind::Local(fold.variable);
+            }
+        });
+    }
+    Some(found)
 }

@@ -2,7 +2,7 @@
 
 use super::builtin::{Made, call};
 use super::collection::each;
-use super::fold::{Sum, known_count, settle};
+use super::fold::{Sum, known_count, over_neighbors, settle};
 use super::operator::{binary, unary};
 use super::pointer::{first, load};
 use super::{Scope, copy, width};
@@ -132,6 +132,8 @@ pub fn lower_into(asm: &mut Assembler, scope: &mut dyn Scope, expr: &Expr, to: R
 
 /// Appends a loop that puts the aggregate into `to`.
 fn fold(asm: &mut Assembler, scope: &mut dyn Scope, fold: &Fold, of: &Expr, to: Reg) {
+    let over_neighbors = over_neighbors(fold);
+    let fold = over_neighbors.as_ref().unwrap_or(fold);
     if let Some(inst) = known_count(fold, to) {
         return asm.emit(inst);
     }
