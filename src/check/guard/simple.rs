@@ -111,15 +111,12 @@ fn corners_own(sketch: &Sketch, orbit: &Loop) -> Obligation {
 /// True if another face that is drawn has the corners of this one.
 fn has_double(sketch: &Sketch, orbit: &Loop) -> bool {
     let corners = |of: &Loop| {
-        let is_whole = !of.each && sketch.paths(of).next().is_none();
+        let is_whole = of.kind == LoopKind::Face && !of.each && sketch.paths(of).next().is_none();
         is_whole.then(|| of.corners().collect::<BTreeSet<_>>())
     };
     let ours = corners(orbit);
-    ours.is_some()
-        && sketch.loops().iter().any(|other| {
-            let is_other = other.face.name != orbit.face.name && other.kind != LoopKind::Hole;
-            is_other && corners(other) == ours
-        })
+    let is_double = |other: &Loop| other.face.name != orbit.face.name && corners(other) == ours;
+    ours.is_some() && sketch.loops().iter().any(is_double)
 }
 
 /// True if a triangle has something else than its own corners across one of its edges. A triangle
