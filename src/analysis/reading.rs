@@ -6,6 +6,7 @@ use super::foreign::tell_as_elsewhere;
 use super::library_hints::tell_where;
 use super::open_loops::tell_how_to_close;
 use super::parse_cache::ParseCache;
+use super::unused::unused_variables;
 use crate::diagnostic::Diagnostic;
 use crate::resolve::{Fields, Program, Resolved, Types, resolve_all};
 use crate::run::Functions;
@@ -47,6 +48,10 @@ impl Reading {
         diagnostics.extend(too_large);
         tell_of_before(&program, &mut diagnostics);
         tell_how_to_close(&program, &mut diagnostics);
+        // Broken code may be what reads them.
+        if !diagnostics.iter().any(Diagnostic::is_error) {
+            diagnostics.extend(unused_variables(&parts[0], &fields));
+        }
         drop(units);
         Self { parts, program, fields, types, functions, diagnostics }
     }

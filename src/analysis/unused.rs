@@ -1,8 +1,11 @@
-//! Names that are declared and never read: editors show them faint.
+//! Names that are declared and never read: of variables there is a warning, the others are faint in
+//! editors.
 
-use super::cursor_context::before;
-use super::names::{Role, Symbol, SymbolKind};
+use super::files::Part;
+use super::names::{Names, Role, Symbol, SymbolId, SymbolKind};
 use super::snapshot::Snapshot;
+use crate::diagnostic::{Diagnostic, Edit, Fix};
+use crate::resolve::Fields;
 use crate::source::Span;
 use crate::syntax::TokenKind;
 use crate::syntax::tree::Item;
@@ -17,21 +20,52 @@ pub struct Unused {
     pub what: &'static str,
 }
 
-/// The parameters, variables and private items of a text that nothing reads or calls. A loop or an
-/// aggregate has to name its element, so that name may go unused, as may one that begins with `_`.
+/// The parameters and private items of a text that nothing reads or calls; a name that begins with
+/// `_` may go unused.
 pub fn unused(snapshot: &Snapshot) -> Vec<Unused> {
     let names = snapshot.names();
-    let is_read = |role: Role| !matches!(role, Role::Declared | Role::Written);
-    let told = names.symbols().filter_map(|(id, symbol)| {
-        let is_meant = symbol.name.starts_with('_')
-            || names.mentions_of(id).any(|mention| is_read(mention.role));
-        if is_meant {
-            return None;
-        }
+    let unread = names.symbols().filter(|(id, symbol)| !is_used(names, *id, symbol));
+    let told = unread.filter_map(|(_, symbol)| {
         let what = what(snapshot, symbol)?;
         Some(Unused { span: symbol.definition?, name: symbol.name.clone(), what })
     });
     told.collect()
+}
+
+/// A warning for each variable of a file that nothing reads. A loop or an aggregate has to name its
+/// element, so that name may go unused, as may one that begins with `_`.
+pub(super) fn unused_variables(part: &Part, fields: &Fields) -> Vec<Diagnostic> {
+    let names = Names::of(&part.parsed.tree, fields);
+    let tokens = &part.parsed.tokens;
+    let is_let = |place: Span| {
+        let at = tokens.partition_point(|token| token.span.start < place.start);
+        let before = at.checked_sub(1).and_then(|at| tokens.get(at));
+        before.is_some_and(|word| matches!(word.kind, TokenKind::Let | TokenKind::Var))
+    };
+    let told = names.symbols().filter_map(|(id, symbol)| {
+        let place = symbol.definition.filter(|place| is_let(*place))?;
+        if symbol.kind != SymbolKind::Variable || is_used(&names, id, symbol) {
+            return None;
+        }
+        let is_set = names.mentions_of(id).any(|mention| mention.role == Role::Written);
+        let message = match is_set {
+            true => format!("`{}` is set and never read", symbol.name),
+            false => format!("`{}` is never read", symbol.name),
+        };
+        let text = || "_".to_owned();
+        let mentions = names.mentions_of(id);
+        let edits = mentions.map(|at| Edit { span: at.span.before(), text: text() }).collect();
+        let title = format!("name it `_{}`, which may go unread", symbol.name);
+        let warning = Diagnostic::warning("unused-variable", message, place);
+        Some(Diagnostic { fixes: vec![Fix { title, edits }], ..warning })
+    });
+    told.collect()
+}
+
+/// Whether a name is read or called, or may go unused.
+fn is_used(names: &Names, id: SymbolId, symbol: &Symbol) -> bool {
+    let is_read = |role: Role| !matches!(role, Role::Declared | Role::Written);
+    symbol.name.starts_with('_') || names.mentions_of(id).any(|mention| is_read(mention.role))
 }
 
 /// The kind of a name, in a word, if it is one that something should read.
@@ -44,13 +78,6 @@ fn what(snapshot: &Snapshot, symbol: &Symbol) -> Option<&'static str> {
     match symbol.kind {
         SymbolKind::Parameter => Some("parameter"),
         SymbolKind::Element(_) if symbol.ty.is_some() => Some("parameter"),
-        SymbolKind::Variable => {
-            let before = before(snapshot, definition.start as usize).last();
-            let is_of_loop = before.is_some_and(|word| {
-                matches!(word.kind, TokenKind::For | TokenKind::Update | TokenKind::Drain)
-            });
-            (!is_of_loop).then_some("variable")
-        }
         SymbolKind::Attribute => private("attribute"),
         SymbolKind::Op => private("op"),
         SymbolKind::Function => private("function"),

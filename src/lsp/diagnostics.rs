@@ -104,6 +104,9 @@ fn protocol(document: &Document, told: &[diagnostic::Diagnostic]) -> Vec<Diagnos
     told.iter().map(|told| diagnostic(document, told)).collect()
 }
 
+/// The codes of warnings about what could be left out: editors show it faint.
+const FAINT: [&str; 2] = ["unreachable-statement", "unused-variable"];
+
 /// A diagnostic in the protocol's form. Notes follow the message; labels become related
 /// information.
 pub(super) fn diagnostic(document: &Document, told: &diagnostic::Diagnostic) -> Diagnostic {
@@ -130,7 +133,7 @@ pub(super) fn diagnostic(document: &Document, told: &diagnostic::Diagnostic) -> 
         source: Some("hedgerow".into()),
         message: message.into(),
         related_information: Some(related.collect()),
+        tags: FAINT.contains(&told.code).then(|| vec![DiagnosticTag::Unnecessary]),
         data: Some(json!({ "fixes": told.fixes.len() })),
-        ..Default::default()
     }
 }

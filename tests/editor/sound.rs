@@ -182,13 +182,21 @@ fn the_editor_says_what_check_says() {
 /// What nothing reads in a text, by name.
 fn unread(name: &str, text: &str) -> Vec<String> {
     let snapshot = Snapshot::new(name, text, &mut Nowhere);
-    unused(&snapshot).into_iter().map(|one| format!("{} {}", one.what, one.name)).collect()
+    let faint = unused(&snapshot).into_iter().map(|one| format!("{} {}", one.what, one.name));
+    let told = snapshot.diagnostics_so_far().into_iter();
+    let variables = told.filter(|told| told.code == "unused-variable");
+    let variables = variables.filter_map(|told| {
+        let [edit, ..] = told.fixes.first()?.edits.as_slice() else { return None };
+        assert_eq!(edit.span.start, told.span().start);
+        Some(format!("variable {}", told.message.split('`').nth(1)?))
+    });
+    faint.chain(variables).collect()
 }
 
 #[test]
 fn names_that_nothing_reads_are_found() {
     let flip = fs::read_to_string("examples/flip.hedge").unwrap();
-    let text = flip.replacen("(e: edge)", "(e: edge, times: int, f: face)", 1)
+    let text = flip.replacen("(e: edge)", "(e: edge, times: int, f: face) -> f0", 1)
         + "private attr old: vertex real = 0
            private attr heat: vertex real = 0
            attr shared: vertex real = 0
@@ -199,7 +207,9 @@ fn names_that_nothing_reads_are_found() {
            script main(n: int = 1, m: int = 2) {
              var count = 0
              for v in vertices { count = n }
-             if let d = flip(argmin(length(e) for e in edges)) { print sum(1 for f in faces) }
+             for e in edges {
+               if let d = flip(e, 1, e.halfedge.face) { print sum(1 for f in faces) }
+             }
              var last = 0
              repeat 2 { last = last + 1 }
              for v in vertices { v.heat = 1 }

@@ -53,7 +53,7 @@ const TRIANGLE: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 #[test]
 fn malformed_files_are_refused_in_words() {
     let cases = [
-        ("v 0 0\n", "1: `v` needs three numbers"),
+        ("v 0 0\n", "1: `v` needs three numbers; in a plane the third is 0"),
         ("\n\nv 0 x 0\n", "3: `x` is not a number"),
         ("v 0 \\\n0 x\nv 1 1 1\n", "1: `x` is not a number"),
         ("v 0 0 \u{e9}\n", "1: `\u{e9}` is not a number"),
@@ -75,7 +75,7 @@ fn malformed_files_are_refused_in_words() {
             "4: 0 is not an index: they count from 1, or back from -1; the faces seem to count vertices \
              from 0, and the format counts from 1",
         ),
-        ("T\nf 1 2 4\nv 0 0\n", "5: `v` needs three numbers"),
+        ("T\nf 1 2 4\nv 0 0\n", "5: `v` needs three numbers; in a plane the third is 0"),
         ("T\nf 1 2 4\nf 1 2 3\n", "4: there is no vertex 4: the file has 3 vertices"),
         ("T\nf 1 2 -4\n", "4: there is no vertex -4: the file has 3 vertices"),
         (

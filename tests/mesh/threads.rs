@@ -106,7 +106,7 @@ fn faults_amid_a_large_file_are_told_by_their_lines() {
     let lines: Vec<&str> = text.lines().collect();
     let vertices = lines.iter().filter(|line| line.starts_with("v ")).count();
     let broken = [
-        (vertices / 2, "v 1 2", "`v` needs three numbers"),
+        (vertices / 2, "v 1 2", "`v` needs three numbers; in a plane the third is 0"),
         (vertices + 9000, "f 1 2 3x", "`3x` is not a corner of a face"),
         (vertices + 9001, "f 1 2 0", "0 is not an index"),
         (vertices + 9002, "f 1 2 99999999", "there is no vertex 99999999"),

@@ -138,7 +138,8 @@ impl Reader {
             count += 1;
         }
         if count < 3 {
-            return Err("`v` needs three numbers".into());
+            let in_plane = if count == 2 { "; in a plane the third is 0" } else { "" };
+            return Err(format!("`v` needs three numbers{in_plane}"));
         }
         if count == 5 || (count == 7 && scanner.next_word()) {
             let what = [
