@@ -121,9 +121,10 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
         Format::Json if poured => eprint_json(&report),
         Format::Json => print_json(&report),
         Format::Human => {
-            match poured {
-                true => eprint_line(&report.show()),
-                false => print_line(&report.show()),
+            if poured {
+                eprint_line(&report.show())
+            } else {
+                print_line(&report.show())
             }
             let output = arguments.output.as_deref();
             if output.is_some_and(|output| files::is_same(output, &arguments.mesh)) {

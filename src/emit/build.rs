@@ -134,9 +134,10 @@ impl Writer<'_, '_> {
         for &Condition { condition, at_each_index: each, refusal } in &operation.requires {
             let condition = self.names.once(condition, each, Some(rule), &mut self.body)?;
             let mut parts = Vec::new();
-            match each {
-                true => parts.push(&condition),
-                false => conjuncts(&condition, &mut parts),
+            if each {
+                parts.push(&condition)
+            } else {
+                conjuncts(&condition, &mut parts)
             }
             for part in parts {
                 let holds = self.for_each(each, |this| this.names.value(part))?;

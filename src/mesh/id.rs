@@ -1,16 +1,16 @@
 //! The ids of elements: newtypes over `u32`, one per kind.
 //!
-//! An id is only a number: it does not say which mesh it belongs to or whether the element is
-//! alive. Two numbers are reserved: that of [`VertexId::NONE`] and its counterparts stands for "no
-//! element", and the one before it marks the slot of an erased element inside the tables of a mesh,
-//! where no reader can see it.
+//! An id is only a number, also as serde writes it: it does not say which mesh it belongs to or
+//! whether the element is alive. Two numbers are reserved: that of [`VertexId::NONE`] and its
+//! counterparts stands for "no element", and the one before it marks the slot of an erased element
+//! inside the tables of a mesh, where no reader can see it.
 
 use std::fmt;
 
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 /// The kinds of elements of a halfedge mesh.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum ElementKind {
     Vertex,
@@ -89,7 +89,7 @@ impl fmt::Display for ElementKind {
 macro_rules! element_id {
     ($(#[$doc:meta])* $id:ident, $kind:ident) => {
         $(#[$doc])*
-        #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
         #[repr(transparent)]
         pub struct $id(pub u32);
 

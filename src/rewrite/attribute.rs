@@ -43,10 +43,7 @@ fn width(data: &ColumnData) -> u16 {
 /// The index of a living element in its column.
 #[inline]
 fn index(mesh: &Mesh, column: ColumnId, id: u32) -> Result<usize, Fault> {
-    match mesh.is_alive(column.kind, id) {
-        true => Ok(id as usize),
-        false => Err(gone(column.kind, id)),
-    }
+    if mesh.is_alive(column.kind, id) { Ok(id as usize) } else { Err(gone(column.kind, id)) }
 }
 
 /// Reads the value of a living element.

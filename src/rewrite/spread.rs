@@ -329,10 +329,7 @@ struct WorkerWatch<'s> {
 
 impl WorkerWatch<'_> {
     fn answer(&self) -> ControlFlow<()> {
-        match self.stop.load(Relaxed) {
-            true => ControlFlow::Break(()),
-            false => ControlFlow::Continue(()),
-        }
+        if self.stop.load(Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 }
 

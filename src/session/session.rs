@@ -349,10 +349,7 @@ impl Session {
         let mut run = |session: &mut Self| {
             session.engine.machine.run(&mut session.mesh, code, &session.slots, watch)
         };
-        let outcome = match prepared.changes() {
-            true => run(self),
-            false => self.with_own_defaults(run),
-        };
+        let outcome = if prepared.changes() { run(self) } else { self.with_own_defaults(run) };
         self.known.leave(self.engine.machine.level());
         prepared.columns().clear(&mut self.mesh);
         let report = run::report(prepared, self.engine.machine.counts());

@@ -179,10 +179,7 @@ impl Lexed {
                          a space or an operator",
                     ),
                 });
-                match is_real {
-                    true => TokenKind::Real,
-                    false => TokenKind::Int,
-                }
+                if is_real { TokenKind::Real } else { TokenKind::Int }
             }
             TokenKind::Int if word.parse::<i64>().is_err() => {
                 self.too_large(

@@ -1,6 +1,6 @@
 //! Walks around faces and vertices.
 
-use hedgerow::mesh::{HalfedgeId, VertexId, shape};
+use hedgerow::mesh::{ElementKind, FaceId, HalfedgeId, VertexId, shape};
 
 #[test]
 fn a_walk_on_a_broken_mesh_ends() {
@@ -33,4 +33,15 @@ fn neighbors_are_adjacent_and_others_are_not() {
             assert_eq!(mesh.adjacent(v, w), around.contains(&w));
         }
     }
+}
+
+#[test]
+fn an_element_is_written_as_its_number() {
+    let ids = (VertexId(3), HalfedgeId(0), FaceId::NONE, ElementKind::Edge);
+    let text = serde_json::to_string(&ids).unwrap();
+    assert_eq!(text, "[3,0,4294967295,\"edge\"]");
+    assert_eq!(
+        serde_json::from_str::<(VertexId, HalfedgeId, FaceId, ElementKind)>(&text).unwrap(),
+        ids
+    );
 }

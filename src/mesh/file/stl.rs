@@ -29,10 +29,7 @@ const TRIANGLE: usize = 50;
 pub(super) fn read(text: &[u8]) -> Result<Contents, Failure> {
     let claimed = claimed(text);
     let Some(head) = text.get(..HEADER) else {
-        return match is_text(text) {
-            true => Ok(read_text(text)),
-            false => Err(no_file("it is too short")),
-        };
+        return if is_text(text) { Ok(read_text(text)) } else { Err(no_file("it is too short")) };
     };
     // Many binary files begin with `solid`, and some have bytes after the triangles.
     if is_whole(text) || head.contains(&0) {

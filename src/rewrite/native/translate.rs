@@ -192,9 +192,10 @@ impl<'a, 'f> Translator<'a, 'f> {
                 if reached {
                     self.b.ins().jump(block, &[]);
                 }
-                match last_jump[at] < at {
-                    true => self.go_on(block),
-                    false => self.b.switch_to_block(block),
+                if last_jump[at] < at {
+                    self.go_on(block)
+                } else {
+                    self.b.switch_to_block(block)
                 }
                 self.known.enter(known_at, at);
                 reached = true;

@@ -120,10 +120,7 @@ pub(super) fn count(_: &mut Context, run: &mut Run<'_>, kind: i64) -> Answer {
 /// [`LEAVE`], with nothing done, if [`add`] has to add them.
 pub(super) fn append(context: &mut Context, run: &mut Run<'_>, counts: i64) -> Answer {
     let counts = [0, 16, 32, 48].map(|shift| (counts as u64 >> shift) as usize & 0xffff);
-    match context.append(run, counts) {
-        true => Ok(0),
-        false => Ok(LEAVE),
-    }
+    if context.append(run, counts) { Ok(0) } else { Ok(LEAVE) }
 }
 
 /// Adds elements: executes the instructions from the one in the lower half of `span` up to, but
