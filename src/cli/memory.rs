@@ -16,6 +16,9 @@ pub fn read(text: &str) -> Result<usize, String> {
     };
     let number: f64 = number.trim().parse().map_err(|_| wrong())?;
     let bytes = number * f64::from(shift).exp2();
+    if shift == 0 && (1.0..1e6).contains(&bytes) {
+        return Err(format!("{text} bytes are too few: write a unit, as `{text}G`"));
+    }
     // The cast saturates.
     if bytes >= 1.0 { Ok(bytes as usize) } else { Err(wrong()) }
 }

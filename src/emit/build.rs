@@ -11,7 +11,7 @@ use super::{NotEmitted, reassign};
 use crate::check::Proved;
 use crate::diagram::{Binary, Drawing, Expr, ExprKind, Kind, Rule, Type};
 use crate::lower::{
-    Begin, Condition, Element, ORDINARY, Operation, Step, Tries, Value, is_surely_finite,
+    Begin, Condition, Element, ORDINARY, Operation, Step, Tries, Value, is_surely_finite, may_stop,
 };
 
 /// A proved operation as a routine, with its name in code.
@@ -185,13 +185,25 @@ impl Writer<'_, '_> {
         let name = self.names.fresh(&format!("{word}_{called}"));
         let value = self.names.once(value, each, Some(self.drawing.rule), &mut self.body)?;
         let value = self.for_each(each, |this| this.names.value(&value))?;
-        self.bind(attribute.as_ref().map_or(Type::Vec3, |it| it.ty), &name, &value, each);
+        let item = value;
         let [of, value] = self.for_each(each, |this| {
             let value = if each { this.names.member(&name, 0) } else { Term::name(&name) };
             [this.names.term(element), value]
         });
-        if let Some(reason) = refusal(assigned) {
-            self.refuse(self.names.finite(&value).not(), each, reason);
+        let ty = attribute.as_ref().map_or(Type::Vec3, |it| it.ty);
+        let infinite = self.names.finite(&value).not();
+        match refusal(assigned) {
+            // The values behind an infinite one are not evaluated where that may stop.
+            Some(reason) if each && may_stop(assigned.value) => {
+                let Names { language, indices, .. } = &self.names;
+                let list = (&*language.ty(ty), &*name);
+                let (empty, when) = language.gather_until(list, indices, [&item, &infinite]);
+                self.body.extend([empty, Statement::Refuse { when, reason: reason.clone() }]);
+            }
+            reason => {
+                self.bind(ty, &name, &item, each);
+                reason.into_iter().for_each(|reason| self.refuse(infinite.clone(), each, reason));
+            }
         }
         let field = attribute.map_or(Field::Position, Field::Attribute);
         Ok(self.names.repeated(each, Statement::Set { field, of, value }))

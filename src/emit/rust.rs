@@ -68,6 +68,9 @@ impl Printer<'_> {
         if !matches!(&item.body, ItemBody::Drawn(rules) if rules.len() > 1) {
             self.allow(item.names(), params);
         }
+        if params.iter().any(|param| !names(body, &param.name)) {
+            self.lines.line("#[allow(unused_variables)]");
+        }
         let list = self.listed(params);
         if !is_function {
             let visible = if self.part == Part::Called { "" } else { "pub " };

@@ -64,6 +64,27 @@ impl Language<'_> {
         Statement::binding(name, text, [item, &Term::name(size)])
     }
 
+    /// The binding of an empty list, and the condition that of the items that are then added, one for
+    /// each index in turn, one meets a condition: those behind it are not evaluated.
+    pub fn gather_until(
+        self,
+        (ty, name): (&str, &str),
+        IndexLoop { index, size }: &IndexLoop,
+        [item, condition]: [&Term; 2],
+    ) -> (Statement, Term) {
+        let empty =
+            say!(self, "let mut {name}: Vec<{ty}> = Vec::new();", "std::vector<{ty}> {name};");
+        let (item_text, condition_text) = (&item.text, &condition.text);
+        let text = say!(
+            self,
+            "(0..{size}).any(|{index}| {{ {name}.push({item_text}); {condition_text} }})",
+            "hedgerow::some({size}, [&](std::size_t {index}) {{ {name}.push_back({item_text}); \
+             return {condition_text}; }})"
+        );
+        let names = [item, condition, &Term::name(size), &Term::name(name)];
+        (Statement::binding(name, empty, []), Term::of(text, Precedence::Whole, names))
+    }
+
     /// The head of a loop over the indices.
     fn each_index(self, IndexLoop { index, size }: &IndexLoop) -> Term {
         let text = say!(

@@ -93,7 +93,7 @@ fn rust_does_what_the_machine_does() {
     let cargo = env::var_os("CARGO").map(PathBuf::from);
     let compiler = cargo.map(|cargo| cargo.with_file_name("rustc")).filter(|path| path.exists());
     let output = Command::new(compiler.unwrap_or("rustc".into()))
-        .args(["--edition=2024", "-Dwarnings", "-Aunused_variables", "-Adead_code", "main.rs"])
+        .args(["--edition=2024", "-Dwarnings", "-Adead_code", "main.rs"])
         .args(with_support())
         .current_dir(bench.path())
         .output()

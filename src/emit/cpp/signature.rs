@@ -23,9 +23,8 @@ impl Printer<'_> {
         used.insert(self.applied.clone());
         let fixed = self.fixed(style, params, &mut used);
         let body = code(&format!("{fixed}{body}"));
-        if names(&body, "mesh") {
-            used.insert("mesh".to_string());
-        }
+        let given = params.iter().map(|param| param.name.as_str()).chain(["mesh"]);
+        used.extend(given.filter(|name| names(&body, name)).map(str::to_string));
         let first = self.first_default(style, params);
         let is_told = |it: &&Parameter| !self.is_beside() && !self.is_fixed(style, it);
         let told: Vec<_> = params[..first].iter().filter(is_told).collect();
@@ -50,7 +49,7 @@ impl Printer<'_> {
         let (head, mesh) = (&item.signature, style.name("mesh"));
         let is_function = matches!(item.body, ItemBody::Function(_));
         let name = style.name_of(head, self.part);
-        let named = |ty: &str, name: &str| match is_function || used.contains(name) {
+        let named = |ty: &str, name: &str| match used.contains(name) {
             true => format!("{ty} {name}"),
             false => format!("{ty} /*{name}*/"),
         };

@@ -36,19 +36,22 @@ impl Names<'_> {
         }
         let of = language.ty(fold.collection.element());
         let mut all = elements.text.clone();
-        if let Some(Term { text: filter, .. }) = &filter {
-            all = say!(
-                language,
-                "{all}.filter(|&{name}| {filter})",
-                "hedgerow::only({all}, [&]({of} {name}) {{ return {filter}; }})"
-            );
-        }
-        // A count of all elements does not use the variable.
-        let reads = value.names.contains(&name);
-        let bound = match reads {
+        // What does not use the variable does not name it: compilers would warn.
+        let named = |term: &Term| match term.names.contains(&name) {
             true => say!(language, "{name}", "{of} {name}"),
             false => say!(language, "_", "{of}"),
         };
+        let by = |bound: &str| if bound == "_" { "" } else { "&" };
+        if let Some(filter) = &filter {
+            let (bound, text) = (named(filter), &filter.text);
+            let by = by(&bound);
+            all = say!(
+                language,
+                "{all}.filter(|{by}{bound}| {text})",
+                "hedgerow::only({all}, [&]({bound}) {{ return {text}; }})"
+            );
+        }
+        let bound = named(&value);
         let body = &value.text;
         let each = say!(language, "|{bound}| {body}", "[&]({bound}) {{ return {body}; }}");
         let of = if is_wide(ty) { "of." } else { "" };
@@ -57,7 +60,7 @@ impl Names<'_> {
             Some(match part {
                 "all" => all.clone(),
                 "each" => each.clone(),
-                "by" => if reads { "&" } else { "" }.to_string(),
+                "by" => by(&bound).to_string(),
                 "bound" => bound.clone(),
                 "body" => body.clone(),
                 "zero" => language.call_of("zero", (ty, 0), []).text,

@@ -28,7 +28,7 @@ impl MeshFile {
     /// Makes a column of the texture coordinates or normals that the file has, or of the colours of
     /// its materials (`color: face vec3`), if the attribute is one of these. A column that the mesh
     /// already has stays unchanged, except that whole numbers of a file become reals or truth
-    /// values where these are wanted; a corner without a value gets the default.
+    /// values where these are wanted and all of them can; a corner without a value gets the default.
     pub fn bring(&mut self, (kind, name, default): WantedAttribute) {
         let ty = default.attribute_type();
         self.convert(kind, name, default);
@@ -73,8 +73,9 @@ impl MeshFile {
         let Some(old) = self.mesh.find_column(kind, name) else { return };
         let Some(numbers) = self.mesh.values::<i64>(old).map(<[i64]>::to_vec) else { return };
         let is_truth = numbers.iter().all(|&number| number == 0 || number == 1);
+        let is_exact = numbers.iter().all(|&number| number as f64 as i128 == i128::from(number));
         let value = |number: i64| match default {
-            Value::Real(_) => Some(Value::Real(number as f64)),
+            Value::Real(_) if is_exact => Some(Value::Real(number as f64)),
             Value::Bool(_) if is_truth => Some(Value::Bool(number == 1)),
             _ => None,
         };
