@@ -4,7 +4,7 @@
 use std::ops::Range;
 
 use super::drawing_context::{Wanted, side};
-use super::following_words::{Following, ends_value, following, kind};
+use super::following_words::{Following, ends_statement, ends_value, following, kind, opening};
 use super::names::SideName;
 use super::snapshot::Snapshot;
 use crate::syntax::tree::{self, Item, Rule};
@@ -47,8 +47,8 @@ pub enum CursorContext {
     Side(SideName, Wanted),
     /// A value is wanted; the [`Start`] says what else may begin here.
     Value(Start),
-    /// After a dot: the words of the chain before it, such as `e`, `halfedge`.
-    Field(Vec<String>),
+    /// After a dot: the tokens of the value before it, without subscripts.
+    Field(Vec<Token>),
     /// After `::`: the qualifier before it.
     File(String),
 }
@@ -93,14 +93,12 @@ pub fn letters_before(snapshot: &Snapshot, offset: usize) -> &str {
     &before[before.trim_end_matches(is_letter).len()..]
 }
 
-/// True if an opening parenthesis follows the word at a byte on its line.
-pub fn is_called(snapshot: &Snapshot, offset: usize) -> bool {
-    let behind = snapshot.parsed().tokens[before(snapshot, offset).len()..].iter();
-    let mut behind = behind.skip_while(|token| (token.span.start as usize) < offset);
-    behind.next().is_some_and(|next| {
-        let gap = snapshot.text().get(offset..next.span.start as usize);
-        next.kind == T::LeftParen && gap.is_some_and(|gap| !gap.contains('\n'))
-    })
+/// The token that follows the word at a byte on its line.
+pub fn next_on_line(snapshot: &Snapshot, offset: usize) -> Option<T> {
+    let mut behind = snapshot.parsed().tokens[before(snapshot, offset).len()..].iter();
+    let next = behind.find(|token| token.span.start as usize >= offset)?;
+    let gap = snapshot.text().get(offset..next.span.start as usize)?;
+    (!gap.contains('\n')).then_some(next.kind)
 }
 
 /// The context of the cursor at a byte.
@@ -129,8 +127,10 @@ pub fn place(snapshot: &Snapshot, offset: usize) -> CursorContext {
             _ => CursorContext::Nowhere,
         };
     }
-    if last.kind == T::Dot {
-        return CursorContext::Field(chain(snapshot, &tokens[..tokens.len() - 1]));
+    // Between two dots a word of a chain is missing.
+    let is_dot = last.kind == T::Dot || last.kind == T::DotDot && last.span.end as usize > offset;
+    if is_dot {
+        return CursorContext::Field(operand(snapshot, &tokens[..tokens.len() - 1]));
     }
     if last.kind == T::DoubleColon {
         let file = tokens.iter().rev().nth(1).map(|token| snapshot.sources().slice(token.span));
@@ -146,8 +146,12 @@ pub fn place(snapshot: &Snapshot, offset: usize) -> CursorContext {
     let gap = gap(snapshot, tokens, offset);
     match within(item, gap) {
         CursorContext::Value(_) if is_mesh(snapshot, item) => CursorContext::Mesh,
-        found @ (CursorContext::Value(_) | CursorContext::OpBody | CursorContext::Nowhere) => {
-            match following(snapshot, item, gap) {
+        found @ (CursorContext::Value(_)
+        | CursorContext::Side(_, Wanted::Statement)
+        | CursorContext::OpBody
+        | CursorContext::Nowhere) => {
+            let in_block = matches!(found, CursorContext::Value(_));
+            match following(snapshot, item, gap, in_block) {
                 Some(Following::Only(words)) => CursorContext::Words(words),
                 Some(Following::Also(words)) => CursorContext::GoesOn(words, Box::new(found)),
                 None => found,
@@ -194,37 +198,59 @@ fn is_mesh(snapshot: &Snapshot, tokens: &[Token]) -> bool {
 pub(super) fn begins_item(snapshot: &Snapshot, token: Token) -> bool {
     let is_keyword =
         matches!(token.kind, T::Op | T::Script | T::Fn | T::Attr | T::Use | T::Test | T::Private);
-    let before = &snapshot.text()[..token.span.start as usize];
-    let line = before.rsplit('\n').next().unwrap_or("");
-    is_keyword && (line.trim().is_empty() || line.trim_end().ends_with('}'))
+    let before = snapshot.text().get(..token.span.start as usize).filter(|_| is_keyword);
+    let is_blank = |sign: char| sign != '\n' && sign.is_whitespace();
+    before.map(|before| before.trim_end_matches(is_blank)).is_some_and(|before| {
+        before.trim_start_matches('\u{feff}').is_empty() || before.ends_with(['\n', '}'])
+    })
 }
 
-/// The words of the chain that the tokens end with, such as `e.halfedge.`.
-fn chain(snapshot: &Snapshot, tokens: &[Token]) -> Vec<String> {
-    let mut words = Vec::new();
-    let mut at = tokens.len();
-    while let Some(token) = at.checked_sub(1).map(|before| tokens[before]) {
-        if token.kind == T::RightBracket {
-            // A subscript: `v[i+1]`.
-            let open = tokens[..at].iter().rposition(|token| token.kind == T::LeftBracket);
-            match open {
-                Some(open) => at = open,
-                None => break,
-            }
-            continue;
+/// The tokens of the value that some tokens end with, such as `e.halfedge` or `f(e)`, without
+/// subscripts: `v[i+1]`.
+fn operand(snapshot: &Snapshot, tokens: &[Token]) -> Vec<Token> {
+    let start = start_of_operand(snapshot, tokens).unwrap_or(tokens.len());
+    let mut in_subscript = false;
+    let mut kept = tokens[start..].to_vec();
+    kept.retain(|token| {
+        let was_inside = in_subscript;
+        in_subscript = token.kind == T::LeftBracket || was_inside && token.kind != T::RightBracket;
+        !in_subscript && !was_inside
+    });
+    kept
+}
+
+/// The index of the first token of the value that some tokens end with.
+fn start_of_operand(snapshot: &Snapshot, tokens: &[Token]) -> Option<usize> {
+    let kind = |at: usize| tokens.get(at).map(|token| token.kind);
+    let mut start = tokens.len();
+    loop {
+        let mut at = start.checked_sub(1)?;
+        if kind(at) == Some(T::RightBracket) {
+            at = opening(&tokens[..=at])?.checked_sub(1)?;
         }
-        if !token.kind.is_wordlike() {
-            break;
+        if kind(at) == Some(T::RightParen) {
+            let open = opening(&tokens[..=at])?;
+            return Some(start_of_call(snapshot, tokens, open));
         }
-        words.push(snapshot.sources().slice(token.span).to_owned());
-        at -= 1;
-        if at.checked_sub(1).map(|dot| tokens[dot].kind) != Some(T::Dot) {
-            break;
+        kind(at).filter(|kind| kind.is_wordlike())?;
+        match at.checked_sub(1) {
+            Some(dot) if kind(dot) == Some(T::Dot) => start = dot,
+            _ => return Some(at),
         }
-        at -= 1;
     }
-    words.reverse();
-    words
+}
+
+/// The index of the first token of the call whose parenthesis opens at one; that of the parenthesis
+/// if nothing is called.
+fn start_of_call(snapshot: &Snapshot, tokens: &[Token], open: usize) -> usize {
+    let Some(name) = open.checked_sub(1) else { return open };
+    let is_called = (tokens[name].kind.is_name() || tokens[name].kind == T::Hole)
+        && gap(snapshot, &tokens[..open], tokens[open].span.start as usize) != Gap::LineEnd;
+    match tokens[..name] {
+        _ if !is_called => open,
+        [.., _, of] if of.kind == T::DoubleColon => name - 2,
+        _ => name,
+    }
 }
 
 /// The context where the tokens of an item end.
@@ -311,9 +337,7 @@ fn attribute(tokens: &[Token], gap: Gap) -> CursorContext {
         [_, _] if gap == Gap::LineEnd => CursorContext::Top,
         [_, _] => CursorContext::Nowhere,
         [_, _, equals] if equals.kind == T::Equals => CursorContext::Value(Start::Default),
-        [.., last] if !ends_value(last.kind) && last.kind != T::Text => {
-            CursorContext::Value(Start::Value)
-        }
+        [.., last] if !ends_value(last.kind) => CursorContext::Value(Start::Value),
         _ if gap == Gap::LineEnd => CursorContext::Top,
         _ => CursorContext::Nowhere,
     }
@@ -341,7 +365,6 @@ fn op_body(tokens: &[Token], opener: T, last: T, gap: Gap) -> CursorContext {
         (_, T::Guard) => CursorContext::Level,
         (_, T::Rule) => CursorContext::Nowhere,
         (T::Alias, _) if lists_more(tokens, last) || gap != Gap::LineEnd => CursorContext::Alias,
-        (T::Require, T::Text) => CursorContext::OpBody,
         (T::Require, T::Else) => CursorContext::Nowhere,
         (T::Require, T::In) => CursorContext::Value(Start::Sequence),
         (T::Require, last) if !ends_value(last) => CursorContext::Value(Start::Value),
@@ -358,14 +381,7 @@ fn lists_more(tokens: &[Token], last: T) -> bool {
 /// The context in the block of a script.
 fn value(last: T) -> CursorContext {
     CursorContext::Value(match last {
-        T::LeftBrace
-        | T::RightBrace
-        | T::RightParen
-        | T::Word
-        | T::Int
-        | T::Real
-        | T::Text
-        | T::Parallel => Start::Statement,
+        last if ends_statement(last) || last == T::Parallel => Start::Statement,
         T::In => Start::Sequence,
         T::Let | T::Var | T::For | T::Drain | T::Update => return CursorContext::Nowhere,
         T::Colon => return CursorContext::Type,

@@ -1,7 +1,7 @@
 //! The context of a cursor in a drawing, derived from the tokens before it.
 
 use super::cursor_context::{CursorContext, Gap, Start};
-use super::following_words::kind;
+use super::following_words::{ends_value, kind};
 use super::names::SideName;
 use crate::syntax::{Token, TokenKind as T};
 
@@ -83,8 +83,7 @@ fn part(kinds: &[T], side: SideName, gap: Gap) -> CursorContext {
         T::Equals => match last {
             // `=P=>` ends with its own arrow, behind which the loop goes on.
             _ if is_path(kinds, start) && rest.contains(&T::FatArrow) => in_loop(last),
-            // A value ends with a word, a number or a parenthesis.
-            Some(T::Word | T::RightParen | T::Int | T::Real) => Wanted::Statement,
+            Some(last) if ends_value(last) || last == T::RightBrace => Wanted::Statement,
             _ if is_path(kinds, start) => Wanted::Path,
             _ => return CursorContext::Value(Start::Value),
         },

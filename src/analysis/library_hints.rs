@@ -85,6 +85,10 @@ pub(super) struct Importable {
     pub file: &'static str,
     /// True for a function, which is called from anywhere.
     pub is_function: bool,
+    /// Its parameters and its result.
+    pub signature: String,
+    /// Its doc comment, a line each.
+    pub docs: Vec<String>,
     /// The insertion of the `use`.
     pub insertion: Edit,
 }
@@ -104,9 +108,13 @@ pub(super) fn importable(snapshot: &Snapshot, letters: &str) -> Vec<Importable> 
             continue;
         }
         let (span, text) = head(program.text(), span, &format!("use \"{file}\""));
-        found.extend(fitting.map(|&Head { name, is_function, .. }| {
-            let insertion = Edit { span, text: text.clone() };
-            Importable { name, file, is_function, insertion }
+        found.extend(fitting.map(|head| Importable {
+            name: head.name,
+            file,
+            is_function: head.is_function,
+            signature: head.signature(),
+            docs: head.docs(),
+            insertion: Edit { span, text: text.clone() },
         }));
     }
     found
@@ -154,6 +162,27 @@ struct Head {
     name: &'static str,
     is_function: bool,
     params: Vec<&'static str>,
+    /// The text of the file up to the head, and from the parameters on.
+    around: [&'static str; 2],
+}
+
+impl Head {
+    /// The parameters and the result, on one line.
+    fn signature(&self) -> String {
+        let [_, behind] = self.around;
+        let head = behind.split('{').next().unwrap_or_default();
+        let words: Vec<_> = head.split_whitespace().take_while(|word| *word != "keeps").collect();
+        format!("({}", words.join(" "))
+    }
+
+    /// The doc comment, a line each.
+    fn docs(&self) -> Vec<String> {
+        let [before, _] = self.around;
+        let lines = before.lines().rev().map_while(|line| line.strip_prefix("///"));
+        let mut lines: Vec<_> = lines.map(|line| line.trim().to_owned()).collect();
+        lines.reverse();
+        lines
+    }
 }
 
 /// The heads of all that the library offers.
@@ -173,6 +202,7 @@ static HEADS: LazyLock<Vec<Head>> = LazyLock::new(|| {
                 name,
                 is_function: kind == "fn",
                 params: listed(behind),
+                around: [&file.text[..file.text.len() - whole.len()], behind],
             })
         })
     };

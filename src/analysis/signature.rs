@@ -5,7 +5,7 @@ use super::words::meaning;
 use crate::resolve::signatures;
 use crate::source::Span;
 use crate::syntax::TokenKind as T;
-use crate::syntax::tree::{Item, Param};
+use crate::syntax::tree::{Ident, Item, Param};
 
 /// One way to call something.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -48,28 +48,13 @@ pub fn signature(snapshot: &Snapshot, offset: usize) -> Option<(Vec<Call>, usize
 }
 
 fn calls(snapshot: &Snapshot, word: &str) -> Vec<Call> {
-    let (mut items, own_name) = snapshot.items_for(word);
-    let declared = items.find_map(|item| {
-        let (name, params, result, docs) = match item {
-            Item::Op(op) => (&op.name, &op.params, &op.result, &op.docs),
-            Item::Fn(function) => {
-                (&function.name, &function.params, &function.result, &function.docs)
-            }
-            Item::Script(script) => (&script.name, &script.params, &None, &script.docs),
-            _ => return None,
-        };
-        (name.text == own_name).then(|| {
-            let params: Vec<String> = params.iter().map(|param| written(snapshot, param)).collect();
-            let result = result.as_ref().map(|result| format!(" -> {}", result.text));
-            Call {
-                label: format!("{word}({}){}", params.join(", "), result.unwrap_or_default()),
-                params,
-                about: docs.join("\n"),
-            }
-        })
-    });
-    if let Some(declared) = declared {
-        return vec![declared];
+    let (items, own_name) = snapshot.items_for(word);
+    let is_meant = |head: &Head| head.name == own_name;
+    if let Some(head) = items.filter_map(Head::of).find(is_meant) {
+        let params: Vec<String> =
+            head.params.iter().map(|param| written(snapshot, param)).collect();
+        let label = format!("{word}{}", head.signature(snapshot));
+        return vec![Call { label, params, about: head.docs.join("\n") }];
     }
     let ways = signatures(word).into_iter().map(|way| {
         let params: Vec<String> = way.takes.iter().map(|ty| (*ty).to_owned()).collect();
@@ -81,6 +66,37 @@ fn calls(snapshot: &Snapshot, word: &str) -> Vec<Call> {
         }
     });
     ways.collect()
+}
+
+/// The head of an item that can be called.
+pub(super) struct Head<'t> {
+    pub name: &'t str,
+    pub params: &'t [Param],
+    pub result: Option<&'t Ident>,
+    /// Its doc comment, a line each.
+    pub docs: &'t [String],
+}
+
+impl<'t> Head<'t> {
+    /// The head of an item, if that can be called.
+    pub fn of(item: &'t Item) -> Option<Self> {
+        let (name, params, result, docs) = match item {
+            Item::Op(op) => (&op.name, &op.params, &op.result, &op.docs),
+            Item::Fn(function) => {
+                (&function.name, &function.params, &function.result, &function.docs)
+            }
+            Item::Script(script) => (&script.name, &script.params, &None, &script.docs),
+            _ => return None,
+        };
+        Some(Self { name: &name.text, params, result: result.as_ref(), docs })
+    }
+
+    /// The parameters and the result: `(e: edge) -> m`.
+    pub fn signature(&self, snapshot: &Snapshot) -> String {
+        let params: Vec<_> = self.params.iter().map(|param| written(snapshot, param)).collect();
+        let result = self.result.map(|result| format!(" -> {}", result.text));
+        format!("({}){}", params.join(", "), result.unwrap_or_default())
+    }
 }
 
 /// A parameter as it is declared; of a long default only that there is one.

@@ -109,6 +109,12 @@ impl Client {
         words(&self.capabilities, "/textDocument/hover/contentFormat").any(|it| it == "markdown")
     }
 
+    /// True if the documentation of a completion may be Markdown.
+    pub(super) fn reads_markdown_of_completions(&self) -> bool {
+        let formats = "/textDocument/completion/completionItem/documentationFormat";
+        words(&self.capabilities, formats).any(|it| it == "markdown")
+    }
+
     /// True if completions may have placeholders.
     pub(super) fn takes_snippets(&self) -> bool {
         self.can("/textDocument/completion/completionItem/snippetSupport")

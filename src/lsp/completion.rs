@@ -2,6 +2,7 @@
 
 use gen_lsp_types::*;
 
+use super::markdown::quoted;
 use super::requests::Answer;
 use super::server::Server;
 use crate::analysis::{Call, Choice, Completion, completions, letters_before, signature};
@@ -31,6 +32,7 @@ impl Server {
         let (document, offset) = self.place(&params.text_document_position_params)?;
         let found = completions(document.snapshot(), offset, &mut self.files.clone());
         let snippets = self.client.takes_snippets();
+        let is_markdown = self.client.reads_markdown_of_completions();
         let item = |completion: Completion| {
             let mut item = CompletionItem {
                 kind: Some(kind(completion.choice)),
@@ -39,6 +41,9 @@ impl Server {
                 preselect: (completion.rank == 0).then_some(true),
                 ..Default::default()
             };
+            if !completion.docs.is_empty() {
+                item.documentation = Some(documentation(&completion.docs, is_markdown).into());
+            }
             if let Some(snippet) = completion.snippet.filter(|_| snippets) {
                 item.insert_text = Some(snippet);
                 item.insert_text_format = Some(InsertTextFormat::Snippet);
@@ -79,6 +84,14 @@ impl Server {
                 active_parameter: Some(ActiveParameter::Int(super::position::narrow(argument))),
             }
         }))
+    }
+}
+
+/// A doc comment, as Markdown or as it is.
+fn documentation(docs: &[String], is_markdown: bool) -> MarkupContent {
+    match is_markdown {
+        true => MarkupContent { kind: MarkupKind::Markdown, value: quoted(docs).join("\n") },
+        false => MarkupContent { kind: MarkupKind::PlainText, value: docs.join("\n") },
     }
 }
 

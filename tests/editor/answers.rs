@@ -104,9 +104,23 @@ fn answer(case: &Case) -> String {
             links.collect()
         }),
         "completion" => ask("completion", &here).map(|answer| completion(&answer, 12)),
+        "offers" => ask("completion", &here).map(|answer| {
+            let items = answer["items"].as_array().unwrap();
+            let lines = argument.split(' ').map(|word| match item(items, word) {
+                Some(_) => format!("{word}\n"),
+                None => format!("no {word}\n"),
+            });
+            lines.collect()
+        }),
+        "about" => ask("completion", &here).map(|answer| {
+            let item = item(answer["items"].as_array().unwrap(), argument).unwrap();
+            let detail = item["detail"].as_str().unwrap_or("no detail");
+            let docs = item["documentation"]["value"].as_str().unwrap_or("no documentation");
+            format!("{detail}\n{}", docs.replace("```", "~~~"))
+        }),
         "snippet" => ask("completion", &here).map(|answer| {
             let items = answer["items"].as_array().unwrap();
-            let item = items.iter().find(|item| item["label"] == argument).unwrap();
+            let item = item(items, argument).unwrap();
             let edit = |edit: &Value| {
                 let written = edit["newText"].as_str()?;
                 Some(format!("{}: {}", range(&text, &edit["range"]), written.trim()))
@@ -239,6 +253,11 @@ fn tokens(text: &str, legend: &Value, data: &Value) -> String {
         out.push_str(&format!("{word}:{}{marks} ", types[*kind]));
     }
     out
+}
+
+/// The completion of this word.
+fn item<'i>(items: &'i [Value], word: &str) -> Option<&'i Value> {
+    items.iter().find(|item| item["label"] == word)
 }
 
 /// The first completions, a line for each rank.

@@ -54,7 +54,9 @@ impl Client {
                 "general": { "positionEncodings": [encoding] },
                 "textDocument": {
                     "hover": { "contentFormat": ["markdown", "plaintext"] },
-                    "completion": { "completionItem": { "snippetSupport": true } },
+                    "completion": { "completionItem": {
+                        "snippetSupport": true, "documentationFormat": ["markdown", "plaintext"],
+                    } },
                     "documentSymbol": { "hierarchicalDocumentSymbolSupport": true },
                 },
                 "workspace": { "workspaceEdit": { "documentChanges": true } },

@@ -2,23 +2,27 @@
 
 use super::choice::{Choice, Completion};
 use super::drawing::named;
-use super::words::{ACTIONS, keywords};
+use super::words::{ACTIONS, REQUIRE, keywords};
 use crate::analysis::being_declared::being_declared;
 use crate::analysis::cursor_context::{Start, item_near, letters_before, op_near, rule_near};
 use crate::analysis::library_hints::{Importable, importable};
 use crate::analysis::loop_heads::bound_near;
-use crate::analysis::names::{Names, Symbol, SymbolKind};
+use crate::analysis::names::{Symbol, SymbolKind};
+use crate::analysis::signature::Head;
 use crate::analysis::snapshot::Snapshot;
 use crate::analysis::types::type_of;
+use crate::analysis::words::meaning;
 use crate::diagram::{Kind, Type};
-use crate::resolve::{fields, function_words, mesh_words, sequence_words, signatures};
-use crate::syntax::tree::{Attr, Item};
+use crate::resolve::{constants, function_words, mesh_words, sequence_words, signatures};
+use crate::syntax::tree::Item;
 
 /// Completions in a value; a statement, where one may begin.
 pub(super) fn values(snapshot: &Snapshot, offset: usize, start: Start) -> Vec<Completion> {
     let mut found = Vec::new();
     if start == Start::Statement {
         found.extend(keywords(ACTIONS));
+        let in_steps = op_near(snapshot, offset).is_some_and(|(_, op)| op.steps.is_some());
+        found.extend(keywords(&[REQUIRE]).into_iter().filter(|_| in_steps));
     }
     // A statement may go on with a value, but does not begin with one.
     let (function_rank, word_rank) = if start == Start::Statement { (7, 8) } else { (3, 6) };
@@ -39,18 +43,17 @@ pub(super) fn values(snapshot: &Snapshot, offset: usize, start: Start) -> Vec<Co
             let gives = way.gives.map(|ty| format!(" -> {}", ty.word()));
             format!("({}){}", way.takes.join(", "), gives.unwrap_or_default())
         });
-        let snippet = format!("{word}($1)");
-        found.push(Completion {
-            detail,
-            ..Completion::new(word, Choice::Function, function_rank).with(&snippet)
-        });
+        let docs = meaning(word).map(str::to_owned).into_iter().collect();
+        let call = Completion::call(word, detail, docs, Choice::Function);
+        found.push(Completion { rank: function_rank, ..call });
     }
     let seen = snapshot.seen_items(None);
-    found.extend(snapshot.items().iter().chain(seen).filter_map(called));
+    found.extend(snapshot.items().iter().chain(seen).filter_map(|item| called(snapshot, item)));
     let can_call = can_call(snapshot, offset);
     found.extend(of_library(snapshot, offset, can_call));
     let must = can_call.then_some("must");
-    for word in ["if", "true", "false", "not", "can", "why", "pi"].into_iter().chain(must) {
+    let words = ["if", "true", "false", "not", "can", "why"].into_iter().chain(must);
+    for word in words.chain(constants()) {
         found.push(Completion::new(word, Choice::Keyword, word_rank));
     }
     found
@@ -64,11 +67,10 @@ fn of_library(snapshot: &Snapshot, offset: usize, can_call: bool) -> Vec<Complet
     }
     let found = importable(snapshot, letters).into_iter();
     let found = found.filter(|item| can_call || item.is_function);
-    let call = |Importable { name, file, is_function, insertion }: Importable| Completion {
-        detail: file.to_owned(),
-        insertion: Some(insertion),
-        ..Completion::new(name, if is_function { Choice::Function } else { Choice::Op }, 9)
-            .with(&format!("{name}($1)"))
+    let call = |Importable { name, file, is_function, signature, docs, insertion }: Importable| {
+        let choice = if is_function { Choice::Function } else { Choice::Op };
+        let call = Completion::call(name, format!("{signature}, in {file}"), docs, choice);
+        Completion { insertion: Some(insertion), rank: 9, ..call }
     };
     found.map(call).collect()
 }
@@ -91,18 +93,15 @@ pub(super) fn meshes(snapshot: &Snapshot, offset: usize) -> Vec<Completion> {
 
 /// What the used files of a name declare, to be called.
 pub(super) fn of_file(snapshot: &Snapshot, file: &str) -> Vec<Completion> {
-    snapshot.seen_items(Some(file)).filter_map(called).collect()
+    snapshot.seen_items(Some(file)).filter_map(|item| called(snapshot, item)).collect()
 }
 
 /// The call of an item.
-fn called(item: &Item) -> Option<Completion> {
-    let (name, choice) = match item {
-        Item::Op(op) => (&op.name.text, Choice::Op),
-        Item::Fn(function) => (&function.name.text, Choice::Function),
-        Item::Script(script) => (&script.name.text, Choice::Function),
-        _ => return None,
-    };
-    Some(Completion::new(name, choice, 2).with(&format!("{name}($1)")))
+fn called(snapshot: &Snapshot, item: &Item) -> Option<Completion> {
+    let head = Head::of(item)?;
+    let choice = if matches!(item, Item::Op(_)) { Choice::Op } else { Choice::Function };
+    let signature = head.signature(snapshot);
+    Some(Completion::call(head.name, signature, head.docs.to_vec(), choice))
 }
 
 /// The variables and parameters of the item around a byte; in an op also the elements it draws.
@@ -138,63 +137,4 @@ fn variable(name: &str, ty: Option<Type>) -> Completion {
         detail: ty.map_or("", Type::word).to_owned(),
         ..Completion::new(name, Choice::Variable, 1)
     }
-}
-
-/// The completions after the dot of a chain.
-pub(super) fn of_chain(snapshot: &Snapshot, offset: usize, chain: &[String]) -> Vec<Completion> {
-    let Some(ty) = chain_type(snapshot, offset, chain) else { return Vec::new() };
-    let field = |name: &str, ty: Option<Type>, rank| Completion {
-        detail: ty.map_or("sequence", Type::word).to_owned(),
-        ..Completion::new(name, Choice::Field, rank)
-    };
-    let mut found: Vec<_> = fields(ty)
-        .into_iter()
-        .map(|known| field(known.name, known.ty, u8::from(!known.is_attribute)))
-        .collect();
-    found.extend(attributes(snapshot, ty).map(|attr| Completion {
-        detail: attr.ty.text.clone(),
-        ..Completion::new(attr.name.text.clone(), Choice::Field, 0)
-    }));
-    found
-}
-
-/// The attributes of elements of a type that the text or a file it uses declares.
-fn attributes(snapshot: &Snapshot, of: Type) -> impl Iterator<Item = &Attr> {
-    let items = snapshot.items().iter().chain(snapshot.seen_items(None));
-    items.filter_map(move |item| match item {
-        Item::Attr(attr) if attr.kind.text == of.word() => Some(attr),
-        _ => None,
-    })
-}
-
-fn chain_type(snapshot: &Snapshot, offset: usize, chain: &[String]) -> Option<Type> {
-    let (first, rest) = chain.split_first()?;
-    let mut ty = type_of_name(snapshot, offset, first)?;
-    for word in rest {
-        let declared = || attributes(snapshot, ty).find(|attr| attr.name.text == *word);
-        ty = match fields(ty).into_iter().find(|field| field.name == word) {
-            Some(known) => known.ty?,
-            None => Type::named(&declared()?.ty.text)?,
-        };
-    }
-    Some(ty)
-}
-
-/// The type of what a name stands for at a byte.
-fn type_of_name(snapshot: &Snapshot, offset: usize, name: &str) -> Option<Type> {
-    let bound = bound_near(snapshot, offset);
-    if let Some((_, ty)) = bound.into_iter().rfind(|(bound, _)| *bound == name) {
-        return ty;
-    }
-    let (item, _) = item_near(snapshot, offset)?;
-    let names: &Names = snapshot.names();
-    // Of several variables of a name, the last before the cursor is the likeliest.
-    let symbol = names
-        .symbols()
-        .filter(|(_, symbol)| {
-            let is_before = symbol.definition.is_none_or(|place| (place.start as usize) < offset);
-            symbol.name == name && symbol.item == Some(item) && is_before
-        })
-        .last();
-    type_of(snapshot, symbol?.0)
 }

@@ -18,12 +18,15 @@ pub(super) const TOP: &[(&str, &str)] = &[
 pub(super) const PARTS: &[(&str, &str)] = &[
     ("before", "before {\n  $0\n}"),
     ("after", "after {\n  $0\n}"),
-    ("require", "require ${1:condition} else \"${2:reason}\""),
+    REQUIRE,
     ("guard", "guard ${1|surface,simple|}"),
     ("alias", "alias ${1:v2} ${2:v3}"),
     ("rule", "rule ${1:name} {\n  before {\n    $0\n  }\n  after {\n  }\n}"),
     ("steps", "steps {\n  $0\n}"),
 ];
+
+/// A condition of an op, and a step.
+pub(super) const REQUIRE: (&str, &str) = ("require", "require ${1:condition} else \"${2:reason}\"");
 
 /// The beginnings of the statements of a drawing.
 pub(super) const DRAWINGS: &[(&str, &str)] = &[
