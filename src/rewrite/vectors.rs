@@ -214,7 +214,7 @@ pub fn eliminate<const N: usize, const M: usize>(
     }
     for side in &mut b {
         for row in (0..N).rev() {
-            let known = (row + 1..N).map(|k| a[k][row] * side[k]).fold(0.0, |sum, x| sum + x);
+            let known: f64 = (row + 1..N).map(|k| a[k][row] * side[k]).sum();
             side[row] = (side[row] - known) / a[row][row];
         }
     }

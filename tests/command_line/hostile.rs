@@ -125,8 +125,9 @@ script t() {
 fn sizes() {
     assert_eq!(memory::read("4G"), Ok(4 << 30));
     assert_eq!(memory::read("1.5 MiB"), Ok(3 << 19));
-    assert_eq!(memory::read("1000"), Ok(1000));
-    for wrong in ["", "G", "much", "-1G", "0", "nan"] {
+    assert_eq!(memory::read("2000000"), Ok(2_000_000));
+    assert!(memory::read("4").unwrap_err().contains("as `4G`"));
+    for wrong in ["", "G", "much", "-1G", "0", "nan", "1000"] {
         assert!(memory::read(wrong).is_err(), "{wrong}");
     }
     assert!(memory::usual() > 1 << 24);
