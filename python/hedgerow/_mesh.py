@@ -14,51 +14,14 @@ import numpy as np
 from . import _arrays
 from ._elements import PLURALS, ElementTable, rows
 from ._hedgerow import Mesh as MeshTables
+from ._hedgerow import Trial
 from ._measures import Measured
-from .errors import ArgumentError, MeshError, RunError
+from .errors import ArgumentError, MeshError
 
 __all__ = ["Mesh", "Trial"]
 
 #: What other libraries call the numbers of elements.
 _COUNTS = re.compile(r"(?:n|num|nb|number_of|count)_?(vert|halfedge|edge|face)\w*")
-
-
-class Trial:
-    """What is done within is undone at the end, unless :meth:`keep` is called."""
-
-    __slots__ = ("_mark", "_mesh")
-
-    def __init__(self, mesh):
-        self._mesh = mesh
-        self._mark = None
-
-    def __enter__(self):
-        if self._mark is not None:
-            raise RunError("this trial has begun already", "unknown-mark")
-        self._mark = self._mesh._mark()
-        return self
-
-    def keep(self):
-        """Ends the trial, and those within: what was done stays."""
-        self._end(True)
-
-    def undo(self):
-        """Ends the trial, and those within: the mesh is bit for bit what it was before."""
-        self._end(False)
-
-    def _end(self, keeps):
-        if not self._is_ended_by(keeps):
-            raise RunError("this trial has not begun, or has ended", "unknown-mark")
-
-    def _is_ended_by(self, keeps):
-        """Ends the trial; false if it has ended before, maybe by one that it is within."""
-        ends = self._mark is not None and self._mesh._end_mark(self._mark, keeps)
-        self._mark = None
-        return ends
-
-    def __exit__(self, error, *_):
-        self._is_ended_by(False)
-        return False
 
 
 class Mesh(MeshTables, Measured):

@@ -22,6 +22,7 @@ mod picture;
 mod pointers;
 mod program;
 mod script;
+mod trial;
 mod watch;
 
 use pyo3::prelude::*;
@@ -55,4 +56,6 @@ mod _hedgerow {
     use super::program::{Program, check_text};
     #[pymodule_export]
     use super::script::Script;
+    #[pymodule_export]
+    use super::trial::Trial;
 }

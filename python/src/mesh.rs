@@ -9,7 +9,7 @@ use hedgerow::mesh::{
     identical_but_for_scratch, read_bytes, read_mesh, same_up_to_renumbering, shape, validate,
     write_bytes, write_mesh,
 };
-use hedgerow::{KeptMask, Op, Program, Session};
+use hedgerow::{KeptMask, Mark, Op, Program, Session};
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::exceptions::{PyKeyError, PyValueError};
 use pyo3::prelude::*;
@@ -29,10 +29,6 @@ pub struct MeshTables {
     /// The masks that were given up while something ran on the mesh.
     dropped: Mutex<Vec<KeptMask>>,
 }
-
-/// A state of a mesh that can be restored.
-#[pyclass(frozen, module = "hedgerow._hedgerow")]
-pub struct Mark(hedgerow::Mark);
 
 /// The state of a mesh.
 pub struct State {
@@ -485,20 +481,20 @@ impl MeshTables {
         let (ours, theirs) = (ours.mesh(), theirs.mesh());
         Ok(py.detach(|| same_up_to_renumbering(ours, theirs, tolerance)))
     }
+}
 
+impl MeshTables {
     /// Marks the state of the mesh.
-    #[pyo3(name = "_mark")]
-    fn mark(&self, py: Python<'_>) -> PyResult<Mark> {
-        Ok(Mark(self.hold(py)?.session.mark()))
+    pub fn mark(&self, py: Python<'_>) -> PyResult<Mark> {
+        Ok(self.hold(py)?.session.mark())
     }
 
     /// Ends a mark and all later ones; `keeps` tells whether what was done since stays. Returns
     /// false, and does nothing, if the mark has ended before.
-    #[pyo3(name = "_end_mark")]
-    fn end_mark(&self, py: Python<'_>, mark: &Bound<'_, Mark>, keeps: bool) -> PyResult<bool> {
+    pub fn end_mark(&self, py: Python<'_>, mark: Mark, keeps: bool) -> PyResult<bool> {
         let mut state = self.hold(py)?;
-        let (session, Mark(mark)) = (&mut state.session, mark.get());
-        let done = py.detach(|| if keeps { session.keep(*mark) } else { session.undo(*mark) });
+        let session = &mut state.session;
+        let done = py.detach(|| if keeps { session.keep(mark) } else { session.undo(mark) });
         Ok(done.is_ok())
     }
 }

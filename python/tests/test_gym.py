@@ -227,15 +227,15 @@ def test_an_interrupt_leaves_the_irregularity_of_the_mesh(kind, monkeypatch):
     rng = np.random.default_rng(2)
     env = gym.PlanarMeshEnv(kind, points=6)
     env.reset(seed=1)
-    board = env.board
+    board, whole = env.board, env.mesh.copy()
     usual = signal.signal(signal.SIGALRM, signal.default_int_handler)
     try:
-        for _ in range(20):
+        for _ in range(100):
             with pytest.raises(KeyboardInterrupt):
                 signal.setitimer(signal.ITIMER_REAL, rng.uniform(0.001, 0.01))
                 while True:
                     gym.greedy_action(env, rng)
-            assert board.irregularity == true()
+            assert board.mesh == whole and board.irregularity == true()
     finally:
         signal.signal(signal.SIGALRM, usual)
 
