@@ -3,7 +3,7 @@
 //! They begin and end in native code: an interrupt reaches Python code only before or after that, so
 //! none leaves a trial open that a `with` statement has begun.
 
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use hedgerow::Mark;
 use pyo3::prelude::*;
@@ -30,11 +30,11 @@ impl Trial {
     fn __enter__(slf: Bound<'_, Self>) -> PyResult<Bound<'_, Self>> {
         let py = slf.py();
         let this = slf.get();
-        if this.mark.lock().unwrap_or_else(PoisonError::into_inner).is_some() {
+        if this.state().is_some() {
             return Err(unknown(py, "this trial has begun already"));
         }
         let mark = this.mesh.get().mark(py)?;
-        *this.mark.lock().unwrap_or_else(PoisonError::into_inner) = Some(mark);
+        *this.state() = Some(mark);
         Ok(slf)
     }
 
@@ -61,6 +61,10 @@ impl Trial {
 }
 
 impl Trial {
+    fn state(&self) -> MutexGuard<'_, Option<Mark>> {
+        self.mark.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
     fn end(&self, py: Python<'_>, keeps: bool) -> PyResult<()> {
         match self.is_ended_by(py, keeps)? {
             true => Ok(()),
@@ -70,7 +74,7 @@ impl Trial {
 
     /// Ends the trial; false if it has ended before, maybe by one that it is within.
     fn is_ended_by(&self, py: Python<'_>, keeps: bool) -> PyResult<bool> {
-        let mark = self.mark.lock().unwrap_or_else(PoisonError::into_inner).take();
+        let mark = self.state().take();
         mark.map_or(Ok(false), |mark| self.mesh.get().end_mark(py, mark, keeps))
     }
 }

@@ -4,6 +4,7 @@ use super::before::tell_of_before;
 use super::files::{Absent, Part, Parts, without_consequences};
 use super::foreign::tell_as_elsewhere;
 use super::library_hints::tell_where;
+use super::names::Names;
 use super::open_loops::tell_how_to_close;
 use super::parse_cache::ParseCache;
 use super::unused::unused_variables;
@@ -22,6 +23,8 @@ pub(super) struct Reading {
     pub fields: Fields,
     /// The types of variables.
     pub types: Types,
+    /// The names of the root, if there is no error so far.
+    pub names: Option<Names>,
     /// Its functions, compiled.
     pub functions: Functions,
     /// The diagnostics so far.
@@ -48,11 +51,12 @@ impl Reading {
         diagnostics.extend(too_large);
         tell_of_before(&program, &mut diagnostics);
         tell_how_to_close(&program, &mut diagnostics);
-        // Broken code may be what reads them.
-        if !diagnostics.iter().any(Diagnostic::is_error) {
-            diagnostics.extend(unused_variables(&parts[0], &fields));
-        }
         drop(units);
-        Self { parts, program, fields, types, functions, diagnostics }
+        // Broken code may be what reads them.
+        let is_sound = !diagnostics.iter().any(Diagnostic::is_error);
+        let names = is_sound.then(|| Names::of(&parts[0].parsed.tree, &fields));
+        let unused = names.iter().flat_map(|names| unused_variables(names, &parts[0]));
+        diagnostics.extend(unused);
+        Self { parts, program, fields, types, names, functions, diagnostics }
     }
 }

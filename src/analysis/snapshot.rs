@@ -103,7 +103,7 @@ impl Snapshot {
             let absent = fetch(&mut sources, file, reader, parse_cache);
             Reading::of(&sources, file, &absent, parse_cache)
         };
-        let Reading { mut parts, program, fields, types, functions, diagnostics: mut told } =
+        let Reading { mut parts, program, fields, types, names, functions, diagnostics: mut told } =
             reading;
         let lost = files::lost_attributes(&parts, &told);
         let seen = parts[0].uses.iter().map(|&used| parts[used].file).collect();
@@ -116,7 +116,7 @@ impl Snapshot {
         let due = due(&program, &functions, (file, &sources));
         let places = program.ops.iter().enumerate().map(|(number, op)| (op.span, number));
         Self {
-            names: OnceCell::new(),
+            names: names.map_or_else(OnceCell::new, OnceCell::from),
             meanings: OnceCell::new(),
             examined: vec![OnceCell::new(); program.ops.len()],
             sources,
@@ -196,9 +196,7 @@ impl Snapshot {
         let is_it = |name: &str| {
             name.strip_prefix(file).is_some_and(|rest| rest.is_empty() || rest.starts_with('/'))
         };
-        let mut used = self.used().map(|(file, _)| self.sources.get(file).name());
         let has = self.sources.find(file).is_some_and(|found| found != self.file);
-        let has = has || used.any(is_it);
         let looks = |(here, tree): (FileId, &tree::File)| {
             let here = self.sources.get(here).name();
             let mut items = tree.items.iter();

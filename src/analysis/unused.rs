@@ -5,7 +5,6 @@ use super::files::Part;
 use super::names::{Names, Role, Symbol, SymbolId, SymbolKind};
 use super::snapshot::Snapshot;
 use crate::diagnostic::{Diagnostic, Edit, Fix};
-use crate::resolve::Fields;
 use crate::source::Span;
 use crate::syntax::TokenKind;
 use crate::syntax::tree::Item;
@@ -34,8 +33,7 @@ pub fn unused(snapshot: &Snapshot) -> Vec<Unused> {
 
 /// A warning for each variable of a file that nothing reads. A loop or an aggregate has to name its
 /// element, so that name may go unused, as may one that begins with `_`.
-pub(super) fn unused_variables(part: &Part, fields: &Fields) -> Vec<Diagnostic> {
-    let names = Names::of(&part.parsed.tree, fields);
+pub(super) fn unused_variables(names: &Names, part: &Part) -> Vec<Diagnostic> {
     let tokens = &part.parsed.tokens;
     let is_let = |place: Span| {
         let at = tokens.partition_point(|token| token.span.start < place.start);
@@ -43,10 +41,10 @@ pub(super) fn unused_variables(part: &Part, fields: &Fields) -> Vec<Diagnostic> 
         before.is_some_and(|word| matches!(word.kind, TokenKind::Let | TokenKind::Var))
     };
     let told = names.symbols().filter_map(|(id, symbol)| {
-        let place = symbol.definition.filter(|place| is_let(*place))?;
-        if symbol.kind != SymbolKind::Variable || is_used(&names, id, symbol) {
+        if symbol.kind != SymbolKind::Variable || is_used(names, id, symbol) {
             return None;
         }
+        let place = symbol.definition.filter(|place| is_let(*place))?;
         let is_set = names.mentions_of(id).any(|mention| mention.role == Role::Written);
         let message = match is_set {
             true => format!("`{}` is set and never read", symbol.name),

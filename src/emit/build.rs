@@ -184,25 +184,27 @@ impl Writer<'_, '_> {
         let called = attribute.as_ref().map_or("position", |it| &it.name);
         let name = self.names.fresh(&format!("{word}_{called}"));
         let value = self.names.once(value, each, Some(self.drawing.rule), &mut self.body)?;
-        let value = self.for_each(each, |this| this.names.value(&value))?;
-        let item = value;
+        let item = self.for_each(each, |this| this.names.value(&value))?;
         let [of, value] = self.for_each(each, |this| {
             let value = if each { this.names.member(&name, 0) } else { Term::name(&name) };
             [this.names.term(element), value]
         });
         let ty = attribute.as_ref().map_or(Type::Vec3, |it| it.ty);
         let infinite = self.names.finite(&value).not();
-        match refusal(assigned) {
-            // The values behind an infinite one are not evaluated where that may stop.
-            Some(reason) if each && may_stop(assigned.value) => {
+        let reason = refusal(assigned);
+        // The values behind an infinite one are not evaluated where that may stop.
+        match reason.filter(|_| each && may_stop(assigned.value)) {
+            Some(reason) => {
                 let Names { language, indices, .. } = &self.names;
                 let list = (&*language.ty(ty), &*name);
                 let (empty, when) = language.gather_until(list, indices, [&item, &infinite]);
                 self.body.extend([empty, Statement::Refuse { when, reason: reason.clone() }]);
             }
-            reason => {
+            None => {
                 self.bind(ty, &name, &item, each);
-                reason.into_iter().for_each(|reason| self.refuse(infinite.clone(), each, reason));
+                if let Some(reason) = reason {
+                    self.refuse(infinite, each, reason);
+                }
             }
         }
         let field = attribute.map_or(Field::Position, Field::Attribute);

@@ -114,13 +114,13 @@ impl Server {
     fn closed(&mut self, params: DidCloseTextDocumentParams) {
         let uri = params.text_document.uri;
         if self.documents.remove(&uri.0).is_some() {
-            let name = name(&uri);
+            let file = name(&uri);
             // The same file may be open under another URI.
-            match self.documents.values().find(|other| self::name(other.uri()) == name) {
+            match self.documents.values().find(|other| name(other.uri()) == file) {
                 Some(other) => self.files.hold(other.uri(), other.text()),
                 None => self.files.release(&uri),
             }
-            self.file_changed(&name);
+            self.file_changed(&file);
             // Clears its diagnostics.
             self.tell::<PublishDiagnosticsNotification>(PublishDiagnosticsParams {
                 uri,

@@ -232,11 +232,11 @@ fn place_note(error: Diagnostic, operands: &[(&tree::Expr, &Expr)]) -> Diagnosti
 
 /// Adds the comparison that an alternative lacks, as in `x == 3 or 4`.
 fn compared_again(error: Diagnostic, [left, right]: [(&tree::Expr, &Expr); 2]) -> Diagnostic {
-    let tree::ExprKind::Binary(op, first, _) = &left.0.kind else { return error };
+    let tree::ExprKind::Binary(BinaryOp::Equal, first, _) = &left.0.kind else { return error };
     let ExprKind::Binary(_, compared, _) = &left.1.kind else { return error };
     let is_compared = equal([compared.ty, right.1.ty]).is_some();
     let name = short(first, 3).filter(|name| is_compared && !name.ends_with(')'));
-    let Some(name) = name.filter(|_| *op == BinaryOp::Equal) else { return error };
+    let Some(name) = name else { return error };
     let again = format!("{name} == ");
     error.fix(format!("write `{again}…`"), right.0.span.before(), again)
 }

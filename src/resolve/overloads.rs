@@ -222,7 +222,7 @@ impl Typing<'_> {
     /// Reports `max(a, b, c)`, which is `max(max(a, b), c)`.
     fn of_several(&mut self, function: &Ident, args: &[tree::Expr], span: Span) {
         let word = &function.text;
-        let message = format!("`{word}` takes two arguments, but {}", are_given(args.len()));
+        let message = format!("`{word}` takes {}, but {}", arguments(2), are_given(args.len()));
         let error = Diagnostic::error("wrong-count", message, span);
         let inner = args.len() - 2;
         let edit = |span, text| Edit { span, text };

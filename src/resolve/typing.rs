@@ -61,8 +61,16 @@ impl<'a> Typing<'a> {
         for param in params {
             scopes.declare(local(param));
         }
-        let (may_change, updating) = (false, false);
-        Self { place, declared, scopes, report, ops: &[], may_change, updating, wanted: None }
+        Self {
+            place,
+            declared,
+            scopes,
+            report,
+            ops: &[],
+            may_change: false,
+            updating: false,
+            wanted: None,
+        }
     }
 }
 
